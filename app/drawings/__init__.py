@@ -14,8 +14,11 @@ what
   for picking,
 - ``remove()``: takes everything out of the window again.
 
-The world's has besides, if it is ``live``, marks to take hold of the camera by: ``hold(handle)``,
-``held``, ``handle_at(pixel, within_px)``; a figure has none.
+- ``show_layers(hidden)``: switches off what it has of `app.document.view.LAYERS`,
+
+The world's has besides ``show_fixed(view)`` and ``fixed``, one of `app.document.view.FIXED` or
+``""`` for the view that a hand turns freely; and, if it is ``live``, marks to take hold of the
+camera by: ``hold(handle)``, ``held``, ``handle_at(pixel, within_px)``; a figure has none.
 
 `actors` holds what they share, `style` their colours and sizes.
 """
@@ -39,6 +42,13 @@ WORDS: Mapping[str, str] = MappingProxyType(
         "x": "x",
         "y": "y",
         "z": "z",
+        "d": "d",
+        "half width": "half width",
+        "half height": "half height",
+        "no planes": "A typed matrix has no near, no far and no angle.",
+        "no angle": "A parallel lens has no angle: it is as wide at every distance.",
+        "no eye": "A parallel lens has no eye: this is the view along its axis.",
+        "no half angle": "This window is off the axis, which does not halve its angle.",
     }
 )
 """The words written into the drawings; a mapping with the same keys translates them."""

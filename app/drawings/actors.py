@@ -41,6 +41,7 @@ from vtkmodules.vtkRenderingCore import (
 from app.drawings.style import Style, rgb
 from app.model.projection import Projection
 from app.scenes.scene import Scene
+from app.scenes.shapes import is_grid
 
 CUBE_CORNERS = np.array(
     [(x, y, z) for z in (-1, 1) for x, y in ((-1, -1), (1, -1), (1, 1), (-1, 1))], dtype=np.float64
@@ -128,6 +129,10 @@ class Canvas:
         self.renderer = screen.renderer
         self.style = style
         self._props: list[tuple[Any, vtkProp]] = []
+        self._layers: dict[vtkProp, str] = {}
+        self._unwanted: set[vtkProp] = set()
+        self.hidden: frozenset[str] = frozenset()
+        """The layers that are switched off."""
         self._labels: list[Label] = []
         self._layout = weakref.WeakMethod(layout)
         self._laid_out: tuple[int, int, int] | None = None
@@ -148,16 +153,36 @@ class Canvas:
         renderer.GetCullers().RemoveAllItems()
         renderer.SetUseOIT(False)
 
-    def add(self, *props: vtkProp, renderer: Any = None) -> None:
-        """Add props, to the screen's own renderer unless another one is named."""
+    def add(self, *props: vtkProp, renderer: Any = None, layer: str = "") -> None:
+        """Add props, to the screen's own renderer unless another one is named.
+
+        Those of a layer are shown and hidden by `set_visible` alone.
+        """
         renderer = self.renderer if renderer is None else renderer
         for prop in props:
             renderer.AddViewProp(prop)
             self._props.append((renderer, prop))
+            if layer:
+                self._layers[prop] = layer
+                prop.SetVisibility(layer not in self.hidden)
+
+    def set_visible(self, prop: vtkProp, visible: bool) -> None:
+        """Show a prop of a layer, unless the layer is switched off; or hide it."""
+        (self._unwanted.discard if visible else self._unwanted.add)(prop)
+        prop.SetVisibility(visible and self._layers[prop] not in self.hidden)
+
+    def show_layers(self, hidden: frozenset[str]) -> None:
+        """Switch these layers off, and no others."""
+        self.hidden = hidden
+        for prop, layer in self._layers.items():
+            prop.SetVisibility(prop not in self._unwanted and layer not in hidden)
+        for label in self._labels:
+            label.set_shown("labels" not in hidden)
 
     def label(self, text: str, renderer: Any = None, **options: Any) -> Label:
         """Add a `Label` with these options; `Label` describes them."""
         label = Label(text, self.style, **options)
+        label.set_shown("labels" not in self.hidden)
         self._labels.append(label)
         self.add(label.actor, renderer=renderer)
         self.relayout()
@@ -175,6 +200,8 @@ class Canvas:
         for renderer, prop in self._props:
             renderer.RemoveViewProp(prop)
         self._props.clear()
+        self._layers.clear()
+        self._unwanted.clear()
         self._labels.clear()
 
     def _before_render(self) -> None:
@@ -221,6 +248,7 @@ class Label:
         self.actor = vtkTextActor()
         self.actor.SetTextScaleModeToNone()
         self.actor.UseBoundsOff()
+        self._visible = self._shown = True
         self._style, self._plate = style, ""
         self._pad = " " if plate else ""
         self._font_px, self._dpi = style.font_size, _DPI
@@ -270,7 +298,13 @@ class Label:
 
     def set_visible(self, visible: bool) -> None:
         """Show or hide."""
-        self.actor.SetVisibility(visible)
+        self._visible = visible
+        self.actor.SetVisibility(visible and self._shown)
+
+    def set_shown(self, shown: bool) -> None:
+        """Switch it off, whatever `set_visible` says, or on again."""
+        self._shown = shown
+        self.actor.SetVisibility(self._visible and shown)
 
     def set_framed(self, framed: bool) -> None:
         """Put a frame round the plate, or take it off."""
@@ -409,6 +443,32 @@ def _faces_actor(scene: Scene, surface: pv.PolyData) -> vtkActor:
         shader.AddVertexShaderReplacement(f"out {varying}", False, f"flat out {varying}", True)
         shader.AddFragmentShaderReplacement(f"in {varying}", False, f"flat in {varying}", True)
     return actor
+
+
+def show_grid(lines: vtkActor | None, scene: Scene, shown: bool) -> None:
+    """Let the actor of a scene's lines show all of them, or none of the ground's."""
+    if lines is None:
+        return
+    mesh = scene.lines
+    assert mesh is not None
+    kept = None if shown else ~is_grid(np.asarray(mesh.cell_data["rgb"]))
+    lines.SetVisibility(kept is None or bool(kept.any()))
+    if kept is not None and kept.any():
+        if scene not in _gridless:
+            _gridless[scene] = _lines_of(mesh, kept)
+        mesh = _gridless[scene]
+    mapper: Any = lines.GetMapper()
+    mapper.SetInputData(mesh)
+
+
+_gridless: WeakKeyDictionary[Scene, pv.PolyData] = WeakKeyDictionary()
+
+
+def _lines_of(lines: pv.PolyData, kept: NDArray[np.bool_]) -> pv.PolyData:
+    ends = np.asarray(lines.lines).reshape(-1, 3)[kept]
+    mesh = pv.PolyData(lines.points, lines=ends.ravel())
+    mesh.cell_data["rgb"] = np.asarray(lines.cell_data["rgb"])[kept]
+    return mesh
 
 
 class Detail:

@@ -6,6 +6,7 @@ but come before what would hide them.
 
 from __future__ import annotations
 
+from functools import partial
 from typing import NamedTuple
 
 import numpy as np
@@ -85,7 +86,7 @@ class CameraDrawing:
 
     def __init__(self, canvas: Canvas) -> None:
         self._canvas = canvas
-        style, add = canvas.style, canvas.add
+        style, add = canvas.style, partial(canvas.add, layer="camera")
         width = style.line_width
         self._body_space, self._sight_space, self._axes_space = Space(), Space(), Space()
         self._eye_space, self._target_space, self._rim_space = Space(), Space(), Space()
@@ -139,8 +140,8 @@ class CameraDrawing:
         self.steps.show(step)
         for axis, shaft in self.shafts.items():
             for actor in (shaft, self._heads[axis]):
-                actor.SetVisibility(step is None or is_built(axis, step))
-        self._sight.SetVisibility(step is None or is_built("look", step))
+                self._canvas.set_visible(actor, step is None or is_built(axis, step))
+        self._canvas.set_visible(self._sight, step is None or is_built("look", step))
 
     @property
     def arrows(self) -> tuple[tuple[str, ...], Array]:

@@ -36,6 +36,7 @@ class FrameSteps:
     """The arrows and marks that the ordinary drawing has not."""
 
     def __init__(self, canvas: Canvas, style: Style) -> None:
+        self._canvas = canvas
         self._space, self._up_space = Space(), Space()
         width = style.line_width
         up, look = np.array([0.0, _UP, 0.0]), np.array(_LOOK)
@@ -55,16 +56,16 @@ class FrameSteps:
         self._up_space.add(self.up, up_head, self._squares["up-u"])
         self._space.add(self.look, look_head, *(self._squares[n] for n in _RIGHT_ANGLES["view"]))
         for made in (*self._shown_from.values(), self._squares.values()):
-            canvas.add(*made)
+            canvas.add(*made, layer="camera")
 
     def show(self, step: int | None) -> None:
         """Show what is built up to a step, 0 to ``len(STEPS) - 1``; nothing for None."""
         for name, made in self._shown_from.items():
             for actor in made:
-                actor.SetVisibility(is_built(name, step))
+                self._canvas.set_visible(actor, is_built(name, step))
         marked = () if step is None else _RIGHT_ANGLES.get(STEPS[step], ())
         for name, square in self._squares.items():
-            square.SetVisibility(name in marked)
+            self._canvas.set_visible(square, name in marked)
 
     def place(self, pane_from_body: Array, camera: Camera) -> None:
         """Stand at the camera; (4, 4), from view space in sizes of the camera's body."""

@@ -104,7 +104,8 @@ class FrustumDrawing:
     """
 
     def __init__(self, canvas: Canvas, size: float) -> None:
-        style, self._size, self._em = canvas.style, size, canvas.style.font_size
+        self._canvas, self._size = canvas, size
+        style, self._em = canvas.style, canvas.style.font_size
         self.reach: Reach | None = None
         width = style.line_width
         self.space, self._body_space, self.apex_space = Space(), Space(), Space()
@@ -138,7 +139,7 @@ class FrustumDrawing:
         broken = [edge for edges in self.breaks.values() for _, edge in edges]
         lines = near_line, far_line, self._body, self.apex, *broken
         self.dimmable = *lines, walls
-        canvas.add(*lines, far_face, walls, near_face)
+        canvas.add(*lines, far_face, walls, near_face, layer="frustum")
 
     def show(self, projection: Projection, standing: Standing) -> None:
         """Take over the model's volume."""
@@ -153,8 +154,8 @@ class FrustumDrawing:
         """The cube under the inverse of a free matrix; nothing where it has none."""
         self.seen = projection.frustum_sign != 0
         for actor in (*self._volume, self._body):
-            actor.SetVisibility(self.seen)
-        self.apex.SetVisibility(False)
+            self._canvas.set_visible(actor, self.seen)
+        self._canvas.set_visible(self.apex, False)
         for name in self.breaks:
             self._break(name, None)
         self.corners = np.tile(standing.eye, (8, 1))
@@ -171,13 +172,13 @@ class FrustumDrawing:
         lens, local_from_view = projection.lens, standing.local_from_view
         self.seen = True
         for actor in self._volume:
-            actor.SetVisibility(True)
+            self._canvas.set_visible(actor, True)
         view_from_cube = matrices_between(projection, reach.near, reach.far)[1]
         frustum = normalised(local_from_view @ view_from_cube)
         self.corners = applied(frustum, CUBE)
         self.space.set(frustum)
         start, end = reach.body
-        self._body.SetVisibility(start < end)
+        self._canvas.set_visible(self._body, start < end)
         if start < end:
             self._body_space.set(frustum @ _cube_from_part(view_from_cube, start, end))
         for name, broken in (("near", reach.near_break), ("far", reach.far_break)):
@@ -185,7 +186,7 @@ class FrustumDrawing:
             if broken is not None:
                 ends = applied(frustum @ _cube_from_part(view_from_cube, *broken), CUBE)
             self._break(name, ends)
-        self.apex.SetVisibility(lens.central)
+        self._canvas.set_visible(self.apex, lens.central)
         if lens.central:
             base = frustum
             if reach.near_break is not None:
@@ -196,7 +197,7 @@ class FrustumDrawing:
     def _break(self, name: str, ends: Array | None) -> None:
         """Break the edges before a plane between these corners, (8, 3); None: nowhere."""
         for _, edge in self.breaks[name]:
-            edge.SetVisibility(ends is not None)
+            self._canvas.set_visible(edge, ends is not None)
         self._break_ends.pop(name, None)
         if ends is not None:
             self._break_ends[name] = ends

@@ -84,7 +84,7 @@ class HandleMarks:
         mapper.SetInputData(marks)
         actor = vtkActor2D()
         actor.SetMapper(mapper)
-        canvas.add(actor)
+        canvas.add(actor, layer="handles")
 
     def show(self, handles: Sequence[tuple[Handle, Spot]], height_px: int) -> None:
         """Mark these handles, and no others; draw nothing yet.
@@ -116,7 +116,8 @@ def _outline(corners: int, radius: float, factor: float) -> NDArray[np.float32]:
     angles = 2.0 * math.pi * turns
     unit = np.column_stack([np.cos(angles), np.sin(angles)])
     sizes = factor * radius + np.array([_RING_EM, 0.0, -_RIM_EM])
-    return (sizes[:, None, None] * unit).astype(np.float32)
+    outlines: NDArray[np.float32] = (sizes[:, None, None] * unit).astype(np.float32)
+    return outlines
 
 
 def _bytes(colour: str) -> tuple[int, ...]:

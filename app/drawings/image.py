@@ -161,6 +161,12 @@ class ImageDrawing:
         if self._probes.probes:
             self._place_probes()
 
+    def show_layers(self, hidden: frozenset[str]) -> None:
+        """Switch labels and grid off, if they are among these layers; then show a projection."""
+        if ("grid" in hidden) != ("grid" in self._canvas.hidden):
+            self._model.show_grid("grid" not in hidden)
+        self._canvas.show_layers(hidden)
+
     def show_detail(self, fewer: Scene | None) -> None:
         """Take a scene's fewer triangles, or all for None; then show a projection."""
         self._model.show_detail(fewer)

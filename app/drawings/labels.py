@@ -8,6 +8,7 @@ to something else.
 from __future__ import annotations
 
 import math
+import weakref
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from functools import partial
 from itertools import product
@@ -224,7 +225,8 @@ class Labels:
             name: Leader(getattr(style, name), style.line_width)
             for name in ("eye", "target", "near", "far", *AXES)
         }
-        canvas.add(*(leader.actor for leader in self._leaders.values()))
+        for leader in self._leaders.values():
+            leader.add_to(canvas)
         self._arrows = {a: label(words[a], plate=getattr(style, a), bold=True) for a in AXES}
         self._eye = label(words["eye"], plate=style.eye)
         self._target = label(words["target"], plate=style.target)
@@ -285,7 +287,7 @@ class Labels:
         layout = Layout(pane.size_px, em, {} if afresh else before, subject)
         texts = [words["near"], words["far"]]
         if named.planes is not None:
-            texts = [f"{t} {_distance(d)}" for t, d in zip(texts, named.planes, strict=True)]
+            texts = [f"{t} {written_distance(d)}" for t, d in zip(texts, named.planes, strict=True)]
         self._near.set_text(texts[0])
         self._far.set_text(texts[1])
         points = [[named.eye], [named.target], named.tips, named.body]
@@ -300,7 +302,7 @@ class Labels:
         crowded = []
         for name, label in self._arrows.items():
             if name in leaders:
-                leaders[name].actor.SetVisibility(False)
+                leaders[name].set_visible(False)
             if name in named.arrows:
                 i = named.arrows.index(name)
                 gaps = 1 if name in AXES else 3  # up can be anywhere, even on the view direction
@@ -431,7 +433,7 @@ class Layout:
             Whether there was a place for it.
         """
         width_px, height_px = self._size_px
-        half = self._half(text)
+        half = self.half(text)
         usable = [
             i
             for i, (x, y, depth) in enumerate(points)
@@ -452,7 +454,7 @@ class Layout:
         if found is None or found[2] > at_worst:
             label.set_visible(False)
             if leader is not None:
-                leader.actor.SetVisibility(False)
+                leader.set_visible(False)
             return False
         candidate, box, place = found
         self._taken.append(box)
@@ -485,14 +487,14 @@ class Layout:
         """
         if not len(subject):
             return []
-        half = np.array(self._half(text))
+        half = np.array(self.half(text))
         away = half + self.em * np.repeat(_GAPS_EM[:gaps], len(sides))[:, None]
         centres = point[:2] + away * np.tile(sides, (gaps, 1))
         hidden = (np.abs(subject - centres[:, None]) < half).all(axis=2).mean(axis=1)
         order: list[int] = np.argsort(np.digitize(hidden, _HIDES), kind="stable").tolist()
         return order
 
-    def _half(self, text: str) -> tuple[float, float]:
+    def half(self, text: str) -> tuple[float, float]:
         """Half the width and height of a label: as wide as DejaVu Sans, and a line high."""
         return self.em * (0.26 * (len(text) + 2) + 0.15), self.em * 0.72
 
@@ -575,7 +577,7 @@ class Layout:
         if leader is not None:
             end = box.nearest(anchor)
             apart = math.dist(end, anchor) > _LEADER_FROM_EM * self.em
-            leader.actor.SetVisibility(apart)
+            leader.set_visible(apart)
             if apart:  # the plate is a little smaller than the box that is kept free for it
                 plate = _Box(
                     *(c + 0.7 * (side - c) for c, side in zip((x, y, x, y), box, strict=True))
@@ -633,7 +635,16 @@ class Leader:
         self.actor.SetMapper(mapper)
         self.set_colour(colour)
         self.actor.GetProperty().SetLineWidth(width)
-        self.actor.SetVisibility(False)
+
+    def add_to(self, canvas: Canvas, renderer: Any = None) -> None:
+        """Be drawn there, hidden at first."""
+        canvas.add(self.actor, renderer=renderer, layer="labels")
+        self._canvas = weakref.proxy(canvas)
+        self.set_visible(False)
+
+    def set_visible(self, visible: bool) -> None:
+        """Show or hide."""
+        self._canvas.set_visible(self.actor, visible)
 
     def set_colour(self, colour: str) -> None:
         """Draw it in another colour."""
@@ -646,7 +657,7 @@ class Leader:
         self._points.Modified()
 
 
-def _distance(value: float) -> str:
+def written_distance(value: float) -> str:
     """A distance as a label says it: 1, 0.025, −10, 1e+06, the sign for infinity."""
     if math.isinf(value):
         return "\N{INFINITY}"

@@ -243,7 +243,7 @@ class MarksDrawing:
             self._labels.append(label)
             leader = Leader(style.ink, style.line_width / 2.0) if self._leads else None
             if leader is not None:
-                self._canvas.add(leader.actor, renderer=self._renderer)
+                leader.add_to(self._canvas, self._renderer)
             self._leaders.append(leader)
         for label, leader, i, word in zip(self._labels, self._leaders, near, words, strict=False):
             colour = texts[i].colour
@@ -254,7 +254,7 @@ class MarksDrawing:
         for label, leader in list(zip(self._labels, self._leaders, strict=True))[len(near) :]:
             label.set_visible(False)
             if leader is not None:
-                leader.actor.SetVisibility(False)
+                leader.set_visible(False)
 
     def place_texts(
         self,

@@ -35,23 +35,24 @@ class NearPicture:
 
     Attributes
     ----------
-    faces : vtkActor or None
+    faces, lines : vtkActor or None
     space : Space
-        What they stand under.
+        What the faces stand under.
     actors : list of vtkActor
         Faces and lines.
     """
 
     def __init__(self, canvas: Canvas, scene: Scene) -> None:
+        self._canvas = canvas
         self._planes = [vtkPlane() for _ in range(6)]
-        self.faces, lines = actors.scene_actors(scene, canvas.style, self._planes)
+        self.faces, self.lines = actors.scene_actors(scene, canvas.style, self._planes)
         self.space, self._lines_space = Space(), Space()
         if self.faces is not None:
             self.space.add(self.faces)
-        if lines is not None:
-            self._lines_space.add(lines)
-        self.actors = [actor for actor in (self.faces, lines) if actor is not None]
-        canvas.add(*self.actors)
+        if self.lines is not None:
+            self._lines_space.add(self.lines)
+        self.actors = [actor for actor in (self.faces, self.lines) if actor is not None]
+        canvas.add(*self.actors, layer="near-picture")
 
     def show(
         self, projection: Projection, standing: Standing, frustum: FrustumDrawing, pane: PaneView
@@ -68,7 +69,7 @@ class NearPicture:
                 seen and reach.near_break is None and depths[1] > lens.near and depths[0] < lens.far
             )
         for actor in self.actors:
-            actor.SetVisibility(seen)
+            self._canvas.set_visible(actor, seen)
         if not seen:
             return
         if reach is None:

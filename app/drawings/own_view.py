@@ -26,16 +26,14 @@ from numpy.typing import NDArray
 from app.drawings.actors import Canvas
 from app.drawings.camera import AROUND_PX
 from app.drawings.labels import PaneView
-from app.drawings.pointing import FACES, FAR_FACE, NEAR_FACE
+from app.drawings.pointing import FACES
+from app.drawings.style import TITLE_EM
 from app.model.projection import Array, Camera
 from app.picking.picking import Sight
 
-FIXED = ("side", "top", "axis", "eye")
-"""The fixed views; ``""`` is the free one."""
-
 _VIEW_ANGLE_DEG = 50.0
 _MARGIN_EM = 1.6  # beside what is framed, for the labels; never more than half the pane
-_DIMENSIONS_EM = 5.5  # under it in a flat view, for the lines that say how far
+_DIMENSIONS_EM = 8.5  # under it in a flat view, for the lines that say how far and a sentence
 _SHRUNK = 0.4  # of the pane: what fills less of it is brought nearer by `refit`
 _NEAREST = 0.02  # of the distance to what is looked at: what is nearer is cut
 _LINES_LIFT = 2e-3  # of the distance: a face must not eat its own edges
@@ -117,7 +115,7 @@ class OwnView:
     pane : PaneView
         How it looks just now; a move from outside is seen by `look`.
     fixed : str
-        One of `FIXED`, or ``""``.
+        One of `app.document.view.FIXED`, or ``""``.
     """
 
     def __init__(self, canvas: Canvas, origin: Array, middle: Array) -> None:
@@ -128,6 +126,7 @@ class OwnView:
         self._framed: Framed | None = None
         self._framed_first: Framed | None = None
         self.fixed = ""
+        self._was_shifted = False
         self._flat: _Flat | None = None
         self._axes = np.eye(3)
         self._take()
@@ -188,9 +187,8 @@ class OwnView:
     def reset(self, framed: Framed) -> None:
         """Look from where most is seen of what must be told apart, or as the fixed view does."""
         self._framed = self._framed_first = framed
-        if self.fixed:
-            self._flat = None
-        else:
+        self._was_shifted = False
+        if not self.fixed:
             self._direction = _clearest(framed, self._middle)
         self.place(framed)
 
@@ -205,15 +203,28 @@ class OwnView:
         bool
             Whether it has moved.
         """
+        if self.fixed:
+            return self._refit_fixed(framed)
         points, first = framed.points, self._framed_first
         assert first is not None
-        is_other = self._framed is not first and not self.fixed
-        if is_other and self._fits(points, self._stand(first)[0]):
+        if self._framed is not first and self._fits(points, self._stand(first)[0]):
             self._framed = first
         elif self._fits(points, self.pane.eye):
             return False
         else:
-            self._framed, self._flat = framed, None
+            self._framed = framed
+        self.place(framed)
+        return True
+
+    def _refit_fixed(self, framed: Framed) -> bool:
+        before = self._flat
+        assert before is not None
+        now = self._frame_flat(self._axes, framed)
+        size = max(before.half_height, now.half_height)
+        aside = max(abs(before.right - now.right), abs(before.up - now.up))
+        is_seen = now.half_height + aside <= 1.02 * before.half_height
+        if self._was_shifted or (is_seen and now.half_height >= _SHRUNK * size):
+            return False
         self.place(framed)
         return True
 
@@ -221,7 +232,7 @@ class OwnView:
         """Whether points are in the view from `eye` in the direction of now, and large enough."""
         pane = self.pane
         x, y, depth = pane.axes @ (points - eye).T
-        if depth.min() <= 0.0 and self.fixed != "eye":
+        if depth.min() <= 0.0:
             return False
         width_px, height_px = pane.size_px
         # From -1 to 1 in the pane.
@@ -234,6 +245,8 @@ class OwnView:
     def place(self, framed: Framed) -> None:
         """Stand in the direction of now from the framed points, as near as the window allows."""
         if self.fixed:
+            if not self._was_shifted:
+                self._flat = None
             self.follow(framed)
             return
         assert self._framed is not None
@@ -253,9 +266,10 @@ class OwnView:
         """What of the pane's width and height is for what is framed, each 1/2 to 1."""
         wide, high = self._size_px
         margin = 2.0 * _MARGIN_EM * self._em
+        above = 2.0 * TITLE_EM * self._em  # and as much below: the middle stays in the middle
         return (
             max(0.5, (wide - margin) / wide),
-            max(0.5, (high - margin - below_em * self._em) / high),
+            max(0.5, (high - margin - above - below_em * self._em) / high),
         )
 
     def _stand(self, framed: Framed) -> tuple[Array, Array]:
@@ -277,7 +291,7 @@ class OwnView:
     # -- fixed views
 
     def fix(self, name: str, framed: Framed) -> None:
-        """Take one of `FIXED`, or ``""`` for the free view, as it opens."""
+        """Take a fixed view, or ``""`` for the free view, as it opens."""
         self.fixed = name
         self.reset(framed)
 
@@ -290,7 +304,7 @@ class OwnView:
         flat, camera = self._flat, self._camera
         position = framed.eye + flat.right * right + flat.up * up - flat.back * toward
         away = max(flat.back, framed.camera.distance)
-        camera.SetParallelProjection(not self._sees_from_eye(framed))
+        camera.SetParallelProjection(self.fixed != "eye" or not framed.has_eye)
         if camera.GetParallelProjection():
             camera.SetParallelScale(flat.half_height)
         else:
@@ -301,13 +315,15 @@ class OwnView:
         self._axes = np.stack([right, up, toward])
         self._placed = self._now
 
-    def _sees_from_eye(self, framed: Framed) -> bool:
-        return self.fixed == "eye" and framed.has_eye
+    @property
+    def sees_from_eye(self) -> bool:
+        """Whether the pane's camera stands in the model's."""
+        return self.fixed == "eye" and not self._camera.GetParallelProjection()
 
     def _frame_flat(self, axes: Array, framed: Framed) -> _Flat:
         offsets = axes @ (framed.points - framed.eye).T
         wide_px, high_px = self._size_px
-        if self._sees_from_eye(framed):
+        if self.fixed == "eye" and framed.has_eye:
             corners = framed.points if framed.corners is None else framed.corners
             x, y, depth = axes @ (corners - framed.eye).T
             wide, high = self._room()
@@ -343,7 +359,7 @@ class OwnView:
                 up=flat.up + float(shift @ up),
                 half_height=camera.GetParallelScale(),
             )
-            self._placed = self._now
+            self._placed, self._was_shifted = self._now, True
             return
         self.fixed = ""
         if camera.GetParallelProjection():  # as large as it was, seen from a place
@@ -472,10 +488,9 @@ def _clearest(framed: Framed, middle: Array) -> Array:
         x, y, away = axes @ (np.vstack([eye, corners, framed.objects]) - position).T
         spots = np.stack([x, y], axis=1) / (half * away)[:, None]
         eye_spot, frustum, objects = spots[0], spots[1:9], spots[9:]
-        sides = [list(face) for face in FACES.values()]
-        near, far = _inside(frustum[[NEAR_FACE, FAR_FACE]])
-        thing = _inside(objects[sides]).any(axis=0)
-        whole = _inside(frustum[sides]).any(axis=0) | thing
+        near, far, *walls = _inside(frustum[_SIDES])
+        thing = _inside(objects[_SIDES]).any(axis=0)
+        whole = np.logical_or.reduce([near, far, thing, *walls])
         at_eye = (np.abs(_SPOTS - eye_spot) < _EYE_PART).all(axis=1)
         parts = (
             near & ~thing & ~at_eye,
@@ -495,10 +510,16 @@ _STEPS = (np.arange(_GRID) + 0.5) * (2.0 / _GRID) - 1.0
 _SPOTS = np.stack(np.meshgrid(_STEPS, _STEPS), axis=-1).reshape(-1, 2)
 
 
+_SIDES = [list(face) for face in FACES.values()]
+"""Near and far first."""
+
+
 def _inside(faces: Array) -> NDArray[np.bool_]:
     """Which of `_SPOTS` are in convex faces, (n, 4, 2): (n, `_GRID` ** 2)."""
     along = np.roll(faces, -1, axis=1) - faces
-    to_spot = _SPOTS - faces[:, :, None]
-    turns = along[:, :, None, 0] * to_spot[..., 1] - along[:, :, None, 1] * to_spot[..., 0]
-    found: NDArray[np.bool_] = np.logical_or((turns >= 0.0).all(axis=1), (turns <= 0.0).all(axis=1))
+    # Left of each side: a linear form of the spot, the other way round for a face from behind.
+    normals = np.stack([-along[..., 1], along[..., 0]], axis=-1)
+    offsets = (normals * faces).sum(axis=-1, keepdims=True)
+    turns = normals @ _SPOTS.T - offsets
+    found: NDArray[np.bool_] = np.logical_or(turns.min(axis=1) >= 0.0, turns.max(axis=1) <= 0.0)
     return found

@@ -41,7 +41,7 @@ from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPlane, vtkPolyData
 from vtkmodules.vtkRenderingCore import vtkActor
 
-from app.drawings.actors import CUBE_CORNERS, Detail, scene_actors
+from app.drawings.actors import CUBE_CORNERS, Detail, scene_actors, show_grid
 from app.drawings.style import Style
 from app.model.projection import Array, Projection
 from app.precision.levels import Precision, drawing_bounds_px
@@ -116,6 +116,12 @@ class ModelActors:
         self._made = tuple(
             None if actor is None else _Made(actor) for actor in (self.surface, self.lines)
         )
+
+    def show_grid(self, shown: bool) -> None:
+        """Draw the ground's lines, or leave them out; then show a projection."""
+        self.show_local()
+        show_grid(self.lines, self._scene, shown)
+        self.show_detail(self._fewer)
 
     def show_projection(self, projection: Projection) -> tuple[Array, Array]:
         """Choose the precision and give the actors their vertices.

@@ -140,6 +140,12 @@ class StageDrawing:
             self._made = morph_of(self._projection, scene.origin, scene.corners)
         return self._made
 
+    def show_layers(self, hidden: frozenset[str]) -> None:
+        """Switch labels and grid off, if they are among these layers; then show a projection."""
+        if ("grid" in hidden) != ("grid" in self._canvas.hidden):
+            self._model.show_grid("grid" not in hidden)
+        self._canvas.show_layers(hidden)
+
     def show_detail(self, fewer: Scene | None) -> None:
         """Take a scene's fewer triangles, or all for None; then show a projection."""
         self._model.show_detail(fewer)
@@ -307,6 +313,8 @@ class StageDrawing:
     def _layout(self, _width_px: int, _height_px: int) -> None:
         if not self.own.was_moved:  # nobody has turned it since: keep it whole
             self.reset_view()
+        else:
+            self.reset_clipping_range()
 
     def remove(self) -> None:
         """Take everything out of the screen again."""

@@ -19,6 +19,7 @@ import numpy as np
 from app.drawings import actors
 from app.drawings.actors import Canvas, Space
 from app.drawings.camera import CameraDrawing, Standing, view_matrices
+from app.drawings.dimensions import Dimensions, Measured
 from app.drawings.frame import DIMMED
 from app.drawings.frustum import CUBE, FrustumDrawing
 from app.drawings.handles import APART_EM, HandleMarks
@@ -90,6 +91,7 @@ class WorldDrawing:
         if lines is not None:
             self._lines_space.add(lines)
         canvas.add(*(actor for actor in (self._faces, lines) if actor is not None))
+        self._lines, self._hidden = lines, canvas.hidden
         self.picture = NearPicture(canvas, scene)
         self._detail = actors.Detail(self._faces, self.picture.faces)
         self._rasterisers: list[Rasteriser] = []
@@ -103,6 +105,7 @@ class WorldDrawing:
         self.labels = Labels(canvas, words)
         for name, label in self.labels.named.items():
             self._emphasis.label(label, name)
+        self._dimensions: Dimensions | None = None
         self._probes = Probes(canvas, style)
         self.handles = HandleMarks(canvas, style) if live else None
         self._highlighted: Highlight = frozenset()
@@ -131,6 +134,50 @@ class WorldDrawing:
     def remove(self) -> None:
         """Take everything out of the screen again."""
         self._canvas.remove()
+
+    # -- fixed views and layers
+
+    @property
+    def fixed(self) -> str:
+        """The fixed view that is shown; ``""`` once it was turned by hand, and before."""
+        return self.own.fixed
+
+    def show_fixed(self, view: str) -> None:
+        """Look from the side, from above, along the axis or from the eye; draw nothing yet.
+
+        Parameters
+        ----------
+        view : str
+            One of `app.document.view.FIXED`; ``""`` for the free view, as it opens.
+        """
+        if view == self.own.fixed:
+            return
+        if view and self._dimensions is None:
+            self._dimensions = Dimensions(self._canvas, self._words)
+        elif self._dimensions is not None:
+            self._dimensions.hide()
+        self.own.fix(view, self._framed())
+        self.reset_clipping_range()
+
+    def show_layers(self, hidden: frozenset[str]) -> None:
+        """Switch these layers off, and no others; draw nothing yet.
+
+        Parameters
+        ----------
+        hidden : frozenset of str
+            Of `app.document.view.LAYERS`.
+        """
+        for lines in (self._lines, self.picture.lines):
+            actors.show_grid(lines, self._scene, "grid" not in hidden)
+        self._hidden = hidden
+        self._switch_layers()
+        self._follow_pane(afresh=True)
+
+    def _switch_layers(self) -> None:
+        # Nobody sees the camera that they look through.
+        hidden = self._hidden | {"camera"} if self.own.sees_from_eye else self._hidden
+        if hidden != self._canvas.hidden:
+            self._canvas.show_layers(hidden)
 
     # -- pointing
 
@@ -198,10 +245,13 @@ class WorldDrawing:
         return pointed_at((x_px, y_px), self._canvas.style.font_size, points, segments, corners)
 
     def _spots(self, points: Array) -> list[Spot]:
-        height_px = self.own.pane.size_px[1]
+        pane = self.own.pane
+        height_px = pane.size_px[1]
         return [
-            (x, height_px - y, -1.0 / depth) if depth > 0.0 else (math.nan, math.nan, math.nan)
-            for x, y, depth in self.own.pane.seen(points)
+            (x, height_px - y, depth if pane.flat else -1.0 / depth)
+            if depth > 0.0
+            else (math.nan, math.nan, math.nan)
+            for x, y, depth in pane.seen(points)
         ]
 
     # -- the model
@@ -232,6 +282,9 @@ class WorldDrawing:
         self._show_illustration(illustration)
         if is_first and not self.own.was_moved:
             self.reset_view()
+        elif self.own.fixed:
+            self.own.follow(self._framed())
+            self._follow_camera(afresh=False)
         else:
             self._follow_pane(afresh=False)
 
@@ -263,7 +316,9 @@ class WorldDrawing:
         corners = self.frustum.corners if self.frustum.seen else None
         named = Named(at.eye, at.target, arrows, tips, self.camera.box, corners, planes)
         first = None
-        if self._marks is not None or self.handles is not None:
+        if "labels" in self._canvas.hidden:
+            return False
+        if self._marks is not None or self.handles is not None or self.own.fixed:
             first = self._place_first
         pane = self.own.pane
         if pane is not self._masked_for:
@@ -275,6 +330,11 @@ class WorldDrawing:
         if self.handles is not None:
             height_px = self.own.pane.size_px[1]
             layout.keep_free([(x, height_px - y, 1.0) for _, (x, y) in self.handles.shown])
+        if self.own.fixed and self._dimensions is not None:
+            at, own, alone = self._stands, self.own, self._scene.phenomenon is None
+            corners = self.frustum.corners if self.frustum.seen else None
+            measured = Measured(own.fixed, self._projection, at.eye, at.target, corners, alone)
+            self._dimensions.place(layout, seen, own.pane.size_px, measured)
         if self._marks is not None:
             self._marks.place_texts(layout, seen)
 
@@ -346,11 +406,17 @@ class WorldDrawing:
 
     def reset_clipping_range(self) -> None:
         """Follow the pane's own camera after it was moved."""
+        self._follow_camera(afresh=True)
+
+    def _follow_camera(self, *, afresh: bool) -> None:
         self.own.look()
+        self._switch_layers()
+        if not self.own.fixed and self._dimensions is not None:
+            self._dimensions.hide()
         self._lines_space.set(self.own.lifted(1.0))
         if self._marks is not None:
             self._marks.place_copies(self.own.lifted)
-        self._follow_pane(afresh=True)
+        self._follow_pane(afresh=afresh)
 
     def _follow_pane(self, *, afresh: bool) -> None:
         """All that depends on the model and on where the pane's camera stands."""
@@ -358,7 +424,8 @@ class WorldDrawing:
         self.camera.follow(pane)
         self._place_handles()
         self._place_labels(afresh=afresh)
-        frustum.tint(pane, self._light)
+        # From the eye the planes cover all of the picture, and one another.
+        frustum.tint(pane, 0.0 if self.own.sees_from_eye else self._light)
         self.picture.show(self._projection, at, frustum, pane)
         frustum.turn_breaks(pane)
         depths = self.camera.depths(pane)
@@ -463,8 +530,9 @@ class WorldDrawing:
         if self.handles is not None:
             held, apart_px = self.handles.held, APART_EM * self._canvas.style.font_size
             size_px = self.own.pane.size_px
+            none = "handles" in self._canvas.hidden
             self.handles.show(
-                shown(
+                [] if none else shown(
                     self._projection, self.planes_drawn, self.sight, size_px, apart_px, held,
                     self._grips,
                 ),

@@ -426,7 +426,9 @@ def _moved_point(before: Vector, sight: Sight, pixel: Spot, shift: bool) -> Vect
     if shift:
         up, per_px = _slide(sight, point, np.array([0.0, 1.0, 0.0]), pixel)
         return before[0], _tidy(before[1] + up, before[1], per_px), before[2]
-    moved = _meets(sight, pixel, sight.rows[3, :3], point)
+    # Where the pane looks to: w grows along it, or all over a parallel pane the order does.
+    facing = sight.rows[3, :3] if sight.rows[3, :3].any() else sight.rows[2, :3]
+    moved = _meets(sight, pixel, facing, point)
     per_px = min(_per_px(sight, moved, axis) for axis in np.eye(3))
     x, y, z = (_tidy(new, old, per_px) for new, old in zip(moved.tolist(), before, strict=True))
     return x, y, z

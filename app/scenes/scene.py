@@ -44,8 +44,7 @@ from app.scenes.phenomena.illustration import OwnMesh, Subject
 from app.scenes.reading import read
 from app.scenes.shapes import (
     EDGE_RGB,
-    GRID_AXIS_RGB,
-    GRID_RGB,
+    OUTLINE_RGB,
     PLATE_RGB,
     SIDE_RGB,
     Coloured,
@@ -55,6 +54,7 @@ from app.scenes.shapes import (
     edges_of,
     flat,
     ground_grid,
+    is_grid,
     joined,
     letter_f_on_grid,
     written_number,
@@ -89,6 +89,28 @@ WRONG_SIZE = QT_TRANSLATE_NOOP(
 )
 NO_OWN_MESH = QT_TRANSLATE_NOOP(
     "Refusal", "mesh = {1}: the scene “{0}” has a subject of its own, no mesh can take its place."
+)
+_TRIES = {
+    "letter-f": (
+        QT_TRANSLATE_NOOP("phenomena", "Drag the near plane towards the F."),
+        QT_TRANSLATE_NOOP("phenomena", "What happens to the picture?"),
+        QT_TRANSLATE_NOOP("phenomena", "What happens in the cube?"),
+    ),
+    "cube": (
+        QT_TRANSLATE_NOOP("phenomena", "Go nearer: which edges grow?"),
+        QT_TRANSLATE_NOOP("phenomena", "Which edges are parallel in the picture?"),
+        QT_TRANSLATE_NOOP("phenomena", "Choose the orthographic lens: and now?"),
+    ),
+    "posts": (
+        QT_TRANSLATE_NOOP("phenomena", "Where in the cube do the posts crowd?"),
+        QT_TRANSLATE_NOOP("phenomena", "Make near larger: do they spread out?"),
+        QT_TRANSLATE_NOOP("phenomena", "Move far in: which posts are gone?"),
+    ),
+}
+_TRIES_OF_A_MESH = (
+    QT_TRANSLATE_NOOP("phenomena", "Walk round it: drag the azimuth."),
+    QT_TRANSLATE_NOOP("phenomena", "Close near and far round it."),
+    QT_TRANSLATE_NOOP("phenomena", "What becomes of its shape in the cube?"),
 )
 FACES_WITH_EDGES = 5_000
 """Meshes of more faces get no edge lines: they would be denser than the pixels."""
@@ -209,6 +231,13 @@ class Scene:
     def leading(self) -> str:
         """The pane that shows it best."""
         return "world" if self.phenomenon is None else self.phenomenon.leading
+
+    @property
+    def tries(self) -> tuple[str, ...]:
+        """What to try with it: three short lines, translatable as the phenomena's texts are."""
+        if self.phenomenon is not None:
+            return self.phenomenon.tries
+        return _TRIES.get(self.name, _TRIES_OF_A_MESH)
 
     @cached_property
     def requires(self) -> frozenset[str]:
@@ -556,7 +585,7 @@ def _posts() -> Scene:
         digits = written_number(number, (0.0, 2.05, z + 0.06), height=0.8)
         quads += [(post, wood), (plate, plate_rgb), (digits, flat(EDGE_RGB, len(digits)))]
         outline = edges_of(plate)[0]  # grey: far away there is little else than outline
-        lines.append((outline, flat(GRID_AXIS_RGB, len(outline))))
+        lines.append((outline, flat(OUTLINE_RGB, len(outline))))
     ground = ground_grid((-10.0, -126.0), (10.0, 12.0), (2.0, 6.0), 0.0)
     return _built_in(
         "posts",
@@ -641,7 +670,7 @@ def _scene_of_phenomenon(
     mesh.points += place
     report(progress, 0.6)
     rgb = _face_colours(mesh, progress)
-    grid = (lines[1] == GRID_RGB).all(axis=1) | (lines[1] == GRID_AXIS_RGB).all(axis=1)
+    grid = is_grid(lines[1])
     scene = replace(
         scene,
         surface=_poly_data(mesh.points, mesh.offsets, mesh.corners, rgb),

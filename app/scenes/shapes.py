@@ -37,6 +37,7 @@ SIDE_RGB = np.array(
 EDGE_RGB = (72, 72, 78)  # dark on a face, and still seen on a dark background
 GRID_RGB = (158, 158, 158)
 GRID_AXIS_RGB = (105, 105, 105)
+OUTLINE_RGB = (96, 96, 96)
 PLATE_RGB = (245, 242, 230)
 
 # Directions to the two lights, and their strengths. The ambient part keeps the darkest face
@@ -99,6 +100,12 @@ def edges_of(quads: Floats) -> Coloured:
     edges = np.stack([corners, np.roll(corners, -1, axis=1)], axis=2).reshape(-1, 2)
     edges = distinct_rows(np.sort(edges, axis=1))[0]
     return points[edges], flat(EDGE_RGB, len(edges))
+
+
+def is_grid(rgb: Colours) -> NDArray[np.bool_]:
+    """Which lines are a ground's, by their colours: no other line of a scene has one of these."""
+    one, other = (np.all(rgb == colour, axis=1) for colour in (GRID_RGB, GRID_AXIS_RGB))
+    return np.asarray(one | other)
 
 
 def ground_grid(

@@ -15,7 +15,7 @@ from widgets.window.main_window import MainWindow
 
 
 def shown(window: Any) -> list[str]:
-    lines = window.scene_panel.readout.lines
+    lines = window.controls.card.readout.lines
     return [value.text() for label, value, _ in lines if not label.isHidden()]
 
 
@@ -29,10 +29,10 @@ def test_the_counted_share_stands_beside_the_predicted_one(window: MainWindow, q
     assert shown(window)[1] == "–", "what was counted before is of another picture"
     qtbot.waitUntil(lambda: shown(window)[1] != "–")
     assert shown(window)[:2] == ["0", "0"]
-    assert "few pixels" not in window.scene_panel.readout.note.text()
+    assert "few pixels" not in window.controls.card.readout.note.text()
     start = window.store.document.projection
     window.store.set_projection(replace(start, lens=replace(start.lens, fov_y_deg=179.0)))
-    qtbot.waitUntil(lambda: "few pixels" in window.scene_panel.readout.note.text())
+    qtbot.waitUntil(lambda: "few pixels" in window.controls.card.readout.note.text())
     assert shown(window)[1] == "–"
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from dataclasses import replace
 from types import SimpleNamespace
 from typing import Any
@@ -101,12 +101,13 @@ def walk(window: MainWindow, name: str, key: Qt.Key = KEY.Key_PageDown) -> list[
 
 
 @pytest.fixture(params=sorted(CANVASES))
-def either(request: pytest.FixtureRequest, make_window: MakeWindow) -> MainWindow:
+def either(request: pytest.FixtureRequest, make_window: MakeWindow) -> Iterator[MainWindow]:
     """A window with canvases of either kind, which has the keyboard."""
     window = make_window(canvas=request.param)
     activate(window)
     settle()
-    return window
+    yield window
+    request.node.funcargs.clear()  # pytest's hold on it, before survivors are sought
 
 
 @pytest.fixture
@@ -197,6 +198,8 @@ def in_front_of_all(eye: np.ndarray, vertices: np.ndarray, faces: np.ndarray) ->
 @pytest.mark.parametrize("name", ["world", "ndc", "image"])
 def test_it_goes_to_every_vertex_that_is_seen_and_back(window: MainWindow, name: str) -> None:
     scene = load("letter-f")
+    camera = Camera((6.0, 6.5, 9.0), (0.0, 2.2, 0.0))  # in no face's plane
+    window.store.set_projection(replace(model(window), camera=camera))
     go_to(window, name)
     found = walk(window, name)
     assert len(set(found)) == len(found)
@@ -212,9 +215,7 @@ def test_it_goes_to_every_vertex_that_is_seen_and_back(window: MainWindow, name:
             if is_free and pixel is not None
         }
         assert {tuple(np.round(point, 5)) for point in found} == expected
-    first = ring(window, name)
-    assert walk(window, name, KEY.Key_PageUp)[:-1] == found[:0:-1]
-    assert first == ring(window, name)
+    assert walk(window, name, KEY.Key_PageUp) == found[::-1]
 
 
 def test_handles_come_in_one_order_wherever_it_begins(window: MainWindow) -> None:
@@ -267,10 +268,9 @@ def test_it_goes_with_its_vertex(either: MainWindow) -> None:
         settle()
         assert ring(window, name) == before
         if name == "world":  # whose own view is turned
-            assert after != before
             press(KEY.Key_Left)
             turned = ring(window, name)
-            assert turned != before
+            assert turned not in (None, before)
             assert turned == pytest.approx(seen(window, name, places[name]), abs=1.0)
 
 
@@ -434,8 +434,11 @@ def test_the_mouse_takes_over_from_the_keyboard(window: MainWindow) -> None:
 
 
 def test_without_a_handle_it_says_so(window: MainWindow, heard: list[str]) -> None:
-    view = tuple(map(tuple, model(window).camera.view_from_world.tolist()))
-    lens = FreeMatrix(tuple(map(tuple, model(window).clip_from_view.tolist())), view)
+    clip, view = (
+        tuple(map(tuple, matrix.tolist()))
+        for matrix in (model(window).clip_from_view, model(window).view_from_world)
+    )
+    lens = FreeMatrix(clip, view)
     window.store.set_projection(replace(model(window), lens=lens))
     settle()
     go_to(window, "world")
@@ -528,8 +531,9 @@ def test_a_probe_is_dragged_in_the_image(either: MainWindow) -> None:
     moved = window.probe_panel.probes[0].point
     assert moved is not None
     way = np.subtract(pixel(window, moved), start)
-    per_px = model(window).image_size[0] / window.panes["image"].drawing.picture_rectangle_px.width
-    assert way == pytest.approx(np.multiply((4.0, -10.0), canvas.pixel_ratio * per_px), abs=1e-6)
+    rectangle = window.panes["image"].drawing.picture_rectangle_px
+    per_px = np.divide(model(window).image_size, (rectangle.width, rectangle.height))
+    assert way == pytest.approx((4.0, -10.0) * per_px * canvas.pixel_ratio, abs=1e-6)
     assert said(window, "image").startswith("Point 1 (")
     assert ring(window, "image") == pytest.approx(seen(window, "image", moved), abs=1.0)
     press(KEY.Key_Return)

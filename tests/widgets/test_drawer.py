@@ -6,7 +6,7 @@ from dataclasses import replace
 from typing import Any
 
 import pytest
-from PySide6.QtCore import Qt
+from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QLabel, QToolButton
 from pytestqt.qtbot import QtBot
@@ -14,7 +14,7 @@ from pytestqt.qtbot import QtBot
 from app.document.document import Document
 from app.model.projection import Perspective
 from app.scenes.scene import load
-from tests.support.window import activate, show_scene
+from tests.support.window import activate
 from widgets.parts.panel import EVERYTHING, Changed, Panel, Shown
 from widgets.window.drawer import Panels
 from widgets.window.main_window import MainWindow
@@ -36,8 +36,6 @@ def test_a_folded_panel_hears_of_nothing_until_it_is_opened(qtbot: QtBot) -> Non
     panels.add("One", first, "")
     panels.add("Two", second, "")
     qtbot.addWidget(panels)
-    panels.show()
-    qtbot.waitExposed(panels)
     document, scene = Document("cube"), load("cube")
 
     def tell(document: Document) -> Shown:
@@ -48,6 +46,7 @@ def test_a_folded_panel_hears_of_nothing_until_it_is_opened(qtbot: QtBot) -> Non
 
     start = tell(document)
     panels.open(first)
+    qtbot.waitExposed(panels)
     assert first.heard == [(start, EVERYTHING, False)], "before it appears"
     tell(document)
     assert len(first.heard) == 1, "nothing has changed"
@@ -72,19 +71,17 @@ def test_one_panel_is_open_at_a_time(qtbot: QtBot) -> None:
     first, second = QLabel("first"), QLabel("second")
     panels.add("One", first, "the first")
     panels.add("Two", second, "the second")
-    qtbot.addWidget(panels)
-    panels.show()
-    qtbot.waitExposed(panels)
-    one, two = panels.findChildren(QToolButton)
+    for each in (panels, panels.names):
+        qtbot.addWidget(each)
+    panels.names.show()
+    one, two = panels.names.findChildren(QToolButton)
     assert [one.text(), two.text(), one.toolTip()] == ["One", "Two", "the first"]
     assert panels.open_panel is None
     assert not first.isVisible() and not second.isVisible()
-    folded = panels.sizeHint().height()
     with qtbot.waitSignal(panels.opened):
         qtbot.mouseClick(two, Qt.MouseButton.LeftButton)
     assert panels.open_panel is second and second.isVisible() and not first.isVisible()
     assert two.isChecked() and not one.isChecked()
-    assert panels.sizeHint().height() > folded
     qtbot.mouseClick(one, Qt.MouseButton.LeftButton)
     assert panels.open_panel is first and not second.isVisible() and not two.isChecked()
     qtbot.mouseClick(one, Qt.MouseButton.LeftButton)
@@ -106,70 +103,72 @@ def heights(window: Any) -> list[int]:
     return found
 
 
-@pytest.mark.parametrize("size", [(1366, 768), (1920, 1080)])
-def test_from_name_to_name_the_panels_only_grow(window: MainWindow, size: tuple[int, int]) -> None:
+@pytest.mark.parametrize("size", [(1280, 720), (1366, 768), (1920, 1080)])
+def test_the_names_stand_still_and_a_panel_has_at_most_a_third(
+    window: MainWindow, size: tuple[int, int]
+) -> None:
     window.resize(*size)
     QApplication.processEvents()
-    found = heights(window)
-    assert found == sorted(found) and found[0] < found[-1]
-    assert all(pane.height() >= 400 for pane in window.panes.values())
-    window.panels.open(None)
-    assert set(heights(window)) == {found[-1]}
-    if size[1] > 768:  # in a lower window there is less to give
-        window.resize(1366, 768)
+    names = window.panels.names
+
+    def places() -> list[QPoint]:
+        return [name.mapTo(window, QPoint()) for name in names.findChildren(QToolButton)]
+
+    before, panes = places(), [pane.geometry() for pane in window.panes.values()]
+    assert len(before) == 5 and places()[0].y() > size[1] - 60, "at the bottom"
+    found = set()
+    for name in names.findChildren(QToolButton):
+        QTest.mouseClick(name, Qt.MouseButton.LeftButton)
         QApplication.processEvents()
-        assert max(heights(window)) < found[-1]
-        assert all(pane.height() >= 400 for pane in window.panes.values())
+        assert places() == before and window.size().toTuple() == size
+        found.add(window.panels.height())
+    assert found == {size[1] // 3}
+    QTest.mouseClick(name, Qt.MouseButton.LeftButton)
+    QApplication.processEvents()
+    assert places() == before and not window.panels.isVisible()
+    assert [pane.geometry() for pane in window.panes.values()] == panes
 
 
 def test_an_open_panel_has_its_part_of_a_window_that_grows(window: MainWindow) -> None:
-    show_scene(window, "depth-buffer")
     window.resize(1366, 768)
-    window.panels.open(window.scene_panel)
+    window.panels.open(window.matrices)
     QApplication.processEvents()
-    low = window.panels.height()
-    window.resize(1920, 1080)
+    assert window.panels.height() == 768 // 3
+    window.resize(1920, 1050)
     QApplication.processEvents()
-    assert window.panels.height() > 0.28 * 1080 > 1.1 * low
-    window.column.moveSplitter(window.column.sizes()[0] - 100, 1)
+    assert window.panels.height() == 1050 // 3
+    drag(window, 100)
     chosen = window.panels.height()
-    window.resize(1920, 1079)  # by a hair, as when it is moved from screen to screen
-    window.resize(1920, 1100)
+    assert chosen == 250
+    window.resize(1920, 1049)  # by a hair, as when it is moved from screen to screen
+    window.resize(1920, 1060)
     QApplication.processEvents()
-    assert window.panels.height() == chosen
+    assert window.panels.height() == pytest.approx(250 / 1050 * 1060, abs=1.0)
+
+
+def drag(window: MainWindow, down_px: int) -> None:
+    """Drag what is between the panes and the open panel."""
+    handle = window.drawer.handle(1)
+    place = handle.rect().center()
+    QTest.mousePress(handle, Qt.MouseButton.LeftButton, pos=place)
+    QTest.mouseMove(handle, place + QPoint(0, down_px))
+    QTest.mouseRelease(handle, Qt.MouseButton.LeftButton, pos=place)
+    QApplication.processEvents()
 
 
 def test_a_height_that_the_hand_has_chosen_stays(window: MainWindow) -> None:
     window.panels.open(window.matrices)
     QApplication.processEvents()
-    handle = window.column.handle(1)
-    for away in (40, -60):
-        place = handle.rect().center()
+    for away, taller in ((90, -90), (-40, 40), (-400, 50)):
         before = window.panels.height()
-        QTest.mousePress(handle, Qt.MouseButton.LeftButton, pos=place)
-        place.setY(place.y() + away)
-        QTest.mouseMove(handle, place)
-        QTest.mouseRelease(handle, Qt.MouseButton.LeftButton, pos=place)
-        QApplication.processEvents()
+        drag(window, away)
         chosen = window.panels.height()
-        assert chosen == before - away
+        assert chosen == before + taller, "never more than a third"
         assert set(heights(window)) == {chosen}
         window.panels.open(None)
         window.panels.open(window.matrices)
         QApplication.processEvents()
         assert window.panels.height() == chosen
-
-
-def test_a_chosen_height_is_not_that_of_a_lower_window(window: MainWindow) -> None:
-    window.resize(1600, 1050)
-    window.panels.open(window.matrices)
-    QApplication.processEvents()
-    window.column.moveSplitter(350, 1)
-    assert window.panels.height() > 500
-    window.resize(1366, 768)
-    window.panels.open(window.probe_panel)
-    QApplication.processEvents()
-    assert all(pane.height() >= 400 for pane in window.panes.values())
 
 
 def test_tab_goes_all_round_the_window(window: MainWindow, qtbot: QtBot) -> None:

@@ -171,10 +171,9 @@ def test_a_hovered_row_is_seen_in_every_pane_that_has_it(window: MainWindow) -> 
         hover(window, window.controls.rows["near"], QPoint(4, 4))  # still on it
         assert counts == {"world": 1, "ndc": 1, "image": 0}
         assert marked(window) == {"near"}
-        assert window.status.labels["planes"].is_marked
         leave(window)
         assert counts == {"world": 2, "ndc": 2, "image": 0}
-    assert marked(window) == set() and not window.status.labels["planes"].is_marked
+    assert marked(window) == set()
     assert changed(before, pictures(window)) == set()
     hover(window, window.controls.rows["near"])
     assert changed(before, pictures(window)) == {"world", "ndc"}
@@ -342,7 +341,7 @@ def test_turning_a_pane_picks_nothing(window: MainWindow) -> None:
     assert len(asked) > len(while_down)
 
 
-# -- matrices, probes, status line
+# -- matrices, probes
 
 
 def test_a_cell_marks_the_rows_that_it_depends_on(window: MainWindow) -> None:
@@ -358,7 +357,6 @@ def test_a_cell_marks_the_rows_that_it_depends_on(window: MainWindow) -> None:
     assert view.is_marked(2, 1) and not view.is_marked(0, 0) and not view.is_marked(3, 3)
     clip = window.matrices.views["clip_from_world"]
     assert clip.is_marked(3, 0)  # w is the distance along n
-    window.controls.rows["camera_mode"].choose("vectors")
     assert {"eye_x", "eye_y", "target_z"} <= marked(window) and "up_y" not in marked(window)
     leave(window)
     assert marked(window) == set() and changed(before, pictures(window)) == set()
@@ -435,39 +433,31 @@ def test_the_words_of_a_probe_that_is_outside(window: MainWindow) -> None:
     assert model.data(inside, Qt.ItemDataRole.BackgroundRole) is None
 
 
-def test_a_corner_marks_the_figure_that_its_drag_changes(window: MainWindow) -> None:
-    for kind in ["perspective", "frustum", "orthographic"]:
-        window.store.set_projection(START.with_lens(kind))
-        settle()
-        drawing, canvas = window.panes["world"].drawing, window.panes["world"].canvas
-        marks = drawing.handles.shown  # type: ignore[union-attr]
-        x_px, y_px = next(spot for handle, spot in marks if handle.name == "corner")
-        labels = window.status.labels
-        before = {name: label.text() for name, label in labels.items()}
-        point_at(window, "world", x_px / canvas.pixel_ratio, y_px / canvas.pixel_ratio)
-        assert window.highlighter.now < set(CORNERS)
-        assert {name for name, label in labels.items() if label.is_marked} == {"fov"}
-        start = QPoint(math.floor(x_px), math.floor(y_px))
-        QTest.mousePress(canvas, Qt.MouseButton.LeftButton, pos=start)
-        QTest.mouseMove(canvas, start + QPoint(20, -30))
-        QTest.mouseRelease(canvas, Qt.MouseButton.LeftButton, pos=start + QPoint(20, -30))
-        settle()
-        assert {name for name, label in labels.items() if label.text() != before[name]} == {"fov"}
-
-
-def test_a_figure_of_the_status_line(window: MainWindow) -> None:
-    for figure, named in [
-        ("fov", {"fov"}),
-        ("planes", {"near", "far"}),
-        ("camera", {"eye", "target"}),
-    ]:
-        label = window.status.labels[figure]
-        before = label.grab().toImage()
-        hover(window, label)
-        assert window.highlighter.now == named and label.is_marked
-        assert label.grab().toImage() != before
-        leave(window)
-        assert window.highlighter.now == NOTHING and label.grab().toImage() == before
+@pytest.mark.parametrize(
+    ("kind", "rows"),
+    [("perspective", {"fov_y_deg", "fov_x_deg", "focal_length_mm"}),
+     ("frustum", {"left", "right", "bottom", "top"}),
+     ("orthographic", {"left", "right", "bottom", "top"})],
+)  # fmt: skip
+def test_a_corner_marks_the_rows_that_its_drag_changes(
+    window: MainWindow, kind: str, rows: set[str]
+) -> None:
+    window.store.set_projection(START.with_lens(kind))
+    settle()
+    drawing, canvas = window.panes["world"].drawing, window.panes["world"].canvas
+    marks = drawing.handles.shown  # type: ignore[union-attr]
+    x_px, y_px = next(spot for handle, spot in marks if handle.name == "corner")
+    before = window.store.document.projection
+    point_at(window, "world", x_px / canvas.pixel_ratio, y_px / canvas.pixel_ratio)
+    assert window.highlighter.now < set(CORNERS)
+    assert marked(window) <= rows and marked(window)
+    start = QPoint(math.floor(x_px), math.floor(y_px))
+    QTest.mousePress(canvas, Qt.MouseButton.LeftButton, pos=start)
+    QTest.mouseMove(canvas, start + QPoint(20, -30))
+    QTest.mouseRelease(canvas, Qt.MouseButton.LeftButton, pos=start + QPoint(20, -30))
+    settle()
+    after = window.store.document.projection
+    assert after == replace(before, lens=after.lens) != before
 
 
 # -- what it costs

@@ -335,7 +335,7 @@ def test_every_handle_is_named_for_every_lens(window: MainWindow) -> None:
         QApplication.sendEvent(window.panes["world"].canvas, QEvent(QEvent.Type.Leave))
     said = " | ".join(texts)
     for part in ("Eye = (6, 5, 9)", "Target = (0, 2.2, 0)", "Near = 5", "Far = 16",
-                 "Vertical fov = 45", "Left = -0.6", "Top = 2.5"):  # fmt: skip
+                 "Field of view = 45", "Left = -0.6", "Top = 2.5"):  # fmt: skip
         assert part in said, part
     assert "" not in texts
 
@@ -382,7 +382,7 @@ def test_far_before_near_speaks_of_far_and_the_fov_of_its_bounds(window: MainWin
     way = along(window, handle, fov_y_deg=1.0)
     press(window, "world", point_of(spot))
     move(window, "world", point_of(spot) + QPoint(round(1.5 * way[0]), round(1.5 * way[1])))
-    assert bar.text == "Vertical fov = 0: must lie between 0 and 180, both excluded."
+    assert bar.text == "Field of view = 0: must lie between 0 and 180, both excluded."
     release(window, "world", point_of(spot))
 
 

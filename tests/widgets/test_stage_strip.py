@@ -18,7 +18,6 @@ from vtkmodules.vtkRenderingCore import vtkTextActor
 
 import app.drawings.stage as stage_drawing
 from app.drawings import WORDS
-from app.drawings.figures import render
 from app.drawings.off_screen import OffScreen
 from app.drawings.stage import StageDrawing
 from app.drawings.style import DARK, LIGHT, Style, rgb
@@ -462,15 +461,10 @@ def test_a_new_drawing_stands_where_the_strip_is(window: MainWindow) -> None:
     assert picture(window.panes["ndc"].canvas) == light
 
 
-def test_an_exported_figure_shows_ndc(window: MainWindow) -> None:
-    projection = window.store.document.projection
-    scene = load("letter-f")
-    before = render(scene, projection, ("ndc",), (200, 150))
+def test_the_strip_s_own_framing_is_nobody_s_turn_of_the_view(window: MainWindow) -> None:
     window.strip.go_to(0.0)
-    assert np.array_equal(render(scene, projection, ("ndc",), (200, 150)), before)
-    assert (
-        window.store.seen.view.panes == {}
-    )  # the strip's own framing is nobody's turn of the view
+    settle()
+    assert window.store.seen.view.panes == {}
 
 
 def test_play_runs_to_the_picture_resting_at_each_stop(window: MainWindow) -> None:

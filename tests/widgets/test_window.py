@@ -78,7 +78,7 @@ from widgets.window.files import Files
 from widgets.window.main_window import MainWindow
 from widgets.window.probing import Probing
 from widgets.window.scene_guide import SceneGuide
-from widgets.window.settings import Settings, data_folder
+from widgets.window.settings import data_folder
 from widgets.window.status_line import StatusLine
 
 # -- one model, three panes
@@ -396,9 +396,7 @@ def test_a_floating_pane_still_draws_and_docks_again(
 
 
 @pytest.mark.parametrize("size", [(1366, 768), (1920, 1080)])
-def test_the_picture_has_its_share_of_the_window(
-    window: MainWindow, size: tuple[int, int]
-) -> None:
+def test_the_picture_has_its_share_of_the_window(window: MainWindow, size: tuple[int, int]) -> None:
     window.resize(*size)
     for large, share in (("world", 0.30), ("image", 0.40)):
         window.slots.arrange("pictures", large)
@@ -1198,14 +1196,14 @@ def test_choosing_a_phenomenon_opens_its_panel_and_leaving_it_folds_it(window: M
     settle()
     assert window.panels.open_panel is window.scene_panel
     assert window.scene_panel.title.text() == "Similar triangles"
-    assert list(window.scene_panel.rows) == ["distance", "point"]
+    assert list(window.controls.card.rows) == ["distance", "point"]
     assert not window.controls.rows["azimuth_deg"].isHidden()
     window.panels.open(None)
     window.store.set_settings({"distance": 5.0})
     window.look.set_theme("dark")
     assert window.panels.open_panel is None, "it is opened once, and stays folded"
     window.guide.choose("cube")
-    assert window.scene_panel.rows == {}
+    assert window.controls.card.rows == {}
     window.store.undo()
     assert window.panels.open_panel is None, "it comes back as it was left"
     window.guide.choose("cube")
@@ -1257,7 +1255,7 @@ def test_an_illustration_is_computed_once_a_change_and_shown_everywhere(
     assert len(made) == 2
     assert given == dict.fromkeys(window.panes, made)
     assert counts == {"world": 2, "ndc": 2, "image": 2}
-    value = window.scene_panel.readout.lines[0][1]
+    value = window.controls.card.readout.lines[0][1]
     assert value.text() == "3"
     assert made[-1].readings[0].value == 3.0
 
@@ -1283,7 +1281,7 @@ def test_no_illustration_of_one_scene_is_shown_in_another(window: MainWindow) ->
 def test_a_setting_is_changed_from_its_row_and_undone_into_it(window: MainWindow) -> None:
     show_scene(window, "similar-triangles")
     steps = len(list(window.store.documents))
-    row: Any = window.scene_panel.rows["distance"]
+    row: Any = window.controls.card.rows["distance"]
     row.slider.setSliderDown(True)
     for position in (10, 20, 30):
         row.slider.setValue(position)
@@ -1291,10 +1289,10 @@ def test_a_setting_is_changed_from_its_row_and_undone_into_it(window: MainWindow
     distance = row.value()
     assert window.store.document.settings["distance"] == distance < 0.0
     assert window.isWindowModified()
-    assert window.scene_panel.readout.lines[4][1].text() == "upside down and left for right"
+    assert window.controls.card.readout.lines[4][1].text() == "upside down and left for right"
     window.store.undo()
     assert row.value() == 4.0 and window.store.document == on_triangles()
-    assert window.scene_panel.readout.lines[4][1].text() == "upright"
+    assert window.controls.card.readout.lines[4][1].text() == "upright"
     assert not window.isWindowModified()
     window.store.redo()
     assert len(list(window.store.documents)) == steps + 1, "a drag is one step"
@@ -1306,7 +1304,7 @@ def test_a_setting_is_changed_from_its_row_and_undone_into_it(window: MainWindow
 def test_a_setting_that_cannot_be_is_refused_at_its_row(window: MainWindow) -> None:
     show_scene(window, "similar-triangles")
     steps = list(window.store.documents)
-    row: Any = window.scene_panel.rows["distance"]
+    row: Any = window.controls.card.rows["distance"]
     row.field.setFocus()
     row.field.selectAll()
     QTest.keyClicks(row.field, "0")
@@ -1318,7 +1316,7 @@ def test_a_setting_that_cannot_be_is_refused_at_its_row(window: MainWindow) -> N
 
 def test_the_camera_follows_in_the_same_step(make_window: MakeWindow, everything: Document) -> None:
     window = make_window(everything)
-    row: Any = window.scene_panel.rows["light"]
+    row: Any = window.controls.card.rows["light"]
     field = row.fields[1]
     field.setFocus()
     field.selectAll()
@@ -1366,7 +1364,7 @@ def test_a_play_is_one_step_of_undo_and_ends_with_the_scene(
     make_window: MakeWindow, everything: Document
 ) -> None:
     window = make_window(everything)
-    player = window.scene_panel.players["turn"]
+    player = window.controls.card.players["turn"]
     player.play()
     for _ in range(5):
         player.advance(0.25)
@@ -1381,7 +1379,7 @@ def test_a_play_is_one_step_of_undo_and_ends_with_the_scene(
 
 def test_closing_while_a_setting_plays(make_window: MakeWindow, everything: Document) -> None:
     window = make_window(everything)
-    player = window.scene_panel.players["turn"]
+    player = window.controls.card.players["turn"]
     player.play()
     player.advance(0.1)
     answer(QMessageBox.StandardButton.Discard)
@@ -1439,11 +1437,11 @@ def test_a_mesh_of_the_user_s_takes_the_place_of_the_objects_and_leaves_it(
     settle()
     assert (pixels(window, "image") != own).mean() > 0.005
     assert window.store.document.settings["distance"] == 5.0
-    assert window.scene_panel.remove_mesh.isVisible()
+    assert window.controls.card.remove_mesh.isVisible()
     document = window.store.document
     assert window.files.save_to(tmp_path / "lesson.json")
     assert read(tmp_path / "lesson.json") == document
-    window.scene_panel.remove_mesh.click()
+    window.controls.card.remove_mesh.click()
     settle()
     assert window.store.document.mesh == ""
     assert (pixels(window, "image") == own).all()
@@ -1520,7 +1518,7 @@ def test_an_exported_phenomenon_brings_its_settings_back(
     window.store.mark_saved()
     drop(window, path)
     assert window.store.document == wanted
-    assert window.scene_panel.rows["distance"].value() == -2.0
+    assert window.controls.card.rows["distance"].value() == -2.0
 
 
 def test_a_picture_that_is_copied_makes_a_failed_export_good(

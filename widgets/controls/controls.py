@@ -1,10 +1,11 @@
-"""The control column: every value of the projection, as a slider and as a number.
+"""The dock: the scene, then every value of the projection, as a slider and as a number.
 
     user -> row.edited(value) -> write(current, value) -> a new Projection -> controls.edited
                                  Refusal       -> a sentence at the row, nothing else
 
-Each row is bound to the model by a `Binding` of its section. What is folded is neither read nor
-written until it is opened.
+Each row is bound to the model by a `Binding` of its part. What is folded is neither read nor
+written until it is opened. A control stands once: the scene's card borrows the rows that matter
+for the scene, and what is looked for is shown where it is.
 """
 
 from __future__ import annotations
@@ -16,40 +17,33 @@ from functools import partial
 from typing import Any
 
 from PySide6.QtCore import QEvent, QObject, QPoint, QSize, Qt, QTimer, Signal
-from PySide6.QtGui import QResizeEvent
+from PySide6.QtGui import QColor, QPalette, QResizeEvent
 from PySide6.QtWidgets import (
     QApplication,
     QFrame,
-    QGridLayout,
+    QLabel,
     QScrollArea,
     QVBoxLayout,
     QWidget,
 )
 
+from app.drawings.style import Style
 from app.lecture.highlight import NOTHING, Highlight, made_of
-from app.model.projection import FINITE_NUMBER, LARGEST, Camera, Orbit, Projection
+from app.model.projection import FINITE_NUMBER, LARGEST, LENSES, Camera, Orbit, Projection
 from app.model.refusal import Refusal
-from app.scenes.phenomena.illustration import is_free
 from widgets.controls.animation import AnimationBar
+from widgets.controls.finder import Known, SearchBox, find
 from widgets.controls.lens_controls import LensControls
-from widgets.parts.fields import (
-    ROW_GAP_PX,
-    Choice,
-    ChoiceRow,
-    Linear,
-    Log,
-    NumberRow,
-    Row,
-    Scale,
-    align,
-    short_text,
-)
+from widgets.controls.scene_card import SceneCard
+from widgets.parts.fields import Choice, Linear, Log, NumberRow, Row, Scale, short_text
 from widgets.parts.focus import FocusRing
 from widgets.parts.messages import field_name, seen_from, sentence, translated
 from widgets.parts.panel import EVERYTHING, Changed, Shown
-from widgets.parts.section import PARTS, Binding, Section, Typed
+from widgets.parts.section import GAP_PX, PARTS, Binding, Part, Rows, Section, Typed
 
-RIGHT_MARGIN_PX = 4
+WIDTH_PX, LEAST_PX = 285, 270
+"""How wide the dock is where nobody has chosen, and how narrow it becomes at the ordinary font."""
+LEFT_MARGIN_PX, RIGHT_MARGIN_PX = 8, 4
 _ABOUT: dict[str, tuple[str, ...]] = {
     **dict.fromkeys(("azimuth_deg", "elevation_deg", "distance"), ("eye",)),
     **dict.fromkeys(("roll_deg", "up"), ("up", "u", "v")),
@@ -74,16 +68,20 @@ ASPECTS = {"1:1": (1, 1), "4:3": (4, 3), "16:9": (16, 9)}
 
 
 class Controls(QScrollArea):
-    """The column of controls.
+    """The dock.
 
     Attributes
     ----------
+    card : SceneCard
+        The scene, with its own settings and numbers.
     rows : dict of str to Row
-        Every row by the name of what it shows: ``"near"``, ``"fov_y_deg"``, ``"eye_x"``, ...
+        Every row of the projection by the name of what it shows: ``"near"``, ``"fov_y_deg"``,
+        ``"eye_x"``, ...
     sections : dict of str to Section
-        ``"lens"``, ``"calibrated"``, ``"camera"``, ``"image"``, ``"depth"``, ``"animation"``.
+        What is folded: ``"more_lens"``, ``"more_camera"``, ``"image"``, ``"animation"``.
     animation : AnimationBar
         Its cameras come out of `edited`; its gestures are its own.
+    search : SearchBox
     """
 
     concerns = EVERYTHING
@@ -100,42 +98,66 @@ class Controls(QScrollArea):
         self._projection = Projection()
         self._defaults = self._projection
         self._size = 10.0
-        self._mattering: set[str] = set()
-        self.sections: dict[str, Section] = {}
+        self._is_for_class = False
+        self._lifted: tuple[str, ...] = ()
+        self._found: set[QWidget] | None = None
+        """What is looked for, and is all that is shown; None if nothing is."""
         self.setWidgetResizable(True)
         self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self.setFrameShape(QFrame.Shape.NoFrame)
         self.setAccessibleName(self.tr("Controls"))
         self._column = QWidget()
         self._layout = QVBoxLayout(self._column)
-        self._layout.setSpacing(0)
+        self._layout.setSpacing(2)
         FocusRing(self)
-        self._reserve_bar()
-        self._lens = LensControls(
-            self._section("lens", self.tr("Lens")),
-            self._section("calibrated", self.tr("Calibrated camera (OpenCV K)")),
-        )
-        self.sections["calibrated"].set_open(False)
+        self.search = SearchBox(self)
+        self.search.textChanged.connect(self._look_for)
+        self.search.taken.connect(self._take_found)
+        self._not_here = QLabel()
+        self._not_here.setWordWrap(True)
+        self._not_here.setObjectName("paneNote")
+        self._not_here.hide()
+        self._layout.addWidget(self._not_here)
+        self.card = SceneCard()
+        self.card.gesture_started.connect(self.gesture_started)
+        self.card.gesture_finished.connect(self.gesture_finished)
+        self.card.gesture_abandoned.connect(self.gesture_abandoned)
+        self._layout.addWidget(self.card)
+        self._front = [Rows(), Part(self.tr("Camera"))]
+        for part in self._front:
+            self._layout.addWidget(part)
+        self.sections = {
+            "more_lens": Section(self.tr("More of the lens")),
+            "more_camera": Section(self.tr("More of the camera")),
+            "image": Section(self.tr("Image and depth range")),
+            "animation": Section(self.tr("Animation")),
+        }
+        for section in self.sections.values():
+            self._layout.addWidget(section)
+        self._layout.addStretch(1)
+        self._lens = LensControls(self._front[0], self.sections["more_lens"])
         self._make_camera()
         self._make_image()
         self._make_depth()
         self._make_animation()
-        self._layout.addStretch(1)
         self._bindings: dict[str, Binding] = {}
+        for rows in self._parts:
+            self._bindings |= rows.bindings
         for section in self.sections.values():
-            self._bindings |= section.bindings
             section.toggled.connect(partial(self._folded, section))
         for key, binding in self._bindings.items():
             self._connect(binding)
             about = _about(binding)
             binding.row.highlighted.connect(partial(self._highlighted, key, about))
-        self.rows: dict[str, Row] = {
-            "camera_mode": self.camera_mode,
-            **{name: binding.row for name, binding in self._bindings.items()},
-        }
+        self.rows: dict[str, Row] = {name: each.row for name, each in self._bindings.items()}
         self.setWidget(self._column)
-        self._align()
+        self._make_room()
+        self._reserve_bar()
         self.set_scene(self._size, self._defaults)
+
+    @property
+    def _parts(self) -> tuple[Rows, ...]:
+        return (*self._front, *self.sections.values())
 
     # -- the interface
 
@@ -149,6 +171,24 @@ class Controls(QScrollArea):
         if changed & {"scene", "view"}:
             self.set_scene(shown.scene.size, shown.scene.start)
         self._show(shown.projection)
+        if changed & {"illustration", "settings"}:
+            self.card.take(shown, changed)
+
+    def begin_gesture(self) -> None:
+        """Until `end_gesture`, values run: a control is dragged, or something plays."""
+        self.card.begin_gesture()
+
+    def end_gesture(self) -> None:
+        """End the gesture that `begin_gesture` began."""
+        self.card.end_gesture()
+
+    def set_style(self, style: Style) -> None:
+        """Give the planes' sliders the colours that the planes are drawn in."""
+        for name, colour in (("near", style.near), ("far", style.far)):
+            slider = self._number(name).slider
+            palette = slider.palette()
+            palette.setColor(QPalette.ColorRole.Highlight, QColor(colour))
+            slider.setPalette(palette)
 
     def _show(self, projection: Projection) -> None:
         before, changed = self._projection, set[str]()
@@ -163,7 +203,6 @@ class Controls(QScrollArea):
         if "image_size" in changed:
             changed.add("lens")  # most measures of a field of view have the aspect in them
         if projection.lens.kind != before.lens.kind:
-            self._frame_rows()
             self._lens.fit(projection, self._size, self._defaults)
         elif "lens" in changed:
             self._lens.follow(projection)
@@ -175,12 +214,15 @@ class Controls(QScrollArea):
 
     def _enable_camera(self, projection: Projection) -> None:
         """No camera has a view matrix of its own: what moves one has nothing to move then."""
-        lens = projection.lens
-        free = lens.own_view is not None
+        free = projection.lens.own_view is not None
         why = self.tr("The view matrix was typed, and no camera has it: undo, or choose a lens.")
-        for key in ("camera", "animation"):
-            self.sections[key].body.setEnabled(not free)
-            self.sections[key].body.setToolTip(why if free else "")
+        for part in (
+            *(each.row for each in self._bindings.values() if each.part == "camera"),
+            self.animation,
+        ):
+            if part.isEnabled() == free:
+                part.setEnabled(not free)
+                part.setToolTip(why if free else "")
         if free:
             self.animation.pause()
 
@@ -201,7 +243,8 @@ class Controls(QScrollArea):
             about_target = Linear.about(camera.target[axis], reach)
             self._number(f"eye_{letter}").setScale(about_target)
             self._number(f"target_{letter}").setScale(about_target)
-        self._number("distance").setScale(Log(1e-2 * size, 1e3 * size))
+        near, far = sorted((size, camera.distance))
+        self._number("distance").setScale(Log(float(f"{near / 10.0:.2g}"), 10.0 * far))
         self._lens.fit(self._projection, size, defaults)
         for binding in self._bindings.values():
             if binding.part != "lens":
@@ -221,57 +264,102 @@ class Controls(QScrollArea):
         self.highlighted.emit(key, about if is_highlighted else NOTHING)
 
     def bring_to_front(self, paths: Collection[str]) -> None:
-        """Point out the controls that matter for the scene, and no others.
+        """Show the controls that matter for the scene in its card, and no others.
 
         Parameters
         ----------
         paths : collection of str
-            Of the document: ``lens.near``, ``camera.eye``. Their sections are opened, the first
-            of them is scrolled to, and all are framed until the next call, while there is a lens.
+            ``lens.near``, ``camera.distance``: what a row shows, of what part. Of another lens
+            they come to be seen when that is chosen.
         """
-        self._mattering = {name for path in paths for name in _names(path)}
-        marked = []
-        for section in self.sections.values():
-            for key, binding in section.bindings.items():
-                if self._matters(key, binding):
-                    marked.append(binding.row)
-                    if not section.is_open:
-                        section.set_open(True)
-        self._frame_rows()
-        if marked:
-            # After the layout has made room; a row that is not in use now may have none.
-            QTimer.singleShot(0, self, partial(self._scroll_to, marked))
+        lifted = tuple(path.rpartition(".")[2] for path in paths)
+        if lifted == self._lifted:
+            return
+        self._lifted = lifted
+        for part in self._parts:
+            part.bring_home()
+        self.card.lift(self.rows[key] for key in lifted)
+        self._show_rows()
 
-    def _matters(self, key: str, binding: Binding) -> bool:
-        return key in self._mattering or binding.field in self._mattering
+    def set_presenting(self, on: bool) -> None:
+        """Show a class the controls that matter, and nothing else; or all of them again."""
+        self._is_for_class = on
+        self.search.clear()
+        self.search.setVisible(not on)
+        self._show_found(None)
+        self._make_room()
 
-    def _frame_rows(self) -> None:
-        """Frame what matters for the scene; of a free matrix it shows nothing that could."""
-        free = is_free(self._projection)
+    # -- looking for a control
+
+    def find_control(self) -> None:
+        """Let the user say what control is looked for."""
+        self.search.setFocus(Qt.FocusReason.ShortcutFocusReason)
+        self.search.selectAll()
+
+    def _look_for(self, text: str) -> None:
+        if not text.strip():
+            self._show_found(None)
+            return
+        known: dict[QWidget, Known] = {
+            row: Known.of("", (row.name,), row.tip) for row in self.card.rows.values()
+        }
+        elsewhere: dict[QWidget, Known] = {}
         for key, binding in self._bindings.items():
-            _frame(binding.row, self._matters(key, binding) and not free)
+            in_use = known if self._in_use(binding) else elsewhere
+            in_use[binding.row] = Known.of(key, (binding.row.name,), binding.row.tip)
+        walk = self.animation
+        known[walk] = Known.of("animation", (row.name for row in walk.rows), "")
+        found, others = find(text, known), find(text, elsewhere)
+        self._not_here.setText(self._why_not_here(found, others))
+        self._show_found(found)
 
-    def _scroll_to(self, rows: list[Row]) -> None:
-        _lay_out()
-        for row in reversed([row for row in rows if row.isVisible()]):
-            self.ensureWidgetVisible(row, 0, 4)
+    def _why_not_here(self, found: set[QWidget], others: set[QWidget]) -> str:
+        """What is to be said of controls that other lenses have, if nothing else is found."""
+        if found:
+            return ""
+        lines = [
+            self.tr("{0}: only with the lens “{1}”.").format(
+                each.row.name,
+                "”, “".join(translated(LENSES[kind].title, "Lens") for kind in each.lenses),
+            )
+            for each in self._bindings.values()
+            if each.row in others
+        ]
+        return "\n".join(lines) or self.tr("No control is called so.")
+
+    def _show_found(self, found: set[QWidget] | None) -> None:
+        self._found = found
+        self._not_here.setVisible(found is not None and bool(self._not_here.text()))
+        self.card.show_some(found)
+        for part in self._parts:
+            part.show_some(found)
+        for section in self.sections.values() if self._is_for_class else ():
+            section.hide()
+        self._show_rows()
+        if found is not None:
+            self.verticalScrollBar().setValue(0)
+
+    def _take_found(self) -> None:
+        """Go to the first that was found, with everything round it as it is otherwise."""
+        rows = [*self.card.rows.values(), *self.rows.values()]
+        places = {row: row.mapTo(self._column, QPoint()).y() for row in rows if row.isVisible()}
+        first = min(places, key=lambda row: places[row], default=None)
+        if first is None:
+            if self._found and self.animation in self._found:
+                first = self.animation.speed
+            else:
+                return
+        for section in self.sections.values():
+            if section.isAncestorOf(first):
+                section.set_open(True)
+        self.search.clear()
+        first.take_focus()
+        QTimer.singleShot(0, self, partial(self._bring_into_view, first))
 
     # -- the sections
 
     def _make_camera(self) -> None:
-        section = self._section("camera", self.tr("Camera"))
-        self.camera_mode = ChoiceRow(
-            self.tr("Set by"),
-            self.tr("Two views of the same camera."),
-            (
-                Choice("orbit", self.tr("Orbit"), self.tr("Angles and distance about the target.")),
-                Choice("vectors", self.tr("Vectors"), self.tr("Eye, target and up.")),
-            ),
-            buttons=True,
-        )
-        self.camera_mode.setDefault("orbit")
-        self.camera_mode.edited.connect(lambda _mode: self._show_rows())
-        section.rows.addWidget(self.camera_mode)
+        front, more = self._front[1], self.sections["more_camera"]
         degrees, lengths = self.tr("degrees"), (self.tr("units"), self.tr("world units"))
         orbit: dict[str, tuple[str, Scale]] = {
             "azimuth_deg": (
@@ -293,7 +381,8 @@ class Controls(QScrollArea):
         typed = Typed(lambda p: p.camera, lambda p: p.camera.orbit, _with_orbit)
         for name, (tip, scale) in orbit.items():
             unit, unit_tip = ("°", degrees) if name.endswith("_deg") else lengths
-            section.add_number(name, "camera", tip, scale, unit, unit_tip, *typed.access(name))
+            part = more if name == "roll_deg" else front
+            part.add_number(name, "camera", tip, scale, unit, unit_tip, *typed.access(name))
         vectors = {
             "eye": self.tr("The centre of projection, in world coordinates."),
             "target": self.tr("The point that the camera looks at, in world coordinates."),
@@ -307,15 +396,13 @@ class Controls(QScrollArea):
                 write = partial(_write_component, vector, axis)
                 scale = Linear(-1.0, 1.0, 0.01)  # of the others the scene is yet to scale it
                 unit, unit_tip = ("", "") if vector == "up" else lengths
-                row = section.add_number(
+                more.add_number(
                     f"{vector}_{letter}", "camera", tip, scale, unit, unit_tip, read, write,
                     name=name, field=vector,
                 )  # fmt: skip
-                if axis == 0 and vector != "eye":
-                    row.setContentsMargins(0, 4, 0, 0)
 
     def _make_image(self) -> None:
-        section = self._section("image", self.tr("Image"))
+        section = self.sections["image"]
         for axis, (name, tip) in enumerate(
             (
                 ("width", self.tr("Width of the picture in pixels.")),
@@ -343,7 +430,7 @@ class Controls(QScrollArea):
         )  # fmt: skip
 
     def _make_depth(self) -> None:
-        section = self._section("depth", self.tr("Depth range"))
+        section = self.sections["image"]
         choices = (
             Choice("opengl", self.tr("OpenGL: −1 to 1"), self.tr("Near goes to −1, far to 1.")),
             Choice("direct3d", self.tr("Direct3D: 0 to 1"), self.tr("Near goes to 0, far to 1.")),
@@ -361,27 +448,22 @@ class Controls(QScrollArea):
         )  # fmt: skip
 
     def _make_animation(self) -> None:
-        section = self._section("animation", self.tr("Animation"))
         self.animation = AnimationBar()
         self.animation.edited.connect(self._walked)
-        section.rows.addWidget(self.animation)
-
-    def _section(self, key: str, title: str) -> Section:
-        self.sections[key] = section = Section(title)
-        self._layout.addWidget(section)
-        return section
+        self.sections["animation"].add(self.animation)
 
     def _folded(self, section: Section, is_open: bool) -> None:
-        if is_open:
+        if is_open and self._found is None:
             self._show_rows()
             # After the layout has made room: what opens below the fold comes into view.
-            QTimer.singleShot(0, self, partial(self._bring_into_view, section))
+            QTimer.singleShot(0, self, partial(self._bring_into_view, section, section.heading))
 
-    def _bring_into_view(self, section: Section) -> None:
-        if section.is_open and section.isVisible():
+    def _bring_into_view(self, *parts: QWidget) -> None:
+        """Scroll so that the last of these is seen, and as much of the others as there is room."""
+        if all(part.isVisible() for part in parts):
             _lay_out()
-            self.ensureWidgetVisible(section, 0, 0)
-            self.ensureWidgetVisible(section.heading, 0, 0)
+            for part in parts:
+                self.ensureWidgetVisible(part, 0, 0)
 
     def _connect(self, binding: Binding) -> None:
         row = binding.row
@@ -476,50 +558,54 @@ class Controls(QScrollArea):
 
     # -- shown
 
-    def _in_use(self, key: str, binding: Binding) -> bool:
-        """Whether a row belongs to the lens and the camera mode at hand."""
-        if binding.lenses:
-            return self._projection.lens.kind in binding.lenses
-        if binding.part == "camera":
-            orbits: bool = self.camera_mode.value() == "orbit"
-            return (key in Orbit._fields) == orbits
-        return True
+    def _in_use(self, binding: Binding) -> bool:
+        """Whether a row belongs to the lens at hand."""
+        return not binding.lenses or self._projection.lens.kind in binding.lenses
 
     def _show_rows(self, parts: Collection[str] = PARTS) -> None:
         """Show the rows of these parts of the projection, of those that are in use and unfolded."""
-        for section in self.sections.values():
-            is_open = section.is_open
-            for key, binding in section.bindings.items():
+        for rows in self._parts:
+            is_open, found = rows.is_open, self._found
+            for key, binding in rows.bindings.items():
                 if binding.part not in parts:
                     continue
-                in_use = self._in_use(key, binding)
-                if binding.row.isHidden() == in_use:
-                    binding.row.setVisible(in_use)
-                if in_use and is_open:
-                    binding.row.setValue(binding.read(self._projection))
-
-    def _align(self) -> None:
-        align([*self.rows.values(), *self.animation.rows])
+                row = binding.row
+                shown = self._in_use(binding) and (found is None or row in found)
+                if row.isHidden() == shown:
+                    row.setVisible(shown)
+                if shown and (is_open or key in self._lifted):
+                    row.setValue(binding.read(self._projection))
 
     def _reserve_bar(self) -> None:
         """Keep the scroll bar's room free while there is none: nothing shifts under the hand."""
         shown = self.width() - self.viewport().width()
         free = max(0, self._bar_width() - shown)
-        self._layout.setContentsMargins(0, 0, RIGHT_MARGIN_PX + free, 0)
+        self._layout.setContentsMargins(LEFT_MARGIN_PX, 0, RIGHT_MARGIN_PX + free, 0)
 
     def _bar_width(self) -> int:
         return self.verticalScrollBar().sizeHint().width()
 
+    def _make_room(self) -> None:
+        """For the search box, above what scrolls."""
+        search_px = 0 if self._is_for_class else self.search.sizeHint().height() + GAP_PX
+        self.setViewportMargins(0, search_px, 0, 0)
+        self._place_search()
+
+    def _place_search(self) -> None:
+        width = self.width() - LEFT_MARGIN_PX - RIGHT_MARGIN_PX - self._bar_width()
+        self.search.setGeometry(LEFT_MARGIN_PX, 0, width, self.search.sizeHint().height())
+
     def resizeEvent(self, event: QResizeEvent) -> None:
         self._reserve_bar()  # first: the rows keep their width and wrap no text again
         super().resizeEvent(event)
+        self._place_search()
 
     def minimumSizeHint(self) -> QSize:
         rows = self._column.minimumSizeHint().width() - self._layout.contentsMargins().right()
-        return QSize(rows + RIGHT_MARGIN_PX + self._bar_width(), 120)
+        return QSize(max(LEAST_PX, rows + RIGHT_MARGIN_PX + self._bar_width()), 120)
 
     def sizeHint(self) -> QSize:
-        return QSize(max(320, self.minimumSizeHint().width()), 600)
+        return QSize(max(WIDTH_PX, self.minimumSizeHint().width()), 600)
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         if event.type() == QEvent.Type.LayoutRequest:
@@ -529,40 +615,7 @@ class Controls(QScrollArea):
     def changeEvent(self, event: QEvent) -> None:
         super().changeEvent(event)
         if event.type() in (QEvent.Type.FontChange, QEvent.Type.StyleChange) and self.widget():
-            self._align()
-
-
-# --------------------------------------------------------------------------- pointing out
-
-_BY_ORBIT = {
-    "eye": ("azimuth_deg", "elevation_deg", "distance"),
-    "up": ("roll_deg",),
-}
-"""How else the camera's vectors are set."""
-
-
-def _names(path: str) -> tuple[str, ...]:
-    """What the rows of a document's path are called, or the fields that they belong to."""
-    name = path.rpartition(".")[2]
-    return (name, *_BY_ORBIT.get(name, ()))
-
-
-def _frame(row: Row, framed: bool) -> None:
-    """Put a frame in the accent colour round a row, or take it away."""
-    if bool(row.property("framed")) != framed:
-        row.setProperty("framed", framed)
-        row.setAttribute(Qt.WidgetAttribute.WA_StyledBackground, framed)
-        kind = type(row).__name__
-        sheet = f"{kind} {{ border: 2px solid palette(highlight); border-radius: 4px; }}"
-        row.setStyleSheet(sheet if framed else "")
-        grid = row.layout()
-        assert isinstance(grid, QGridLayout)
-        if framed:  # what the frame takes at both sides, the gaps give: the column stays as wide
-            grid.setContentsMargins(3, 2, 3, 2)
-            grid.setHorizontalSpacing(ROW_GAP_PX - 2)
-        else:
-            grid.setContentsMargins(0, 0, 0, 0)
-            grid.setHorizontalSpacing(ROW_GAP_PX)
+            self._make_room()
 
 
 # --------------------------------------------------------------------------- reading and writing

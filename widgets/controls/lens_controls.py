@@ -1,4 +1,4 @@
-"""The Lens section and the calibrated camera's: every number that a lens can be given by.
+"""The lens in the dock: every number that it can be given by, those that are used most in front.
 
 Field of view, focal lengths and the window on the near plane are views of one value; so are the
 angles of an oblique lens and how things recede under it, and a perspective lens and its K.
@@ -13,6 +13,7 @@ from functools import partial
 from typing import Any, NamedTuple
 
 from PySide6.QtCore import QObject
+from PySide6.QtWidgets import QLabel
 
 from app.model.projection import (
     AT_LEAST,
@@ -36,8 +37,10 @@ from app.model.projection import (
 from app.model.refusal import Refusal
 from widgets.parts.fields import Choice, Linear, Log, NumberRow, Scale
 from widgets.parts.messages import translated
-from widgets.parts.section import Binding, Read, Section, Typed, Write, tidy
+from widgets.parts.section import Binding, Read, Rows, Typed, Write, quiet, tidy
 
+NEAR_RATIO = 40.0
+"""From the nearest near plane of the slider to its farthest: in 240 pixels 2 % each at most."""
 SIDES = ("left", "right", "bottom", "top")
 _SAME_ANGLE_DEG = 1e-9  # what a preset's angle may lose on its way through a file
 
@@ -50,18 +53,19 @@ class Receding(NamedTuple):
 
 
 class LensControls(QObject):
-    """Fills two sections with the rows of all lenses, and fits them to the lens in hand.
+    """Fills two parts of the dock with the rows of all lenses, and fits them to the lens in hand.
 
     Parameters
     ----------
-    lens : Section
-    calibrated : Section
-        For the camera matrix K, of those who have one.
+    front : Rows
+        For what a lens is usually set by.
+    more : Rows
+        For everything else.
     """
 
-    def __init__(self, lens: Section, calibrated: Section) -> None:
-        super().__init__(lens)
-        self._lens, self._calibrated = lens, calibrated
+    def __init__(self, front: Rows, more: Rows) -> None:
+        super().__init__(front)
+        self._front, self._more = front, more
         self._make_kind()
         self._make_field_of_view()
         self._make_leaning()
@@ -82,16 +86,17 @@ class LensControls(QObject):
             Choice(lens.kind, translated(lens.title, "Lens"), translated(lens.tip, "Lens"))
             for lens in lenses
         ]
-        self._lens.add_choice(
+        kind = self._front.add_choice(
             "kind", "lens",
             self.tr("Kind of projection. What lies at the target keeps its size when it changes."),
             kinds, lambda p: p.lens.kind, lambda p, kind: p.with_lens(kind),
         )  # fmt: skip
+        quiet(kind.name_label)
 
     def _make_field_of_view(self) -> None:
         symmetric = _kinds(lambda lens: lens.symmetric)
         fov_y = self._add_declared("fov_y_deg")
-        fov_x = self._lens.add_number(
+        fov_x = self._more.add_number(
             "fov_x_deg", "lens",
             self.tr("Angle between the left and the right of the frustum, as seen from the eye:"
                     " the vertical field of view and the aspect in one number."),
@@ -99,11 +104,11 @@ class LensControls(QObject):
         )  # fmt: skip
         for row in (fov_y, fov_x):
             row.field.below = 180.0
-        self._lens.add_number(
+        self._more.add_number(
             "focal_length_mm", "lens",
             self.tr("Focal length of a 35 mm film camera (36 × 24 mm) with the same diagonal"
                     " field of view: below 35 is wide angle, above 70 telephoto."),
-            Log(5.0, 2000.0), self.tr("mm"), self.tr("millimetres"),
+            Log(5.0, 500.0), self.tr("mm"), self.tr("millimetres"),
             *_by_fov(focal_length_35mm, fov_y_from_focal_length_35mm), lenses=symmetric,
         )  # fmt: skip
 
@@ -120,7 +125,7 @@ class LensControls(QObject):
             text, tip = drawings[drawing]
             rising = self.tr("{0}, rising at {1}°.").format(tip, angle)
             choices.append(Choice(key, text.format(angle), rising))
-        self._lens.add_choice(
+        self._front.add_choice(
             "preset", "lens",
             self.tr("The textbooks' drawings. What lies at the target stays in its place in the"
                     " picture."),
@@ -128,7 +133,7 @@ class LensControls(QObject):
         )  # fmt: skip
         degrees = self.tr("degrees")
         receding = Typed(_angles, lambda p: Receding(*receding_of(p.lens)), _with_receding)
-        self._lens.add_number(
+        self._front.add_number(
             "receding", "lens",
             self.tr("Drawn length of what goes straight into the picture, per true length: 1 is a"
                     " cavalier, 0.5 a cabinet drawing, 0 orthographic. The target stays in its"
@@ -136,22 +141,20 @@ class LensControls(QObject):
             Linear(0.0, 2.0, 0.01), self.tr("×"), self.tr("times the true length"),
             *receding.access("receding"), lenses=leaning,
         )  # fmt: skip
-        self._lens.add_number(
+        self._front.add_number(
             "receding_deg", "lens",
             self.tr("Direction in which depth is drawn, from the right anticlockwise. The target"
                     " stays in its place in the picture."),
             Linear(-180.0, 180.0, 1.0), "°", degrees,
             *receding.access("receding_deg"), lenses=leaning,
         )  # fmt: skip
-        for field in dict.fromkeys(field for lens in LENSES.values() for field in lens.controls):
-            if field not in self._lens.bindings:
-                self._add_declared(field)
 
     def _add_declared(self, field: str) -> NumberRow:
         """The row of a field that a lens says itself how to set."""
         control = next(lens.controls[field] for lens in LENSES.values() if field in lens.controls)
         units = {"°": self.tr("degrees"), "×": self.tr("times")}
-        return self._lens.add_number(
+        part = self._front if field == "fov_y_deg" else self._more
+        return part.add_number(
             field, "lens", translated(control.tip, "Lens"),
             Linear(control.low, control.high, control.step), control.unit, units[control.unit],
             _field(field), _with_field(field), lenses=_with(field),
@@ -170,7 +173,7 @@ class LensControls(QObject):
         }  # fmt: skip
         windowed = _with("left")
         for side, tip in sides.items():
-            self._lens.add_length(
+            self._front.add_length(
                 side, "lens", tip, _field(side), _with_field(side), lenses=windowed
             )
         keeps = (
@@ -190,19 +193,19 @@ class LensControls(QObject):
                 self.tr("The x range grows or shrinks about its centre (lecture 000, variant Y)."),
             ),
         )
-        self._lens.add_choice(
+        self._more.add_choice(
             "keep", "lens", self.tr("How the window follows the aspect of the image."),
             keeps, _field("keep"), _with_field("keep"), lenses=windowed,
         )  # fmt: skip
 
     def _make_planes(self) -> None:
-        self._lens.add_length(
+        self._front.add_length(
             "near", "lens",
             self.tr("Distance from the eye to the near plane: nothing nearer is drawn. The closer"
                     " to 0, the coarser the depth buffer."),
             _field("near"), _with_field("near"), lenses=tuple(LENSES),
         )  # fmt: skip
-        self._lens.add_length(
+        self._front.add_length(
             "far", "lens",
             self.tr("Distance from the eye to the far plane: nothing farther is drawn. A"
                     " perspective lens also takes inf (∞), at the slider's end."),
@@ -211,8 +214,11 @@ class LensControls(QObject):
 
     def _make_other_measures(self) -> None:
         """What the lectures call a field of view, beside its angle."""
+        for field in dict.fromkeys(field for lens in LENSES.values() for field in lens.controls):
+            if field not in self._front.bindings:
+                self._add_declared(field)
         symmetric = _kinds(lambda lens: lens.symmetric)
-        self._lens.add_number(
+        self._more.add_number(
             "e", "lens",
             self.tr("Lecture 003's focal length e = 1/tan(fov/2), with the horizontal fov: at this"
                     " distance the picture reaches from x = −1 to 1."),
@@ -226,7 +232,7 @@ class LensControls(QObject):
                                   " top, and −bottom. With near it sets the field of view."),
         }  # fmt: skip
         for key, tip in halves.items():
-            self._lens.add_length(
+            self._more.add_length(
                 key, "lens", tip, partial(_half, key), partial(_with_half, key), lenses=symmetric
             )
 
@@ -243,15 +249,18 @@ class LensControls(QObject):
         typed = Typed(
             lambda p: (p.lens, p.image_size), lambda p: p.intrinsics, Projection.with_intrinsics
         )
+        self._of_k = QLabel(self.tr("Calibrated camera (OpenCV K)"))
+        quiet(self._of_k)
+        self._more.add(self._of_k)
         for key, tip in tips.items():
-            self._calibrated.add_number(
+            self._more.add_number(
                 key, "lens", tip, Log(1.0, 10.0), self.tr("px"), self.tr("pixels"),
                 *typed.access(key), lenses=_kinds(lambda lens: lens.central),
             )  # fmt: skip
 
     def _row(self, key: str) -> NumberRow:
-        section = self._lens if key in self._lens.bindings else self._calibrated
-        row = section.bindings[key].row
+        part = self._front if key in self._front.bindings else self._more
+        row = part.bindings[key].row
         assert isinstance(row, NumberRow)
         return row
 
@@ -271,23 +280,45 @@ class LensControls(QObject):
         self._projection, self._size = projection, size
         self._reach = 0.0
         kind = projection.lens.kind
-        for name in ("near", "far"):
-            if projection.lens.even_extent:  # even for a box, in ratios for a pyramid
-                self._row(name).setScale(Linear.about(0.0, 10.0 * size))
-            else:
-                scale = Log(1e-6 * size, 1e9 * size, infinite=name == "far")
-                self._row(name).setScale(scale)
         alike = defaults.with_lens(kind)
+        if kind in LENSES:
+            self._fit_planes(alike, size)
         for key, binding in self._bindings:
             if not binding.lenses or kind in binding.lenses:
                 source = defaults if key == "kind" else alike
                 binding.row.setDefault(binding.read(source))
-        self._calibrated.setVisible(projection.lens.central)
+        self._of_k.setVisible(projection.lens.central)
         self.follow(projection)
+
+    def _fit_planes(self, start: Projection, size: float) -> None:
+        """Let near and far reach as far as the scene does, seen from where it opens.
+
+        A pyramid's near covers but `NEAR_RATIO`: of more, a pixel of the slider would be a leap.
+        """
+        lens = start.lens
+        back = start.camera.distance + size / 2.0
+        if lens.even_extent:  # even for a box, in ratios for a pyramid
+            reach = 1.5 * max(back, abs(lens.near), abs(lens.far))
+            scales: tuple[Scale, Scale] = (Linear.about(0.0, reach), Linear.about(0.0, reach))
+        else:
+            least = min(max(back, 2.0 * lens.near) / NEAR_RATIO, lens.near / 2.0)
+            least = float(f"{least:.2g}")
+            far = back if math.isinf(lens.far) else lens.far
+            farthest = max(20.0 * back, 4.0 * far)
+            scales = (
+                Log(least, NEAR_RATIO * least),
+                Log(
+                    float(f"{min(back / 8.0, far / 2.0):.2g}"),
+                    float(f"{farthest:.2g}"),
+                    infinite=True,
+                ),
+            )
+        for name, scale in zip(("near", "far"), scales, strict=True):
+            self._row(name).setScale(scale)
 
     @property
     def _bindings(self) -> list[tuple[str, Binding]]:
-        return [*self._lens.bindings.items(), *self._calibrated.bindings.items()]
+        return [*self._front.bindings.items(), *self._more.bindings.items()]
 
     def follow(self, projection: Projection) -> None:
         """Keep the sliders in proportion to what they show.

@@ -173,7 +173,7 @@ class FramePanel(Panel):
             self.tr("Up from view"),
             self.tr("Turns up towards the view direction, in the plane of both: u, v and n stay,"
                     " until no u can be told from another."),
-            Log(1e-14, 180.0, 20, 20), "°", self.tr("degrees"),
+            Log(1e-14, 180.0), "°", self.tr("degrees"),
         )  # fmt: skip
         self.angle.setDefault(90.0)
         self.angle.edited.connect(self._turn)

@@ -33,6 +33,7 @@ from app.picking.handles import (
     dollied,
     dragged,
     dragged_grip,
+    has_camera,
     panned,
     place,
     present,
@@ -130,7 +131,10 @@ class Manipulation(QObject):
                 self._drop()  # another scene under the hand
         drawing: WorldDrawing | None = self._world.drawing
         if drawing is not None and drawing.held is not None:
-            self._tell(drawing.held)
+            if self.now(drawing.held):
+                self._tell(drawing.held)
+            else:
+                self._point_out(drawing, None)
 
     # -- what is under the mouse
 
@@ -168,15 +172,16 @@ class Manipulation(QObject):
 
     def _tell(self, handle: Handle) -> None:
         """Say what a drag of a handle does, and what it has made so far."""
-        now = self.now(handle)
-        if now:
-            self._say(f"{self._does(handle)[1]}: {now}")
+        self._say(f"{self._does(handle)[1]}: {self.now(handle)}")
 
     def now(self, handle: Handle) -> str:
         """What a handle moves, and the value that it has: ``Near = 4``; nothing if it is gone."""
         if handle.name == "grip":
             grip = self._grips.get(handle.setting)
             return "" if grip is None else f"{self._labels[grip.setting]} = {_shown(_value(grip))}"
+        is_on_face = bool(handle.face)
+        if self._projection.lens.planes is None if is_on_face else not has_camera(self._projection):
+            return ""
         values = present(self._projection, self._does(handle)[0])
         return ", ".join(f"{field_name(name)} = {_shown(value)}" for name, value in values.items())
 

@@ -14,7 +14,7 @@ import time
 from collections.abc import Callable, Sequence
 from typing import Any, Protocol, cast
 
-from PySide6.QtCore import QEvent, QPoint, QPointF, Qt, Signal
+from PySide6.QtCore import QEvent, QPoint, QPointF, QSize, Qt, Signal
 from PySide6.QtGui import (
     QCloseEvent,
     QKeyEvent,
@@ -72,6 +72,9 @@ class Drawing(Protocol):
     def reset_clipping_range(self) -> None:
         """Fit the pane camera's own near and far to the drawing after it has moved."""
 
+    def show_layers(self, hidden: frozenset[str]) -> None:
+        """Switch off what the drawing has of these layers; then show a projection."""
+
     @property
     def view(self) -> Camera | None:
         """Where the pane's own camera was moved to; None if it was not."""
@@ -108,6 +111,17 @@ class SteppedDrawing(Drawing, Protocol):
 
     def show_step(self, step: int | None) -> None:
         """Build it up to a step, or show what is always shown; draw nothing yet."""
+
+
+class FixedDrawing(Drawing, Protocol):
+    """A drawing that has fixed views beside the free one."""
+
+    @property
+    def fixed(self) -> str:
+        """The fixed view that is shown; ``""`` for the free one."""
+
+    def show_fixed(self, view: str) -> None:
+        """Take a fixed view, or the free one; draw nothing yet."""
 
 
 class _WholePixels(QWidget):
@@ -170,6 +184,8 @@ class Pane(QFrame):
     """
 
     concerns = PROJECTION | {"illustration"}
+    fixed_left = Signal()
+    """The fixed view was turned by hand, and is the free one now."""
     enlarge_requested = Signal()
     """The title was double-clicked."""
     clicked = Signal(QPointF)
@@ -204,6 +220,10 @@ class Pane(QFrame):
         self._stage_is_stale = False
         self._step: int | None = None
         self._step_is_stale = False
+        self._fixed = ""
+        self._fixed_is_stale = False
+        self._hidden: frozenset[str] = frozenset()
+        self._layers_are_stale = False
         self._probes: Sequence[Probe] = ()
         self._highlight = self._pointed_at = NOTHING
         self._highlight_is_stale = False
@@ -345,6 +365,32 @@ class Pane(QFrame):
             if self.isVisible():
                 self._refresh()
 
+    def show_fixed(self, view: str) -> None:
+        """Look from a fixed view of a `FixedDrawing`: at once if visible, or on appearing.
+
+        Parameters
+        ----------
+        view : str
+            One of `app.document.view.FIXED`; ``""`` for the free view.
+        """
+        if view != self._fixed:
+            self._fixed, self._fixed_is_stale = view, True
+            if self.isVisible():
+                self._refresh()
+
+    def show_layers(self, hidden: frozenset[str]) -> None:
+        """Switch these layers off, and no others: at once if visible, or on appearing.
+
+        Parameters
+        ----------
+        hidden : frozenset of str
+            Of `app.document.view.LAYERS`.
+        """
+        if hidden != self._hidden:
+            self._hidden, self._layers_are_stale = hidden, True
+            if self.isVisible():
+                self._refresh()
+
     def show_probes(self, probes: Sequence[Probe]) -> None:
         """Mark these probes, and no others: at once if visible, else on appearing."""
         if probes != self._probes:
@@ -389,6 +435,10 @@ class Pane(QFrame):
             self.drawing = self._make_drawing(self.canvas, *self._to_build)
             self._to_build = None
             self._step_is_stale = self._step is not None
+            self._fixed_is_stale = bool(self._fixed)
+            self._layers_are_stale = False
+            if self._hidden:
+                self.drawing.show_layers(self._hidden)
             self._highlight_is_stale = True
             self._apply_smoothing()
             self.drawing.show_projection(shown.projection, shown.illustration)
@@ -401,7 +451,9 @@ class Pane(QFrame):
         elif self.drawing is not None:
             if self._detail_is_stale:
                 self.drawing.show_detail(self._fewer)
-            if self._stale or self._detail_is_stale:
+            if self._layers_are_stale:
+                self.drawing.show_layers(self._hidden)
+            if self._stale or self._detail_is_stale or self._layers_are_stale:
                 began = time.perf_counter()
                 self.drawing.show_projection(shown.projection, shown.illustration)
                 self._matrices_ms = 1e3 * (time.perf_counter() - began)
@@ -412,10 +464,13 @@ class Pane(QFrame):
         if self._step_is_stale and self.drawing is not None:
             cast(SteppedDrawing, self.drawing).show_step(self._step)
             self._step_is_stale = False
+        if self._fixed_is_stale and self.drawing is not None:
+            cast(FixedDrawing, self.drawing).show_fixed(self._fixed)
+            self._fixed_is_stale = False
         if self._highlight_is_stale and self.drawing is not None:
             self.drawing.show_highlight(self._highlight)
         self._stale = self._probes_stale = self._highlight_is_stale = False
-        self._detail_is_stale = False
+        self._detail_is_stale = self._layers_are_stale = False
         self.request_repaint()
 
     def _take_stage(self, drawing: Drawing) -> None:
@@ -520,6 +575,9 @@ class Pane(QFrame):
     def _view_moved(self) -> None:
         if self.drawing is not None:
             self.drawing.reset_clipping_range()
+            if self._fixed and not cast(FixedDrawing, self.drawing).fixed:
+                self._fixed = ""
+                self.fixed_left.emit()
         self.request_repaint()
 
     def resizeEvent(self, event: QResizeEvent) -> None:
@@ -533,8 +591,12 @@ class Pane(QFrame):
 
     def _fit_header(self) -> None:
         """Leave the note what the title and the buttons leave of the width."""
+        side = self.fontMetrics().height()
+        for button in (self._reset, self._enlarge, self._float):
+            button.setIconSize(QSize(side, side))
         room = max(0, self.width() - self._tools.sizeHint().width())
         bar = self.header.layout()
+        assert bar is not None
         margins = bar.contentsMargins()
         taken = margins.left() + self.title.sizeHint().width() + bar.spacing() + margins.right()
         if self._beside_title is not None:

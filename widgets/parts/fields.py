@@ -17,7 +17,7 @@ import html
 import math
 import re
 from abc import abstractmethod
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property, partial
@@ -48,6 +48,7 @@ from PySide6.QtGui import (
     QWheelEvent,
 )
 from PySide6.QtWidgets import (
+    QBoxLayout,
     QButtonGroup,
     QCheckBox,
     QComboBox,
@@ -57,6 +58,8 @@ from PySide6.QtWidgets import (
     QLineEdit,
     QSizePolicy,
     QSlider,
+    QStyle,
+    QStyleOptionSlider,
     QToolButton,
     QWidget,
 )
@@ -64,6 +67,7 @@ from PySide6.QtWidgets import (
 from app.model.limits import DISTINCT
 from app.model.projection import AT_LEAST, AT_MOST, FINITE_NUMBER, LARGEST
 from app.model.refusal import Refusal
+from widgets.parts.digits import FEW, digits
 from widgets.parts.escape import HeldSlider
 from widgets.parts.highlight import paint_highlight
 from widgets.parts.messages import (
@@ -82,8 +86,16 @@ INSIDE_FIELD_PX = 2
 """What Qt leaves free on both sides of a field's text."""
 ROW_GAP_PX = 4
 """Between the parts of a row."""
-LEAST_SLIDER_PX = 90
+LEAST_SLIDER_PX = 150
 """Shorter than this, a slider has more values than a hand can tell apart."""
+FINE = 0.1
+"""With Shift the slider goes so far for each pixel of the mouse, against without."""
+VECTOR_CHARACTERS = 6
+"""Longest number, without its sign, that has room where three stand side by side."""
+ALL_CHARACTERS = 18
+"""Likewise where all digits are shown."""
+ONE_LINE_EM = 11
+"""Heights of a line: a name and what is chosen stand on one line if they are not wider."""
 
 REFUSAL_SHEET = "QLabel { border: 0px; border-left: 3px solid #d55e00; padding: 1px 0 2px 5px; }"
 """How a `refusal` looks: in the window's own text colour; the bar, sign and words mark it."""
@@ -100,6 +112,8 @@ def refusal(sentence: str) -> str:
 EXAMPLES = (0.5, 2e-3)
 """The numbers that `A_NUMBER` names."""
 _NUMBER = re.compile(r"[+-]?(\d+([.,]\d*)?|[.,]\d+)(e[+-]?\d+)?", re.ASCII | re.IGNORECASE)
+_MOST = 6
+"""Digits of a number that is short."""
 _INFINITY = re.compile(r"([+-]?)(∞|inf|infinity)", re.IGNORECASE)
 
 
@@ -147,8 +161,8 @@ def parse_number(name: str, text: str, unit: str = "", *, infinite: bool = False
     return number
 
 
-def short_text(value: float, below: float | None = None) -> str:
-    """The number as it stands if it is short, otherwise rounded to about six digits.
+def short_text(value: float, below: float | None = None, most: int = 6) -> str:
+    """The number as it stands if it is short, otherwise rounded to about `most` digits.
 
     Of one that has more before the point these are all shown, as far as there is room: what is
     far from the origin differs in the last of them.
@@ -156,15 +170,25 @@ def short_text(value: float, below: float | None = None) -> str:
     What is shown is never cut off: a lost exponent would be another number. Nor is it rounded up
     to a bound `below` which the number stays: then its distance is shown, as ``180-3e-12``.
     """
+    text = _short_text(value, most)
+    if below is None or not value < below <= float(text):
+        return text
+    if most < _MOST:
+        return short_text(value, below, most + 1)
+    return f"{below:g}-{below - value:.0e}"
+
+
+def _short_text(value: float, most: int) -> str:
     text = number_text(value)
-    if 1e6 <= abs(value) < 10.0**FIELD_CHARACTERS - 0.5:
-        text = f"{value:.0f}"
-    for digits in (6, 5, 4, 3, 2, 1):
-        if len(text.lstrip("-")) <= FIELD_CHARACTERS:
-            break
-        text = re.sub(r"e([+-])0*", r"e\1", f"{value:.{digits}g}").replace("e+", "e")
-    if below is not None and value < below <= float(text):
-        return f"{below:g}-{below - value:.0e}"
+    if 10.0**most <= abs(value) < 10.0**FIELD_CHARACTERS - 0.5:
+        return f"{value:.0f}"
+    if math.isinf(value) or (most == _MOST and len(text.lstrip("-")) <= FIELD_CHARACTERS):
+        return text
+    for kept in range(most, 0, -1):
+        for text in (f"{value:.{kept}g}", f"{value:.{kept - 1}e}"):
+            text = re.sub(r"e([+-])0*", r"e\1", text).replace("e+", "e")
+            if len(text.lstrip("-")) <= FIELD_CHARACTERS:
+                return text
     return text
 
 
@@ -173,7 +197,7 @@ def short_text(value: float, below: float | None = None) -> str:
 
 @dataclass(frozen=True)
 class Linear:
-    """A slider in even steps; its values are whole multiples of the step, decimal to the eye.
+    """A slider in even steps; its values are decimal to the eye.
 
     Parameters
     ----------
@@ -181,13 +205,14 @@ class Linear:
         The ends, rounded to multiples of the step.
     step : float
         One arrow key; best 1, 2 or 5 times a power of ten.
+    parts : int
+        Positions of the slider in a step: with Shift the hand reaches them.
     """
 
     low: float
     high: float
     step: float
-    page = 10
-    """How many steps PageUp and PageDown make."""
+    parts: int = 10
     infinite = False
 
     @classmethod
@@ -197,6 +222,26 @@ class Linear:
         power = 10.0 ** math.floor(math.log10(rough))
         step = next(m * power for m in (1.0, 2.0, 5.0, 10.0) if m * power >= rough)
         return cls(centre - reach, centre + reach, float(f"{step:.1g}"))
+
+    @property
+    def key(self) -> int:
+        """Positions that an arrow key goes on by."""
+        return self.parts
+
+    @property
+    def page(self) -> int:
+        """Positions that PageUp and PageDown go on by."""
+        return 10 * self.parts
+
+    @property
+    def notch(self) -> int:
+        """Positions that a notch of the wheel goes on by."""
+        return self.parts
+
+    @property
+    def coarse(self) -> int:
+        """A drag without Shift stops at whole multiples of so many positions."""
+        return self.parts
 
     @cached_property
     def _step(self) -> Fraction:
@@ -209,11 +254,11 @@ class Linear:
     @cached_property
     def last(self) -> int:
         """The slider's top position; the bottom is 0."""
-        return round(Fraction(self.high) / self._step) - self._first
+        return (round(Fraction(self.high) / self._step) - self._first) * self.parts
 
     def value_at(self, position: int) -> float:
         """The value of a slider position."""
-        return float((self._first + position) * self._step)
+        return float((self._first + Fraction(position, self.parts)) * self._step)
 
     def position_of(self, value: float) -> int:
         """The nearest slider position; the ends for values beyond them."""
@@ -221,38 +266,37 @@ class Linear:
             return 0
         if value >= self.high:
             return self.last
-        return min(max(round(value / self.step - self._first), 0), self.last)
+        steps = value / self.step - self._first
+        return min(max(round(steps * self.parts), 0), self.last)
 
 
 @dataclass(frozen=True)
 class Log:
-    """A slider in even ratios; its values have three digits and pass through powers of ten.
+    """A slider in even ratios, so fine that a pixel decides; it passes through powers of ten.
+
+    Its values are short: of three digits, the smaller ones with a fourth that is even or 5.
 
     Parameters
     ----------
     low, high : float
-        The ends, above 0, rounded to whole steps.
-    per_decade : int
-        Steps from 1 to 10.
-    page : int
-        How many steps PageUp and PageDown make.
+        The ends, above 0.
     infinite : bool
         Whether one more position at the top stands for infinity.
     """
 
     low: float
     high: float
-    per_decade: int = 50
-    page: int = 10
     infinite: bool = False
+    key, page, notch, coarse = 40, 400, 10, 1
+    """As of `Linear`."""
 
-    @cached_property
-    def _first(self) -> int:
-        return round(math.log10(self.low) * self.per_decade)
+    @property
+    def _first(self) -> float:
+        return math.log10(self.low) * PER_DECADE
 
     @cached_property
     def _last_finite(self) -> int:
-        return round(math.log10(self.high) * self.per_decade) - self._first
+        return math.ceil(math.log10(self.high) * PER_DECADE - self._first)
 
     @property
     def last(self) -> int:
@@ -263,7 +307,11 @@ class Log:
         """The value of a slider position."""
         if position > self._last_finite:
             return math.inf
-        return float(f"{10.0 ** ((self._first + position) / self.per_decade):.3g}")
+        exact = 10.0 ** ((self._first + position) / PER_DECADE)
+        mantissa, _, power = f"{exact:.9e}".partition("e")
+        parts = next(parts for limit, parts in _PARTS if float(mantissa) < limit)
+        short = float(f"{round(float(mantissa) * parts) / parts:.3f}e{power}")
+        return min(max(short, self.low), self.high)
 
     def position_of(self, value: float) -> int:
         """The nearest slider position; the ends for values beyond them."""
@@ -271,8 +319,14 @@ class Log:
             return 0
         if math.isinf(value):
             return self.last
-        position = round(math.log10(value) * self.per_decade) - self._first
+        position = round(math.log10(value) * PER_DECADE - self._first)
         return min(max(position, 0), self._last_finite)
+
+
+PER_DECADE = 2000
+"""Positions of a `Log` from 1 to 10."""
+_PARTS = ((2.0, 500), (4.0, 200), (math.inf, 100))
+"""A value that begins with less than the one is a multiple of 1 over the other."""
 
 
 @dataclass(frozen=True)
@@ -287,8 +341,8 @@ class Doubling:
 
     low: float
     high: float
-    page = 2
-    """How many steps PageUp and PageDown make: 2 double."""
+    key, page, notch, coarse = 1, 2, 1, 1
+    """As of `Linear`; a page doubles."""
     infinite = False
 
     @cached_property
@@ -308,12 +362,18 @@ class Doubling:
 
     def position_of(self, value: float) -> int:
         """The nearest slider position; the ends for values beyond them."""
+        if value >= self.high:
+            return self.last
         return min(range(len(self._values)), key=lambda at: abs(self._values[at] - value))
 
 
 Scale = Linear | Log | Doubling
 
 # --------------------------------------------------------------------------- parts of a row
+
+
+_NOTCH = 120
+"""Eighths of a degree, in which Qt says how far a wheel turns; a finer one turns by less."""
 
 
 def _rich(text: str) -> str:
@@ -330,17 +390,64 @@ class _Name(QLabel):
 
 
 class _Slider(HeldSlider):
-    """A slider that leaves the wheel to the column until it has the focus."""
+    """A slider that goes slowly with Shift.
+
+    It leaves the wheel to the column until it has the focus, or Ctrl is held.
+
+    Attributes
+    ----------
+    notch, coarse : int
+        As of `Linear`.
+    """
 
     def __init__(self) -> None:
         super().__init__()
-        self.setMinimumWidth(LEAST_SLIDER_PX)  # in projector mode, too
+        self.notch = self.coarse = 1
+        self._mouse_x = self._at = 0.0
+        self._turned = 0
+        self.setMinimumWidth(LEAST_SLIDER_PX)
+        self.actionTriggered.connect(self._acted)
+
+    def _go_to(self, position: float, *, fine: bool) -> None:
+        stops = 1 if fine else self.coarse
+        self.setSliderPosition(round(position / stops) * stops)
+
+    def _acted(self, action: int) -> None:
+        """Let keys stop where a drag does; the value follows after this."""
+        if action != QSlider.SliderAction.SliderMove.value:
+            self._go_to(self.sliderPosition(), fine=False)
+
+    def mousePressEvent(self, event: QMouseEvent) -> None:
+        super().mousePressEvent(event)
+        self._mouse_x, self._at = event.position().x(), float(self.sliderPosition())
+
+    def mouseMoveEvent(self, event: QMouseEvent) -> None:
+        if not self.isSliderDown():
+            super().mouseMoveEvent(event)
+            return
+        option = QStyleOptionSlider()
+        self.initStyleOption(option)
+        handle = self.style().pixelMetric(QStyle.PixelMetric.PM_SliderLength, option, self)
+        a_pixel = (self.maximum() - self.minimum()) / max(1, self.width() - handle)
+        is_fine = bool(event.modifiers() & Qt.KeyboardModifier.ShiftModifier)
+        moved, self._mouse_x = event.position().x() - self._mouse_x, event.position().x()
+        if self.layoutDirection() == Qt.LayoutDirection.RightToLeft:
+            moved = -moved
+        self._at += moved * a_pixel * (FINE if is_fine else 1.0)
+        self._go_to(self._at, fine=is_fine)
 
     def wheelEvent(self, event: QWheelEvent) -> None:
-        if self.hasFocus():
-            super().wheelEvent(event)
-        else:
+        if not (self.hasFocus() or event.modifiers() & Qt.KeyboardModifier.ControlModifier):
             event.ignore()
+            return
+        turned = event.angleDelta()
+        self._turned += turned.y() or turned.x()  # some systems turn it with Shift
+        notches = int(self._turned / _NOTCH)
+        self._turned -= notches * _NOTCH
+        if notches:
+            is_fine = bool(event.modifiers() & Qt.KeyboardModifier.ShiftModifier)
+            self._go_to(self.value() + notches * (1 if is_fine else self.notch), fine=is_fine)
+        event.accept()
 
 
 class _Combo(QComboBox):
@@ -471,7 +578,10 @@ class _ShortField(NumberField):
         super().__init__(name, unit)
         self.below: float | None = None
         """A bound that the number never reaches, and must not seem to; set by the owner."""
+        self.characters = FIELD_CHARACTERS
+        """Of a number that has room, without its sign; set by the owner."""
         self._whole = False
+        digits.changed.connect(self._resize)
 
     def show_number(self, number: float | None) -> None:
         self._whole = self._whole and number == self._number
@@ -482,7 +592,13 @@ class _ShortField(NumberField):
         super().take_back()
 
     def _text_of(self, number: float) -> str:
-        return number_text(number) if self._whole else short_text(number, self.below)
+        if self._whole or digits.all:
+            return number_text(number)
+        return short_text(number, self.below, FEW)
+
+    def _resize(self) -> None:
+        self._write()
+        self.updateGeometry()
 
     def _show_whole(self, whole: bool) -> None:
         self._whole = whole
@@ -508,7 +624,8 @@ class _ShortField(NumberField):
 
     def minimumSizeHint(self) -> QSize:
         hint, metrics = super().minimumSizeHint(), self.fontMetrics()
-        widest = metrics.horizontalAdvance("-" + "0" * FIELD_CHARACTERS)
+        characters = ALL_CHARACTERS if digits.all else self.characters
+        widest = metrics.horizontalAdvance("-" + "0" * characters)
         frame = hint.width() - metrics.maxWidth()  # Qt's least width is one widest letter
         return QSize(widest + frame + 2 * INSIDE_FIELD_PX + 1, hint.height())  # 1: the cursor
 
@@ -564,6 +681,7 @@ class Row(QWidget):
         self._default: Any = None
         self._error: QLabel | None = None
         self._refused = False
+        self.tip = tip
         how_to_reset = self.tr("Double-click the name to reset it.")
         self._tip = f"{tip} {how_to_reset}"
         self._told: dict[QWidget, str] = {}
@@ -579,10 +697,16 @@ class Row(QWidget):
         self._grid.setContentsMargins(0, 0, 0, 0)
         self._grid.setHorizontalSpacing(ROW_GAP_PX)
         self._grid.setVerticalSpacing(1)
-        self._grid.setColumnStretch(1, 1)
+        self._grid.setColumnStretch(0, 1)
         self._grid.addWidget(self.name_label, 0, 0)
         # Fixed would hold the row at its size hint, which knows not how often the error wraps.
         self.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Preferred)
+
+    def take_focus(self) -> None:
+        """Give the keyboard to what the value is chosen by."""
+        buddy = self.name_label.buddy()
+        if buddy is not None:
+            buddy.setFocus(Qt.FocusReason.ShortcutFocusReason)
 
     def value(self) -> Any:
         """The value shown."""
@@ -632,7 +756,7 @@ class Row(QWidget):
             self._error.setTextFormat(Qt.TextFormat.PlainText)
             self._error.setObjectName("rowError")
             self._error.setStyleSheet(REFUSAL_SHEET)
-            self._grid.addWidget(self._error, 1, 0, 1, self._grid.columnCount())
+            self._grid.addWidget(self._error, 2, 0, 1, self._grid.columnCount())
         self._error.setText(text)
         self._error.show()
         self._describe(self._error.text())
@@ -862,9 +986,10 @@ class NumberRow(_TypedRow):
         if unit_tip:
             self._tell(self.unit_label, unit_tip)
         self._add_fields(self.field)
-        self._grid.addWidget(self.slider, 0, 1)
         self._grid.addWidget(self.field, 0, 2)
         self._grid.addWidget(self.unit_label, 0, 3)
+        self._grid.addWidget(self.slider, 1, 0, 1, 4)
+        self._fit_unit()
         self._quiet = QTimer(self)
         self._quiet.setSingleShot(True)
         self._quiet.setInterval(QUIET_MS)
@@ -896,10 +1021,21 @@ class NumberRow(_TypedRow):
     def setScale(self, scale: Scale) -> None:
         """Give the slider other ends and steps."""
         self._scale = scale
+        self.slider.notch, self.slider.coarse = scale.notch, scale.coarse
         with QSignalBlocker(self.slider):
             self.slider.setRange(0, scale.last)
+            self.slider.setSingleStep(scale.key)
             self.slider.setPageStep(scale.page)
         self._show_value()
+
+    @property
+    def scale(self) -> Scale:
+        """What the slider's positions stand for."""
+        return self._scale
+
+    def put_beside(self, widget: QWidget) -> None:
+        """Put something between the name and the field."""
+        self._grid.addWidget(widget, 0, 1)
 
     # -- done by the user
 
@@ -1013,6 +1149,15 @@ class NumberRow(_TypedRow):
             if self.slider.hasFocus():
                 self._say_value()
 
+    def _fit_unit(self) -> None:
+        """Give the unit the room of the usual one: the fields form a column."""
+        self.unit_label.setMinimumWidth(self.fontMetrics().horizontalAdvance(self.tr("units")))
+
+    def changeEvent(self, event: QEvent) -> None:
+        super().changeEvent(event)
+        if event.type() in (QEvent.Type.FontChange, QEvent.Type.StyleChange):
+            self._fit_unit()
+
     def _say_value(self) -> None:
         """Tell a screen reader the value, for which it has only the slider's position, at rest."""
         value = f"{short_text(self._value, self.field.below)} {self._unit_said}".rstrip()
@@ -1055,8 +1200,8 @@ class ChoiceRow(Row):
         none: str = "",
     ) -> None:
         super().__init__(name, tip)
-        self._keys = [choice.key for choice in choices]
-        self._value: str | None = self._keys[0]
+        self.keys = [choice.key for choice in choices]
+        self._value: str | None = self.keys[0]
         self._combo: QComboBox | None = None
         self._group = QButtonGroup(self)
         if buttons:
@@ -1077,7 +1222,14 @@ class ChoiceRow(Row):
         combo.setAccessibleName(self.name)
         self._tell(combo, self._tip)
         combo.activated.connect(self._chosen)  # the user's choice, never the program's
-        self._grid.addWidget(combo, 0, 1)
+        longest = max((*(choice.text for choice in choices), none), key=len)
+        metrics = self.fontMetrics()
+        needed = metrics.horizontalAdvance(f"{self.name}  {longest}")
+        if needed > ONE_LINE_EM * metrics.height():
+            self._grid.addWidget(combo, 1, 0, 1, 4)
+        else:
+            combo.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToContents)
+            self._grid.addWidget(combo, 0, 1)
         return combo
 
     def _make_buttons(self, choices: Sequence[Choice]) -> list[QWidget]:
@@ -1102,10 +1254,10 @@ class ChoiceRow(Row):
 
     def choose(self, key: str) -> None:
         """Choose as the user does."""
-        self._chosen(self._keys.index(key))
+        self._chosen(self.keys.index(key))
 
     def _chosen(self, index: int) -> None:
-        key = self._keys[index]
+        key = self.keys[index]
         self.clear_error()
         if key == self._value:
             self._show_value()
@@ -1113,7 +1265,7 @@ class ChoiceRow(Row):
             self._make_edit(key)
 
     def _show_value(self) -> None:
-        index = self._keys.index(self._value) if self._value in self._keys else -1
+        index = self.keys.index(self._value) if self._value in self.keys else -1
         if self._combo is not None:
             self._combo.setCurrentIndex(index)
             return
@@ -1136,16 +1288,27 @@ class VectorRow(_TypedRow):
         super().__init__(name, tip)
         self._value: tuple[float, ...] = (0.0, 0.0, 0.0)
         self._add_fields(*(_ShortField(self.tr("{0} {1}").format(name, x)) for x in "xyz"))
-        line = QHBoxLayout()
-        line.setSpacing(4)
+        self._line = QBoxLayout(QBoxLayout.Direction.LeftToRight)
+        self._line.setSpacing(6)
         for letter, field in zip("xyz", self.fields, strict=True):
             self._tell(field, f"{field.name}. {self._tip}")
+            field.characters = VECTOR_CHARACTERS
             label = QLabel(letter)
             label.setForegroundRole(QPalette.ColorRole.PlaceholderText)
-            line.addWidget(label)
-            line.addWidget(field, 1)
-        self._grid.addLayout(line, 0, 1)
+            part = QHBoxLayout()
+            part.setSpacing(3)
+            part.addWidget(label)
+            part.addWidget(field, 1)
+            self._line.addLayout(part, 1)
+        self._grid.addLayout(self._line, 1, 0, 1, 4)
+        digits.changed.connect(self._turn)
+        self._turn()
         self._show_value()
+
+    def _turn(self) -> None:
+        """Put the fields below each other where all digits are shown."""
+        directions = QBoxLayout.Direction
+        self._line.setDirection(directions.TopToBottom if digits.all else directions.LeftToRight)
 
     def _read(self, field: _ShortField) -> tuple[float, ...]:
         number = field.read()
@@ -1177,19 +1340,3 @@ class CheckRow(Row):
 
     def _show_value(self) -> None:
         self.box.setChecked(self._value)
-
-
-def align(rows: Iterable[Row]) -> None:
-    """Give the names of these rows one width, and the units another, so that they form columns."""
-    rows = list(rows)
-    metrics = rows[0].fontMetrics()
-    widest_name = metrics.averageCharWidth() * 16
-    name_width = max(metrics.horizontalAdvance(row.name) for row in rows) + 2
-    unit_width = max(
-        (row.unit_label.sizeHint().width() for row in rows if isinstance(row, NumberRow)),
-        default=0,
-    )
-    for row in rows:
-        row.name_label.setFixedWidth(min(name_width, widest_name))
-        if isinstance(row, NumberRow):
-            row.unit_label.setFixedWidth(unit_width)

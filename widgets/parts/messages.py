@@ -53,7 +53,7 @@ A_NUMBER_OR_INFINITY = QT_TRANSLATE_NOOP("Refusal", "must be a number, or inf fo
 FIELDS = {
     "near": QT_TRANSLATE_NOOP("Field", "Near"),
     "far": QT_TRANSLATE_NOOP("Field", "Far"),
-    "fov_y_deg": QT_TRANSLATE_NOOP("Field", "Vertical fov"),
+    "fov_y_deg": QT_TRANSLATE_NOOP("Field", "Field of view"),
     "fov_x_deg": QT_TRANSLATE_NOOP("Field", "Horizontal fov"),
     "focal_length_mm": QT_TRANSLATE_NOOP("Field", "Focal length"),
     "e": QT_TRANSLATE_NOOP("Field", "Focal length e"),

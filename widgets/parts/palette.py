@@ -37,11 +37,12 @@ _STYLE_SHEET = """
 #startCard {{ background: {veil}; }}
 #card, #firstSteps {{ background: {window}; border: 1px solid {line}; border-radius: 6px; }}
 #paneNote {{ color: {muted}; }}
+#quietTitle {{ color: {muted}; font-weight: 600; }}
 #messageBar {{ background: {bar}; border: 1px solid {edge}; border-radius: 4px; }}
 QToolTip {{ color: {text}; background: {base}; border: 1px solid {edge}; }}
 QToolBar {{ spacing: 2px; padding: 3px; }}
-#stages QToolButton:checked, #drawerNames QToolButton:checked {{ color: {on_accent};
-    background: {accent}; border: 0px; border-radius: 4px; }}
+#stages QToolButton:checked, #fixedViews QToolButton:checked, #drawerNames QToolButton:checked {{
+    color: {on_accent}; background: {accent}; border: 0px; border-radius: 4px; }}
 QToolBar QToolButton#presentButton {{ color: {on_accent}; background: {accent}; border: 0px;
     border-radius: 4px; padding: 4px 8px; }}
 """

@@ -1,4 +1,4 @@
-"""A part of the control column: a heading that folds, and the rows below it with their bindings.
+"""A part of the dock: rows with their bindings, under a heading that stays or one that folds.
 
 A `Binding` ties a row to the model by two functions, `read` and `write`; rows that show one value
 in several ways (fov and focal length, orbit and vectors) are nothing but several bindings.
@@ -12,7 +12,7 @@ from typing import Any, Literal, TypeAlias
 
 from PySide6.QtCore import QEvent, QObject, Qt, Signal
 from PySide6.QtGui import QKeyEvent
-from PySide6.QtWidgets import QSizePolicy, QToolButton, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QLabel, QSizePolicy, QToolButton, QVBoxLayout, QWidget
 
 from app.model.projection import Projection
 from widgets.parts.fields import Choice, ChoiceRow, Log, NumberRow, Row, Scale
@@ -21,8 +21,8 @@ from widgets.parts.messages import field_name
 Read: TypeAlias = Callable[[Projection], Any]
 Write: TypeAlias = Callable[[Projection, Any], Projection]
 Keep: TypeAlias = Callable[[Projection, Any, Projection], None]
-Part: TypeAlias = Literal["lens", "camera", "image_size", "depth"]
-PARTS: tuple[Part, ...] = ("lens", "camera", "image_size", "depth")
+Of: TypeAlias = Literal["lens", "camera", "image_size", "depth"]
+PARTS: tuple[Of, ...] = ("lens", "camera", "image_size", "depth")
 
 
 def tidy(number: float) -> float:
@@ -109,27 +109,132 @@ class Binding:
 
     row: Row
     field: str
-    part: Part
+    part: Of
     read: Read
     write: Write
     keep: Keep | None = None
     lenses: tuple[str, ...] = ()
 
 
-class Section(QWidget):
-    """A heading that folds what is below it: by a click, Space, Enter, or as in a tree, ← and →.
+GAP_PX = 6
+"""Between the rows."""
+
+
+class Rows(QWidget):
+    """Some rows, one below the other, and how they are bound to the model.
 
     Attributes
     ----------
     bindings : dict of str to Binding
         Of its rows, by the name of what they show.
+    body : QWidget
+        What holds the rows.
+    """
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.bindings: dict[str, Binding] = {}
+        self._order: list[QWidget] = []
+        self.body = QWidget()
+        self._rows = QVBoxLayout(self.body)
+        self._rows.setContentsMargins(0, 0, 0, GAP_PX)
+        self._rows.setSpacing(GAP_PX)
+        self._column = QVBoxLayout(self)
+        self._column.setContentsMargins(0, 0, 0, 0)
+        self._column.setSpacing(2)
+        self._column.addWidget(self.body)
+
+    @property
+    def is_open(self) -> bool:
+        """Whether the rows are shown."""
+        return True
+
+    def show_some(self, found: set[QWidget] | None) -> None:
+        """Show the part if one of these rows is in it; None shows it as it is otherwise."""
+        here = (row for row in self._order if row.parent() is self.body)
+        self.setVisible(found is None or any(row in found for row in here))
+
+    # -- rows
+
+    def add_number(
+        self, key: str, part: Of, tip: str, scale: Scale, unit: str, unit_tip: str,
+        read: Read, write: Write, keep: Keep | None = None, *, name: str = "", field: str = "",
+        lenses: tuple[str, ...] = (),
+    ) -> NumberRow:  # fmt: skip
+        """Add a number; its row is called by the model's name for `key` if no other is given."""
+        row = NumberRow(name or field_name(key), tip, scale, unit, unit_tip)
+        self._bind(key, Binding(row, field or key, part, read, write, keep, lenses))
+        return row
+
+    def add_length(
+        self, key: str, part: Of, tip: str, read: Read, write: Write,
+        lenses: tuple[str, ...] = (),
+    ) -> NumberRow:  # fmt: skip
+        """Add a length in world units; the scene is yet to scale its slider."""
+        return self.add_number(
+            key, part, tip, Log(1.0, 10.0), self.tr("units"), self.tr("world units"),
+            read, write, lenses=lenses,
+        )  # fmt: skip
+
+    def add_choice(
+        self, key: str, part: Of, tip: str, choices: Sequence[Choice], read: Read, write: Write,
+        *, buttons: bool = False, none: str = "", name: str = "", lenses: tuple[str, ...] = (),
+    ) -> ChoiceRow:  # fmt: skip
+        """Add a choice; see `ChoiceRow`."""
+        row = ChoiceRow(name or field_name(key), tip, choices, buttons=buttons, none=none)
+        self._bind(key, Binding(row, key, part, read, write, None, lenses))
+        return row
+
+    def _bind(self, key: str, binding: Binding) -> None:
+        self.bindings[key] = binding
+        self.add(binding.row)
+
+    def add(self, widget: QWidget) -> None:
+        """Add what comes next."""
+        self._order.append(widget)
+        self._rows.addWidget(widget)
+
+    def bring_home(self) -> None:
+        """Put every row back in its place that stood elsewhere meanwhile."""
+        for place, widget in enumerate(self._order):
+            if widget.parent() is not self.body:
+                self._rows.insertWidget(place, widget)
+
+
+class Part(Rows):
+    """Rows that are always seen, below a quiet title.
+
+    Parameters
+    ----------
+    title : str
+        Translated.
+    """
+
+    def __init__(self, title: str) -> None:
+        super().__init__()
+        self.title = QLabel(title)
+        quiet(self.title)
+        self._column.insertWidget(0, self.title)
+
+
+def quiet(label: QLabel) -> None:
+    """Let a label be a title that does not call."""
+    label.setObjectName("quietTitle")  # for the application's style sheet
+
+
+class Section(Rows):
+    """A heading that folds what is below it: by a click, Space, Enter, or as in a tree, ← and →.
+
+    Parameters
+    ----------
+    title : str
+        Translated.
     """
 
     toggled = Signal(bool)
 
     def __init__(self, title: str) -> None:
         super().__init__()
-        self.bindings: dict[str, Binding] = {}
         self.heading = QToolButton()
         self.heading.setText(title)
         self.heading.setAutoRaise(True)
@@ -137,21 +242,13 @@ class Section(QWidget):
         self.heading.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
         self.heading.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
         self.heading.setAccessibleName(title)
-        font = self.heading.font()
-        font.setBold(True)
-        self.heading.setFont(font)
         self.heading.installEventFilter(self)
         self.heading.clicked.connect(lambda: self.set_open(not self.is_open))
-        self.body = QWidget()
-        self.rows = QVBoxLayout(self.body)
-        self.rows.setContentsMargins(6, 0, 2, 6)
-        self.rows.setSpacing(3)
-        layout = QVBoxLayout(self)
-        layout.setContentsMargins(0, 0, 0, 0)
-        layout.setSpacing(0)
-        layout.addWidget(self.heading)
-        layout.addWidget(self.body)
-        self.set_open(True)
+        self._column.setSpacing(0)
+        self._column.insertWidget(0, self.heading)
+        self._is_open = False
+        self._found: set[QWidget] | None = None
+        self.set_open(False)
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         """Take the heading's keys before the button makes arrows move the focus."""
@@ -169,47 +266,24 @@ class Section(QWidget):
     @property
     def is_open(self) -> bool:
         """Whether the rows below the heading are shown."""
-        return not self.body.isHidden()
+        return self._is_open or self._found is not None
 
     def set_open(self, is_open: bool) -> None:
         """Fold or unfold."""
+        self._is_open = is_open
+        self._show()
+
+    def show_some(self, found: set[QWidget] | None) -> None:
+        """Be unfolded while one of these rows is in it; None folds it again if it was folded."""
+        super().show_some(found)
+        if found is None or not self.isHidden():
+            self._found = found
+            self._show()
+
+    def _show(self) -> None:
+        is_open = self.is_open
         self.body.setVisible(is_open)
         self.heading.setArrowType(Qt.ArrowType.DownArrow if is_open else Qt.ArrowType.RightArrow)
         self.heading.setToolTip(self.tr("Fold") if is_open else self.tr("Unfold"))
         self.heading.setAccessibleDescription(self.tr("unfolded") if is_open else self.tr("folded"))
         self.toggled.emit(is_open)
-
-    # -- rows
-
-    def add_number(
-        self, key: str, part: Part, tip: str, scale: Scale, unit: str, unit_tip: str,
-        read: Read, write: Write, keep: Keep | None = None, *, name: str = "", field: str = "",
-        lenses: tuple[str, ...] = (),
-    ) -> NumberRow:  # fmt: skip
-        """Add a number; its row is called by the model's name for `key` if no other is given."""
-        row = NumberRow(name or field_name(key), tip, scale, unit, unit_tip)
-        self._bind(key, Binding(row, field or key, part, read, write, keep, lenses))
-        return row
-
-    def add_length(
-        self, key: str, part: Part, tip: str, read: Read, write: Write,
-        lenses: tuple[str, ...] = (),
-    ) -> NumberRow:  # fmt: skip
-        """Add a length in world units; the scene is yet to scale its slider."""
-        return self.add_number(
-            key, part, tip, Log(1.0, 10.0), self.tr("units"), self.tr("world units"),
-            read, write, lenses=lenses,
-        )  # fmt: skip
-
-    def add_choice(
-        self, key: str, part: Part, tip: str, choices: Sequence[Choice], read: Read, write: Write,
-        *, buttons: bool = False, none: str = "", name: str = "", lenses: tuple[str, ...] = (),
-    ) -> ChoiceRow:  # fmt: skip
-        """Add a choice; see `ChoiceRow`."""
-        row = ChoiceRow(name or field_name(key), tip, choices, buttons=buttons, none=none)
-        self._bind(key, Binding(row, key, part, read, write, None, lenses))
-        return row
-
-    def _bind(self, key: str, binding: Binding) -> None:
-        self.bindings[key] = binding
-        self.rows.addWidget(binding.row)

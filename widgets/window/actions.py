@@ -62,6 +62,7 @@ class Actions(QObject):
         The parts of the window that carry out what is asked for.
     panes : mapping of str to Pane
     theme : str
+    all_digits : bool
         How the window looks at first.
     """
 
@@ -69,6 +70,7 @@ class Actions(QObject):
     theme_chosen = Signal(str)
     controls_shown = Signal(bool)
     cost_shown = Signal(bool)
+    all_digits_set = Signal(bool)
 
     def __init__(
         self,
@@ -80,6 +82,7 @@ class Actions(QObject):
         slots: Slots,
         panes: Mapping[str, Pane],
         theme: str,
+        all_digits: bool,
     ) -> None:
         super().__init__(window)
         self._window, self._files, self._help = window, files, help_
@@ -119,6 +122,11 @@ class Actions(QObject):
             self.tr("Remove the chosen probe from the panes"),
         )  # fmt: skip
         self.remove_probe.setEnabled(False)
+        self.find = self._action(
+            self.tr("&Find a control"), None, keys.Find,
+            self.tr("Find a control by its name, its letter or what it does"),
+        )  # fmt: skip
+        self.find.setShortcuts([*QKeySequence.keyBindings(keys.Find), QKeySequence("/")])
         self._make_edit_menu()
         self.scene_group = QActionGroup(window)
         self._make_scenes_menu()
@@ -142,6 +150,10 @@ class Actions(QObject):
         )
         self.fixed: dict[str, QAction] = {}
         self.layers: dict[str, QAction] = {}
+        self.all_digits = self._toggle(self.tr("All &digits"), self.all_digits_set, all_digits)
+        self.all_digits.setToolTip(
+            self.tr("Show all digits of every number that is read, not four")
+        )
         self._make_view_menu(theme)
         self.help = self._action(self.tr("&Keys and mouse"), help_.show_keys, keys.HelpContents)
         self._make_help_menu()
@@ -210,7 +222,7 @@ class Actions(QObject):
         menu.addSeparator()
         menu.addAction(self.reset)
         menu.addSeparator()
-        menu.addAction(self.remove_probe)
+        menu.addActions([self.remove_probe, self.find])
 
     def _make_scenes_menu(self) -> None:
         menu = self._window.menuBar().addMenu(self.tr("&Scenes"))
@@ -247,7 +259,7 @@ class Actions(QObject):
         )
         menu.addSeparator()
         self.controls = self._toggle(self.tr("&Controls"), self.controls_shown, True, "F4")
-        menu.addActions([self.controls, self.show_cost])
+        menu.addActions([self.controls, self.show_cost, self.all_digits])
         self._make_look_menus(menu)
         themes = menu.addMenu(self.tr("&Theme"))
         group = QActionGroup(self._window)

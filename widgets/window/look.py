@@ -76,6 +76,16 @@ class Look(QObject):
                 "target": self.tr("target"),
                 "look": self.tr("look"),
                 "up": self.tr("up"),
+                "half width": self.tr("half width"),
+                "half height": self.tr("half height"),
+                "no planes": self.tr("A typed matrix has no near, no far and no angle."),
+                "no angle": self.tr(
+                    "A parallel lens has no angle: it is as wide at every distance."
+                ),
+                "no eye": self.tr("A parallel lens has no eye: this is the view along its axis."),
+                "no half angle": self.tr(
+                    "This window is off the axis, which does not halve its angle."
+                ),
             }
         )
         self._shown: Shown | None = None

@@ -59,6 +59,7 @@ from widgets.panes.manipulation import Manipulation
 from widgets.panes.pane import SMOOTHINGS, Pane
 from widgets.panes.stage_strip import StageStrip
 from widgets.parts import palette
+from widgets.parts.digits import set_all_digits
 from widgets.parts.focus import focus_next
 from widgets.parts.highlight import Highlighter
 from widgets.parts.message_bar import MessageBar
@@ -157,6 +158,7 @@ class MainWindow(QMainWindow):
         self.setObjectName("mainWindow")
         self.setAcceptDrops(True)
         self._is_closed = False
+        self.start_card: StartCard | None = None
         self._is_narrow = False
         self._folded: Panel | None = None
         """The panel that is open when no pane has the whole window."""
@@ -212,6 +214,7 @@ class MainWindow(QMainWindow):
             slots=self.slots,
             panes=self.panes,
             theme=settings.theme,
+            all_digits=settings.all_digits,
         )
         self.present = Present(self, self.menus.tools, self.bottom)
         self._make_rooms()
@@ -274,8 +277,8 @@ class MainWindow(QMainWindow):
             ),
             self.probe_panel: (self.tr("Probe"), self.tr("Follow points through every stage")),
             self.scene_panel: (
-                self.tr("About this scene"),
-                self.tr("What the scene shows, its own settings and its numbers"),
+                self.tr("Explanation and diagrams"),
+                self.tr("What the scene shows, in which lectures, and its diagrams"),
             ),
             self.measure_panel: (
                 self.tr("Precision"),
@@ -353,7 +356,7 @@ class MainWindow(QMainWindow):
             lambda: self.shown.scene.start,
             (
                 self.controls.animation.pause,
-                self.scene_panel.pause,
+                self.controls.card.pause,
                 *(cursor.let_go for cursor in self.cursors.values()),
             ),
         )
@@ -368,15 +371,15 @@ class MainWindow(QMainWindow):
             *self.cursors.values(),
             self.manipulation,  # which lets go of what is held before it is gone
             self.probing,
+            self.guide,  # which tells the controls what scene it is
             self.controls,
             self.slots,
             self.first_steps,
-            self.guide,
+            self.arrangement,  # which takes back what a scene has opened or forgotten by itself
             self.cost,
             self.look,
             self.counting,
             self.strip,
-            self.arrangement,  # which takes back what a scene has opened or forgotten by itself
             self.files,
             self.status,
             self.quality,  # of what was drawn just now
@@ -398,6 +401,10 @@ class MainWindow(QMainWindow):
         strip.gesture_finished.connect(partial(self.look.refine, "ndc", True))
         self.history.rested.connect(self.look.rest)
         self.look.built.connect(self.manipulation.leave)
+        self.look.built.connect(controls.set_style)
+        set_all_digits(self.settings.all_digits)
+        menus.all_digits_set.connect(self._set_all_digits)
+        menus.find.triggered.connect(self._find_control)
         menus.play.triggered.connect(controls.animation.toggle)
         menus.theme_chosen.connect(self.look.set_theme)
         menus.present.triggered.connect(self.present.toggle)
@@ -422,7 +429,7 @@ class MainWindow(QMainWindow):
             panel.copy_wanted.connect(self.pictures.copy_diagram)
             panel.export_wanted.connect(self.pictures.export_diagram)
             self.look.built.connect(panel.set_style)
-        probe, measure, scene = self.probe_panel, self.measure_panel, self.scene_panel
+        probe, measure, card = self.probe_panel, self.measure_panel, controls.card
         menus.remove_probe.triggered.connect(probe.remove)
         probe.changed.connect(lambda: menus.remove_probe.setEnabled(bool(probe.probes)))
         measure.went_on.connect(self.messages.take_back)
@@ -430,9 +437,9 @@ class MainWindow(QMainWindow):
         measure.used.connect(self.manipulation.let_go)
         measure.used.connect(self.quality.use)
         measure.used.connect(lambda: self.panels.open(measure))  # the one that offered it stays
-        self.counting.counted.connect(scene.show_count)
-        scene.mesh_wanted.connect(self.files.mesh_dialog)
-        scene.mesh_removed.connect(partial(self.files.use_mesh, ""))
+        self.counting.counted.connect(card.show_count)
+        card.mesh_wanted.connect(self.files.mesh_dialog)
+        card.mesh_removed.connect(partial(self.files.use_mesh, ""))
 
     def _wire_gestures(self) -> None:
         """Let everyone know when values run: the store makes one step of them."""
@@ -440,7 +447,7 @@ class MainWindow(QMainWindow):
         sources: tuple[Controls | AnimationBar | Manipulation | Panel, ...] = (
             controls, controls.animation, self.manipulation, *panels
         )  # fmt: skip
-        listeners: tuple[Store | Panel, ...] = (store, *panels)
+        listeners: tuple[Store | Controls | Panel, ...] = (store, controls, *panels)
         for told in listeners:
             for each in sources:
                 each.gesture_started.connect(told.begin_gesture)
@@ -463,6 +470,15 @@ class MainWindow(QMainWindow):
             place.highlighted.connect(partial(mark, number))
             self.highlighter.changed.connect(place.show_highlight)
         self.highlighter.changed.connect(self.controls.show_highlight)
+
+    def _set_all_digits(self, all_digits: bool) -> None:
+        self.settings.all_digits = all_digits
+        set_all_digits(all_digits)
+
+    def _find_control(self) -> None:
+        if self.controls.isHidden():
+            self.menus.controls.trigger()
+        self.controls.find_control()
 
     # -- showing the document
 
@@ -505,7 +521,9 @@ class MainWindow(QMainWindow):
 
     def show_start_card(self) -> None:
         """Offer the scenes as pictures, and three things to try."""
-        card = StartCard(
+        if self.start_card is not None:
+            return
+        self.start_card = card = StartCard(
             self,
             self.menus.scene_titles,
             self.files.recent,
@@ -516,14 +534,17 @@ class MainWindow(QMainWindow):
         card.file_chosen.connect(self.files.open)
         card.open_wanted.connect(self.files.open_dialog)
         card.always_set.connect(partial(setattr, self.settings, "start_card"))
+        card.left.connect(self._forget_start_card)
         card.open()
         self.first_steps.show()
 
+    def _forget_start_card(self) -> None:
+        self.start_card = None
+
     def _on_top(self) -> Callable[[], object] | None:
         """What Esc leaves: the start card, a message, an empty screen, a whole pane, presenting."""
-        card = self.findChild(StartCard)
-        if card is not None and card.isVisible():
-            return card.close
+        if self.start_card is not None:
+            return self.start_card.close
         if self.messages.text and not self.messages.choices:  # an offer would be lost
             return self.messages.done
         if self.slots.whole and not self.present.is_blank:
@@ -535,6 +556,7 @@ class MainWindow(QMainWindow):
         self.menus.pointer.setEnabled(on)
         self.menus.pointer.setChecked(False)
         self.look.set_presenting(on)
+        self.controls.set_presenting(on)
         self.slots.share(PRESENTING if on else LARGE_AND_SMALL)
         self._show_beside()
 

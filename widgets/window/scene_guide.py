@@ -1,4 +1,4 @@
-"""What a scene is about: its panel, its settings, and the controls that matter for it."""
+"""What a scene is about: its card in the dock, its panel, its settings, what matters for it."""
 
 from __future__ import annotations
 
@@ -33,6 +33,7 @@ class SceneGuide(QObject):
     panels : Panels
         In which it is opened.
     controls : Controls
+        With the scene's card.
     manipulation : Manipulation
         By which settings are dragged in the world.
     image : Pane
@@ -57,15 +58,15 @@ class SceneGuide(QObject):
         choose: Callable[[str], object],
     ) -> None:
         super().__init__(panel)
-        self._panel, self._panels, self._controls = panel, panels, controls
+        self._panel, self._controls = panel, controls
         self._manipulation, self._image, self._menus = manipulation, image, menus
         self._store, self._choose = store, choose
-        self._presented = ""
-        """The scene whose panel was opened or folded by itself."""
         self._asks = False
         """Whether the picture is drawn in a way that OpenGL may refuse."""
         menus.scene_chosen.connect(self.choose)
-        panel.settings_edited.connect(self._set_settings)
+        self._card = controls.card
+        self._card.settings_edited.connect(self._set_settings)
+        self._card.explanation_wanted.connect(lambda: panels.open(panel))
         manipulation.setting_edited.connect(self._set_by_hand)
 
     def choose(self, name: str) -> None:
@@ -75,7 +76,7 @@ class SceneGuide(QObject):
         self._menus.show_scene(self._store.document.scene)
 
     def take(self, shown: Shown, changed: Changed) -> None:
-        """Say what the scene is about; a phenomenon opens its panel and points out its controls."""
+        """Say what the scene is about, and bring what matters for it to the top."""
         document, phenomenon = shown.document, shown.scene.phenomenon
         asks = bool(shown.scene.requires & RASTERISED) or document.quality.has_depth
         if asks != self._asks:
@@ -84,36 +85,31 @@ class SceneGuide(QObject):
                 rendered.connect(self._tell_problem)  # only a rendering finds it out
             else:
                 rendered.disconnect(self._tell_problem)
-                self._panel.show_problem(None)
+                self._card.show_problem(None)
         if not changed & {"scene", "view"}:
             return
         self._menus.show_scene(document.scene)
         title = self._menus.scene_title(document.scene)
-        self._panel.show_scene(title, phenomenon, Path(document.mesh).name)
-        if document.scene == self._presented:
-            return
-        self._presented = document.scene
+        mesh = Path(document.mesh).name
+        self._card.show_scene(title, shown.scene.tries, phenomenon, mesh)
+        self._panel.show_scene(title, phenomenon)
         self._controls.bring_to_front(phenomenon.controls if phenomenon else ())
-        if phenomenon is not None:
-            self._panels.open(self._panel)
-        elif self._panels.open_panel is self._panel:
-            self._panels.open(None)
 
     def _set_settings(self, settings: Mapping[str, Value]) -> None:
         try:
             self._store.set_settings(settings)
         except Refusal as error:
-            self._panel.refuse(error)
+            self._card.refuse(error)
 
     def _set_by_hand(self, settings: Mapping[str, Value]) -> None:
         try:
             self._store.set_settings(settings)
         except Refusal as error:
-            self._manipulation.refuse(self._panel.named(error))
+            self._manipulation.refuse(self._card.named(error))
 
     def _tell_problem(self) -> None:
         """Say, and draw again, where this computer's OpenGL refused a scene's own shader."""
         drawing: ImageDrawing | None = self._image.drawing
         problem = None if drawing is None else drawing.problem
-        if self._panel.show_problem(problem) and problem is not None:
+        if self._card.show_problem(problem) and problem is not None:
             self._image.request_repaint()

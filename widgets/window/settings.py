@@ -155,6 +155,8 @@ class Settings:
     theme = _Kept("theme", _theme, "system")
     """One of `THEMES`."""
     """Whether text and lines are enlarged for the back row."""
+    all_digits = _Kept("all-digits", _flag, False, lambda on: "true" if on else "false")
+    """Whether numbers that are read have all of their digits, not four."""
     language = _Kept("language", _language, "")
     """A locale such as ``"hr"`` or ``"sr_RS"``; empty for the system's."""
     tolerance_px = _Kept(

@@ -6,13 +6,15 @@ it away; then the three things are left in a corner, tick themselves off as they
 
 from __future__ import annotations
 
+import logging
+import traceback
 from collections.abc import Callable, Mapping, Sequence
 from functools import partial
 from pathlib import Path
 
 import numpy as np
 from PySide6.QtCore import QEvent, QObject, QPoint, QSize, Qt, QTimer, Signal
-from PySide6.QtGui import QIcon, QImage, QMouseEvent, QPixmap, QShowEvent
+from PySide6.QtGui import QCloseEvent, QIcon, QImage, QMouseEvent, QPixmap, QShowEvent
 from PySide6.QtWidgets import (
     QCheckBox,
     QFrame,
@@ -30,6 +32,8 @@ from widgets.parts import palette
 from widgets.parts.icons import show_icon
 from widgets.parts.messages import file_title
 from widgets.parts.panel import Changed, Shown
+
+log = logging.getLogger(__name__)
 
 COLUMNS = 4
 THUMBNAIL_PX = (144, 81)
@@ -62,6 +66,8 @@ class StartCard(QWidget):
     open_wanted = Signal()
     always_set = Signal(bool)
     """Whether it shall come with every start."""
+    left = Signal()
+    """It has gone, before what was chosen is told."""
 
     def __init__(
         self,
@@ -76,7 +82,6 @@ class StartCard(QWidget):
         self.setObjectName("startCard")
         self.setAccessibleName(self.tr("Start"))
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
-        self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
         self.setAttribute(Qt.WidgetAttribute.WA_StyledBackground)
         self._window, self._dark = window, dark
         card = QFrame()
@@ -187,7 +192,10 @@ class StartCard(QWidget):
             self._drawing.stop()
             return
         name = self._undrawn.pop(0)
-        self.tiles[name].setIcon(QIcon(self._thumbnail(name)))
+        try:
+            self.tiles[name].setIcon(QIcon(self._thumbnail(name)))
+        except Exception:  # whatever it is, the scene can be chosen by its name
+            log.warning("the picture of %s cannot be drawn\n%s", name, traceback.format_exc())
 
     def _thumbnail(self, name: str) -> QPixmap:
         """A scene as it opens, in the pane that it is about."""
@@ -210,6 +218,12 @@ class StartCard(QWidget):
         return pixmap
 
     # -- over the window
+
+    def closeEvent(self, event: QCloseEvent) -> None:
+        super().closeEvent(event)
+        self._drawing.stop()
+        self.left.emit()
+        self.deleteLater()
 
     def _cover(self) -> None:
         self.setGeometry(self._window.rect())
@@ -282,9 +296,11 @@ class FirstSteps(QFrame):
 
     def take(self, shown: Shown, changed: Changed) -> None:
         """Another lens: its near plane may have been dragged."""
-        if self._near is not None and shown.projection.lens.near != self._near:
+        planes = shown.projection.lens.planes
+        near = None if planes is None else planes[0]
+        if None not in (near, self._near) and near != self._near:
             self.tick("near")
-        self._near = shown.projection.lens.near
+        self._near = near
 
     def place(self) -> None:
         """Lie in the corner."""

@@ -12,7 +12,7 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 
-from PySide6.QtCore import QSize, Qt, QTimer, Signal
+from PySide6.QtCore import QEvent, QObject, QSize, Qt, QTimer, Signal
 from PySide6.QtGui import QResizeEvent, QShowEvent
 from PySide6.QtWidgets import QLabel, QMenu, QSizePolicy, QStatusBar, QToolButton
 
@@ -85,6 +85,7 @@ class StatusLine(QStatusBar):
             )
         )
         self.precision.menu().aboutToShow.connect(self._fill_menu)
+        self.precision.installEventFilter(self)
         self.quality = QToolButton()
         self.quality.setAutoRaise(True)
         # Or it would be as high as an icon as long as it has no text, and the panes less high.
@@ -170,10 +171,18 @@ class StatusLine(QStatusBar):
 
     def showEvent(self, event: QShowEvent) -> None:
         super().showEvent(event)
-        QTimer.singleShot(0, self._predict)  # nothing moves yet that it could hold up
+        self._appear()
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        if event.type() == QEvent.Type.Show:
+            self._appear()  # in its panel, of which this line may show nothing
+        return super().eventFilter(watched, event)
+
+    def _appear(self) -> None:
+        QTimer.singleShot(0, self, self._predict)  # nothing moves yet that it could hold up
 
     def _wait_for_rest(self) -> None:
-        if self.isVisible():
+        if self.isVisible() or self.precision.isVisible():
             self._rest.start()
 
     def _predict(self) -> None:

@@ -83,7 +83,7 @@ class WorldLook(QObject):
             menus.fixed[name].triggered.connect(partial(self.show, name, None))
         for action in menus.layers.values():
             action.triggered.connect(self._switch)
-        self._world.hand.moved.connect(self._leave)
+        self._world.fixed_left.connect(self._leave)
 
     def show(self, fixed: str, hidden: frozenset[str] | None = None, _on: bool = True) -> None:
         """Look so from now on.

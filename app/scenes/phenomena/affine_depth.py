@@ -318,6 +318,11 @@ PHENOMENON = Phenomenon(
         " straight segment PQ would come into the cube as a bow, and nothing between its ends could"
         " be interpolated or clipped as a line. With z' = A + B / z it stays straight.",
     ),
+    tries=(
+        QT_TRANSLATE_NOOP("phenomena", "Is the line PQ straight in the cube?"),
+        QT_TRANSLATE_NOOP("phenomena", "Drag P towards the eye: and now?"),
+        QT_TRANSLATE_NOOP("phenomena", "Do near and far change the bow?"),
+    ),
     lectures=("000", "002"),
     start=_START,
     geometry=partial(letter_f_on_grid, (-4.0, -4.0), (4.0, 4.0)),

@@ -301,6 +301,11 @@ PHENOMENON = Phenomenon(
         " scene opens, with its ramp, 63 % of the pixels are wrong, 0 % with near 0.1, 62 % with"
         " far 60. Codes of up to 24 bits are kept apart exactly.",
     ),
+    tries=(
+        QT_TRANSLATE_NOOP("phenomena", "Set near to 0.1: what is mended?"),
+        QT_TRANSLATE_NOOP("phenomena", "Set far to 60: does it help as much?"),
+        QT_TRANSLATE_NOOP("phenomena", "Choose 24 bits: is it enough?"),
+    ),
     lectures=("000", "001"),
     start=Projection(
         Camera((3.0, 7.0, 15.0), (0.0, 1.5, -8.0)),
@@ -348,7 +353,7 @@ PHENOMENON = Phenomenon(
             ),
         ),
     ),
-    controls=("lens.near", "camera.eye"),
+    controls=("lens.near",),
     leading="image",
     requires=frozenset({"depth"}),
     own_mesh=True,

@@ -467,6 +467,11 @@ PHENOMENON = Phenomenon(
         " through infinity. So AB must be cut before the divide: at z = −0.01 as in lecture 004,"
         " or in homogeneous coordinates, which need no such number.",
     ),
+    tries=(
+        QT_TRANSLATE_NOOP("phenomena", "B is behind the eye: where is it drawn?"),
+        QT_TRANSLATE_NOOP("phenomena", "Go back until AB is drawn right."),
+        QT_TRANSLATE_NOOP("phenomena", "What does cutting before the divide do?"),
+    ),
     lectures=("001", "004"),
     start=_START,
     geometry=partial(letter_f_on_grid, (-4.0, -6.0), (4.0, 6.0)),
@@ -485,7 +490,7 @@ PHENOMENON = Phenomenon(
             (2.5, 1.8, 2.5),
         ),
     ),
-    controls=("camera.eye",),
+    controls=("camera.distance",),
     leading="image",
     own_mesh=True,
     own_mesh_crosses=True,  # what lies on the floor beside the eye crosses nothing

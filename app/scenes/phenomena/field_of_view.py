@@ -249,7 +249,6 @@ def _show(projection: Projection, _settings: Settings, subject: Subject) -> Illu
 
     readings = (
         Reading(QT_TRANSLATE_NOOP("phenomena", "distance d to the target"), distance),
-        *_angles(projection),
         Reading(
             QT_TRANSLATE_NOOP("phenomena", "subject's height, at the target's distance"),
             size,
@@ -262,6 +261,7 @@ def _show(projection: Projection, _settings: Settings, subject: Subject) -> Illu
             "×",
             Phrase(_BEHIND_EYE) if ratio is None else None,
         ),
+        *_angles(projection),
     )
     axis = Line(np.array([camera.eye, camera.target]), "accent", 1.0)
     lines = (Line(p, colour, 1.5) for p, colour in zip(polylines, colours, strict=True))
@@ -330,6 +330,11 @@ PHENOMENON = Phenomenon(
         " of the distance alone. Ride along n, and the field of view follows so that things at"
         " the target's distance keep their size (a dolly zoom). One unit is 10 cm.",
     ),
+    tries=(
+        QT_TRANSLATE_NOOP("phenomena", "Drag the distance: what keeps its size?"),
+        QT_TRANSLATE_NOOP("phenomena", "Which parts grow when you come near?"),
+        QT_TRANSLATE_NOOP("phenomena", "Compare 29 mm with 105 mm."),
+    ),
     lectures=("001", "003"),
     start=_start(),
     geometry=_geometry,
@@ -379,7 +384,7 @@ PHENOMENON = Phenomenon(
             only_with=("preset", "tele"),
         ),
     ),
-    controls=("lens.fov_y_deg", "camera.eye"),
+    controls=("lens.fov_y_deg",),
     leading="image",
     follow=_follow,
     found=_found,

@@ -292,6 +292,11 @@ PHENOMENON = Phenomenon(
         " Between the two limits the discs are no larger than the circle of confusion and pass for"
         " points. One world unit is 1 m; the picture itself is not blurred.",
     ),
+    tries=(
+        QT_TRANSLATE_NOOP("phenomena", "Focus on the post at 10 m."),
+        QT_TRANSLATE_NOOP("phenomena", "Make N small: how much stays sharp?"),
+        QT_TRANSLATE_NOOP("phenomena", "From where on is all that is far sharp?"),
+    ),
     lectures=("001",),
     start=_START,
     geometry=_geometry,
@@ -335,7 +340,7 @@ PHENOMENON = Phenomenon(
             logarithmic=True,
         ),
     ),
-    controls=("lens.fov_y_deg", "camera.target"),
+    controls=("lens.fov_y_deg",),
     leading="image",
     own_mesh=True,
 )

@@ -554,7 +554,12 @@ class Phenomenon:
         ``show(projection, settings, subject) -> Illustration``.
     settings : tuple of Setting
     controls : tuple of str
-        Document paths of the model's controls that matter here: ``lens.near``.
+        The model's controls that matter here: ``lens.near``, ``camera.distance``. With the settings
+        there are 2 to 4 at a time.
+    tries : tuple of 3 str
+        Translatable: what to try, in short imperatives and questions.
+    numbers : int
+        How many readings are seen without being unfolded.
     follow : callable
         ``follow(projection, before, after)``: the projection that goes with changed settings,
         where a setting moves the camera; before it is what `found` found.
@@ -585,6 +590,8 @@ class Phenomenon:
     show: Callable[[Projection, Settings, Subject], Illustration]
     settings: tuple[Setting, ...] = ()
     controls: tuple[str, ...] = ()
+    tries: tuple[str, ...] = ()
+    numbers: int = 3
     follow: Callable[[Projection, Found, Settings], Projection] = _keep
     found: Callable[[Projection, Settings], Found] = _nothing
     check: Callable[[Settings], None] = _any

@@ -276,6 +276,11 @@ PHENOMENON = Phenomenon(
         " bends at the diagonal of every quadrangle. Smaller triangles hide it: twice as many"
         " parts leave more than a quarter of the error while they are few, a quarter in the limit.",
     ),
+    tries=(
+        QT_TRANSLATE_NOOP("phenomena", "Where does the texture bend?"),
+        QT_TRANSLATE_NOOP("phenomena", "Choose “correct”: what has moved?"),
+        QT_TRANSLATE_NOOP("phenomena", "Double the parts: is the error halved?"),
+    ),
     lectures=("002", "003"),
     start=Projection(
         Camera((1.5, 4.0, 10.0), (0.0, 0.0, 0.5)),
@@ -315,7 +320,7 @@ PHENOMENON = Phenomenon(
             ),
         ),
     ),
-    controls=("camera.eye", "lens.fov_y_deg"),
+    controls=("camera.azimuth_deg",),
     leading="image",
     requires=frozenset({"texture"}),
     own_mesh=True,

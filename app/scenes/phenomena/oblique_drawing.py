@@ -288,6 +288,11 @@ PHENOMENON = Phenomenon(
         " shape, and edges along n are drawn at one angle and one scale. With scale 1 it is a"
         " cavalier drawing, with 1/2 a cabinet drawing, and with 0 the orthographic one.",
     ),
+    tries=(
+        QT_TRANSLATE_NOOP("phenomena", "Play “From orthographic”."),
+        QT_TRANSLATE_NOOP("phenomena", "Which faces keep their shape?"),
+        QT_TRANSLATE_NOOP("phenomena", "Cavalier or cabinet: which looks right?"),
+    ),
     lectures=("002",),
     start=oblique(
         Projection(
@@ -347,7 +352,6 @@ PHENOMENON = Phenomenon(
             per_second=0.5,
         ),
     ),
-    controls=("lens.alpha_deg", "lens.beta_deg"),
     leading="image",
     follow=_follow,
     found=_found,

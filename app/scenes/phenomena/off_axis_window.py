@@ -313,6 +313,11 @@ PHENOMENON = Phenomenon(
         " window's own plane keeps its place in the image. Two screens side by side are two such"
         " frusta with one eye, and their pictures join without a gap.",
     ),
+    tries=(
+        QT_TRANSLATE_NOOP("phenomena", "Walk past the window: drag the eye."),
+        QT_TRANSLATE_NOOP("phenomena", "Which way does the frustum lean?"),
+        QT_TRANSLATE_NOOP("phenomena", "What stays in its place in the image?"),
+    ),
     lectures=("000", "002", "003"),
     start=Projection(
         Camera((1.5, 2.4, 8.0), (1.5, 2.4, 0.0)),

@@ -356,6 +356,11 @@ PHENOMENON = Phenomenon(
         " projection is parallel. With a lamp lower than the object's top, what is higher has"
         " w < 0, and unless it is clipped it is drawn on the other side as an anti-shadow.",
     ),
+    tries=(
+        QT_TRANSLATE_NOOP("phenomena", "Drag the lamp: where is the shadow?"),
+        QT_TRANSLATE_NOOP("phenomena", "Lower it below the top of the F."),
+        QT_TRANSLATE_NOOP("phenomena", "Stop the clipping: what appears?"),
+    ),
     lectures=("002",),
     start=_START,
     geometry=partial(letter_f_on_grid, (-8.0, -8.0), (8.0, 8.0)),
@@ -402,7 +407,7 @@ PHENOMENON = Phenomenon(
             True,
         ),
     ),
-    controls=("camera.eye",),
+    numbers=6,
     check=_check,
     own_mesh=True,
 )

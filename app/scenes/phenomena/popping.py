@@ -331,6 +331,11 @@ PHENOMENON = Phenomenon(
         " the far plane. Level of detail draws far trees with fewer vertices, which pays for a far"
         " plane farther away.",
     ),
+    tries=(
+        QT_TRANSLATE_NOOP("phenomena", "Play the drive: where do trees appear?"),
+        QT_TRANSLATE_NOOP("phenomena", "Choose a fog that hides it."),
+        QT_TRANSLATE_NOOP("phenomena", "Switch the detail on: what is saved?"),
+    ),
     lectures=("001",),
     start=Projection(
         Camera((0.5, 2.2, _START_Z), (0.0, 2.0, -40.0)),

@@ -206,6 +206,11 @@ PHENOMENON = Phenomenon(
         " projector are similar, so x_p : d = x : w. With d below 0 the plane is behind the eye, as"
         " in a camera obscura: the image is upside down.",
     ),
+    tries=(
+        QT_TRANSLATE_NOOP("phenomena", "Drag d: how large is the image of P?"),
+        QT_TRANSLATE_NOOP("phenomena", "Double d: what are x_p and y_p now?"),
+        QT_TRANSLATE_NOOP("phenomena", "Make d negative: what turns over?"),
+    ),
     lectures=("000", "001", "002", "004"),
     start=_START,
     geometry=partial(letter_f_on_grid, (-4.0, -2.0), (4.0, 10.0)),
@@ -229,7 +234,8 @@ PHENOMENON = Phenomenon(
             (1.5, 5.0, 0.5),
         ),
     ),
-    controls=("camera.eye", "lens.fov_y_deg"),
+    controls=("lens.fov_y_deg", "camera.distance"),
+    numbers=5,
     check=_check,
     own_mesh=True,
 )

@@ -491,6 +491,11 @@ PHENOMENON = Phenomenon(
         " the picture has none, so a box has one, two or three. As w of the point P goes to 0, P"
         " runs to infinity, and its image to the vanishing point.",
     ),
+    tries=(
+        QT_TRANSLATE_NOOP("phenomena", "Which edges meet, and where?"),
+        QT_TRANSLATE_NOOP("phenomena", "Drag t to 1: where does P go?"),
+        QT_TRANSLATE_NOOP("phenomena", "Turn the azimuth: when is V at infinity?"),
+    ),
     lectures=("002", "003"),
     start=Projection(
         Camera.from_orbit((0.0, 1.3, 0.0), Orbit(*_VIEWS["2"], 6.0)),
@@ -533,7 +538,8 @@ PHENOMENON = Phenomenon(
             per_second=0.15,
         ),
     ),
-    controls=("camera.eye", "lens.fov_y_deg"),
+    controls=("camera.azimuth_deg",),
+    numbers=4,
     leading="image",
     follow=_follow,
     found=_found,

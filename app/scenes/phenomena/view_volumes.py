@@ -253,6 +253,11 @@ PHENOMENON = Phenomenon(
         " a box, straight or oblique, which is the view from very far away. A test point in"
         " brackets lies outside.",
     ),
+    tries=(
+        QT_TRANSLATE_NOOP("phenomena", "Move near and far past the points."),
+        QT_TRANSLATE_NOOP("phenomena", "Which of A to E are inside now?"),
+        QT_TRANSLATE_NOOP("phenomena", "Choose the box: which come, which go?"),
+    ),
     lectures=("001",),
     start=Projection(
         Camera((0.0, 3.0, 8.0), (0.0, 3.0, 0.0)),
@@ -277,6 +282,7 @@ PHENOMENON = Phenomenon(
         ),
     ),
     controls=("lens.near", "lens.far"),
+    numbers=4,
     follow=_follow,
     found=_found,
 )

@@ -1,0 +1,323 @@
+"""How far and how wide, in the world pane's flat views: the sketch on the blackboard.
+
+Lines of the screen, in one array of pixels that a step writes, and a text for each::
+
+            . ' | f tan(fov/2)
+        . ' )   |
+    eye ----+---+---
+      near |----|
+           d
+       far
+
+What a lens does not have is left out, and said in one sentence at the bottom.
+"""
+
+from __future__ import annotations
+
+import math
+import textwrap
+from collections.abc import Callable, Mapping, Sequence
+from fractions import Fraction
+from typing import NamedTuple
+
+import numpy as np
+from vtkmodules.util.numpy_support import numpy_to_vtk
+from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
+from vtkmodules.vtkRenderingCore import vtkActor2D, vtkPolyDataMapper2D
+
+from app.drawings.actors import Canvas
+from app.drawings.labels import Layout, Spot, written_distance
+from app.drawings.style import rgb
+from app.model.projection import Array, Projection
+from app.picking.handles import has_camera
+
+_SEGMENTS = 64  # there is room for
+_AWAY_PX = -1e4
+_ARC = 12  # pieces of the angle's arc
+_ARC_EM, _TICK_EM, _ROW_EM = 3.5, 0.35, 1.7
+_SAME = 1e-9  # of a window's side: an axis so near to its middle halves it
+_ON_OR_BESIDE = ((0.0, 0.0), (1.0, 0.0), (-1.0, 0.0), (0.0, -1.0), (0.0, 1.0))
+_RIGHT = ((1.0, 0.0), (1.0, -0.3), (1.0, 0.3), (0.0, 1.0), (-1.0, 1.0))
+_NAMES = ("near", "d", "far", "angle", "height", "width")
+
+Way = tuple[float, float]
+
+
+class Measured(NamedTuple):
+    """What is measured.
+
+    Attributes
+    ----------
+    view : str
+        One of `app.document.view.FIXED`, or ``""``: nothing is.
+    projection : Projection
+    eye, target : (3,) array
+        Scene-local.
+    corners : (8, 3) array or None
+        Of the frustum as it is drawn.
+    with_target : bool
+        Whether the target's distance is called d: scenes with a plane at a distance d of their
+        own say that.
+    """
+
+    view: str
+    projection: Projection
+    eye: Array
+    target: Array
+    corners: Array | None
+    with_target: bool
+
+
+class Half(NamedTuple):
+    """Half a window, from the axis to its top or its right.
+
+    Attributes
+    ----------
+    angle_deg : float or None
+        Under which the eye sees it; None for a lens without an eye, or off the axis.
+    at_far : float
+        Its length on the far plane; infinite with that.
+    """
+
+    angle_deg: float | None
+    at_far: float
+
+
+def half_of(projection: Projection, axis: int) -> Half | None:
+    """The right or upper half of a lens' window; None for a typed matrix.
+
+    Parameters
+    ----------
+    projection : Projection
+    axis : int
+        0 for the right one, 1 for the upper one.
+
+    Notes
+    -----
+    Lecture 001: half the height on the far plane is ``f tan(fov/2)``.
+    """
+    lens = projection.lens
+    if lens.planes is None:
+        return None
+    near, far = lens.planes
+    low, high = projection.window[2 * axis : 2 * axis + 2]
+    if not lens.central:
+        return Half(None, high)
+    aspect = Fraction(*projection.image_size)
+    angles = lens.angles(aspect) if lens.symmetric else None
+    if angles is not None:
+        angle_deg: float | None = angles[axis] / 2.0
+        slope = math.tan(math.radians(angles[axis] / 2.0))
+    else:
+        slope = high / near
+        halved = abs(low + high) <= _SAME * (high - low)
+        angle_deg = math.degrees(math.atan(slope)) if halved else None
+    return Half(angle_deg, far * slope)
+
+
+class Dimensions:
+    """The dimension lines of one pane.
+
+    Parameters
+    ----------
+    canvas : Canvas
+    words : Mapping[str, str]
+        `app.drawings.WORDS` or a translation.
+    """
+
+    def __init__(self, canvas: Canvas, words: Mapping[str, str]) -> None:
+        self._canvas, self._words = canvas, words
+        self._em = canvas.style.font_size
+        self._places = np.full((_SEGMENTS, 2, 3), _AWAY_PX, dtype=np.float32)
+        self._places[..., 2] = 0.0
+        self._used = 0
+        self._points = vtkPoints()
+        places = numpy_to_vtk(self._places.reshape(-1, 3))  # type: ignore[no-untyped-call]
+        self._points.SetData(places)
+        cells = vtkCellArray()
+        for i in range(_SEGMENTS):
+            cells.InsertNextCell(2, (2 * i, 2 * i + 1))
+        lines = vtkPolyData()
+        lines.SetPoints(self._points)
+        lines.SetLines(cells)
+        mapper = vtkPolyDataMapper2D()
+        mapper.SetInputData(lines)
+        actor = vtkActor2D()
+        actor.SetMapper(mapper)
+        actor.GetProperty().SetColor(*rgb(canvas.style.ink))
+        actor.GetProperty().SetLineWidth(canvas.style.line_width / 2.0)
+        canvas.add(actor, layer="labels")
+        plate = canvas.style.background
+        self._texts = {name: canvas.label("", plate=plate, in_pixels=True) for name in _NAMES}
+        self._sentence = canvas.label("", anchor=(-1, -1), plate=plate, in_pixels=True)
+        self.hide()
+
+    def hide(self) -> None:
+        """Show none."""
+        for label in (*self._texts.values(), self._sentence):
+            label.set_visible(False)
+        self._begin()
+        self._points.Modified()
+
+    def _begin(self) -> None:
+        self._places[: self._used, :, :2] = _AWAY_PX
+        self._used = 0
+
+    def place(
+        self,
+        layout: Layout,
+        seen: Callable[[Array], Sequence[Spot]],
+        size_px: tuple[int, int],
+        measured: Measured,
+    ) -> None:
+        """Show them, before other labels take their places; draw nothing yet.
+
+        Parameters
+        ----------
+        layout : Layout
+        seen : callable
+            From scene-local points, (n, 3), to where they are in the pane.
+        size_px : (int, int)
+        measured : Measured
+        """
+        self._begin()
+        for label in self._texts.values():
+            label.set_visible(False)
+        self._say(layout, size_px, measured)
+        if measured.view != "eye":
+            points = [measured.eye, measured.target]
+            corners = measured.corners if measured.projection.lens.planes is not None else None
+            drawn = np.array(points) if corners is None else np.vstack([points, corners])
+            spots = np.array(seen(drawn))[:, :2]
+            if measured.view == "axis":
+                if corners is not None:
+                    self._across(layout, spots, measured)
+            else:
+                self._along(layout, spots, measured)
+                if corners is not None:
+                    self._beside(layout, spots, measured)
+        self._points.Modified()
+
+    # -- what is drawn
+
+    def _along(self, layout: Layout, spots: Array, measured: Measured) -> None:
+        """From the eye to near, target and far, one under the other, the shortest on top."""
+        lens, words = measured.projection.lens, self._words
+        eye, target = spots[:2]
+        ways: list[tuple[str, float, float]] = []
+        if measured.with_target and has_camera(measured.projection):
+            ways.append(("d", float(target[0]), measured.projection.camera.distance))
+        if lens.planes is not None and measured.corners is not None:
+            near, far = lens.planes
+            ways.append(("near", float(spots[2:6, 0].mean()), near))
+            ways.append(("far", float(spots[6:10, 0].mean()), far))
+        y = float(spots[:, 1].min())
+        for name, x, distance in sorted(ways, key=lambda way: abs(way[1] - eye[0])):
+            y -= _ROW_EM * self._em
+            self._line((float(eye[0]), y), (x, y))
+            for end in (float(eye[0]), x):
+                tick = _TICK_EM * self._em
+                self._line((end, y - tick), (end, y + tick))
+            self._write(layout, name, f"{words[name]} = {written_distance(distance)}",
+                        ((float(eye[0]) + x) / 2.0, y), (max(float(eye[0]), x), y),
+                        abs(x - float(eye[0])))  # fmt: skip
+
+    def _beside(self, layout: Layout, spots: Array, measured: Measured) -> None:
+        """Half the angle at the eye, and half the window on the far plane."""
+        axis, edge = (1, 8) if measured.view == "side" else (0, 7)  # of top, of right
+        half = half_of(measured.projection, axis)
+        if half is None or not measured.projection.lens.central:
+            return
+        eye, far_edge = spots[0], spots[edge]
+        reached = far_edge - eye
+        if half.angle_deg is not None:
+            # The arc is on the screen what the angle is: both axes have one scale there.
+            radius = min(_ARC_EM * self._em, 0.8 * float(np.hypot(*reached)))
+            end = math.copysign(1.0, reached[1]) * math.radians(half.angle_deg)
+            turns = np.linspace(0.0, end, _ARC + 1)
+            arc = eye + radius * np.column_stack([np.cos(turns), np.sin(turns)])
+            for start, stop in zip(arc[:-1].tolist(), arc[1:].tolist(), strict=True):
+                self._line((start[0], start[1]), (stop[0], stop[1]))
+            self._line((float(eye[0]), float(eye[1])), (float(far_edge[0]), float(eye[1])))
+            text = f"{self._angle(axis)}/2 = {written_distance(half.angle_deg)}°"
+            x, y = arc[_ARC // 2].tolist()
+            self._texts["angle"].set_text(text)
+            layout.place(self._texts["angle"], text, [(x, y, 1.0)], _RIGHT)
+        x = float(far_edge[0]) - 1.2 * self._em
+        self._upright(layout, "height", x, float(eye[1]), float(far_edge[1]),
+                      self._half_text(axis, half))  # fmt: skip
+
+    def _across(self, layout: Layout, spots: Array, measured: Measured) -> None:
+        """Half the height and half the width of the window, seen along the axis."""
+        upper, right = (half_of(measured.projection, axis) for axis in (1, 0))
+        if upper is None or right is None:
+            return
+        # The projectors of a parallel lens need not be parallel to its axis.
+        eye, face = spots[0], spots[6:10] if measured.projection.lens.central else spots[2:6]
+        x, y = float(eye[0]), float(eye[1])
+        self._upright(layout, "height", x, y, float(face[2, 1]), self._half_text(1, upper))
+        end, tick = float(face[1, 0]), _TICK_EM * self._em
+        self._line((x, y), (end, y))
+        self._line((end, y - tick), (end, y + tick))
+        self._write(layout, "width", self._half_text(0, right), ((x + end) / 2.0, y), (end, y),
+                    abs(end - x))  # fmt: skip
+
+    def _half_text(self, axis: int, half: Half) -> str:
+        size = written_distance(half.at_far)
+        if half.angle_deg is None:
+            return f"{self._words['half height' if axis else 'half width']} = {size}"
+        return f"f tan({self._angle(axis)}/2) = {size}"
+
+    def _angle(self, axis: int) -> str:
+        return "fov" if axis else "fov_x"
+
+    def _upright(
+        self, layout: Layout, name: str, x: float, start: float, end: float, text: str
+    ) -> None:
+        tick = _TICK_EM * self._em
+        self._line((x, start), (x, end))
+        for y in (start, end):
+            self._line((x - tick, y), (x + tick, y))
+        self._write(layout, name, text, (x, (start + end) / 2.0), (x, end), math.inf)
+
+    def _write(
+        self, layout: Layout, name: str, text: str, middle: Way, end: Way, room_px: float
+    ) -> None:
+        """Put a text in the middle of its line, or behind the end of one that is too short."""
+        label = self._texts[name]
+        label.set_text(text)
+        fits = layout.half(text)[0] * 2.0 + self._em <= room_px
+        places = [(*middle, 1.0), (*end, 1.0)] if fits else [(*end, 1.0)]
+        layout.place(label, text, places, _ON_OR_BESIDE if fits else _ON_OR_BESIDE[1:])
+
+    def _line(self, start: Way, end: Way) -> None:
+        if self._used < _SEGMENTS:
+            self._places[self._used, :, :2] = start, end
+            self._used += 1
+
+    # -- what a lens does not have
+
+    def _say(self, layout: Layout, size_px: tuple[int, int], measured: Measured) -> None:
+        sentence = self._words.get(self._lacks(measured), "")
+        self._sentence.set_visible(bool(sentence))
+        if not sentence:
+            return
+        across = max(12, int((size_px[0] / self._em - 2.0) / 0.58))
+        lines = textwrap.wrap(sentence, across)
+        self._sentence.set_text("\n ".join(lines))
+        self._sentence.set_position((0.5 * self._em, 0.5 * self._em, 0.0))
+        top = (0.5 + 1.5 * len(lines)) * self._em
+        layout.keep_free_box([(0.0, 0.0, 1.0), (float(size_px[0]), top, 1.0)])
+
+    def _lacks(self, measured: Measured) -> str:
+        """Which of `app.drawings.WORDS` says what there is not; or none."""
+        lens = measured.projection.lens
+        if lens.planes is None:
+            return "no planes"
+        if not lens.central:
+            return "no eye" if measured.view == "eye" else "no angle"
+        if measured.view in ("side", "top"):
+            half = half_of(measured.projection, 1 if measured.view == "side" else 0)
+            return "" if half is None or half.angle_deg is not None else "no half angle"
+        return ""

@@ -1,0 +1,230 @@
+"""What is seen of a scene as it opens: enough of it, apart, and nothing written on it."""
+
+from __future__ import annotations
+
+import itertools
+import math
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+from vtkmodules.vtkRenderingCore import vtkActor2D, vtkTextActor
+
+from app.drawings import WORDS
+from app.drawings.style import LIGHT, Style
+from app.drawings.world import WorldDrawing
+from app.model.projection import Camera
+from app.scenes.scene import BUILT_IN, load
+from tests.support.drawings import OffScreen, off_screen, to_bytes
+
+__all__ = ["off_screen"]
+
+Mask = NDArray[np.bool_]
+MakeScreen = Callable[[int, int], OffScreen]
+LARGE, SMALL = (580, 640), (300, 200)
+SLOT_PX = 584, 690
+"""Of the world in a window of 1366 x 768."""
+
+
+def opened(screen: OffScreen, name: str, style: Style = LIGHT, *, live: bool = True) -> Any:
+    """A scene's world, as it opens."""
+    scene = load(name)
+    drawing = WorldDrawing(screen, scene, WORDS, style, live=live)
+    illustration = None
+    if scene.phenomenon is not None:
+        settings = scene.phenomenon.defaults
+        illustration = scene.phenomenon.illustration(scene.start, settings, scene.subject)
+    drawing.show_projection(scene.start, illustration)
+    drawing.reset_view()
+    screen.pixels()
+    return drawing
+
+
+@contextmanager
+def alone(screen: OffScreen, *shown: Any) -> Iterator[None]:
+    """Draw these props and no others."""
+    props = list(screen.renderer.GetViewProps())
+    before = [prop.GetVisibility() for prop in props]
+    for prop in props:
+        prop.SetVisibility(any(prop is other for other in shown))
+    yield
+    for prop, visible in zip(props, before, strict=True):
+        prop.SetVisibility(visible)
+
+
+def mask_of(screen: OffScreen, *shown: Any) -> Mask:
+    """Where these props would be seen, from the bottom up."""
+    with alone(screen, *shown):
+        image = screen.pixels()
+    return np.asarray((image != to_bytes(LIGHT.background)).any(axis=-1)[::-1])
+
+
+def boxes_of(screen: OffScreen) -> dict[str, tuple[float, float, float, float]]:
+    """Left, bottom, right, top of what is written."""
+    found = {}
+    for prop in screen.renderer.GetViewProps():
+        if isinstance(prop, vtkTextActor) and prop.GetVisibility():
+            box = [0.0] * 4
+            prop.GetBoundingBox(screen.renderer, box)
+            x, y = prop.GetPositionCoordinate().GetComputedDoubleViewportValue(screen.renderer)
+            found[prop.GetInput().strip()] = (x + box[0], y + box[2], x + box[1], y + box[3])
+    return found
+
+
+def extent_px(mask: Mask) -> tuple[int, int]:
+    rows, columns = np.nonzero(mask)
+    return int(np.ptp(columns)) + 1, int(np.ptp(rows)) + 1
+
+
+@pytest.mark.parametrize("size_px", [LARGE, SMALL])
+@pytest.mark.parametrize("name", BUILT_IN)
+def test_no_label_lies_on_the_object_nor_on_another(
+    off_screen: MakeScreen, name: str, size_px: tuple[int, int]
+) -> None:
+    screen = off_screen(*size_px)
+    drawing = opened(screen, name)
+    boxes = boxes_of(screen)
+    assert {"eye", "target"} <= set(boxes)
+    assert {"near", "far"} <= {text.split()[0] for text in boxes}
+    assert size_px == SMALL or {"u", "v", "n"} <= set(boxes)
+    thing = mask_of(screen, faces_of(screen))
+    assert thing.any()
+    for text, (left, bottom, right, top) in boxes.items():
+        assert left >= 0 and bottom >= 0 and right <= size_px[0] and top <= size_px[1], text
+        under = thing[math.floor(bottom) : math.ceil(top), math.floor(left) : math.ceil(right)]
+        assert not under.any(), text
+        for handle, (x, y) in drawing.handles.shown:
+            y = size_px[1] - y
+            assert not (left < x < right and bottom < y < top), (text, handle)
+    for (one, a), (other, b) in itertools.combinations(boxes.items(), 2):
+        apart = a[2] <= b[0] or b[2] <= a[0] or a[3] <= b[1] or b[3] <= a[1]
+        assert apart, (one, other)
+
+
+def faces_of(screen: OffScreen) -> Any:
+    """The actor of the scene's faces, which is added before all others."""
+    return next(prop for prop in screen.renderer.GetViewProps() if not isinstance(prop, vtkActor2D))
+
+
+def test_the_letters_frustum_takes_its_share_of_the_window(off_screen: MakeScreen) -> None:
+    """What is drawn, but for what is written: 15 % of 1366 x 768, and most of a side anywhere."""
+    screen = off_screen(*SLOT_PX)
+    drawing = opened(screen, "letter-f", live=False)
+    assert drawing.handles is None
+    flat = [p for p in screen.renderer.GetViewProps() if isinstance(p, vtkActor2D)]
+    for prop in flat:
+        prop.SetVisibility(False)
+    width, height = extent_px((screen.pixels() != to_bytes(LIGHT.background)).any(axis=-1))
+    assert width * height >= 0.15 * 1366 * 768
+
+
+@pytest.mark.parametrize("size_px", [SLOT_PX, (880, 900), SMALL])
+@pytest.mark.parametrize("name", BUILT_IN)
+def test_what_is_drawn_fills_a_pane_of_any_shape(
+    off_screen: MakeScreen, name: str, size_px: tuple[int, int]
+) -> None:
+    screen = off_screen(*size_px)
+    drawing = opened(screen, name, live=False)
+    assert drawing.handles is None
+    flat = [p for p in screen.renderer.GetViewProps() if isinstance(p, vtkActor2D)]
+    for prop in flat:
+        prop.SetVisibility(False)
+    width, height = extent_px((screen.pixels() != to_bytes(LIGHT.background)).any(axis=-1))
+    assert max(width / size_px[0], height / size_px[1]) >= 0.8
+    assert min(width / size_px[0], height / size_px[1]) >= 0.35
+
+
+@pytest.mark.parametrize("name", ["letter-f", "cube", "planar-shadow"])
+def test_eye_near_plane_object_and_far_plane_do_not_cover_one_another(
+    off_screen: MakeScreen, name: str
+) -> None:
+    """Object and far plane may lie one before the other: the far one is larger by far."""
+    screen = off_screen(*LARGE)
+    drawing = opened(screen, name, live=False)
+    near_tint, far_tint = (tint for tint, _ in drawing.frustum.tints)
+    near, far = mask_of(screen, near_tint), mask_of(screen, far_tint)
+    eye, thing = mask_of(screen, drawing.camera.discs["eye"]), mask_of(screen, faces_of(screen))
+    for one, other in itertools.combinations((eye, near, thing), 2):
+        assert (one & other).sum() <= 0.02 * min(one.sum(), other.sum())
+    assert not (eye & far).any()
+    assert (far & ~near & ~thing).sum() > 0.7 * far.sum()
+    assert near.sum() > 0.005 * near.size  # and the picture that lies on it can be seen
+
+
+@pytest.mark.parametrize("size_px", [LARGE, SMALL])
+@pytest.mark.parametrize("name", ["letter-f", "view-volumes", "far-plane-popping", "eye-plane"])
+def test_the_cameras_body_is_no_larger_than_a_twelfth_of_the_pane(
+    off_screen: MakeScreen, name: str, size_px: tuple[int, int]
+) -> None:
+    """As it opens, and from as near behind it as a hand may go."""
+    screen = off_screen(*size_px)
+    drawing = opened(screen, name)
+    at = load(name).start.camera
+    behind = np.array(at.eye) + at.frame[2] * 0.2 + at.frame[0] * 0.1
+    for view in (None, Camera(tuple(behind), at.target), Camera(at.target, at.eye)):
+        if view is not None:
+            drawing.show_view(view)
+        body = mask_of(screen, *drawing.camera.solid)
+        if view is None:
+            assert body.any()
+        if body.any():
+            assert max(extent_px(body)) <= min(size_px) / 12.0 + 2.0  # its lines are 2 px wide
+
+
+@pytest.mark.parametrize(("far", "is_broken"), [(18.0, False), (20.0, True), (math.inf, True)])
+def test_the_frustum_is_broken_beyond_half_again_the_objects_depth(
+    off_screen: MakeScreen, far: float, is_broken: bool
+) -> None:
+    """The letter's deepest corner is 12.93 from the eye plane: 1.5 times that is 19.4."""
+    scene = load("letter-f")
+    drawing = opened(off_screen(*LARGE), "letter-f")
+    drawing.show_projection(replace(scene.start, lens=scene.start.lens.but(far=far)))
+    reach = drawing.frustum.reach
+    corner = np.array((-1.5, 0.0, -0.5)) - scene.start.camera.eye
+    assert reach.high == pytest.approx(1.5 * float(-corner @ scene.start.camera.frame[2]))
+    assert (reach.far_break is not None) == is_broken
+    assert reach.far == pytest.approx(min(far, reach.high))
+
+
+def test_every_handle_is_at_least_twelve_pixels_across_and_larger_when_held(
+    off_screen: MakeScreen,
+) -> None:
+    """Its mark with the ring round it; by what it changes on the screen."""
+    screen = off_screen(*LARGE)
+    drawing = opened(screen, "letter-f")
+    with_marks = screen.pixels().astype(int)
+    drawing.show_layers(frozenset({"handles"}))
+    without = screen.pixels().astype(int)
+    drawing.show_layers(frozenset())
+    changed = (with_marks != without).any(axis=-1)
+    shown = dict(drawing.handles.shown)
+    assert {handle.name for handle in shown} == {"eye", "target", "near", "far", "corner"}
+    for handle, (x, y) in shown.items():
+        around = changed[int(y) - 9 : int(y) + 10, int(x) - 9 : int(x) + 10]
+        assert max(extent_px(around)) >= 12, handle
+    far = next(handle for handle in shown if handle.name == "far")
+    sizes = []
+    for held in (None, far):
+        drawing.hold(held)
+        x, y = (int(part) for part in shown[far])
+        part = screen.pixels().astype(int)[y - 16 : y + 17, x - 16 : x + 17]
+        sizes.append((part != without[y - 16 : y + 17, x - 16 : x + 17]).any(axis=-1).sum())
+    assert sizes[1] > 1.5 * sizes[0]
+
+
+def test_a_handle_is_set_off_from_what_lies_under_it(off_screen: MakeScreen) -> None:
+    """From inside: the plane's colour, a rim of ink, a ring of the background's colour."""
+    screen = off_screen(*LARGE)
+    drawing = opened(screen, "letter-f")
+    image = screen.pixels()
+    x, y = next(spot for handle, spot in drawing.handles.shown if handle.name == "near")
+    line = image[int(y), int(x) : int(x) + 14]
+    runs = [
+        tuple(int(part) for part in colour) for colour, _ in itertools.groupby(map(tuple, line))
+    ]
+    expected = [tuple(to_bytes(colour)) for colour in (LIGHT.near, LIGHT.ink, LIGHT.background)]
+    assert [run for run in runs if run in expected][:3] == expected

@@ -1,0 +1,459 @@
+"""The world from the side, from above, along the axis and from the eye; layers switched off."""
+
+from __future__ import annotations
+
+import itertools
+import math
+from collections.abc import Callable
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+import pytest
+from vtkmodules.vtkRenderingCore import vtkTextActor
+
+from app.document.view import FIXED, LAYERS
+from app.drawings import WORDS
+from app.drawings.dimensions import half_of
+from app.drawings.image import ImageDrawing
+from app.drawings.stage import StageDrawing
+from app.drawings.style import LIGHT
+from app.drawings.world import WorldDrawing
+from app.lecture.typed_matrix import with_cell
+from app.model.projection import (
+    Array,
+    Camera,
+    Frustum,
+    Orthographic,
+    Projection,
+)
+from app.picking.handles import TARGET, dragged
+from app.scenes.scene import BUILT_IN, load
+from app.scenes.shapes import GRID_RGB
+from tests.support.drawings import OffScreen as OffScreen
+from tests.support.drawings import Pixels, colours_of, drawn, off_screen, to_bytes
+
+__all__ = ["off_screen"]
+
+MakeScreen = Callable[[int, int], OffScreen]
+SIZE_PX = 580, 640
+START = load("letter-f").start
+
+
+def with_lens(**values: Any) -> Projection:
+    return replace(START, lens=START.lens.but(**values))
+
+
+def made(screen: OffScreen, projection: Projection = START, name: str = "letter-f") -> WorldDrawing:
+    drawing = WorldDrawing(screen, load(name), WORDS, LIGHT, live=True)
+    drawing.show_projection(projection)
+    drawing.reset_view()
+    return drawing
+
+
+def pixel_of(drawing: WorldDrawing, points: Any) -> Array:
+    """Column and row, (n, 2), as a probe would be marked there."""
+    return drawing.sight.seen(np.asarray(points, dtype=np.float64))
+
+
+def at(projection: Projection, u: float, v: float, distance: float) -> Array:
+    """A world point by its place in the camera's frame."""
+    camera = projection.camera
+    return np.asarray(np.array(camera.eye) + np.array((u, v, -distance)) @ camera.frame)
+
+
+def texts(screen: OffScreen) -> dict[str, vtkTextActor]:
+    props = [p for p in screen.renderer.GetViewProps() if isinstance(p, vtkTextActor)]
+    return {p.GetInput().replace("\n ", " ").strip(): p for p in props if p.GetVisibility()}
+
+
+def box_of(screen: OffScreen, actor: vtkTextActor) -> tuple[float, float, float, float]:
+    box = [0.0] * 4
+    actor.GetBoundingBox(screen.renderer, box)
+    x, y = actor.GetPositionCoordinate().GetComputedDoubleViewportValue(screen.renderer)
+    return x + box[0], y + box[2], x + box[1], y + box[3]
+
+
+# --------------------------------------------------------------------------- where it stands
+
+
+@pytest.mark.parametrize(
+    ("view", "right", "up"),
+    [
+        ("side", (0, 0, 1), (0, 1, 0)),
+        ("top", (0, 0, 1), (-1, 0, 0)),
+        ("axis", (1, 0, 0), (0, 1, 0)),
+    ],
+)
+def test_a_flat_view_is_the_cameras_frame_to_scale(
+    off_screen: MakeScreen, view: str, right: Any, up: Any
+) -> None:
+    """Parallel: the same way in the world is the same way on the screen, at any distance.
+
+    Right and up of the screen in u, v and distance: from the side the eye is left of near.
+    """
+    drawing = made(off_screen(*SIZE_PX))
+    drawing.show_fixed(view)
+    assert drawing.fixed == view
+    dice = np.random.default_rng(3)
+    places = dice.uniform((-5.0, -4.0, 1.0), (5.0, 4.0, 18.0), (20, 3))
+    spots = pixel_of(drawing, [at(START, *place) for place in places])
+    along, upwards = places @ np.array(right), places @ np.array(up)
+    scale = (spots[1, 0] - spots[0, 0]) / (along[1] - along[0])
+    assert scale > 5.0
+    assert spots[:, 0] - spots[0, 0] == pytest.approx(scale * (along - along[0]), abs=1e-6)
+    assert spots[0, 1] - spots[:, 1] == pytest.approx(scale * (upwards - upwards[0]), abs=1e-6)
+
+
+def test_the_planes_light_their_pixels_from_the_side(off_screen: MakeScreen) -> None:
+    """As far from the eye as 4 is to 18, upright, and as high as n tan and f tan say."""
+    screen = off_screen(*SIZE_PX)
+    drawing = made(screen)
+    drawing.show_fixed("side")
+    drawing.show_layers(frozenset({"labels", "handles", "grid", "camera", "near-picture"}))
+    image = screen.pixels()
+    ((eye_x, _),) = pixel_of(drawing, [START.camera.eye])
+    found = {}
+    for name in ("near", "far"):
+        rows, columns = np.nonzero(drawn(image, to_bytes(getattr(LIGHT, name))))
+        assert np.ptp(columns) <= 3  # a line of 3 px, and nothing beside it
+        found[name] = columns.mean() + 0.5 - eye_x, np.ptp(rows) + 1.0
+    assert found["near"][0] / found["far"][0] == pytest.approx(4.0 / 18.0, rel=0.01)
+    px = found["far"][0] / 18.0
+    for name, distance in (("near", 4.0), ("far", 18.0)):
+        height = 2.0 * distance * math.tan(math.radians(22.5)) * px
+        assert found[name][1] == pytest.approx(height, abs=4.0)
+
+
+@pytest.mark.parametrize(
+    "projection",
+    [
+        START,
+        with_lens(near=1e-3, far=math.inf),
+        replace(START, lens=Frustum(-0.5, 2.0, -1.0, 0.5, 2.0, 18.0)),
+    ],
+)
+def test_from_the_eye_the_window_is_the_image(
+    off_screen: MakeScreen, projection: Projection
+) -> None:
+    """What is at a share of the image's width and height is there between the near corners."""
+    screen = off_screen(*SIZE_PX)
+    drawing = made(screen, projection)
+    drawing.show_fixed("eye")
+    screen.pixels()
+    left, right, bottom, top = projection.window
+    near = projection.lens.near
+    low, high = pixel_of(
+        drawing, [at(projection, left, bottom, near), at(projection, right, top, near)]
+    )
+    assert ((low > 0) & (low < SIZE_PX) & (high > 0) & (high < SIZE_PX)).all()
+    points = np.array([(0.0, 2.2, 0.0), (1.5, 5.0, 0.5), (-1.5, 0.0, 0.5)])
+    shares = (pixel_of(drawing, points) - (low[0], high[1])) / (high[0] - low[0], low[1] - high[1])
+    assert shares == pytest.approx(projection.trace(points).image / projection.image_size, abs=1e-6)
+
+
+def test_a_fixed_view_goes_with_the_camera(off_screen: MakeScreen) -> None:
+    """An orbit moves the object, and leaves eye and planes where they are; no actor is added."""
+    screen = off_screen(*SIZE_PX)
+    drawing = made(screen)
+    for view in FIXED:
+        drawing.show_fixed(view)
+        screen.pixels()
+        count = len(list(screen.renderer.GetViewProps()))
+        places = [at(START, 0.0, 0.0, d) for d in (4.0, 18.0)]
+        before, thing = pixel_of(drawing, places), pixel_of(drawing, [(1.5, 5.0, 0.5)])
+        for azimuth in (10.0, 120.0, 250.0):
+            orbit = START.camera.orbit._replace(azimuth_deg=azimuth)
+            turned = replace(START, camera=Camera.from_orbit(START.camera.target, orbit))
+            drawing.show_projection(turned)
+            places = [at(turned, 0.0, 0.0, d) for d in (4.0, 18.0)]
+            assert pixel_of(drawing, places) == pytest.approx(before, abs=1e-6)
+            assert np.abs(pixel_of(drawing, [(1.5, 5.0, 0.5)]) - thing).max() > 3.0
+        assert len(list(screen.renderer.GetViewProps())) == count
+        drawing.show_projection(START)
+
+
+def test_a_turn_makes_the_free_view_of_it_and_a_shift_does_not(off_screen: MakeScreen) -> None:
+    screen = off_screen(*SIZE_PX)
+    drawing = made(screen)
+    free = screen.pixels()
+    camera = screen.renderer.GetActiveCamera()
+    for view in FIXED:
+        drawing.show_fixed(view)
+        assert drawing.view is None
+        flat = view != "eye"
+        if flat:
+            camera.SetParallelScale(0.5 * camera.GetParallelScale())
+            drawing.reset_clipping_range()
+            assert drawing.fixed == view and not drawing.refit()
+            spot = pixel_of(drawing, [START.camera.target])
+            screen.window.SetSize(500, 500)
+            screen.pixels()
+            screen.window.SetSize(*SIZE_PX)
+            screen.pixels()
+            assert pixel_of(drawing, [START.camera.target]) == pytest.approx(spot)
+        camera.Azimuth(12.0)
+        drawing.reset_clipping_range()
+        assert drawing.fixed == "" and drawing.view is not None
+        assert not camera.GetParallelProjection()
+        assert camera.GetViewUp() == (0.0, 1.0, 0.0)
+        away = np.array(camera.GetDirectionOfProjection())
+        assert abs(away[1]) < 0.99  # what turns about the world's vertical does not look along it
+        written = texts(screen)
+        assert not [text for text in written if "=" in text]
+        assert colours_of(screen.pixels()) > 5
+        drawing.reset_view()
+        assert (screen.pixels() == free).all()
+
+
+# --------------------------------------------------------------------------- what is written
+
+
+HALF = math.tan(math.radians(22.5))
+
+
+@pytest.mark.parametrize(
+    ("view", "written"),
+    [
+        # f tan(fov/2) = 18 x 0.41421 and, 16 : 9 as wide, 13.25; atan(16/9 x 0.41421) = 36.37.
+        ("side", {"near = 4", "far = 18", "d = 11.17", "fov/2 = 22.5°", "f tan(fov/2) = 7.456"}),
+        (
+            "top",
+            {"near = 4", "far = 18", "d = 11.17", "fov_x/2 = 36.37°", "f tan(fov_x/2) = 13.25"},
+        ),
+        ("axis", {"f tan(fov/2) = 7.456", "f tan(fov_x/2) = 13.25"}),
+        ("eye", set()),
+        ("", set()),
+    ],
+)
+def test_the_dimensions_are_those_of_the_lecture(
+    off_screen: MakeScreen, view: str, written: set[str]
+) -> None:
+    screen = off_screen(*SIZE_PX)
+    drawing = made(screen)
+    for name in (*FIXED, view):  # whatever was shown before
+        drawing.show_fixed(name)
+    screen.pixels()
+    found = texts(screen)
+    assert {text for text in found if "=" in text} == written
+    boxes = {text: box_of(screen, actor) for text, actor in found.items()}
+    for (one, a), (other, b) in itertools.combinations(boxes.items(), 2):
+        apart = a[2] <= b[0] or b[2] <= a[0] or a[3] <= b[1] or b[3] <= a[1]
+        assert apart, (one, other)
+    for text, (left, bottom, right, top) in boxes.items():
+        assert left >= 0 and bottom >= 0 and right <= SIZE_PX[0] and top <= SIZE_PX[1], text
+
+
+def test_half_a_window_by_hand() -> None:
+    assert half_of(START, 1) == pytest.approx((22.5, 18.0 * HALF))
+    assert half_of(with_lens(far=math.inf), 1) == pytest.approx((22.5, math.inf))
+    wide = half_of(START, 0)
+    assert wide is not None
+    assert wide.at_far == pytest.approx(18.0 * HALF * 16.0 / 9.0)
+    assert wide.angle_deg == pytest.approx(math.degrees(math.atan(HALF * 16.0 / 9.0)))
+    aside = replace(START, lens=Frustum(-1.0, 3.0, -1.0, 1.0, 2.0, 10.0))
+    assert half_of(aside, 0) == (None, 15.0)  # 3/2 of the distance
+    assert half_of(aside, 1) == pytest.approx((math.degrees(math.atan(0.5)), 5.0))
+    assert half_of(replace(START, lens=Orthographic(-3.0, 3.0, -2.0, 2.0, 1.0, 9.0)), 1) == (
+        None,
+        2.0,
+    )
+    assert half_of(with_cell(START, "clip_from_view", 0, 1, 0.5), 1) is None
+
+
+def test_dimensions_follow_a_slider_and_reach_the_screen(off_screen: MakeScreen) -> None:
+    """The line under the near plane ends below it, in ink, as long as near says."""
+    screen = off_screen(*SIZE_PX)
+    drawing = made(screen)
+    drawing.show_fixed("side")
+    for near in (4.0, 6.0, 9.0):
+        drawing.show_projection(with_lens(near=near))
+        image = screen.pixels()
+        assert f"near = {near:g}" in texts(screen)
+        (eye, plane) = pixel_of(drawing, [START.camera.eye, at(START, 0.0, 0.0, near)])
+        left, bottom, _, top = box_of(screen, texts(screen)[f"near = {near:g}"])
+        row = SIZE_PX[1] - (bottom + top) / 2.0
+        inked = drawn(image, to_bytes(LIGHT.ink))[int(row) - 3 : int(row) + 4].any(axis=0)
+        columns = np.flatnonzero(inked)
+        assert columns.min() == pytest.approx(eye[0], abs=1.5)
+        # The text stands on the line, or behind it where the line is too short.
+        line = columns[columns < left - 2] if left > plane[0] else columns
+        assert line.max() == pytest.approx(plane[0], abs=1.5)
+
+
+SENTENCES = {
+    "parallel": "A parallel lens has no angle: it is as wide at every distance.",
+    "eye": "A parallel lens has no eye: this is the view along its axis.",
+    "typed": "A typed matrix has no near, no far and no angle.",
+    "aside": "This window is off the axis, which does not halve its angle.",
+}
+
+
+@pytest.mark.parametrize(
+    ("projection", "view", "sentence"),
+    [
+        (START.with_lens("orthographic"), "side", "parallel"),
+        (START.with_lens("oblique"), "top", "parallel"),
+        (START.with_lens("orthographic"), "eye", "eye"),
+        (with_cell(START, "clip_from_view", 0, 1, 0.5), "axis", "typed"),
+        (replace(START, lens=Frustum(-1.0, 3.0, -1.0, 1.0, 2.0, 10.0)), "top", "aside"),
+        (replace(START, lens=Frustum(-1.0, 3.0, -1.0, 1.0, 2.0, 10.0)), "side", ""),
+        (START, "side", ""),
+    ],
+)
+def test_one_sentence_says_what_a_lens_does_not_have(
+    off_screen: MakeScreen, projection: Projection, view: str, sentence: str
+) -> None:
+    screen = off_screen(*SIZE_PX)
+    drawing = made(screen)
+    drawing.show_fixed(view)
+    drawing.show_projection(projection)
+    drawing.refit()
+    screen.pixels()
+    said = {text for text in texts(screen) if text in SENTENCES.values()}
+    assert said == ({SENTENCES[sentence]} if sentence else set())
+    has_angle = any("fov" in text for text in texts(screen))
+    assert has_angle == (view == "side" and not sentence)
+
+
+@pytest.mark.parametrize("view", FIXED)
+def test_extremes_are_drawn_from_every_view(off_screen: MakeScreen, view: str) -> None:
+    """VTK says nothing, no number is missing, and the eye stays in the pane."""
+    screen = off_screen(300, 340)
+    orthographic = START.with_lens("orthographic")
+    typed = START
+    for row, column, value in ((3, 2, -0.5), (3, 3, 1.0), (0, 0, 0.01)):
+        typed = with_cell(typed, "clip_from_view", row, column, value)
+    for projection in (
+        with_lens(far=math.inf),
+        with_lens(near=1e-6, far=1.0),
+        with_lens(near=1e-205, far=math.inf),
+        with_lens(fov_y_deg=179.99),
+        with_lens(fov_y_deg=1e-4),
+        replace(orthographic, lens=orthographic.lens.but(near=-1e12, far=1e12)),
+        replace(
+            orthographic, lens=orthographic.lens.but(left=-1e9, right=1e9, bottom=-1e9, top=1e9)
+        ),
+        START.with_lens("oblique"),
+        typed,
+        with_cell(START, "clip_from_view", 3, 2, 0.0),
+        replace(START, camera=Camera((0.0, 30.0, 0.0), (0.0, 0.0, 0.0), (0.0, 0.0, -1.0))),
+        replace(START, camera=Camera((6e11, 5e11, 9e11), (0.0, 2.2, 0.0))),
+    ):
+        drawing = made(screen, projection)
+        drawing.show_fixed(view)
+        image = screen.pixels()
+        assert colours_of(image) > 3
+        if view != "eye":
+            (spot,) = pixel_of(drawing, [projection.camera.eye])
+            assert ((spot > 0) & (spot < (300, 340))).all(), projection
+        assert not any("nan" in text for text in texts(screen))
+        drawing.show_projection(START)
+        drawing.refit()
+        assert not drawing.refit()
+        drawing.remove()
+
+
+def test_a_point_is_dragged_in_a_flat_view(off_screen: MakeScreen) -> None:
+    """The target follows the hand in the plane of the screen: along n and v, from the side."""
+    drawing = made(off_screen(*SIZE_PX))
+    drawing.show_fixed("side")
+    x, y = dict(drawing.handles.shown)[TARGET] if drawing.handles else (0.0, 0.0)
+    change = dragged(START, TARGET, drawing.planes_drawn, drawing.sight, (x + 30.0, y - 20.0))
+    target = np.array(change["target"])
+    (spot,) = pixel_of(drawing, [target])
+    assert spot == pytest.approx((x + 30.0, y - 20.0), abs=0.2)
+    moved = START.camera.frame @ (target - START.camera.target)
+    assert moved[0] == pytest.approx(0.0, abs=0.01)
+
+
+# --------------------------------------------------------------------------- layers
+
+
+def seen_of(screen: OffScreen, drawing: Any, layer: str) -> bool:
+    """Whether anything of a layer is on the screen, by what it alone paints there."""
+    image: Pixels = screen.pixels()
+    if layer == "labels":
+        return bool(texts(screen))
+    if layer == "grid":
+        return bool(drawn(image, GRID_RGB).any())
+    if layer == "frustum":
+        return bool(drawn(image, to_bytes(LIGHT.far)).sum() > 50)
+    if layer == "handles":
+        return bool(drawing.handles.shown)
+    if layer == "camera":
+        return bool(drawn(image, to_bytes(LIGHT.v)).sum() > 20)
+    column, row = pixel_of(drawing, [at(START, *(0.3 * p for p in (0.0, 0.0)), 4.0)])[0].astype(int)
+    around = image[row - 25 : row + 26, column - 20 : column + 21].reshape(-1, 3)
+    return bool((around == (86, 180, 233)).all(axis=1).any())  # a face of the letter's
+
+
+@pytest.mark.parametrize("layer", LAYERS)
+def test_a_layer_is_switched_off_and_on_again(off_screen: MakeScreen, layer: str) -> None:
+    """It stays off through steps, breaks and fixed views; on again the picture is as before."""
+    screen = off_screen(*SIZE_PX)
+    drawing = made(screen)
+    others = frozenset({"labels", "handles"}) - {layer}
+    drawing.show_layers(others)
+    before = screen.pixels()
+    assert seen_of(screen, drawing, layer)
+    drawing.show_layers(others | {layer})
+    assert not seen_of(screen, drawing, layer)
+    for projection in (with_lens(near=2.0, far=math.inf), START.with_lens("orthographic"), START):
+        drawing.show_projection(projection)
+        drawing.refit()
+        assert not seen_of(screen, drawing, layer), projection.lens
+    drawing.show_fixed("eye")
+    drawing.show_fixed("")
+    assert not seen_of(screen, drawing, layer)
+    drawing.show_layers(others)
+    assert seen_of(screen, drawing, layer)
+    assert (screen.pixels() == before).all()
+
+
+def test_no_handle_can_be_held_that_is_not_seen(off_screen: MakeScreen) -> None:
+    drawing = made(off_screen(*SIZE_PX))
+    assert drawing.handles is not None
+    (handle, spot), *_ = drawing.handles.shown
+    assert drawing.handle_at(spot, 5.0) == handle
+    drawing.show_layers(frozenset({"handles"}))
+    assert drawing.handle_at(spot, 5.0) is None
+    drawing.show_projection(with_lens(near=3.0))
+    assert drawing.handle_at(spot, 5.0) is None
+
+
+@pytest.mark.parametrize("tolerance_px", [math.inf, 1e-4])
+@pytest.mark.parametrize("kind", [StageDrawing, ImageDrawing])
+def test_labels_and_grid_are_switched_in_the_other_panes(
+    off_screen: MakeScreen, kind: Any, tolerance_px: float
+) -> None:
+    """Also where vertices are projected in float64, and all the lines are the grid's."""
+    for name in ("letter-f", "interpolation"):
+        screen = off_screen(*SIZE_PX)
+        start = load(name).start
+        drawing = kind(screen, load(name), WORDS, LIGHT, tolerance_px)
+        drawing.show_projection(start)
+        before = screen.pixels()
+        assert texts(screen) and drawn(before, GRID_RGB).any()
+        drawing.show_layers(frozenset({"labels", "grid"}))
+        drawing.show_projection(start)
+        without = screen.pixels()
+        assert not texts(screen) and not drawn(without, GRID_RGB).any()
+        assert colours_of(without) > 3
+        drawing.show_layers(frozenset())
+        drawing.show_projection(start)
+        assert (screen.pixels() == before).all()
+        drawing.remove()
+
+
+@pytest.mark.parametrize("name", BUILT_IN)
+def test_no_line_of_a_scene_has_a_grids_colour_but_the_grid(name: str) -> None:
+    """By which it is known: what is left of the lines without it is not flat on one level."""
+    scene = load(name)
+    lines = scene.lines
+    assert lines is not None
+    rgb = np.asarray(lines.cell_data["rgb"])
+    ends = np.asarray(lines.lines).reshape(-1, 3)[:, 1:]
+    grid = (rgb == GRID_RGB).all(axis=1) | (rgb == (105, 105, 105)).all(axis=1)
+    heights = np.asarray(lines.points)[ends[grid], 1]
+    assert len(heights) and np.ptp(heights) == 0.0

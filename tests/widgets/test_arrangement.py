@@ -1,0 +1,340 @@
+"""What a lecturer prepares comes back as it was; what is seen is what a figure shows."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+from PIL import Image
+from PySide6.QtCore import QPoint, Qt
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication, QDialogButtonBox, QLineEdit, QMessageBox, QToolButton
+
+from app.document.document import Document, read, write
+from app.document.view import STAGES, View
+from app.drawings.figures import DPI, render
+from app.model.projection import Camera, Perspective
+from app.picking.picking import Probe
+from app.scenes.scene import load
+from tests.support.window import (
+    LEFT,
+    MakeWindow,
+    click,
+    counted_repaints,
+    pixels,
+    seen,
+    settle,
+)
+from widgets.window.export_dialog import ExportChoice, ExportDialog
+from widgets.window.main_window import MainWindow
+from widgets.window.settings import data_folder
+
+PREPARED = View(
+    stage=1.75,
+    frame_step="u",
+    panel="frame",
+    letters="002",
+    probes=(Probe(1, (0.5, 2.5, 0.5)), Probe(3, None, (640.0, 200.0))),
+    pinned=frozenset({3}),
+    panes={
+        "world": Camera((0.0, 30.0, 12.0), (0.0, 1.0, 0.0), (0.0, 1.0, 0.0)),
+        "second-screen": Camera(),
+    },
+)
+
+
+@pytest.fixture(autouse=True)
+def nothing_is_asked(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A question before a class would stand there until the hour is over."""
+
+    def ask(box: QMessageBox) -> int:
+        raise AssertionError(f"it was asked: {box.text()}")
+
+    monkeypatch.setattr(QMessageBox, "exec", ask)
+
+
+@pytest.fixture
+def prepared(tmp_path: Path) -> Path:
+    """A document that somebody has prepared."""
+    path = tmp_path / "prepared.json"
+    write(Document("cube", load("cube").start, view=PREPARED), path)
+    return path
+
+
+def open_panel(window: MainWindow, name: str) -> None:
+    """Open a panel of the drawer by its name."""
+    (button,) = (b for b in window.panels.findChildren(QToolButton) if b.text() == name)
+    click(button)
+
+
+def turn(window: MainWindow, name: str) -> None:
+    """Turn a pane with the mouse."""
+    canvas = window.panes[name].canvas
+    QTest.mousePress(canvas, LEFT, pos=QPoint(100, 100))
+    QTest.mouseMove(canvas, QPoint(180, 130))
+    QTest.mouseRelease(canvas, LEFT, pos=QPoint(180, 130))
+    settle()
+
+
+# -- there and back
+
+
+def test_what_was_prepared_by_hand_comes_back_from_its_file(
+    window: MainWindow, tmp_path: Path
+) -> None:
+    open_panel(window, "Matrices")
+    QTest.keyClick(window.matrices.letters, Qt.Key.Key_Down)
+    open_panel(window, "Camera frame")
+    for _ in range(3):
+        click(window.frame_panel.next)
+    click(window.strip.stops[2])
+    window.probe_panel.follow(point=(0.5, 2.5, 0.5))
+    click(window.probe_panel.pin)
+    window.probe_panel.follow(point=(-0.5, 1.0, 0.5))
+    turn(window, "world")
+    turn(window, "ndc")
+    settle()
+    assert not window.store.modified and not window.isWindowModified()
+    assert not window.store.can_undo, "a change of view is no step"
+    view = window.store.seen.view
+    assert (view.stage, view.frame_step, view.panel, view.letters) == (2.0, "n", "frame", "000")
+    assert [probe.number for probe in view.probes] == [1, 2] and view.pinned == {1}
+    assert set(view.panes) == {"world", "ndc"}
+    there = {name: pixels(window, name) for name in window.panes}
+    mine, other = tmp_path / "mine.json", tmp_path / "other.json"
+    assert window.files.save_to(mine)
+    assert read(mine).view == view
+    write(Document("posts", load("posts").start, view=View(panel="")), other)
+    assert window.files.open(other)
+    settle()
+    assert window.store.seen.view == View(panel="")
+    assert window.files.open(mine)
+    settle()
+    assert window.store.seen.view == view
+    for name, picture in there.items():
+        assert (pixels(window, name) == picture).all(), name
+
+
+def test_a_window_opens_as_its_document_says(make_window: MakeWindow, prepared: Path) -> None:
+    window = make_window(read(prepared), path=prepared)
+    settle()
+    assert window.store.seen.view == PREPARED
+    assert window.strip.position == 1.75 and window.panels.open_panel is window.frame_panel
+    assert not window.store.modified
+    assert window.files.save()
+    assert read(prepared).view == PREPARED, "what this window cannot show is kept too"
+
+
+def test_what_the_command_line_sets_of_the_view_is_no_unsaved_work(
+    make_window: MakeWindow, prepared: Path
+) -> None:
+    saved = read(prepared)
+    shown = replace(saved, view=View(stage=3.0))
+    window = make_window(shown, saved=saved, path=prepared)
+    assert window.strip.position == 3.0
+    assert not window.store.modified and not window.store.can_undo
+
+
+def test_a_view_is_changed_by_what_shows_it_and_nothing_else_is_painted(
+    window: MainWindow,
+) -> None:
+    turn(window, "world")
+    click(window.strip.stops[1])
+    told = []
+    window.store.changed.connect(told.append)
+    before = window.store.seen.view
+    window.store.set_view(stage=3.0, letters="003", panel="matrices")
+    settle()
+    assert window.store.seen.view == replace(before, stage=3.0, letters="003", panel="matrices")
+    with counted_repaints(window) as counts:
+        window.store.set_view(stage=2.0)
+        settle()
+    assert counts == {"world": 0, "ndc": 1, "image": 0}
+    assert not told and not window.store.can_undo and not window.store.modified
+    window.store.set_projection(seen(window, lens=Perspective(50.0, 2.0, 20.0)))
+    settle()
+    assert window.store.seen.view == replace(before, stage=2.0, letters="003", panel="matrices"), (
+        "an edit leaves it alone"
+    )
+
+
+# -- from file to file
+
+
+def test_a_file_is_opened_over_a_changed_view_and_undo_brings_the_view_back(
+    window: MainWindow, prepared: Path, tmp_path: Path
+) -> None:
+    assert window.files.save_to(tmp_path / "mine.json")
+    click(window.strip.stops[1])
+    turn(window, "world")
+    view = window.store.seen.view
+    assert window.files.open(prepared)
+    settle()
+    assert window.statusBar().currentMessage() == ""
+    click(window.strip.stops[5])
+    window.history.undo()
+    settle()
+    assert window.store.seen.view == view
+    assert window.files.path == tmp_path / "mine.json"
+    assert window.windowTitle().startswith("mine.json")
+    window.history.redo()
+    settle()
+    assert window.store.seen.view == replace(PREPARED, stage=5.0), "as it was left"
+    assert window.files.path == prepared
+
+
+def test_unsaved_work_is_undone_to_and_is_in_recovery_meanwhile(
+    window: MainWindow, prepared: Path, tmp_path: Path
+) -> None:
+    mine = tmp_path / "mine.json"
+    assert window.files.save_to(mine)
+    window.store.set_projection(seen(window, lens=Perspective(61.0, 2.0, 20.0)))
+    work = window.store.document
+    assert window.files.open(prepared)
+    assert window.statusBar().currentMessage() == (
+        "The changes to mine.json are not saved: Undo brings them back."
+    )
+    assert not window.isWindowModified() and window.windowTitle().startswith("prepared.json")
+    (copy,) = data_folder().glob("autosave-*.json")
+    assert read(copy) == work
+    window.history.undo()
+    assert window.store.document == work and window.isWindowModified()
+    assert window.files.path == mine and window.windowTitle().startswith("mine.json")
+    assert window.files.save(), "and not over the file that was opened meanwhile"
+    assert read(mine) == work and read(prepared).scene == "cube"
+    window.recovery.autosave.save_now()
+    assert not list(data_folder().glob("autosave-*.json")), "saved work needs no copy"
+
+
+def test_work_that_another_file_took_the_place_of_is_offered_by_the_next_window(
+    make_window: MakeWindow, prepared: Path
+) -> None:
+    window = make_window(shown=False)
+    window.store.set_projection(seen(window, lens=Perspective(61.0, 2.0, 20.0)))
+    work = window.store.document
+    assert window.files.open(prepared)
+    other = make_window(shown=False)
+    settle()
+    assert other.messages.text == "", "the window lives that can undo to it"
+    assert window.close(), "of what is before it nothing is unsaved"
+    other.recovery.offer()
+    assert other.messages.text.startswith("Work of ")
+    other.messages.choices[0].click()
+    assert other.store.document == work and other.store.modified
+    other.history.undo()
+    assert other.store.document == Document("letter-f", load("letter-f").start)
+
+
+def test_a_scene_that_is_chosen_keeps_what_was_prepared_and_forgets_what_was_the_scenes(
+    window: MainWindow,
+) -> None:
+    click(window.strip.stops[2])
+    window.probe_panel.follow(point=(0.5, 2.5, 0.5))
+    turn(window, "world")
+    view = window.store.seen.view
+    window.guide.choose("cube")
+    settle()
+    assert window.store.seen.view == View(stage=2.0, panel="")
+    window.history.undo()
+    settle()
+    assert window.store.seen.view == view
+
+
+def test_undo_of_an_edit_moves_no_picture(window: MainWindow, prepared: Path) -> None:
+    assert window.files.open(prepared)
+    window.store.set_projection(seen(window, lens=Perspective(61.0, 2.0, 20.0)))
+    click(window.strip.stops[0])
+    turn(window, "ndc")
+    view = window.store.seen.view
+    window.history.undo()
+    settle()
+    assert window.store.seen.view == view
+
+
+# -- what is seen is exported
+
+
+def likeness(one: np.ndarray, other: np.ndarray) -> float:
+    """How far two pictures are from each other, on average over what is drawn in one of them."""
+    drawn = (one < 250).any(axis=2) | (other < 250).any(axis=2)
+    return float(np.abs(one[drawn].astype(float) - other[drawn]).mean())
+
+
+def as_figure(window: MainWindow, pane: str, view: View) -> np.ndarray:
+    """A pane as a figure of the same size, with letters of the same size."""
+    shape = pixels(window, pane).shape
+    document = window.store.document
+    scene = load(document.scene)
+    text_pt = 13.0 * 72.0 / DPI
+    size = shape[1], shape[0]
+    return render(scene, document.projection, (pane,), size, view=view, text_pt=text_pt)
+
+
+@pytest.mark.parametrize("stage", [0.0, 1.0, 1.5, 2.0, 3.0, 4.0, 5.0])
+def test_a_figure_is_the_pane_at_every_stage(window: MainWindow, stage: float) -> None:
+    window.probe_panel.follow(point=(0.5, 2.5, 0.5))
+    window.strip.go_to(stage)
+    settle()
+    view, there = window.store.seen.view, pixels(window, "ndc")
+    same = likeness(as_figure(window, "ndc", view), there)
+    others = [
+        likeness(as_figure(window, "ndc", replace(view, stage=other)), there)
+        for other in range(len(STAGES))
+        if abs(other - stage) > 0.6
+    ]
+    assert same < 0.5 * min(others), (same, others)
+    assert same < likeness(as_figure(window, "ndc", replace(view, probes=())), there)
+
+
+def test_a_figure_is_the_world_at_every_step_of_the_frame(window: MainWindow) -> None:
+    open_panel(window, "Camera frame")
+    for step in ("eye", "look", "up", "n", "u", "v", "view"):
+        settle()
+        view, there = window.store.seen.view, pixels(window, "world")
+        assert view.frame_step == step
+        same = likeness(as_figure(window, "world", view), there)
+        other = likeness(as_figure(window, "world", replace(view, panel="")), there)
+        assert same < other, step
+        click(window.frame_panel.next)
+
+
+def test_the_window_exports_what_the_command_line_draws_of_its_document(
+    window: MainWindow, tmp_path: Path, prepared: Path
+) -> None:
+    assert window.files.open(prepared)
+    click(window.strip.stops[2])
+    settle()
+    out = tmp_path / "figure.png"
+    assert window.pictures.export(out, ExportChoice(("world", "ndc"), (400, 200), 1.0, False, 4.0))
+    document = read(out)
+    assert document.view == replace(PREPARED, stage=2.0)
+    again = render(
+        load("cube"), document.projection, ("world", "ndc"), (400, 200), view=document.view,
+        text_pt=4.0,
+    )  # fmt: skip
+    assert (np.asarray(Image.open(out)) == again).all()
+    window.pictures.copy()
+    assert QApplication.clipboard().mimeData().hasImage()
+
+
+def test_the_export_dialog_takes_the_size_of_letters_in_points(make_window: MakeWindow) -> None:
+    window = make_window(shown=False)
+    dialog = ExportDialog({n: pane.name for n, pane in window.panes.items()}, (640, 360), window)
+    names = {field.accessibleName(): field for field in dialog.findChildren(QLineEdit)}
+    letters = names["Height of the letters in points"]
+    save = dialog.findChild(QDialogButtonBox).button(QDialogButtonBox.StandardButton.Save)
+    assert letters.text() == "5.6" and dialog.choice().text_pt is None
+    names["Height in pixels"].setText("300")
+    assert letters.text() == "2.8", "as usual for the size"
+    letters.selectAll()
+    QTest.keyClicks(letters, "7,5")
+    assert dialog.choice().text_pt == 7.5 and save.isEnabled()
+    names["Height in pixels"].setText("600")
+    assert letters.text() == "7,5", "what was typed stays"
+    for wrong in ("0", "-1", "1e9", "nan", "big", ""):
+        letters.selectAll()
+        QTest.keyClick(letters, Qt.Key.Key_Delete)
+        QTest.keyClicks(letters, wrong)
+        assert not save.isEnabled(), wrong

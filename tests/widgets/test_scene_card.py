@@ -1,0 +1,906 @@
+"""The scene's card in the dock: any setting can be changed and refused, any reading read."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from PySide6.QtCore import QCoreApplication, QEvent, Qt, QTranslator
+from PySide6.QtGui import QGuiApplication, QHelpEvent
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import (
+    QApplication,
+    QComboBox,
+    QSlider,
+    QToolTip,
+)
+from pytestqt.qtbot import QtBot
+
+from app.model.projection import Camera, FreeMatrix, Frustum, Oblique, receding_of
+from app.model.refusal import Refusal
+from app.scenes.phenomena import PHENOMENA
+from app.scenes.phenomena.illustration import (
+    Illustration,
+    Phrase,
+    Reading,
+    Setting,
+    Settings,
+    Subject,
+)
+from tests.support.phenomenon import EVERYTHING
+from tests.support.window import enter, show_scene
+from widgets.controls.scene_card import NONE, Player, SceneCard, make_row, scale_of
+from widgets.parts import palette
+from widgets.parts.digits import set_all_digits
+from widgets.parts.fields import CheckRow, ChoiceRow, NumberRow, VectorRow
+from widgets.parts.messages import Words, number_text
+from widgets.parts.readable import Readable
+from widgets.window.main_window import MainWindow
+
+TRIES = ("Drag this.", "What happens there?", "And here?")
+SUBJECT = Subject((0.0, 0.0, 0.0), (1.0, 1.0, 1.0), np.zeros((1, 3)))
+
+
+class Owner:
+    """Does what the window does with a card, and remembers it."""
+
+    def __init__(self, card: SceneCard) -> None:
+        self.card = card
+        self.settings: Settings = EVERYTHING.defaults
+        self.projection = EVERYTHING.start
+        self.edits: list[dict[str, Any]] = []
+        self.gestures: list[str] = []
+        card.settings_edited.connect(self.edited)
+        card.gesture_started.connect(lambda: self.gestures.append("started"))
+        card.gesture_finished.connect(lambda: self.gestures.append("finished"))
+        self.show()
+
+    def edited(self, values: dict[str, Any]) -> None:
+        self.edits.append(values)
+        try:
+            self.settings = EVERYTHING.checked({**self.settings, **values})
+        except Refusal as error:
+            self.card.refuse(error)
+        else:
+            self.show()
+
+    def show(self) -> None:
+        illustration = EVERYTHING.show(self.projection, self.settings, SUBJECT)
+        self.card.show_illustration(illustration, self.settings, self.projection)
+
+
+@pytest.fixture
+def card(qtbot: QtBot) -> SceneCard:
+    made = SceneCard()
+    qtbot.addWidget(made)
+    made.show_scene("A setting of every kind", TRIES, EVERYTHING)
+    made.resize(260, 900)
+    made.show()
+    qtbot.waitExposed(made)
+    made.readout.more.setChecked(True)
+    return made
+
+
+@pytest.fixture
+def owner(card: SceneCard) -> Owner:
+    return Owner(card)
+
+
+def number_row(card: SceneCard, name: str) -> NumberRow:
+    row = card.rows[name]
+    assert isinstance(row, NumberRow)
+    return row
+
+
+def readings(card: SceneCard) -> list[tuple[str, str, str]]:
+    return [
+        (label.text(), value.text(), unit.text())
+        for label, value, unit in card.readout.lines
+        if label.isVisible()
+    ]
+
+
+# -- settings
+
+
+def test_there_is_a_row_for_every_setting_of_its_kind(owner: Owner) -> None:
+    rows = owner.card.rows
+    kinds = [NumberRow, NumberRow, NumberRow, ChoiceRow, CheckRow, VectorRow]
+    assert [type(row) for row in rows.values()] == kinds
+    assert [row.name for row in rows.values()] == [s.label for s in EVERYTHING.settings]
+    assert {name: row.value() for name, row in rows.items()} == dict(EVERYTHING.defaults)
+    assert number_row(owner.card, "gap").unit_label.text() == "mm"
+    assert owner.edits == []
+    for setting, row in zip(EVERYTHING.settings, rows.values(), strict=True):
+        assert setting.tip in row.name_label.toolTip()
+
+
+def test_every_row_makes_its_edit(owner: Owner) -> None:
+    card = owner.card
+    number_row(card, "turn").slider.setValue(0)
+    enter(number_row(card, "gap").field, "0,25 mm")
+    card.rows["kind"].choose("b")  # type: ignore[attr-defined]
+    row: Any = card.rows["correct"]
+    QTest.mouseClick(row.box, Qt.MouseButton.LeftButton, pos=row.box.rect().center())
+    row = card.rows["light"]
+    enter(row.fields[2], "1/4")
+    assert owner.edits == [
+        {"turn": -180.0}, {"gap": 0.25}, {"kind": "b"}, {"correct": False},
+        {"light": (1.0, 3.6, 0.25)},
+    ]  # fmt: skip
+
+
+def test_undo_in_a_field_is_the_windows_once_its_number_is_taken(owner: Owner) -> None:
+    """What the field could undo is its text alone, while the document has the number."""
+    field: Any = owner.card.rows["light"].fields[1]  # type: ignore[attr-defined]
+    enter(field, "2")
+    assert owner.settings["light"] == (1.0, 2.0, 3.0)
+    assert not field.isUndoAvailable()
+
+
+def test_a_refusal_goes_when_another_setting_is_accepted(owner: Owner) -> None:
+    card = owner.card
+    light: Any = card.rows["light"]
+    enter(light.fields[1], "high")
+    assert light.error and light.fields[1].text() == "high"
+    owner.projection = replace(owner.projection, camera=Camera((9.0, 9.0, 9.0)))
+    owner.show()
+    assert light.error and light.fields[1].text() == "high", "its field has the focus"
+    enter(number_row(card, "gap").field, "0.25")
+    assert not light.error and light.fields[1].text() == "3.6"
+
+
+def test_of_a_free_matrix_nothing_can_be_chosen_and_a_tooltip_says_why(
+    owner: Owner, qapp: QApplication
+) -> None:
+    card = owner.card
+    start = EVERYTHING.start
+    cells = tuple(map(tuple, np.eye(4).tolist()))
+    free = replace(start, lens=FreeMatrix(cells))
+    card.players["turn"].play()
+    card.show_illustration(
+        EVERYTHING.illustration(free, owner.settings, SUBJECT), owner.settings, free
+    )
+    assert not any(row.isEnabled() for row in card.rows.values())
+    assert not card.players["turn"].playing and not card.players["turn"].button.isEnabled()
+    assert card.use_mesh.isEnabled() and "choose a lens" in card.warning.text()
+    row = number_row(card, "gap")
+    for part in (row.slider, row.field, row.name_label):
+        place = part.rect().center()
+        QApplication.sendEvent(
+            part, QHelpEvent(QEvent.Type.ToolTip, place, part.mapToGlobal(place))
+        )
+        assert QToolTip.text().endswith("choose a lens to see this.")
+        QToolTip.hideText()
+    card.show_illustration(
+        EVERYTHING.illustration(start, owner.settings, SUBJECT), owner.settings, start
+    )
+    assert all(row.isEnabled() for row in card.rows.values())
+    assert card.players["turn"].button.isEnabled()
+    place = row.field.rect().center()
+    QApplication.sendEvent(
+        row.field, QHelpEvent(QEvent.Type.ToolTip, place, row.field.mapToGlobal(place))
+    )
+    assert "choose a lens" not in QToolTip.text()
+
+
+def test_shown_values_are_never_answered(owner: Owner) -> None:
+    owner.settings = EVERYTHING.checked(
+        {"gap": 3.0, "turn": 10.0, "kind": "b", "correct": False, "light": (0.0, 1.0, -2.0)}
+    )
+    owner.show()
+    assert owner.edits == [] and owner.gestures == []
+    assert {name: row.value() for name, row in owner.card.rows.items()} == dict(owner.settings)
+    row: Any = owner.card.rows["light"]
+    assert [field.text() for field in row.fields] == ["0", "1", "-2"]
+    row = owner.card.rows["correct"]
+    assert not row.box.isChecked()
+
+
+def test_a_reset_brings_the_default_of_every_kind(owner: Owner) -> None:
+    changed = {"gap": 3.0, "turn": 9.0, "count": 7.0, "kind": "b", "correct": False,
+               "light": (0.0, 1.0, -2.0)}  # fmt: skip
+    owner.settings = EVERYTHING.checked(changed)
+    owner.show()
+    for row in owner.card.rows.values():
+        QTest.mouseDClick(row.name_label, Qt.MouseButton.LeftButton)
+    assert owner.settings == EVERYTHING.defaults
+    assert len(owner.edits) == 6
+
+
+@pytest.mark.parametrize(
+    "text", ["", "here", "nan", "inf", "-inf", "1e400", "1e-400", "1/0", "1_0"]
+)
+@pytest.mark.parametrize("name", ["gap", "turn", "count", "light"])
+def test_nonsense_is_one_sentence_and_the_last_good_state_stays(
+    owner: Owner, name: str, text: str
+) -> None:
+    row: Any = owner.card.rows[name]
+    field = row.fields[1] if name == "light" else row.field
+    before = owner.settings
+    shown = readings(owner.card)
+    enter(field, text)
+    said = row.error
+    called = "Light y" if name == "light" and "inf" not in text else row.name
+    assert said.startswith(f"⚠ Not possible. {called}"), said
+    assert "\n" not in said and said.endswith(".")
+    assert owner.settings == before and row.value() == before[name]
+    assert readings(owner.card) == shown
+    assert field.text() == text  # to be put right
+    assert field.accessibleDescription() == said
+    QTest.keyClick(field, Qt.Key.Key_Escape)
+    assert row.error == ""
+    assert field.text() == number_text(3.6 if name == "light" else float(before[name]))  # type: ignore[arg-type]
+
+
+@pytest.mark.parametrize(
+    ("name", "text", "sentence"),
+    [
+        ("gap", "1e4", "Gap = 10000: must be at most 1000."),
+        ("gap", "500", "Gap = 500: must be less than the count, which is 40."),
+        ("count", "2.5", "Count = 2.5: must be a whole number."),
+        ("count", "x", "Count = “x”: must be a number, such as 40; must be at least 1;"
+         " must be at most 64."),
+        ("gap", "x", "Gap = “x”: must be a number, such as 0.5 or 2e-3; must be at least 0.001;"
+         " must be at most 1000."),
+        ("light", "1e101", "Light = 1e+101: must be at most 1e+100."),
+        ("light", "inf", "Light y = ∞: must be a finite number."),
+    ],
+)  # fmt: skip
+def test_a_refusal_names_the_row_the_value_and_the_bound(
+    owner: Owner, name: str, text: str, sentence: str
+) -> None:
+    row: Any = owner.card.rows[name]
+    enter(row.fields[1] if name == "light" else row.field, text)
+    assert row.error == f"⚠ Not possible. {sentence}"
+
+
+def test_what_another_value_cures_is_no_error_any_more(owner: Owner) -> None:
+    gap = number_row(owner.card, "gap")
+    gap.slider.setSliderDown(True)
+    gap.slider.setValue(gap.slider.maximum() - 10)  # above ten times the count
+    assert gap.error
+    gap.slider.setSliderDown(False)
+    assert gap.error == "" and gap.value() == owner.settings["gap"]
+    gap.show_error("Refused.")
+    owner.edited({"turn": 5.0})
+    assert gap.error == ""
+
+
+def test_a_drag_is_one_gesture_and_a_typed_number_another(owner: Owner) -> None:
+    slider = number_row(owner.card, "turn").slider
+    slider.setSliderDown(True)
+    for value in (10, 20, 30):
+        slider.setValue(value)
+    slider.setSliderDown(False)
+    assert owner.gestures == ["started", "finished"] and len(owner.edits) == 3
+    enter(number_row(owner.card, "gap").field, "3")
+    assert owner.gestures == ["started", "finished"] * 2
+
+
+def test_while_values_run_the_hand_has_its_own_and_the_rest_is_read_at_its_end(
+    owner: Owner, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    card, turn = owner.card, number_row(owner.card, "turn")
+    monkeypatch.setattr(Readable, "now_ms", lambda _self: 0.0)
+    card.gesture_started.connect(card.begin_gesture)
+    card.gesture_finished.connect(card.end_gesture)
+    owner.edited({"turn": 1.0})
+    before = readings(card)
+    player = card.players["turn"]
+    player.play()
+    player.advance(1.0)
+    assert turn.value() == 91.0 == owner.settings["turn"]
+    owner.edited({"gap": 7.0})
+    assert readings(card) == before and card.rows["gap"].value() == 2.0
+    player.pause()
+    assert readings(card)[0] == ("gap", "7", "mm") and card.rows["gap"].value() == 7.0
+
+
+def test_a_refusal_stays_when_what_was_accepted_before_it_is_shown_at_last(
+    owner: Owner, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    card, player = owner.card, owner.card.players["count"]
+    owner.edited({"gap": 30.0, "count": 4.0})
+    monkeypatch.setattr(Readable, "now_ms", lambda _self: 0.0)
+    card.begin_gesture()
+    player.play()
+    owner.edited({"turn": 5.0})
+    player.speed = -2.0
+    player.advance(1.0)
+    card.end_gesture()
+    assert "must be less than the count" in card.rows["count"].error
+    assert card.rows["turn"].value() == 5.0
+
+
+def test_another_scene_is_shown_at_once_whatever_runs(
+    owner: Owner, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    card = owner.card
+    monkeypatch.setattr(Readable, "now_ms", lambda _self: 0.0)
+    card.begin_gesture()
+    triangles = PHENOMENA["similar-triangles"]
+    card.show_scene("Similar triangles", triangles.tries, triangles)
+    settings = triangles.checked({"distance": 3.0})
+    card.show_illustration(
+        triangles.illustration(triangles.start, settings, SUBJECT), settings, triangles.start
+    )
+    assert card.rows["distance"].value() == 3.0
+
+
+def test_another_scene_has_other_rows_and_none_of_the_old(
+    owner: Owner, qtbot: QtBot, qapp: QApplication
+) -> None:
+    triangles = PHENOMENA["similar-triangles"]
+    owner.card.show_scene("Similar triangles", triangles.tries, triangles)
+    assert list(owner.card.rows) == ["distance", "point"] and not owner.card.players
+    qapp.processEvents()
+    qapp.sendPostedEvents(None, 52)  # QEvent.DeferredDelete
+    assert len(owner.card.findChildren(QSlider)) == 1
+    assert owner.card.tries.text() == "\n".join(triangles.tries)
+    owner.card.show_scene("Letter F", TRIES, None)
+    assert not owner.card.rows and owner.card.title.text() == "Letter F"
+    assert readings(owner.card) == []
+
+
+def test_a_mesh_can_be_asked_for_and_taken_away_where_there_is_a_place_for_it(
+    card: SceneCard, qtbot: QtBot
+) -> None:
+    assert card.use_mesh.isVisible() and not card.remove_mesh.isVisible()
+    with qtbot.waitSignal(card.mesh_wanted):
+        card.use_mesh.click()
+    card.show_scene("Everything", TRIES, EVERYTHING, "bunny.obj")
+    with qtbot.waitSignal(card.mesh_removed):
+        card.remove_mesh.click()
+    card.show_scene("Everything", TRIES, replace(EVERYTHING, own_mesh=False))
+    assert not card.use_mesh.isVisible() and not card.remove_mesh.isVisible()
+
+
+@given(st.floats(-1e3, 1e3), st.floats(1e-3, 1e3), st.booleans(), st.booleans(), st.booleans())
+def test_a_slider_reaches_only_what_its_setting_can_be(
+    low: float, reach: float, whole: bool, logarithmic: bool, spans: bool
+) -> None:
+    if logarithmic:
+        low = abs(low) + 1e-3
+    if whole:
+        low, reach = float(round(low)) + logarithmic, float(math.ceil(reach))
+    high = low + reach
+    setting = Setting(
+        "a", "A", "", (low + high) / 2.0, low, high, (low, high) if spans else None,
+        logarithmic=logarithmic, whole=whole,
+    )  # fmt: skip
+    scale = scale_of(setting)
+    for position in (0, scale.last // 2, scale.last):
+        value = scale.value_at(position)
+        assert setting.checked(value) == value
+    if not logarithmic:
+        assert scale.value_at(scale.last) - scale.value_at(0) > 0.9 * reach
+
+
+def test_a_setting_without_ends_has_a_slider_about_its_default(qtbot: QtBot) -> None:
+    row = make_row(Setting("a", "A", "Tip", 4.0))
+    qtbot.addWidget(row)
+    assert isinstance(row, NumberRow)
+    assert row.value() == 4.0 and row.slider.minimum() < row.slider.value() < row.slider.maximum()
+
+
+# -- playing
+
+
+def played(player: Player, *seconds: float) -> list[float]:
+    """The values that it steps to."""
+    values: list[float] = []
+    player.stepped.connect(values.append)
+    for step in seconds:
+        player.advance(step)
+    return values
+
+
+def test_a_number_runs_to_and_fro_between_the_ends(owner: Owner) -> None:
+    player = owner.card.players["turn"]
+    assert played(player, 1.0) == []  # it is not playing
+    player.play()
+    assert played(player, 1.0, 1.5, 0.5, 3.0, 1.0) == [90.0, 180.0, 135.0, -135.0, -180.0]
+    assert owner.edits[:2] == [{"turn": 90.0}, {"turn": 180.0}]
+    player.pause()
+    assert played(player, 1.0) == []
+    player.play()
+    assert played(player, 1.0) == [-90.0]
+
+
+def test_playing_is_one_gesture(owner: Owner, qtbot: QtBot) -> None:
+    player = owner.card.players["turn"]
+    player.button.click()
+    assert player.playing and owner.gestures == ["started"]
+    qtbot.waitUntil(lambda: len(owner.edits) >= 3)  # by its own clock
+    assert owner.gestures == ["started"]
+    player.button.click()
+    assert not player.playing and owner.gestures == ["started", "finished"]
+    seen = len(owner.edits)
+    QApplication.processEvents()
+    assert len(owner.edits) == seen
+    assert owner.card.rows["turn"].value() == owner.edits[-1]["turn"]
+
+
+def test_one_number_plays_at_a_time_and_none_in_a_folded_panel(owner: Owner) -> None:
+    turn, count = owner.card.players["turn"], owner.card.players["count"]
+    turn.play()
+    count.play()
+    assert count.playing and not turn.playing
+    assert owner.gestures == ["started", "finished", "started"]
+    owner.card.hide()
+    assert not count.playing and owner.gestures[-1] == "finished"
+
+
+def test_a_count_counts_and_powers_run_evenly(qtbot: QtBot) -> None:
+    count = Player(Setting("n", "N", "", 1.0, 1.0, 64.0, whole=True, per_second=4.0))
+    count.show_value(1.0)
+    count.play()
+    assert played(count, 0.1, 0.15, 0.25, 0.5) == [2.0, 3.0, 5.0]
+    power = Player(Setting("e", "E", "", 1.0, 0.01, 1e4, logarithmic=True, per_second=1.0))
+    power.show_value(1.0)
+    power.play()
+    assert played(power, 1.0, 2.0, 5.0, 1.0) == [10.0, 1000.0, 10000.0, 1000.0]
+    for player in (count, power):
+        player.pause()
+
+
+def test_playing_goes_on_from_where_a_hand_has_put_the_number(owner: Owner) -> None:
+    player = owner.card.players["turn"]
+    player.play()
+    player.advance(1.0)
+    enter(number_row(owner.card, "turn").field, "-30")
+    player.advance(0.5)
+    assert owner.settings["turn"] == 15.0
+
+
+def test_a_value_that_cannot_be_is_said_and_passed_over(owner: Owner) -> None:
+    owner.edited({"gap": 30.0, "count": 4.0})
+    player, row = owner.card.players["count"], owner.card.rows["count"]
+    player.show_value(4.0)
+    player.speed = -2.0
+    player.play()
+    player.advance(1.0)  # 2: not above a tenth of the gap
+    assert "must be less than the count" in row.error and owner.settings["count"] == 4.0
+    player.speed = 2.0
+    player.advance(1.0)
+    player.advance(1.0)
+    assert row.error == "" and owner.settings["count"] == 6.0
+
+
+# -- readout
+
+
+def test_every_reading_is_shown_with_its_unit(owner: Owner) -> None:
+    owner.edited({"gap": 1 / 3, "light": (0.5, 3.6, -1.0)})
+    shown = readings(owner.card)
+    assert shown[:4] == [
+        ("gap", "0.3333", "mm"), ("kind", "a", ""), ("x_s", "0.5", "×"), ("y_s", "3.6", "×"),
+    ]  # fmt: skip
+    assert shown[4][1].count("<td") == 16
+    assert ">4.667<" in shown[4][1] and shown[4][1].endswith(">5</td></tr></table>")  # 15/3
+    value = owner.card.readout.lines[0][1]
+    assert value.toolTip() == "0.3333333333333333"
+    for copy in (
+        lambda: QTest.keyClick(value, Qt.Key.Key_C, Qt.KeyboardModifier.ControlModifier),
+        value.actions()[0].trigger,
+    ):
+        QGuiApplication.clipboard().clear()
+        copy()
+        assert QGuiApplication.clipboard().text() == "0.3333333333333333"
+    set_all_digits(True)
+    try:
+        assert readings(owner.card)[0] == ("gap", "0.3333333333333333", "mm")
+    finally:
+        set_all_digits(False)
+    assert readings(owner.card)[0] == ("gap", "0.3333", "mm")
+    assert not owner.card.readout.note.isVisible()
+
+
+NUMBERS = [
+    (name, setting)
+    for name, phenomenon in PHENOMENA.items()
+    for setting in phenomenon.settings
+    if type(setting.default) is float
+]
+
+
+@pytest.mark.parametrize(
+    ("name", "setting"), NUMBERS, ids=[f"{name}.{setting.name}" for name, setting in NUMBERS]
+)
+def test_every_place_of_a_slider_is_a_value_of_its_setting(name: str, setting: Setting) -> None:
+    scale = scale_of(setting)
+    assert scale.last >= 10
+    values = [scale.value_at(position) for position in range(scale.last + 1)]
+    assert values == sorted(values)
+    assert all(setting.checked(value) == value for value in values)
+    assert [scale.value_at(scale.position_of(value)) for value in values] == values
+
+
+def test_the_parts_of_the_board_can_be_doubled_up_to_its_bound(window: MainWindow) -> None:
+    show_scene(window, "interpolation")
+    row = window.controls.card.rows["subdivision"]
+    for key, parts in (
+        (Qt.Key.Key_PageUp, 3.0), (Qt.Key.Key_End, 64.0), (Qt.Key.Key_PageDown, 32.0),
+        (Qt.Key.Key_Home, 1.0), (Qt.Key.Key_Right, 2.0),
+    ):  # fmt: skip
+        QTest.keyClick(row.slider, key)
+        assert window.store.document.settings["subdivision"] == parts and not row.error
+    row.field.selectAll()
+    QTest.keyClicks(row.field, "5")
+    QTest.keyClick(row.field, Qt.Key.Key_Return)
+    assert window.store.document.settings["subdivision"] == 5.0  # others can be typed
+
+
+def test_what_is_not_there_says_why_once(owner: Owner) -> None:
+    owner.projection = replace(
+        EVERYTHING.start, camera=Camera((0.0, 0.0, 0.0), (0.0, 0.0, -1.0), (0.0, 1.0, 0.0))
+    )
+    owner.show()
+    assert readings(owner.card)[2:4] == [("x_s", NONE, ""), ("y_s", NONE, "")]
+    assert owner.card.readout.note.text() == "The light is behind the eye at z = 3."
+    assert owner.card.readout.note.isVisible()
+    owner.projection = EVERYTHING.start
+    owner.edited({"light": (0.5, 3.6, -1.0)})
+    assert readings(owner.card)[2] == ("x_s", "0.5", "×")
+    assert not owner.card.readout.note.isVisible()
+
+
+def test_a_warning_comes_and_goes(owner: Owner) -> None:
+    assert not owner.card.warning.isVisible()
+    owner.edited({"gap": 200.0})
+    assert owner.card.warning.isVisible()
+    assert owner.card.warning.text() == "⚠ Nothing of it is seen."
+    owner.edited({"gap": 2.0})
+    assert not owner.card.warning.isVisible()
+
+
+def test_numbers_are_larger_than_their_words_in_any_font(owner: Owner, qapp: QApplication) -> None:
+    _, value, _ = owner.card.readout.lines[0]
+    base = owner.card.font().pointSizeF()
+    assert value.font().pointSizeF() == pytest.approx(1.15 * base)
+    assert owner.card.title.font().pointSizeF() == pytest.approx(1.25 * base)
+    try:
+        palette.apply(qapp, dark=True, projector=True)
+        qapp.processEvents()
+        assert owner.card.font().pointSizeF() > 1.2 * base
+        assert value.font().pointSizeF() == pytest.approx(1.15 * owner.card.font().pointSizeF())
+        title = owner.card.title.font().pointSizeF()
+        assert title == pytest.approx(1.25 * owner.card.font().pointSizeF())
+    finally:
+        palette.apply(qapp, dark=False, projector=False)
+        qapp.processEvents()
+    assert value.font().pointSizeF() == pytest.approx(1.15 * base)
+
+
+def test_the_first_numbers_are_seen_and_the_others_written_when_they_are_unfolded(
+    owner: Owner,
+) -> None:
+    card = owner.card
+    card.show_scene("Anew", TRIES, replace(EVERYTHING, name="anew", numbers=2))
+    many = [Reading(f"number {i}", float(i)) for i in range(5)]
+    card.readout.show_readings(many)
+    assert [label for label, _, _ in readings(card)] == ["number 0", "number 1"]
+    assert card.readout.more.isVisible()
+    card.readout.show_readings([Reading(f"number {i}", i + 0.5) for i in range(5)])
+    assert "4.5" not in [value.text() for _, value, _ in card.readout.lines]
+    card.readout.more.click()
+    assert readings(card)[4] == ("number 4", "4.5", "")
+    card.readout.show_readings(many[:3])  # a fold for one would take as much room
+    assert len(readings(card)) == 3 and not card.readout.more.isVisible()
+
+
+def test_the_way_to_the_diagrams_is_named_where_there_are_some(owner: Owner, qtbot: QtBot) -> None:
+    card = owner.card
+    assert card.explanation.text() == "Diagrams…"
+    card.show_illustration(Illustration(()), owner.settings, owner.projection)
+    assert card.explanation.text() == "Explanation…"
+    with qtbot.waitSignal(card.explanation_wanted):
+        card.explanation.click()
+    card.show_scene("Letter F", TRIES, None)
+    assert not card.explanation.isVisible()
+
+
+def test_no_number_is_cut(owner: Owner) -> None:
+    owner.edited({"gap": 1.23456e-3})
+    QApplication.processEvents()
+    _, value, _ = owner.card.readout.lines[0]
+    assert value.width() >= value.fontMetrics().horizontalAdvance(value.text())
+    least = value.minimumWidth()
+    owner.edited({"gap": 2.0})
+    # It does not jump to and fro.
+    assert value.minimumWidth() == least > value.fontMetrics().horizontalAdvance(value.text())
+
+
+def test_a_folded_panel_fills_nothing_in_and_is_up_to_date_when_it_opens(
+    owner: Owner, qtbot: QtBot
+) -> None:
+    card, shown = owner.card, readings(owner.card)
+    card.hide()
+    owner.edited({"gap": 7.0})
+    texts = [value.text() for _, value, _ in card.readout.lines]
+    assert texts == [value for _, value, _ in shown]
+    assert card.rows["gap"].value() == 2.0
+    card.show()
+    qtbot.waitExposed(card)
+    assert readings(card)[0] == ("gap", "7", "mm") and card.rows["gap"].value() == 7.0
+
+
+def test_it_needs_no_more_than_the_narrowest_dock(owner: Owner, qapp: QApplication) -> None:
+    """Whatever a scene shows in it."""
+    many = tuple(Reading(f"a long name of number {i}", -1e-5 / 3 + i, "px") for i in range(12))
+    pairs = Reading("two numbers of many digits", (-1234.5678, 0.000123456), "px")
+    owner.card.show_illustration(
+        Illustration((pairs, *many), warning=Phrase("a long warning " * 20)),
+        owner.settings,
+        owner.projection,
+    )
+    qapp.processEvents()
+    assert owner.card.minimumSizeHint().width() <= 244
+    set_all_digits(True)
+    try:
+        qapp.processEvents()
+        assert owner.card.minimumSizeHint().width() <= 244
+    finally:
+        set_all_digits(False)
+
+
+def test_everything_has_a_name_for_a_screen_reader(owner: Owner) -> None:
+    row: Any
+    for row in owner.card.rows.values():
+        if isinstance(row, VectorRow):
+            names = [field.accessibleName() for field in row.fields]
+            assert names == ["Light x", "Light y", "Light z"]
+        elif isinstance(row, NumberRow):
+            assert row.field.accessibleName() and row.slider.accessibleName()
+        elif isinstance(row, CheckRow):
+            assert row.box.accessibleName() == "Correct"
+    assert owner.card.players["turn"].button.accessibleName() == "Play: Turn"
+    assert owner.card.readout.lines[0][1].accessibleDescription() == "gap"
+
+
+# -- languages
+
+
+class Reversed(QTranslator):
+    """A language in which the phenomena's texts are in capitals."""
+
+    def translate(
+        self, context: str, text: str, _disambiguation: str | None = None, _n: int = -1
+    ) -> str:
+        return text.upper() if context == "phenomena" else ""
+
+    def isEmpty(self) -> bool:
+        return False
+
+
+def test_the_phenomena_s_texts_are_in_the_window_s_language(
+    qtbot: QtBot, qapp: QApplication
+) -> None:
+    translator = Reversed()
+    QCoreApplication.installTranslator(translator)
+    try:
+        card = SceneCard()
+        qtbot.addWidget(card)
+        card.show_scene("Title", TRIES, EVERYTHING)
+        card.show()
+        qtbot.waitExposed(card)
+        owner = Owner(card)
+        owner.projection = replace(
+            EVERYTHING.start, camera=Camera((0.0, 0.0, 0.0), (0.0, 0.0, -1.0), (0.0, 1.0, 0.0))
+        )
+        owner.edited({"gap": 200.0})
+        assert card.tries.text() == "\n".join(TRIES).upper()
+        assert card.rows["gap"].name == "GAP"
+        assert readings(card)[1] == ("KIND", "A", "")
+        assert card.readout.note.text() == "THE LIGHT IS BEHIND THE EYE AT z = 3."
+        assert card.warning.text() == "⚠ NOTHING OF it IS SEEN."
+        words = Words({"near": "blizu"})
+        assert (words["near"], words["light"], words.get("light", "")) == (
+            "blizu", "LIGHT", "LIGHT"
+        )  # fmt: skip
+    finally:
+        QCoreApplication.removeTranslator(translator)
+
+
+@pytest.mark.parametrize("scene", ["letter-f", "planar-shadow"])
+def test_a_burst_of_keys_ends_with_its_scene(window: MainWindow, qtbot: QtBot, scene: str) -> None:
+    show_scene(window, "similar-triangles")
+    row = next(row for row in window.controls.card.rows.values() if isinstance(row, NumberRow))
+    for _ in range(3):  # of which not all are shown yet
+        qtbot.keyClick(row.slider, Qt.Key.Key_Right)
+    assert window.store.in_gesture
+    window.files.choose_scene(scene)
+    assert not window.store.in_gesture
+    assert window.controls.card.rows.keys() == window.store.document.settings.keys()
+
+
+# -- settings that move camera and lens, which others move too
+
+
+def opened(window: MainWindow, scene: str) -> tuple[Any, Any]:
+    return window.store, show_scene(window, scene)
+
+
+def shown(window: Any, *names: str) -> list[Any]:
+    return [window.controls.card.rows[name].value() for name in names]
+
+
+def in_words(window: Any, name: str) -> str:
+    row = window.controls.card.rows[name]
+    assert isinstance(row, ChoiceRow)
+    combo = row.widgets[0]
+    assert isinstance(combo, QComboBox)
+    return combo.currentText() or combo.placeholderText()
+
+
+def choose(window: Any, name: str, key: str) -> None:
+    row = window.controls.card.rows[name]
+    assert isinstance(row, ChoiceRow)
+    row.choose(key)
+
+
+def test_the_view_volume_is_that_of_the_lens_and_can_be_chosen_again(window: MainWindow) -> None:
+    store, window = opened(window, "view-volumes")
+    start = store.document
+    store.set_projection(start.projection.with_lens("orthographic"))
+    assert shown(window, "volume") == ["box"] and store.document.settings == start.settings
+    choose(window, "volume", "pyramid")
+    assert store.document.projection.lens.kind == "perspective"
+    assert shown(window, "volume") == ["pyramid"]
+    store.undo()
+    assert store.document.projection.lens.kind == "orthographic"
+    assert shown(window, "volume") == ["box"]
+    choose(window, "volume", "cone")
+    store.set_projection(store.document.projection.with_lens("oblique"))
+    assert shown(window, "volume") == ["oblique"]
+
+
+def test_a_camera_that_was_turned_is_free_and_can_be_turned_back(window: MainWindow) -> None:
+    store, window = opened(window, "vanishing-points")
+    start = store.document.projection
+    assert shown(window, "points") == ["2"]
+    store.set_projection(replace(start, camera=replace(start.camera, eye=(3.0, 5.0, 5.0))))
+    assert shown(window, "points") == ["free"]
+    window.controls.card.settings_edited.emit({"t": 0.25})
+    assert store.document.projection.camera.eye == (3.0, 5.0, 5.0)
+    choose(window, "points", "2")
+    assert shown(window, "points") == ["2"]
+    np.testing.assert_allclose(store.document.projection.camera.frame, start.camera.frame)
+    # Nearer, but from the same side: still two of them.
+    camera = store.document.projection.camera
+    near = Camera.from_orbit(camera.target, camera.orbit._replace(distance=4.0))
+    store.set_projection(replace(store.document.projection, camera=near))
+    assert shown(window, "points") == ["2"]
+
+
+def test_an_oblique_drawing_is_as_its_lens_is(window: MainWindow) -> None:
+    store, window = opened(window, "oblique-drawing")
+    start = store.document.projection
+    rows = window.controls.card.rows
+    assert shown(window, "drawing", "angle_deg", "morph") == ["cavalier", 45.0, 1.0]
+    assert not rows["receding"].isEnabled()  # of the free drawing alone
+    lens = replace(start.lens, alpha_deg=80.0)
+    store.set_projection(replace(start, lens=lens))
+    drawing, receding, angle_deg, morph = shown(window, "drawing", "receding", "angle_deg", "morph")
+    assert (drawing, morph) == ("free", 1.0) and rows["receding"].isEnabled()
+    scale, direction = receding_of(lens)
+    assert receding == pytest.approx(scale, rel=1e-9)
+    assert angle_deg == pytest.approx(direction, rel=1e-9)
+    # The others stay as they are seen when one is changed.
+    number_row(window.controls.card, "angle_deg").edited.emit(30.0)
+    drawn = store.document.projection.lens
+    assert isinstance(drawn, Oblique)
+    assert receding_of(drawn) == pytest.approx((scale, 30.0))
+    choose(window, "drawing", "cavalier")
+    drawn = store.document.projection.lens
+    assert isinstance(drawn, Oblique) and receding_of(drawn) == pytest.approx((1.0, 30.0))
+    # Another lens draws none of them.
+    store.set_projection(store.document.projection.with_lens("perspective"))
+    assert in_words(window, "drawing") == "none of these"
+    assert not rows["angle_deg"].isEnabled() and not rows["morph"].isEnabled()
+    assert shown(window, "angle_deg", "morph") == [30.0, 1.0]  # with what it would be drawn
+    choose(window, "drawing", "cavalier")
+    assert store.document.projection.lens.kind == "oblique"
+    assert shown(window, "drawing") == ["cavalier"] and rows["angle_deg"].isEnabled()
+
+
+def test_a_photograph_is_none_any_more_when_the_camera_has_been_moved(window: MainWindow) -> None:
+    store, window = opened(window, "field-of-view")
+    start = store.document.projection
+    target, orbit = start.camera.target, start.camera.orbit
+    away = Camera.from_orbit(target, orbit._replace(distance=9.0))
+    store.set_projection(replace(start, camera=away))
+    assert in_words(window, "preset") == "none of these"
+    assert shown(window, "distance") == [pytest.approx(3.0)]
+    assert number_text(shown(window, "distance")[0]) == "3"
+    choose(window, "preset", "wide")
+    now = store.document.projection
+    assert now.camera.distance == pytest.approx(3.0)
+    assert now.lens.fov_y_deg == pytest.approx(start.lens.fov_y_deg)
+    assert shown(window, "preset", "distance") == ["wide", 1.0]
+    assert store.document.settings["distance"] == 1.0
+    # From the control itself the photograph stays what it is: the size is held.
+    window.controls.card.settings_edited.emit({"distance": 2.0})
+    assert shown(window, "preset", "distance") == ["wide", 2.0]
+    # Away from it, the distance moves the eye on from where it is.
+    store.set_projection(replace(start, camera=away))
+    window.controls.card.settings_edited.emit({"distance": 1.5})
+    assert store.document.projection.camera.distance == pytest.approx(4.5)
+    assert shown(window, "distance") == [1.5] and in_words(window, "preset") == "none of these"
+    # What is farther than can be chosen is shown, too, and stays when something else is.
+    far = Camera.from_orbit(target, orbit._replace(distance=300.0))
+    store.set_projection(replace(start, camera=far))
+    assert shown(window, "distance") == [pytest.approx(100.0)]
+    window.controls.card.settings_edited.emit({"enlarged": False})
+    assert store.document.projection.camera == far
+
+
+def test_the_eye_is_beside_the_middle_that_the_window_has(window: MainWindow) -> None:
+    store, window = opened(window, "off-axis-window")
+    start = store.document.projection
+    assert shown(window, "shift") == [1.5]
+    lens = start.lens
+    assert isinstance(lens, Frustum)
+    moved = replace(lens, left=lens.left - 0.25, right=lens.right - 0.25)
+    store.set_projection(replace(start, lens=moved))  # the window, 2 to the left at the distance 8
+    assert shown(window, "shift") == [pytest.approx(3.5)]
+    number_row(window.controls.card, "shift").edited.emit(1.5)
+    now = store.document.projection
+    assert now.camera.eye == pytest.approx((-0.5, 2.4, 8.0))
+    assert now.window == pytest.approx(start.window) and shown(window, "shift") == [1.5]
+    store.set_projection(now.with_lens("perspective"))
+    assert shown(window, "shift") == [0.0]
+    number_row(window.controls.card, "shift").edited.emit(1.5)
+    assert store.document.projection.window == pytest.approx(start.window)
+
+
+def test_the_drive_is_as_far_as_the_camera_is(window: MainWindow) -> None:
+    store, window = opened(window, "far-plane-popping")
+    start = store.document.projection
+    for z, position in ((-20.0, 30.0), (-400.0, 410.0)):
+        there = replace(start.camera, eye=(0.5, 2.2, z), target=(0.0, 2.0, z - 50.0))
+        store.set_projection(replace(start, camera=there))
+        assert shown(window, "position") == [position]
+        window.controls.card.settings_edited.emit({"detail": z == -20.0})
+        assert store.document.projection.camera == there  # nobody has asked for another place
+    number_row(window.controls.card, "position").edited.emit(0.0)
+    assert store.document.projection.camera.eye == pytest.approx(start.camera.eye)
+
+
+def test_a_setting_without_effect_says_with_what_it_would_have_one(window: MainWindow) -> None:
+    store, window = opened(window, "far-plane-popping")
+    rows = window.controls.card.rows
+
+    def enabled() -> set[str]:
+        return {name for name, row in rows.items() if row.isEnabled()}
+
+    always = {"position", "fog", "detail"}
+    assert enabled() == always
+    for name, said in (
+        ("fog_start", "Only with “Fog”: linear, from start to end."),
+        ("detail_1", "Only with “Level of detail” switched on."),
+    ):
+        field = number_row(window.controls.card, name).field
+        place = field.rect().center()
+        event = QHelpEvent(QEvent.Type.ToolTip, place, field.mapToGlobal(place))
+        QApplication.sendEvent(field, event)
+        assert QToolTip.text() == said
+        QToolTip.hideText()
+    store.set_settings({"fog": "linear"})
+    assert enabled() == always | {"fog_start", "fog_end"}
+    store.set_settings({"fog": "exponential", "detail": True})
+    assert enabled() == always | {"fog_density", "detail_1", "detail_2"}
+
+
+def test_a_bound_is_written_as_all_numbers_are(window: MainWindow) -> None:
+    store, window = opened(window, "far-plane-popping")
+    store.set_settings({"fog": "linear"})
+    row = number_row(window.controls.card, "fog_end")
+    enter(row.field, "10")
+    assert row.error.endswith("Fog ends at = 10: must be greater than 20.")

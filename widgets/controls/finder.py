@@ -1,0 +1,136 @@
+"""Finding a control by what it is called: its name, its letter, what its tooltip says, old names.
+
+Every word that is typed must begin a word of the control, or be it if it is one letter. Names come
+before tooltips: who types "near" means the near plane, not all that depends on it.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+
+from PySide6.QtCore import QCoreApplication, QEvent, Qt, Signal
+from PySide6.QtGui import QKeyEvent
+from PySide6.QtWidgets import QLineEdit, QWidget
+
+from app.model.refusal import QT_TRANSLATE_NOOP
+
+ALSO = {
+    "kind": QT_TRANSLATE_NOOP("Find", "projection lens perspective glFrustum glOrtho orthographic"
+                                      " oblique matrix"),
+    "fov_y_deg": QT_TRANSLATE_NOOP("Find", "vertical fov angle zoom gluPerspective"),
+    "fov_x_deg": QT_TRANSLATE_NOOP("Find", "field of view angle"),
+    "focal_length_mm": QT_TRANSLATE_NOOP("Find", "zoom 35 mm camera f"),
+    "e": QT_TRANSLATE_NOOP("Find", "half-angle"),
+    "window_right": QT_TRANSLATE_NOOP("Find", "window right r glFrustum"),
+    "window_top": QT_TRANSLATE_NOOP("Find", "window top t glFrustum"),
+    **dict.fromkeys(
+        ("left", "right", "bottom", "top"),
+        QT_TRANSLATE_NOOP("Find", "window l r b t glFrustum glOrtho off-axis"),
+    ),
+    "near": QT_TRANSLATE_NOOP("Find", "n plane clipping zNear"),
+    "far": QT_TRANSLATE_NOOP("Find", "f plane clipping zFar infinity"),
+    "keep": QT_TRANSLATE_NOOP("Find", "keep aspect stretch"),
+    "preset": QT_TRANSLATE_NOOP("Find", "preset cavalier cabinet oblique"),
+    **dict.fromkeys(
+        ("receding", "receding_deg", "alpha_deg", "beta_deg"),
+        QT_TRANSLATE_NOOP("Find", "oblique shear"),
+    ),
+    **dict.fromkeys(
+        ("fx", "fy", "cx", "cy"),
+        QT_TRANSLATE_NOOP("Find", "K intrinsics calibrated camera OpenCV principal point"),
+    ),
+    **dict.fromkeys(
+        ("azimuth_deg", "elevation_deg", "distance"), QT_TRANSLATE_NOOP("Find", "orbit angles")
+    ),
+    "roll_deg": QT_TRANSLATE_NOOP("Find", "orbit tilt"),
+    **dict.fromkeys(("eye_x", "eye_y", "eye_z"), QT_TRANSLATE_NOOP("Find", "vectors position")),
+    **dict.fromkeys(
+        ("target_x", "target_y", "target_z"), QT_TRANSLATE_NOOP("Find", "vectors look at")
+    ),
+    **dict.fromkeys(("up_x", "up_y", "up_z"), QT_TRANSLATE_NOOP("Find", "vectors view-up VUP")),
+    **dict.fromkeys(("width", "height"), QT_TRANSLATE_NOOP("Find", "image size resolution pixels")),
+    "aspect": QT_TRANSLATE_NOOP("Find", "image size ratio proportions"),
+    "depth": QT_TRANSLATE_NOOP("Find", "depth range NDC z buffer OpenGL Direct3D reversed"),
+    "animation": QT_TRANSLATE_NOOP("Find", "animation play walk turn"),
+}  # fmt: skip
+"""What else each control is called."""
+
+
+@dataclass(frozen=True)
+class Known:
+    """A control as it is looked for.
+
+    Parameters
+    ----------
+    names : str
+        What it is called, in the window's language and in the model's.
+    tip : str
+        What is said of it.
+    """
+
+    names: str
+    tip: str
+
+    @classmethod
+    def of(cls, key: str, names: Iterable[str], tip: str) -> Known:
+        """Of a control with this key, known by other names besides."""
+        also = QCoreApplication.translate("Find", ALSO[key]) if key in ALSO else ""
+        return cls(" ".join((*names, key, also)), tip)
+
+
+def find(text: str, known: Mapping[QWidget, Known]) -> set[QWidget]:
+    """The controls whose names have all of these words, or, if none has, names and tooltips."""
+    asked = _words(text)
+    if not asked:
+        return set()
+    found = {part for part, told in known.items() if _has(told.names, asked)}
+    return found or {
+        part for part, told in known.items() if _has(f"{told.names} {told.tip}", asked)
+    }
+
+
+def _words(text: str) -> list[str]:
+    return re.findall(r"[^\W_]+", text.casefold())
+
+
+def _has(text: str, asked: Iterable[str]) -> bool:
+    words = _words(text)
+    return all(
+        part in words or (len(part) > 1 and any(word.startswith(part) for word in words))
+        for part in asked
+    )
+
+
+class SearchBox(QLineEdit):
+    """Where it is typed: Enter or ↓ goes to the first that was found, Esc clears."""
+
+    taken = Signal()
+    """The user goes on to what was found."""
+
+    def __init__(self, parent: QWidget) -> None:
+        super().__init__(parent)
+        self.setPlaceholderText(self.tr("Find a control"))
+        self.setAccessibleName(self.tr("Find a control"))
+        tip = self.tr("Shows the controls that are called so, wherever they are folded; Enter goes"
+                      " to the first of them, Esc shows all again (Ctrl+F)")  # fmt: skip
+        self.setToolTip(tip)
+        self.setAccessibleDescription(tip)
+        self.setClearButtonEnabled(True)
+
+    def event(self, event: QEvent) -> bool:
+        is_key = isinstance(event, QKeyEvent) and event.key() == Qt.Key.Key_Escape
+        if is_key and event.type() == QEvent.Type.ShortcutOverride and self.text():
+            event.accept()  # it is no shortcut of the window's
+            return True
+        return super().event(event)
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        key, keys = event.key(), Qt.Key
+        if key == keys.Key_Escape and self.text():
+            self.clear()
+        elif key in (keys.Key_Return, keys.Key_Enter, keys.Key_Down) and self.text():
+            self.taken.emit()
+        else:
+            super().keyPressEvent(event)

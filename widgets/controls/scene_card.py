@@ -1,0 +1,828 @@
+"""The scene at the top of the dock: what to try, its own settings, and the numbers it is about.
+
+::
+
+    user, Play -> settings_edited({name: value}) -> owner takes it, or calls refuse(error)
+    owner -> take                                    never answered by a signal
+
+Everything here is made from the data of a `Phenomenon`; no phenomenon has code of its own.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterable, Sequence
+from dataclasses import replace
+from fractions import Fraction
+from functools import partial
+from typing import Any
+
+from PySide6.QtCore import QEvent, QObject, Qt, Signal
+from PySide6.QtGui import (
+    QAction,
+    QGuiApplication,
+    QHelpEvent,
+    QHideEvent,
+    QKeyEvent,
+    QKeySequence,
+    QPalette,
+    QShowEvent,
+)
+from PySide6.QtWidgets import (
+    QGridLayout,
+    QHBoxLayout,
+    QLabel,
+    QSizePolicy,
+    QToolButton,
+    QToolTip,
+    QVBoxLayout,
+    QWidget,
+)
+
+from app.model.projection import Projection
+from app.model.refusal import Refusal
+from app.scenes.phenomena.illustration import (
+    Found,
+    Illustration,
+    Phenomenon,
+    Phrase,
+    Reading,
+    Setting,
+    Settings,
+    Value,
+)
+from widgets.parts.clock import Clock, Playing
+from widgets.parts.digits import FEW, digits
+from widgets.parts.fields import (
+    CheckRow,
+    Choice,
+    ChoiceRow,
+    Doubling,
+    Linear,
+    Log,
+    NumberRow,
+    Row,
+    Scale,
+    VectorRow,
+)
+from widgets.parts.messages import (
+    breakable,
+    figure_text,
+    limits_text,
+    number_text,
+    of_phenomena,
+    sentence,
+)
+from widgets.parts.panel import Changed, Shown
+from widgets.parts.readable import Readable
+from widgets.parts.section import GAP_PX
+
+WORD = 16
+"""Characters of a file's name that find room in the narrowest dock."""
+TITLE, LARGE = 1.25, 1.15
+"""Size of the scene's name, and of a reading's number, against ordinary text."""
+BESIDE, ON_A_LINE = 14, 30
+"""Longest text of a value beside its label, and of numbers that is not broken in two."""
+LABEL_EM, WORDS_EM = 6, 7
+"""Widths in heights of a line, beyond which labels, and words as values, may wrap."""
+NONE = "–"
+"""Stands for a reading that there is not."""
+
+
+class SceneCard(QWidget):
+    """Title, what to try, settings and readout of the scene at hand, one below the other.
+
+    Attributes
+    ----------
+    rows : dict of str to Row
+        Of the settings, by their names.
+    players : dict of str to Player
+        Of the settings that can be played, by their names.
+    """
+
+    settings_edited = Signal(object)
+    """The user chose, or a player reached, these settings: a dict of values by name."""
+    gesture_started = Signal()
+    gesture_finished = Signal()
+    gesture_abandoned = Signal()
+    mesh_wanted = Signal()
+    """The user wants to choose a mesh for the place of the scene's own objects."""
+    mesh_removed = Signal()
+    """The user wants the scene's own objects back."""
+    explanation_wanted = Signal()
+    """The user wants to read more about the scene, and to see its diagrams."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.rows: dict[str, Row] = {}  # first: a change of font comes with the first child
+        self._phenomenon: Phenomenon | None = None
+        self._settings: Settings = {}
+        self._illustration: Illustration | None = None
+        self._counted: tuple[Illustration, float] | None = None
+        self._problem: Phrase | None = None
+        self._projection: Projection | None = None
+        self._why_not: dict[QWidget, str] = {}
+        self._without_effect: set[str] = set()
+        self._found: set[QWidget] | None = None
+        self._edits = ""  # name of the setting that the user is changing
+        self.players: dict[str, Player] = {}
+        self._readable = Readable(self, self._fill)
+
+        self.title = QLabel()
+        self.tries = QLabel()
+        for label in (self.title, self.tries):
+            label.setWordWrap(True)
+            label.setTextFormat(Qt.TextFormat.PlainText)
+        self.warning = _Sentence("rowError")
+        self.readout = Readout()
+        self.use_mesh = QToolButton()
+        self.use_mesh.setText(self.tr("My mesh…"))
+        self.use_mesh.setAccessibleName(self.tr("My mesh"))
+        self.use_mesh.setToolTip(
+            self.tr("Put a mesh from a file into the place of the scene's own objects")
+        )
+        self.use_mesh.clicked.connect(self.mesh_wanted)
+        self.remove_mesh = QToolButton()
+        self.remove_mesh.setText(self.tr("Own objects"))
+        self.remove_mesh.setAccessibleName(self.tr("Own objects"))
+        self.remove_mesh.setToolTip(self.tr("Put the scene's own objects back"))
+        self.remove_mesh.clicked.connect(self.mesh_removed)
+        self.explanation = QToolButton()
+        self.explanation.setText(self.tr("Explanation…"))
+        self.explanation.setToolTip(
+            self.tr("What the scene shows, in which lectures, and its diagrams, below the panes")
+        )
+        self.explanation.setAccessibleName(self.tr("Explanation and diagrams"))
+        for button in (self.use_mesh, self.remove_mesh, self.explanation):
+            button.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
+        self.explanation.clicked.connect(self.explanation_wanted)
+        self._offered: dict[QWidget, bool] = {}
+        self._lay_out()
+        self._dress()
+
+    def _lay_out(self) -> None:
+        self._rows = QVBoxLayout()
+        self._rows.setSpacing(GAP_PX)
+        buttons = QHBoxLayout()
+        buttons.setSpacing(4)
+        for button in (self.explanation, self.use_mesh):
+            buttons.addWidget(button)
+        buttons.addStretch(1)
+        column = QVBoxLayout(self)
+        column.setContentsMargins(0, 0, 0, GAP_PX)
+        column.setSpacing(GAP_PX)
+        column.addWidget(self.title)
+        column.addWidget(self.tries)
+        column.addLayout(self._rows)
+        column.addWidget(self.warning)
+        column.addWidget(self.readout)
+        column.addLayout(buttons)
+        column.addWidget(self.remove_mesh, 0, Qt.AlignmentFlag.AlignLeft)
+
+    # -- what the owner says
+
+    def show_scene(
+        self, title: str, tries: Iterable[str], phenomenon: Phenomenon | None, mesh: str = ""
+    ) -> None:
+        """Show another scene, with rows for its settings.
+
+        Parameters
+        ----------
+        title : str
+            Translated.
+        tries : iterable of str
+            What to try with it, a line each; to be translated.
+        phenomenon : Phenomenon or None
+            None for a scene that has no settings and no numbers of its own.
+        mesh : str
+            Name of the user's mesh in the place of its objects, or nothing.
+        """
+        if phenomenon is not self._phenomenon:
+            self.pause()
+            for row in self.rows.values():  # which shows the last of the scene that is left
+                row.finish_gesture()  # a burst of keys that has not gone quiet yet, and never would
+            self._phenomenon, self._settings, self._illustration = phenomenon, {}, None
+            self._problem = None
+            self._make_rows(() if phenomenon is None else phenomenon.settings)
+            self.readout.begin(0 if phenomenon is None else phenomenon.numbers)
+            self.readout.show_readings(())
+            self.warning.say("")
+        self.title.setText(breakable(title, WORD))
+        self.tries.setText("\n".join(map(of_phenomena, tries)))
+        has_place = phenomenon is not None and phenomenon.own_mesh
+        self._offered = {
+            self.use_mesh: has_place,
+            self.remove_mesh: has_place and bool(mesh),
+            self.explanation: phenomenon is not None,
+        }
+        self.remove_mesh.setAccessibleDescription(mesh)
+        self.show_some(self._found)
+
+    def lift(self, rows: Iterable[Row]) -> None:
+        """Show these rows of the projection below the scene's own."""
+        for row in rows:
+            self._rows.addWidget(row)
+
+    def show_some(self, found: set[QWidget] | None) -> None:
+        """Show only those of its rows that are among these; None shows the scene as it is."""
+        self._found = found
+        for name, row in self.rows.items():
+            there = name not in self._without_effect if found is None else row in found
+            row.setVisible(there)
+        for part in (self.title, self.tries, self.readout):
+            part.setVisible(found is None)
+        self.warning.setVisible(found is None and bool(self.warning.text()))
+        for button, offered in self._offered.items():
+            button.setVisible(found is None and offered)
+
+    def take(self, shown: Shown, changed: Changed) -> None:
+        """Show settings, readout and warning; a setting in the hand follows it at once."""
+        self.show_illustration(shown.illustration, shown.document.settings, shown.projection)
+
+    def show_illustration(
+        self, illustration: Illustration | None, settings: Settings, projection: Projection
+    ) -> None:
+        """Likewise, of an illustration.
+
+        Parameters
+        ----------
+        illustration : Illustration or None
+        settings : mapping of str to value
+            As they were chosen last.
+        projection : Projection
+            That the illustration is of: it may be moved so that they hold no more.
+        """
+        if illustration is self._illustration and settings == self._settings:
+            return
+        anew = self._illustration is None
+        self._illustration, self._settings = illustration, settings
+        self._projection = projection
+        for name, player in self.players.items():
+            player.show_value(float(settings[name]))  # type: ignore[arg-type]
+        if self._edits in settings and self.isVisible():
+            self.rows[self._edits].setValue(settings[self._edits])
+        self._readable.changed()
+        if anew:  # of the scene before, nothing is to be seen
+            self._readable.settle()
+
+    def begin_gesture(self) -> None:
+        """Until `end_gesture`, values run: a control is dragged, or something plays."""
+        self._readable.begin_gesture()
+
+    def end_gesture(self) -> None:
+        """End the gesture that `begin_gesture` began."""
+        self._readable.end_gesture()
+
+    def show_count(self, illustration: Illustration, share: float) -> None:
+        """Show what was counted in the picture of an illustration, as long as that is shown."""
+        self._counted = illustration, 100.0 * share
+        if illustration is self._illustration:
+            self._readable.changed()
+
+    def show_problem(self, problem: Phrase | None) -> bool:
+        """Say why the picture is not drawn as the scene asks, if so; tell whether that is new."""
+        if problem == self._problem:
+            return False
+        self._problem = problem
+        self._readable.changed()
+        return True
+
+    def refuse(self, error: Refusal) -> None:
+        """Say at the row that was just edited why that cannot be; the last value stays."""
+        row = self.rows[self._edits or next(iter(self.rows))]
+        self._readable.settle()  # or what was accepted before would take the sentence back
+        row.show_error(sentence(self.named(error)))
+
+    def named(self, error: Refusal) -> Refusal:
+        """A refusal under the label of the setting that it is about."""
+        assert self._phenomenon is not None
+        labels = {setting.path: setting.label for setting in self._phenomenon.settings}
+        if error.field not in labels:
+            return error
+        name = of_phenomena(labels[error.field])
+        return Refusal(name, error.value, error.bound, *error.limits)
+
+    def pause(self) -> None:
+        """Let all that is played stand still."""
+        for player in self.players.values():
+            player.pause()
+
+    # -- rows
+
+    def _make_rows(self, settings: Iterable[Setting]) -> None:
+        self.players.clear()
+        for row in self.rows.values():
+            self._rows.removeWidget(row)
+            row.hide()
+            row.deleteLater()
+        self.rows = {}
+        for setting in settings:
+            row = make_row(setting, self.tr("none of these"))
+            self.rows[setting.name] = row
+            row.edited.connect(partial(self._edit, setting.name))
+            row.gesture_started.connect(partial(self._gesture_started, row))
+            row.gesture_finished.connect(self.gesture_finished)
+            row.gesture_abandoned.connect(self.gesture_abandoned)
+            if setting.per_second and isinstance(row, NumberRow):
+                self._add_player(setting, row)
+            self._rows.addWidget(row)
+            for part in (row, *row.findChildren(QWidget)):
+                part.installEventFilter(self)
+        self._why_not, self._without_effect = {}, set()
+
+    def _add_player(self, setting: Setting, row: NumberRow) -> None:
+        player = Player(setting, self)
+        self.players[setting.name] = player
+        player.stepped.connect(partial(self._played, setting.name))
+        player.started.connect(partial(self._play_started, player))
+        player.paused.connect(self.gesture_finished)
+        row.put_beside(player.button)
+
+    def _play_started(self, player: Player) -> None:
+        for other in self.players.values():
+            if other is not player:
+                other.pause()
+        self.gesture_started.emit()
+
+    def _played(self, name: str, value: float) -> None:
+        self.rows[name].clear_error()
+        self._edit(name, value)
+
+    def _edit(self, name: str, value: Value) -> None:
+        self._edits = name
+        self.settings_edited.emit({name: value})
+        self._edits = ""
+
+    def _gesture_started(self, row: Row) -> None:
+        for other in self.rows.values():
+            if other is not row:
+                other.finish_gesture()  # a burst of keys elsewhere that has not gone quiet yet
+        self.gesture_started.emit()
+
+    # -- shown
+
+    def showEvent(self, event: QShowEvent) -> None:
+        super().showEvent(event)
+        self._readable.settle()
+
+    def hideEvent(self, event: QHideEvent) -> None:
+        super().hideEvent(event)
+        if not event.spontaneous():  # nobody sees it, and nobody could stop it
+            self.pause()
+
+    def _fill(self) -> None:
+        found: Found = self._settings
+        if self._phenomenon is not None and self._projection is not None and found:
+            found = self._phenomenon.at_hand(self._projection, self._settings)
+        for name, value in found.items():
+            row = self.rows[name]
+            if row.error and not row.in_hand and name != self._edits:
+                row.clear_error()  # what another value has cured
+            is_choice = isinstance(row, ChoiceRow)
+            row.setValue(self._settings[name] if value is None and not is_choice else value)
+            if name in self.players and isinstance(value, float):
+                self.players[name].show_value(value)
+        illustration = self._illustration
+        readings = () if illustration is None else illustration.readings
+        self.readout.show_readings([self._with_count(r) if r.counted else r for r in readings])
+        has_diagrams = illustration is not None and bool(illustration.diagrams)
+        about = self.tr("Diagrams…") if has_diagrams else self.tr("Explanation…")
+        if self.explanation.text() != about:
+            self.explanation.setText(about)
+        warning = self._problem if illustration is None else illustration.warning or self._problem
+        why = "" if warning is None else _full(warning.sentence(of_phenomena))
+        self.warning.say(why and f"⚠ {why}")
+        self._let_choose(found, why if illustration is not None and illustration.idle else "")
+
+    def _with_count(self, reading: Reading) -> Reading:
+        """A counted reading with its value, or with its note if there was nothing to count."""
+        share = None
+        if self._counted is not None and self._counted[0] is self._illustration:
+            share = self._counted[1]
+        if share is not None and math.isnan(share):
+            return reading
+        return replace(reading, value=share, note=None)
+
+    def _let_choose(self, found: Found, why_not: str) -> None:
+        """Let the settings be changed, unless a sentence says why that would change nothing."""
+        without_effect = set()
+        for setting in () if self._phenomenon is None else self._phenomenon.settings:
+            name, row = setting.name, self.rows[setting.name]
+            why = why_not
+            if found and not why:
+                why = self._without_another(setting, found)
+                if why:
+                    without_effect.add(name)
+                elif found[name] is None and not isinstance(row, ChoiceRow):
+                    why = self.tr("The lens has none: choose one of the above first.")
+            if why != self._why_not.get(row, ""):
+                for part in (row, *row.findChildren(QWidget)):
+                    self._why_not[part] = why
+                row.setEnabled(not why)
+                if why and name in self.players:
+                    self.players[name].pause()
+        if without_effect != self._without_effect:
+            self._without_effect = without_effect
+            self.show_some(self._found)
+
+    def _without_another(self, setting: Setting, found: Found) -> str:
+        """With what value of another one alone a setting changes something, if it has another."""
+        assert self._phenomenon is not None
+        name, wanted = setting.only_with or ("", None)
+        if not name or found[name] == wanted:
+            return ""
+        other = next(other for other in self._phenomenon.settings if other.name == name)
+        label = of_phenomena(other.label)
+        if isinstance(wanted, bool):
+            return self.tr("Only with “{0}” switched on.").format(label)
+        text = of_phenomena(dict(other.choices)[str(wanted)])
+        return self.tr("Only with “{0}”: {1}.").format(label, text)
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        if isinstance(event, QHelpEvent) and event.type() == QEvent.Type.ToolTip:
+            why = self._why_not.get(watched) if isinstance(watched, QWidget) else None
+            if why:
+                QToolTip.showText(event.globalPos(), why)  # instead of what it would do
+                return True
+        return super().eventFilter(watched, event)
+
+    def _dress(self) -> None:
+        """Give the name its size; a font set by hand ends with the theme."""
+        sheet = f"font-size: {TITLE * self.font().pointSizeF():g}pt; font-weight: 600;"
+        if sheet != self.title.styleSheet():
+            self.title.setStyleSheet(sheet)
+
+    def changeEvent(self, event: QEvent) -> None:
+        super().changeEvent(event)
+        if event.type() == QEvent.Type.FontChange and hasattr(self, "title"):
+            self._dress()
+
+
+class _Sentence(QLabel):
+    """A line that is there when there is something to say."""
+
+    def __init__(self, name: str) -> None:
+        super().__init__()
+        self.setObjectName(name)
+        self.setWordWrap(True)
+        self.setTextFormat(Qt.TextFormat.PlainText)
+        self.setStyleSheet(
+            "#rowError { border: 0px; border-left: 3px solid #d55e00; padding: 1px 0 2px 5px; }"
+        )
+        self.hide()
+
+    def say(self, text: str) -> None:
+        """Say this, or nothing."""
+        if text != self.text():
+            self.setText(text)
+            self.setVisible(bool(text))
+
+
+# --------------------------------------------------------------------------- settings
+
+
+def make_row(setting: Setting, none: str = "") -> Row:
+    """A row of the kind that a setting's default asks for, with its reset.
+
+    `none` is what a choice says while what it is about is none of what can be chosen.
+    """
+    name, tip = of_phenomena(setting.label), of_phenomena(setting.tip)
+    tip = tip if tip.endswith(".") else f"{tip}."
+    row: Row
+    if isinstance(setting.default, bool):
+        row = CheckRow(name, tip)
+    elif isinstance(setting.default, str):
+        choices = [Choice(key, of_phenomena(text)) for key, text in setting.choices]
+        row = ChoiceRow(name, tip, choices, none=none)
+    elif isinstance(setting.default, tuple):
+        row = VectorRow(name, tip)
+    else:
+        number = NumberRow(name, tip, scale_of(setting), of_phenomena(setting.unit))
+        number.limits = partial(limits_text, setting.low, setting.high)
+        number.accepts = setting.can_be
+        row = number
+    default: Any = setting.default
+    row.setValue(default)
+    row.setDefault(default)
+    return row
+
+
+def ends_of(setting: Setting) -> tuple[float, float]:
+    """From where to where a number's slider goes."""
+    low, high = setting.span or (setting.low, setting.high)
+    default = setting.default
+    assert isinstance(default, float | int)
+    reach = 10.0 * max(1.0, abs(default))  # where there are no ends
+    return max(low, default - reach) if math.isinf(low) else low, (
+        min(high, default + reach) if math.isinf(high) else high
+    )
+
+
+def scale_of(setting: Setting) -> Scale:
+    """The slider's scale: within the bounds, to the last position."""
+    low, high = ends_of(setting)
+    if setting.logarithmic and setting.whole:
+        return Doubling(low, high)
+    if setting.logarithmic and high >= 2.0 * low:
+        return Log(low, high)
+    step = 1.0 if setting.whole else Linear.about((low + high) / 2.0, (high - low) / 2.0).step
+    fraction = Fraction(repr(step))
+    first, last = math.ceil(Fraction(low) / fraction), math.floor(Fraction(high) / fraction)
+    parts = 1 if setting.whole else Linear.parts
+    return Linear(float(first * fraction), float(last * fraction), step, parts)
+
+
+# --------------------------------------------------------------------------- playing
+
+
+class Player(QObject, Playing):
+    """Lets a number run to and fro between the ends of its slider, until it is paused.
+
+    A frame is asked for only when the one before has been handled, so that frames never queue up
+    behind a slow renderer. Whatever else changes the number meanwhile is gone on from.
+
+    Parameters
+    ----------
+    setting : Setting
+        One with `per_second`: in its unit, or in powers of ten if it is logarithmic.
+    """
+
+    stepped = Signal(float)
+    """The number's next value, once per frame."""
+    started = Signal()
+    paused = Signal()
+
+    def __init__(self, setting: Setting, parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self._setting = setting
+        self._low, self._high = map(self._place, ends_of(setting))
+        self.speed = setting.per_second
+        self._at = self._low
+        self._shown: float | None = None
+        self._clock = Clock(self)
+        self._clock.ticked.connect(self.advance)
+        self.button = QToolButton()
+        self.button.clicked.connect(self.toggle)
+        self._show_state()
+
+    def play(self) -> None:
+        """Run on from where the number is."""
+        if not self.playing:
+            self._clock.start()
+            self._show_state()
+            self.started.emit()
+
+    def pause(self) -> None:
+        """Stand still."""
+        if self.playing:
+            self._clock.stop()
+            self._show_state()
+            self.paused.emit()
+
+    def show_value(self, value: float) -> None:
+        """Note the number; one that is not the last frame's is where to go on from."""
+        if value != self._shown:
+            self._shown, self._at = value, self._place(value)
+
+    def advance(self, seconds: float) -> None:
+        """Run for some seconds and emit the number; without effect while paused."""
+        if not self.playing:
+            return
+        if (self._at >= self._high and self.speed > 0.0) or (
+            self._at <= self._low and self.speed < 0.0
+        ):
+            self.speed = -self.speed
+        inside = self._low <= self._at <= self._high
+        self._at += self.speed * seconds
+        if inside:  # both ends are shown, for a frame
+            self._at = min(max(self._at, self._low), self._high)
+        value = 10.0**self._at if self._setting.logarithmic else self._at
+        value = float(round(value)) if self._setting.whole else float(f"{value:.7g}")
+        if value != self._shown:
+            self._shown = value
+            self.stepped.emit(value)
+
+    def _place(self, value: float) -> float:
+        return math.log10(value) if self._setting.logarithmic else value
+
+    def _show_state(self) -> None:
+        sign, word = ("❚❚", self.tr("Pause")) if self.playing else ("▶", self.tr("Play"))
+        label = of_phenomena(self._setting.label)
+        self.button.setText(sign)
+        self.button.setAccessibleName(f"{word}: {label}")
+        self.button.setToolTip(
+            self.tr("Let it stand still; playing again goes on from here")
+            if self.playing
+            else self.tr("Let it run to and fro between the ends of its slider")
+        )
+
+
+# --------------------------------------------------------------------------- readout
+
+
+def _full(sentence: str) -> str:
+    """A clause as a sentence."""
+    sentence = sentence[:1].upper() + sentence[1:]
+    return sentence if sentence.endswith((".", "!", "?")) else f"{sentence}."
+
+
+def _few(value: float) -> str:
+    return figure_text(value, FEW)
+
+
+def value_text(value: Any, write: Callable[[float], str] = _few) -> str:
+    """A reading's value: a number, several, a matrix as a table, or a translated word."""
+    if value is None:
+        return NONE
+    if isinstance(value, str):
+        return of_phenomena(value)
+    if not isinstance(value, tuple):
+        return write(value)
+    side = math.isqrt(len(value))
+    parts = [write(part) for part in value]
+    if side < 3 or side * side != len(parts):
+        text, half = f"({', '.join(parts)})", (len(parts) + 1) // 2
+        if len(text) > ON_A_LINE:
+            return f"({', '.join(parts[:half])},\n{', '.join(parts[half:])})"
+        return text
+    rows = [parts[first : first + side] for first in range(0, len(parts), side)]
+    cells = ("".join(f"<td align='right'>{part}</td>" for part in row) for row in rows)
+    return f"<table cellpadding='2'>{''.join(f'<tr>{row}</tr>' for row in cells)}</table>"
+
+
+class _Value(QLabel):
+    """What is read of a reading; what is copied has all the digits.
+
+    Attributes
+    ----------
+    exact : str
+    is_below : bool
+        Whether it stands below its label.
+    """
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.exact, self.is_below = "", False
+        self.setTextFormat(Qt.TextFormat.AutoText)
+        self.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
+        flags = Qt.TextInteractionFlag
+        self.setTextInteractionFlags(flags.TextSelectableByMouse | flags.TextSelectableByKeyboard)
+        self.setFocusPolicy(Qt.FocusPolicy.ClickFocus)
+        copy = QAction(self.tr("Copy, with all digits"), self)
+        copy.triggered.connect(self._copy)
+        self.addAction(copy)
+        self.setContextMenuPolicy(Qt.ContextMenuPolicy.ActionsContextMenu)
+
+    def _copy(self) -> None:
+        QGuiApplication.clipboard().setText(self.exact)
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        if event.matches(QKeySequence.StandardKey.Copy):
+            self._copy()
+        else:
+            super().keyPressEvent(event)
+
+
+class Readout(QWidget):
+    """The numbers that the scene is about: label, value and unit of each reading.
+
+    The first of them are seen; the others are folded, and not written until they are unfolded.
+    What has no value shows why in a sentence below, once for all that have the same reason.
+    """
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.lines: list[tuple[QLabel, _Value, QLabel]] = []
+        self._readings: Sequence[Reading] = ()
+        self._first = 0
+        self._dress()
+        self._grid = QGridLayout()
+        self._grid.setContentsMargins(0, 0, 0, 0)
+        self._grid.setHorizontalSpacing(4)
+        self._grid.setVerticalSpacing(1)
+        self._grid.setColumnStretch(0, 1)
+        self.more = QToolButton()
+        self.more.setText(self.tr("More numbers"))
+        self.more.setToolTip(self.tr("Show the other numbers of this scene, or fold them"))
+        self.more.setAccessibleName(self.more.text())
+        self.more.setCheckable(True)
+        self.more.setAutoRaise(True)
+        self.more.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
+        self.more.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
+        self.more.toggled.connect(self._show)
+        self.more.hide()
+        self.note = QLabel()
+        self.note.setWordWrap(True)
+        self.note.setTextFormat(Qt.TextFormat.PlainText)
+        self.note.hide()
+        column = QVBoxLayout(self)
+        column.setContentsMargins(0, 0, 0, 0)
+        column.setSpacing(2)
+        column.addLayout(self._grid)
+        column.addWidget(self.note)
+        column.addWidget(self.more)
+        self.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Preferred)
+        digits.changed.connect(self._show)
+
+    def begin(self, first: int) -> None:
+        """Be the readout of another scene: so many of its readings are always seen."""
+        self._first = first
+        self.more.setChecked(False)
+
+    def show_readings(self, readings: Sequence[Reading]) -> None:
+        """Show these readings and no others."""
+        self._readings = readings
+        self._show()
+
+    def _show(self) -> None:
+        many = len(self._readings) > self._first + 1  # a fold of one would take as much room
+        unfolded = not many or self.more.isChecked()
+        readings = self._readings if unfolded else self._readings[: self._first]
+        self.more.setVisible(many)
+        arrows = Qt.ArrowType
+        self.more.setArrowType(arrows.DownArrow if unfolded else arrows.RightArrow)
+        while len(self.lines) < len(readings):
+            self._add_line()
+        labels = [of_phenomena(reading.label) for reading in readings]
+        anew = labels != [label.text() for label, _, _ in self.lines if not label.isHidden()]
+        for place, line in enumerate(self.lines):
+            if anew:
+                for widget in line:
+                    widget.setVisible(place < len(readings))
+                line[1].setMinimumWidth(0)
+            if place < len(readings):
+                self._write(line, readings[place], labels[place])
+        reasons = [
+            _full(reading.note.sentence(of_phenomena))
+            for reading in readings
+            if reading.note is not None
+        ]
+        text = "\n".join(dict.fromkeys(reasons))
+        if text != self.note.text():
+            self.note.setText(text)
+            self.note.setVisible(bool(text))
+
+    def _add_line(self) -> None:
+        label, value, unit = QLabel(), _Value(), QLabel()
+        for part in (label, unit):
+            part.setTextFormat(Qt.TextFormat.PlainText)
+        label.setWordWrap(True)
+        unit.setForegroundRole(QPalette.ColorRole.PlaceholderText)
+        row = 2 * len(self.lines)
+        for column, part in enumerate((label, value, unit)):
+            part.hide()
+            self._grid.addWidget(part, row, column)
+        value.setObjectName("number")
+        self.lines.append((label, value, unit))
+
+    def _write(self, line: tuple[QLabel, _Value, QLabel], reading: Reading, name: str) -> None:
+        label, value, unit = line
+        exact = value_text(reading.value, number_text)
+        text = exact if digits.all else value_text(reading.value)
+        is_word = isinstance(reading.value, str)
+        if is_word != value.wordWrap():
+            value.setWordWrap(is_word)
+            value.setMinimumWidth(WORDS_EM * self.fontMetrics().height() if is_word else 0)
+        if text != value.text():
+            value.setText(text)
+            self._place(value, max(map(len, text.split("\n"))) > BESIDE and not is_word)
+            if not is_word:
+                # It only grows: a number with a digit less does not shift the others.
+                value.setMinimumWidth(max(value.minimumWidth(), value.sizeHint().width()))
+        if value.exact != exact:
+            value.exact = exact
+            value.setToolTip(exact)
+        if label.text() != name:
+            label.setText(name)
+            value.setAccessibleDescription(name)  # a name would be read instead of the number
+            self._widen(label)
+        unit_text = "" if reading.value is None else of_phenomena(reading.unit)
+        if unit.text() != unit_text:
+            unit.setText(unit_text)
+
+    def _place(self, value: _Value, below: bool) -> None:
+        """Put a value beside its label, or below it where it is too long for that."""
+        row = 2 * [each[1] for each in self.lines].index(value)
+        if below != value.is_below:
+            value.is_below = below
+            self._grid.addWidget(value, row + below, 0 if below else 1, 1, 3 if below else 1)
+
+    def _widen(self, label: QLabel) -> None:
+        """Let a label wrap only if it is long."""
+        natural = label.fontMetrics().horizontalAdvance(label.text()) + 4
+        label.setMinimumWidth(min(natural, LABEL_EM * self.fontMetrics().height()))
+
+    def _dress(self) -> None:
+        """Give numbers their size; a font set by hand ends with the theme."""
+        size = self.font().pointSizeF()
+        sheet = f"#number {{ font-size: {LARGE * size:g}pt; font-weight: 600; }}"
+        if sheet != self.styleSheet():
+            self.setStyleSheet(sheet)
+            for label, value, _ in self.lines:
+                value.setMinimumWidth(0)
+                self._widen(label)
+
+    def changeEvent(self, event: QEvent) -> None:
+        super().changeEvent(event)
+        if event.type() == QEvent.Type.FontChange:
+            self._dress()
