@@ -25,10 +25,20 @@ from vtkmodules.vtkRenderingCore import vtkActor2D, vtkPolyDataMapper2D
 from app.drawings.actors import Canvas, Label, Space, lift_lines, line_actor
 from app.drawings.style import Style, rgb
 from app.model.projection import Array, Projection, Trace, Vector
-from app.picking.picking import Hit, Lines, Probe, Sight, Surface, pick, projector
+from app.picking.picking import (
+    Hit,
+    Lines,
+    Probe,
+    Sight,
+    Surface,
+    pick,
+    projector,
+    stops,
+)
 from app.scenes.scene import Scene
 
 _RIM_EM, _FILL_EM, _CROSSING_EM = 0.44, 0.32, 0.24  # radii
+_TRIED = 40  # vertices: of a million each takes a millisecond or two
 
 
 class Mark(NamedTuple):
@@ -282,3 +292,55 @@ def pick_in(
     sort_ahead(scene)
     surface, lines = _sorted[scene]
     return pick(surface.result(), lines, sight, pixel, pixel_ratio)
+
+
+def next_vertex(
+    scene: Scene,
+    sight: Sight,
+    rectangle_px: tuple[float, float, float, float],
+    pixel_ratio: float,
+    at: int | None,
+    *,
+    forwards: bool,
+) -> int | None:
+    """Which vertex of a scene's faces comes after another one, of those that no face hides.
+
+    Parameters
+    ----------
+    scene : Scene
+    sight : Sight
+    rectangle_px : (float, float, float, float)
+        The part of the pane in which the scene is drawn: left, top, width and height.
+    pixel_ratio : float
+    at : int or None
+        The other one; the first of all comes after one that is not in view, and after None.
+    forwards : bool
+        Or which comes before it.
+
+    Returns
+    -------
+    int or None
+        None if no other vertex is seen. Where very many in a row are hidden, one of them: a key
+        that is held goes on from there.
+    """
+    if scene.surface is None:
+        return None
+    sort_ahead(scene)
+    surface = _sorted[scene][0].result()
+    order = stops(
+        np.asarray(scene.surface.points), scene.origin, sight, rectangle_px, pixel_ratio, at
+    )
+    if not forwards:
+        order.reverse()
+    here = next((i for i, stop in enumerate(order) if stop.number == at), -1)
+    others = order[here + 1 :] + order[: max(here, 0)]
+    tried = others[:_TRIED]
+    fallback = tried[-1].number if len(tried) < len(others) else None
+    return next((stop.number for stop in tried if not surface.hides(sight, stop)), fallback)
+
+
+def vertex_of(scene: Scene, number: int) -> Vector:
+    """Where a vertex of a scene's faces is in the world; the same bits as where it is picked."""
+    assert scene.surface is not None
+    x, y, z = (scene.surface.points[number] + np.array(scene.origin)).tolist()
+    return x, y, z

@@ -37,6 +37,9 @@ _TRIED = 16  # vertices: where more are hidden, the mesh is denser than the pixe
 _LOOKED_AT = 8_000  # triangles; where more are within the margin, a smaller one has vertices enough
 _LEAST_PX = 0.02  # margin
 _END_ON_PX = 1e-6  # a line that is seen shorter is a point
+_STOPS = 200  # of which each is at hand after some seconds of a key that is held
+_SPREAD = 32_768  # vertices
+_ROW = 4  # of the least squares
 _SAME_DEPTH = 1e-9  # relative: faces that meet in a vertex do not hide it
 _ON_FACE = 1e-6  # relative: a line on a face, each rounded to float32 by itself
 
@@ -320,6 +323,94 @@ class Surface:
             if found is None or order[i] <= found[2] + _SAME_DEPTH * abs(found[2]):
                 return int(numbers[i]), float(order[i])
         return None
+
+    def hides(self, sight: Sight, stop: Stop) -> bool:
+        """Whether a face lies in front of one of the surface's vertices."""
+        face = self.pick(sight, stop.spot, 0.0)
+        return face is not None and _in_front(face.order, stop.order)
+
+
+class Stop(NamedTuple):
+    """A vertex that can be gone to.
+
+    Attributes
+    ----------
+    row : int
+        Of the pane, from above: stops are read row by row, from left to right.
+    spot : (float, float)
+        Where it is seen, in pixels from the pane's top left.
+    number : int
+        Which vertex it is.
+    order : float
+        Smaller for what is in front.
+    """
+
+    row: int
+    spot: tuple[float, float]
+    number: int
+    order: float
+
+
+def stops(
+    points: NDArray[Any],
+    origin: Vector,
+    sight: Sight,
+    rectangle_px: tuple[float, float, float, float],
+    pixel_ratio: float = 1.0,
+    at: int | None = None,
+) -> list[Stop]:
+    """The vertices in a part of a pane, hidden or not, in the order in which one reads.
+
+    Where there are more than `_STOPS`, those in front stand for the others: one in each square,
+    which are so large that no more are left. A million vertices take one pass over the points and
+    a sort of `_SPREAD` of them, spread evenly over those in view.
+
+    Parameters
+    ----------
+    points : (n, 3) array
+        Relative to `origin`.
+    origin : Vector
+    sight : Sight
+    rectangle_px : (float, float, float, float)
+        Left, top, width and height.
+    pixel_ratio : float
+        How many pixels one of `VERTEX_WITHIN_PX` is.
+    at : int, optional
+        A vertex that is one of them wherever it is in view.
+    """
+    left, top, width, height = rectangle_px
+    x, y, _, w = sight.rows
+    sides = np.array([x - left * w, (left + width) * w - x, y - top * w, (top + height) * w - y, w])
+    tests = np.concatenate([sides, sight.limits])
+    offset = np.array(origin) - sight.eye
+    constants = (tests[:, :3] @ offset + tests[:, 3])[:, None]
+    inside = [np.empty(0, np.intp)]
+    for at in range(0, len(points), _BLOCK):
+        values = tests[:, :3] @ points[at : at + _BLOCK].T.astype(np.float64) + constants
+        inside.append(at + np.flatnonzero((values >= 0.0).all(axis=0) & (values[4] > 0.0)))
+    in_view = np.concatenate(inside)
+    numbers = in_view[:: max(1, -(-len(in_view) // _SPREAD))]
+    if at is not None and at in in_view:
+        numbers = np.union1d(numbers, [at])
+    offsets = points[numbers].astype(np.float64) + offset
+    x, y, order, w = sight.rows[:, :3] @ offsets.T + sight.rows[:, 3:]
+    x, y, order = x / w, y / w, order / w
+    side = VERTEX_WITHIN_PX * pixel_ratio
+    row_px = _ROW * side
+    kept = np.argsort(-order, kind="stable")
+    while len(kept) > _STOPS:
+        squares = ((y[kept] - top) // side).astype(np.int64) << 32
+        squares += ((x[kept] - left) // side).astype(np.int64)
+        # What comes later is in front, so that of each square the last is kept.
+        _, last = np.unique(squares[::-1], return_index=True)
+        kept = kept[np.sort(len(kept) - 1 - last)]
+        row_px = max(row_px, side)
+        side *= 2.0
+    kept = np.union1d(kept, np.flatnonzero(numbers == (-1 if at is None else at)))
+    rows = ((y[kept] - top) // row_px).astype(np.int64)
+    spots = zip(x[kept].tolist(), y[kept].tolist(), strict=True)
+    of_each = rows.tolist(), spots, numbers[kept].tolist(), order[kept].tolist()
+    return sorted(Stop(*each) for each in zip(*of_each, strict=True))
 
 
 class Lines:

@@ -45,12 +45,13 @@ ZOOM_PER_WHEEL_STEP = 1.15
 HIGHEST_DEG = 89.0
 KEY_PX = 25.0
 """What the mouse would be moved by for an arrow key: it turns by 10 degrees."""
-_ARROWS = {
-    Qt.Key.Key_Left: (-KEY_PX, 0.0),
-    Qt.Key.Key_Right: (KEY_PX, 0.0),
-    Qt.Key.Key_Up: (0.0, -KEY_PX),
-    Qt.Key.Key_Down: (0.0, KEY_PX),
+ARROWS = {
+    Qt.Key.Key_Left: (-1.0, 0.0),
+    Qt.Key.Key_Right: (1.0, 0.0),
+    Qt.Key.Key_Up: (0.0, -1.0),
+    Qt.Key.Key_Down: (0.0, 1.0),
 }
+"""Right and down."""
 _ZOOM_STEPS = {Qt.Key.Key_Plus: 1, Qt.Key.Key_Equal: 1, Qt.Key.Key_Minus: -1}
 """Plus is on the key of = of many keyboards."""
 
@@ -232,7 +233,11 @@ class Hand(QObject):
     left = Signal()
     """The mouse is over the canvas no more."""
     scrolled = Signal(float)
-    """The wheel was turned by so many steps, away from the user, where it is not a zoom."""
+    """The wheel was turned by so many steps, or a key for it pressed, where that is no zoom."""
+    pushed = Signal(QPointF)
+    """An arrow key was pressed where it turns nothing: what is under the hand goes so far."""
+    dropped = Signal()
+    """What was being dragged is back at its place, or gone: what the hand does is nothing more."""
 
     def __init__(self, canvas: AnyCanvas, *, orbits: bool) -> None:
         super().__init__(canvas)
@@ -242,11 +247,12 @@ class Hand(QObject):
         self._pressed: QPointF | None = None
         """Where the left button went down, as long as it may be a click."""
         self._dragged_from: QPointF | None = None
+        self._holds = False
         # Or Qt paints the window under it, and uploads that, whenever it draws a slider as well.
         canvas.setAttribute(Qt.WidgetAttribute.WA_OpaquePaintEvent)
         canvas.setMouseTracking(True)
         # By Tab alone: a click leaves the focus in a field that is typed in.
-        canvas.setFocusPolicy(Qt.FocusPolicy.TabFocus if orbits else Qt.FocusPolicy.NoFocus)
+        canvas.setFocusPolicy(Qt.FocusPolicy.TabFocus)
         FocusRing(canvas)
         kinds = QEvent.Type
         self._takes: dict[QEvent.Type, Any] = {
@@ -269,6 +275,20 @@ class Hand(QObject):
     def keep_view(self) -> None:
         """The drag that has just started is about what was under it: the view stays."""
         self._last = None
+        self._holds = True
+
+    @property
+    def is_down(self) -> bool:
+        """Whether a button of the mouse was pressed on the canvas and is held."""
+        return self._pressed is not None or self._dragged_from is not None
+
+    def take_hold(self, place: QPointF) -> bool:
+        """Start a drag without the mouse; tell whether there was something to be dragged."""
+        self._holds = False
+        self.drag_started.emit(place)
+        if not self._holds:
+            self.drag_ended.emit()
+        return self._holds
 
     # Each returns whether the event goes no further in the canvas: ignored, it goes to the pane.
 
@@ -276,13 +296,21 @@ class Hand(QObject):
         modifiers, key = event.modifiers(), event.key()
         is_shifted = bool(modifiers & Qt.KeyboardModifier.ShiftModifier)
         plain = Qt.KeyboardModifier.ShiftModifier | Qt.KeyboardModifier.KeypadModifier
-        if not self._orbits or self._dragged_from is not None or modifiers & ~plain:
+        if self._dragged_from is not None or modifiers & ~plain:
             return False
-        if key in _ARROWS:
-            (self._pan if is_shifted else self._orbit)(*_ARROWS[Qt.Key(key)])
-            self.moved.emit()
+        if key in ARROWS:
+            way_px = (KEY_PX * part for part in ARROWS[Qt.Key(key)])
+            if self._orbits:
+                (self._pan if is_shifted else self._orbit)(*way_px)
+                self.moved.emit()
+            else:
+                self.pushed.emit(QPointF(*way_px) * self._canvas.pixel_ratio)
         elif key in _ZOOM_STEPS:
-            self._zoom(ZOOM_PER_WHEEL_STEP ** _ZOOM_STEPS[Qt.Key(key)])
+            steps = _ZOOM_STEPS[Qt.Key(key)]
+            if self._orbits:
+                self._zoom(ZOOM_PER_WHEEL_STEP**steps)
+            else:
+                self.scrolled.emit(float(steps))
         else:
             return False
         event.accept()

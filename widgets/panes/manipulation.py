@@ -33,6 +33,7 @@ from app.picking.handles import (
     dollied,
     dragged,
     dragged_grip,
+    has_camera,
     panned,
     place,
     present,
@@ -44,7 +45,7 @@ from widgets.panes.pane import Pane
 from widgets.parts.escape import EscapeKey
 from widgets.parts.fields import QUIET_MS, short_text
 from widgets.parts.message_bar import MessageBar
-from widgets.parts.messages import field_name, seen_from, sentence
+from widgets.parts.messages import field_name, of_phenomena, seen_from, sentence
 from widgets.parts.panel import PROJECTION, Changed, Shown
 
 if TYPE_CHECKING:
@@ -78,6 +79,7 @@ class Manipulation(QObject):
         self._projection = Projection()
         self._grips: dict[str, Grip] = {}
         self._values: Settings = {}
+        self._labels: dict[str, str] = {}
         self._drag: _Drag | None = None
         self._in_gesture = False
         self._escape = EscapeKey(self)
@@ -108,6 +110,7 @@ class Manipulation(QObject):
             pane.hand.dragged.connect(self._move)
             pane.hand.drag_ended.connect(self.let_go)
         image.hand.scrolled.connect(self._dolly)
+        image.hand.pushed.connect(self._push)
 
     def take(self, shown: Shown, changed: Changed) -> None:
         """Take the new values over: what the next drag begins with."""
@@ -115,17 +118,23 @@ class Manipulation(QObject):
             self.let_go()
         projection, drag = shown.projection, self._drag
         if projection.lens.kind != self._projection.lens.kind:
-            self._drag = None  # undone or reset under the hand: its fields are gone
+            self._drop()  # undone or reset under the hand: its fields are gone
         self._projection = projection
         if changed & {"illustration", "settings"}:
             self._values = shown.document.settings
             grips = () if shown.illustration is None else shown.illustration.grips
             self._grips = {grip.setting: grip for grip in grips}
+            phenomenon = shown.scene.phenomenon
+            settings = () if phenomenon is None else phenomenon.settings
+            self._labels = {each.name: of_phenomena(each.label) for each in settings}
             if drag is not None and drag.held is not None and drag.held.setting not in self._grips:
-                self._drag = None  # another scene under the hand
+                self._drop()  # another scene under the hand
         drawing: WorldDrawing | None = self._world.drawing
         if drawing is not None and drawing.held is not None:
-            self._tell(drawing.held)
+            if self.now(drawing.held):
+                self._tell(drawing.held)
+            else:
+                self._point_out(drawing, None)
 
     # -- what is under the mouse
 
@@ -163,16 +172,18 @@ class Manipulation(QObject):
 
     def _tell(self, handle: Handle) -> None:
         """Say what a drag of a handle does, and what it has made so far."""
+        self._say(f"{self._does(handle)[1]}: {self.now(handle)}")
+
+    def now(self, handle: Handle) -> str:
+        """What a handle moves, and the value that it has: ``Near = 4``; nothing if it is gone."""
         if handle.name == "grip":
-            if handle.setting in self._grips:
-                value = _shown(_value(self._grips[handle.setting]))
-                text = self.tr("Drag this point (Shift: up and down)")
-                self._say(f"{text}: {value}")
-            return
-        names, text = self._does(handle)
-        values = present(self._projection, names)
-        now = ", ".join(f"{field_name(name)} = {_shown(value)}" for name, value in values.items())
-        self._say(f"{text}: {now}")
+            grip = self._grips.get(handle.setting)
+            return "" if grip is None else f"{self._labels[grip.setting]} = {_shown(_value(grip))}"
+        is_on_face = bool(handle.face)
+        if self._projection.lens.planes is None if is_on_face else not has_camera(self._projection):
+            return ""
+        values = present(self._projection, self._does(handle)[0])
+        return ", ".join(f"{field_name(name)} = {_shown(value)}" for name, value in values.items())
 
     def _say(self, text: str) -> None:
         """Beside the pane's title, or in a line over the pane if that is too narrow.
@@ -196,6 +207,8 @@ class Manipulation(QObject):
         return self._line.text() or self._world.note.text()
 
     def _does(self, handle: Handle) -> tuple[tuple[str, ...], str]:
+        if handle.name == "grip":
+            return (), self.tr("Drag this point (Shift: up and down)")
         if handle.name == "eye":
             return ("eye",), self.tr("Drag the eye (Shift: up and down)")
         if handle.name == "target":
@@ -220,7 +233,6 @@ class Manipulation(QObject):
         handle = self._handle_at(drawing, pixel)
         if handle is None:
             return
-        self._world.hand.keep_view()
         self._point_out(drawing, handle)
         sight, drawn = drawing.sight, drawing.planes_drawn
         held = self._grips.get(handle.setting)
@@ -240,6 +252,7 @@ class Manipulation(QObject):
     def _start(self, drag: _Drag) -> None:
         self._finish()
         self._drag = drag
+        drag.pane.hand.keep_view()
         drag.pane.canvas.setCursor(Qt.CursorShape.ClosedHandCursor)
         self._escape.watch(drag.pane.window())
         self._begin()
@@ -283,7 +296,7 @@ class Manipulation(QObject):
         if not self._escape.is_watched:
             return
         self._escape.leave()
-        self._drag = None
+        self._drop()
         self._image.canvas.unsetCursor()
         drawing: WorldDrawing | None = self._world.drawing
         if drawing is not None and drawing.held is not None:
@@ -292,24 +305,40 @@ class Manipulation(QObject):
         if drawing is not None and drawing.held is not None:
             self._tell(drawing.held)  # where a refusal was
 
+    def _drop(self) -> None:
+        """Forget the drag, and tell the hand so."""
+        drag, self._drag = self._drag, None
+        if drag is not None:
+            drag.pane.hand.dropped.emit()
+
     def _put_back(self) -> None:
         """Give up the drag: what it changed is as it was at its start."""
-        drag, self._drag = self._drag, None
-        if drag is not None and drag.held is not None:
-            self.message.hide()
+        drag = self._drag
+        if drag is None:
+            return
+        self.message.hide()
+        if drag.held is not None:
             self.setting_edited.emit({drag.held.setting: drag.before})
-        elif drag is not None:
-            self.message.hide()
+        else:
             self.edited.emit(changed(self._projection, present(drag.start, drag.names)))
+        self._drop()
 
-    # -- the wheel
+    # -- the wheel, and keys for it
 
     def _dolly(self, steps: float) -> None:
+        self._nudge(partial(dollied, self._projection, ZOOM_PER_WHEEL_STEP**-steps))
+
+    def _push(self, way: QPointF) -> None:
+        drawing: ImageDrawing | None = self._image.drawing
+        if drawing is not None:
+            self._nudge(partial(panned, self._projection, drawing.image_shift(way.x(), way.y())))
+
+    def _nudge(self, make: Callable[[], Change]) -> None:
+        """Make one of many small changes, which are one step together."""
         if self._drag is None:
             self._begin()
             self._quiet.start()
-            factor = ZOOM_PER_WHEEL_STEP**-steps
-            self._attempt(self._image, partial(dollied, self._projection, factor))
+            self._attempt(self._image, make)
 
     # -- edits
 

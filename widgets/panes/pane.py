@@ -268,16 +268,21 @@ class Pane(QFrame):
                     "double-click to reset; or Tab to here, and arrows, + −, Home"
                 )
             )
-            self.canvas.setAccessibleDescription(
-                self.tr("Arrow keys turn, Shift and an arrow moves, + and − zoom, Home resets")
-            )
+            keys = self.tr("Arrow keys turn, Shift and an arrow moves, + and − zoom, Home resets.")
         else:
             self.canvas.setToolTip(
                 self.tr(
                     "Click to follow a point; drag to move the camera in its plane, wheel to go "
-                    "nearer to the target"
+                    "nearer to the target; or Tab to here, and arrows, + −"
                 )
             )
+            keys = self.tr("Arrow keys move the camera in its plane, + and − go nearer and back.")
+        cursor_keys = self.tr(
+            "Page Down and Page Up go from vertex to vertex, with Shift from handle to handle or "
+            "probe to probe; Space follows a vertex; Enter takes hold and lets go, Shift and Enter "
+            "as a drag with Shift; arrows drag by a pixel, with Shift by ten; Escape puts back."
+        )
+        self.canvas.setAccessibleDescription(f"{keys} {cursor_keys}")
         self._fitted = _WholePixels(self.canvas)
         self._column.addWidget(self._fitted, 0, 0)
         for widget, side, inside in (
@@ -393,6 +398,11 @@ class Pane(QFrame):
             self._probes_stale = True
             if self.isVisible():
                 self._refresh()
+
+    @property
+    def probes(self) -> Sequence[Probe]:
+        """Those that are marked."""
+        return self._probes
 
     def show_highlight(self, highlighted: Highlight) -> None:
         """Let what is highlighted stand out: at once if visible, else on appearing."""

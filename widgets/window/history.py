@@ -25,7 +25,7 @@ class History(QObject):
     start : callable
         How the scene of now opens.
     players : sequence of callables
-        Each lets something that plays stand still.
+        Each lets something stand still that plays, or that the keyboard drags.
     """
 
     rested = Signal()
@@ -49,7 +49,7 @@ class History(QObject):
         store.history_changed.connect(self.show)
 
     def undo(self) -> None:
-        """Go back one step; what plays stands still, or it would go on from there at once."""
+        """Go back one step; what moves stands still, or it would go on from there at once."""
         self.stand_still()
         self._store.undo()
 
@@ -65,7 +65,7 @@ class History(QObject):
         self._store.set_document(replace(document, projection=self._start(), settings={}))
 
     def stand_still(self) -> None:
-        """Let nothing play."""
+        """Let nothing move by itself."""
         for pause in self._players:
             pause()
 

@@ -54,6 +54,7 @@ from widgets.panels.probe_panel import ProbePanel
 from widgets.panels.scene_panel import ScenePanel
 from widgets.panes.canvas import CANVASES
 from widgets.panes.counting import Counting
+from widgets.panes.cursor import Cursor
 from widgets.panes.manipulation import Manipulation
 from widgets.panes.pane import SMOOTHINGS, Pane
 from widgets.panes.stage_strip import StageStrip
@@ -192,6 +193,9 @@ class MainWindow(QMainWindow):
         self.probing = Probing(
             self.panes, self.probe_panel, self.manipulation, lambda: self.shown, self
         )
+        self.cursors = {
+            name: Cursor(name, pane, self.manipulation) for name, pane in self.panes.items()
+        }
         self._lay_out()
         self.pictures = Pictures(
             self,
@@ -350,7 +354,11 @@ class MainWindow(QMainWindow):
             self.store,
             self.menus,
             lambda: self.shown.scene.start,
-            (self.controls.animation.pause, self.controls.card.pause),
+            (
+                self.controls.animation.pause,
+                self.controls.card.pause,
+                *(cursor.let_go for cursor in self.cursors.values()),
+            ),
         )
         self.recovery = Recovery(
             data_folder(),
@@ -360,6 +368,7 @@ class MainWindow(QMainWindow):
             self,
         )
         self._told: tuple[Told, ...] = (
+            *self.cursors.values(),
             self.manipulation,  # which lets go of what is held before it is gone
             self.probing,
             self.guide,  # which tells the controls what scene it is

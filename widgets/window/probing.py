@@ -73,7 +73,8 @@ class Probing(QObject):
 
     def take(self, shown: Shown, changed: Changed) -> None:
         """Forget every probe, also the held one: their scene is gone."""
-        self._held, self._pointer = None, ()
+        self._drop()
+        self._pointer = ()
         self._panel.clear()
 
     def _show(self) -> None:
@@ -139,6 +140,7 @@ class Probing(QObject):
             if away <= nearest:  # never for NaN, which has no picture
                 nearest, self._held = away, probe
         if self._held is not None:
+            self._panes["image"].hand.keep_view()
             self._panel.choose(self._held.number)
             self._panel.begin_gesture()
             self._escape.watch(self._window)
@@ -165,4 +167,10 @@ class Probing(QObject):
         """Give up the drag; whatever the hand does until it lets go is none."""
         if self._held is not None and self._held.point is not None:
             self._panel.put(self._held.number, self._held.point)
-        self._held = None
+        self._drop()
+
+    def _drop(self) -> None:
+        """Forget what is held, and tell the hand so."""
+        held, self._held = self._held, None
+        if held is not None:
+            self._panes["image"].hand.dropped.emit()

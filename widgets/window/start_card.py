@@ -296,9 +296,11 @@ class FirstSteps(QFrame):
 
     def take(self, shown: Shown, changed: Changed) -> None:
         """Another lens: its near plane may have been dragged."""
-        if self._near is not None and shown.projection.lens.near != self._near:
+        planes = shown.projection.lens.planes
+        near = None if planes is None else planes[0]
+        if None not in (near, self._near) and near != self._near:
             self.tick("near")
-        self._near = shown.projection.lens.near
+        self._near = near
 
     def place(self) -> None:
         """Lie in the corner."""
