@@ -735,7 +735,7 @@ def script(user: Window) -> Iterator[tuple[str, Callable[[], object]]]:
     yield "direct3d", lambda: user.choose("NDC z", "Direct3D: 0 to 1")
     yield "reversed", lambda: user.choose("NDC z", "reversed: 1 to 0")
     yield "4:3", lambda: user.press("Aspect: 4:3")
-    for panel in ("Matrices", "Camera frame", "Probe", "About this scene", "Measure"):
+    for panel in ("Matrices", "Camera frame", "Probe", "Explanation and diagrams", "Measure"):
         yield f"open {panel}", lambda panel=panel: user.press(panel)
     yield "fold Measure", lambda: user.press("Measure")
     yield "open Matrices again", lambda: user.press("Matrices")

@@ -80,7 +80,7 @@ EVERYTHING = Phenomenon(
         Setting("correct", "Correct", "Whether", True),
         Setting("light", "Light", "Where it is", (1.0, 3.6, 3.0)),
     ),
-    controls=("lens.near", "camera.eye"),
+    controls=("lens.near", "camera.distance"),
     follow=_follow,
     check=_check,
     own_mesh=True,

@@ -47,16 +47,16 @@ def test_nothing_is_counted_while_the_hand_moves(window: MainWindow, qtbot: Any)
     qtbot.waitUntil(lambda: shown(window)[1] != "–")
 
 
-def test_what_was_counted_for_a_folded_panel_stands_there_when_it_is_opened(
+def test_what_was_counted_behind_a_hidden_dock_stands_there_when_it_is_shown(
     window: MainWindow, qtbot: Any
 ) -> None:
     show_scene(window, "depth-buffer")
     qtbot.waitUntil(lambda: shown(window)[1] != "–")
-    window.panels.open(None)
+    window.controls.hide()
     with qtbot.waitSignal(window.counting.counted):
         window.store.set_settings({"format": "fixed24"})
     with qtbot.assertNotEmitted(window.counting.counted, wait=400):
-        window.panels.open(window.scene_panel)
+        window.controls.show()
         assert shown(window)[:2] == ["0", "0"]
 
 
@@ -74,7 +74,7 @@ def test_a_refused_shader_is_told_and_the_picture_drawn_the_ordinary_way(
     window: MainWindow, qtbot: Any, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(rasterising, "_DEPTH", "this is no GLSL;")
-    panel = window.scene_panel
+    panel = window.controls.card
     with heard() as said:
         show_scene(window, "depth-buffer")
         qtbot.waitUntil(lambda: "does not take the shader" in panel.warning.text())

@@ -234,6 +234,7 @@ def test_folded_it_computes_nothing_and_opens_with_the_present_camera(
 
 def test_a_row_turns_up_and_undo_brings_it_back(window: MainWindow) -> None:
     panel, before = window.frame_panel, window.store.document.projection
+    window.controls.sections["more_camera"].set_open(True)
     panel.angle.field.setFocus()
     panel.angle.field.selectAll()
     QTest.keyClicks(panel.angle.field, "0.5")

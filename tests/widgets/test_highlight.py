@@ -187,6 +187,11 @@ def test_rows_show_what_they_are_about(window: MainWindow) -> None:
         ("azimuth_deg", {"world"}, {"azimuth_deg", "elevation_deg", "distance"}),
         ("roll_deg", {"world", "ndc", "image"}, {"roll_deg", "azimuth_deg", "elevation_deg"}),
     ]:
+        for section in window.controls.sections.values():
+            section.set_open(section.isAncestorOf(window.controls.rows["fov_x_deg"]))
+        if row == "roll_deg":
+            window.controls.sections["more_camera"].set_open(True)
+        settle()
         leave(window)
         before = pictures(window)
         window.controls.ensureWidgetVisible(window.controls.rows[row])
@@ -201,6 +206,8 @@ def test_the_keyboard_in_a_row_counts_too(window: MainWindow) -> None:
     settle()
     assert window.highlighter.now == {"near"}
     QTest.keyClick(near.field, Qt.Key.Key_Tab)
+    QTest.keyClick(near.slider, Qt.Key.Key_Tab)
+    QTest.keyClick(far.field, Qt.Key.Key_Tab)
     settle()
     assert far.slider.hasFocus() and window.highlighter.now == {"far"}
     hover(window, window.controls.rows["fov_y_deg"])
@@ -357,6 +364,7 @@ def test_a_cell_marks_the_rows_that_it_depends_on(window: MainWindow) -> None:
     assert view.is_marked(2, 1) and not view.is_marked(0, 0) and not view.is_marked(3, 3)
     clip = window.matrices.views["clip_from_world"]
     assert clip.is_marked(3, 0)  # w is the distance along n
+    window.controls.sections["more_camera"].set_open(True)
     assert {"eye_x", "eye_y", "target_z"} <= marked(window) and "up_y" not in marked(window)
     leave(window)
     assert marked(window) == set() and changed(before, pictures(window)) == set()

@@ -30,6 +30,7 @@ from app.model.projection import (
     Projection,
 )
 from app.picking.handles import EYE, TARGET, Handle
+from app.scenes.phenomena.illustration import Reading
 from app.scenes.scene import load
 from tests.support.window import LEFT, MakeWindow, move_mouse, pixels, point_of, settle, show_scene
 from widgets.panes.canvas import CANVASES, ZOOM_PER_WHEEL_STEP
@@ -652,6 +653,24 @@ def test_a_point_of_the_scene_goes_where_the_hand_goes_and_that_is_one_step(
         assert model(window) == before.projection and view(window) == seen_before
         window.store.undo()
         assert window.store.document == before and not window.store.can_undo
+
+
+def test_the_panes_stand_still_under_the_hand_though_the_readout_grows(
+    make_scene: Callable[[str], MainWindow],
+) -> None:
+    window = make_scene("eye-plane")
+    settle()
+    pane, card = window.panes["world"], window.controls.card
+    size = pane.size()
+    at = point_of(grip(window, "start")[1])
+    press(window, "world", at)
+    move(window, "world", at + QPoint(30, 0))
+    before = card.height()
+    card.warning.say("Such a long warning that there is no room for it. " * 5)
+    card.readout.show_readings([Reading("a number", (-1.23456e-12, -6.54321e-12), "px")] * 9)
+    settle()
+    assert card.height() > before and pane.size() == size
+    release(window, "world", at)
 
 
 def test_the_sun_is_held_by_its_direction(make_scene: Callable[[str], MainWindow]) -> None:

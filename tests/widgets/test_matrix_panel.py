@@ -649,7 +649,6 @@ def test_typing_reaches_the_whole_window_and_can_be_undone(
     assert controls.rows["kind"].value() == "matrix"
     shown = {key for key, row in controls.rows.items() if not row.isHidden()}
     assert not shown & {"near", "far", "fov_y_deg", "left", "fx"}
-    assert controls.sections["calibrated"].isHidden()
     assert window.status.labels["fov"].text() == "free matrix"
     qtbot.waitUntil(lambda: "no frustum is drawn" in window.status.health.toolTip())
     assert controls.rows["eye_x"].isEnabled()

@@ -57,6 +57,11 @@ class HeldSlider(QSlider):
         self._is_abandoned = False
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
 
+    @property
+    def is_abandoned(self) -> bool:
+        """Whether what the hand does is none, until it lets go."""
+        return self._is_abandoned
+
     def event(self, event: QEvent) -> bool:
         if (
             isinstance(event, QKeyEvent)

@@ -422,7 +422,7 @@ class _Slider(HeldSlider):
         self._mouse_x, self._at = event.position().x(), float(self.sliderPosition())
 
     def mouseMoveEvent(self, event: QMouseEvent) -> None:
-        if not self.isSliderDown():
+        if self.is_abandoned or not self.isSliderDown():
             super().mouseMoveEvent(event)
             return
         option = QStyleOptionSlider()
