@@ -406,7 +406,7 @@ def test_a_window_turned_inside_out_is_refused(window: MainWindow) -> None:
 def test_escape_puts_back_what_is_dragged(window: MainWindow, focus: str) -> None:
     window.probe_panel.follow(point=(0.0, 0.5, 0.5))
     field: Any = window.controls.rows["near"].field  # type: ignore[attr-defined]
-    window.activateWindow()
+    activate(window)
     field.setFocus()
     if focus == "nothing":
         field.clearFocus()

