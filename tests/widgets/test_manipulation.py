@@ -31,7 +31,16 @@ from app.model.projection import (
 )
 from app.picking.handles import EYE, TARGET, Handle
 from app.scenes.scene import load
-from tests.support.window import LEFT, MakeWindow, move_mouse, pixels, point_of, settle, show_scene
+from tests.support.window import (
+    LEFT,
+    MakeWindow,
+    activate,
+    move_mouse,
+    pixels,
+    point_of,
+    settle,
+    show_scene,
+)
 from widgets.panes.canvas import CANVASES, ZOOM_PER_WHEEL_STEP
 from widgets.window.main_window import MainWindow
 

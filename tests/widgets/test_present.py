@@ -147,7 +147,7 @@ def test_icons_grow_with_their_letters(window: MainWindow, theme: str) -> None:
 
 
 def test_the_tool_bar_comes_when_the_mouse_is_at_the_top_and_goes_with_it(
-    window: MainWindow
+    window: MainWindow,
 ) -> None:
     present(window)
     tools = window.menus.tools
@@ -188,9 +188,7 @@ def is_black(window: MainWindow) -> bool:
     return not rgb_of(window.grab().toImage()).any()
 
 
-def test_b_lets_the_class_see_nothing_and_any_way_out_brings_all_back(
-    window: MainWindow
-) -> None:
+def test_b_lets_the_class_see_nothing_and_any_way_out_brings_all_back(window: MainWindow) -> None:
     press(window, Qt.Key.Key_B)
     assert not is_black(window), "only while presenting"
     present(window)
@@ -211,9 +209,7 @@ def test_b_lets_the_class_see_nothing_and_any_way_out_brings_all_back(
     assert not is_black(window) and not is_presenting(window)
 
 
-def test_the_pointer_marks_in_all_panes_what_the_mouse_is_over(
-    window: MainWindow
-) -> None:
+def test_the_pointer_marks_in_all_panes_what_the_mouse_is_over(window: MainWindow) -> None:
     present(window)
     canvas = window.panes["image"].canvas
     ((x, y),) = window.panes["image"].drawing.sight.seen([[0.5, 4.5, 1.0]]).tolist()

@@ -11,7 +11,7 @@ from PySide6.QtCore import QLocale, QTimer
 from pytestqt.qtbot import QtBot
 
 from app.document.document import Document
-from app.model.projection import Camera, Orthographic, Perspective, Projection
+from app.model.projection import Camera, Perspective, Projection
 from app.precision.levels import drawing_bound_px, predict
 from app.precision.quality import Quality
 from app.scenes.scene import Scene, load

@@ -78,7 +78,7 @@ from widgets.window.files import Files
 from widgets.window.main_window import MainWindow
 from widgets.window.probing import Probing
 from widgets.window.scene_guide import SceneGuide
-from widgets.window.settings import Settings, data_folder
+from widgets.window.settings import data_folder
 from widgets.window.status_line import StatusLine
 
 # -- one model, three panes
@@ -396,9 +396,7 @@ def test_a_floating_pane_still_draws_and_docks_again(
 
 
 @pytest.mark.parametrize("size", [(1366, 768), (1920, 1080)])
-def test_the_picture_has_its_share_of_the_window(
-    window: MainWindow, size: tuple[int, int]
-) -> None:
+def test_the_picture_has_its_share_of_the_window(window: MainWindow, size: tuple[int, int]) -> None:
     window.resize(*size)
     for large, share in (("world", 0.30), ("image", 0.40)):
         window.slots.arrange("pictures", large)

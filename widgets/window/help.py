@@ -75,7 +75,13 @@ class Help(QObject):
                 *(
                     QKeySequence(key).toString(QKeySequence.SequenceFormat.NativeText)
                     for key in (
-                        PLAY_KEY, "Ctrl+Z", "Ctrl+R", "Ctrl+E", "Ctrl+1", "Ctrl+2", "Ctrl+3",
+                        PLAY_KEY,
+                        "Ctrl+Z",
+                        "Ctrl+R",
+                        "Ctrl+E",
+                        "Ctrl+1",
+                        "Ctrl+2",
+                        "Ctrl+3",
                         "Ctrl+0",
                     )  # fmt: skip
                 )

@@ -483,8 +483,11 @@ class MainWindow(QMainWindow):
         self._show_beside()
         if on:
             self._dock_px = dock_px
-        else:  # which letters for a class have made wider
-            self.split.setSizes([sum(self.split.sizes()) - self._dock_px, self._dock_px])
+        else:  # when its letters, which have made it wider, are small again
+            QTimer.singleShot(0, self, self._narrow_dock)
+
+    def _narrow_dock(self) -> None:
+        self.split.setSizes([sum(self.split.sizes()) - self._dock_px, self._dock_px])
 
     def _show_beside(self) -> None:
         """Show what stands beside the panes, unless one of them has the whole window."""
