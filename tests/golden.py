@@ -735,9 +735,9 @@ def script(user: Window) -> Iterator[tuple[str, Callable[[], object]]]:
     yield "direct3d", lambda: user.choose("NDC z", "Direct3D: 0 to 1")
     yield "reversed", lambda: user.choose("NDC z", "reversed: 1 to 0")
     yield "4:3", lambda: user.press("Aspect: 4:3")
-    for panel in ("Matrices", "Camera frame", "Probe", "Explanation and diagrams", "Measure"):
+    for panel in ("Matrices", "Camera frame", "Probe", "Explanation and diagrams", "Precision"):
         yield f"open {panel}", lambda panel=panel: user.press(panel)
-    yield "fold Measure", lambda: user.press("Measure")
+    yield "fold Precision", lambda: user.press("Precision")
     yield "open Matrices again", lambda: user.press("Matrices")
     yield "drag fov with matrices", lambda: user.drag("Field of view", -6, 2)
     yield "formulas", lambda: user.choose("Cells", "Formulas")
@@ -779,11 +779,11 @@ def script(user: Window) -> Iterator[tuple[str, Callable[[], object]]]:
     yield "move in the image", lambda: user.swing("Image", 30, 10, (0.4, 0.4))
     yield "drag in the world", lambda: user.swing("World", 25, 5, (0.5, 0.5))
     yield "views back", lambda: user.act("Reset the panes' own views")
-    yield "enlarge the image", lambda: user.act("Enlarge Image")
+    yield "enlarge the image", lambda: user.act("Image in large")
     yield "drag fov in a hidden row", lambda: user.drag("Field of view", 5)
-    yield "all panes", lambda: user.act("Show all panes")
-    yield "projector", lambda: user.act("Projector mode")
-    yield "projector off", lambda: user.act("Projector mode")
+    yield "all panes", lambda: user.act("Back to all panes")
+    yield "present", lambda: user.act("Present")
+    yield "present no more", lambda: user.act("Present")
     yield "dark", lambda: user.act("Dark")
     yield "light", lambda: user.act("Light")
     for scene in ("Unit cube", "Row of posts"):
@@ -799,7 +799,7 @@ def script(user: Window) -> Iterator[tuple[str, Callable[[], object]]]:
 
 
 OFF_AXIS = "frustum (off-axis)"
-LAID_OUT = ("enlarge the image", "all panes", "projector", "projector off")
+LAID_OUT = ("enlarge the image", "all panes", "present", "present no more")
 """Where Qt lays all out anew, in as many goes as time leaves it: not how often is told, but who."""
 REST_MS = 450
 """After which nothing is under way that a timer started: the window counts pixels after 250."""

@@ -32,7 +32,16 @@ from app.model.projection import (
 from app.picking.handles import EYE, TARGET, Handle
 from app.scenes.phenomena.illustration import Reading
 from app.scenes.scene import load
-from tests.support.window import LEFT, MakeWindow, move_mouse, pixels, point_of, settle, show_scene
+from tests.support.window import (
+    LEFT,
+    MakeWindow,
+    activate,
+    move_mouse,
+    pixels,
+    point_of,
+    settle,
+    show_scene,
+)
 from widgets.panes.canvas import CANVASES, ZOOM_PER_WHEEL_STEP
 from widgets.window.main_window import MainWindow
 
@@ -407,7 +416,7 @@ def test_a_window_turned_inside_out_is_refused(window: MainWindow) -> None:
 def test_escape_puts_back_what_is_dragged(window: MainWindow, focus: str) -> None:
     window.probe_panel.follow(point=(0.0, 0.5, 0.5))
     field: Any = window.controls.rows["near"].field  # type: ignore[attr-defined]
-    window.activateWindow()
+    activate(window)
     field.setFocus()
     if focus == "nothing":
         field.clearFocus()

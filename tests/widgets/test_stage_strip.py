@@ -402,12 +402,15 @@ def test_the_stops_of_a_parallel_lens_are_named_what_they_are(window: MainWindow
     assert [button.text() for button in strip.stops][1:4] == ["View", "Pyramid", "Box"]
 
 
-@pytest.mark.parametrize("projector", [False, True])
-def test_what_is_said_of_a_stage_is_whole_in_a_small_window_and_moves_nothing(
-    window: MainWindow, projector: bool
+@pytest.mark.parametrize(
+    ("size", "presents"), [((1366, 768), False), ((1920, 1080), False), ((1920, 1080), True)]
+)
+def test_what_is_said_of_a_stage_is_whole_and_moves_nothing(
+    window: MainWindow, size: tuple[int, int], presents: bool
 ) -> None:
-    window.resize(1366, 768)
-    window.look.set_presenting(projector)
+    window.resize(*size)
+    if presents:
+        window.present.begin()
     start, words, heights = window.store.document.projection, window.panes["ndc"].note, set()
     for lens in (*LENSES, replace(LENSES[0], near=0.00123, far=30.0)):
         window.store.set_projection(replace(start, lens=lens))
@@ -509,12 +512,13 @@ def test_play_moves_by_itself_and_a_hand_or_a_hidden_pane_stops_it(
     assert not strip.playing
 
 
-@pytest.mark.parametrize(("size", "projector"), [((1366, 768), True), ((1920, 1080), False)])
+@pytest.mark.parametrize(("size", "presents"), [((1366, 768), False), ((1920, 1080), True)])
 def test_near_and_far_are_written_in_the_pane_all_the_way(
-    window: MainWindow, size: tuple[int, int], projector: bool
+    window: MainWindow, size: tuple[int, int], presents: bool
 ) -> None:
     window.resize(*size)
-    window.look.set_presenting(projector)
+    if presents:
+        window.present.begin()
     start, cut = window.store.document.projection, []
     for near, far in ((5.0, 20.0), (12.0, 14.0), (1.0, math.inf)):
         window.store.set_projection(replace(start, lens=Perspective(45.0, near, far)))

@@ -12,7 +12,7 @@ from collections.abc import Callable, Mapping
 from functools import partial
 
 from PySide6.QtCore import QObject, QSize, Qt, Signal, SignalInstance
-from PySide6.QtGui import QAction, QActionGroup, QKeySequence
+from PySide6.QtGui import QAction, QActionGroup, QFontInfo, QKeySequence
 from PySide6.QtWidgets import (
     QComboBox,
     QLabel,
@@ -144,7 +144,7 @@ class Actions(QObject):
         )  # fmt: skip
         self.pointer.setCheckable(True)
         self.pointer.setEnabled(False)
-        self.show_cost = self._toggle(self.tr("Show c&ost"), self.cost_shown, False)
+        self.show_cost = self._toggle(self.tr("&Show cost"), self.cost_shown, False)
         self.show_cost.setToolTip(
             self.tr("Measure what every step takes: the model, each pane's matrices and repaint")
         )
@@ -248,7 +248,7 @@ class Actions(QObject):
             menu.addAction(self._action(text, partial(slots.bring, name), f"Ctrl+{number}", tip))
         menu.addAction(self._action(self.tr("Back to &all panes"), slots.go_back, "Ctrl+0"))
         self._columns = self._action(
-            self.tr("Panes in &columns"),
+            self.tr("Panes in co&lumns"),
             lambda: slots.arrange(LAYOUTS[self._columns.isChecked()], slots.large),
         )
         self._columns.setCheckable(True)
@@ -372,6 +372,11 @@ class Actions(QObject):
         self._window.setWindowState(self._window.windowState() ^ Qt.WindowState.WindowFullScreen)
 
     # -- what the owner says
+
+    def fit_icons(self) -> None:
+        """Give the tool bar icons of its letters' size."""
+        side = max(ICON_PX, round(1.4 * QFontInfo(self.tools.font()).pixelSize()))
+        self.tools.setIconSize(QSize(side, side))
 
     def scene_title(self, name: str) -> str:
         """What a scene is called, translated; of a mesh the name of its file."""

@@ -6,7 +6,7 @@ on every projector.
 
 from __future__ import annotations
 
-from PySide6.QtCore import QEvent, QObject, Qt, Signal
+from PySide6.QtCore import QByteArray, QEvent, QObject, Qt, Signal
 from PySide6.QtGui import QEnterEvent, QMouseEvent
 from PySide6.QtWidgets import QApplication, QMainWindow, QToolBar, QWidget
 
@@ -29,7 +29,7 @@ class _Blank(QWidget):
 
     def __init__(self, parent: QWidget) -> None:
         super().__init__(parent)
-        self.setAutoFillBackground(True)
+        self.setAttribute(Qt.WidgetAttribute.WA_StyledBackground)
         self.setStyleSheet("background: black")
         self.setCursor(Qt.CursorShape.BlankCursor)
         self.hide()
@@ -59,6 +59,8 @@ class Present(QObject):
         self._window, self._tools, self._below = window, tools, below
         self._state = Qt.WindowState.WindowNoState
         self.is_on = False
+        self.geometry_before = QByteArray()
+        """Of the ordinary window, while presenting: where it is to be found the next time."""
         self._blank, self._edge = _Blank(window), _Edge(window)
         self._edge.hide()
         self._edge.entered.connect(lambda: self.show_tools(True))
@@ -73,8 +75,10 @@ class Present(QObject):
             return
         self.is_on = True
         self._state = self._window.windowState()
+        self.geometry_before = self._window.saveGeometry()
         self._reveal(False)
         self._window.setWindowState(self._state | Qt.WindowState.WindowFullScreen)
+        self._cover()  # it may fill the screen already
         for watched in (self._window, self._tools):
             watched.installEventFilter(self)
         self.switched.emit(True)
@@ -84,6 +88,7 @@ class Present(QObject):
         if not self.is_on:
             return
         self.is_on = False
+        self.geometry_before = QByteArray()
         self._blank.hide()
         for watched in (self._window, self._tools):
             watched.removeEventFilter(self)
@@ -121,6 +126,10 @@ class Present(QObject):
             self._edge.setVisible(not seen)
             self._edge.raise_()
 
+    def _cover(self) -> None:
+        self._blank.setGeometry(self._window.rect())
+        self._edge.setGeometry(0, 0, self._window.width(), TOP_EDGE_PX)
+
     def _reveal(self, seen: bool) -> None:
         for widget in (self._window.menuBar(), self._tools, self._below):
             widget.setVisible(seen)
@@ -133,8 +142,7 @@ class Present(QObject):
             if kind == QEvent.Type.Leave and QApplication.activePopupWidget() is None:
                 self.show_tools(False)
         elif kind == QEvent.Type.Resize:
-            self._blank.setGeometry(self._window.rect())
-            self._edge.setGeometry(0, 0, self._window.width(), TOP_EDGE_PX)
+            self._cover()
         elif kind == QEvent.Type.WindowStateChange and not self._window.isFullScreen():
             self.end()  # the system has its own keys for that
         return super().eventFilter(watched, event)

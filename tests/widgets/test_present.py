@@ -1,0 +1,300 @@
+"""Presenting: the panes fill the screen, in letters for the back row, and leave no trace."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from PySide6.QtCore import QEvent, QPoint, QPointF, QRect, Qt
+from PySide6.QtGui import QEnterEvent, QFontInfo
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication, QLabel, QToolButton, QWidget
+
+from app.drawings.style import LIGHT
+from tests import PATIENCE_MS
+from tests.support.window import (
+    MakeWindow,
+    activate,
+    counted_repaints,
+    move_mouse,
+    pixels,
+    rgb_of,
+    settle,
+)
+from widgets.window.main_window import MainWindow
+from widgets.window.settings import Settings
+
+NO_BUTTON = Qt.MouseButton.NoButton
+
+
+@pytest.fixture
+def window(window: MainWindow) -> Iterator[MainWindow]:
+    """With the keyboard, and in the size it opens in."""
+    activate(window)
+    settle()
+    yield window
+    window.present.end()
+    settle()
+
+
+def press(window: MainWindow, key: Qt.Key) -> None:
+    QTest.keyClick(QApplication.focusWidget() or window, key)
+    settle()
+
+
+def present(window: MainWindow) -> None:
+    """Begin, by F5; there is no window manager here that would fill the screen."""
+    press(window, Qt.Key.Key_F5)
+    assert window.isFullScreen()
+    resize(window, window.screen().geometry())
+
+
+def resize(window: MainWindow, geometry: QRect) -> None:
+    """As a window manager does, which leaves the window's state to Qt."""
+    window.windowHandle().setGeometry(geometry)
+    for _ in range(PATIENCE_MS):
+        if window.geometry() == geometry:
+            break
+        QTest.qWait(1)
+    settle()
+
+
+def trace(window: MainWindow) -> list[Any]:
+    """All that presenting might leave changed."""
+    application = QApplication.instance()
+    assert isinstance(application, QApplication)
+    return [
+        window.geometry().getRect(),
+        window.windowState(),
+        application.font().toString(),
+        application.styleSheet(),
+        window.menus.pointer.isEnabled(),
+        window.menus.blank.isEnabled(),
+        window.menus.pointer.isChecked(),
+        *(
+            (widget.geometry().getRect(), widget.isVisible(), widget.font().toString())
+            for widget in (
+                window.menuBar(),
+                window.menus.tools,
+                window.controls,
+                window.bottom,
+                window.status,
+                window.panels,
+                *window.panes.values(),
+                *(pane.title for pane in window.panes.values()),
+            )
+        ),
+    ]
+
+
+def is_presenting(window: MainWindow) -> bool:
+    """Whether it does, in every respect."""
+    found = {
+        window.isFullScreen(),
+        not window.menuBar().isVisible(),
+        not window.bottom.isVisible(),
+        window.menus.blank.isEnabled(),
+        window.menus.pointer.isEnabled(),
+        QFontInfo(window.panes["world"].title.font()).pixelSize() > 20,
+    }
+    assert len(found) == 1
+    return found.pop()
+
+
+# -- what a class sees
+
+
+def test_panes_and_controls_fill_the_screen(window: MainWindow) -> None:
+    present(window)
+    assert is_presenting(window) and not window.menus.tools.isVisible()
+    screen = window.screen().size()
+    areas = [pane.width() * pane.height() for pane in window.panes.values()]
+    assert all(pane.isVisible() for pane in window.panes.values()) and window.controls.isVisible()
+    dock = window.controls.width() * window.controls.height()
+    assert sum(areas) + dock > 0.97 * screen.width() * screen.height()
+
+
+def test_text_is_a_share_of_the_screens_height(window: MainWindow) -> None:
+    before = LIGHT.font_size
+    present(window)
+    least = 0.022 * window.screen().size().height()
+    for widget in window.findChildren(QWidget):
+        is_text = isinstance(widget, QLabel | QToolButton) and widget.text()
+        if is_text and widget.isVisible() and not window.strip.isAncestorOf(widget):
+            assert QFontInfo(widget.font()).pixelSize() >= least, widget.text()
+    assert QFontInfo(window.controls.rows["near"].field.font()).pixelSize() >= least
+    drawn = [
+        prop.GetTextProperty().GetFontSize()
+        for prop in window.panes["world"].canvas.renderer.GetViewProps()
+        if prop.IsA("vtkTextActor") and prop.GetVisibility()
+    ]
+    assert drawn and min(drawn) >= least > before
+
+
+@pytest.mark.parametrize("theme", ["light", "dark"])
+def test_icons_grow_with_their_letters(window: MainWindow, theme: str) -> None:
+    window.look.set_theme(theme)
+    present(window)
+    window.present.show_tools(True)
+    settle()
+    for button in window.menus.tools.findChildren(QToolButton):
+        if button.isVisible() and not button.icon().isNull():
+            assert button.iconSize().height() >= 0.022 * window.height(), button.text()
+    window.look.set_theme("light")
+
+
+def test_the_tool_bar_comes_when_the_mouse_is_at_the_top_and_goes_with_it(
+    window: MainWindow,
+) -> None:
+    present(window)
+    tools = window.menus.tools
+    heights = {name: pane.height() for name, pane in window.panes.items()}
+    middle = window.width() // 2
+    enter(window, QPoint(middle, 100))
+    assert not tools.isVisible()
+    for _ in range(2):
+        enter(window, QPoint(middle, 0))
+        assert tools.isVisible() and not window.menuBar().isVisible()
+        leave(tools)
+        assert not tools.isVisible()
+        assert {name: pane.height() for name, pane in window.panes.items()} == heights
+    enter(window, QPoint(middle, 0))
+    (button,) = (b for b in tools.findChildren(QToolButton) if b.text() == "Present")
+    QTest.mouseClick(button, Qt.MouseButton.LeftButton)
+    settle()
+    assert not is_presenting(window) and tools.isVisible()
+    leave(tools)
+    assert tools.isVisible(), "on demand only while presenting"
+
+
+def enter(window: MainWindow, place: QPoint) -> None:
+    """Let the mouse come to a place of the window."""
+    widget = window.childAt(place)
+    at = QPointF(widget.mapFrom(window, place))
+    everywhere = QPointF(widget.mapToGlobal(at))
+    QApplication.sendEvent(widget, QEnterEvent(at, QPointF(place), everywhere))
+    settle()
+
+
+def leave(widget: QWidget) -> None:
+    QApplication.sendEvent(widget, QEvent(QEvent.Type.Leave))
+    settle()
+
+
+def is_black(window: MainWindow) -> bool:
+    return not rgb_of(window.grab().toImage()).any()
+
+
+def test_b_lets_the_class_see_nothing_and_any_way_out_brings_all_back(window: MainWindow) -> None:
+    press(window, Qt.Key.Key_B)
+    assert not is_black(window), "only while presenting"
+    present(window)
+    ways: tuple[Callable[[], None], ...] = (
+        lambda: press(window, Qt.Key.Key_B),
+        lambda: press(window, Qt.Key.Key_Escape),
+        lambda: QTest.mouseClick(window.childAt(300, 300), Qt.MouseButton.LeftButton),
+    )
+    for way in ways:
+        press(window, Qt.Key.Key_B)
+        assert is_black(window)
+        way()
+        settle()
+        assert not is_black(window) and is_presenting(window)
+    assert window.probe_panel.probes == (), "the click was for the screen"
+    press(window, Qt.Key.Key_B)
+    press(window, Qt.Key.Key_F5)
+    assert not is_black(window) and not is_presenting(window)
+
+
+def test_the_pointer_marks_in_all_panes_what_the_mouse_is_over(window: MainWindow) -> None:
+    present(window)
+    canvas = window.panes["image"].canvas
+    ((x, y),) = window.panes["image"].drawing.sight.seen([[0.5, 4.5, 1.0]]).tolist()
+    at = QPointF(x, y) / canvas.pixel_ratio
+    move_mouse(canvas, at, NO_BUTTON)
+    settle()
+    before = {name: pixels(window, name) for name in window.panes}
+    press(window, Qt.Key.Key_P)
+    with counted_repaints(window) as counts:
+        move_mouse(canvas, at + QPointF(1.0, 0.0), NO_BUTTON)
+        settle()
+    assert counts == dict.fromkeys(window.panes, 1)
+    for name, pane in window.panes.items():
+        assert (pixels(window, name) != before[name]).any(), name
+        ((x, y),) = pane.drawing.sight.seen([[0.5, 4.5, 1.0]]).tolist()
+        rows, columns = np.nonzero((pixels(window, name) != before[name]).any(axis=2))
+        away = np.hypot(columns - x, rows - y)
+        assert away.min() < 20.0, name
+    assert window.probe_panel.probes == () and not window.store.can_undo
+    leave(canvas)
+    assert all((pixels(window, name) == before[name]).all() for name in before)
+    move_mouse(canvas, at, NO_BUTTON)
+    settle()
+    press(window, Qt.Key.Key_P)
+    assert all((pixels(window, name) == before[name]).all() for name in before)
+
+
+# -- leaving
+
+
+@pytest.mark.parametrize("way", ["F5", "Escape", "system"])
+def test_it_leaves_no_trace(window: MainWindow, way: str) -> None:
+    window.setGeometry(20, 30, 1300, 750)
+    window.panels.open(window.matrices)
+    settle()
+    before, pictures = trace(window), {name: pixels(window, name) for name in window.panes}
+    for _ in range(2):
+        present(window)
+        assert is_presenting(window) and trace(window) != before
+        window.present.show_tools(True)
+        if way == "system":
+            window.setWindowState(Qt.WindowState.WindowNoState)
+        else:
+            press(window, getattr(Qt.Key, f"Key_{way}"))
+        assert not window.isFullScreen()
+        resize(window, QRect(20, 30, 1300, 750))
+        assert not is_presenting(window)
+        assert trace(window) == before
+        assert all((pixels(window, name) == pictures[name]).all() for name in pictures)
+    assert not window.isWindowModified() and not window.store.can_undo
+
+
+def test_esc_leaves_the_whole_pane_first(window: MainWindow) -> None:
+    present(window)
+    window.slots.bring("world")
+    settle()
+    assert not window.panes["image"].isVisible() and not window.controls.isVisible()
+    press(window, Qt.Key.Key_Escape)
+    assert window.panes["image"].isVisible() and is_presenting(window)
+    press(window, Qt.Key.Key_Escape)
+    assert not is_presenting(window)
+
+
+def test_a_window_that_was_maximised_is_so_again(window: MainWindow) -> None:
+    window.setWindowState(Qt.WindowState.WindowMaximized)
+    settle()
+    present(window)
+    press(window, Qt.Key.Key_F5)
+    assert window.isMaximized() and not window.isFullScreen()
+
+
+def test_closed_while_presenting_it_opens_as_an_ordinary_window(
+    make_window: MakeWindow, tmp_path: Path
+) -> None:
+    settings = Settings(tmp_path / "settings.ini")
+    window = make_window(settings=settings)
+    window.resize(1300, 750)
+    activate(window)
+    settle()
+    font = QApplication.font().toString()
+    present(window)
+    window.store.mark_saved()
+    assert window.close()
+    assert QApplication.font().toString() == font
+    other = make_window(settings=settings)
+    settle()
+    assert other.size().toTuple() == (1300, 750) and not other.isFullScreen()
+    assert other.menuBar().isVisible() and other.menus.tools.isVisible()
