@@ -79,7 +79,7 @@ from widgets.window.files import Files
 from widgets.window.main_window import MainWindow
 from widgets.window.probing import Probing
 from widgets.window.scene_guide import SceneGuide
-from widgets.window.settings import data_folder
+from widgets.window.settings import Settings, data_folder
 from widgets.window.status_line import StatusLine
 
 # -- one model, three panes
