@@ -83,7 +83,7 @@ class Help(QObject):
                         "Ctrl+2",
                         "Ctrl+3",
                         "Ctrl+0",
-                    )  # fmt: skip
+                    )
                 )
             ),
         )
