@@ -160,8 +160,6 @@ class MainWindow(QMainWindow):
         self._is_closed = False
         self.start_card: StartCard | None = None
         self._is_narrow = False
-        self._dock_px = 0
-        """What the dock had before presenting."""
         self._folded: Panel | None = None
         """The panel that is open when no pane has the whole window."""
         self.settings = settings
@@ -554,7 +552,6 @@ class MainWindow(QMainWindow):
         return self.present.leave if self.present.is_on else None
 
     def _show_presenting(self, on: bool) -> None:
-        dock_px = self.split.sizes()[1]
         self.menus.blank.setEnabled(on)
         self.menus.pointer.setEnabled(on)
         self.menus.pointer.setChecked(False)
@@ -563,13 +560,6 @@ class MainWindow(QMainWindow):
         self.menus.fit_icons()
         self.slots.share(PRESENTING if on else LARGE_AND_SMALL)
         self._show_beside()
-        if on:
-            self._dock_px = dock_px
-        else:  # when its letters, which have made it wider, are small again
-            QTimer.singleShot(0, self, self._narrow_dock)
-
-    def _narrow_dock(self) -> None:
-        self.split.setSizes([sum(self.split.sizes()) - self._dock_px, self._dock_px])
 
     def _show_beside(self) -> None:
         """Show what stands beside the panes, unless one of them has the whole window."""
