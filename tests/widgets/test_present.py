@@ -262,6 +262,24 @@ def test_it_leaves_no_trace(window: MainWindow, way: str) -> None:
     assert not window.isWindowModified() and not window.store.can_undo
 
 
+def test_slots_that_the_hand_has_shared_out_are_so_again(window: MainWindow) -> None:
+    window.setGeometry(20, 30, 1300, 750)
+    settle()
+    for splitter, by in ((window.slots, QPoint(90, 0)), (window.slots.widget(1), QPoint(0, 70))):
+        handle = splitter.handle(1)
+        at = handle.rect().center()
+        QTest.mousePress(handle, Qt.MouseButton.LeftButton, pos=at)
+        QTest.mouseMove(handle, at + by)
+        QTest.mouseRelease(handle, Qt.MouseButton.LeftButton, pos=at + by)
+        settle()
+    before = trace(window)
+    for _ in range(2):
+        present(window)
+        press(window, Qt.Key.Key_F5)
+        resize(window, QRect(20, 30, 1300, 750))
+        assert trace(window) == before
+
+
 def test_esc_leaves_the_whole_pane_first(window: MainWindow) -> None:
     present(window)
     window.slots.bring("world")
