@@ -62,6 +62,7 @@ from tests.support.window import (
     activate,
     counted_repaints,
     pixels,
+    present,
     seen,
     settle,
     show_scene,
@@ -1634,8 +1635,7 @@ def text_boxes(window: MainWindow) -> dict[str, tuple[float, float, float, float
 
 
 def test_in_letters_for_a_class_no_text_in_a_picture_hides_another(window: MainWindow) -> None:
-    window.present.begin()
-    settle()
+    present(window)
     assert window.isFullScreen()
     seen = 0
     for name in PHENOMENA:
