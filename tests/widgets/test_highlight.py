@@ -180,12 +180,13 @@ def test_a_hovered_row_is_seen_in_every_pane_that_has_it(window: MainWindow) -> 
 
 
 def test_rows_show_what_they_are_about(window: MainWindow) -> None:
+    coordinates = {f"{part}_{axis}" for part in ("eye", "target", "up") for axis in "xyz"}
     for row, panes, rows in [
         ("far", {"world", "ndc"}, {"far"}),
         ("fov_y_deg", {"world", "image"}, {"fov_x_deg", "focal_length_mm", "fx", "fy", "e"}),
-        ("window_right", {"world", "ndc", "image"}, {"fov_x_deg", "focal_length_mm", "e"}),
+        ("window_right", {"world", "ndc", "image"}, {"fov_x_deg", "fx", "focal_length_mm", "e"}),
         ("azimuth_deg", {"world"}, {"azimuth_deg", "elevation_deg", "distance"}),
-        ("roll_deg", {"world", "ndc", "image"}, {"roll_deg", "azimuth_deg", "elevation_deg"}),
+        ("roll_deg", {"world", "ndc", "image"}, {"azimuth_deg", "elevation_deg", *coordinates}),
     ]:
         for section in window.controls.sections.values():
             section.set_open(section.isAncestorOf(window.controls.rows["fov_x_deg"]))
