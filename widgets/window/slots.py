@@ -8,6 +8,13 @@
     |  large        +---------+    |      |      |      |
     |               | small   |    |      |      |      |
     +---------------+---------+    +------+------+------+
+
+    "pictures" for a class, unless the cube leads, which is as wide as high
+    +-------------------------+
+    |          large          |
+    +------------+------------+
+    |   small    |   small    |
+    +------------+------------+
 """
 
 from __future__ import annotations
@@ -27,10 +34,12 @@ from widgets.parts.panel import Changed, Shown
 COLUMN_WIDTHS = [400, 305, 330]
 LARGE_AND_SMALL = [584, 486]
 IMAGE_AND_SMALL = [640, 430]
-PRESENTING = [500, 530]
-"""For a class, whose letters take more of the smaller pictures."""
 UPPER_AND_LOWER = [318, 378]
 """In a window of 1366x768 pixels; the splitters keep the proportion."""
+TOP_AND_BOTTOM = {"world": [582, 494], "image": [566, 510]}
+SIDE_BY_SIDE = [830, 735]
+CUBE_AND_SMALL = [735, 790]
+"""For a class, whose letters take more of the smaller pictures, on a screen of 1920x1080 pixels."""
 LEAST_PANE_PX = (190, 150)
 SMALL = {"world": ("image", "ndc"), "image": ("world", "ndc"), "ndc": ("world", "image")}
 """From above, beside each pane in the large slot."""
@@ -67,7 +76,7 @@ class Slots(QSplitter):
         self._panes, self._strip = panes, strip
         self.layout_name, self.large, self.whole = LAYOUTS[0], next(iter(panes)), ""
         self.leading = self.large
-        self._widths = LARGE_AND_SMALL
+        self._is_for_class = False
         self._is_by_hand = False
         self._by_hand: tuple[list[int], list[int]] | None = None
         """What the hand had chosen before presenting."""
@@ -124,7 +133,9 @@ class Slots(QSplitter):
         moved = (layout, large) != (self.layout_name, self.large)
         kept = self.sizes(), self._small.sizes()
         stays = self._is_by_hand and layout == self.layout_name and not self.whole and not whole
+        was_wide = self._is_wide
         self.layout_name, self.large, self.whole = layout, large, whole
+        stays = stays and self._is_wide == was_wide
         with self._still():
             if moved:
                 self._place()
@@ -198,7 +209,7 @@ class Slots(QSplitter):
         """Give the slots their room for a class, or that of before."""
         if on and self._is_by_hand and not self.whole:
             self._by_hand = self.sizes(), self._small.sizes()
-        self._widths = PRESENTING if on else LARGE_AND_SMALL
+        self._is_for_class = on
         self.share()
         if not on and self._by_hand is not None:
             across, down = self._by_hand
@@ -211,9 +222,24 @@ class Slots(QSplitter):
     def share(self) -> None:
         """Give the slots the room that they have at first."""
         self._is_by_hand = False
-        widths = IMAGE_AND_SMALL if self.large == "image" else self._widths
-        self.setSizes([*COLUMN_WIDTHS, 0] if self.layout_name == "columns" else widths)
-        self._small.setSizes(UPPER_AND_LOWER)
+        across, down = Qt.Orientation.Horizontal, Qt.Orientation.Vertical
+        self.setOrientation(down if self._is_wide else across)
+        self._small.setOrientation(across if self._is_wide else down)
+        if self.layout_name == "columns":
+            sizes = [*COLUMN_WIDTHS, 0]
+        elif self._is_wide:
+            sizes = TOP_AND_BOTTOM[self.large]
+        elif self._is_for_class:
+            sizes = CUBE_AND_SMALL
+        else:
+            sizes = IMAGE_AND_SMALL if self.large == "image" else LARGE_AND_SMALL
+        self.setSizes(sizes)
+        self._small.setSizes(SIDE_BY_SIDE if self._is_wide else UPPER_AND_LOWER)
+
+    @property
+    def _is_wide(self) -> bool:
+        """Whether the large slot is as wide as both small ones, which stand below it."""
+        return self._is_for_class and self.layout_name == "pictures" and self.large != "ndc"
 
     def _dragged(self) -> None:
         self._is_by_hand = True
