@@ -279,13 +279,14 @@ class Controls(QScrollArea):
         for part in self._parts:
             part.bring_home()
         self.card.lift(self.rows[key] for key in lifted)
-        self._show_rows()
+        self._show_found(self._found)
 
     def set_presenting(self, on: bool) -> None:
         """Show a class the controls that matter, and nothing else; or all of them again."""
         self._is_for_class = on
         self.search.clear()
         self.search.setVisible(not on)
+        self.card.set_presenting(on)
         self._show_found(None)
         self._make_room()
 
@@ -333,8 +334,11 @@ class Controls(QScrollArea):
         self.card.show_some(found)
         for part in self._parts:
             part.show_some(found)
-        for section in self.sections.values() if self._is_for_class else ():
-            section.hide()
+        if self._is_for_class:
+            for section in self.sections.values():
+                section.hide()
+            for part in self._front:
+                part.setVisible(not self.card.has_controls)
         self._show_rows()
         if found is not None:
             self.verticalScrollBar().setValue(0)

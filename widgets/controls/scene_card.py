@@ -74,6 +74,7 @@ from widgets.parts.messages import (
     of_phenomena,
     sentence,
 )
+from widgets.parts.note import Balanced
 from widgets.parts.panel import Changed, Shown
 from widgets.parts.readable import Readable
 from widgets.parts.section import GAP_PX
@@ -86,6 +87,8 @@ BESIDE, ON_A_LINE = 14, 30
 """Longest text of a value beside its label, and of numbers that is not broken in two."""
 LABEL_EM, WORDS_EM = 6, 7
 """Widths in heights of a line, beyond which labels, and words as values, may wrap."""
+BETWEEN_EM = 0.35
+"""Between two readings, whose labels may have several lines."""
 NONE = "–"
 """Stands for a reading that there is not."""
 
@@ -125,15 +128,12 @@ class SceneCard(QWidget):
         self._why_not: dict[QWidget, str] = {}
         self._without_effect: set[str] = set()
         self._found: set[QWidget] | None = None
+        self._is_for_class = False
         self._edits = ""  # name of the setting that the user is changing
         self.players: dict[str, Player] = {}
         self._readable = Readable(self, self._fill)
 
-        self.title = QLabel()
-        self.tries = QLabel()
-        for label in (self.title, self.tries):
-            label.setWordWrap(True)
-            label.setTextFormat(Qt.TextFormat.PlainText)
+        self.title, self.tries = Balanced(), Balanced()
         self.warning = _Sentence("rowError")
         self.readout = Readout()
         self.use_mesh = QToolButton()
@@ -234,7 +234,17 @@ class SceneCard(QWidget):
             part.setVisible(found is None)
         self.warning.setVisible(found is None and bool(self.warning.text()))
         for button, offered in self._offered.items():
-            button.setVisible(found is None and offered)
+            button.setVisible(found is None and offered and not self._is_for_class)
+
+    def set_presenting(self, on: bool) -> None:
+        """Show a class what to try, its controls and its numbers, and nothing else."""
+        self._is_for_class = on
+        self.show_some(self._found)
+
+    @property
+    def has_controls(self) -> bool:
+        """Whether there is something in it to be set."""
+        return self._rows.count() > 0
 
     def take(self, shown: Shown, changed: Changed) -> None:
         """Show settings, readout and warning; a setting in the hand follows it at once."""
@@ -696,11 +706,10 @@ class Readout(QWidget):
         self.lines: list[tuple[QLabel, _Value, QLabel]] = []
         self._readings: Sequence[Reading] = ()
         self._first = 0
-        self._dress()
         self._grid = QGridLayout()
+        self._dress()
         self._grid.setContentsMargins(0, 0, 0, 0)
         self._grid.setHorizontalSpacing(4)
-        self._grid.setVerticalSpacing(1)
         self._grid.setColumnStretch(0, 1)
         self.more = QToolButton()
         self.more.setText(self.tr("More numbers"))
@@ -764,10 +773,8 @@ class Readout(QWidget):
             self.note.setVisible(bool(text))
 
     def _add_line(self) -> None:
-        label, value, unit = QLabel(), _Value(), QLabel()
-        for part in (label, unit):
-            part.setTextFormat(Qt.TextFormat.PlainText)
-        label.setWordWrap(True)
+        label, value, unit = Balanced(), _Value(), QLabel()
+        unit.setTextFormat(Qt.TextFormat.PlainText)
         unit.setForegroundRole(QPalette.ColorRole.PlaceholderText)
         row = 2 * len(self.lines)
         for column, part in enumerate((label, value, unit)):
@@ -816,6 +823,7 @@ class Readout(QWidget):
     def _dress(self) -> None:
         """Give numbers their size; a font set by hand ends with the theme."""
         size = self.font().pointSizeF()
+        self._grid.setVerticalSpacing(round(BETWEEN_EM * self.fontMetrics().height()))
         sheet = f"#number {{ font-size: {LARGE * size:g}pt; font-weight: 600; }}"
         if sheet != self.styleSheet():
             self.setStyleSheet(sheet)

@@ -212,7 +212,7 @@ class Pane(QFrame):
         self.setAccessibleName(title)
         self.drawing: Any = None
         """A `Drawing`, once there is one."""
-        self._make_drawing = make_drawing
+        self._make_drawing, self._orbits = make_drawing, orbits
         self._shown: Shown | None = None
         self._to_build: tuple[object, ...] | None = None
         self._view: Camera | None = None
@@ -233,7 +233,7 @@ class Pane(QFrame):
         self._fewer: Scene | None = None
         self._detail_is_stale = False
         self._matrices_ms = 0.0
-        self._beside_title: tuple[QWidget, int] | None = None
+        self._beside_title: tuple[QWidget, QWidget] | None = None
 
         self.title = Title(title)
         self.note = Title("", "paneNote")
@@ -482,12 +482,19 @@ class Pane(QFrame):
         """Put a widget under the canvas: it is hidden, enlarged and floated with the pane."""
         self._column.addWidget(widget, 1, 0)
 
-    def add_to_header(self, widget: QWidget, least_px: int) -> None:
-        """Put a widget beside the title, seen while the pane is at least so wide."""
+    def add_to_header(self, widget: QWidget, narrow: QWidget) -> None:
+        """Put a widget beside the title, and another one in its place where it has no room."""
         layout = self.header.layout()
         assert layout is not None
         layout.addWidget(widget)
-        self._beside_title = widget, least_px
+        layout.addWidget(narrow)
+        self._beside_title = widget, narrow
+
+    def set_presenting(self, on: bool) -> None:
+        """Show a class the one button that it has a use for, or all of them."""
+        self._reset.setVisible(self._orbits and not on)
+        self._float.setVisible(not on)
+        self._fit_header()
 
     def set_title(self, title: str, note: str) -> None:
         """Name what the pane shows now; its own name, for screen readers, stays."""
@@ -597,10 +604,11 @@ class Pane(QFrame):
         margins = bar.contentsMargins()
         taken = margins.left() + self.title.sizeHint().width() + bar.spacing() + margins.right()
         if self._beside_title is not None:
-            widget, least_px = self._beside_title
-            widget.setVisible(self.width() >= least_px)
-            if self.width() >= least_px:
-                taken += bar.spacing() + widget.sizeHint().width()
+            wide, narrow = self._beside_title
+            fits = taken + bar.spacing() + wide.sizeHint().width() <= room
+            wide.setVisible(fits)
+            narrow.setVisible(not fits)
+            taken += bar.spacing() + (wide if fits else narrow).sizeHint().width()
         self.header.setMaximumWidth(room)
         self.note.setMaximumWidth(max(0, room - taken))
 

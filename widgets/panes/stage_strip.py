@@ -8,9 +8,10 @@ from __future__ import annotations
 
 import math
 
-from PySide6.QtCore import QSize, Qt, Signal
+from PySide6.QtCore import QEvent, QSize, Qt, Signal
 from PySide6.QtGui import QHideEvent, QKeyEvent, QMouseEvent, QResizeEvent
 from PySide6.QtWidgets import (
+    QGridLayout,
     QHBoxLayout,
     QSizePolicy,
     QSlider,
@@ -38,6 +39,8 @@ STEPS = 240
 """Slider steps from one stop to the next."""
 CATCH = 12
 """Within as many steps of a stop a drag is at the stop."""
+GAP_PX = 3
+"""On both sides of a name."""
 STEP_S, REST_S = 2.0, 0.8
 """Seconds that playing takes from one stop to the next, and stands at each."""
 
@@ -100,6 +103,8 @@ class StageStrip(QWidget, Playing):
             (self.tr("NDC"), self.tr("Normalised device coordinates, z mirrored for display")),
             (self.tr("Image"), self.tr("The picture in pixels: x right, y down")),
         )
+        self._identity = self.tr("M_pp")
+        """Of a parallel lens, which has its box one stop before: what does nothing there."""
         self._projection = Projection()
         self._parallel = False
         self._said = ("", "")
@@ -128,19 +133,23 @@ class StageStrip(QWidget, Playing):
         self.stops: list[QToolButton] = []
         self._ends = QHBoxLayout()
         self._ends.addWidget(self.slider)
-        names = QHBoxLayout()
-        names.setSpacing(0)
-        names.setContentsMargins(0, 0, 0, 0)
+        self._below = QGridLayout()
+        self._below.setSpacing(0)
+        self._below.setContentsMargins(0, 0, 0, 0)
+        for half in range(2 * len(STOPS)):
+            self._below.setColumnStretch(half, 1)
+        self._rows = 0
+        """Of names; two where one row has no room for their letters."""
         for stop in range(len(STOPS)):
             button = _Narrow()
             button.setCheckable(True)
             button.clicked.connect(lambda _checked=False, stop=stop: self.go_to(float(stop)))
-            names.addWidget(button, 1)
             self.stops.append(button)
+        self._stagger(1)
         self._columns = QVBoxLayout()
         self._columns.setSpacing(0)
         self._columns.addLayout(self._ends)
-        self._columns.addLayout(names)
+        self._columns.addLayout(self._below)
         layout = QHBoxLayout(self)
         layout.setContentsMargins(4, 2, 4, 2)
         layout.setSpacing(2)
@@ -200,8 +209,7 @@ class StageStrip(QWidget, Playing):
             tip = self.tr("The canonical parallel volume, at once: a parallel lens has no pyramid")
             return name, tip
         if self._parallel and stop == CANONICAL_PARALLEL:
-            name, _ = self._names[CANONICAL_PARALLEL]
-            return name, self.tr("The same box: M_pp of a parallel lens is the identity")
+            return self._identity, self.tr("The same box: M_pp of a parallel lens is the identity")
         return self._names[stop]
 
     def _name_stops(self) -> None:
@@ -226,6 +234,10 @@ class StageStrip(QWidget, Playing):
         if self._at == self.stop:
             return titles[self.stop]
         before = math.floor(self._at)
+        if self._parallel and before == CANONICAL_PERSPECTIVE:  # where nothing moves
+            return titles[CANONICAL_PARALLEL]
+        if self._parallel and before == CANONICAL_PARALLEL:
+            return f"{self._names[before][0]} → {self._names[NDC][0]}"
         return f"{self._name(before)[0]} → {self._name(before + 1)[0]}"
 
     def _words(self, projection: Projection) -> str:
@@ -343,6 +355,14 @@ class StageStrip(QWidget, Playing):
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)
+        self._fit()
+
+    def changeEvent(self, event: QEvent) -> None:
+        super().changeEvent(event)
+        if event.type() == QEvent.Type.FontChange and self.layout() is not None:
+            self._fit()
+
+    def _fit(self) -> None:
         # The slider's ends over the middles of the first and the last name.
         name_width = self._columns.geometry().width() // len(STOPS)
         handle = self.slider.style().pixelMetric(
@@ -353,13 +373,34 @@ class StageStrip(QWidget, Playing):
         self._fit_names(name_width)
 
     def _fit_names(self, width: int) -> None:
-        """Write the names as large as the widest of them allows."""
+        """Write the names in one row or two, and smaller only where two have no room either."""
+        widths = [self.fontMetrics().horizontalAdvance(name) + 2 * GAP_PX for name in self._longest]
+        self._stagger(1 if max(widths) <= width else 2)
+        ends, inner = max(widths[0], widths[-1]), max(widths[1:-1])
+        room = min(1.0, max(self._rows * width / inner, 1e-9))
+        if self._rows == 2:
+            room = min(room, 1.5 * width / ends)
         font = self.font()
-        widest = max(self.fontMetrics().horizontalAdvance(name) for name, _ in self._names)
-        pixels = self.fontInfo().pixelSize()
-        font.setPixelSize(max(8, min(pixels, (width - 6) * pixels // max(1, widest))))
+        font.setPixelSize(max(8, int(room * self.fontInfo().pixelSize())))
         for button in self.stops:
             button.setFont(font)
+
+    def _stagger(self, rows: int) -> None:
+        """Put the names under their stops: in one row, or every other one in a second."""
+        if rows == self._rows:
+            return
+        self._rows = rows
+        halves = 2 * len(STOPS)
+        for stop, button in enumerate(self.stops):
+            first, beyond = max(0, 2 * stop - rows + 1), min(halves, 2 * stop + rows + 1)
+            self._below.addWidget(button, stop % rows, first, 1, beyond - first)
+
+    @property
+    def _longest(self) -> list[str]:
+        """Of each stop's names, whatever the lens."""
+        names = [name for name, _ in self._names]
+        names[CANONICAL_PARALLEL] = max(names[CANONICAL_PARALLEL], self._identity, key=len)
+        return names
 
     def hideEvent(self, event: QHideEvent) -> None:
         super().hideEvent(event)

@@ -77,6 +77,7 @@ from widgets.parts.messages import (
     number_text,
     sentence,
 )
+from widgets.parts.note import Balanced
 
 QUIET_MS = 500
 """Keys and wheel steps with less than this between them are one gesture."""
@@ -381,7 +382,7 @@ def _rich(text: str) -> str:
     return f"<qt>{html.escape(text)}</qt>"
 
 
-class _Name(QLabel):
+class _Name(Balanced):
     double_clicked = Signal()
 
     def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
@@ -686,7 +687,6 @@ class Row(QWidget):
         self._tip = f"{tip} {how_to_reset}"
         self._told: dict[QWidget, str] = {}
         self.name_label = _Name(name)
-        self.name_label.setWordWrap(True)
         self._tell(self.name_label, self._tip)
         self.name_label.double_clicked.connect(self.reset)
         self._reset_action = QAction(self.tr("Reset {0}").format(name), self)

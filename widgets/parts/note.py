@@ -1,9 +1,11 @@
-"""A line of text that ends in an ellipsis where there is no room for all of it."""
+"""Lines of text: one that ends in an ellipsis where there is no room, and several of a length."""
 
 from __future__ import annotations
 
-from PySide6.QtCore import QEvent, QSize, Qt
-from PySide6.QtGui import QResizeEvent
+from bisect import bisect_left
+
+from PySide6.QtCore import QEvent, QRect, QSize, Qt
+from PySide6.QtGui import QPainter, QPaintEvent, QResizeEvent
 from PySide6.QtWidgets import QLabel, QSizePolicy
 
 
@@ -75,3 +77,34 @@ class Title(Note):
     def _elide(self) -> None:
         super()._elide()
         self.setToolTip("" if QLabel.text(self) == self.text() else self.text())
+
+
+class Balanced(QLabel):
+    """Plain text that wraps into lines of about one length: no last word stands alone."""
+
+    def __init__(self, text: str = "") -> None:
+        super().__init__(text)
+        self.setWordWrap(True)
+        self.setTextFormat(Qt.TextFormat.PlainText)
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        # Drawn here: what has as many lines in less width is as high as Qt takes it to be.
+        inside, metrics = self.contentsRect(), self.fontMetrics()
+        wrap = Qt.TextFlag.TextWordWrap | Qt.AlignmentFlag.AlignLeft
+
+        def height(width: int, text: str) -> int:
+            return metrics.boundingRect(QRect(0, 0, width, 1 << 20), wrap, text).height()
+
+        parts = self.text().split("\n")
+        heights = [height(inside.width(), part) for part in parts]
+        top = inside.top() + max(0, inside.height() - sum(heights)) // 2
+        painter = QPainter(self)
+        painter.setPen(self.palette().color(self.foregroundRole()))
+        for part, needed in zip(parts, heights, strict=True):
+            longest = max(map(metrics.horizontalAdvance, part.split()), default=0)
+            widths = range(min(longest + 2, inside.width()), inside.width())
+            place = bisect_left(widths, True, key=lambda w: height(w, part) <= needed)
+            width = widths.start + place
+            painter.drawText(QRect(inside.left(), top, width, needed), wrap, part)
+            top += needed
+        painter.end()

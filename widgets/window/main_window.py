@@ -161,7 +161,9 @@ class MainWindow(QMainWindow):
         self.start_card: StartCard | None = None
         self._is_narrow = False
         self._folded: Panel | None = None
-        """The panel that is open when no pane has the whole window."""
+        """The panel that is open when no pane has the whole window, and nothing is presented."""
+        self._had_dock = False
+        """Whether the dock was there before it was presented, in a narrow window."""
         self.settings = settings
         dress(settings)  # before there are widgets, which would keep the font of before
         self.store = Store(document, self, saved=saved)
@@ -552,24 +554,30 @@ class MainWindow(QMainWindow):
         return self.present.leave if self.present.is_on else None
 
     def _show_presenting(self, on: bool) -> None:
+        if on:
+            self._had_dock = self.menus.controls.isChecked()
         self.menus.blank.setEnabled(on)
         self.menus.pointer.setEnabled(on)
         self.menus.pointer.setChecked(False)
         self.look.set_presenting(on)
         self.controls.set_presenting(on)
+        for pane in self.panes.values():
+            pane.set_presenting(on)
         self.menus.fit_icons()
         self.slots.set_presenting(on)
+        if self._is_narrow:  # where it is folded away otherwise: a class is to read what to try
+            self.menus.controls.setChecked(on or self._had_dock)
         self._show_beside()
 
     def _show_beside(self) -> None:
-        """Show what stands beside the panes, unless one of them has the whole window."""
-        alone = bool(self.slots.whole)
+        """Show what stands beside the panes, as far as it is for a class, or nothing is whole."""
+        alone, presents = bool(self.slots.whole), self.present.is_on
         self.controls.setVisible(self.menus.controls.isChecked() and not alone)
-        self.bottom.setVisible(not alone and not self.present.is_on)
-        if alone and self.panels.open_panel is not None:
+        self.bottom.setVisible(not alone and not presents)
+        if (alone or presents) and self.panels.open_panel is not None:
             self._folded = self.panels.open_panel
             self.panels.open(None)
-        elif not alone and self._folded is not None:
+        elif not (alone or presents) and self._folded is not None:
             self.panels.open(self._folded)
             self._folded = None
 
@@ -587,7 +595,7 @@ class MainWindow(QMainWindow):
         if event.size().height() != event.oldSize().height():
             self.drawer.fit()
         is_narrow = event.size().width() < FOLDS_BELOW_PX
-        if is_narrow != self._is_narrow:
+        if is_narrow != self._is_narrow and not self.present.is_on:
             self._is_narrow = is_narrow
             self.menus.controls.setChecked(not is_narrow)
             self._show_beside()

@@ -13,18 +13,21 @@ from collections.abc import Mapping
 from functools import partial
 
 from PySide6.QtCore import QObject
-from PySide6.QtWidgets import QButtonGroup, QHBoxLayout, QToolButton, QWidget
+from PySide6.QtWidgets import QButtonGroup, QHBoxLayout, QMenu, QToolButton, QWidget
 
 from app.document.view import FIXED, LAYERS
 from widgets.panes.pane import Pane
 from widgets.window.actions import Actions
 
-LEAST_PANE_PX = 420
-"""In a narrower pane the buttons give way to its title; the menu has them all the same."""
-
 
 class FixedViews(QWidget):
-    """A button for each place that the world can be looked at from."""
+    """A button for each place that the world can be looked at from.
+
+    Attributes
+    ----------
+    menu : QToolButton
+        All of them in one, for a narrow pane.
+    """
 
     def __init__(self) -> None:
         super().__init__()
@@ -53,7 +56,18 @@ class FixedViews(QWidget):
             self.group.addButton(button)
             self.buttons[name] = button
             row.addWidget(button)
-        self.buttons[""].setChecked(True)
+        self.menu = QToolButton()
+        self.menu.setAutoRaise(True)
+        self.menu.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
+        self.menu.setToolTip(self.tr("From where the world is looked at"))
+        self.menu.setMenu(QMenu(self.menu))
+        self.mark("")
+
+    def mark(self, name: str) -> None:
+        """Show which of them is taken."""
+        self.buttons[name].setChecked(True)
+        self.menu.setText(self.buttons[name].text())
+        self.menu.setAccessibleName(f"{self.menu.toolTip()}: {self.menu.text()}")
 
 
 class WorldLook(QObject):
@@ -77,7 +91,8 @@ class WorldLook(QObject):
         self._panes, self._world, self._menus = panes, panes["world"], menus
         self.fixed, self.hidden = "", frozenset[str]()
         self._views = FixedViews()
-        self._world.add_to_header(self._views, LEAST_PANE_PX)
+        self._views.menu.menu().addActions(list(menus.fixed.values()))
+        self._world.add_to_header(self._views, self._views.menu)
         for name, button in self._views.buttons.items():
             button.clicked.connect(partial(self.show, name, None))
             menus.fixed[name].triggered.connect(partial(self.show, name, None))
@@ -113,7 +128,7 @@ class WorldLook(QObject):
             self.show("")
 
     def _mark(self) -> None:
-        self._views.buttons[self.fixed].setChecked(True)
+        self._views.mark(self.fixed)
         self._menus.fixed[self.fixed].setChecked(True)
         for name, action in self._menus.layers.items():
             action.setChecked(name not in self.hidden)
