@@ -1,6 +1,7 @@
 """The marks of the probes, the same in all three panes.
 
-A probe is a disc with a rim and its number on a plate, always in front: it stands where the pane
+A probe is a disc with a rim and its number on a plate, or, of the lecturer's pointer, which has no
+number, in a ring that the back row sees; always in front. It stands where the pane
 shows the point, reckoned in float64. Its projector, the line that one pixel's points share, is
 drawn among the scene: from the eye in the world, parallel to z in the NDC cube. A disc is hollow
 where the point is outside of the view volume, and there is none where the point has no picture
@@ -38,6 +39,7 @@ from app.picking.picking import (
 from app.scenes.scene import Scene
 
 _RIM_EM, _FILL_EM, _CROSSING_EM = 0.44, 0.32, 0.24  # radii
+_RING_EM = ((0.72, 1.1), (0.8, 1.02))  # inner and outer radii: of its edges, and between them
 _TRIED = 40  # vertices: of a million each takes a millisecond or two
 
 
@@ -200,12 +202,17 @@ class _Slot:
             _disc(_CROSSING_EM * em, style.ink, 4),
             _disc(0.66 * _CROSSING_EM * em, style.near, 4),
         )
+        self._ring = tuple(
+            _disc(outer * em, colour, 48, inner * em)
+            for (inner, outer), colour in zip(_RING_EM, (style.ink, style.accent), strict=True)
+        )
         self._label = Label(
             "", style, plate=style.accent, in_pixels=True, bold=True
         )  # fmt: skip
         canvas.add(
-            self._line, *self._crossing, self._rim, self._fill, self._label.actor, renderer=renderer
-        )
+            self._line, *self._crossing, *self._ring, self._rim, self._fill, self._label.actor,
+            renderer=renderer,
+        )  # fmt: skip
 
     def show(self, mark: Mark | None, size_px: tuple[int, int]) -> None:
         height_px = size_px[1]
@@ -219,9 +226,11 @@ class _Slot:
         for actor in (self._rim, self._fill):
             actor.SetVisibility(spot is not None)
         is_named = mark is not None and mark.number > 0
+        for actor in self._ring:
+            actor.SetVisibility(spot is not None and not is_named)
         self._label.actor.SetVisibility(spot is not None and is_named)
         if mark is not None and spot is not None:
-            for disc in (self._rim, self._fill):
+            for disc in (self._rim, self._fill, *self._ring):
                 disc.SetPosition(*spot)
             colour = self._style.accent if mark.solid else self._style.background
             self._fill.GetProperty().SetColor(*rgb(colour))
@@ -247,12 +256,19 @@ def _place(spot_px: Array | None, height_px: int) -> tuple[float, float] | None:
     return x, height_px - y
 
 
-def _disc(radius_px: float, colour: str, corners: int = 24) -> vtkActor2D:
+def _disc(radius_px: float, colour: str, corners: int = 24, hole_px: float = 0.0) -> vtkActor2D:
+    """A disc, or a ring with a hole of a radius."""
     points, cells = vtkPoints(), vtkCellArray()
-    cells.InsertNextCell(corners, range(corners))
-    for i in range(corners):
-        turn = 2.0 * math.pi * i / corners
-        points.InsertNextPoint(radius_px * math.cos(turn), radius_px * math.sin(turn), 0.0)
+    for radius in (radius_px, hole_px) if hole_px else (radius_px,):
+        for i in range(corners):
+            turn = 2.0 * math.pi * i / corners
+            points.InsertNextPoint(radius * math.cos(turn), radius * math.sin(turn), 0.0)
+    if hole_px:
+        for i in range(corners):
+            after = (i + 1) % corners
+            cells.InsertNextCell(4, (i, after, corners + after, corners + i))
+    else:
+        cells.InsertNextCell(corners, range(corners))
     disc = vtkPolyData()
     disc.SetPoints(points)
     disc.SetPolys(cells)

@@ -17,7 +17,7 @@ from functools import partial
 from typing import Any
 
 from PySide6.QtCore import QEvent, QObject, QPoint, QSize, Qt, QTimer, Signal
-from PySide6.QtGui import QColor, QPalette, QResizeEvent
+from PySide6.QtGui import QColor, QFontInfo, QPalette, QResizeEvent
 from PySide6.QtWidgets import (
     QApplication,
     QFrame,
@@ -43,6 +43,8 @@ from widgets.parts.section import GAP_PX, PARTS, Binding, Part, Rows, Section, T
 
 WIDTH_PX, LEAST_PX = 285, 270
 """How wide the dock is where nobody has chosen, and how narrow it becomes at the ordinary font."""
+PRESENTED_EM = 17.6
+"""How wide it is for a class, whatever the screen: in heights of its letters."""
 LEFT_MARGIN_PX, RIGHT_MARGIN_PX = 8, 4
 _ABOUT: dict[str, tuple[str, ...]] = {
     **dict.fromkeys(("azimuth_deg", "elevation_deg", "distance"), ("eye",)),
@@ -186,6 +188,7 @@ class Controls(QScrollArea):
         """Give the planes' sliders the colours that the planes are drawn in."""
         for name, colour in (("near", style.near), ("far", style.far)):
             slider = self._number(name).slider
+            slider.setObjectName(name)  # for the application's style sheet
             palette = slider.palette()
             palette.setColor(QPalette.ColorRole.Highlight, QColor(colour))
             slider.setPalette(palette)
@@ -289,6 +292,7 @@ class Controls(QScrollArea):
         self.card.set_presenting(on)
         self._show_found(None)
         self._make_room()
+        self.updateGeometry()
 
     # -- looking for a control
 
@@ -606,7 +610,9 @@ class Controls(QScrollArea):
 
     def minimumSizeHint(self) -> QSize:
         rows = self._column.minimumSizeHint().width() - self._layout.contentsMargins().right()
-        return QSize(max(LEAST_PX, rows + RIGHT_MARGIN_PX + self._bar_width()), 120)
+        em = QFontInfo(self.font()).pixelSize() if self._is_for_class else 0.0
+        least = max(LEAST_PX, round(PRESENTED_EM * em))
+        return QSize(max(least, rows + RIGHT_MARGIN_PX + self._bar_width()), 120)
 
     def sizeHint(self) -> QSize:
         return QSize(max(WIDTH_PX, self.minimumSizeHint().width()), 600)

@@ -45,6 +45,7 @@ QToolBar {{ spacing: 2px; padding: 3px; }}
     border: 0px; border-radius: 4px; padding: 4px 6px; }}
 #stages QToolButton {{ padding: 4px 0px; }}
 #fixedViews QToolButton {{ padding: 2px 6px; }}
+#fixedViewsMenu::menu-indicator {{ image: none; }}
 #stages QToolButton:hover, #fixedViews QToolButton:hover, #drawerNames QToolButton:hover {{
     background: {line}; }}
 #stages QToolButton:checked, #fixedViews QToolButton:checked, #drawerNames QToolButton:checked {{
@@ -52,6 +53,37 @@ QToolBar {{ spacing: 2px; padding: 3px; }}
 QToolBar QToolButton#presentButton {{ color: {on_accent}; background: {accent}; border: 0px;
     border-radius: 4px; padding: 4px 8px; }}
 """
+
+
+_FOR_A_CLASS = """
+QSlider:horizontal {{ min-height: {slider:.0f}px; }}
+QSlider::groove:horizontal {{ height: {groove:.0f}px; border-radius: {half_groove:.0f}px;
+    background: {line}; }}
+QSlider::sub-page:horizontal {{ height: {groove:.0f}px; border-radius: {half_groove:.0f}px;
+    background: palette(highlight); }}
+#near::sub-page:horizontal {{ background: {near}; }}
+#far::sub-page:horizontal {{ background: {far}; }}
+QSlider::handle:horizontal {{ width: {thumb:.0f}px; margin: -{beside:.0f}px 0px;
+    border: {frame:.0f}px solid {edge_of_thumb}; border-radius: {round:.0f}px;
+    background: {base_of_thumb}; }}
+QSlider::handle:horizontal:focus {{ border-color: {accent}; }}
+QLineEdit {{ border: {frame:.0f}px solid {line}; border-radius: {round:.0f}px;
+    background: palette(base); padding: {frame:.0f}px; }}
+QLineEdit:focus {{ border-color: {accent}; }}
+QCheckBox::indicator {{ width: {box:.0f}px; height: {box:.0f}px; }}
+"""
+"""What Qt's own style draws as small on every screen, however large the letters are."""
+
+
+def _for_a_class(em: float, **colours: str) -> str:
+    """The part of the style sheet that grows with the letters, whose height in pixels is `em`."""
+    groove, frame = round(0.22 * em), max(1, round(0.06 * em))
+    beside = round(0.22 * em)
+    return _FOR_A_CLASS.format(
+        groove=groove, half_groove=groove // 2, beside=beside, slider=groove + 2 * beside + 2,
+        thumb=groove + 2 * beside - 2 * frame, frame=frame, round=0.15 * em, box=0.9 * em,
+        **colours,
+    )  # fmt: skip
 
 
 def is_dark(theme: str) -> bool:
@@ -102,8 +134,19 @@ def apply(application: QApplication, *, dark: bool, screen_px: float) -> None:
     larger = max(1.0, SHARE_OF_SCREEN * screen_px / QFontInfo(font).pixelSize())
     font.setPointSizeF(base_size * larger)
     application.setFont(font)
+    accent, line = ("#3a93cc", "#4a4d50") if dark else ("#0072b2", "#c4c4c0")
+    larger_parts = _for_a_class(
+        QFontInfo(font).pixelSize(),
+        near=(DARK if dark else LIGHT).near,
+        far=(DARK if dark else LIGHT).far,
+        accent=accent,
+        line=line,
+        edge_of_thumb="#b4b4b4" if dark else "#585858",
+        base_of_thumb="#34373a" if dark else "#ffffff",
+    )
     application.setStyleSheet(
-        _STYLE_SHEET.format(
+        (larger_parts if screen_px else "")
+        + _STYLE_SHEET.format(
             muted="#b4b4b4" if dark else "#585858",
             bar="#4a3c10" if dark else "#fff4d6",
             edge="#7a6420" if dark else "#d8b860",
@@ -111,9 +154,9 @@ def apply(application: QApplication, *, dark: bool, screen_px: float) -> None:
             large=1.5 * QFontInfo(font).pixelSize(),
             veil="rgba(0, 0, 0, 110)",
             window="#222426" if dark else "#f4f4f2",
-            line="#4a4d50" if dark else "#c4c4c0",
+            line=line,
             base="#34373a" if dark else "#ffffff",
-            accent="#3a93cc" if dark else "#0072b2",
+            accent=accent,
             on_accent="#101010" if dark else "#ffffff",
         )
     )

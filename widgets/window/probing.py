@@ -10,7 +10,8 @@ from collections.abc import Callable, Mapping
 from functools import partial
 from typing import TYPE_CHECKING
 
-from PySide6.QtCore import QObject, QPointF
+from PySide6.QtCore import QObject, QPointF, QRectF, Qt
+from PySide6.QtGui import QCursor, QPainter, QPalette, QPen, QPixmap
 from PySide6.QtWidgets import QWidget
 
 from app.picking.picking import Probe, dragged
@@ -22,6 +23,9 @@ from widgets.parts.panel import Changed, Shown
 
 if TYPE_CHECKING:
     from app.drawings.image import ImageDrawing
+
+RING_SHARE = 0.035
+"""Of the screen's height, for the ring that the mouse is while it points."""
 
 
 class Probing(QObject):
@@ -85,6 +89,29 @@ class Probing(QObject):
         """Mark in all panes what the mouse is over in one of them, or no more."""
         self._is_pointing = on
         self._point_nowhere()
+        for pane in self._panes.values():  # of their own it is while something can be held there
+            if on:
+                pane.setCursor(self._ring())
+            else:
+                pane.unsetCursor()
+
+    def _ring(self) -> QCursor:
+        """The mouse as large as a class needs it, wherever it is in a pane."""
+        ratio = self._window.devicePixelRatioF()
+        side = math.ceil(RING_SHARE * self._window.screen().size().height() * ratio)
+        pixmap = QPixmap(side, side)
+        pixmap.fill(Qt.GlobalColor.transparent)
+        painter = QPainter(pixmap)
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        colours = self._window.palette()
+        roles = QPalette.ColorRole
+        for role, width in ((roles.WindowText, 0.2), (roles.Highlight, 0.12)):
+            painter.setPen(QPen(colours.color(role), width * side))
+            edge = 0.1 * side
+            painter.drawEllipse(QRectF(pixmap.rect()).adjusted(edge, edge, -edge, -edge))
+        painter.end()
+        pixmap.setDevicePixelRatio(ratio)
+        return QCursor(pixmap)
 
     def _point(self, name: str, place: QPointF) -> None:
         if self._is_pointing:

@@ -36,7 +36,7 @@ LARGE_AND_SMALL = [584, 486]
 IMAGE_AND_SMALL = [640, 430]
 UPPER_AND_LOWER = [318, 378]
 """In a window of 1366x768 pixels; the splitters keep the proportion."""
-TOP_AND_BOTTOM = {"world": [585, 491], "image": [566, 510]}
+TOP_AND_BOTTOM = {"world": [583, 493], "image": [566, 510]}
 SIDE_BY_SIDE = [830, 735]
 CUBE_AND_SMALL = [735, 790]
 """For a class, whose letters take more of the smaller pictures, on a screen of 1920x1080 pixels."""

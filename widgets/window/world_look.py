@@ -12,11 +12,12 @@ from __future__ import annotations
 from collections.abc import Mapping
 from functools import partial
 
-from PySide6.QtCore import QObject
+from PySide6.QtCore import QObject, Qt
 from PySide6.QtWidgets import QButtonGroup, QHBoxLayout, QMenu, QToolButton, QWidget
 
 from app.document.view import FIXED, LAYERS
 from widgets.panes.pane import Pane
+from widgets.parts.icons import show_icon
 from widgets.window.actions import Actions
 
 
@@ -58,6 +59,9 @@ class FixedViews(QWidget):
             row.addWidget(button)
         self.menu = QToolButton()
         self.menu.setAutoRaise(True)
+        self.menu.setObjectName("fixedViewsMenu")
+        show_icon(self.menu, "choose")
+        self.menu.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
         self.menu.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
         self.menu.setToolTip(self.tr("From where the world is looked at"))
         self.menu.setMenu(QMenu(self.menu))
