@@ -63,6 +63,7 @@ from tests.support.window import (
     MakeWindow,
     activate,
     counted_repaints,
+    enter,
     pixels,
     present,
     seen,
@@ -1100,6 +1101,14 @@ def test_that_no_copy_can_be_kept_is_said_in_the_window(
 
 
 # -- scenes
+
+
+def test_reset_takes_a_refused_text_with_it(window: MainWindow) -> None:
+    far: Any = window.controls.rows["far"]
+    enter(far.field, "3")
+    assert far.error and far.field.text() == "3"
+    window.menus.reset.trigger()
+    assert (far.error, far.field.text()) == ("", "18") and far.field.at_rest
 
 
 def test_the_scene_menu_changes_the_scene_and_undo_brings_it_back(window: MainWindow) -> None:
