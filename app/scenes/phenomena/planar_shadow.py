@@ -204,9 +204,9 @@ def _formula(settings: Settings, light: Array) -> Phrase:
     """What S is made of."""
     parts = [-number(settings, "height"), *light[:3].tolist()]
     if light[3] == 1.0:
-        return Phrase(_OF_LAMP, tuple(figure(part, 6) for part in parts))
+        return Phrase(_OF_LAMP, tuple(parts))
     largest = max(map(abs, point(settings, "light")))
-    return Phrase(_OF_SUN, tuple(figure(part, 6) for part in (*parts, largest)))
+    return Phrase(_OF_SUN, (*parts, largest))
 
 
 def _readings(
