@@ -123,6 +123,7 @@ class SceneCard(QWidget):
         self._edits = ""  # name of the setting that the user is changing
         self.players: dict[str, Player] = {}
         self._readable = Readable(self, self._fill)
+        digits.changed.connect(self._readable.changed)
 
         self.title = QLabel()
         self.tries = QLabel()

@@ -256,7 +256,8 @@ class MatrixView(QWidget):
         widths = [max(row[j].width for row in cells) + 0.8 * height for j in range(4)]
         # While numbers run, columns only grow: a row that jumps to and fro cannot be read.
         self._columns = widths if anew else list(map(max, self._columns, widths))
-        self._heights = [max(cell.height for cell in row) + 3.0 for row in cells]
+        # A subscript hangs into the room between two rows.
+        self._heights = [max(height + 3.0, *(cell.height + 1.0 for cell in row)) for row in cells]
         size = self._wanted()
         if size != self.minimumSize():
             self.setFixedSize(size)
@@ -362,7 +363,7 @@ class MatrixView(QWidget):
     def _paint_text(self, painter: QPainter, rect: QRectF, text: str, mark: int | None) -> None:
         metrics, cell = QFontMetricsF(self.font()), typeset(text, self.font())
         end = rect.right() - 0.4 * metrics.height()
-        base = rect.center().y() + (cell.ascent - cell.descent) / 2.0
+        base = rect.center().y() + cell.below_middle
         cell.paint(painter, end - cell.width, base)
         if mark is not None:
             start = end - metrics.horizontalAdvance(text[mark:] or text[-1:])

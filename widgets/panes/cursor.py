@@ -36,7 +36,7 @@ from app.picking.handles import Handle
 from widgets.panes.canvas import ARROWS
 from widgets.panes.manipulation import Manipulation
 from widgets.panes.pane import Pane
-from widgets.parts.fields import short_text
+from widgets.parts.digits import read_text
 from widgets.parts.panel import Changed, Shown
 
 if TYPE_CHECKING:
@@ -301,7 +301,7 @@ class Cursor(QObject):
             return self._manipulation.now(thing)
         if place is None:
             return ""
-        numbers = ", ".join(map(short_text, place))
+        numbers = ", ".join(map(read_text, place))
         if isinstance(thing, Followed):
             return self.tr("Point {0} ({1})").format(thing.number, numbers)
         return self.tr("Vertex ({0})").format(numbers)

@@ -10,7 +10,7 @@ from __future__ import annotations
 import math
 import re
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import lru_cache
 
 from PySide6.QtCore import QLineF, QPointF, QRectF, QSize, Qt
@@ -70,6 +70,11 @@ class Typeset:
     @property
     def height(self) -> float:
         return self.ascent + self.descent
+
+    @property
+    def below_middle(self) -> float:
+        """How far the line it is written on is below its middle."""
+        return (self.ascent - self.descent) / 2.0
 
     def at(self, x: float, y: float) -> Typeset:
         """The same, so far to the right and below the line; as wide as it was."""
@@ -196,7 +201,8 @@ class _Reader:
             below.at((width - below.width) / 2.0, -axis + ROOM_PX + below.ascent),
         ]
         rule = QLineF(RULE_PX, -axis, width - RULE_PX, -axis)
-        return _together(placed, width, rule)
+        whole = _together(placed, width, rule)
+        return replace(whole, ascent=whole.ascent + 1.0, descent=whole.descent + 1.0)
 
     def _matrix(self, font: QFont) -> Typeset:
         rows: list[list[Typeset]] = []
@@ -352,6 +358,6 @@ class TypesetLabel(MarkedLabel):
         painter = QPainter(self)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         painter.setPen(self.palette().color(self.foregroundRole()))
-        laid_out.paint(painter, left, room.center().y() + (laid_out.ascent - laid_out.descent) / 2)
+        laid_out.paint(painter, left, room.center().y() + laid_out.below_middle)
         self.paint_mark(painter)
         painter.end()

@@ -229,14 +229,7 @@ def _readings(
             shadow = shadows.places[chosen]
     off = None if shadow is None or met is None else float(np.linalg.norm(shadow - met))
     return (
-        *(
-            Reading(
-                f"S, {row + 1}",
-                tuple(float(part) + 0.0 for part in matrix[row]),
-                note=None if row else formula,
-            )
-            for row in range(4)
-        ),
+        Reading("S", tuple(float(part) + 0.0 for part in matrix.reshape(-1)), note=formula),
         Reading(
             QT_TRANSLATE_NOOP("phenomena", "vertex P"), _three(place), note=_if_none(place, note)
         ),
@@ -407,7 +400,7 @@ PHENOMENON = Phenomenon(
             True,
         ),
     ),
-    numbers=6,
+    numbers=3,
     check=_check,
     own_mesh=True,
 )
