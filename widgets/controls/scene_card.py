@@ -657,7 +657,7 @@ class _Value(TypesetLabel):
 
     def __init__(self) -> None:
         super().__init__()
-        self.is_below = False
+        self.is_below, self.shrinks = False, True
         self.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
 
 
@@ -764,7 +764,7 @@ class Readout(QWidget):
         if text != value.text():
             (value.set_formula if _side(reading.value) else value.set_words)(text)
             self._place(value, max(map(len, text.split("\n"))) > BESIDE and not is_word)
-            if not is_word:
+            if not is_word and not _side(reading.value):
                 # It only grows: a number with a digit less does not shift the others.
                 value.setMinimumWidth(max(value.minimumWidth(), value.sizeHint().width()))
         if value.exact != exact:

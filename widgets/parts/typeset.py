@@ -39,8 +39,10 @@ RULE_PX, ROOM_PX = 1.2, 2.0
 """Of a fraction's line and a bracket: how thick, and how far from what is beside it."""
 FOOT_PX = 4.0
 """Of a bracket."""
-BETWEEN_COLUMNS, BETWEEN_ROWS = 0.9, 0.15
+BETWEEN_COLUMNS, BETWEEN_ROWS = 0.7, 0.15
 """Of a matrix, in heights of a line."""
+LEAST_EM = 8
+"""Of a formula that shrinks: in this width, in heights of a line, it always has room."""
 
 _SIGNS = (OPEN, "[", "_", "^", ARROW, "\n")
 _PIECE = re.compile(
@@ -292,12 +294,14 @@ class TypesetLabel(MarkedLabel):
     ----------
     exact : str
         What is copied, if anything: by the keyboard or the right mouse button.
+    shrinks : bool
+        Whether a formula that is wider than the room for it is drawn smaller.
     """
 
     def __init__(self) -> None:
         super().__init__()
         self._is_formula = False
-        self.exact = ""
+        self.exact, self.shrinks = "", False
         self._copy = QAction(self.tr("Copy, with all digits"), self)
         self._copy.triggered.connect(self._to_clipboard)
 
@@ -345,19 +349,27 @@ class TypesetLabel(MarkedLabel):
         )
 
     def minimumSizeHint(self) -> QSize:
-        return self.sizeHint() if self._is_formula else super().minimumSizeHint()
+        if not self._is_formula:
+            return super().minimumSizeHint()
+        hint = self.sizeHint()
+        least = LEAST_EM * self.fontMetrics().height()
+        return QSize(min(hint.width(), least), hint.height()) if self.shrinks else hint
 
     def paintEvent(self, event: QPaintEvent) -> None:
         if not self._is_formula:
             super().paintEvent(event)
             return
         laid_out, room = typeset(self.text(), self.font()), QRectF(self.contentsRect())
-        left = room.left() + 1.0
-        if self.alignment() & Qt.AlignmentFlag.AlignRight:
-            left = room.right() - 1.0 - laid_out.width
+        wanted = laid_out.width + 2.0
         painter = QPainter(self)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         painter.setPen(self.palette().color(self.foregroundRole()))
-        laid_out.paint(painter, left, room.center().y() + laid_out.below_middle)
+        painter.save()
+        is_right = bool(self.alignment() & Qt.AlignmentFlag.AlignRight)
+        painter.translate(room.right() if is_right else room.left(), room.center().y())
+        if self.shrinks and wanted > room.width():
+            painter.scale(room.width() / wanted, room.width() / wanted)
+        laid_out.paint(painter, 1.0 - wanted if is_right else 1.0, laid_out.below_middle)
+        painter.restore()
         self.paint_mark(painter)
         painter.end()
