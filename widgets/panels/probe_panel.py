@@ -80,6 +80,10 @@ _DIVIDE = 4  # the line in which what is divided by stands behind its sign
 _W: dict[tuple[str, ...], str] = {("0", "0", "-1", "0"): "−z_view", ("0", "0", "0", "1"): "1"}
 """What the lens' table says that w is, by the cells of its last row."""
 _ROOT = QModelIndex()
+FORMULA = Qt.ItemDataRole.UserRole
+"""Of a line's first cell: its formula, as of `widgets.parts.typeset`."""
+EXACT = Qt.ItemDataRole.UserRole + 1
+"""Of a cell: what is copied."""
 
 
 class ProbePanel(ReadablePanel):
@@ -527,13 +531,7 @@ def _text(row: int, cell: str | float, write: Callable[[float], str]) -> str:
 
 
 class _Table(QAbstractTableModel):
-    """Cells in blocks of four columns, one block for each probe; asked only for what is seen.
-
-    `FORMULA` is what is typeset of a line's formula, and `EXACT` what is copied of a cell.
-    """
-
-    FORMULA = Qt.ItemDataRole.UserRole
-    EXACT = Qt.ItemDataRole.UserRole + 1
+    """Cells in blocks of four columns, one block for each probe; asked only for what is seen."""
 
     def __init__(self, parent: QWidget) -> None:
         super().__init__(parent)
@@ -595,14 +593,14 @@ class _Table(QAbstractTableModel):
             marked = self.highlight_at(self.index(row, column)) & self._highlighted
             return self._mark() if marked else None
         roles = Qt.ItemDataRole
-        if role not in (roles.DisplayRole, roles.ToolTipRole, self.FORMULA, self.EXACT):
+        if role not in (roles.DisplayRole, roles.ToolTipRole, FORMULA, EXACT):
             return None
         if column == 0:
             formula = self.lines[row][1]
-            return formula if role == self.FORMULA else in_line(formula)
+            return formula if role == FORMULA else in_line(formula)
         probe, part = divmod(column - 1, _PARTS)
         cells = self._columns[probe][row]
-        if part >= len(cells) or role == self.FORMULA:
+        if part >= len(cells) or role == FORMULA:
             return None
         write = read_text if role == roles.DisplayRole else number_text
         return _text(row, cells[part], write)
@@ -641,7 +639,7 @@ class _TableView(QTableView):
         """What is selected, its columns with tabs between them."""
         rows: dict[int, list[str]] = {}
         for index in sorted(self.selectedIndexes(), key=lambda at: (at.row(), at.column())):
-            rows.setdefault(index.row(), []).append(index.data(_Table.EXACT) or "")
+            rows.setdefault(index.row(), []).append(index.data(EXACT) or "")
         QGuiApplication.clipboard().setText("\n".join(map("\t".join, rows.values())))
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
@@ -669,7 +667,7 @@ class _FormulaDelegate(QStyledItemDelegate):
         super().paint(painter, option, index)
         own = QStyleOptionViewItem(option)
         self.initStyleOption(own, index)
-        formula = typeset(index.data(_Table.FORMULA), own.font)
+        formula = typeset(index.data(FORMULA), own.font)
         roles = QPalette.ColorRole
         is_selected = bool(own.state & QStyle.StateFlag.State_Selected)
         painter.save()

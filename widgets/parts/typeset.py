@@ -279,10 +279,15 @@ _MATRIX = re.compile(r"\[([^\[\]]*)\]")
 def in_line(text: str) -> str:
     """A formula for those who read text only: fractions with a stroke, a matrix in rows."""
 
-    def part(text: str) -> str:
-        return f"({text})" if re.search(r"\s[−+]\s", text) else text
+    def bracketed(text: str, signs: str) -> str:
+        is_one = text.startswith("|") and text.find("|", 1) == len(text) - 1
+        return f"({text})" if re.search(signs, text) and not is_one else text
 
-    text = _FRACTION.sub(lambda found: f"{part(found[1])}/{part(found[2])}", text)
+    def fraction(found: re.Match[str]) -> str:
+        above, below = bracketed(found[1], "[−+]"), bracketed(found[2], r"[−+·\s]")
+        return f"{above}/{below}"
+
+    text = _FRACTION.sub(fraction, text)
     text = _MATRIX.sub(lambda found: found[1].replace("&", "\t").replace(";", "\n"), text)
     return text.replace(ARROW, "")
 
