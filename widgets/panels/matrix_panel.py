@@ -316,6 +316,8 @@ class MatrixPanel(ReadablePanel):
         def scroll() -> int:
             """Scroll as far as that helps; how far to the right it has yet to go, in px."""
             QCoreApplication.sendPostedEvents(None, QEvent.Type.LayoutRequest.value)
+            # The gap asks for none while an older request of a matrix is on its way.
+            QCoreApplication.sendEvent(self._content, QEvent(QEvent.Type.LayoutRequest))
             bar.setValue(bar.value() + self._left_of(view) - left_px)
             return left_px - self._left_of(view)
 

@@ -60,6 +60,7 @@ from widgets.parts.typeset import typeset
 
 _AXES = ("u", "v", "n")
 VIEW = ("view_from_world", "rotation")
+ROW_GAP_PX = 3.0
 
 
 _POWER = re.compile("e|·?10(?=[⁻⁰¹²³⁴⁵⁶⁷⁸⁹])")
@@ -161,7 +162,7 @@ class MatrixView(QWidget):
         self._marks: list[list[int | None]] = []
         self._lit: set[tuple[int, int]] = set()
         self._columns: list[float] = [0.0] * 4
-        self._heights: list[float] = [0.0] * 4
+        self._measured: list[float] = []
         self._letters: Letters = "own"
         self._rows = self._formulas = False
         self._style = LIGHT
@@ -257,7 +258,9 @@ class MatrixView(QWidget):
         # While numbers run, columns only grow: a row that jumps to and fro cannot be read.
         self._columns = widths if anew else list(map(max, self._columns, widths))
         # A subscript hangs into the room between two rows.
-        self._heights = [max(height + 3.0, *(cell.height + 1.0 for cell in row)) for row in cells]
+        self._measured = [
+            max(height + ROW_GAP_PX, *(cell.height + 1.0 for cell in row)) for row in cells
+        ]
         size = self._wanted()
         if size != self.minimumSize():
             self.setFixedSize(size)
@@ -283,6 +286,11 @@ class MatrixView(QWidget):
 
     def sizeHint(self) -> QSize:
         return self._wanted()
+
+    @property
+    def _heights(self) -> list[float]:
+        """Of the rows; of lines of text until there is a matrix, whose place is kept free."""
+        return self._measured or [QFontMetricsF(self.font()).height() + ROW_GAP_PX] * 4
 
     def cell_rect(self, row: int, column: int) -> QRectF:
         """Where a cell is in the widget."""
