@@ -845,7 +845,8 @@ def _unknown_path(path: str, paths: list[str]) -> Refusal:
         last = difflib.SequenceMatcher(
             None, shown.rpartition(".")[2], known.rpartition(".")[2]
         ).ratio()
-        begun = known.rpartition(".")[2].startswith(shown.rpartition(".")[2])
+        of_part, _, named = known.rpartition(".")
+        begun = of_part in (section, "") and named.startswith(shown.rpartition(".")[2])
         return max(whole, last) + whole / 100.0 + begun
 
     return Refusal.in_document(UNKNOWN, max(paths, key=likeness), field=shown)

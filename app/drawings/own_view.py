@@ -32,7 +32,8 @@ from app.model.projection import Array, Camera
 from app.picking.picking import Sight
 
 _VIEW_ANGLE_DEG = 50.0
-_MARGIN_EM = 1.6  # beside what is framed, for the labels; never more than half the pane
+_MARGIN_EM = 1.6  # beside what is framed, for the labels
+_SMALL_MARGIN = 1.0 / 6.0  # of a small pane: both sides together take no more of it
 _DIMENSIONS_EM = 8.5  # under it in a flat view, for the lines that say how far and a sentence
 _SHRUNK = 0.4  # of the pane: what fills less of it is brought nearer by `refit`
 _NEAREST = 0.02  # of the distance to what is looked at: what is nearer is cut
@@ -265,7 +266,7 @@ class OwnView:
     def _room(self, below_em: float = 0.0) -> tuple[float, float]:
         """What of the pane's width and height is for what is framed, each 1/2 to 1."""
         wide, high = self._size_px
-        margin = 2.0 * _MARGIN_EM * self._em
+        margin = min(2.0 * _MARGIN_EM * self._em, _SMALL_MARGIN * min(wide, high))
         beside = (TITLE_EM + below_em) * self._em
         return (
             max(0.5, (wide - margin) / wide),

@@ -385,9 +385,9 @@ def stops(
     offset = np.array(origin) - sight.eye
     constants = (tests[:, :3] @ offset + tests[:, 3])[:, None]
     inside = [np.empty(0, np.intp)]
-    for at in range(0, len(points), _BLOCK):
-        values = tests[:, :3] @ points[at : at + _BLOCK].T.astype(np.float64) + constants
-        inside.append(at + np.flatnonzero((values >= 0.0).all(axis=0) & (values[4] > 0.0)))
+    for first in range(0, len(points), _BLOCK):
+        values = tests[:, :3] @ points[first : first + _BLOCK].T.astype(np.float64) + constants
+        inside.append(first + np.flatnonzero((values >= 0.0).all(axis=0) & (values[4] > 0.0)))
     in_view = np.concatenate(inside)
     numbers = in_view[:: max(1, -(-len(in_view) // _SPREAD))]
     if at is not None and at in in_view:

@@ -725,7 +725,7 @@ def test_labels_stay_on_their_sides_while_something_moves(make_view: MakeView) -
 def test_no_label_lies_on_another_in_any_scene_of_a_lecture(
     make_view: MakeView, name: str, size_px: tuple[int, int]
 ) -> None:
-    """As the scene opens, in projector mode; in the least pane but what a scene marks itself."""
+    """As the scene opens, in large letters; in the least pane but what a scene marks itself."""
     view = make_view(name, *size_px, replace(LIGHT, font_size=22.0))
     scene = load(name)
     shown = scene.phenomenon

@@ -233,6 +233,8 @@ def test_it_is_in_the_dock(display: Any, qtbot: Any) -> None:
     assert isinstance(menu, QComboBox)
     texts = [menu.itemText(i) for i in range(menu.count())]
     assert texts[-2:] == ["shift", "free matrix"]
+    for section in column.sections.values():
+        section.set_open(True)
     assert not number(column, "rise").isVisible()
     menu.activated.emit(len(texts) - 2)
     assert taken[-1].lens.kind == "shift"

@@ -156,7 +156,7 @@ def test_what_is_nearer_than_near_or_beyond_far_is_not_seen() -> None:
     for near, far, z in ((0.1, 30.0, 4.5), (1.0, 30.0, 0.0), (6.0, 30.0, -9.0)):
         lens = Perspective(45.0, near, far)
         hit = surface.pick(Sight.of(replace(seen, lens=lens)), middle)
-        assert hit is not None and hit.point[2] == z
+        assert hit is not None and hit.point[2] == pytest.approx(z, abs=1e-12)
     lens = Perspective(45.0, 6.0, 10.0)
     assert surface.pick(Sight.of(replace(seen, lens=lens)), middle) is None
 

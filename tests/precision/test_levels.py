@@ -772,7 +772,11 @@ def test_predictions_of_the_readmes_documents_are_no_looser_than_it_says() -> No
         (posts, replace(posts.start, lens=Perspective(45.0, near, far)))
         for near in np.geomspace(1e-3, 10.0, 5).tolist()
     ]
-    for scene, start in documents:
+    # A round near leaves errors of 0 now and then, which no bound is a multiple of.
+    unround = [(scene, replace(at, lens=at.lens.but(near=1.01 * at.lens.near)))
+               for scene, at in documents]  # fmt: skip
+    of_ratios = [start.with_depth(depth) for _, start in unround for depth in DEPTH_RANGES]
+    for scene, start in [*unround, *documents]:
         for depth in DEPTH_RANGES:
             projection = start.with_depth(depth)
             points = scene.vertices[projection.trace(scene.vertices).in_front]
@@ -785,7 +789,7 @@ def test_predictions_of_the_readmes_documents_are_no_looser_than_it_says() -> No
                 pairs = list(zip(predictions[level], errors, strict=True))
                 # What the reference does not know is added to the error: 2^-16 of an ulp.
                 assert all(error <= bound * (1.0 + 2.0**-14) for bound, error in pairs)
-                ratios += [bound / error for bound, error in pairs]
+                ratios += [bound / error for bound, error in pairs if projection in of_ratios]
     assert np.median(ratios) <= 15.0 and np.quantile(ratios, 0.95) <= 60.0
     drawn = {
         name

@@ -52,9 +52,9 @@ def test_halves_that_do_not_join_are_found_out() -> None:
     left, right = halves(PHENOMENON.start)
     lens = right.lens
     assert isinstance(lens, Frustum)
-    # 0.001 of a window 0.5 wide is shown on 640 pixels: a gap of 1.28 px at its edge.
+    # 0.001 of a window 1 wide is shown on 640 pixels: a gap of 0.64 px at its edge.
     apart = replace(right, lens=replace(lens, left=lens.left + 0.001))
-    assert join_error_px((left, apart)) == pytest.approx(0.001 / 0.499 * 640, rel=1e-9)
+    assert join_error_px((left, apart)) == pytest.approx(0.001 / 0.999 * 640, rel=1e-9)
 
 
 def test_a_point_of_the_join_is_on_both_edges() -> None:

@@ -9,7 +9,7 @@ from dataclasses import replace
 from typing import Any
 
 import numpy as np
-from PySide6.QtCore import QEvent, QPoint, QPointF, Qt
+from PySide6.QtCore import QEvent, QPoint, QPointF, QRect, Qt
 from PySide6.QtGui import QImage, QMouseEvent, QRegion
 from PySide6.QtOpenGLWidgets import QOpenGLWidget
 from PySide6.QtTest import QTest
@@ -36,6 +36,22 @@ def activate(window: MainWindow) -> None:
     """Wait until the keyboard is the window's."""
     window.activateWindow()
     assert QTest.qWaitForWindowActive(window, PATIENCE_MS)
+
+
+def present(window: MainWindow) -> None:
+    """Present, on the whole screen as a window manager would have it."""
+    window.present.begin()
+    give_room(window, window.screen().geometry())
+
+
+def give_room(window: MainWindow, geometry: QRect) -> None:
+    """Resize the window as a window manager does, which leaves the window's state to Qt."""
+    window.windowHandle().setGeometry(geometry)
+    for _ in range(PATIENCE_MS):
+        if window.geometry() == geometry:
+            break
+        QTest.qWait(1)
+    settle()
 
 
 def show_scene(window: MainWindow, name: str) -> MainWindow:

@@ -1599,7 +1599,7 @@ def test_the_letter_f_needs_no_scrolling_in_a_small_window(controls: Controls) -
 
 @pytest.fixture
 def larger_text(controls: Controls, qapp: QApplication) -> Iterator[Callable[[float], None]]:
-    """Makes all text of the column larger, as for a projector."""
+    """Makes all text of the column larger, as for a class."""
     before = qapp.font()
 
     def enlarge(factor: float) -> None:

@@ -180,12 +180,13 @@ def test_a_hovered_row_is_seen_in_every_pane_that_has_it(window: MainWindow) -> 
 
 
 def test_rows_show_what_they_are_about(window: MainWindow) -> None:
+    coordinates = {f"{part}_{axis}" for part in ("eye", "target", "up") for axis in "xyz"}
     for row, panes, rows in [
         ("far", {"world", "ndc"}, {"far"}),
-        ("fov_y_deg", {"world", "image"}, {"fov_y_deg", "fov_x_deg", "focal_length_mm", "e"}),
-        ("window_right", {"world", "ndc", "image"}, {"fov_x_deg", "focal_length_mm", "e"}),
+        ("fov_y_deg", {"world", "image"}, {"fov_x_deg", "focal_length_mm", "fx", "fy", "e"}),
+        ("window_right", {"world", "ndc", "image"}, {"fov_x_deg", "fx", "focal_length_mm", "e"}),
         ("azimuth_deg", {"world"}, {"azimuth_deg", "elevation_deg", "distance"}),
-        ("roll_deg", {"world", "ndc", "image"}, {"roll_deg", "azimuth_deg", "elevation_deg"}),
+        ("roll_deg", {"world", "ndc", "image"}, {"azimuth_deg", "elevation_deg", *coordinates}),
     ]:
         for section in window.controls.sections.values():
             section.set_open(section.isAncestorOf(window.controls.rows["fov_x_deg"]))
@@ -344,7 +345,7 @@ def test_turning_a_pane_picks_nothing(window: MainWindow) -> None:
     while_down = list(asked)
     QTest.mouseRelease(handle, Qt.MouseButton.LeftButton, pos=centre)
     assert while_down == [] and pane.view is not None  # it has been turned
-    hover(window, pane.canvas, QPoint(20, 20))
+    hover(window, pane.canvas, pane.canvas.rect().bottomLeft() + QPoint(20, -20))
     assert len(asked) > len(while_down)
 
 
@@ -491,7 +492,8 @@ def test_a_hidden_pane_is_told_when_it_appears(
     drawing = window.panes["world"].drawing
     real = drawing.show_highlight  # type: ignore[union-attr]
     monkeypatch.setattr(drawing, "show_highlight", lambda a: (told.append(a), real(a))[1])
-    hover(window, window.controls.rows["near"])
+    window.highlighter.mark("test", frozenset({"near"}))
+    settle()
     assert told == []
     window.slots.arrange("pictures", "world")
     settle()

@@ -16,7 +16,7 @@ from app.bootstrap import ROOT
 from app.scenes.scene import BUILT_IN
 from tests import PATIENCE_S
 from tests.support.layout import cut, overlapping
-from tests.support.window import MakeWindow, settle
+from tests.support.window import MakeWindow, present, settle
 from widgets.window.main_window import MainWindow
 
 SIZES = ((1280, 720), (1366, 768), (3840, 2160))
@@ -25,13 +25,6 @@ SIZES = ((1280, 720), (1366, 768), (3840, 2160))
 def wrong(window: MainWindow) -> list[str]:
     settle()
     return [*cut(window), *overlapping(window)]
-
-
-def present(window: MainWindow) -> None:
-    """On the whole screen, as a window manager makes it."""
-    window.present.begin()
-    window.resize(window.screen().size())
-    settle()
 
 
 @pytest.mark.parametrize("size", SIZES)

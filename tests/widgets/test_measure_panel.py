@@ -107,7 +107,7 @@ def test_a_trade_is_measured_and_shown(panel: MeasurePanel, qtbot: QtBot) -> Non
     assert panel.run_button.isEnabled() and not panel.cancel_button.isEnabled()
     results = panel.measured["depth"]
     assert fractions.count() > 3 and panel.progress.value() == 1000
-    assert results.complete and results.document["lens"]["far"] == 30
+    assert results.complete and results.document["lens"]["far"] == 18
     trade = results.trades[0]
     assert [heads(panel), *cells(panel)] == table(trade)  # as the command prints them
     assert panel.sentence.text() == meaning(trade).sentence()
@@ -386,10 +386,10 @@ def test_a_file_that_cannot_be_read_is_a_sentence(panel: MeasurePanel, tmp_path:
 
 def test_it_gives_way_to_the_panes(panel: MeasurePanel, qapp: QApplication, tmp_path: Path) -> None:
     panel.load(write(tmp_path / "a.json", RESULTS))
-    for projector in (True, False):
-        palette.apply(qapp, dark=False, projector=projector)
+    for screen_px, width in ((768.0, 1340), (0.0, 1070)):
+        palette.apply(qapp, dark=False, screen_px=screen_px)
         qapp.processEvents()
-        assert panel.minimumSizeHint().width() <= 1340
+        assert panel.minimumSizeHint().width() <= width
     assert panel.minimumSizeHint().height() <= 100
     panel.resize(1340, 600)
     assert panel.sizeHint().height() <= 260
@@ -408,15 +408,15 @@ def test_names_beside_points_do_not_hide_each_other(panel: MeasurePanel, tmp_pat
         assert not any(box.adjusted(0.1, 0.1, -0.1, -0.1).intersects(o) for o in boxes[:i])
 
 
-@pytest.mark.parametrize("projector", [False, True])
+@pytest.mark.parametrize("screen_px", [0.0, 768.0])
 def test_the_depth_chart_s_names_cross_nothing(
-    panel: MeasurePanel, document: Document, tmp_path: Path, projector: bool
+    panel: MeasurePanel, document: Document, tmp_path: Path, screen_px: float
 ) -> None:
     """In a panel as low as it opens: no name lies on another one, on a dot or on the frontier."""
     found = replace(RESULTS, trades=(depth.measure(document.projection),), sweeps=())
     panel.resize(1340, 225)
     panel.load(write(tmp_path / "a.json", found))
-    panel.set_style(palette.drawing_style(dark=False, projector=projector, device_pixel_ratio=1.0))
+    panel.set_style(palette.drawing_style(dark=False, screen_px=screen_px, device_pixel_ratio=1.0))
     view = panel.diagrams[0]
     view.grab()
     boxes = list(view.spot_names.values())
@@ -563,8 +563,10 @@ def test_the_panes_have_room_above_it(
     window.measure_panel.load(write(tmp_path / "a.json", RESULTS))
     settle()
     assert window.measure_panel.isVisible() and (window.width(), window.height()) == size
-    for pane in window.panes.values():
-        assert pane.width() >= 300 and pane.height() >= 400
+    large, *small = (window.panes[name] for name in ("world", "image", "ndc"))
+    assert large.width() >= 400 and large.height() >= 400
+    for pane in small:
+        assert pane.width() >= 400 and pane.height() >= 150
 
 
 def test_a_drag_in_the_window_makes_it_wait_and_a_sentence_reaches_the_bar(

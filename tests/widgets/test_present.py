@@ -14,11 +14,11 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QLabel, QToolButton, QWidget
 
 from app.drawings.style import LIGHT
-from tests import PATIENCE_MS
 from tests.support.window import (
     MakeWindow,
     activate,
     counted_repaints,
+    give_room,
     move_mouse,
     pixels,
     rgb_of,
@@ -45,21 +45,11 @@ def press(window: MainWindow, key: Qt.Key) -> None:
     settle()
 
 
-def present(window: MainWindow) -> None:
-    """Begin, by F5; there is no window manager here that would fill the screen."""
+def begin(window: MainWindow) -> None:
+    """Present, by F5."""
     press(window, Qt.Key.Key_F5)
     assert window.isFullScreen()
-    resize(window, window.screen().geometry())
-
-
-def resize(window: MainWindow, geometry: QRect) -> None:
-    """As a window manager does, which leaves the window's state to Qt."""
-    window.windowHandle().setGeometry(geometry)
-    for _ in range(PATIENCE_MS):
-        if window.geometry() == geometry:
-            break
-        QTest.qWait(1)
-    settle()
+    give_room(window, window.screen().geometry())
 
 
 def trace(window: MainWindow) -> list[Any]:
@@ -108,7 +98,7 @@ def is_presenting(window: MainWindow) -> bool:
 
 
 def test_panes_and_controls_fill_the_screen(window: MainWindow) -> None:
-    present(window)
+    begin(window)
     assert is_presenting(window) and not window.menus.tools.isVisible()
     screen = window.screen().size()
     areas = [pane.width() * pane.height() for pane in window.panes.values()]
@@ -119,7 +109,7 @@ def test_panes_and_controls_fill_the_screen(window: MainWindow) -> None:
 
 def test_text_is_a_share_of_the_screens_height(window: MainWindow) -> None:
     before = LIGHT.font_size
-    present(window)
+    begin(window)
     least = 0.022 * window.screen().size().height()
     for widget in window.findChildren(QWidget):
         is_text = isinstance(widget, QLabel | QToolButton) and widget.text()
@@ -137,7 +127,7 @@ def test_text_is_a_share_of_the_screens_height(window: MainWindow) -> None:
 @pytest.mark.parametrize("theme", ["light", "dark"])
 def test_icons_grow_with_their_letters(window: MainWindow, theme: str) -> None:
     window.look.set_theme(theme)
-    present(window)
+    begin(window)
     window.present.show_tools(True)
     settle()
     for button in window.menus.tools.findChildren(QToolButton):
@@ -149,7 +139,7 @@ def test_icons_grow_with_their_letters(window: MainWindow, theme: str) -> None:
 def test_the_tool_bar_comes_when_the_mouse_is_at_the_top_and_goes_with_it(
     window: MainWindow,
 ) -> None:
-    present(window)
+    begin(window)
     tools = window.menus.tools
     heights = {name: pane.height() for name, pane in window.panes.items()}
     middle = window.width() // 2
@@ -191,7 +181,7 @@ def is_black(window: MainWindow) -> bool:
 def test_b_lets_the_class_see_nothing_and_any_way_out_brings_all_back(window: MainWindow) -> None:
     press(window, Qt.Key.Key_B)
     assert not is_black(window), "only while presenting"
-    present(window)
+    begin(window)
     ways: tuple[Callable[[], None], ...] = (
         lambda: press(window, Qt.Key.Key_B),
         lambda: press(window, Qt.Key.Key_Escape),
@@ -210,7 +200,7 @@ def test_b_lets_the_class_see_nothing_and_any_way_out_brings_all_back(window: Ma
 
 
 def test_the_pointer_marks_in_all_panes_what_the_mouse_is_over(window: MainWindow) -> None:
-    present(window)
+    begin(window)
     canvas = window.panes["image"].canvas
     ((x, y),) = window.panes["image"].drawing.sight.seen([[0.5, 4.5, 1.0]]).tolist()
     at = QPointF(x, y) / canvas.pixel_ratio
@@ -247,7 +237,7 @@ def test_it_leaves_no_trace(window: MainWindow, way: str) -> None:
     settle()
     before, pictures = trace(window), {name: pixels(window, name) for name in window.panes}
     for _ in range(2):
-        present(window)
+        begin(window)
         assert is_presenting(window) and trace(window) != before
         window.present.show_tools(True)
         if way == "system":
@@ -255,15 +245,33 @@ def test_it_leaves_no_trace(window: MainWindow, way: str) -> None:
         else:
             press(window, getattr(Qt.Key, f"Key_{way}"))
         assert not window.isFullScreen()
-        resize(window, QRect(20, 30, 1300, 750))
+        give_room(window, QRect(20, 30, 1300, 750))
         assert not is_presenting(window)
         assert trace(window) == before
         assert all((pixels(window, name) == pictures[name]).all() for name in pictures)
     assert not window.isWindowModified() and not window.store.can_undo
 
 
+def test_slots_that_the_hand_has_shared_out_are_so_again(window: MainWindow) -> None:
+    window.setGeometry(20, 30, 1300, 750)
+    settle()
+    for splitter, by in ((window.slots, QPoint(90, 0)), (window.slots.widget(1), QPoint(0, 70))):
+        handle = splitter.handle(1)
+        at = handle.rect().center()
+        QTest.mousePress(handle, Qt.MouseButton.LeftButton, pos=at)
+        QTest.mouseMove(handle, at + by)
+        QTest.mouseRelease(handle, Qt.MouseButton.LeftButton, pos=at + by)
+        settle()
+    before = trace(window)
+    for _ in range(2):
+        begin(window)
+        press(window, Qt.Key.Key_F5)
+        give_room(window, QRect(20, 30, 1300, 750))
+        assert trace(window) == before
+
+
 def test_esc_leaves_the_whole_pane_first(window: MainWindow) -> None:
-    present(window)
+    begin(window)
     window.slots.bring("world")
     settle()
     assert not window.panes["image"].isVisible() and not window.controls.isVisible()
@@ -276,7 +284,7 @@ def test_esc_leaves_the_whole_pane_first(window: MainWindow) -> None:
 def test_a_window_that_was_maximised_is_so_again(window: MainWindow) -> None:
     window.setWindowState(Qt.WindowState.WindowMaximized)
     settle()
-    present(window)
+    begin(window)
     press(window, Qt.Key.Key_F5)
     assert window.isMaximized() and not window.isFullScreen()
 
@@ -290,7 +298,7 @@ def test_closed_while_presenting_it_opens_as_an_ordinary_window(
     activate(window)
     settle()
     font = QApplication.font().toString()
-    present(window)
+    begin(window)
     window.store.mark_saved()
     assert window.close()
     assert QApplication.font().toString() == font

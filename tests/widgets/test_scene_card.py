@@ -566,14 +566,14 @@ def test_numbers_are_larger_than_their_words_in_any_font(owner: Owner, qapp: QAp
     assert value.font().pointSizeF() == pytest.approx(1.15 * base)
     assert owner.card.title.font().pointSizeF() == pytest.approx(1.25 * base)
     try:
-        palette.apply(qapp, dark=True, projector=True)
+        palette.apply(qapp, dark=True, screen_px=768.0)
         qapp.processEvents()
         assert owner.card.font().pointSizeF() > 1.2 * base
         assert value.font().pointSizeF() == pytest.approx(1.15 * owner.card.font().pointSizeF())
         title = owner.card.title.font().pointSizeF()
         assert title == pytest.approx(1.25 * owner.card.font().pointSizeF())
     finally:
-        palette.apply(qapp, dark=False, projector=False)
+        palette.apply(qapp, dark=False, screen_px=0.0)
         qapp.processEvents()
     assert value.font().pointSizeF() == pytest.approx(1.15 * base)
 

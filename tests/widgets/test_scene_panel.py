@@ -73,12 +73,12 @@ def test_it_gives_way_to_the_panes(panel: ScenePanel, qapp: QApplication) -> Non
     """In a window of 1366 x 768, whatever a scene shows in it."""
     panel.show_illustration(Illustration((), diagrams=SHOWN.diagrams * 4))
     try:
-        for projector in (True, False):
-            palette.apply(qapp, dark=False, projector=projector)
+        for screen_px, width in ((768.0, 1340), (0.0, 1070)):
+            palette.apply(qapp, dark=False, screen_px=screen_px)
             qapp.processEvents()
-            assert panel.minimumSizeHint().width() <= 1340
+            assert panel.minimumSizeHint().width() <= width
     finally:
-        palette.apply(qapp, dark=False, projector=False)
+        palette.apply(qapp, dark=False, screen_px=0.0)
     assert panel.minimumSizeHint().height() <= 100
     assert panel.sizeHint().height() <= 225
     areas = panel.findChildren(QScrollArea)

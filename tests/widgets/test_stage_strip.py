@@ -25,7 +25,7 @@ from app.lecture.stages import IMAGE, NDC, STOPS, VIEW, WORLD, Morph, morph_of
 from app.model.projection import DEPTH_RANGES, Frustum, Lens, Oblique, Perspective
 from app.scenes.scene import load
 from tests.support.drawings import rendered
-from tests.support.window import activate, counted_repaints, move_mouse, picture, settle
+from tests.support.window import activate, counted_repaints, move_mouse, picture, present, settle
 from widgets.panes.stage_strip import CATCH, REST_S, STEP_S, STEPS, StageStrip
 from widgets.window.main_window import MainWindow
 
@@ -410,7 +410,7 @@ def test_what_is_said_of_a_stage_is_whole_and_moves_nothing(
 ) -> None:
     window.resize(*size)
     if presents:
-        window.present.begin()
+        present(window)
     start, words, heights = window.store.document.projection, window.panes["ndc"].note, set()
     for lens in (*LENSES, replace(LENSES[0], near=0.00123, far=30.0)):
         window.store.set_projection(replace(start, lens=lens))
@@ -518,7 +518,7 @@ def test_near_and_far_are_written_in_the_pane_all_the_way(
 ) -> None:
     window.resize(*size)
     if presents:
-        window.present.begin()
+        present(window)
     start, cut = window.store.document.projection, []
     for near, far in ((5.0, 20.0), (12.0, 14.0), (1.0, math.inf)):
         window.store.set_projection(replace(start, lens=Perspective(45.0, near, far)))

@@ -126,7 +126,7 @@ def test_a_risk_is_told_and_goes_again(qtbot: QtBot, line: StatusLine, scene: Sc
     assert line.health.text().startswith("⚠ At the target, a 24-bit depth buffer")
     assert "clamp the field of view to 179°" in line.health.toolTip()
     assert line.health.accessibleDescription() == line.health.toolTip().replace("\n", " ")
-    line.resize(900, 24)
+    line.resize(400, 24)
     qtbot.waitUntil(lambda: line.health.text().endswith("…"))
     rested(qtbot, line, EVERYDAY, scene)
     assert line.health.text() == "" and line.health.toolTip() == ""

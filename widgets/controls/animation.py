@@ -11,7 +11,7 @@ from dataclasses import dataclass, replace
 from functools import partial
 from typing import Literal, TypeAlias
 
-from PySide6.QtCore import Signal
+from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QToolButton, QVBoxLayout, QWidget
 
 from app.model.limits import NOT_PARALLEL, within
@@ -19,6 +19,7 @@ from app.model.projection import LARGEST, NOT_THE_EYE, Camera, Vector
 from app.model.refusal import Refusal
 from widgets.parts.clock import Clock, Playing
 from widgets.parts.fields import Choice, ChoiceRow, Linear, NumberRow, Row
+from widgets.parts.icons import show_icon
 from widgets.parts.messages import limits_text, sentence
 
 HeightMode: TypeAlias = Literal["fixed", "swing", "steps"]
@@ -171,6 +172,7 @@ class AnimationBar(QWidget, Playing):
 
     def _make_widgets(self) -> None:
         self.button = QToolButton()
+        self.button.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
         self.button.clicked.connect(self.toggle)
         self._error = QLabel()
         self._error.setWordWrap(True)
@@ -411,9 +413,9 @@ class AnimationBar(QWidget, Playing):
     # -- shown
 
     def _show_state(self) -> None:
-        sign, word = ("❚❚", self.tr("Pause")) if self.playing else ("▶", self.tr("Play"))
-        self.button.setText(f"{sign} {word}")  # a style's icons are black on a dark window too
-        self.button.setAccessibleName(word)
+        icon, word = ("pause", self.tr("Pause")) if self.playing else ("play", self.tr("Play"))
+        show_icon(self.button, icon)
+        self.button.setText(word)
         self.button.setToolTip(
             self.tr("Stand still; playing again goes on from here.")
             if self.playing

@@ -58,8 +58,8 @@ _ABOUT: dict[str, tuple[str, ...]] = {
 """What a row is about, by `app.lecture.highlight`'s names, if its field's name is not all of it."""
 _MAKES: dict[str, tuple[str, ...]] = {
     **dict.fromkeys(("eye", "target", "azimuth_deg", "elevation_deg"), ("u", "v", "n")),
-    "fov_y_deg": ("bottom", "top"),
-    "fov_x_deg": ("left", "right"),
+    **dict.fromkeys(("fov_y_deg", "fy"), ("bottom", "top")),
+    **dict.fromkeys(("fov_x_deg", "fx"), ("left", "right")),
     **dict.fromkeys(("focal_length_mm", "e"), ("left", "right", "bottom", "top")),
 }
 """What is made of a row's value besides; pointing at that points at the row as well."""

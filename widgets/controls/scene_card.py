@@ -61,6 +61,7 @@ from widgets.parts.fields import (
     Scale,
     VectorRow,
 )
+from widgets.parts.icons import show_icon
 from widgets.parts.messages import (
     breakable,
     limits_text,
@@ -603,9 +604,9 @@ class Player(QObject, Playing):
         return math.log10(value) if self._setting.logarithmic else value
 
     def _show_state(self) -> None:
-        sign, word = ("❚❚", self.tr("Pause")) if self.playing else ("▶", self.tr("Play"))
+        icon, word = ("pause", self.tr("Pause")) if self.playing else ("play", self.tr("Play"))
         label = of_phenomena(self._setting.label)
-        self.button.setText(sign)
+        show_icon(self.button, icon)
         self.button.setAccessibleName(f"{word}: {label}")
         self.button.setToolTip(
             self.tr("Let it stand still; playing again goes on from here")

@@ -105,8 +105,8 @@ class FramePanel(Panel):
         self._timer.setInterval(STEP_MS)
         self._timer.timeout.connect(self._play_on)
 
-        self.back = self._button(self.tr("◀ Back"), self.tr("One step back"), self._go_back)
-        self.next = self._button(self.tr("Next ▶"), self.tr("The next step"), self._go_on)
+        self.back = self._button(self.tr("Back"), self.tr("One step back"), self._go_back)
+        self.next = self._button(self.tr("Next"), self.tr("The next step"), self._go_on)
         self.play = self._button("", "", self.toggle)
         self.all = self._button(
             self.tr("Show all"), self.tr("All steps at once"), lambda: self.go_to(len(STEPS) - 1)

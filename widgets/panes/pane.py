@@ -14,7 +14,7 @@ import time
 from collections.abc import Callable, Sequence
 from typing import Any, Protocol, cast
 
-from PySide6.QtCore import QEvent, QPoint, QPointF, QSize, Qt, Signal
+from PySide6.QtCore import QEvent, QPoint, QPointF, Qt, Signal
 from PySide6.QtGui import (
     QCloseEvent,
     QKeyEvent,
@@ -591,9 +591,6 @@ class Pane(QFrame):
 
     def _fit_header(self) -> None:
         """Leave the note what the title and the buttons leave of the width."""
-        side = self.fontMetrics().height()
-        for button in (self._reset, self._enlarge, self._float):
-            button.setIconSize(QSize(side, side))
         room = max(0, self.width() - self._tools.sizeHint().width())
         bar = self.header.layout()
         assert bar is not None

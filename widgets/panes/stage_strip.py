@@ -373,7 +373,6 @@ class _Narrow(QToolButton):
         super().__init__()
         self.setAutoRaise(True)
         self.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
-        self.setStyleSheet("padding: 2px 0px")
         self.setFocusPolicy(Qt.FocusPolicy.NoFocus)  # the slider's arrow keys reach them all
 
     def minimumSizeHint(self) -> QSize:

@@ -5,7 +5,7 @@ The shapes are those of Lucide (lucide.dev, ISC licence), on a grid of 24, as li
 
 from __future__ import annotations
 
-from PySide6.QtCore import QByteArray, QObject, Qt
+from PySide6.QtCore import QByteArray, QObject, QSize, Qt
 from PySide6.QtGui import QAction, QColor, QIcon, QPainter, QPalette, QPixmap
 from PySide6.QtSvg import QSvgRenderer
 from PySide6.QtWidgets import QAbstractButton, QApplication
@@ -45,11 +45,11 @@ def show_icon(shown: QAction | QAbstractButton, name: str) -> None:
         One of the family: ``"undo"``.
     """
     shown.setProperty("iconName", name)
-    shown.setIcon(icon(name))
+    _show(shown, name)
 
 
 def dress(owner: QObject) -> None:
-    """Draw all icons inside in the colours of now."""
+    """Draw all icons inside in the colours and for the letters of now."""
     found: list[QAction | QAbstractButton] = [
         *owner.findChildren(QAction),
         *owner.findChildren(QAbstractButton),
@@ -57,7 +57,14 @@ def dress(owner: QObject) -> None:
     for shown in found:
         name = shown.property("iconName")
         if name:
-            shown.setIcon(icon(name))
+            _show(shown, name)
+
+
+def _show(shown: QAction | QAbstractButton, name: str) -> None:
+    shown.setIcon(icon(name))
+    if isinstance(shown, QAbstractButton):
+        side = shown.fontMetrics().height()
+        shown.setIconSize(QSize(side, side))
 
 
 def icon(name: str) -> QIcon:

@@ -9,6 +9,7 @@ from PySide6.QtCore import QEvent, Qt
 from PySide6.QtGui import QAccessible, QAccessibleAnnouncementEvent, QKeyEvent
 from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QPushButton, QToolButton, QWidget
 
+from widgets.parts.icons import show_icon
 from widgets.parts.messages import breakable
 
 Choice: TypeAlias = tuple[str, Callable[[], object]]
@@ -35,7 +36,7 @@ class MessageBar(QFrame):
         self._choices: list[QPushButton] = []
         self._offer: tuple[str, tuple[Choice, ...]] | None = None
         self._close = QToolButton()
-        self._close.setText("✕")
+        show_icon(self._close, "close")
         self._close.setAutoRaise(True)
         self._close.setAccessibleName(self.tr("Dismiss this message"))
         self._close.setToolTip(self.tr("Dismiss this message"))

@@ -41,8 +41,14 @@ _STYLE_SHEET = """
 #messageBar {{ background: {bar}; border: 1px solid {edge}; border-radius: 4px; }}
 QToolTip {{ color: {text}; background: {base}; border: 1px solid {edge}; }}
 QToolBar {{ spacing: 2px; padding: 3px; }}
+#stages QToolButton, #fixedViews QToolButton, #drawerNames QToolButton {{
+    border: 0px; border-radius: 4px; padding: 4px 6px; }}
+#stages QToolButton {{ padding: 4px 0px; }}
+#fixedViews QToolButton {{ padding: 2px 6px; }}
+#stages QToolButton:hover, #fixedViews QToolButton:hover, #drawerNames QToolButton:hover {{
+    background: {line}; }}
 #stages QToolButton:checked, #fixedViews QToolButton:checked, #drawerNames QToolButton:checked {{
-    color: {on_accent}; background: {accent}; border: 0px; border-radius: 4px; }}
+    color: {on_accent}; background: {accent}; }}
 QToolBar QToolButton#presentButton {{ color: {on_accent}; background: {accent}; border: 0px;
     border-radius: 4px; padding: 4px 8px; }}
 """

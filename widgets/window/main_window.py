@@ -78,7 +78,7 @@ from widgets.window.quality import Cost, DrawnQuality
 from widgets.window.recovery import Recovery
 from widgets.window.scene_guide import SceneGuide
 from widgets.window.settings import data_folder
-from widgets.window.slots import LARGE_AND_SMALL, PRESENTING, Slots
+from widgets.window.slots import Slots
 from widgets.window.start_card import FirstSteps, StartCard
 from widgets.window.status_line import StatusLine
 from widgets.window.world_look import WorldLook
@@ -558,7 +558,7 @@ class MainWindow(QMainWindow):
         self.look.set_presenting(on)
         self.controls.set_presenting(on)
         self.menus.fit_icons()
-        self.slots.share(PRESENTING if on else LARGE_AND_SMALL)
+        self.slots.set_presenting(on)
         self._show_beside()
 
     def _show_beside(self) -> None:

@@ -69,6 +69,8 @@ class Slots(QSplitter):
         self.leading = self.large
         self._widths = LARGE_AND_SMALL
         self._is_by_hand = False
+        self._by_hand: tuple[list[int], list[int]] | None = None
+        """What the hand had chosen before presenting."""
         self._small = QSplitter(Qt.Orientation.Vertical)
         for splitter in (self, self._small):
             splitter.setChildrenCollapsible(False)
@@ -192,9 +194,22 @@ class Slots(QSplitter):
         beside = [name for name in docked if self._small.indexOf(self._panes[name]) >= 0]
         self._small.setVisible(any(self.whole in ("", name) for name in beside))
 
-    def share(self, large_and_small: list[int] | None = None) -> None:
-        """Give the slots the room that they have at first, or from now on."""
-        self._widths = large_and_small or self._widths
+    def set_presenting(self, on: bool) -> None:
+        """Give the slots their room for a class, or that of before."""
+        if on and self._is_by_hand and not self.whole:
+            self._by_hand = self.sizes(), self._small.sizes()
+        self._widths = PRESENTING if on else LARGE_AND_SMALL
+        self.share()
+        if not on and self._by_hand is not None:
+            across, down = self._by_hand
+            self._by_hand = None
+            if not self.whole and len(across) == self.count():
+                self.setSizes(across)
+                self._small.setSizes(down)
+                self._is_by_hand = True
+
+    def share(self) -> None:
+        """Give the slots the room that they have at first."""
         self._is_by_hand = False
         widths = IMAGE_AND_SMALL if self.large == "image" else self._widths
         self.setSizes([*COLUMN_WIDTHS, 0] if self.layout_name == "columns" else widths)
