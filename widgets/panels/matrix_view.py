@@ -257,9 +257,10 @@ class MatrixView(QWidget):
         widths = [max(row[j].width for row in cells) + 0.8 * height for j in range(4)]
         # While numbers run, columns only grow: a row that jumps to and fro cannot be read.
         self._columns = widths if anew else list(map(max, self._columns, widths))
-        # A subscript hangs into the room between two rows.
+        # A subscript hangs into the room between two rows, a fraction does not.
         self._measured = [
-            max(height + ROW_GAP_PX, *(cell.height + 1.0 for cell in row)) for row in cells
+            max(height, *(cell.height - (0.0 if cell.rules else 2.0) for cell in row)) + ROW_GAP_PX
+            for row in cells
         ]
         size = self._wanted()
         if size != self.minimumSize():
