@@ -482,7 +482,7 @@ def test_every_reading_is_shown_with_its_unit(owner: Owner) -> None:
     assert shown[:4] == [
         ("gap", "0.3333", "mm"), ("kind", "a", ""), ("x_s", "0.5", "×"), ("y_s", "3.6", "×"),
     ]  # fmt: skip
-    rows = [row.split("&") for row in shown[4][1].removeprefix("[").removesuffix("]").split(";")]
+    rows = [row.split("\t") for row in shown[4][1].splitlines()]
     assert np.shape(rows) == (4, 4) and rows[3][2:] == ["4.667", "5"]  # 14/3 and 15/3
     value, exact = owner.card.readout.lines[4][1], [repr(part * (1 / 3)) for part in range(16)]
     assert value.toolTip().split() == [text.removesuffix(".0") for text in exact]

@@ -762,7 +762,7 @@ class Readout(QWidget):
         if is_word != value.wordWrap():
             value.setWordWrap(is_word)
             value.setMinimumWidth(WORDS_EM * self.fontMetrics().height() if is_word else 0)
-        if text != value.text():
+        if text != (value.formula or value.text()):
             (value.set_formula if _side(reading.value) else value.set_words)(text)
             self._place(value, max(map(len, text.split("\n"))) > BESIDE and not is_word)
             if not is_word and not _side(reading.value):

@@ -36,7 +36,7 @@ from app.picking.handles import Handle
 from widgets.panes.canvas import ARROWS
 from widgets.panes.manipulation import Manipulation
 from widgets.panes.pane import Pane
-from widgets.parts.digits import read_text
+from widgets.parts.digits import digits, read_text
 from widgets.parts.panel import Changed, Shown
 
 if TYPE_CHECKING:
@@ -107,6 +107,7 @@ class Cursor(QObject):
         self._label.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
         self._label.hide()
         pane.hand.dropped.connect(self.let_go)
+        digits.changed.connect(self._follow)
         pane.canvas.installEventFilter(self)
 
     @property

@@ -297,6 +297,8 @@ class TypesetLabel(MarkedLabel):
 
     Attributes
     ----------
+    formula : str
+        What is typeset, if it is a formula; its `text` is the same in one line.
     exact : str
         What is copied, if anything: by the keyboard or the right mouse button.
     shrinks : bool
@@ -305,23 +307,23 @@ class TypesetLabel(MarkedLabel):
 
     def __init__(self) -> None:
         super().__init__()
-        self._is_formula = False
-        self.exact, self.shrinks = "", False
+        self.formula, self.exact, self.shrinks = "", "", False
         self._copy = QAction(self.tr("Copy, with all digits"), self)
         self._copy.triggered.connect(self._to_clipboard)
 
     def set_formula(self, text: str) -> None:
         """Show a formula, as of `typeset`."""
-        self._is_formula = True
+        self.formula = text
         self.setTextFormat(Qt.TextFormat.PlainText)
-        self.setText(text)
-        self.setAccessibleName(in_line(text))
+        self.setText(in_line(text))
+        self.updateGeometry()
+        self.update()
 
     def set_words(self, text: str) -> None:
         """Show words or a number, as any label does."""
-        self._is_formula = False
+        self.formula = ""
+        self.setTextFormat(Qt.TextFormat.AutoText)
         self.setText(text)
-        self.setAccessibleName("")
 
     def set_exact(self, text: str) -> None:
         """Have this copied."""
@@ -345,26 +347,26 @@ class TypesetLabel(MarkedLabel):
             super().keyPressEvent(event)
 
     def sizeHint(self) -> QSize:
-        if not self._is_formula:
+        if not self.formula:
             return super().sizeHint()
-        laid_out, margins = typeset(self.text(), self.font()), self.contentsMargins()
+        laid_out, margins = typeset(self.formula, self.font()), self.contentsMargins()
         return QSize(
             math.ceil(laid_out.width) + 2 + margins.left() + margins.right(),
             math.ceil(laid_out.height) + margins.top() + margins.bottom(),
         )
 
     def minimumSizeHint(self) -> QSize:
-        if not self._is_formula:
+        if not self.formula:
             return super().minimumSizeHint()
         hint = self.sizeHint()
         least = LEAST_EM * self.fontMetrics().height()
         return QSize(min(hint.width(), least), hint.height()) if self.shrinks else hint
 
     def paintEvent(self, event: QPaintEvent) -> None:
-        if not self._is_formula:
+        if not self.formula:
             super().paintEvent(event)
             return
-        laid_out, room = typeset(self.text(), self.font()), QRectF(self.contentsRect())
+        laid_out, room = typeset(self.formula, self.font()), QRectF(self.contentsRect())
         wanted = laid_out.width + 2.0
         painter = QPainter(self)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
