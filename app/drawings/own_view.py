@@ -279,17 +279,15 @@ class OwnView:
         axes, half = _axes_from(out), math.tan(math.radians(_VIEW_ANGLE_DEG / 2.0))
         wide, high = self._room()
         slopes = half * wide * size_px[0] / size_px[1], half * high
-        position = _stand_back(axes, framed.points, slopes)
+        lower = half * TITLE_EM * self._em / size_px[1]  # by half of what the pane's title takes
+        position = _stand_back(axes, framed.points, slopes, lower)
         for _ in range(2):  # camera's body and axes are as large as the pane makes them
             unit = 2.0 * half / size_px[1] * float((position - eye) @ out)
             around = max(0.0, AROUND_PX * min(size_px) * unit)
             position = _stand_back(
-                axes, np.vstack([framed.points, eye + around * _SIX_WAYS]), slopes
+                axes, np.vstack([framed.points, eye + around * _SIX_WAYS]), slopes, lower
             )
         middle = float(self._middle @ out + eye @ out) / 2.0
-        # Lower in the pane, by half of what its title takes.
-        unit = 2.0 * half / size_px[1] * (float(position @ out) - middle)
-        position = position + TITLE_EM * self._em / 2.0 * unit * axes[1]
         return position, position + (middle - float(position @ out)) * out
 
     # -- fixed views
@@ -444,16 +442,19 @@ def _axes_from(out: Array) -> Array:
     return np.stack([right, np.cross(out, right), -out])
 
 
-def _stand_back(axes: Array, points: Array, slopes: tuple[float, float]) -> Array:
-    """From where these points just fill a view of these slopes, (3,)."""
+def _stand_back(
+    axes: Array, points: Array, slopes: tuple[float, float], lower: float = 0.0
+) -> Array:
+    """From where these points just fill a view of these slopes, which is lower by one, (3,)."""
     right, up, toward = axes
     x, y, away = axes @ points.T
     centre, distance = [], -math.inf
-    for across, slope in ((x, slopes[0]), (y, slopes[1])):
-        low, high = float((-slope * away - across).max()), float((-slope * away + across).max())
+    for across, slope, shift in ((x, slopes[0], 0.0), (y, slopes[1], lower)):
+        low = float((-(slope + shift) * away - across).max())
+        high = float((-(slope - shift) * away + across).max())
         centre.append((high - low) / 2.0)
         distance = max(distance, (high + low) / (2.0 * slope))
-    position: Array = centre[0] * right + centre[1] * up - distance * toward
+    position: Array = centre[0] * right + (centre[1] + lower * distance) * up - distance * toward
     return position
 
 
