@@ -122,7 +122,7 @@ def test_the_format_is_that_of_the_design() -> None:
         (1280, 720),
         "opengl",
     )
-    assert to_json(document) == WRITTEN.replace("4, \"far\": 18", "1, \"far\": 30")
+    assert to_json(document) == WRITTEN.replace('4, "far": 18', '1, "far": 30')
 
 
 def test_infinity_is_a_word() -> None:
