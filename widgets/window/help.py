@@ -172,7 +172,7 @@ class Help(QObject):
         layout.addWidget(buttons)
         em = page.fontMetrics().height()
         dialog.resize(
-            QSize(42 * em, 48 * em).boundedTo(0.9 * self._window.screen().availableSize())
+            QSize(42 * em, 48 * em).boundedTo(self._window.screen().availableSize() * 0.9)
         )
         dialog.show()
 

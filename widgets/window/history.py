@@ -64,7 +64,8 @@ class History(QObject):
         self.stand_still()
         document = self._store.document
         self._store.set_document(replace(document, projection=self._start(), settings={}))
-        for row in self._window.findChildren(Row):
+        rows: list[Row] = self._window.findChildren(Row)  # type: ignore[type-abstract]
+        for row in rows:
             row.clear_error()  # what was refused was never in the document
 
     def stand_still(self) -> None:
