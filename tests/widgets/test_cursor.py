@@ -45,7 +45,9 @@ def go_to(window: MainWindow, name: str) -> QWidget:
 
 
 def said(window: MainWindow, name: str = "world") -> str:
-    """What is written beside the cursor."""
+    """What is written beside the cursor, with all its digits."""
+    if not window.menus.all_digits.isChecked():
+        window.menus.all_digits.trigger()
     label = window.panes[name].canvas.findChild(QLabel, "cursorLabel")
     assert isinstance(label, QLabel)
     text = window.cursors[name].text
@@ -357,7 +359,7 @@ def test_a_plane_is_not_dragged_past_the_other(window: MainWindow) -> None:
             break
         press(KEY.Key_Left if key == KEY.Key_Right else KEY.Key_Right, SHIFT, times=60)
     assert "must be less than far" in text
-    assert said(window) == f"Near = {model(window).lens.near:g}"
+    assert said(window) == f"Near = {model(window).lens.near!r}"
     press(KEY.Key_Escape)
     assert model(window).lens.near == near and window.manipulation.message.text == ""
 

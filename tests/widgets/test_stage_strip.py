@@ -158,7 +158,7 @@ def test_nothing_is_smeared_when_the_eye_goes_to_infinity(shown: Callable[..., S
     [
         (WORLD, {"x", "y", "z", "near", "far"}),
         (VIEW, {"u", "v", "n", "near", "far"}),
-        (2, {"x", "y", "z", "far", "−1", "1", "near −0.0333"}),
+        (2, {"x", "y", "z", "far", "−1", "1", "near −0.222"}),
         (3, {"x", "y", "z", "near", "far", "−1", "1", "0"}),
         (4, {"x", "y", "z", "near", "far", "−1", "1"}),
         (5, {"x", "y", "0", "1280", "720"}),
@@ -359,7 +359,7 @@ def test_a_name_goes_to_its_stop_and_the_header_says_so(window: MainWindow) -> N
     pane, wanted = window.panes["ndc"], {
         0: ("World", "x, y, z in world units"),
         1: ("View", "u, v, n in world units"),
-        2: ("Canonical perspective", "x, y ±1, z −n/f = −0.0333 … −1"),
+        2: ("Canonical perspective", "x, y ±1, z −n/f = −0.222 … −1"),
         3: ("Canonical parallel", "x, y ±1, z 0 … −1"),
         4: ("NDC cube", "x, y ±1, z −1 … 1"),
         5: ("Image", "1280 × 720 pixels, y down"),
