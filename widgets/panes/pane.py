@@ -212,7 +212,7 @@ class Pane(QFrame):
         self.setAccessibleName(title)
         self.drawing: Any = None
         """A `Drawing`, once there is one."""
-        self._make_drawing, self._orbits = make_drawing, orbits
+        self._make_drawing = make_drawing
         self._shown: Shown | None = None
         self._to_build: tuple[object, ...] | None = None
         self._view: Camera | None = None
@@ -491,9 +491,8 @@ class Pane(QFrame):
         self._beside_title = widget, narrow
 
     def set_presenting(self, on: bool) -> None:
-        """Show a class the one button that it has a use for, or all of them."""
-        self._reset.setVisible(self._orbits and not on)
-        self._float.setVisible(not on)
+        """Show a class no buttons in the title, which the mouse and the keys can do without."""
+        self._tools.setVisible(not on)
         self._fit_header()
 
     def set_title(self, title: str, note: str) -> None:
@@ -598,7 +597,8 @@ class Pane(QFrame):
 
     def _fit_header(self) -> None:
         """Leave the note what the title and the buttons leave of the width."""
-        room = max(0, self.width() - self._tools.sizeHint().width())
+        tools_px = 0 if self._tools.isHidden() else self._tools.sizeHint().width()
+        room = max(0, self.width() - tools_px)
         bar = self.header.layout()
         assert bar is not None
         margins = bar.contentsMargins()

@@ -37,7 +37,7 @@ IMAGE_AND_SMALL = [640, 430]
 UPPER_AND_LOWER = [318, 378]
 """In a window of 1366x768 pixels; the splitters keep the proportion."""
 TOP_AND_BOTTOM = {"world": [583, 493], "image": [566, 510]}
-SIDE_BY_SIDE = [830, 735]
+SIDE_BY_SIDE = [750, 734]
 CUBE_AND_SMALL = [735, 790]
 """For a class, whose letters take more of the smaller pictures, on a screen of 1920x1080 pixels."""
 LEAST_PANE_PX = (190, 150)
