@@ -9,6 +9,7 @@ import os
 import subprocess
 import sys
 
+import numpy as np
 import pytest
 from PySide6.QtWidgets import QLabel
 
@@ -16,7 +17,7 @@ from app.bootstrap import ROOT
 from app.scenes.scene import BUILT_IN
 from tests import PATIENCE_S
 from tests.support.layout import cut, overlapping
-from tests.support.window import MakeWindow, present, settle
+from tests.support.window import MakeWindow, pixels, present, settle
 from widgets.window.main_window import MainWindow
 
 SIZES = ((1280, 720), (1366, 768), (3840, 2160))
@@ -129,4 +130,26 @@ def test_the_pictures_have_their_share(make_window: MakeWindow) -> None:
     window.guide.choose("letter-f")
     present(window)
     assert window.controls.card.isVisible() and share() >= 0.33
+    window.guide.choose("depth-buffer")
+    assert share() >= 0.40
     window.present.end()
+
+
+@pytest.mark.parametrize("presents", [False, True])
+def test_the_drawing_of_the_world_has_its_share(window: MainWindow, presents: bool) -> None:
+    """The box round what is drawn, without its labels, over the window, as issue 19 asks."""
+    window.resize(1366, 768)
+    if presents:
+        present(window)
+    pane = window.panes["world"]
+    pane.show_layers(frozenset({"labels"}))
+    for scene in ("letter-f", "off-axis-window"):
+        window.guide.choose(scene)
+        settle()
+        picture = pixels(window).astype(int)
+        drawn = np.abs(picture - picture[-2, 2]).max(axis=2) > 3
+        rows, columns = np.nonzero(drawn)
+        area = (np.ptp(rows) + 1) * (np.ptp(columns) + 1) / pane.canvas.pixel_ratio**2
+        assert area >= 0.15 * window.width() * window.height(), scene
+    if presents:
+        window.present.end()

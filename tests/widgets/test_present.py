@@ -14,6 +14,7 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QLabel, QToolButton, QWidget
 
 from app.drawings.style import LIGHT
+from tests.support.layout import cut
 from tests.support.window import (
     MakeWindow,
     activate,
@@ -107,13 +108,18 @@ def test_panes_and_controls_fill_the_screen(window: MainWindow) -> None:
     assert sum(areas) + dock > 0.97 * screen.width() * screen.height()
 
 
-def test_text_is_a_share_of_the_screens_height(window: MainWindow) -> None:
+@pytest.mark.parametrize("arranged", ["world", "image", "ndc", "columns"])
+def test_text_is_a_share_of_the_screens_height(window: MainWindow, arranged: str) -> None:
     before = LIGHT.font_size
     begin(window)
+    columns = arranged == "columns"
+    window.slots.arrange("columns" if columns else "pictures", "" if columns else arranged)
+    settle()
+    assert cut(window) == []
     least = 0.022 * window.screen().size().height()
     for widget in window.findChildren(QWidget):
         is_text = isinstance(widget, QLabel | QToolButton) and widget.text()
-        if is_text and widget.isVisible() and not window.strip.isAncestorOf(widget):
+        if is_text and widget.isVisible():
             assert QFontInfo(widget.font()).pixelSize() >= least, widget.text()
     assert QFontInfo(window.controls.rows["near"].field.font()).pixelSize() >= least
     drawn = [
@@ -122,6 +128,60 @@ def test_text_is_a_share_of_the_screens_height(window: MainWindow) -> None:
         if prop.IsA("vtkTextActor") and prop.GetVisibility()
     ]
     assert drawn and min(drawn) >= least > before
+
+
+def test_a_class_sees_the_controls_that_matter_and_nothing_else(window: MainWindow) -> None:
+    window.guide.choose("depth-buffer")
+    window.panels.open(window.matrices)
+    settle()
+    card = window.controls.card
+    beside = [card.use_mesh, card.explanation, window.controls.search, window.panels]
+    beside += [section.heading for section in window.controls.sections.values()]
+    beside += [window.controls.rows["fov_y_deg"], window.controls.rows["azimuth_deg"]]
+    assert all(widget.isVisible() for widget in beside)
+    begin(window)
+    assert not any(widget.isVisible() for widget in beside)
+    assert all(row.isVisible() for row in card.rows.values())
+    assert window.controls.rows["near"].isVisible() and card.tries.isVisible()
+    bar = window.controls.verticalScrollBar()
+    assert bar.maximum() == bar.minimum()
+    window.guide.choose("letter-f")  # which has no controls of its own
+    settle()
+    assert window.controls.rows["fov_y_deg"].isVisible()
+    window.guide.choose("depth-buffer")
+    window.present.end()
+    settle()
+    assert all(widget.isVisible() for widget in beside)
+
+
+def test_in_a_narrow_window_a_class_reads_what_to_try_all_the_same(window: MainWindow) -> None:
+    window.resize(1024, 720)
+    settle()
+    assert not window.controls.isVisible()
+    begin(window)
+    assert window.controls.isVisible() and window.controls.card.tries.isVisible()
+    press(window, Qt.Key.Key_F5)
+    give_room(window, QRect(0, 0, 1024, 720))
+    assert not window.controls.isVisible()
+
+
+def test_no_last_word_stands_alone(window: MainWindow) -> None:
+    """Of each thing to try, the last line is at least half as long as the longest."""
+    window.guide.choose("off-axis-window")
+    begin(window)
+    tries = window.controls.card.tries
+    for text in tries.text().split("\n"):
+        tries.setText(text)
+        settle()
+        image = rgb_of(tries.grab().toImage()).astype(int)
+        inked = np.abs(image - image[0, -1]).max(axis=2) > 60
+        line = tries.fontMetrics().height()
+        ends = [
+            int(np.nonzero(inked[top : top + line].any(axis=0))[0].max())
+            for top in range(0, inked.shape[0] - line // 2, line)
+            if inked[top : top + line].any()
+        ]
+        assert len(ends) > 1 and min(ends) > 0.5 * max(ends), (text, ends)
 
 
 @pytest.mark.parametrize("theme", ["light", "dark"])
@@ -218,6 +278,10 @@ def test_the_pointer_marks_in_all_panes_what_the_mouse_is_over(window: MainWindo
         rows, columns = np.nonzero((pixels(window, name) != before[name]).any(axis=2))
         away = np.hypot(columns - x, rows - y)
         assert away.min() < 20.0, name
+        least = 0.025 * window.screen().size().height()
+        near = away < 2.0 * least  # beside its ray
+        assert np.ptp(columns[near]) >= least and np.ptp(rows[near]) >= least, name
+        assert pane.cursor().pixmap().height() >= least
     assert window.probe_panel.probes == () and not window.store.can_undo
     leave(canvas)
     assert all((pixels(window, name) == before[name]).all() for name in before)
