@@ -229,7 +229,7 @@ def test_handles_come_in_one_order_wherever_it_begins(window: MainWindow) -> Non
             texts.append(said(window).partition(" = ")[0])
     assert there[:4] == ["Eye", "Target", "Near", "Far"]
     assert there[:8] == back[7::-1] or there == [*back[:0:-1], there[-1]]
-    assert set(there[4:]) & {"Vertical fov"}
+    assert set(there[4:]) & {"Field of view"}
 
 
 def test_the_next_is_reached_from_where_the_focus_left(window: MainWindow) -> None:

@@ -460,7 +460,7 @@ def test_up_is_drawn_where_it_is(window: MainWindow) -> None:
     assert np.abs(near_by - accent).sum(axis=1).min() < 30
 
 
-def test_figures_do_not_show_the_steps(make_window: MakeWindow) -> None:
+def test_figures_show_the_step_while_its_panel_is_open(make_window: MakeWindow) -> None:
     window = make_window()
     settle()
     window.pictures.copy()
@@ -468,6 +468,10 @@ def test_figures_do_not_show_the_steps(make_window: MakeWindow) -> None:
     before = QApplication.clipboard().image()
     window.panels.open(window.frame_panel)
     window.frame_panel.go_to(6)
+    settle()
+    window.pictures.copy()
+    assert QApplication.clipboard().image() != before
+    window.panels.open(None)
     settle()
     window.pictures.copy()
     assert QApplication.clipboard().image() == before and not before.isNull()

@@ -1103,6 +1103,27 @@ def test_that_no_copy_can_be_kept_is_said_in_the_window(
 # -- scenes
 
 
+def test_a_window_of_a_screen_that_has_gone_opens_on_one_that_is_there(
+    make_window: MakeWindow,
+) -> None:
+    window, settings = make_window(), Settings(None)
+    screen = window.screen().geometry()
+    window.setGeometry(3 * screen.width(), 2 * screen.height(), 900, 650)
+    settle()
+    settings.geometry = bytes(window.saveGeometry().data())
+    again = make_window(settings=settings)
+    settle()
+    assert screen.contains(again.frameGeometry()) and again.size().toTuple() == (900, 650)
+
+
+@pytest.mark.parametrize("geometry", [b"\x00", b"x" * 70, bytes(range(256))])
+def test_a_damaged_place_of_the_window_is_as_none(make_window: MakeWindow, geometry: bytes) -> None:
+    settings = Settings(None)
+    settings.geometry = geometry
+    window = make_window(settings=settings)
+    assert window.size() == make_window().size()
+
+
 def test_reset_takes_a_refused_text_with_it(window: MainWindow) -> None:
     far: Any = window.controls.rows["far"]
     enter(far.field, "3")

@@ -505,6 +505,7 @@ class MeasurePanel(ReadablePanel):
         slanted = QFont(self.table.font())
         slanted.setItalic(True)
         grey = self.palette().brush(QPalette.ColorRole.PlaceholderText)
+        self.table.setVisible(bool(rows))
         self.table.setRowCount(len(rows))
         self.table.setColumnCount(len(heads))
         self.table.setHorizontalHeaderLabels([named(head, of_measurements) for head in heads])
