@@ -12,6 +12,7 @@ import weakref
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from functools import partial
 from itertools import product
+from types import MappingProxyType
 from typing import Any, NamedTuple, Protocol, TypeAlias
 
 import numpy as np
@@ -49,6 +50,7 @@ _BELOW_PLANE = (
     (1.0, 1.0),
 )  # fmt: skip
 _ABOVE_PLANE = tuple((x, -y) for x, y in (_BELOW_PLANE[1:3] + _BELOW_PLANE[:1] + _BELOW_PLANE[3:]))
+_BELOW_HANDLE = tuple((x, -y) for x, y in _ABOVE_PLANE)
 _GAPS_EM = (0.5, 1.6, 3.0, 5.0, 8.0, 12.0)  # between a label and its point, best first
 _HIDES = (0.01, 0.05, 0.1)  # parts of the subject that a label may hide, rather than more
 FREE, CROSSING, ON_SUBJECT = range(3)
@@ -56,6 +58,8 @@ FREE, CROSSING, ON_SUBJECT = range(3)
 _LEADER_FROM_EM = 1.2  # a label as far from its point is joined to it by a line
 _OTHER_PLANE_EM = 2.0  # as far is each plane's label from the other one's corners
 _STAYS_WITHIN_EM = 3.0  # a label as near to its point stays where it is while something moves
+
+_NOWHERE: Mapping[str, tuple[float, float]] = MappingProxyType({})
 
 Spot: TypeAlias = tuple[float, float, float]
 """Pixels from the pane's left and bottom, and depth: negative behind the pane's camera."""
@@ -260,6 +264,7 @@ class Labels:
         afresh: bool,
         first: Callable[[Layout, Callable[[Array], Sequence[Spot]]], None] | None = None,
         subject: Subject | None = None,
+        held_at: Mapping[str, tuple[float, float]] = _NOWHERE,
     ) -> bool:
         """Put each label where it hides no other one, at its first place if that is free.
 
@@ -275,6 +280,9 @@ class Labels:
             Places other labels before these, given the layout and `PaneView.seen`.
         subject : Subject, optional
             What no label hides while there is a place beside it.
+        held_at : mapping of str to (float, float), optional
+            Where the handles of near and far are, from the pane's left and bottom. Where both
+            planes are seen at one place, as from the eye, only that tells which label is whose.
 
         Returns
         -------
@@ -295,7 +303,9 @@ class Labels:
         corners = np.tile(named.eye, (8, 1)) if named.corners is None else named.corners
         seen = pane.seen(np.concatenate([*points, _PLANES_FROM_CORNERS @ corners]))
         eye, target, *spots = seen
-        planes = spots[-16:-8], spots[-8:]
+        planes: tuple[Sequence[Spot], Sequence[Spot]] = (spots[-16:-8], spots[-8:])
+        if held_at.keys() >= {"near", "far"} and self._are_one(planes):
+            planes = tuple([(*held_at[name], 1.0)] for name in ("near", "far"))
         layout.keep_free([eye, target])
         if first is not None:
             first(layout, pane.seen)
@@ -324,6 +334,8 @@ class Labels:
             )
         ):
             others = planes[1 - i][:4]
+            if len(planes[i]) == 1:  # outwards from its handle
+                sides = _ABOVE_PLANE if planes[i][0][1] >= planes[1 - i][0][1] else _BELOW_HANDLE
             if named.corners is None:
                 layout.place(label, texts[i], [], sides, leader)  # nowhere
                 continue
@@ -339,6 +351,12 @@ class Labels:
             by_the_arrow(gaps=3)
         self._kept = layout.settled
         return self._kept != before
+
+    def _are_one(self, planes: tuple[Sequence[Spot], Sequence[Spot]]) -> bool:
+        """Whether both planes' corners are seen at the same places."""
+        least = _OTHER_PLANE_EM * self._canvas.style.font_size
+        near, far = ([spot[:2] for spot in spots] for spots in planes)
+        return all(min(math.dist(one, other) for other in far) < least for one in near)
 
 
 class Subject(Protocol):

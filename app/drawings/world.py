@@ -323,7 +323,19 @@ class WorldDrawing:
         pane = self.own.pane
         if pane is not self._masked_for:
             self._masked_for, self._mask = pane, self._silhouette.seen(pane)
-        return self.labels.lay_out(pane, named, afresh=afresh, first=first, subject=self._mask)
+        return self.labels.lay_out(
+            pane, named, afresh=afresh, first=first, subject=self._mask, held_at=self._held_at()
+        )
+
+    def _held_at(self) -> dict[str, tuple[float, float]]:
+        """Where near and far are held, from the pane's left and bottom."""
+        height_px = self.own.pane.size_px[1]
+        marked = () if self.handles is None else self.handles.shown
+        return {
+            handle.name: (x, height_px - y)
+            for handle, (x, y) in marked
+            if handle.name in ("near", "far")
+        }
 
     def _place_first(self, layout: Layout, seen: Callable[[Array], Sequence[Spot]]) -> None:
         """What the labels keep off: the handles, and the texts of a scene."""

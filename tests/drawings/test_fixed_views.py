@@ -105,6 +105,31 @@ def test_a_flat_view_is_the_cameras_frame_to_scale(
     assert spots[0, 1] - spots[:, 1] == pytest.approx(scale * (upwards - upwards[0]), abs=1e-6)
 
 
+@pytest.mark.parametrize(
+    ("view", "projection"), [("eye", START), ("axis", START.with_lens("orthographic"))]
+)
+def test_where_the_planes_lie_on_each_other_each_label_stands_at_its_own_handle(
+    off_screen: MakeScreen, view: str, projection: Projection
+) -> None:
+    screen = off_screen(*SIZE_PX)
+    drawing = made(screen, projection)
+    drawing.show_fixed(view)
+    assert drawing.handles is not None
+    held = {handle.name: (x, SIZE_PX[1] - y) for handle, (x, y) in drawing.handles.shown}
+    shown = texts(screen)
+    for name, other in (("near", "far"), ("far", "near")):
+        (label,) = (actor for text, actor in shown.items() if text.startswith(f"{name} "))
+        left, bottom, right, top = box_of(screen, label)
+
+        def away(
+            spot: tuple[float, float], box: tuple[float, ...] = (left, bottom, right, top)
+        ) -> float:
+            x, y = spot
+            return math.dist(spot, (min(max(x, box[0]), box[2]), min(max(y, box[1]), box[3])))
+
+        assert away(held[name]) < 30.0 < away(held[other])
+
+
 def test_the_planes_light_their_pixels_from_the_side(off_screen: MakeScreen) -> None:
     """As far from the eye as 4 is to 18, upright, and as high as n tan and f tan say."""
     screen = off_screen(*SIZE_PX)
