@@ -199,6 +199,8 @@ class Named(NamedTuple):
         face, then of the far face; None if there is none.
     planes : (float, float) or None
         Distances of near and far, to be written; None if they have none.
+    without : frozenset of str
+        ``"eye"`` and ``"target"``, if they are not to be named.
     """
 
     eye: Array
@@ -208,6 +210,7 @@ class Named(NamedTuple):
     body: Array
     corners: Array | None
     planes: tuple[float, float] | None
+    without: frozenset[str] = frozenset()
 
 
 class Labels:
@@ -305,7 +308,7 @@ class Labels:
         eye, target, *spots = seen
         planes: tuple[Sequence[Spot], Sequence[Spot]] = (spots[-16:-8], spots[-8:])
         if held_at.keys() >= {"near", "far"} and self._are_one(planes):
-            planes = tuple([(*held_at[name], 1.0)] for name in ("near", "far"))
+            planes = [(*held_at["near"], 1.0)], [(*held_at["far"], 1.0)]
         layout.keep_free([eye, target])
         if first is not None:
             first(layout, pane.seen)
@@ -324,9 +327,14 @@ class Labels:
                     crowded.append(partial(by_the_arrow, leader=leaders[name]))
             else:
                 label.set_visible(False)
-        layout.place(self._target, words["target"], [target], _RIGHT_BELOW, leaders["target"])
-        layout.keep_free_box(spots[len(named.tips) : -16])
-        layout.place(self._eye, words["eye"], [eye], _BELOW, leaders["eye"])
+        at_target, at_eye = (
+            [] if name in named.without else [spot]
+            for name, spot in (("target", target), ("eye", eye))
+        )
+        layout.place(self._target, words["target"], at_target, _RIGHT_BELOW, leaders["target"])
+        if named.arrows:
+            layout.keep_free_box(spots[len(named.tips) : -16])
+        layout.place(self._eye, words["eye"], at_eye, _BELOW, leaders["eye"])
         for i, (label, sides, leader) in enumerate(
             (
                 (self._near, _BELOW_PLANE, leaders["near"]),

@@ -41,6 +41,7 @@ from app.scenes.scene import Scene
 
 _WHOLE, _NEARBY = 3.0, 1.1  # of the extent: a frustum that is framed whole; else only so far
 _FARTHEST_MARK = 1e3  # of the extent: where lines toward infinity end
+_PICTURE_PART = 0.5  # of the pane's width: a near plane on which words are rather not written
 _FRAMED_MARK = 5.0  # of the scene's size: marks farther from it are not brought into view
 
 
@@ -115,6 +116,7 @@ class WorldDrawing:
         self._masked_for: PaneView | None = None
         self._mask: Mask | None = None
         self._grips: dict[str, Array] = {}
+        self._measured: tuple[tuple[str, float], ...] = ()
         self._standing: Standing | None = None
         self.own = OwnView(canvas, self._origin, self._objects.mean(axis=0))
         self.show_projection(scene.start)
@@ -174,8 +176,9 @@ class WorldDrawing:
         self._follow_pane(afresh=True)
 
     def _switch_layers(self) -> None:
-        # Nobody sees the camera that they look through.
-        hidden = self._hidden | {"camera"} if self.own.sees_from_eye else self._hidden
+        # Nobody sees the camera that they look through; along its axis it stands in the picture.
+        without = self.own.sees_from_eye or self.own.fixed == "axis"
+        hidden = self._hidden | {"camera"} if without else self._hidden
         if hidden != self._canvas.hidden:
             self._canvas.show_layers(hidden)
 
@@ -313,8 +316,12 @@ class WorldDrawing:
         """The labels, and whether one has changed sides; see `Labels.lay_out`."""
         at, planes = self._stands, self._projection.lens.planes
         arrows, tips = self.camera.names
-        corners = self.frustum.corners if self.frustum.seen else None
-        named = Named(at.eye, at.target, arrows, tips, self.camera.box, corners, planes)
+        unseen = self._unseen
+        if "camera" in self._canvas.hidden:
+            arrows, tips = (), np.empty((0, 3))
+        named = Named(
+            at.eye, at.target, arrows, tips, self.camera.box, self._corners_seen, planes, unseen
+        )
         first = None
         if "labels" in self._canvas.hidden:
             return False
@@ -326,6 +333,25 @@ class WorldDrawing:
         return self.labels.lay_out(
             pane, named, afresh=afresh, first=first, subject=self._mask, held_at=self._held_at()
         )
+
+    @property
+    def _corners_seen(self) -> Array | None:
+        """Those of the frustum, (8, 3); None if there is none, or its layer is off."""
+        if not self.frustum.seen or "frustum" in self._canvas.hidden:
+            return None
+        return self.frustum.corners
+
+    @property
+    def _unseen(self) -> frozenset[str]:
+        """What is neither named nor held, because what it names is not drawn."""
+        unseen = set[str]()
+        if "frustum" in self._hidden:
+            unseen |= {"near", "far", "corner"}
+        if "camera" in self._hidden:
+            unseen |= {"eye", "target"}
+        elif "camera" in self._canvas.hidden:  # seen through, or from right behind it
+            unseen |= {"eye"}
+        return frozenset(unseen)
 
     def _held_at(self) -> dict[str, tuple[float, float]]:
         """Where near and far are held, from the pane's left and bottom."""
@@ -343,10 +369,16 @@ class WorldDrawing:
             height_px = self.own.pane.size_px[1]
             layout.keep_free([(x, height_px - y, 1.0) for _, (x, y) in self.handles.shown])
         if self.own.fixed and self._dimensions is not None:
-            at, own, alone = self._stands, self.own, self._scene.phenomenon is None
-            corners = self.frustum.corners if self.frustum.seen else None
-            measured = Measured(own.fixed, self._projection, at.eye, at.target, corners, alone)
+            at, own, corners = self._stands, self.own, self._corners_seen
+            measured = Measured(
+                own.fixed, self._projection, at.eye, at.target, corners, self._measured
+            )
             self._dimensions.place(layout, seen, own.pane.size_px, measured)
+            if own.fixed == "axis" and corners is not None:
+                picture = seen(corners[:4])
+                across = max(x for x, _, _ in picture) - min(x for x, _, _ in picture)
+                if across < _PICTURE_PART * own.pane.size_px[0]:
+                    layout.keep_free_box(picture)
         if self._marks is not None:
             self._marks.place_texts(layout, seen)
 
@@ -487,6 +519,7 @@ class WorldDrawing:
                 self._canvas, self._scene, self._canvas.style, self._words, leads=True
             )
         marks, limit = self._marks, _FARTHEST_MARK * self._stands.extent
+        self._measured = () if illustration is None else illustration.measured
         self._grips = (
             {} if illustration is None else {g.setting: g.point for g in illustration.grips}
         )
@@ -546,7 +579,7 @@ class WorldDrawing:
             self.handles.show(
                 [] if none else shown(
                     self._projection, self.planes_drawn, self.sight, size_px, apart_px, held,
-                    self._grips,
+                    self._grips, self._unseen,
                 ),
                 size_px[1],
             )  # fmt: skip

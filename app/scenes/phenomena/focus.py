@@ -206,6 +206,7 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Illus
         ndc=_planes_ndc(projection, focus, sharp),
         image=_sharp_in_picture(projection, settings, sharp, subject),
         diagrams=(_diagram(f_mm, n, focus, c_mm, sharp),),
+        measured=(("s", focus),) if projection.lens.near <= focus <= projection.lens.far else (),
     )
 
 
