@@ -370,7 +370,7 @@ class ImageDrawing:
         self._zero = label("0, 0", (-1, -1))
         self._width_label = label("", (1, -1))
         self._height_label = label("", (-1, 1))
-        self._x_label = label(words["x"], (-1, -1), style.u)
+        self._x_label = label(words["x"], (-1, 1), style.u)
         self._y_label = label(words["y"], (1, 1), style.v)
 
     def _add_sides(self) -> None:
@@ -475,7 +475,8 @@ class ImageDrawing:
         width_end = max(right - gap, least)
         move(self._zero, zero, above)
         move(self._width_label, width_end, above)
-        move(self._x_label, max(right, width_end + gap), above)
+        # Below its axis, as y is beside its own: above it is the title row with its buttons.
+        move(self._x_label, right + thin, top + head + gap)
         move(self._height_label, left + head + gap, bottom + thin + gap)
         move(self._y_label, left - head - gap, bottom + thin + gap)
 
