@@ -29,7 +29,7 @@ from app.model.projection import Array, Lens, Projection
 CUBE = actors.CUBE_CORNERS * (1.0, 1.0, -0.5) + (0.0, 0.0, 0.5)
 """The corners of the reversed range's cube: near face at z = 1, far face at z = 0."""
 
-_BEYOND = 1.5  # how far the frustum is drawn, of the depth of what is looked at
+_BEYOND = 1.9  # how far the frustum is drawn, of the depth of what is looked at
 _BREAK = 0.8  # of the reach: where a break begins
 _STROKES_AT = 0.38  # of a broken edge
 _NEAR_TINT, _FAR_TINT = 0.3, 0.16  # opacities

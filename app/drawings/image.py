@@ -200,6 +200,7 @@ class ImageDrawing:
                 self._words,
                 renderer=self._picture,
                 over=True,
+                leads=True,
             )
         width, height = self._image_size
         placing = Placing(

@@ -52,7 +52,7 @@ _BELOW_PLANE = (
 _ABOVE_PLANE = tuple((x, -y) for x, y in (_BELOW_PLANE[1:3] + _BELOW_PLANE[:1] + _BELOW_PLANE[3:]))
 _BELOW_HANDLE = tuple((x, -y) for x, y in _ABOVE_PLANE)
 _GAPS_EM = (0.5, 1.6, 3.0, 5.0, 8.0, 12.0)  # between a label and its point, best first
-_HIDES = (0.01, 0.05, 0.1)  # parts of the subject that a label may hide, rather than more
+_HIDES = (0.001, 0.01, 0.05, 0.1)  # parts of the subject that a label may hide, rather than more
 FREE, CROSSING, ON_SUBJECT = range(3)
 """What a place is like: it hides nothing; a leader runs under a label; part of the subject goes."""
 _LEADER_FROM_EM = 1.2  # a label as far from its point is joined to it by a line

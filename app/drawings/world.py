@@ -177,8 +177,13 @@ class WorldDrawing:
 
     def _switch_layers(self) -> None:
         # Nobody sees the camera that they look through; along its axis it stands in the picture.
-        without = self.own.sees_from_eye or self.own.fixed == "axis"
-        hidden = self._hidden | {"camera"} if without else self._hidden
+        # And from the eye the picture covers the scene itself, pressed flat: whose hidden edges
+        # are hardly behind what hides them.
+        hidden = self._hidden
+        if self.own.sees_from_eye:
+            hidden = hidden | {"camera", "near-picture"}
+        elif self.own.fixed == "axis":
+            hidden = hidden | {"camera"}
         if hidden != self._canvas.hidden:
             self._canvas.show_layers(hidden)
 
