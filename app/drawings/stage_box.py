@@ -312,7 +312,8 @@ class StageBox:
         for letter, beside in zip(self._letters, _LETTER_SIDES, strict=True):
             if letter in self._written:
                 layout.place(letter, letter.text, [spots[letter]], beside, gaps=1)
-        corners = self._shown(CUBE) if self.display_from_box.any() else np.empty((0, 3))
+        with np.errstate(divide="ignore", invalid="ignore"):  # where far is at infinity
+            corners = self._shown(CUBE)
         finite = corners[np.isfinite(corners).all(axis=1)]
         across = np.ptp([x for x, _, _ in seen(finite)]) if len(finite) else 0.0
         for name, numbers in self._numbers.items():

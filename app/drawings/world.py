@@ -285,9 +285,9 @@ class WorldDrawing:
         if self._standing is None or projection.camera is not self._standing.camera:
             self._standing = self._stand(projection.camera)
             self.camera.show(self._standing)
-        self.frustum.show(projection, self._standing)
         is_first = self._marks is None and illustration is not None
         self._show_illustration(illustration)
+        self.frustum.show(projection, self._standing, self._deepest_grip)
         if is_first and not self.own.was_moved:
             self.reset_view()
         elif self.own.fixed:
@@ -295,6 +295,14 @@ class WorldDrawing:
             self._follow_camera(afresh=False)
         else:
             self._follow_pane(afresh=False)
+
+    @property
+    def _deepest_grip(self) -> float:
+        """How far from the eye plane what a scene is held at is; 0 for what is far from it."""
+        at, most = self._stands, _FRAMED_MARK * self._scene.size
+        offsets = [np.array(point) - at.camera.eye for point in self._grips.values()]
+        depths = [-float(o @ at.camera.frame[2]) for o in offsets if math.hypot(*o) <= most]
+        return max(depths, default=0.0)
 
     @property
     def _stands(self) -> Standing:
