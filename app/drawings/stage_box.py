@@ -44,7 +44,7 @@ from app.model.projection import Array
 
 _TINT = 0.16
 _CANONICAL_TRIAD = 0.75  # of x and y in the canonical volumes, short of the sides' words
-_NUMBERS_FROM_EM = 12.0  # of the volume's width in the pane: in a smaller one there is no room
+_NUMBERS_FROM_EM = 8.0  # of the volume's width in the pane: in a smaller one there is no room
 
 # On which sides of their points words can be, best first: right and up, in half labels.
 _Sides: TypeAlias = tuple[tuple[float, float], ...]
@@ -65,7 +65,7 @@ _LETTER_SIDES: tuple[_Sides, ...] = (
 )
 _NUMBER_SIDES: dict[str, _Sides] = {
     "x": ((0.0, -1.0), (-0.6, -1.0), (0.6, -1.0)),
-    "y": ((-1.0, 0.0), (-1.0, 0.6), (-1.0, -0.6)),
+    "y": ((-1.0, 0.0), (-1.0, 0.6), (-1.0, -0.6), (-0.6, -1.0), (-0.6, 1.0)),
     "z": ((1.0, -0.7), (1.0, 0.0), (1.0, -1.2)),
 }
 

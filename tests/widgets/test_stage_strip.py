@@ -158,7 +158,7 @@ def test_nothing_is_smeared_when_the_eye_goes_to_infinity(shown: Callable[..., S
     [
         (WORLD, {"x", "y", "z", "near", "far"}),
         (VIEW, {"u", "v", "n", "near", "far"}),
-        (2, {"x", "y", "z", "far", "−1", "1", "near −0.0333"}),
+        (2, {"x", "y", "z", "far", "−1", "1", "near −0.222"}),
         (3, {"x", "y", "z", "near", "far", "−1", "1", "0"}),
         (4, {"x", "y", "z", "near", "far", "−1", "1"}),
         (5, {"x", "y", "0", "1280", "720"}),
@@ -225,9 +225,9 @@ def test_at_ndc_the_cube_waits_for_another_depth_range(
     drawing, start = screen.drawing, screen.scene.start
     show = drawing.box.show
 
-    def counted(morph: Morph, position: float, looked_from: Any) -> None:
+    def counted(morph: Morph, position: float) -> None:
         placed.append(position)
-        show(morph, position, looked_from)
+        show(morph, position)
 
     monkeypatch.setattr(drawing.box, "show", counted)
     drawing.show_projection(replace(start, lens=Perspective(30.0, 2.0, 31.0)))
