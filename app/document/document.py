@@ -46,6 +46,7 @@ from app.model.refusal import QT_TRANSLATE_NOOP, Bound, Refusal, format_value, s
 from app.precision.quality import AUTOMATIC, Quality
 from app.scenes.phenomena import PHENOMENA
 from app.scenes.phenomena.illustration import Setting, Settings
+from app.scenes.shapes import LETTER_F
 from app.strangers import open_regular
 
 if sys.platform != "win32":
@@ -160,7 +161,7 @@ class Document:
     """
 
     scene: str = "letter-f"
-    projection: Projection = field(default_factory=Projection)
+    projection: Projection = LETTER_F
     extra: Tree = field(default_factory=dict)
     view: View = field(default_factory=View, compare=False)
     settings: Settings = field(default_factory=dict)
@@ -571,7 +572,7 @@ def to_json(document: Document, folder: Path | None = None) -> str:
               "version": 2,
               "scene": "letter-f",
               "camera": {"eye": [6, 5, 9], "target": [0, 2.2, 0], "up": [0, 1, 0]},
-              "lens": {"kind": "perspective", "fov_y_deg": 45, "near": 1, "far": 30},
+              "lens": {"kind": "perspective", "fov_y_deg": 45, "near": 4, "far": 18},
               "depth": "opengl",
               "image": {"width": 1280, "height": 720}
             }

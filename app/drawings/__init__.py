@@ -3,9 +3,9 @@
 Every drawing is made once per scene, ``Drawing(screen, scene, words, style)``, into a render
 window that it does not own, and has
 
+- ``show_layers(hidden)``: switches off what it has of `app.document.view.LAYERS`,
 - ``show_projection(projection, illustration=None)``: takes the model over by setting matrices, and
-what
-  a phenomenon shows for it; never renders,
+  what a phenomenon shows for it; never renders,
 - ``reset_view()``: puts the pane's own camera back,
 - ``refit()``: at a gesture's end, fits a view that nobody has moved to what has left it,
 - ``reset_clipping_range()``: to be called after that camera was moved from outside,
@@ -13,8 +13,6 @@ what
 - ``show_probes(probes)``: marks these points and rays; ``sight``: how the pane looks at the world,
   for picking,
 - ``remove()``: takes everything out of the window again.
-
-- ``show_layers(hidden)``: switches off what it has of `app.document.view.LAYERS`,
 
 The world's has besides ``show_fixed(view)`` and ``fixed``, one of `app.document.view.FIXED` or
 ``""`` for the view that a hand turns freely; and, if it is ``live``, marks to take hold of the

@@ -311,6 +311,7 @@ def _render_pane(
     with off_screen(width, height) as screen:
         window = screen.render_window
         drawing = _DRAWINGS[pane](screen, scene, words, style.enlarged(factor), **options)
+        drawing.show_layers(view.layers)
         drawing.show_projection(projection, illustration)
         if isinstance(drawing, StageDrawing):
             drawing.show_stage(view.stage)
@@ -320,6 +321,7 @@ def _render_pane(
         drawing.show_probes(view.probes)
         if isinstance(drawing, WorldDrawing):
             drawing.show_step(view.step)
+            drawing.show_fixed(view.fixed)
         if transparent:
             for renderer in window.GetRenderers():
                 _clear_plates(renderer)

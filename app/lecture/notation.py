@@ -465,6 +465,12 @@ def written(text: str, letters: Letters) -> str:
 
 
 @cache
+def stacked(text: str, letters: Letters) -> str:
+    """A formula for a reader, fractions as of `app.model.formula.stacked_fraction`."""
+    return formula.stacked(parse(text), _SYMBOLS[letters])
+
+
+@cache
 def latex_formula(text: str, letters: Letters) -> str:
     """A formula for LaTeX's mathematics: ``\\frac{2 n}{r - l}``."""
     return formula.latex(parse(text), _SYMBOLS[letters])

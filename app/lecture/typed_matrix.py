@@ -10,7 +10,7 @@ is decided in rationals.
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
 from fractions import Fraction
 from functools import partial
@@ -29,7 +29,7 @@ from app.model.projection import (
     Projection,
     Vector,
 )
-from app.model.refusal import QT_TRANSLATE_NOOP, Refusal, format_value
+from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
 from app.model.tables import evaluated
 
 EDITABLE = ("view_from_world", "clip_from_view")
@@ -312,7 +312,13 @@ class Property(NamedTuple):
         return self.template.format(*self.figures)
 
 
-def properties(projection: Projection, name: str) -> list[Property]:
+def _few(value: float) -> str:
+    return f"{value:.4g}".replace("-", "−")
+
+
+def properties(
+    projection: Projection, name: str, write: Callable[[float], str] = _few
+) -> list[Property]:
     """What is to be said of a matrix that is none of a lens or a camera.
 
     Parameters
@@ -320,6 +326,8 @@ def properties(projection: Projection, name: str) -> list[Property]:
     projection : Projection
     name : str
         The matrix; only the `EDITABLE` ones of a `FreeMatrix` have properties.
+    write : callable
+        How a number is written; with four digits if not given.
 
     Returns
     -------
@@ -330,16 +338,18 @@ def properties(projection: Projection, name: str) -> list[Property]:
     if lens.has_steps:
         return []
     if name == "clip_from_view":
-        return _of_clip(projection, projection.direct_stages[0].exact)
+        return _of_clip(projection, projection.direct_stages[0].exact, write)
     if name == "view_from_world" and lens.own_view is not None:
-        return _of_view(rationals(lens.own_view))
+        return _of_view(rationals(lens.own_view), write)
     return []
 
 
-def _of_clip(projection: Projection, matrix: Rationals) -> list[Property]:
+def _of_clip(
+    projection: Projection, matrix: Rationals, write: Callable[[float], str]
+) -> list[Property]:
     rank, determinant, _ = eliminate(matrix)
     if rank < 4:
-        return [Property(SINGULAR, (str(rank),)), *_of_last_row(matrix[3])]
+        return [Property(SINGULAR, (str(rank),)), *_of_last_row(matrix[3], write)]
     found = []
     z_near, z_far = projection.depth_range
     # Right-handed view space ends left-handed where near goes to less than far.
@@ -349,7 +359,7 @@ def _of_clip(projection: Projection, matrix: Rationals) -> list[Property]:
         found.append(Property(ALL_BEHIND))
     if projection.frustum_sign == 0 and _is_regular_view(projection):
         found.append(Property(THROUGH_INFINITY))
-    return found + _of_last_row(matrix[3])
+    return found + _of_last_row(matrix[3], write)
 
 
 def _is_regular_view(projection: Projection) -> bool:
@@ -357,38 +367,38 @@ def _is_regular_view(projection: Projection) -> bool:
     return eliminate(projection.exact_from_eye[0]).rank == 4
 
 
-def _of_view(matrix: Rationals) -> list[Property]:
+def _of_view(matrix: Rationals, write: Callable[[float], str]) -> list[Property]:
     rank = eliminate(matrix).rank
     turning = _determinant([row[:3] for row in matrix[:3]])
     found = [Property(SINGULAR, (str(rank),))] if rank < 4 else []
     if turning < 0:
-        found.append(Property(MIRRORED_VIEW, (f"{float(turning):.3g}",)))
+        found.append(Property(MIRRORED_VIEW, (write(float(turning)),)))
     rows = [row[:3] for row in matrix[:3]]
     angles = [_dot(a, b) - (a is b) for i, a in enumerate(rows) for b in rows[: i + 1]]
     if max(map(abs, angles)) > Fraction(_RIGID):
         found.append(Property(NOT_RIGID))
-    return found + _of_last_row(matrix[3])
+    return found + _of_last_row(matrix[3], write)
 
 
-def _of_last_row(last: list[Fraction]) -> list[Property]:
+def _of_last_row(last: list[Fraction], write: Callable[[float], str]) -> list[Property]:
     """What the row that makes w says."""
     linear = [name for name, part in zip("xyz", last, strict=False) if part]
     if linear:
         return [
             Property(NOT_AFFINE, (", ".join(linear),)),
-            Property(W_VANISHES, (linear[0] if sum(map(bool, last)) == 1 else _sum(last),)),
+            Property(W_VANISHES, (linear[0] if sum(map(bool, last)) == 1 else _sum(last, write),)),
         ]
     template = AFFINE if last[3] > 0 else W_IS_NOT_POSITIVE
-    return [Property(template, (format_value(float(last[3])).replace("-", "−"),))]
+    return [Property(template, (write(float(last[3])),))]
 
 
-def _sum(coefficients: Sequence[Fraction]) -> str:
+def _sum(coefficients: Sequence[Fraction], write: Callable[[float], str]) -> str:
     """``2 x - z + 1``."""
     text = ""
     for name, part in zip(("x", "y", "z", ""), coefficients, strict=True):
         if not part:
             continue
-        size = "" if abs(part) == 1 and name else f"{float(abs(part)):.4g}"
+        size = "" if abs(part) == 1 and name else write(float(abs(part)))
         term = f"{size} {name}".strip()
         sign = "−" if part < 0 else "+"
         text = f"{text} {sign} {term}" if text else f"{'−' if part < 0 else ''}{term}"

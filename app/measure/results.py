@@ -496,8 +496,14 @@ def plain(value: float | None, digits: int) -> str:
     return f"{value:.0f}" if "e+" in text and abs(value) < 1e7 else text
 
 
-def table(part: Trade | Sweep) -> list[list[str]]:
+def table(part: Trade | Sweep, *, all_digits: bool = False) -> list[list[str]]:
     """One trade or sweep to be read: a row of names, a row for each choice or value.
+
+    Parameters
+    ----------
+    part : Trade or Sweep
+    all_digits : bool
+        Of the values of a sweep, which are exact; what is measured is not.
 
     Returns
     -------
@@ -525,11 +531,11 @@ def table(part: Trade | Sweep) -> list[list[str]]:
         errors = [curve.errors[i] for curve in part.curves.values()]
         said = [f"{name} {c.notes[i]}" for name, c in part.curves.items() if c.notes[i]]
         cells = [plain(error, 2) for error in errors]
-        rows.append([_swept(value), *cells, "; ".join(said)])
+        rows.append([repr(value) if all_digits else _swept(value), *cells, "; ".join(said)])
     return rows
 
 
 def _swept(value: float) -> str:
     """A sweep's value; fields of view that are almost 180 degrees are not written as 180."""
-    text = f"{value:.12g}"
+    text = plain(value, 4)
     return f"{value:.15g}" if text == "180" else text

@@ -463,6 +463,13 @@ _IN_SUM, _IN_PRODUCT, _FACTOR, _BASE = 1, 2, 3, 4
 
 ARROW = "\u20d7"
 """After the letter of a vector, as the lectures write it above: n is near, and n\u20d7 an axis."""
+OPEN, OVER, CLOSE = "{", "\u2044", "}"
+"""Before, between and after the parts of a stacked fraction; no formula has them."""
+
+
+def stacked_fraction(above: str, below: str) -> str:
+    """A fraction whose numerator stands above its denominator: ``{2n\u2044r − l}``."""
+    return f"{OPEN}{above}{OVER}{below}{CLOSE}"
 
 
 class _Source:
@@ -533,10 +540,39 @@ class _Plain(_Source):
         )
 
 
+class _Stacked(_Plain):
+    """For a reader, with numerator above denominator.
+
+    Inside another fraction and behind a function's name they stay in one line, as in print.
+    """
+
+    def __init__(self, symbols: Mapping[str, str]) -> None:
+        super().__init__(symbols)
+        self._in_line = _Plain(symbols)
+
+    def write(self, formula: Formula, outer: int = 0) -> str:
+        writer = self._in_line.write if isinstance(formula, Call) else super().write
+        return writer(formula, outer)
+
+    def quotient(self, above: Formula, below: Formula, outer: int) -> str:
+        minus = ""
+        if isinstance(above, Negative):
+            above, minus = above.operand, self.minus
+        text = f"{minus}{self.fraction(above, below)}"
+        needed = outer == _BASE or (minus and outer > _IN_SUM)
+        return self.brackets(text) if needed else text
+
+    def fraction(self, above: Formula, below: Formula) -> str:
+        return stacked_fraction(self._in_line.write(above), self._in_line.write(below))
+
+    def brackets(self, text: str) -> str:
+        return f"({text})"
+
+
 _GREEK = {"\u03b1": r"\alpha", "β": r"\beta", "θ": r"\theta"}
 
 
-class _Latex(_Plain):
+class _Latex(_Stacked):
     """For LaTeX's mathematics."""
 
     minus, minus_between, plus, space = "-", " - ", " + ", r" \, "
@@ -561,12 +597,14 @@ class _Latex(_Plain):
     def power(self, base: str, exponent: int, outer: int) -> str:
         return _bracketed(f"{base}^{{{exponent}}}", outer > _FACTOR)
 
-    def quotient(self, above: Formula, below: Formula, outer: int) -> str:
-        minus = ""
-        if isinstance(above, Negative):
-            above, minus = above.operand, self.minus
-        text = rf"{minus}\frac{{{self.write(above)}}}{{{self.write(below)}}}"
-        return rf"\left({text}\right)" if minus and outer > _IN_SUM else text
+    def write(self, formula: Formula, outer: int = 0) -> str:
+        return _Plain.write(self, formula, outer)
+
+    def fraction(self, above: Formula, below: Formula) -> str:
+        return rf"\frac{{{self.write(above)}}}{{{self.write(below)}}}"
+
+    def brackets(self, text: str) -> str:
+        return rf"\left({text}\right)"
 
 
 def _bracketed(text: str, needed: bool) -> str:
@@ -596,6 +634,11 @@ def written(formula: Formula, symbols: Mapping[str, str]) -> str:
         vector's letter.
     """
     return _Plain(symbols).write(formula)
+
+
+def stacked(formula: Formula, symbols: Mapping[str, str]) -> str:
+    """A formula for a reader, with `stacked_fraction`; symbols as of `written`."""
+    return _Stacked(symbols).write(formula)
 
 
 def latex(formula: Formula, symbols: Mapping[str, str]) -> str:

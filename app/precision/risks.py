@@ -28,7 +28,7 @@ FEW_DIGITS = QT_TRANSLATE_NOOP(
     "are computed exactly",
 )
 NO_PICTURE = QT_TRANSLATE_NOOP(
-    "Health", "None of the scene's objects is in the picture: all lie beyond the {0} plane"
+    "Health", "None of the scene's objects is in the picture: all lie outside the {0} plane"
 )
 NO_FLOAT32 = QT_TRANSLATE_NOOP(
     "Health", "A GPU's float32 cannot hold this picture: it is computed in float64"

@@ -44,6 +44,7 @@ from app.scenes.phenomena.illustration import OwnMesh, Subject
 from app.scenes.reading import read
 from app.scenes.shapes import (
     EDGE_RGB,
+    LETTER_F,
     OUTLINE_RGB,
     PLATE_RGB,
     SIDE_RGB,
@@ -537,14 +538,7 @@ def _vector(values: ArrayLike) -> Vector:
 
 def _letter_f() -> Scene:
     """Eight unit cubes on the ground, the letter's three columns centred about x = 0."""
-    return _built_in(
-        "letter-f",
-        *letter_f_on_grid((-8.0, -8.0), (8.0, 8.0)),
-        Projection(
-            Camera((6.0, 5.0, 9.0), (0.0, 2.2, 0.0)),
-            Perspective(fov_y_deg=45.0, near=4.0, far=18.0),
-        ),
-    )
+    return _built_in("letter-f", *letter_f_on_grid((-8.0, -8.0), (8.0, 8.0)), LETTER_F)
 
 
 def _cube() -> Scene:

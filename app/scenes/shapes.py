@@ -14,6 +14,8 @@ from typing import Any, TypeAlias
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from app.model.projection import Camera, Perspective, Projection
+
 Vector: TypeAlias = tuple[float, float, float]
 Floats: TypeAlias = NDArray[np.float64]
 Colours: TypeAlias = NDArray[np.uint8]
@@ -165,6 +167,12 @@ def letter_f() -> Coloured:
                 quads.append(face)
                 rgb.append(SIDE_RGB[side])
     return np.array(quads), np.array(rgb)
+
+
+LETTER_F = Projection(
+    Camera((6.0, 5.0, 9.0), (0.0, 2.2, 0.0)), Perspective(fov_y_deg=45.0, near=4.0, far=18.0)
+)
+"""How the letter F opens, and with it the program."""
 
 
 @cache

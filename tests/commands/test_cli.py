@@ -817,7 +817,7 @@ def test_latex_is_pmatrix_with_powers_of_ten_written_out() -> None:
         return float(re.sub(r" \\cdot 10\^\{(-?\d+)\}", r"e\1", cell))
 
     shown = [[[value(cell) for cell in row] for row in matrix] for matrix in rows]
-    projection = Projection(lens=Perspective(45.0, 1e-7, 30.0))
+    projection = Projection(lens=Perspective(45.0, 1e-7, 18.0))
     *stages, last = projection.stages
     expected = []
     for stage in (*stages, *projection.direct_stages, last):
@@ -993,16 +993,16 @@ def test_a_switch_of_the_lens_alone_keeps_the_picture() -> None:
 @pytest.mark.parametrize(
     ("typed", "line"),
     [
-        ("", "lens perspective, fov_y_deg 45, near 1, far 30"),
-        ("lens.far=inf", "lens perspective, fov_y_deg 45, near 1, far inf"),
+        ("", "lens perspective, fov_y_deg 45, near 4, far 18"),
+        ("lens.far=inf", "lens perspective, fov_y_deg 45, near 4, far inf"),
         (
             " ".join(WINDOW),
-            "lens frustum, left -1, right 3, bottom -2, top 2, keep stretch, near 1, far 30",
+            "lens frustum, left -1, right 3, bottom -2, top 2, keep stretch, near 4, far 18",
         ),
         (
             " ".join([*WINDOW, "lens.keep=x"]),
             "lens frustum, left -1, right 3, bottom -2, top 2, keep x (uses -1, 3, -1.125, 1.125),"
-            " near 1, far 30",
+            " near 4, far 18",
         ),
         ("lens.kind=matrix", "lens matrix"),
     ],

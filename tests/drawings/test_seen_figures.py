@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 from PIL import Image
 
-from app.document.view import LETTERS, PANES, View
+from app.document.view import FIXED, LETTERS, PANES, View
 from app.drawings.figures import (
     DPI,
     USUAL_TEXT,
@@ -53,6 +53,14 @@ def usual() -> dict[str, np.ndarray]:
         (View(stage=3.5), {"ndc"}),
         (View(stage=5.0), {"ndc"}),
         (View(panel="frame", frame_step="n"), {"world"}),
+        *[(View(fixed=fixed), {"world"}) for fixed in FIXED],
+        (View(layers=frozenset({"labels"})), {"world", "ndc", "image"}),
+        (View(layers=frozenset({"handles"})), set()),
+        (View(layers=frozenset({"grid"})), {"world", "ndc", "image"}),
+        *[
+            (View(layers=frozenset({layer})), {"world"})
+            for layer in ("frustum", "camera", "near-picture")
+        ],
         (View(probes=(ON_THE_LETTER,)), {"world", "ndc", "image"}),
         (View(probes=(Probe(1, pixel=(900.0, 200.0)),)), {"world", "ndc", "image"}),
         (View(panes={"world": ABOVE}), {"world"}),

@@ -177,6 +177,16 @@ def test_a_sweep_s_values_and_head_say_what_they_are() -> None:
     assert named(head[0], {"fov": "kut"}.__getitem__) == "kut, °"
 
 
+def test_a_sweep_s_values_have_four_digits_or_all() -> None:
+    values = (0.0316227766017, 1234567.0, 2.5)
+    swept = sweep("near", values, {"a": curve((1 / 3,) * 3, ("",) * 3)})
+    assert [row[:2] for row in table(swept)[1:]] == [
+        ["0.03162", "0.33"], ["1234567", "0.33"], ["2.5", "0.33"],
+    ]  # fmt: skip
+    whole = table(swept, all_digits=True)[1:]  # what is measured has no more digits than it had
+    assert [row[:2] for row in whole] == [[repr(value), "0.33"] for value in values]
+
+
 @pytest.mark.parametrize("parameter", ["near", "far"])
 def test_what_a_sweep_moves_besides_is_told(parameter: str) -> None:
     said = table(sweep(parameter, (1.0,), {"a": curve((1e-9,), ("",))}))[0][-1]

@@ -167,6 +167,24 @@ def test_it_is_written_for_readers(text: str, plain: str, latex: str) -> None:
     assert formula.latex(parse(text), symbols) == latex
 
 
+@pytest.mark.parametrize(
+    ("text", "stacked"),
+    [
+        ("2*n/(r - l)", "{2n|r − l}"),
+        ("-n/f", "−{n|f}"),
+        ("-2*f*n/(f - n)", "{−2f\u2009n|f − n}"),
+        ("a - (-n)/f", "a − (−{n|f})"),
+        ("cot(fov/2)/aspect", "{cot(fov/2)|aspect}"),  # as in print: one is enough
+        ("1/(a/b)", "{1|a/b}"),
+        ("x/2*(y + 1)", "{x|2}\u2009(y + 1)"),
+        ("(a/b)^2", "({a|b})^2"),
+        ("x + y", "x + y"),
+    ],
+)
+def test_its_fractions_are_stacked(text: str, stacked: str) -> None:
+    assert formula.stacked(parse(text), {}) == stacked.replace("|", formula.OVER)
+
+
 def reduced(text: str, **terms: Ratio) -> str:
     return parse(text).value(Letters(terms), SYMBOLS).text
 

@@ -263,8 +263,11 @@ def test_a_depth_buffer_is_drawn_with_in_any_scene(make_window: MakeWindow) -> N
     document = Document("letter-f", load("letter-f").start)
     deep = replace(document.projection, lens=Perspective(45.0, 0.1, 1000.0))
     window = make_window(replace(document, projection=deep))
+    window.slots.arrange("pictures", "image")
+    settle()
     before = pictures(window)
     window.quality.use({"depth_format": "fixed8", "depth_mapping": "direct3d"})
+    assert window.slots.large == "image", "it is looked at as before"
     coarse = pictures(window)
     assert same(coarse, before) == {"world": True, "ndc": True, "image": False}
     wrong = (coarse["image"] != before["image"]).any(axis=-1).mean()
@@ -457,6 +460,8 @@ def test_quality_gives_way_while_one_drags_and_comes_back_whole(
     assert said_to_be_late(window) == []
     settle()
     fresh = make_window(window.store.document)
+    window.slots.reset_views()  # it was opened at another field of view
+    settle()
     rested, full = pictures(window), pictures(fresh)
     assert same(rested, full) == ALL_SAME
     assert triangles(window) == triangles(fresh), "copies, too, whose pixels may be the same"

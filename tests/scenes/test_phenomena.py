@@ -152,6 +152,12 @@ def test_a_phrase_is_translated_before_it_is_filled_in() -> None:
     assert phrase.sentence({"{0} of {1}": "{1} od {0}"}.__getitem__) == "2 od 1"
 
 
+def test_a_phrase_s_numbers_are_written_as_they_are_read() -> None:
+    phrase = Phrase("{0} of {1}", (-1 / 3, "2"))
+    assert phrase.sentence() == "\N{MINUS SIGN}0.3333 of 2"
+    assert phrase.sentence(write=repr) == "-0.3333333333333333 of 2"
+
+
 def texts_shown(illustration: Illustration) -> set[str]:
     """Every text of an illustration that must be translated."""
     found = {reading.label for reading in illustration.readings}

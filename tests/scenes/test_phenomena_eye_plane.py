@@ -220,9 +220,7 @@ def test_the_mirrored_end_is_the_formula_s_and_the_frame_minus_the_right_one() -
             assert together == pytest.approx([2 * part for part in principal], abs=1e-11 * scale)
             assert got[0] != pytest.approx(got[1], abs=1.0)
             note = illustration.readings[-1].note
-            assert note is not None and note.values == tuple(
-                f"{p:.6g}".replace("-", "\N{MINUS SIGN}") for p in principal
-            )
+            assert note is not None and note.values == pytest.approx(tuple(principal))
 
 
 def test_by_hand() -> None:

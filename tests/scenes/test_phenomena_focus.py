@@ -281,7 +281,7 @@ def test_what_cannot_be_focused_says_why() -> None:
     tele = Projection(EYE, Perspective(1.0, 0.5, 30.0))  # 1215 mm
     illustration = show(tele, focus=1.0)
     assert illustration.warning is not None
-    assert illustration.warning.values[0] == "1"
+    assert illustration.warning.values[0] == 1.0
     assert float(illustration.warning.values[1]) == pytest.approx(
         focal_length_35mm(1.0, 16 / 9) / 1000, rel=1e-5
     )

@@ -17,6 +17,7 @@ from PySide6.QtWidgets import (
 )
 
 from widgets.parts.note import Note, Title
+from widgets.parts.typeset import TypesetLabel
 
 
 def texts(window: QWidget) -> list[QWidget]:
@@ -29,6 +30,8 @@ def texts(window: QWidget) -> list[QWidget]:
 
 def needed(widget: QWidget) -> QSize:
     """The room of a widget's text: of what may be wrapped, in the width that it has."""
+    if isinstance(widget, TypesetLabel) and widget.formula:
+        return widget.minimumSizeHint()
     if isinstance(widget, QLabel):
         if widget.wordWrap():
             return QSize(0, widget.heightForWidth(widget.width()))

@@ -45,7 +45,9 @@ def go_to(window: MainWindow, name: str) -> QWidget:
 
 
 def said(window: MainWindow, name: str = "world") -> str:
-    """What is written beside the cursor."""
+    """What is written beside the cursor, with all its digits."""
+    if not window.menus.all_digits.isChecked():
+        window.menus.all_digits.trigger()
     label = window.panes[name].canvas.findChild(QLabel, "cursorLabel")
     assert isinstance(label, QLabel)
     text = window.cursors[name].text
@@ -227,7 +229,7 @@ def test_handles_come_in_one_order_wherever_it_begins(window: MainWindow) -> Non
             texts.append(said(window).partition(" = ")[0])
     assert there[:4] == ["Eye", "Target", "Near", "Far"]
     assert there[:8] == back[7::-1] or there == [*back[:0:-1], there[-1]]
-    assert set(there[4:]) & {"Vertical fov"}
+    assert set(there[4:]) & {"Field of view"}
 
 
 def test_the_next_is_reached_from_where_the_focus_left(window: MainWindow) -> None:
@@ -357,7 +359,7 @@ def test_a_plane_is_not_dragged_past_the_other(window: MainWindow) -> None:
             break
         press(KEY.Key_Left if key == KEY.Key_Right else KEY.Key_Right, SHIFT, times=60)
     assert "must be less than far" in text
-    assert said(window) == f"Near = {model(window).lens.near:g}"
+    assert said(window) == f"Near = {model(window).lens.near!r}"
     press(KEY.Key_Escape)
     assert model(window).lens.near == near and window.manipulation.message.text == ""
 

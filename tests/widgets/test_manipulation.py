@@ -208,9 +208,10 @@ def test_neither_wheel_nor_another_button_takes_what_is_held_out_of_the_hand(
     move(window, name, at + QPoint(20, 10))
     assert model(window) == dragged != start
     release(window, name, at + QPoint(20, 10))
-    assert view(window) == place
+    assert name == "image" or view(window) == place  # to bring back an eye that has left the view
     window.store.undo()
     assert model(window) == start
+    place = view(window)
     wheel(window, 2.0, name)  # the hand has let go
     assert (model(window), view(window)) != (start, place)
 
@@ -655,14 +656,16 @@ def test_a_point_of_the_scene_goes_where_the_hand_goes_and_that_is_one_step(
         window = make_scene(scene)
         settle()  # or the panel may still grow by a line of its text
         before, seen_before = window.store.document, view(window)
+        steps = len(list(window.store.documents))
         _, spot = grip(window, setting)
         drag(window, "world", point_of(spot), (6, 0), (14, -9))
         assert window.store.document.settings[setting] != before.settings[setting]
         now = grip(window, setting)[1]
         assert np.subtract(now, spot) == pytest.approx((14, -9), abs=1.0), setting
         assert model(window) == before.projection and view(window) == seen_before
+        assert len(list(window.store.documents)) == steps + 1
         window.store.undo()
-        assert window.store.document == before and not window.store.can_undo
+        assert window.store.document == before
 
 
 def test_the_panes_stand_still_under_the_hand_though_the_readout_grows(

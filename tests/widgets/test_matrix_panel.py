@@ -10,10 +10,10 @@ from typing import Any
 
 import numpy as np
 import pytest
-from PySide6.QtCore import QEvent, QPoint, QPointF, QRectF, Qt
+from PySide6.QtCore import QEvent, QPoint, QPointF, Qt
 from PySide6.QtGui import QContextMenuEvent, QGuiApplication, QImage, QPainter
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication, QMenu
+from PySide6.QtWidgets import QApplication, QLabel, QMenu, QScrollArea, QToolButton
 from pytestqt.qtbot import QtBot
 
 from app.commands import cli
@@ -21,16 +21,19 @@ from app.drawings.style import DARK, LIGHT
 from app.lecture import notation
 from app.lecture.notation import LETTERS, Letters, as_latex
 from app.lecture.typed_matrix import with_cell
-from app.model.formula import ARROW
+from app.model.formula import ARROW, OVER, stacked_fraction
 from app.model.projection import Camera, FreeMatrix, Frustum, Oblique, Perspective, Projection
 from app.picking.picking import Probe
+from tests.support.digits import all_digits_shown, plain
 from tests.support.shown import show
-from tests.support.window import activate, move_mouse
+from tests.support.window import activate, move_mouse, rgb_of, settle
 from widgets.panels import matrix_panel
 from widgets.panels.matrix_panel import MatrixPanel
-from widgets.panels.matrix_view import MatrixView, _runs, _width, first_change, rich
-from widgets.parts.fields import short_text
+from widgets.panels.matrix_view import MatrixView, first_change, rich
+from widgets.parts.digits import read_text
 from widgets.parts.messages import stage_title
+from widgets.parts.readable import Readable
+from widgets.parts.typeset import typeset
 from widgets.window.main_window import MainWindow
 
 OFF_AXIS = Projection(
@@ -55,7 +58,28 @@ def moved(projection: Projection, **fields: Any) -> Projection:
 
 def shown_after(panel: MatrixPanel, qtbot: QtBot, projection: Projection) -> None:
     show(panel, projection)
-    qtbot.waitUntil(lambda: not panel._readable.pending)
+    shown_at_last(panel, qtbot)
+
+
+def shown_at_last(panel: MatrixPanel, qtbot: QtBot) -> None:
+    """Wait until what runs is shown."""
+    readable = panel.findChild(Readable)
+    qtbot.waitUntil(lambda: not readable.pending)
+
+
+def title(panel: MatrixPanel, name: str) -> str:
+    """What is written above a matrix."""
+    return str(panel.views[name].parentWidget().findChild(QLabel, "paneTitle").text())
+
+
+def fold(panel: MatrixPanel, name: str) -> QToolButton:
+    """The button that unfolds a matrix's factors."""
+    return panel.views[name].parentWidget().findChild(QToolButton)
+
+
+def left_of(panel: MatrixPanel, name: str) -> int:
+    """Where a matrix stands in what is seen of them all, in px."""
+    return panel.views[name].mapTo(panel.findChild(QScrollArea).viewport(), QPoint()).x()
 
 
 def choose(box: Any, value: str) -> None:
@@ -68,12 +92,12 @@ def test_numbers_are_those_of_the_command(panel: MatrixPanel) -> None:
     words = cli._matrices_text(OFF_AXIS).split()
     for matrix in panel.shown:
         view = panel.views[matrix.name]
-        assert view.texts == [[short_text(value) for value in row] for row in told[matrix.name]]
         for i in range(4):
             for j in range(4):
-                number = notation.cell_text(told[matrix.name][i][j])
-                assert number in words
-                assert f"{number}. " in panel.sentence(matrix, i, j)
+                value = told[matrix.name][i][j]
+                assert plain(view.texts[i][j]) == f"{value:.4g}"
+                assert f"{view.texts[i][j]}. " in panel.sentence(matrix, i, j)
+                assert notation.cell_text(value) in words
 
 
 def test_folded_computes_nothing(
@@ -122,7 +146,7 @@ def test_a_drag_is_marked_against_its_beginning(panel: MatrixPanel, qtbot: QtBot
     lit = panel.views["clip_from_view"].lit
     assert lit == {(0, 0), (0, 2), (2, 2), (2, 3)}
     mark = panel.views["clip_from_view"].marks[2][2]
-    before, after = (short_text(-(far + 1.5) / (far - 1.5)) for far in (40.0, 50.0))
+    before, after = (read_text(-(far + 1.5) / (far - 1.5)) for far in (40.0, 50.0))
     assert mark == first_change(before, after) and before[:mark] == after[:mark] and mark
     shown_after(panel, qtbot, OFF_AXIS)  # dragged back to where it began
     assert not panel.views["clip_from_view"].lit
@@ -136,10 +160,102 @@ def test_a_drag_is_marked_against_its_beginning(panel: MatrixPanel, qtbot: QtBot
     [
         ("1.25", "1.25", None), ("1.25", "1.27", 3), ("1.25", "1.2", 3), ("9.9", "10.1", 0),
         ("-1.5", "1.5", 0), ("1e-5", "1e-6", 0), ("2", "2.5", 1), ("0.5", "0.6", 2),
+        ("2.5·10⁻⁵", "2.6·10⁻⁵", 2), ("2.5·10⁻⁵", "2.5·10⁻⁶", 0), ("10⁻⁵", "10⁻⁶", 0),
+        ("1000", "10⁻⁶", 0),
     ],
 )  # fmt: skip
 def test_where_digits_begin_to_differ(before: str, after: str, first: int | None) -> None:
     assert first_change(before, after) == first
+
+
+def test_four_digits_are_read_all_by_the_switch_and_all_copied(
+    panel: MatrixPanel, qtbot: QtBot
+) -> None:
+    told = json.loads(cli._matrices_json(OFF_AXIS))
+    view = panel.views["view_from_world"]
+
+    def copied() -> str:
+        QGuiApplication.clipboard().clear()
+        qtbot.keyClick(view, Qt.Key.Key_C, Qt.KeyboardModifier.ControlModifier)
+        return QGuiApplication.clipboard().text()
+
+    few, width, whole = view.texts, view.width(), copied()
+    number = notation.cell_text(told["view_from_world"][0][0])
+    assert number in whole and len(number) > 12
+    qtbot.mouseClick(view, Qt.MouseButton.LeftButton, pos=view.cell_rect(0, 0).center().toPoint())
+    assert number not in panel.explanation.text() and few[0][0] in panel.explanation.text()
+    with all_digits_shown():
+        for matrix in panel.shown:
+            exact = [[notation.cell_text(cell) for cell in row] for row in told[matrix.name]]
+            assert panel.views[matrix.name].texts == exact
+        assert number in panel.explanation.text() and copied() == whole
+        assert view.width() > 1.5 * width
+    assert view.texts == few and view.width() == width and copied() == whole
+    assert number not in panel.explanation.text()
+
+
+def test_a_cell_that_is_being_typed_stays_open_while_digits_are_switched(
+    panel: MatrixPanel, qtbot: QtBot, edits: list[Projection]
+) -> None:
+    view = panel.views["clip_from_view"]
+    field = double_click(panel, qtbot, "clip_from_view", 0, 2)
+    field.selectAll()
+    qtbot.keyClicks(field, "0.25")
+    with all_digits_shown():
+        assert view.field is field and field.text() == "0.25"
+        assert field.geometry().contains(view.cell_rect(0, 2).center().toPoint())
+    assert field.geometry().contains(view.cell_rect(0, 2).center().toPoint())
+    qtbot.keyClick(field, Qt.Key.Key_Return)
+    assert edits[-1].direct_stages[0].matrix[0, 2] == 0.25
+
+
+@pytest.mark.parametrize("letters", LETTERS)
+def test_fractions_are_stacked_in_every_formula(panel: MatrixPanel, letters: Letters) -> None:
+    """But for those of a function's argument or of another fraction, which print has in a line."""
+    panel.running.setChecked(True)
+    choose(panel.cells, "formulas")
+    choose(panel.letters, letters)
+    for lens in (OFF_AXIS.lens, Perspective(), Oblique()):
+        show(panel, replace(OFF_AXIS, lens=lens))
+        texts = [text for row in shown_texts(panel) for text in row]
+        assert sum(OVER in text for text in texts) > 8
+        for text in texts:
+            assert "/" not in re.sub(r"\w+\([^()]*\)", "", text), text
+
+
+def test_a_stacked_fraction_reaches_the_screen(panel: MatrixPanel) -> None:
+    """Its line is drawn between what is above and what is below, and the row holds both."""
+    view = panel.views["clip_from_view"]
+    height = view.cell_rect(0, 0).height()
+    choose(panel.cells, "formulas")
+    rect = view.cell_rect(0, 0)
+    assert rect.height() > 1.3 * height and view.cell_rect(3, 0).height() == height
+    dark = rgb_of(view.grab().toImage()).mean(axis=2) < 128
+    inside = rect.toRect().adjusted(3, 1, -3, -1)
+    rows = dark[inside.top() : inside.bottom(), inside.left() : inside.right()].sum(axis=1)
+    rule = int(rows.argmax())
+    assert rows[rule] > 0.7 * typeset(view.texts[0][0], view.font()).width
+    assert rows[: rule - 2].any() and rows[rule + 3 :].any()
+
+
+@pytest.mark.parametrize("cells", ["numbers", "formulas"])
+def test_every_matrix_stands_in_brackets(panel: MatrixPanel, cells: str) -> None:
+    """At both ends of its rows, as high as they are: the factors' too."""
+    choose(panel.cells, cells)
+    for matrix in panel.shown:
+        if matrix.factors:
+            fold(panel, matrix.name).click()
+    settle()
+    assert len(panel.views) > 12
+    for name, view in panel.views.items():
+        dark = rgb_of(view.grab().toImage()).mean(axis=2) < 128
+        first, last = view.cell_rect(0, 0).toRect(), view.cell_rect(3, 3).toRect()
+        for beside in (
+            range(first.left() - 4, first.left()),
+            range(last.right(), last.right() + 5),
+        ):
+            drawn = max(dark[first.top() : last.bottom(), x].mean() for x in beside)
+            assert drawn > 0.95, name
 
 
 def test_light_and_underline_reach_the_screen(panel: MatrixPanel, qtbot: QtBot) -> None:
@@ -148,8 +264,8 @@ def test_light_and_underline_reach_the_screen(panel: MatrixPanel, qtbot: QtBot) 
     plain = view.grab().toImage()
     shown_after(panel, qtbot, moved(OFF_AXIS, far=50.0))
     lit = view.grab().toImage()
-    inside = view._cell_rect(2, 2).topLeft() + QPointF(4.0, 4.0)
-    other = view._cell_rect(1, 2).topLeft() + QPointF(4.0, 4.0)
+    inside = view.cell_rect(2, 2).topLeft() + QPointF(4.0, 4.0)
+    other = view.cell_rect(1, 2).topLeft() + QPointF(4.0, 4.0)
     assert plain.pixelColor(inside.toPoint()) != lit.pixelColor(inside.toPoint())
     assert plain.pixelColor(other.toPoint()) == lit.pixelColor(other.toPoint())
 
@@ -157,13 +273,13 @@ def test_light_and_underline_reach_the_screen(panel: MatrixPanel, qtbot: QtBot) 
 def test_formulas_in_the_letters_of_a_lecture(panel: MatrixPanel) -> None:
     choose(panel.cells, "formulas")
     view = panel.views["clip_from_view"]
-    assert view.texts[0] == ["2n/(r − l)", "0", "(r + l)/(r − l)", "0"]
+    scale, shear = (stacked_fraction(above, "r − l") for above in ("2n", "r + l"))
+    assert view.texts[0] == [scale, "0", shear, "0"]
     choose(panel.letters, "000")
-    assert view.texts[0][0] == "2z_min/(x_max − x_min)"
+    assert view.texts[0][0] == stacked_fraction("2z_min", "x_max − x_min")
     choose(panel.letters, "002")
     assert view.texts[3] == ["0", "0", "1", "0"]
-    box = panel._boxes[[matrix.name for matrix in panel.shown].index("clip_from_view")]
-    assert "lecture 002" in box.note.text() and box.note.isVisible()
+    assert "lecture 002" in notes(panel, "clip_from_view")
     choose(panel.letters, "001")
     assert panel.views["view_from_world"].texts[2] == ["w_x", "w_y", "w_z", f"−w{ARROW}·P{ARROW}"]
 
@@ -221,11 +337,11 @@ def test_a_cell_says_which_control_it_depends_on(panel: MatrixPanel) -> None:
 def test_pointing_with_mouse_and_keys(panel: MatrixPanel, qtbot: QtBot) -> None:
     view = panel.views["view_from_world"]
     with qtbot.waitSignal(view.pointed) as hover:
-        move_mouse(view, view._cell_rect(1, 3).center(), Qt.MouseButton.NoButton)
+        move_mouse(view, view.cell_rect(1, 3).center(), Qt.MouseButton.NoButton)
     assert hover.args[0].startswith(f"view ← world, row 2, column 4: −v{ARROW}·e{ARROW} = ")
     assert panel.explanation.text() == rich(hover.args[0])
     assert "column 4: −<b>v</b>·<b>e</b> = " in panel.explanation.text()
-    qtbot.mouseClick(view, Qt.MouseButton.LeftButton, pos=view._cell_rect(0, 0).center().toPoint())
+    qtbot.mouseClick(view, Qt.MouseButton.LeftButton, pos=view.cell_rect(0, 0).center().toPoint())
     qtbot.keyClick(view, Qt.Key.Key_Right)
     qtbot.keyClick(view, Qt.Key.Key_Down)
     qtbot.keyClick(view, Qt.Key.Key_Down)
@@ -265,8 +381,7 @@ def test_copies_reach_the_clipboard(panel: MatrixPanel, qtbot: QtBot) -> None:
 def test_factors_unfold_and_stay_so(panel: MatrixPanel, qtbot: QtBot) -> None:
     view = panel.views["view_from_world/rotation"]
     assert not view.isVisible()
-    box = panel._boxes[1]
-    qtbot.mouseClick(box.fold, Qt.MouseButton.LeftButton)
+    qtbot.mouseClick(fold(panel, "view_from_world"), Qt.MouseButton.LeftButton)
     assert view.isVisible()
     shown_after(panel, qtbot, OFF_AXIS.with_lens("oblique"))
     qtbot.waitUntil(panel.views["view_from_world/rotation"].isVisible)
@@ -277,8 +392,8 @@ def test_factors_unfold_and_stay_so(panel: MatrixPanel, qtbot: QtBot) -> None:
 def test_notes_are_shown(panel: MatrixPanel, qtbot: QtBot, lens: Any) -> None:
     projection = replace(OFF_AXIS, lens=lens)
     shown_after(panel, qtbot, projection)
-    notes = {box.note.text().replace("\n", " ") for box in panel._boxes if not box.note.isHidden()}
-    assert {stage.note for stage in projection.stages if stage.note} <= notes
+    shown = {notes(panel, matrix.name) for matrix in panel.shown}
+    assert {stage.note for stage in projection.stages if stage.note} <= shown
 
 
 def test_the_window_shows_the_current_value_when_the_panel_opens(
@@ -289,7 +404,8 @@ def test_the_window_shows_the_current_value_when_the_panel_opens(
     window.panels.open(panel)
     qtbot.waitUntil(panel.isVisible)
     QApplication.processEvents()
-    assert panel._scroll.verticalScrollBar().maximum() == 0, "it is as high as its matrices"
+    bar = panel.findChild(QScrollArea).verticalScrollBar()
+    assert bar.maximum() == 0, "it is as high as its matrices"
     projection = window.store.document.projection
     by_name = {matrix.name: matrix for matrix in panel.shown}
     assert by_name["clip_from_view"].values[1][1] == projection.direct_stages[0].matrix[1, 1]
@@ -297,7 +413,7 @@ def test_the_window_shows_the_current_value_when_the_panel_opens(
     window.controls.gesture_started.emit()
     for near in (1.25, 1.5):
         window.store.set_projection(moved(start, near=near))
-    qtbot.waitUntil(lambda: not panel._readable.pending)
+    shown_at_last(panel, qtbot)
     assert panel.views["clip_from_view"].lit == {(2, 2), (2, 3)}
     window.controls.gesture_finished.emit()
     assert all(isinstance(view, MatrixView) for view in panel.views.values())
@@ -315,7 +431,7 @@ def edits(panel: MatrixPanel) -> list[Projection]:
 
 def double_click(panel: MatrixPanel, qtbot: QtBot, name: str, row: int, column: int) -> Any:
     view = panel.views[name]
-    place = view._cell_rect(row, column).center().toPoint()
+    place = view.cell_rect(row, column).center().toPoint()
     qtbot.mouseDClick(view, Qt.MouseButton.LeftButton, pos=place)
     # Or Qt holds the button to be down, also in the tests after this one, where nothing is hovered.
     qtbot.mouseRelease(view, Qt.MouseButton.LeftButton, pos=place)
@@ -336,6 +452,7 @@ def test_a_cell_is_typed_and_goes_out_once(
 ) -> None:
     field = double_click(panel, qtbot, "clip_from_view", 0, 2)
     assert field.text() == notation.cell_text(panel.shown[-3].values[0][2])  # with all its digits
+    assert field.text() != panel.views["clip_from_view"].texts[0][2]
     assert field.accessibleName() == "clip ← view, row 1, column 3"
     type_cell(panel, qtbot, "clip_from_view", 0, 2, "1/4")
     (edit,) = edits
@@ -436,7 +553,7 @@ def test_a_bad_cell_is_named_and_the_good_state_stays(
     assert panel.explanation.text() == f"⚠ Not possible. {cell} = {sentence}"
     assert panel.explanation.styleSheet()
     assert panel.views[name].field is field  # to be mended
-    assert edits == [] and panel._projection == OFF_AXIS
+    assert edits == []
     field.selectAll()
     qtbot.keyClicks(field, "0.5")
     qtbot.keyClick(field, Qt.Key.Key_Return)
@@ -463,9 +580,9 @@ def test_what_is_said_of_a_free_matrix_is_seen_whole(
     qtbot.waitUntil(lambda: notes(panel, "clip_from_view").count(": ") >= 3)
 
     def is_whole() -> bool:
-        box = panel._boxes[2].note
-        bottom = box.mapTo(panel._scroll.viewport(), box.rect().bottomLeft()).y()
-        return bool(bottom < panel._scroll.viewport().height())
+        note = panel.views["clip_from_view"].parentWidget().findChild(QLabel, "paneNote")
+        seen = panel.findChild(QScrollArea).viewport()
+        return bool(note.mapTo(seen, note.rect().bottomLeft()).y() < seen.height())
 
     qtbot.waitUntil(is_whole)
 
@@ -476,13 +593,12 @@ def test_a_matrix_stays_under_the_hand_when_its_neighbours_vanish_and_come_back(
 ) -> None:
     panel = window.matrices
     window.panels.open(panel)
-    qtbot.waitUntil(lambda: panel._scroll.horizontalScrollBar().maximum() > 500)
-    bar = panel._scroll.horizontalScrollBar()
+    qtbot.waitUntil(lambda: panel.findChild(QScrollArea).horizontalScrollBar().maximum() > 500)
+    bar = panel.findChild(QScrollArea).horizontalScrollBar()
     bar.setValue(round(scrolled * bar.maximum()))
 
     def left_px() -> int:
-        place: int = panel._left_of(panel.views["clip_from_view"])
-        return place
+        return left_of(panel, "clip_from_view")
 
     left, count = left_px(), len(panel.shown)
     for text, boxes in (("0.25", count - 4), ("0", count)):
@@ -505,16 +621,16 @@ def test_a_matrix_stays_under_the_hand_when_its_neighbours_vanish_and_come_back(
 
 def test_matrices_stand_on_one_line(panel: MatrixPanel, qtbot: QtBot) -> None:
     panel.running.setChecked(True)
-    panel._boxes[1].fold.click()
+    fold(panel, "view_from_world").click()
     qtbot.waitUntil(panel.views["view_from_world/rotation"].isVisible)
     QApplication.processEvents()
 
     def first_cells_px(seen: bool) -> set[int]:
         views = [view for view in panel.views.values() if view.isVisible() is seen]
-        return {view.mapTo(panel, view._cell_rect(0, 0).topLeft().toPoint()).y() for view in views}
+        return {view.mapTo(panel, view.cell_rect(0, 0).topLeft().toPoint()).y() for view in views}
 
     assert len(panel.views) > 10 and len(first_cells_px(True)) == 1
-    assert {box.view.height() for box in panel._boxes} == {panel._boxes[0].view.height()}
+    assert len({panel.views[matrix.name].height() for matrix in panel.shown}) == 1
 
 
 def test_keys_open_leave_and_go_on(
@@ -531,15 +647,15 @@ def test_keys_open_leave_and_go_on(
         assert view.field is None and panel.window().focusWidget() is view and edits == []
     field = double_click(panel, qtbot, "clip_from_view", 0, 0)
     qtbot.keyClick(field, Qt.Key.Key_Tab)
-    assert view.field is not None and view._cursor == (0, 1)  # nothing typed, nothing edited
+    assert view.field is not None and view.place == (0, 1)  # nothing typed, nothing edited
     assert edits == []
     qtbot.keyClicks(view.field, "0.25")  # a free matrix: the panel is built anew
     qtbot.keyClick(view.field, Qt.Key.Key_Tab)
     now = panel.views["clip_from_view"]
-    assert now is not view and now.field is not None and now._cursor == (0, 2)
+    assert now is not view and now.field is not None and now.place == (0, 2)
     assert isinstance(edits[0].lens, FreeMatrix)
     qtbot.keyClick(now.field, Qt.Key.Key_Backtab, Qt.KeyboardModifier.ShiftModifier)
-    assert now._cursor == (0, 1)
+    assert now.place == (0, 1)
     qtbot.keyClicks(now.field, "0")
     qtbot.keyClick(now.field, Qt.Key.Key_Return)
     assert edits[1] == OFF_AXIS
@@ -568,14 +684,14 @@ def test_rows_and_lecture_002_type_into_the_same_matrix(
     assert edits[-1].direct_stages[0].matrix[0, 2] == pytest.approx(0.5, rel=1e-15)
     choose(panel.letters, "002")  # its w is z
     shown = panel.views["clip_from_view"].texts[2][0]
-    assert shown == "-0.5"
+    assert shown == "−0.5"
     type_cell(panel, qtbot, "clip_from_view", 2, 0, "-0.25")
     assert edits[-1].direct_stages[0].matrix[0, 2] == pytest.approx(0.25, rel=1e-15)
 
 
 def notes(panel: MatrixPanel, name: str) -> str:
-    box = panel._boxes[[matrix.name for matrix in panel.shown].index(name)]
-    return str(box.note.text()).replace("\n", " ") if not box.note.isHidden() else ""
+    note = panel.views[name].parentWidget().findChild(QLabel, "paneNote")
+    return str(note.text()).replace("\n", " ") if note.isVisible() else ""
 
 
 def test_what_a_free_matrix_does_is_written_below_it(
@@ -588,12 +704,12 @@ def test_what_a_free_matrix_does_is_written_below_it(
         "world_from_object", "view_from_world", "clip_from_view", "clip_from_world",
         "image_from_ndc",
     ]  # fmt: skip
-    titles = [box.title.text() for box in panel._boxes]
-    assert titles[2] == "clip ← view, a free matrix" and titles[1] == "view ← world"
+    assert title(panel, "clip_from_view") == "clip ← view, a free matrix"
+    assert title(panel, "view_from_world") == "view ← world"
     type_cell(panel, qtbot, "clip_from_view", 3, 3, "1")
     (clip,) = (matrix for matrix in panel.shown if matrix.name == "clip_from_view")
     assert "It adds 1 times the w that comes in to w" in panel.sentence(clip, 3, 3)
-    assert "It adds -1 times z to w" in panel.sentence(clip, 3, 2)
+    assert "It adds −1 times z to w" in panel.sentence(clip, 3, 2)
     type_cell(panel, qtbot, "view_from_world", 0, 0, "-3")
     assert "mirrored: it turns right-handed space into left-handed" in notes(
         panel, "view_from_world"
@@ -632,9 +748,9 @@ def test_titles_are_given_to_translators(panel: MatrixPanel) -> None:
     finally:
         QCoreApplication.removeTranslator(translator)
     panel.running.setChecked(True)
-    for matrix, box in zip(panel.shown, panel._boxes, strict=True):
+    for matrix in panel.shown:
         target, _, source = matrix.name.replace("_", " ").partition(" from ")
-        assert box.title.text() == f"{target} ← {source}"
+        assert title(panel, matrix.name) == f"{target} ← {source}"
 
 
 def test_typing_reaches_the_whole_window_and_can_be_undone(
@@ -717,7 +833,7 @@ def test_every_pane_probe_and_stop_takes_any_matrix(
 
 def test_what_is_said_of_a_cell_is_of_its_value_now(panel: MatrixPanel, qtbot: QtBot) -> None:
     view = panel.views["clip_from_view"]
-    qtbot.mouseClick(view, Qt.MouseButton.LeftButton, pos=view._cell_rect(0, 0).center().toPoint())
+    qtbot.mouseClick(view, Qt.MouseButton.LeftButton, pos=view.cell_rect(0, 0).center().toPoint())
     for right in (0.9, 1.3):
         shown_after(panel, qtbot, moved(OFF_AXIS, right=right))
         assert view.texts[0][0] in panel.explanation.text()
@@ -732,7 +848,7 @@ def test_what_is_said_of_a_cell_is_of_its_value_now(panel: MatrixPanel, qtbot: Q
 def test_undone_the_matrix_stays_under_the_hand(window: MainWindow, qtbot: QtBot) -> None:
     panel = window.matrices
     window.panels.open(panel)
-    bar = panel._scroll.horizontalScrollBar()
+    bar = panel.findChild(QScrollArea).horizontalScrollBar()
     qtbot.waitUntil(lambda: bar.maximum() > 500)
     bar.setValue(400)
     view = panel.views["clip_from_view"]
@@ -741,11 +857,11 @@ def test_undone_the_matrix_stays_under_the_hand(window: MainWindow, qtbot: QtBot
     view.field.setModified(True)
     view.field.returnPressed.emit()
     QApplication.processEvents()
-    left = panel._left_of(panel.views["clip_from_view"])
+    left = left_of(panel, "clip_from_view")
     window.store.undo()
     QApplication.processEvents()
     now = panel.views["clip_from_view"]
-    assert panel._left_of(now) == left and panel.window().focusWidget() is now
+    assert left_of(panel, "clip_from_view") == left and panel.window().focusWidget() is now
 
 
 # -- what is read on it
@@ -766,20 +882,22 @@ def test_a_vector_is_told_from_the_plane_of_its_letter(
     for text in products:
         before, _, after = text.partition("·")
         assert before.endswith(ARROW) and after[1] == ARROW, text
-        runs = _runs(text)
-        assert "".join(run for run, _ in runs) == text.replace(ARROW, "").replace("_", "")
-        drawn_bold = [run for run, kind in runs if kind == ARROW]
+        runs = typeset(text, panel.font()).runs
+        if OVER not in text:
+            drawn = "".join(run for _, _, run, _ in runs)
+            assert drawn == text.replace(ARROW, "").replace("_", "")
+        drawn_bold = [run for _, _, run, font in runs if font.bold()]
         assert len(drawn_bold) == text.count(ARROW) and {len(run) for run in drawn_bold} == {1}
     latex = as_latex(panel.shown[1], letters, formulas=True)
     assert r"\vec{" in latex and ARROW not in latex
 
 
 def inked(panel: MatrixPanel, text: str) -> int:
-    """How many pixels a matrix darkens with a text in a cell."""
+    """How many pixels are dark of a formula that is typeset."""
     picture = QImage(200, 40, QImage.Format.Format_Grayscale8)
     picture.fill(Qt.GlobalColor.white)
     painter = QPainter(picture)
-    next(iter(panel.views.values()))._paint_text(painter, QRectF(0.0, 0.0, 200.0, 40.0), text, None)
+    typeset(text, panel.font()).paint(painter, 10.0, 25.0)
     painter.end()
     pixels = np.frombuffer(picture.constBits(), np.uint8)
     return int((pixels < 128).sum())
@@ -815,10 +933,11 @@ def test_what_is_copied_is_what_is_shown(panel: MatrixPanel) -> None:
 
 def test_a_matrix_has_one_name(panel: MatrixPanel, qtbot: QtBot) -> None:
     names = {stage_title(matrix.name) for matrix in panel.shown}
-    assert {box.title.text() for box in panel._boxes} == names
-    for matrix, box in zip(panel.shown, panel._boxes, strict=True):
-        assert panel.sentence(matrix, 0, 0).startswith(f"{box.title.text()}, row 1, column 1: ")
-        said = (box.title.toolTip(), box.view.accessibleName(), panel.sentence(matrix, 0, 0))
+    assert {title(panel, matrix.name) for matrix in panel.shown} == names
+    for matrix in panel.shown:
+        name, sentence = title(panel, matrix.name), panel.sentence(matrix, 0, 0)
+        assert sentence.startswith(f"{name}, row 1, column 1: ")
+        said = (panel.views[matrix.name].accessibleName(), sentence)
         assert not any("_from_" in text for text in said)
     type_cell(panel, qtbot, "clip_from_view", 0, 0, "x")
     assert "clip ← view, row 1, column 1 = “x”" in panel.explanation.text()
@@ -832,10 +951,10 @@ def test_no_formula_is_cut(panel: MatrixPanel, letters: Letters) -> None:
     for lens in (OFF_AXIS.lens, OFF_AXIS.with_lens("oblique").lens):
         show(panel, replace(OFF_AXIS, lens=lens))
         for view in panel.views.values():
-            fonts = view._fonts()
             for i, row in enumerate(view.texts):
                 for j, text in enumerate(row):
-                    assert _width(text, fonts) < view._cell_rect(i, j).width()
+                    printed, cell = typeset(text, view.font()), view.cell_rect(i, j)
+                    assert printed.width < cell.width() and printed.height <= cell.height()
 
 
 def test_a_cell_that_is_held_while_its_matrix_goes_says_nothing_more(
@@ -846,12 +965,12 @@ def test_a_cell_that_is_held_while_its_matrix_goes_says_nothing_more(
     window.panels.open(panel)
     qtbot.waitUntil(panel.isVisible)
     view = panel.views["view_from_world"]
-    cell = view.mapTo(window, view._cell_rect(1, 1).center().toPoint())
+    cell = view.mapTo(window, view.cell_rect(1, 1).center().toPoint())
     QTest.mousePress(window.windowHandle(), Qt.MouseButton.LeftButton, Qt.KeyboardModifier(0), cell)
     assert panel._speaker is view
     orthographic = start.with_lens("orthographic")
     window.store.set_projection(orthographic)
-    qtbot.waitUntil(lambda: not panel._readable.pending)
+    shown_at_last(panel, qtbot)
     assert panel.views["view_from_world"] is not view
     for step in range(3):  # the hand is not quite still, and has the old cell's mouse
         QTest.mouseMove(window.windowHandle(), cell + QPoint(step, 1))
@@ -860,6 +979,6 @@ def test_a_cell_that_is_held_while_its_matrix_goes_says_nothing_more(
         QApplication.processEvents()
         QApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
         window.store.set_projection(orthographic.with_lens(lens))
-        qtbot.waitUntil(lambda: not panel._readable.pending)
+        shown_at_last(panel, qtbot)
         assert panel._projection.lens.kind == lens  # no error on the way
     QTest.mouseRelease(window.windowHandle(), Qt.MouseButton.LeftButton, pos=cell)

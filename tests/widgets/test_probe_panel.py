@@ -12,6 +12,7 @@ from typing import Any
 import numpy as np
 import pytest
 from PySide6.QtCore import QPoint, QPointF, Qt
+from PySide6.QtGui import QGuiApplication
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
@@ -22,7 +23,8 @@ from app.document.view import MOST_PROBES
 from app.drawings import probes
 from app.drawings.probes import pick_in
 from app.drawings.style import LIGHT, rgb
-from app.lecture.notation import matrices, written
+from app.lecture.notation import matrices, stacked
+from app.model.formula import OVER
 from app.model.projection import (
     LARGEST,
     Array,
@@ -37,6 +39,8 @@ from app.model.projection import (
 from app.model.refusal import format_value
 from app.picking.picking import Probe, Sight, Surface
 from app.scenes.scene import load
+from tests import PATIENCE_MS
+from tests.support.digits import all_digits_shown, plain
 from tests.support.shown import show
 from tests.support.window import (
     MakeWindow,
@@ -47,7 +51,8 @@ from tests.support.window import (
     pixels,
     settle,
 )
-from widgets.panels.probe_panel import ProbePanel
+from widgets.panels.probe_panel import FORMULA, ProbePanel
+from widgets.parts.typeset import typeset
 from widgets.window.main_window import MainWindow
 
 CORNER = (1.5, 5.0, 0.5)
@@ -94,9 +99,18 @@ def place_in(window: MainWindow, name: str, point: Any) -> tuple[float, float]:
 
 
 def cells(panel: ProbePanel, block: int, row: int) -> list[str]:
+    """What a line of a probe shows."""
     model = panel.table.model()
     texts = [model.data(model.index(row, 1 + 4 * block + part)) for part in range(4)]
     return [text for text in texts if text]
+
+
+def copied(panel: ProbePanel) -> list[list[str]]:
+    """All of the table, as it is copied: the formula of each line, and its numbers."""
+    QGuiApplication.clipboard().clear()
+    panel.table.selectAll()
+    QTest.keyClick(panel.table, Qt.Key.Key_C, Qt.KeyboardModifier.ControlModifier)
+    return [line.split("\t") for line in QGuiApplication.clipboard().text().split("\n")]
 
 
 # -- clicks
@@ -394,7 +408,7 @@ def test_inside_a_free_matrix_cube_is_said_without_ones(panel: ProbePanel) -> No
         cells_free = start().clip_from_view + np.diag([0.0, 0.0, 0.0, 0.1])
         projection = replace(start(), lens=FreeMatrix(cells_free.tolist()), depth=depth)  # type: ignore[arg-type]
         show(panel, projection)
-        assert panel._model.formulas[-1] == f"|x|, |y| ≤ w;  {formula}"
+        assert copied(panel)[-1][0] == f"|x|, |y| ≤ w;  {formula}"
 
 
 def test_a_click_beside_the_picture_or_beside_the_scene_does_nothing(window: MainWindow) -> None:
@@ -515,6 +529,7 @@ def test_every_number_is_the_command_s_to_the_last_digit(
             for point in points:
                 panel.follow(point=point)
                 panel.pin.click()
+            lines = copied(panel)
             for block, expected in enumerate(answer["points"]):
                 rows = ("world", "world", "view", "clip", None, "ndc", "image", "depth")
                 for row, name in enumerate(rows):
@@ -522,8 +537,9 @@ def test_every_number_is_the_command_s_to_the_last_digit(
                         continue
                     values = expected[name]
                     values = [] if values is None else np.atleast_1d(values).tolist()
-                    assert cells(panel, block, row) == list(map(format_value, values)), name
-                    assert list(map(float, cells(panel, block, row))) == values
+                    mine = list(filter(None, lines[row][1 + 4 * block : 5 + 4 * block]))
+                    assert mine == list(map(format_value, values)), name
+                    assert list(map(float, mine)) == values
                 beyond = expected["outside_of"]
                 said = f"outside of: {', '.join(beyond)}" if beyond else "inside"
                 assert cells(panel, block, 8) == [said]
@@ -541,15 +557,55 @@ def test_a_row_says_where_there_is_no_picture(panel: ProbePanel) -> None:
     assert cells(panel, 0, 4) == ["÷ 2"] * 3
 
 
-def test_no_number_is_cut(panel: ProbePanel) -> None:
+@pytest.mark.parametrize("all_digits", [False, True])
+def test_no_number_is_cut(panel: ProbePanel, all_digits: bool) -> None:
     panel.resize(1200, 300)
     panel.follow(point=(1 / 3, 2 / 3, -1 / 7))
     show(panel, replace(start(), camera=Camera((6.1, 5.3, 9.7), (0.1, 2.2, 0.3))))
+    with all_digits_shown(all_digits):
+        check_widths(panel)
+
+
+def check_widths(panel: ProbePanel) -> None:
     metrics, model = panel.table.fontMetrics(), panel.table.model()
     for row in range(8):
         for column in range(1, 5):
             text = model.data(model.index(row, column)) or ""
             assert metrics.horizontalAdvance(text) + 6 <= panel.table.columnWidth(column), text
+
+
+def test_four_digits_are_read_all_by_the_switch_and_all_copied(panel: ProbePanel) -> None:
+    show(panel, replace(start(), camera=Camera((6.1, 5.3, 9.7), (0.1, 2.2, 0.3))))
+    panel.follow(point=(1 / 3, 2 / 3, -1 / 7))
+
+    def shown() -> list[str]:
+        return [text.removeprefix("÷ ") for row in range(8) for text in cells(panel, 0, row)]
+
+    few, whole = shown(), copied(panel)
+    exact = [text.removeprefix("÷ ") for line in whole[:8] for text in line[1:] if text]
+    assert few[0] == "0.3333" and few != exact and len(few) == len(exact) == 22
+    for short, number in zip(few, exact, strict=True):
+        assert plain(short) == f"{float(number):.4g}", number
+    width = panel.table.columnWidth(1)
+    with all_digits_shown():
+        assert shown() == exact and panel.table.columnWidth(1) > width
+        assert copied(panel) == whole
+    assert shown() == few and panel.table.columnWidth(1) == width
+    model = panel.table.model()
+    assert model.data(model.index(0, 1), Qt.ItemDataRole.ToolTipRole) == exact[0]
+
+
+def test_the_formulas_fractions_are_stacked_in_rows_that_hold_them(panel: ProbePanel) -> None:
+    panel.follow(point=CORNER)
+    model, table = panel.table.model(), panel.table
+    heights = {}
+    for row in range(model.rowCount()):
+        formula = model.data(model.index(row, 0), FORMULA)
+        is_stacked = OVER in formula
+        assert "/" not in formula.replace(OVER, "")
+        heights.setdefault(is_stacked, set()).add(table.rowHeight(row))
+    assert min(heights[True]) > max(heights[False])
+    assert copied(panel)[5][0] == "x/w,  y/w,  z/w" and copied(panel)[7][0] == "(z + 1)/2"
 
 
 def test_lines_and_numbers_grow_with_the_font(panel: ProbePanel) -> None:
@@ -573,11 +629,14 @@ def test_an_open_panel_is_whole_in_letters_for_a_class_and_back(window: MainWind
         window.look.set_presenting(on)
         QApplication.processEvents()
         metrics, model = table.fontMetrics(), table.model()
-        formulas = [model.data(model.index(row, 0)) for row in range(9)]
-        widest = max(metrics.horizontalAdvance(formula) for formula in formulas)
-        assert widest + 6 <= table.columnWidth(0)
-        rows = 8 if on else 9  # for a class the last one is scrolled to: a panel has a third
-        assert table.viewport().height() >= rows * table.rowHeight(0)
+        formulas = [model.data(model.index(row, 0), FORMULA) for row in range(9)]
+        for row, formula in enumerate(formulas):
+            printed = typeset(formula, table.font())
+            assert printed.width + 6 <= table.columnWidth(0)
+            assert printed.height <= table.rowHeight(row), formula
+        assert metrics.height() <= table.rowHeight(0)
+        rows = 6 if on else 9  # for a class the last ones are scrolled to: a panel has a third
+        assert table.viewport().height() >= sum(map(table.rowHeight, range(rows)))
         room.append((window.panels.height(), *map(table.columnWidth, range(5))))
     assert room[0] == room[2] and room[1][1] > room[2][1]
 
@@ -628,13 +687,18 @@ def test_one_more_than_can_be_compared_is_refused_in_a_sentence(
 
 
 def test_the_point_can_be_typed(panel: ProbePanel, qtbot: QtBot) -> None:
+    panel.activateWindow()
+    assert QTest.qWaitForWindowActive(panel, PATIENCE_MS)
     for field, text in zip(panel.fields, ("1.25", "1/3", "-2e-3"), strict=True):
         field.setFocus()
         field.selectAll()
         qtbot.keyClicks(field, text)
         qtbot.keyClick(field, Qt.Key.Key_Return)
     assert panel.probes == (Probe(1, (1.25, 1 / 3, -0.002)),)
+    panel.fields[1].setFocus()  # the field that is typed in has all digits, the others few
     assert [field.text() for field in panel.fields] == ["1.25", "0.3333333333333333", "-0.002"]
+    panel.fields[2].setFocus()
+    assert [field.text() for field in panel.fields] == ["1.25", "0.3333", "-0.002"]
 
 
 @pytest.mark.parametrize(
@@ -731,8 +795,14 @@ def test_letters_are_those_of_the_other_panels(panel: ProbePanel) -> None:
     """M is the view matrix as in the camera frame; the image is W x H as in the matrices."""
     own_view = FreeMatrix(np.eye(4).tolist(), np.eye(4).tolist())  # type: ignore[arg-type]
     for lens, view in ((Perspective(), "R (p − e)"), (own_view, "M p")):
-        formulas = dict(panel._formulas(replace(start(), lens=lens)))
+        show(panel, replace(start(), lens=lens))
+        panel.follow(point=CORNER)
+        model = panel.table.model()
+        formulas = {
+            model.headerData(row, Qt.Orientation.Vertical): model.data(model.index(row, 0), FORMULA)
+            for row in range(model.rowCount())
+        }
         assert formulas["view"] == view and "M" not in formulas["world"]
         shown = {matrix.name: matrix for matrix in matrices(Projection(), "own")}
-        w_2, h_2 = (written(shown["image_from_ndc"].formulas[i][3], "own") for i in (0, 1))
+        w_2, h_2 = (stacked(shown["image_from_ndc"].formulas[i][3], "own") for i in (0, 1))
         assert formulas["image px"] == f"(x + 1) {w_2},  (1 − y) {h_2}"

@@ -482,8 +482,13 @@ def test_every_reading_is_shown_with_its_unit(owner: Owner) -> None:
     assert shown[:4] == [
         ("gap", "0.3333", "mm"), ("kind", "a", ""), ("x_s", "0.5", "×"), ("y_s", "3.6", "×"),
     ]  # fmt: skip
-    assert shown[4][1].count("<td") == 16
-    assert ">4.667<" in shown[4][1] and shown[4][1].endswith(">5</td></tr></table>")  # 15/3
+    rows = [row.split("\t") for row in shown[4][1].splitlines()]
+    assert np.shape(rows) == (4, 4) and rows[3][2:] == ["4.667", "5"]  # 14/3 and 15/3
+    value, exact = owner.card.readout.lines[4][1], [repr(part * (1 / 3)) for part in range(16)]
+    assert value.toolTip().split() == [text.removesuffix(".0") for text in exact]
+    QTest.keyClick(value, Qt.Key.Key_C, Qt.KeyboardModifier.ControlModifier)
+    assert QGuiApplication.clipboard().text().count("\t") == 12
+    assert list(map(float, QGuiApplication.clipboard().text().split())) == list(map(float, exact))
     value = owner.card.readout.lines[0][1]
     assert value.toolTip() == "0.3333333333333333"
     for copy in (
@@ -848,11 +853,11 @@ def test_the_eye_is_beside_the_middle_that_the_window_has(window: MainWindow) ->
     lens = start.lens
     assert isinstance(lens, Frustum)
     moved = replace(lens, left=lens.left - 0.25, right=lens.right - 0.25)
-    store.set_projection(replace(start, lens=moved))  # the window, 2 to the left at the distance 8
-    assert shown(window, "shift") == [pytest.approx(3.5)]
+    store.set_projection(replace(start, lens=moved))  # the window, 1 to the left at the distance 8
+    assert shown(window, "shift") == [pytest.approx(2.5)]
     number_row(window.controls.card, "shift").edited.emit(1.5)
     now = store.document.projection
-    assert now.camera.eye == pytest.approx((-0.5, 2.4, 8.0))
+    assert now.camera.eye == pytest.approx((0.5, 2.4, 8.0))
     assert now.window == pytest.approx(start.window) and shown(window, "shift") == [1.5]
     store.set_projection(now.with_lens("perspective"))
     assert shown(window, "shift") == [0.0]

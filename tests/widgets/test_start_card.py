@@ -42,12 +42,20 @@ def is_gone(window: MainWindow) -> bool:
     )
 
 
+def is_drawn(tile: QToolButton) -> bool:
+    """Whether it has its picture, not only room for it."""
+    return tile.icon().pixmap(144, 81).toImage().pixelColor(2, 2).alpha() == 255
+
+
 def test_it_has_every_scene_as_a_picture(window: MainWindow, qtbot: Any) -> None:
     card = opened(window)
     assert list(card.tiles) == list(BUILT_IN)
+    settle()
+    before = [tile.geometry() for tile in card.tiles.values()]
     qtbot.waitUntil(
-        lambda: all(not tile.icon().isNull() for tile in card.tiles.values()), timeout=PATIENCE_MS
+        lambda: all(is_drawn(tile) for tile in card.tiles.values()), timeout=PATIENCE_MS
     )
+    assert [tile.geometry() for tile in card.tiles.values()] == before, "none moves"
     pictures = [tile.icon().pixmap(144, 81).toImage() for tile in card.tiles.values()]
     assert len({bytes(picture.constBits()) for picture in pictures}) == len(BUILT_IN)
     for size in ((1280, 720), (1366, 768)):
@@ -115,8 +123,8 @@ def test_a_scene_that_cannot_be_drawn_is_there_by_its_name(
     monkeypatch.setattr(start_card, "load", broken)
     card = opened(window)
     last = card.tiles[BUILT_IN[-1]]
-    qtbot.waitUntil(lambda: not last.icon().isNull(), timeout=PATIENCE_MS)
-    assert card.tiles["cube"].icon().isNull() and "cube cannot be drawn" in caplog.text
+    qtbot.waitUntil(lambda: is_drawn(last), timeout=PATIENCE_MS)
+    assert not is_drawn(card.tiles["cube"]) and "cube cannot be drawn" in caplog.text
     QTest.mouseClick(card.tiles["cube"], Qt.MouseButton.LeftButton)
     assert window.store.document.scene == "cube"
 

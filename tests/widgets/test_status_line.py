@@ -137,7 +137,7 @@ def test_a_plane_is_named_as_inside_a_sentence(
 ) -> None:
     away = replace(EVERYDAY, lens=Perspective(45.0, 1e3, 1e4))
     rested(qtbot, line, away, scene)
-    assert "all lie beyond the near plane." in line.health.toolTip()
+    assert "all lie outside the near plane." in line.health.toolTip()
 
 
 def test_numbers_of_a_narrow_slab_are_read_exactly(

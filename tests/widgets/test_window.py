@@ -27,6 +27,7 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import (
     QApplication,
     QComboBox,
+    QDialog,
     QFileDialog,
     QLabel,
     QMessageBox,
@@ -35,6 +36,7 @@ from PySide6.QtWidgets import (
     QScrollArea,
     QStyle,
     QStyleOptionSlider,
+    QTextBrowser,
     QToolButton,
 )
 from vtkmodules.vtkRenderingCore import vtkTextActor
@@ -61,6 +63,7 @@ from tests.support.window import (
     MakeWindow,
     activate,
     counted_repaints,
+    enter,
     pixels,
     present,
     seen,
@@ -343,7 +346,6 @@ def test_keys_turn_move_and_zoom_a_pane_that_tab_has_reached(
     keys, shift = Qt.Key, Qt.KeyboardModifier.ShiftModifier
     canvas, model = window.panes["world"].canvas, window.store.document
     camera = window.panes["world"].hand.camera
-    assert not window.panes["image"].canvas.focusPolicy() & Qt.FocusPolicy.TabFocus
     window.menus.scene_box.setFocus()
     for _ in range(20):
         if not canvas.hasFocus():
@@ -888,8 +890,10 @@ def test_the_title_names_what_is_shown(make_window: MakeWindow, tmp_path: Path) 
 def test_the_keys_that_help_names_are_those_of_the_window(make_window: MakeWindow) -> None:
     window = make_window(shown=False)
     window.help.show_keys()
-    box = window.findChild(QMessageBox)
-    named = set(re.findall(r"Ctrl\+\w+|\bF\d+", box.text())) - {"F2"}  # of a matrix cell
+    (box,) = (each for each in window.findChildren(QDialog) if each.isVisible())
+    assert box.height() <= 0.9 * box.screen().availableSize().height()
+    text = box.findChild(QTextBrowser).toPlainText()
+    named = set(re.findall(r"Ctrl\+\w+|\bF\d+", text)) - {"F2"}  # of a matrix cell
     assert {"Ctrl+Space", "Ctrl+Z", "Ctrl+0", "Ctrl+1", "Ctrl+2", "Ctrl+3", "F4", "F5"} <= named
     assert named <= {action.shortcut().toString() for action in window.findChildren(QAction)}
     box.close()
@@ -1099,6 +1103,35 @@ def test_that_no_copy_can_be_kept_is_said_in_the_window(
 # -- scenes
 
 
+def test_a_window_of_a_screen_that_has_gone_opens_on_one_that_is_there(
+    make_window: MakeWindow,
+) -> None:
+    window, settings = make_window(), Settings(None)
+    screen = window.screen().geometry()
+    window.setGeometry(3 * screen.width(), 2 * screen.height(), 900, 650)
+    settle()
+    settings.geometry = bytes(window.saveGeometry().data())
+    again = make_window(settings=settings)
+    settle()
+    assert screen.contains(again.frameGeometry()) and again.size().toTuple() == (900, 650)
+
+
+@pytest.mark.parametrize("geometry", [b"\x00", b"x" * 70, bytes(range(256))])
+def test_a_damaged_place_of_the_window_is_as_none(make_window: MakeWindow, geometry: bytes) -> None:
+    settings = Settings(None)
+    settings.geometry = geometry
+    window = make_window(settings=settings)
+    assert window.size() == make_window().size()
+
+
+def test_reset_takes_a_refused_text_with_it(window: MainWindow) -> None:
+    far: Any = window.controls.rows["far"]
+    enter(far.field, "3")
+    assert far.error and far.field.text() == "3"
+    window.menus.reset.trigger()
+    assert (far.error, far.field.text()) == ("", "18") and far.field.at_rest
+
+
 def test_the_scene_menu_changes_the_scene_and_undo_brings_it_back(window: MainWindow) -> None:
     before = pixels(window, "image")
     window.guide.choose("posts")
@@ -1212,7 +1245,8 @@ def test_a_phenomenon_shows_its_card_and_opens_no_panel(window: MainWindow) -> N
     assert window.scene_panel.title.text() == "Unit cube"
     window.panels.open(None)
     window.store.undo()
-    assert list(card.rows) == ["distance", "point"] and window.panels.open_panel is None
+    assert list(card.rows) == ["distance", "point"]
+    assert window.panels.open_panel is window.scene_panel, "as it was left"
 
 
 def test_the_panes_have_room_beside_a_phenomenon(window: MainWindow) -> None:

@@ -416,6 +416,7 @@ class AnimationBar(QWidget, Playing):
         icon, word = ("pause", self.tr("Pause")) if self.playing else ("play", self.tr("Play"))
         show_icon(self.button, icon)
         self.button.setText(word)
+        self.button.setAccessibleName(word)
         self.button.setToolTip(
             self.tr("Stand still; playing again goes on from here.")
             if self.playing

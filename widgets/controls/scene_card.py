@@ -19,12 +19,8 @@ from typing import Any
 
 from PySide6.QtCore import QEvent, QObject, Qt, Signal
 from PySide6.QtGui import (
-    QAction,
-    QGuiApplication,
     QHelpEvent,
     QHideEvent,
-    QKeyEvent,
-    QKeySequence,
     QPalette,
     QShowEvent,
 )
@@ -52,7 +48,7 @@ from app.scenes.phenomena.illustration import (
     Value,
 )
 from widgets.parts.clock import Clock, Playing
-from widgets.parts.digits import FEW, digits
+from widgets.parts.digits import digits, read_text
 from widgets.parts.fields import (
     CheckRow,
     Choice,
@@ -68,7 +64,6 @@ from widgets.parts.fields import (
 from widgets.parts.icons import show_icon
 from widgets.parts.messages import (
     breakable,
-    figure_text,
     limits_text,
     number_text,
     of_phenomena,
@@ -77,6 +72,7 @@ from widgets.parts.messages import (
 from widgets.parts.panel import Changed, Shown
 from widgets.parts.readable import Readable
 from widgets.parts.section import GAP_PX
+from widgets.parts.typeset import TypesetLabel, in_line, matrix
 
 WORD = 16
 """Characters of a file's name that find room in the narrowest dock."""
@@ -128,6 +124,7 @@ class SceneCard(QWidget):
         self._edits = ""  # name of the setting that the user is changing
         self.players: dict[str, Player] = {}
         self._readable = Readable(self, self._fill)
+        digits.changed.connect(self._readable.changed)
 
         self.title = QLabel()
         self.tries = QLabel()
@@ -391,7 +388,7 @@ class SceneCard(QWidget):
         if self.explanation.text() != about:
             self.explanation.setText(about)
         warning = self._problem if illustration is None else illustration.warning or self._problem
-        why = "" if warning is None else _full(warning.sentence(of_phenomena))
+        why = "" if warning is None else _full(warning.sentence(of_phenomena, read_text))
         self.warning.say(why and f"⚠ {why}")
         self._let_choose(found, why if illustration is not None and illustration.idle else "")
 
@@ -627,61 +624,42 @@ def _full(sentence: str) -> str:
     return sentence if sentence.endswith((".", "!", "?")) else f"{sentence}."
 
 
-def _few(value: float) -> str:
-    return figure_text(value, FEW)
+def _side(value: Any) -> int:
+    """How many rows a reading's matrix has; 0 for what is none."""
+    side = math.isqrt(len(value)) if isinstance(value, tuple) else 0
+    return side if side >= 3 and side * side == len(value) else 0
 
 
-def value_text(value: Any, write: Callable[[float], str] = _few) -> str:
-    """A reading's value: a number, several, a matrix as a table, or a translated word."""
+def value_text(value: Any, write: Callable[[float], str]) -> str:
+    """A reading's value: a number, several, a matrix to be typeset, or a translated word."""
     if value is None:
         return NONE
     if isinstance(value, str):
         return of_phenomena(value)
     if not isinstance(value, tuple):
         return write(value)
-    side = math.isqrt(len(value))
-    parts = [write(part) for part in value]
-    if side < 3 or side * side != len(parts):
+    side, parts = _side(value), [write(part) for part in value]
+    if not side:
         text, half = f"({', '.join(parts)})", (len(parts) + 1) // 2
         if len(text) > ON_A_LINE:
             return f"({', '.join(parts[:half])},\n{', '.join(parts[half:])})"
         return text
-    rows = [parts[first : first + side] for first in range(0, len(parts), side)]
-    cells = ("".join(f"<td align='right'>{part}</td>" for part in row) for row in rows)
-    return f"<table cellpadding='2'>{''.join(f'<tr>{row}</tr>' for row in cells)}</table>"
+    return matrix(parts[first : first + side] for first in range(0, len(parts), side))
 
 
-class _Value(QLabel):
+class _Value(TypesetLabel):
     """What is read of a reading; what is copied has all the digits.
 
     Attributes
     ----------
-    exact : str
     is_below : bool
         Whether it stands below its label.
     """
 
     def __init__(self) -> None:
         super().__init__()
-        self.exact, self.is_below = "", False
-        self.setTextFormat(Qt.TextFormat.AutoText)
+        self.is_below, self.shrinks = False, True
         self.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
-        flags = Qt.TextInteractionFlag
-        self.setTextInteractionFlags(flags.TextSelectableByMouse | flags.TextSelectableByKeyboard)
-        self.setFocusPolicy(Qt.FocusPolicy.ClickFocus)
-        copy = QAction(self.tr("Copy, with all digits"), self)
-        copy.triggered.connect(self._copy)
-        self.addAction(copy)
-        self.setContextMenuPolicy(Qt.ContextMenuPolicy.ActionsContextMenu)
-
-    def _copy(self) -> None:
-        QGuiApplication.clipboard().setText(self.exact)
-
-    def keyPressEvent(self, event: QKeyEvent) -> None:
-        if event.matches(QKeySequence.StandardKey.Copy):
-            self._copy()
-        else:
-            super().keyPressEvent(event)
 
 
 class Readout(QWidget):
@@ -754,7 +732,7 @@ class Readout(QWidget):
             if place < len(readings):
                 self._write(line, readings[place], labels[place])
         reasons = [
-            _full(reading.note.sentence(of_phenomena))
+            _full(reading.note.sentence(of_phenomena, read_text))
             for reading in readings
             if reading.note is not None
         ]
@@ -778,20 +756,20 @@ class Readout(QWidget):
 
     def _write(self, line: tuple[QLabel, _Value, QLabel], reading: Reading, name: str) -> None:
         label, value, unit = line
-        exact = value_text(reading.value, number_text)
-        text = exact if digits.all else value_text(reading.value)
+        exact = in_line(value_text(reading.value, number_text))
+        text = value_text(reading.value, read_text)
         is_word = isinstance(reading.value, str)
         if is_word != value.wordWrap():
             value.setWordWrap(is_word)
             value.setMinimumWidth(WORDS_EM * self.fontMetrics().height() if is_word else 0)
-        if text != value.text():
-            value.setText(text)
+        if text != (value.formula or value.text()):
+            (value.set_formula if _side(reading.value) else value.set_words)(text)
             self._place(value, max(map(len, text.split("\n"))) > BESIDE and not is_word)
-            if not is_word:
+            if not is_word and not _side(reading.value):
                 # It only grows: a number with a digit less does not shift the others.
                 value.setMinimumWidth(max(value.minimumWidth(), value.sizeHint().width()))
         if value.exact != exact:
-            value.exact = exact
+            value.set_exact(exact)
             value.setToolTip(exact)
         if label.text() != name:
             label.setText(name)

@@ -1,7 +1,8 @@
 """The camera's frame, step by step: eye, look, up, n, u, v, and the view matrix made of them.
 
-Formulas with the numbers of the camera in hand: n, u, v and the matrix are the model's own, with
-the digits that `python -m app matrices` prints. The panel computes nothing while it is folded.
+Formulas with the numbers of the camera in hand: n, u, v and the matrix are the model's own, and
+what is copied has the digits that `python -m app matrices` prints. The panel computes nothing
+while it is folded.
 
 ::
 
@@ -11,7 +12,6 @@ the digits that `python -m app matrices` prints. The panel computes nothing whil
 
 from __future__ import annotations
 
-import re
 from collections.abc import Callable, Iterable
 from dataclasses import replace
 from typing import NamedTuple
@@ -44,14 +44,16 @@ from app.lecture.camera_frame import (
     view_matrix,
 )
 from app.lecture.highlight import NOTHING, Highlight
+from app.model.formula import ARROW, stacked_fraction
 from app.model.projection import Camera, Projection
 from app.model.refusal import Refusal, format_value
+from widgets.parts.digits import digits, read_text
 from widgets.parts.fields import Log, NumberRow
 from widgets.parts.focus import FocusRing
-from widgets.parts.highlight import MarkedLabel
 from widgets.parts.messages import sentence
 from widgets.parts.panel import PROJECTION, Changed, Panel, Shown
 from widgets.parts.section import tidy
+from widgets.parts.typeset import TypesetLabel, in_line, matrix
 
 STEP_MS = 2500
 """While playing, how long each step can be read."""
@@ -65,8 +67,13 @@ _ABOUT: tuple[Highlight, ...] = tuple(
 )
 
 
+_E, _N, _U, _V, _LOOK, _UP_VECTOR, _TARGET = (
+    f"{name}{ARROW}" for name in ("e", "n", "u", "v", "look", "up", "target")
+)
+
+
 class _Step(NamedTuple):
-    """Name, formula and sentence of a step; in the formula, which is HTML, vectors are bold."""
+    """Name, formula and sentence of a step; the formula as of `widgets.parts.typeset`."""
 
     name: str
     formula: str
@@ -106,15 +113,13 @@ class FramePanel(Panel):
         )
         self.title = QLabel()
         self.title.setObjectName("paneTitle")
-        self.formula, self.numbers = MarkedLabel(), QLabel()
-        for label in (self.formula, self.numbers):
-            label.setTextFormat(Qt.TextFormat.RichText)
-        self.numbers.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
+        self.formula, self.numbers = TypesetLabel(), TypesetLabel()
         self.numbers.setAccessibleDescription(self.tr("The step in numbers"))
         self.sentence = QLabel()
         self.sentence.setWordWrap(True)
         self._make_up()
         self._lay_out()
+        digits.changed.connect(self._show_again)
         self._show_playing()
         self._show_step()
 
@@ -123,37 +128,38 @@ class FramePanel(Panel):
     def _make_steps(self) -> tuple[_Step, ...]:
         return (
             _Step(
-                self.tr("eye"), "<b>e</b>",
+                self.tr("eye"), _E,
                 self.tr("The centre of projection: where the camera stands in the world."),
             ),
             _Step(
-                self.tr("look"), "<b>look</b> = target − <b>e</b>",
+                self.tr("look"), f"{_LOOK} = {_TARGET} − {_E}",
                 self.tr("The camera looks at the target; only the direction matters."),
             ),
             _Step(
-                self.tr("up"), "<b>up</b>",
+                self.tr("up"), _UP_VECTOR,
                 self.tr("The direction that shall be vertical in the picture. It need not be at a"
                         " right angle to the view, and its length does not matter."),
             ),
             _Step(
-                self.tr("n"), "<b>n</b> = (<b>e</b> − target) / |<b>e</b> − target|",
+                self.tr("n"),
+                f"{_N} = {stacked_fraction(f'{_E} − {_TARGET}', f'|{_E} − {_TARGET}|')}",
                 self.tr("Backwards, from the target to the eye, of length 1: the camera looks"
                         " along −n."),
             ),
             _Step(
-                self.tr("u"), "<b>u</b> = <b>up</b> × <b>n</b> / |<b>up</b> × <b>n</b>|",
+                self.tr("u"),
+                f"{_U} = {stacked_fraction(f'{_UP_VECTOR} × {_N}', f'|{_UP_VECTOR} × {_N}|')}",
                 self.tr("To the right in the picture: at right angles to up and to n, of"
                         " length 1."),
             ),
             _Step(
-                self.tr("v"), "<b>v</b> = <b>n</b> × <b>u</b>",
+                self.tr("v"), f"{_V} = {_N} × {_U}",
                 self.tr("Upwards in the picture: at right angles to n and u. It is what is left"
                         " of up across the view."),
             ),
             _Step(
                 self.tr("view matrix"),
-                "M = R T, &nbsp; R = (<b>u</b>, <b>v</b>, <b>n</b>)<sup>T</sup>, &nbsp; "
-                "M (<b>e</b> : 1) = (<b>0</b> : 1)",
+                f"M = R T,   R = ({_U}, {_V}, {_N})^T,   M ({_E} : 1) = (0 : 1)",
                 self.tr("The rows of the rotation R are u, v and n; T moves the eye to the"
                         " origin, so that the last column is −R e."),
             ),
@@ -292,7 +298,7 @@ class FramePanel(Panel):
         step = self._steps[self.step]
         place = self.tr("{0} of {1}: {2}")
         self.title.setText(place.format(self.step + 1, len(STEPS), step.name))
-        self.formula.setText(step.formula)
+        self.formula.set_formula(step.formula)
         self.sentence.setText(step.sentence)
         self._mark()
         self.back.setEnabled(self.step > 0)
@@ -323,6 +329,11 @@ class FramePanel(Panel):
         if self.isVisible():
             self._refresh()
 
+    def _show_again(self) -> None:
+        self._is_stale = True
+        if self.isVisible():
+            self._refresh()
+
     def _refresh(self) -> None:
         if self._is_stale:
             self._is_stale = False
@@ -332,7 +343,9 @@ class FramePanel(Panel):
 
     def _show_numbers(self) -> None:
         if self.isVisible():
-            self.numbers.setText(_numbers(STEPS[self.step], self._projection.camera))
+            step, camera = STEPS[self.step], self._projection.camera
+            self.numbers.set_formula(_numbers(step, camera, read_text))
+            self.numbers.set_exact(in_line(_numbers(step, camera, format_value)))
 
     def _show_up(self, up: UpAndView) -> None:
         self.angle.setValue(tidy(up.angle_deg))
@@ -342,7 +355,7 @@ class FramePanel(Panel):
             self.tr(
                 "Angle of up and view direction: {0}°\n|up × n| = {1}\n"
                 "An error in up is {2} times as large in u and v."
-            ).format(f"{up.angle_deg:.6g}", f"{up.length:.6g}", f"{up.magnified:.6g}")
+            ).format(*map(read_text, (up.angle_deg, up.length, up.magnified)))
         )
         off_deg = min(up.angle_deg, 180.0 - up.angle_deg)
         text = ""
@@ -351,7 +364,7 @@ class FramePanel(Panel):
             text = self.tr(
                 "⚠ Up is only {0}° from the line of sight: up × n is nearly 0, and an error of"
                 " {1}° in up turns the picture by up to {2}°."
-            ).format(f"{off_deg:.3g}", f"{NUDGE_DEG:g}", f"{turned_deg:.3g}")
+            ).format(*map(read_text, (off_deg, NUDGE_DEG, turned_deg)))
         typed = _has_own_view(self._projection)
         if typed:
             text = self.tr(
@@ -422,44 +435,40 @@ def _has_own_view(projection: Projection) -> bool:
     return lens.own_view is not None
 
 
-def _numbers(step: str, camera: Camera) -> str:
-    """What a step comes to, line by line."""
+def _numbers(step: str, camera: Camera, write: Callable[[float], str]) -> str:
+    """What a step comes to, line by line, as of `widgets.parts.typeset`."""
+
+    def vector(parts: Iterable[float]) -> str:
+        return f"({', '.join(write(part + 0.0) for part in parts)})"
+
     u, v, n = camera.frame.tolist()
     backward = [e - t for e, t in zip(camera.eye, camera.target, strict=True)]
     lines: list[tuple[str, str]]
     if step == "eye":
-        lines = [("e", _vector(camera.eye))]
+        lines = [(_E, vector(camera.eye))]
     elif step == "look":
         lines = [
-            ("look", _vector(-part for part in backward)),
-            ("|look|", format_value(camera.distance)),
-            ("look / |look|", _vector(-part for part in n)),
+            (_LOOK, vector(-part for part in backward)),
+            (f"|{_LOOK}|", write(camera.distance)),
+            (stacked_fraction(_LOOK, f"|{_LOOK}|"), vector(-part for part in n)),
         ]
     elif step == "up":
-        lines = [("up", _vector(camera.up))]
+        lines = [(_UP_VECTOR, vector(camera.up))]
     elif step == "n":
         lines = [
-            ("e − target", _vector(backward)),
-            ("|e − target|", format_value(camera.distance)),
-            ("n", _vector(n)),
+            (f"{_E} − {_TARGET}", vector(backward)),
+            (f"|{_E} − {_TARGET}|", write(camera.distance)),
+            (_N, vector(n)),
         ]
     elif step == "u":
         up = up_and_view(camera)
         lines = [
-            ("up × n", _vector(up.cross)),
-            ("|up × n|", format_value(up.length)),
-            ("u", _vector(u)),
+            (f"{_UP_VECTOR} × {_N}", vector(up.cross)),
+            (f"|{_UP_VECTOR} × {_N}|", write(up.length)),
+            (_U, vector(u)),
         ]
     elif step == "v":
-        lines = [("v", _vector(v))]
+        lines = [(_V, vector(v))]
     else:
-        rows = [[format_value(value + 0.0) for value in row] for row in view_matrix(camera)]
-        cells = ("".join(f"<td align='right'>{cell}</td>" for cell in row) for row in rows)
-        table = "".join(f"<tr>{row}</tr>" for row in cells)
-        return f"<table cellspacing='0' cellpadding='3'>{table}</table>"
-    names = (re.sub(r"\b(e|look|up|u|v|n)\b", r"<b>\1</b>", name) for name, _ in lines)
-    return "<br>".join(f"{name} = {value}" for name, (_, value) in zip(names, lines, strict=True))
-
-
-def _vector(parts: Iterable[float]) -> str:
-    return "(" + ", ".join(format_value(part + 0.0) for part in parts) + ")"
+        return matrix([write(value + 0.0) for value in row] for row in view_matrix(camera))
+    return "\n".join(f"{name} = {value}" for name, value in lines)

@@ -60,6 +60,7 @@ from app.model.formula import ARROW
 from app.model.projection import Projection
 from app.model.refusal import Refusal
 from widgets.panels.matrix_view import VIEW, MatrixView, is_a_cameras, rich
+from widgets.parts.digits import digits, read_text
 from widgets.parts.fields import REFUSAL_SHEET, parse_number, refusal
 from widgets.parts.focus import FocusRing
 from widgets.parts.messages import field_name, sentence, stage_title, translated
@@ -153,6 +154,7 @@ class MatrixPanel(ReadablePanel):
         self._gap: QSpacerItem | None = None
         """Keeps a matrix in its place whose neighbours have gone."""
         self._earlier: tuple[object, tuple[Matrix, ...]] = (None, ())
+        digits.changed.connect(self._readable.changed)
         self._lay_out()
         self._highest = self._content.sizeHint().height()
 
@@ -314,6 +316,8 @@ class MatrixPanel(ReadablePanel):
         def scroll() -> int:
             """Scroll as far as that helps; how far to the right it has yet to go, in px."""
             QCoreApplication.sendPostedEvents(None, QEvent.Type.LayoutRequest.value)
+            # The gap asks for none while an older request of a matrix is on its way.
+            QCoreApplication.sendEvent(self._content, QEvent(QEvent.Type.LayoutRequest))
             bar.setValue(bar.value() + self._left_of(view) - left_px)
             return left_px - self._left_of(view)
 
@@ -508,7 +512,7 @@ class MatrixPanel(ReadablePanel):
         if not projection.lens.has_steps:
             found = [
                 translated(template, "Matrix").format(*figures)
-                for template, figures in properties(projection, matrix.name)
+                for template, figures in properties(projection, matrix.name, read_text)
             ]
             return "\n".join(found)
         if matrix.name != "clip_from_view":
@@ -527,8 +531,10 @@ class MatrixPanel(ReadablePanel):
         """What a cell is, does and depends on."""
         value, formula = matrix.values[row][column], matrix.formulas[row][column]
         text = written(formula, self._letters)
-        number = cell_text(value)
-        cell = number if text.replace("−", "-") == number else f"{text} = {number}"
+        number = read_text(value)
+        cell = (
+            number if text.replace("−", "-") == number.replace("−", "-") else f"{text} = {number}"
+        )
         fields = matrix.fields[row][column]
         if fields:
             depends = self.tr("It depends on: {0}.").format(", ".join(map(field_name, fields)))
@@ -546,7 +552,7 @@ class MatrixPanel(ReadablePanel):
         return f"{stage_title(matrix.name)}, {place}: {cell}. {does} {typed}{depends}"
 
     def _does(self, matrix: Matrix, into: int, of: int, value: float) -> str:
-        target, source, number = "xyzw"[into], "xyzw"[of], cell_text(value)
+        target, source, number = "xyzw"[into], "xyzw"[of], read_text(value)
         axes = ("u", "v", written("axis_n", self._letters))
         if into < 3 and of < 3 and matrix.name in VIEW and is_a_cameras(matrix):
             text = self.tr(

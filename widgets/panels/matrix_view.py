@@ -10,7 +10,7 @@ import html
 import re
 from collections.abc import Callable, Sequence
 from functools import partial
-from typing import TypeAlias, cast
+from typing import cast
 
 from PySide6.QtCore import (
     QEvent,
@@ -50,14 +50,26 @@ from app.lecture.notation import (
     Matrix,
     cell_text,
     letters_in,
+    stacked,
     written,
 )
 from app.model.formula import ARROW
-from widgets.parts.fields import short_text
+from widgets.parts.digits import digits, read_text
 from widgets.parts.highlight import paint_highlight
+from widgets.parts.typeset import typeset
 
 _AXES = ("u", "v", "n")
 VIEW = ("view_from_world", "rotation")
+ROW_GAP_PX = 3.0
+
+
+_POWER = re.compile("e|·?10(?=[⁻⁰¹²³⁴⁵⁶⁷⁸⁹])")
+
+
+def _parts(text: str) -> tuple[str, str]:
+    """A number's digits, and the power of ten behind them, if there is one."""
+    power = _POWER.search(text)
+    return (text, "") if power is None else (text[: power.start()], text[power.end() :])
 
 
 def first_change(before: str, after: str) -> int | None:
@@ -67,9 +79,8 @@ def first_change(before: str, after: str) -> int | None:
     """
     if before == after:
         return None
-    places = [len(text.partition("e")[0].partition(".")[0]) for text in (before, after)]
-    exponents = [text.partition("e")[2] for text in (before, after)]
-    if places[0] != places[1] or exponents[0] != exponents[1]:
+    (number, power), (other, another) = (_parts(text) for text in (before, after))
+    if len(number.partition(".")[0]) != len(other.partition(".")[0]) or power != another:
         return 0
     pairs = enumerate(zip(before, after, strict=False))
     return next((i for i, (a, b) in pairs if a != b), min(len(before), len(after)))
@@ -151,9 +162,12 @@ class MatrixView(QWidget):
         self._marks: list[list[int | None]] = []
         self._lit: set[tuple[int, int]] = set()
         self._columns: list[float] = [0.0] * 4
+        self._measured: list[float] = []
         self._letters: Letters = "own"
         self._rows = self._formulas = False
         self._style = LIGHT
+        self._dressed: tuple[object, ...] = ()
+        """How the cells are written, all of them together."""
         self._cursor = (0, 0)
         self._highlight = self._pointed_at = NOTHING
         self._told: tuple[int, int] | None = None  # of which cell
@@ -186,11 +200,13 @@ class MatrixView(QWidget):
         style : Style
             The colours of the axes.
         """
-        dressed = (letters, rows, formulas, style)
-        anew = dressed != (self._letters, self._rows, self._formulas, self._style)
-        self._letters, self._rows, self._formulas, self._style = dressed
+        dressed = (letters, rows, formulas, style, digits.all)
+        before_that, self._dressed = self._dressed, dressed
+        anew = dressed != before_that
+        self._letters, self._rows, self._formulas, self._style = dressed[:4]
         old, self._matrix = self._matrix, matrix
-        if old is not None and (anew or old.values != matrix.values):
+        is_other = dressed[:4] != before_that[:4]
+        if old is not None and (is_other or old.values != matrix.values):
             self.abandon()
         lit = set()
         marks: list[list[int | None]] = [[None] * 4 for _ in range(4)]
@@ -199,15 +215,15 @@ class MatrixView(QWidget):
                 if before is not None and before.values[i][j] != value:
                     lit.add((i, j))
                     if not formulas:
-                        texts = short_text(before.values[i][j]), short_text(value)
+                        texts = read_text(before.values[i][j]), read_text(value)
                         marks[i][j] = first_change(*texts)
         if not anew and old == matrix and (lit, marks) == (self._lit, self._marks):
             return
         self._lit, self._marks = lit, marks
         if formulas:
-            self._texts = [[written(cell, letters) for cell in row] for row in matrix.formulas]
+            self._texts = [[stacked(cell, letters) for cell in row] for row in matrix.formulas]
         else:
-            self._texts = [[short_text(value) for value in row] for row in matrix.values]
+            self._texts = [[read_text(value) for value in row] for row in matrix.values]
         self._measure(anew or old is None or old.name != matrix.name)
         if self.hasFocus():
             self._say()
@@ -215,7 +231,7 @@ class MatrixView(QWidget):
 
     @property
     def texts(self) -> list[list[str]]:
-        """What the cells show."""
+        """What the cells show; of formulas, as of `widgets.parts.typeset`."""
         return self._texts
 
     @property
@@ -235,27 +251,22 @@ class MatrixView(QWidget):
         font.setPointSizeF(font.pointSizeF() * 0.75)
         return font
 
-    def _fonts(self) -> _Fonts:
-        """Those of letters, of subscripts and of vectors."""
-        bold = QFont(self.font())
-        bold.setBold(True)
-        return {"": self.font(), "_": self._small(), ARROW: bold}
-
     def _measure(self, anew: bool) -> None:
-        metrics, fonts = QFontMetricsF(self.font()), self._fonts()
-        widths = [
-            max(_width(row[j], fonts) for row in self._texts) + 0.8 * metrics.height()
-            for j in range(4)
-        ]
+        height = QFontMetricsF(self.font()).height()
+        cells = [[typeset(text, self.font()) for text in row] for row in self._texts]
+        widths = [max(row[j].width for row in cells) + 0.8 * height for j in range(4)]
         # While numbers run, columns only grow: a row that jumps to and fro cannot be read.
         self._columns = widths if anew else list(map(max, self._columns, widths))
+        # A subscript hangs into the room between two rows, a fraction does not.
+        self._measured = [
+            max(height, *(cell.height - (0.0 if cell.rules else 2.0) for cell in row)) + ROW_GAP_PX
+            for row in cells
+        ]
         size = self._wanted()
         if size != self.minimumSize():
             self.setFixedSize(size)
-
-    @property
-    def _line(self) -> float:
-        return QFontMetricsF(self.font()).height() + 3.0
+        if self._field is not None:
+            self._place_field(self._field)
 
     @property
     def _margin(self) -> tuple[float, float]:
@@ -272,22 +283,28 @@ class MatrixView(QWidget):
 
     def _wanted(self) -> QSize:
         left, top = self._margin
-        return QSize(int(left + sum(self._columns) + 8.0), int(top + 4 * self._line + 4.0))
+        return QSize(int(left + sum(self._columns) + 8.0), int(top + sum(self._heights) + 4.0))
 
     def sizeHint(self) -> QSize:
         return self._wanted()
 
-    def _cell_rect(self, row: int, column: int) -> QRectF:
+    @property
+    def _heights(self) -> list[float]:
+        """Of the rows; of lines of text until there is a matrix, whose place is kept free."""
+        return self._measured or [QFontMetricsF(self.font()).height() + ROW_GAP_PX] * 4
+
+    def cell_rect(self, row: int, column: int) -> QRectF:
+        """Where a cell is in the widget."""
         left, top = self._margin
         return QRectF(
-            left + sum(self._columns[:column]), top + row * self._line,
-            self._columns[column], self._line,
+            left + sum(self._columns[:column]), top + sum(self._heights[:row]),
+            self._columns[column], self._heights[row],
         )  # fmt: skip
 
     def cell_at(self, place: QPointF) -> tuple[int, int] | None:
         """Row and column of the cell at a place in the widget."""
         cells = ((i, j) for i in range(4) for j in range(4))
-        return next((cell for cell in cells if self._cell_rect(*cell).contains(place)), None)
+        return next((cell for cell in cells if self.cell_rect(*cell).contains(place)), None)
 
     # -- painting
 
@@ -301,7 +318,7 @@ class MatrixView(QWidget):
         self._paint_brackets(painter, ink)
         for i, row in enumerate(self._texts):
             for j, text in enumerate(row):
-                rect = self._cell_rect(i, j)
+                rect = self.cell_rect(i, j)
                 if (i, j) in self._lit:
                     light = QColor(self._style.accent)
                     painter.fillRect(rect.adjusted(1, 1, -1, -1), _faded(light, 0.3))
@@ -313,7 +330,7 @@ class MatrixView(QWidget):
                 self._paint_text(painter, rect, text, self._marks[i][j])
         if self.hasFocus():
             painter.setPen(QPen(self.palette().highlight().color(), 2.0))
-            painter.drawRect(self._cell_rect(*self._cursor).adjusted(1, 1, -1, -1))
+            painter.drawRect(self.cell_rect(*self._cursor).adjusted(1, 1, -1, -1))
         painter.end()
 
     def _paint_axes(self, painter: QPainter) -> None:
@@ -327,12 +344,13 @@ class MatrixView(QWidget):
         for k, (axis, name) in enumerate(zip(_AXES, names, strict=True)):
             colour = QColor(getattr(self._style, axis))
             if self._axes_are_rows:
-                rect = QRectF(0.0, top + k * self._line + 1.0, plate, self._line - 2.0)
-                band = QRectF(left, top + k * self._line, sum(self._columns), self._line)
+                cell = self.cell_rect(k, 0)
+                rect = QRectF(0.0, cell.top() + 1.0, plate, cell.height() - 2.0)
+                band = QRectF(left, cell.top(), sum(self._columns), cell.height())
             else:
-                cell = self._cell_rect(0, k)
+                cell = self.cell_rect(0, k)
                 rect = QRectF(cell.left() + 2.0, 0.0, cell.width() - 4.0, plate)
-                band = QRectF(cell.left(), top, cell.width(), 4 * self._line)
+                band = QRectF(cell.left(), top, cell.width(), sum(self._heights))
             painter.fillRect(band, _faded(colour, 0.12))
             painter.fillRect(rect, colour)
             painter.setPen(QColor(self._style.text_on(colour.name())))
@@ -341,7 +359,7 @@ class MatrixView(QWidget):
 
     def _paint_brackets(self, painter: QPainter, ink: QColor) -> None:
         left, top = self._margin
-        bottom, width = top + 4 * self._line, sum(self._columns)
+        bottom, width = top + sum(self._heights), sum(self._columns)
         painter.setPen(QPen(ink, 1.2))
         for x, inward in ((left - 2.0, 4.0), (left + width + 2.0, -4.0)):
             painter.drawPolyline(
@@ -352,18 +370,11 @@ class MatrixView(QWidget):
             )  # fmt: skip
 
     def _paint_text(self, painter: QPainter, rect: QRectF, text: str, mark: int | None) -> None:
-        fonts, metrics = self._fonts(), QFontMetricsF(self.font())
-        pad = 0.4 * metrics.height()
-        x = rect.right() - pad - _width(text, fonts)
-        base = rect.center().y() + (metrics.ascent() - metrics.descent()) / 2.0
-        for run, kind in _runs(text):
-            painter.setFont(fonts[kind])
-            lower = 0.2 * metrics.height() if kind == "_" else 0.0
-            painter.drawText(QPointF(x, base + lower), run)
-            x += QFontMetricsF(fonts[kind]).horizontalAdvance(run)
-        painter.setFont(self.font())
+        metrics, cell = QFontMetricsF(self.font()), typeset(text, self.font())
+        end = rect.right() - 0.4 * metrics.height()
+        base = rect.center().y() + cell.below_middle
+        cell.paint(painter, end - cell.width, base)
         if mark is not None:
-            end = rect.right() - pad
             start = end - metrics.horizontalAdvance(text[mark:] or text[-1:])
             painter.setPen(QPen(painter.pen().color(), 2.0))
             painter.drawLine(QPointF(start, base + 3.0), QPointF(end, base + 3.0))
@@ -385,11 +396,7 @@ class MatrixView(QWidget):
         field.setToolTip(
             self.tr("A number, or a fraction such as 1/3, which is divided to all digits")
         )
-        wide = QFontMetricsF(self.font()).horizontalAdvance(field.text() + "00") + 8.0
-        rect = self._cell_rect(row, column)
-        wide = min(max(wide, rect.width()), float(self.width()))
-        left = max(min(rect.right() - wide, self.width() - wide), 0.0)
-        field.setGeometry(int(left), int(rect.top()), int(wide), int(rect.height()))
+        self._place_field(field)
         field.setStyleSheet("padding: 0px; margin: 0px")
         field.returnPressed.connect(self._enter)
         field.editingFinished.connect(self._left_field)
@@ -400,6 +407,14 @@ class MatrixView(QWidget):
         self._say()
         field.show()
         field.setFocus()
+
+    def _place_field(self, field: QLineEdit) -> None:
+        """Put the field over its cell, as wide as what is typed needs."""
+        wide = QFontMetricsF(self.font()).horizontalAdvance(field.text() + "00") + 8.0
+        rect = self.cell_rect(*self._cursor)
+        wide = min(max(wide, rect.width()), float(self.width()))
+        left = max(min(rect.right() - wide, self.width() - wide), 0.0)
+        field.setGeometry(int(left), int(rect.top()), int(wide), int(rect.height()))
 
     @property
     def place(self) -> tuple[int, int]:
@@ -584,30 +599,3 @@ def _faded(colour: QColor, alpha: float) -> QColor:
 def rich(text: str) -> str:
     """A text as HTML, with the letters of vectors bold: few fonts put an arrow above a letter."""
     return re.sub(f"(.){ARROW}", r"<b>\1</b>", html.escape(text, quote=False))
-
-
-_PIECE = re.compile(f"_(?P<below>[^\\W_]*)|(?P<vector>.){ARROW}|.")
-
-
-def _runs(text: str) -> list[tuple[str, str]]:
-    """A text in pieces, each with what it is: ``"_"`` a subscript, `ARROW` a vector, or nothing."""
-    if "_" not in text and ARROW not in text:  # a number, most often
-        return [(text, "")]
-    runs: list[tuple[str, str]] = []
-    for piece in _PIECE.finditer(text):
-        if piece["below"] is not None:
-            runs.append((piece["below"], "_"))
-        elif piece["vector"] is not None:
-            runs.append((piece["vector"], ARROW))
-        elif runs and not runs[-1][1]:
-            runs[-1] = (runs[-1][0] + piece[0], "")
-        else:
-            runs.append((piece[0], ""))
-    return runs
-
-
-_Fonts: TypeAlias = dict[str, QFont]
-
-
-def _width(text: str, fonts: _Fonts) -> float:
-    return sum(QFontMetricsF(fonts[kind]).horizontalAdvance(run) for run, kind in _runs(text))

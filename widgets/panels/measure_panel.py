@@ -58,6 +58,7 @@ from app.model.refusal import Refusal
 from app.scenes.phenomena.illustration import Diagram
 from widgets.panels.measuring import Measuring
 from widgets.parts.diagram import DiagramView
+from widgets.parts.digits import digits
 from widgets.parts.focus import FocusRing
 from widgets.parts.messages import of_measurements, sentence
 from widgets.parts.note import Note
@@ -126,6 +127,7 @@ class MeasurePanel(ReadablePanel):
         self._make_controls()
         self._make_views()
         self._lay_out()
+        digits.changed.connect(self._readable.changed)
         self._show_running()
         self._readable.changed()
 
@@ -480,7 +482,7 @@ class MeasurePanel(ReadablePanel):
         heads: list[str] = []
         rows: list[list[str]] = []
         if shown is not None:
-            heads, *rows = table(_part(shown))
+            heads, *rows = table(_part(shown), all_digits=digits.all)
             if other is not None:
                 heads, rows = _joined(heads, rows, *_other_rows(other))
         elif self.name in self.words:
@@ -503,6 +505,7 @@ class MeasurePanel(ReadablePanel):
         slanted = QFont(self.table.font())
         slanted.setItalic(True)
         grey = self.palette().brush(QPalette.ColorRole.PlaceholderText)
+        self.table.setVisible(bool(rows))
         self.table.setRowCount(len(rows))
         self.table.setColumnCount(len(heads))
         self.table.setHorizontalHeaderLabels([named(head, of_measurements) for head in heads])
@@ -635,7 +638,7 @@ def _read(path: Path) -> Results:
 
 def _other_rows(other: Results) -> tuple[list[str], list[list[str]]]:
     """The table of other results; whose they are is in the last column, the only wide one."""
-    heads, *rows = table(_part(other))
+    heads, *rows = table(_part(other), all_digits=digits.all)
     name = chart.machine(other)
     return heads, [[*cells, "; ".join(filter(None, (name, note)))] for *cells, note in rows]
 

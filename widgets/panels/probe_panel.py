@@ -1,13 +1,15 @@
 """The probes: points that are followed through every stage, and their numbers.
 
 The numbers are those that the command `project` prints for the same points, computed by the same
-precision. They belong to how the document is looked at: a probe is a question, not a part of the
-scene. A panel that is folded fills no table.
+precision; four digits of them are read, and all are copied. They belong to how the document is
+looked at: a probe is a question, not a part of the scene. A panel that is folded fills no table.
 """
 
 from __future__ import annotations
 
-from typing import Any
+import math
+from collections.abc import Callable
+from typing import Any, TypeAlias
 
 from PySide6.QtCore import (
     QAbstractTableModel,
@@ -15,11 +17,21 @@ from PySide6.QtCore import (
     QModelIndex,
     QObject,
     QPersistentModelIndex,
+    QRectF,
     QSize,
     Qt,
     Signal,
 )
-from PySide6.QtGui import QBrush, QColor, QGuiApplication, QKeyEvent
+from PySide6.QtGui import (
+    QAction,
+    QBrush,
+    QColor,
+    QGuiApplication,
+    QKeyEvent,
+    QKeySequence,
+    QPainter,
+    QPalette,
+)
 from PySide6.QtWidgets import (
     QAbstractItemView,
     QComboBox,
@@ -27,6 +39,9 @@ from PySide6.QtWidgets import (
     QHeaderView,
     QLabel,
     QPushButton,
+    QStyle,
+    QStyledItemDelegate,
+    QStyleOptionViewItem,
     QTableView,
     QVBoxLayout,
     QWidget,
@@ -34,6 +49,7 @@ from PySide6.QtWidgets import (
 
 from app.document.view import MOST_PROBES
 from app.lecture.highlight import NOTHING, Highlight, made_of
+from app.model.formula import stacked_fraction
 from app.model.limits import finite
 from app.model.projection import (
     PLANES,
@@ -41,13 +57,15 @@ from app.model.projection import (
     Trace,
     Vector,
 )
-from app.model.refusal import Refusal, format_value
+from app.model.refusal import Refusal
 from app.picking.picking import Probe, projector
 from app.precision.levels import precision_for_reading, predict, trace
-from widgets.parts.fields import REFUSAL_SHEET, NumberField, refusal
-from widgets.parts.messages import plane_name, sentence
+from widgets.parts.digits import digits, read_text
+from widgets.parts.fields import REFUSAL_SHEET, ShortField, refusal
+from widgets.parts.messages import number_text, plane_name, sentence
 from widgets.parts.panel import PROJECTION, Changed, Shown
 from widgets.parts.readable import ReadablePanel
+from widgets.parts.typeset import in_line, typeset
 
 _PIN_SHEET = """
 QPushButton:checked {
@@ -58,9 +76,14 @@ QPushButton:checked {
 """Fusion hardly shows whether a dark button is down."""
 
 _PARTS = 4  # columns of a probe: x, y, z, w
+_DIVIDE = 4  # the line in which what is divided by stands behind its sign
 _W: dict[tuple[str, ...], str] = {("0", "0", "-1", "0"): "−z_view", ("0", "0", "0", "1"): "1"}
 """What the lens' table says that w is, by the cells of its last row."""
 _ROOT = QModelIndex()
+FORMULA = Qt.ItemDataRole.UserRole
+"""Of a line's first cell: its formula, as of `widgets.parts.typeset`."""
+EXACT = Qt.ItemDataRole.UserRole + 1
+"""Of a cell: what is copied."""
 
 
 class ProbePanel(ReadablePanel):
@@ -83,13 +106,13 @@ class ProbePanel(ReadablePanel):
         self._chosen = 0  # number of the probe that is edited; 0 for none
         self._projection: Projection | None = None
         self._spans: list[tuple[int, int]] = []
-        self._font_is_new = False
+        self._is_new = False
 
         self.choice = QComboBox()
         self.choice.setAccessibleName(self.tr("Probe"))
         self.choice.setToolTip(self.tr("Which probe the fields and buttons are about"))
         self.choice.activated.connect(lambda index: self.choose(self.choice.itemData(index)))
-        self.fields = tuple(NumberField(name) for name in "xyz")
+        self.fields = tuple(ShortField(name) for name in "xyz")
         self.pin = QPushButton(self.tr("Pin"))
         self.pin.setCheckable(True)
         self.pin.setStyleSheet(_PIN_SHEET)
@@ -116,8 +139,7 @@ class ProbePanel(ReadablePanel):
         self._hint.setWordWrap(True)
 
         self._model = _Table(self)
-        self.table = QTableView()
-        self.table.setModel(self._model)
+        self.table = _TableView(self._model)
         self.table.setMouseTracking(True)
         self.table.entered.connect(
             lambda index: self.highlighted.emit(self._model.highlight_at(index))
@@ -134,6 +156,7 @@ class ProbePanel(ReadablePanel):
         rows = self.table.verticalHeader()
         rows.setSectionResizeMode(QHeaderView.ResizeMode.Fixed)
         rows.setMinimumSectionSize(0)
+        digits.changed.connect(self._turn)
         self._lay_out()
         self._fit_rows()
         self._show_choice()
@@ -164,10 +187,10 @@ class ProbePanel(ReadablePanel):
 
     def sizeHint(self) -> QSize:
         """High enough for every line of the table, with or without a probe in it."""
-        line = self.table.verticalHeader().defaultSectionSize()
+        lines = sum(map(self._height_of, self._formulas(self._projection or Projection())))
         head = self.choice.sizeHint().height() + self.table.horizontalHeader().sizeHint().height()
         bar = self.table.horizontalScrollBar().sizeHint().height()
-        return QSize(super().sizeHint().width(), head + bar + 9 * line + 12)
+        return QSize(super().sizeHint().width(), head + bar + lines + 12)
 
     # -- the probes
 
@@ -324,14 +347,25 @@ class ProbePanel(ReadablePanel):
     # -- the table
 
     def _fit_rows(self) -> None:
-        height = self.fontMetrics().height() + 4
-        self.table.verticalHeader().setDefaultSectionSize(height)
+        rows = self.table.verticalHeader()
+        rows.setDefaultSectionSize(self.fontMetrics().height() + 4)
+        for row, line in enumerate(self._model.lines):
+            rows.resizeSection(row, self._height_of(line))
+
+    def _height_of(self, line: tuple[str, str]) -> int:
+        """Of a line of the table, by its name and formula: a fraction needs more."""
+        formula = math.ceil(typeset(line[1], self.font()).height)
+        return max(self.fontMetrics().height(), formula) + 4
+
+    def _turn(self) -> None:
+        self._is_new = True
+        self._readable.changed()
 
     def changeEvent(self, event: QEvent) -> None:
         super().changeEvent(event)
         if event.type() == QEvent.Type.FontChange:  # projector mode
             self._fit_rows()
-            self._font_is_new = True
+            self._is_new = True
             self._readable.changed()
 
     def take(self, shown: Shown, changed: Changed) -> None:
@@ -356,7 +390,8 @@ class ProbePanel(ReadablePanel):
         if points:
             followed = trace(projection, points, precision_for_reading(predict(projection, points)))
         formulas = self._formulas(projection)
-        columns, outside, row = [], [], 0
+        columns: list[_Block] = []
+        outside, row = [], 0
         for probe in self.probes:
             if probe.point is None or followed is None:
                 columns.append(self._of_ray(projection, probe))
@@ -370,16 +405,17 @@ class ProbePanel(ReadablePanel):
         anew = self._model.show(numbers, formulas, columns, outside)
         if anew:
             self._spans = []
-        self._widen(columns, anew or self._font_is_new)
-        self._font_is_new = False
+            self._fit_rows()
+        self._widen(columns, anew or self._is_new)
+        self._is_new = False
 
-    def _widen(self, columns: list[list[list[str]]], anew: bool) -> None:
+    def _widen(self, columns: list[_Block], anew: bool) -> None:
         """Let every number be seen whole: one without its last digits would be another."""
         metrics = self.fontMetrics()  # a change of font may reach the table after its panel
         digit = metrics.horizontalAdvance("0")
         if anew:
-            longest = max(metrics.horizontalAdvance(text) for text in self._model.formulas)
-            self.table.setColumnWidth(0, longest + 2 * digit)
+            longest = max(typeset(text, self.font()).width for _, text in self._model.lines)
+            self.table.setColumnWidth(0, math.ceil(longest) + 2 * digit)
         # Words, where there are no numbers, are said across all four columns.
         spans = [
             (row, 1 + _PARTS * i)
@@ -393,7 +429,11 @@ class ProbePanel(ReadablePanel):
                 self.table.setSpan(row, column, 1, _PARTS)
             self._spans = spans
         for i, lines in enumerate(columns):
-            numbers = [line for row, line in enumerate(lines) if (row, 1 + _PARTS * i) not in spans]
+            numbers = [
+                [_text(row, cell, read_text) for cell in line]
+                for row, line in enumerate(lines)
+                if (row, 1 + _PARTS * i) not in spans
+            ]
             for part in range(_PARTS):
                 longest = max([len(line[part]) for line in numbers if part < len(line)], default=4)
                 column = 1 + _PARTS * i + part
@@ -402,7 +442,7 @@ class ProbePanel(ReadablePanel):
                     self.table.setColumnWidth(column, width)
 
     def _formulas(self, projection: Projection) -> list[tuple[str, str]]:
-        """Name and formula of every line."""
+        """Name and formula of every line, as of `widgets.parts.typeset`."""
         lens = projection.lens
         view = "R (p − e)" if lens.own_view is None else "M p"
         w = _W.get(tuple(cell.text for cell in lens.table.clip_from_view[3]), "(P p_view)_4")
@@ -410,33 +450,32 @@ class ProbePanel(ReadablePanel):
         if lens.planes is None:
             low = "0" if min(projection.depth_range) == 0.0 else "−w"
             inside = f"{low} ≤ z ≤ w"
-        depth = "(z + 1) / 2" if projection.depth == "opengl" else "z"
-        image = "(x + 1) W/2,  (1 − y) H/2"
+        depth = stacked_fraction("z + 1", "2") if projection.depth == "opengl" else "z"
+        image = f"(x + 1) {stacked_fraction('W', '2')},  (1 − y) {stacked_fraction('H', '2')}"
         return [
             (self.tr("object"), "p"),
             (self.tr("world"), "I p"),
             (self.tr("view"), view),
             (self.tr("clip"), f"P p_view;  w = {w}"),
             (self.tr("divide"), "÷ w"),
-            (self.tr("NDC"), "x/w,  y/w,  z/w"),
+            (self.tr("NDC"), ",  ".join(stacked_fraction(part, "w") for part in "xyz")),
             (self.tr("image px"), image),
             (self.tr("depth"), depth),
             (self.tr("inside"), f"|x|, |y| ≤ w;  {inside}"),
         ]
 
-    def _of_point(self, point: Trace) -> list[list[str]]:
-        """The texts of a point's lines."""
-        world, view, clip = _texts(point.world), _texts(point.view), _texts(point.clip)
+    def _of_point(self, point: Trace) -> _Block:
+        """What is in a point's lines."""
+        world, view, clip = _cells(point.world), _cells(point.view), _cells(point.clip)
         outside_of = _outside_of(point)
         if outside_of:
             names = ", ".join(map(plane_name, outside_of))
             inside = self.tr("outside of: {0}").format(names)
         else:
             inside = self.tr("inside")
-        lines = [world, world, view, clip]
+        lines: _Block = [world, world, view, clip]
         if point.in_front:
-            divide = [f"÷ {clip[3]}"] * 3
-            lines += [divide, _texts(point.ndc), _texts(point.image), _texts(point.depth)]
+            lines += [clip[3:] * 3, _cells(point.ndc), _cells(point.image), _cells(point.depth)]
         else:
             w = float(point.clip[3])
             if w < 0.0:
@@ -448,12 +487,12 @@ class ProbePanel(ReadablePanel):
             lines += [[why], [], [], []]
         return [*lines, [inside]]
 
-    def _of_ray(self, projection: Projection, probe: Probe) -> list[list[str]]:
-        """The texts of a ray's lines: it has x and y only, and these from the pixel."""
+    def _of_ray(self, projection: Projection, probe: Probe) -> _Block:
+        """What is in a ray's lines: it has x and y only, and these from the pixel."""
         assert probe.pixel is not None
         (x, y), (width, height) = probe.pixel, projection.image_size
-        ndc = [format_value(2.0 * x / width - 1.0), format_value(1.0 - 2.0 * y / height)]
-        image = [format_value(x), format_value(y)]
+        ndc: _Line = [2.0 * x / width - 1.0, 1.0 - 2.0 * y / height]
+        image: _Line = [x, y]
         return [[self._ray(projection, probe)], [], [], [], [], ndc, image, [], []]
 
     def _ray(self, projection: Projection, probe: Probe) -> str:
@@ -474,26 +513,34 @@ def _outside_of(point: Trace) -> list[str]:
     return [plane for plane, is_out in zip(PLANES, point.outside.tolist(), strict=True) if is_out]
 
 
-def _texts(values: Any) -> list[str]:
-    """Numbers as `project` prints them, with every digit and no minus zero."""
-    return [format_value(value) for value in (values + 0.0).reshape(-1).tolist()]
+_Line: TypeAlias = list[str | float]
+_Block: TypeAlias = list[_Line]
+"""Of a probe, line by line: its numbers, or one text across them."""
+
+
+def _cells(values: Any) -> _Line:
+    """Numbers as `project` has them, without a minus zero."""
+    return list((values + 0.0).reshape(-1).tolist())
+
+
+def _text(row: int, cell: str | float, write: Callable[[float], str]) -> str:
+    """What stands in a cell of a row."""
+    if isinstance(cell, str):
+        return cell
+    return f"÷ {write(cell)}" if row == _DIVIDE else write(cell)
 
 
 class _Table(QAbstractTableModel):
-    """Texts in blocks of four columns, one block for each probe; asked only for what is seen."""
+    """Cells in blocks of four columns, one block for each probe; asked only for what is seen."""
 
     def __init__(self, parent: QWidget) -> None:
         super().__init__(parent)
         self._numbers: list[int] = []
-        self._formulas: list[tuple[str, str]] = []
-        self._columns: list[list[list[str]]] = []
+        self.lines: list[tuple[str, str]] = []
+        """Name and formula of each."""
+        self._columns: list[_Block] = []
         self._outside: list[Highlight] = []
         self._highlighted = NOTHING
-
-    @property
-    def formulas(self) -> list[str]:
-        """The lines' own."""
-        return [formula for _, formula in self._formulas]
 
     def highlight_at(self, index: QModelIndex) -> Highlight:
         """What a cell is about: the last line is about planes."""
@@ -514,14 +561,14 @@ class _Table(QAbstractTableModel):
         self,
         numbers: list[int],
         formulas: list[tuple[str, str]],
-        columns: list[list[list[str]]],
+        columns: list[_Block],
         outside: list[Highlight],
     ) -> bool:
-        """Show other texts; tell whether there are other columns."""
-        anew = numbers != self._numbers or formulas != self._formulas
+        """Show other cells; tell whether there are other columns."""
+        anew = numbers != self._numbers or formulas != self.lines
         if anew:
             self.beginResetModel()
-        self._numbers, self._formulas, self._columns = numbers, formulas, columns
+        self._numbers, self.lines, self._columns = numbers, formulas, columns
         self._outside = outside
         if anew:
             self.endResetModel()
@@ -531,7 +578,7 @@ class _Table(QAbstractTableModel):
         return anew
 
     def rowCount(self, parent: QModelIndex | QPersistentModelIndex = _ROOT) -> int:
-        return 0 if parent.isValid() else len(self._formulas)
+        return 0 if parent.isValid() else len(self.lines)
 
     def columnCount(self, parent: QModelIndex | QPersistentModelIndex = _ROOT) -> int:
         return 0 if parent.isValid() else 1 + _PARTS * len(self._numbers)
@@ -545,13 +592,18 @@ class _Table(QAbstractTableModel):
         if role == Qt.ItemDataRole.BackgroundRole:
             marked = self.highlight_at(self.index(row, column)) & self._highlighted
             return self._mark() if marked else None
-        if role != Qt.ItemDataRole.DisplayRole:
+        roles = Qt.ItemDataRole
+        if role not in (roles.DisplayRole, roles.ToolTipRole, FORMULA, EXACT):
             return None
         if column == 0:
-            return self._formulas[row][1]
+            formula = self.lines[row][1]
+            return formula if role == FORMULA else in_line(formula)
         probe, part = divmod(column - 1, _PARTS)
-        texts = self._columns[probe][row]
-        return texts[part] if part < len(texts) else None
+        cells = self._columns[probe][row]
+        if part >= len(cells) or role == FORMULA:
+            return None
+        write = read_text if role == roles.DisplayRole else number_text
+        return _text(row, cells[part], write)
 
     def _mark(self) -> QBrush:
         colour = QColor(QGuiApplication.palette().highlight().color())
@@ -564,8 +616,63 @@ class _Table(QAbstractTableModel):
         if role != Qt.ItemDataRole.DisplayRole:
             return None
         if orientation == Qt.Orientation.Vertical:
-            return self._formulas[section][0]
+            return self.lines[section][0]
         if section == 0:
             return "="
         probe, part = divmod(section - 1, _PARTS)
         return f"{self._numbers[probe]}: {'xyzw'[part]}"
+
+
+class _TableView(QTableView):
+    """The table; what is copied of it has all the digits."""
+
+    def __init__(self, model: _Table) -> None:
+        super().__init__()
+        self.setModel(model)
+        self.setItemDelegateForColumn(0, _FormulaDelegate(self))
+        copy = QAction(self.tr("Copy, with all digits"), self)
+        copy.triggered.connect(self._copy)
+        self.addAction(copy)
+        self.setContextMenuPolicy(Qt.ContextMenuPolicy.ActionsContextMenu)
+
+    def _copy(self) -> None:
+        """What is selected, its columns with tabs between them."""
+        rows: dict[int, list[str]] = {}
+        for index in sorted(self.selectedIndexes(), key=lambda at: (at.row(), at.column())):
+            rows.setdefault(index.row(), []).append(index.data(EXACT) or "")
+        QGuiApplication.clipboard().setText("\n".join(map("\t".join, rows.values())))
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        if event.matches(QKeySequence.StandardKey.Copy):
+            self._copy()
+        else:
+            super().keyPressEvent(event)
+
+
+class _FormulaDelegate(QStyledItemDelegate):
+    """Paints the formulas of the lines."""
+
+    def initStyleOption(
+        self, option: QStyleOptionViewItem, index: QModelIndex | QPersistentModelIndex
+    ) -> None:
+        super().initStyleOption(option, index)
+        option.text = ""  # its ground and its selection are painted as ever
+
+    def paint(
+        self,
+        painter: QPainter,
+        option: QStyleOptionViewItem,
+        index: QModelIndex | QPersistentModelIndex,
+    ) -> None:
+        super().paint(painter, option, index)
+        own = QStyleOptionViewItem(option)
+        self.initStyleOption(own, index)
+        formula = typeset(index.data(FORMULA), own.font)
+        roles = QPalette.ColorRole
+        is_selected = bool(own.state & QStyle.StateFlag.State_Selected)
+        painter.save()
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        painter.setPen(own.palette.color(roles.HighlightedText if is_selected else roles.Text))
+        base = QRectF(own.rect).center().y() + formula.below_middle
+        formula.paint(painter, own.rect.left() + 3.0, base)
+        painter.restore()

@@ -36,7 +36,7 @@ from app.picking.handles import Handle
 from widgets.panes.canvas import ARROWS
 from widgets.panes.manipulation import Manipulation
 from widgets.panes.pane import Pane
-from widgets.parts.fields import short_text
+from widgets.parts.digits import digits, read_text
 from widgets.parts.panel import Changed, Shown
 
 if TYPE_CHECKING:
@@ -107,6 +107,7 @@ class Cursor(QObject):
         self._label.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
         self._label.hide()
         pane.hand.dropped.connect(self.let_go)
+        digits.changed.connect(self._follow)
         pane.canvas.installEventFilter(self)
 
     @property
@@ -301,7 +302,7 @@ class Cursor(QObject):
             return self._manipulation.now(thing)
         if place is None:
             return ""
-        numbers = ", ".join(map(short_text, place))
+        numbers = ", ".join(map(read_text, place))
         if isinstance(thing, Followed):
             return self.tr("Point {0} ({1})").format(thing.number, numbers)
         return self.tr("Vertex ({0})").format(numbers)

@@ -42,8 +42,9 @@ from app.picking.picking import Sight
 from app.scenes.phenomena.illustration import Grip, Settings
 from widgets.panes.canvas import ZOOM_PER_WHEEL_STEP
 from widgets.panes.pane import Pane
+from widgets.parts.digits import read_text
 from widgets.parts.escape import EscapeKey
-from widgets.parts.fields import QUIET_MS, short_text
+from widgets.parts.fields import QUIET_MS
 from widgets.parts.message_bar import MessageBar
 from widgets.parts.messages import field_name, of_phenomena, seen_from, sentence
 from widgets.parts.panel import PROJECTION, Changed, Shown
@@ -427,5 +428,5 @@ def _value(grip: Grip) -> Vector:
 
 def _shown(value: Any) -> str:
     if isinstance(value, tuple):
-        return f"({', '.join(short_text(part) for part in value)})"
-    return short_text(value)
+        return f"({', '.join(read_text(part) for part in value)})"
+    return read_text(value)

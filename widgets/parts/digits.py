@@ -7,6 +7,8 @@ from __future__ import annotations
 
 from PySide6.QtCore import QObject, Signal
 
+from widgets.parts.messages import figure_text, number_text
+
 FEW = 4
 """Significant digits of a number that is read."""
 
@@ -34,3 +36,8 @@ def set_all_digits(all_digits: bool) -> None:
     if all_digits != digits.all:
         digits.all = all_digits
         digits.changed.emit()
+
+
+def read_text(value: float) -> str:
+    """A number that is read: four digits of it, or all of them."""
+    return number_text(value) if digits.all else figure_text(value, FEW)

@@ -571,8 +571,8 @@ class NumberField(QLineEdit):
         return super().event(event)
 
 
-class _ShortField(NumberField):
-    """Of a row: narrow, and its number short until somebody is at it."""
+class ShortField(NumberField):
+    """Narrow, and its number short until somebody is at it."""
 
     def __init__(self, name: str, unit: str = "") -> None:
         super().__init__(name, unit)
@@ -859,14 +859,14 @@ class Row(QWidget):
 class _TypedRow(Row):
     """A row with number fields, each typed, refused and taken back by itself."""
 
-    def _add_fields(self, *fields: _ShortField) -> None:
+    def _add_fields(self, *fields: ShortField) -> None:
         self.fields = fields
         self.name_label.setBuddy(fields[0])
         for field in fields:
             field.editingFinished.connect(partial(self._typed, field))
 
     @abstractmethod
-    def _read(self, field: _ShortField) -> Any:
+    def _read(self, field: ShortField) -> Any:
         """The row's value with the number that is typed in one of its fields, or a `Refusal`."""
 
     @property
@@ -882,7 +882,7 @@ class _TypedRow(Row):
         """What is said of a text that is no number."""
         return sentence(error)
 
-    def _typed(self, field: _ShortField) -> None:
+    def _typed(self, field: ShortField) -> None:
         if not field.isModified():
             if not field.refused:
                 field.take_back()
@@ -978,7 +978,7 @@ class NumberRow(_TypedRow):
         self.slider = _Slider()
         self.slider.setAccessibleName(self.tr("{0}, slider").format(name))
         self._tell(self.slider, self._tip)
-        self.field = _ShortField(name, unit)
+        self.field = ShortField(name, unit)
         self._tell(self.field, self._tip)
         self.field.setAccessibleName(f"{name} ({self._unit_said})" if unit else name)
         self.unit_label = QLabel(unit)
@@ -1096,7 +1096,7 @@ class NumberRow(_TypedRow):
                 self.slider.setValue(held)
         self._show_refusal(said)
 
-    def _read(self, _field: _ShortField) -> float:
+    def _read(self, _field: ShortField) -> float:
         return self.field.read(self._scale.infinite)
 
     def _why(self, error: Refusal) -> str:
@@ -1287,7 +1287,7 @@ class VectorRow(_TypedRow):
     def __init__(self, name: str, tip: str) -> None:
         super().__init__(name, tip)
         self._value: tuple[float, ...] = (0.0, 0.0, 0.0)
-        self._add_fields(*(_ShortField(self.tr("{0} {1}").format(name, x)) for x in "xyz"))
+        self._add_fields(*(ShortField(self.tr("{0} {1}").format(name, x)) for x in "xyz"))
         self._line = QBoxLayout(QBoxLayout.Direction.LeftToRight)
         self._line.setSpacing(6)
         for letter, field in zip("xyz", self.fields, strict=True):
@@ -1310,7 +1310,7 @@ class VectorRow(_TypedRow):
         directions = QBoxLayout.Direction
         self._line.setDirection(directions.TopToBottom if digits.all else directions.LeftToRight)
 
-    def _read(self, field: _ShortField) -> tuple[float, ...]:
+    def _read(self, field: ShortField) -> tuple[float, ...]:
         number = field.read()
         if math.isinf(number):
             raise Refusal(field.name, number, FINITE_NUMBER)

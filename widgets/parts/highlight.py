@@ -69,7 +69,11 @@ class MarkedLabel(QLabel):
 
     def paintEvent(self, event: QPaintEvent) -> None:
         super().paintEvent(event)
+        painter = QPainter(self)
+        self.paint_mark(painter)
+        painter.end()
+
+    def paint_mark(self, painter: QPainter) -> None:
+        """Tint the words if they are to be."""
         if self.is_marked:
-            painter = QPainter(self)
             paint_highlight(self, painter, QRectF(self.rect()))
-            painter.end()

@@ -39,6 +39,7 @@ _STYLE_SHEET = """
 #paneNote {{ color: {muted}; }}
 #quietTitle {{ color: {muted}; font-weight: 600; }}
 #messageBar {{ background: {bar}; border: 1px solid {edge}; border-radius: 4px; }}
+QDialogButtonBox {{ dialogbuttonbox-buttons-have-icons: 0; }}
 QToolTip {{ color: {text}; background: {base}; border: 1px solid {edge}; }}
 QToolBar {{ spacing: 2px; padding: 3px; }}
 #stages QToolButton, #fixedViews QToolButton, #drawerNames QToolButton {{

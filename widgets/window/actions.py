@@ -248,7 +248,7 @@ class Actions(QObject):
             menu.addAction(self._action(text, partial(slots.bring, name), f"Ctrl+{number}", tip))
         menu.addAction(self._action(self.tr("Back to &all panes"), slots.go_back, "Ctrl+0"))
         self._columns = self._action(
-            self.tr("Panes in co&lumns"),
+            self.tr("Panes in col&umns"),
             lambda: slots.arrange(LAYOUTS[self._columns.isChecked()], slots.large),
         )
         self._columns.setCheckable(True)

@@ -3,10 +3,18 @@
 from __future__ import annotations
 
 import sys
+from html import escape
 
-from PySide6.QtCore import QObject, Qt
+from PySide6.QtCore import QObject, QSize, Qt
 from PySide6.QtGui import QKeySequence
-from PySide6.QtWidgets import QMessageBox, QWidget
+from PySide6.QtWidgets import (
+    QDialog,
+    QDialogButtonBox,
+    QMessageBox,
+    QTextBrowser,
+    QVBoxLayout,
+    QWidget,
+)
 
 from app import __version__
 
@@ -15,6 +23,11 @@ PLAY_KEY, FULL_SCREEN_KEY = (
     if sys.platform == "darwin"
     else ("Ctrl+Space", "F11")
 )
+
+
+def _key(keys: str) -> str:
+    """A shortcut as this system writes it."""
+    return QKeySequence(keys).toString(QKeySequence.SequenceFormat.NativeText)
 
 
 class Help(QObject):
@@ -31,68 +44,137 @@ class Help(QObject):
         self._window = window
 
     def show_keys(self) -> None:
-        """Say what keys and mouse do."""
-        self._tell(
-            self.tr("Keys and mouse"),
-            self.tr(
-                "<p>Drag in the world or the NDC pane to turn that pane's own view, Shift-drag to"
-                " move it, wheel to zoom, double-click to put it back. By keys: Tab to the pane,"
-                " arrows, Shift and arrows, + and −, Home. The model is not touched.</p>"
-                "<p>Drag a mark in the world pane to move the model itself: the eye and the target"
-                " in the plane that faces you (Shift: up and down), the near and the far plane"
-                " along the view direction, a corner to change the field of view or, of a lens"
-                " with a window, that corner (Shift: both sides). Drag the picture to move the"
-                " camera in its plane, wheel there to go nearer to the target. Esc puts back what"
-                " you are dragging.</p>"
-                "<p>Click a point in any pane to follow it through all of them; drag its mark in"
-                " the image to move it in its plane, Shift-drag along its ray; Esc removes it.</p>"
-                "<p>All of this without a mouse: Tab to a pane, where Page Down and Page Up go from"
-                " vertex to vertex, with Shift from mark to mark. Space follows the vertex. Enter"
-                " takes hold and lets go; between, arrows drag by a pixel, with Shift by ten, and"
-                " Esc puts back. Shift and Enter take hold as a Shift-drag does. In the image pane"
-                " arrows move the camera in its plane, + and − go nearer and back.</p>"
-                "<p>Point at a plane, an edge, a corner, an axis, a word, a control or a matrix"
-                " cell: the same thing is marked wherever it is. The keyboard's focus in a control"
-                " or a cell does the same.</p>"
-                "<p>The scene stands at the top of the controls: what to try, what matters for it,"
-                " its numbers. The triangle beside a setting lets it run to and fro; one that is a"
-                " point, such as a lamp, has a mark in the world pane to be dragged (Shift: up"
-                " and down). The context menu of a diagram copies or exports it.</p>"
-                "<p>The strip below the NDC pane: drag it, or press ← → (or ↑ ↓) to go from stop to"
-                " stop, PageUp and PageDown for a small step, Home and End for its ends; a click"
-                " on a name goes there, the triangle plays.</p>"
-                "<p>Double-click a pane's title to make it large; again, as large as the window,"
-                " and back. {4}, {5} and {6} do the same for world, NDC cube and image; {7} goes"
-                " back to all panes. Esc leaves what is on top.</p>"
-                "<p>F5 presents: the panes fill the screen, in letters for the back row. The tool"
-                " bar comes when the mouse is at the top of the screen. B blanks the screen, P"
-                " marks in all panes what the mouse is over.</p>"
-                "<p>Each control: drag the slider (Shift: ten times finer), turn the wheel on it"
-                " with Ctrl or once it has the focus, or type a number, also beyond the slider's"
-                " ends, and press Enter; Esc takes back what you typed; double-click the name to"
-                " reset it. Ctrl+F or / finds a control by its name.</p>"
-                "<p>Matrices: double-click a number of view ← world or clip ← view (F2 or Enter)"
-                " to type another; Tab goes on to the next, Esc leaves it.</p>"
-                "<p>{0} plays the orbit, {1} undoes (a drag is one step), {2} resets all, {3}"
-                " exports, F4 hides the controls.</p>"
-                "<p>Drop a document, a mesh (OBJ, STL, PLY, glTF) or an exported picture on the"
-                " window to open it.</p>"
-            ).format(
-                *(
-                    QKeySequence(key).toString(QKeySequence.SequenceFormat.NativeText)
-                    for key in (
-                        PLAY_KEY,
-                        "Ctrl+Z",
-                        "Ctrl+R",
-                        "Ctrl+E",
-                        "Ctrl+1",
-                        "Ctrl+2",
-                        "Ctrl+3",
-                        "Ctrl+0",
-                    )
-                )
+        """Say what keys and mouse do, in a table that scrolls where the screen is low."""
+        tr = self.tr
+        one, two, three, back = (_key(f"Ctrl+{number}") for number in "1230")
+        groups = {
+            tr("Everywhere"): (
+                (_key("Ctrl+Z"), tr("Undo; a drag is one step")),
+                (_key("Ctrl+R"), tr("Reset all to how the scene opens")),
+                (_key(PLAY_KEY), tr("Play or pause the camera's walk")),
+                (_key("Ctrl+E"), tr("Export the panes as a picture")),
+                (_key("Ctrl+F") + tr(" or /"), tr("Find a control by its name")),
+                (_key("F4"), tr("Hide the controls, or show them")),
+                (tr("Esc"), tr("Leave what is on top; put back what is being dragged")),
+                (
+                    tr("Drop a file"),
+                    tr("Open a document, a mesh (OBJ, STL, PLY, glTF) or an exported picture"),
+                ),
             ),
+            tr("Where the panes stand"): (
+                (f"{one}, {two}, {three}", tr("World, NDC cube, image into the large slot")),
+                (tr("again, or double-click a title"), tr("The whole window for that pane")),
+                (back, tr("All panes, as the scene has them")),
+            ),
+            tr("A pane's own view (the model is not touched)"): (
+                (tr("Drag"), tr("Turn it")),
+                (tr("Shift-drag"), tr("Move it")),
+                (tr("Wheel"), tr("Nearer, farther")),
+                (tr("Double-click"), tr("Back to how it was")),
+                (
+                    tr("Tab, then arrows"),
+                    tr("Turn; with Shift move; + and − nearer, farther; Home"),
+                ),
+            ),
+            tr("Marks in the world pane (these move the model)"): (
+                (tr("Eye, target"), tr("In the plane that faces you; with Shift up and down")),
+                (tr("Near, far"), tr("Along the view direction")),
+                (
+                    tr("A corner"),
+                    tr(
+                        "The field of view, or that corner of a lens with a window; with Shift"
+                        " both sides"
+                    ),
+                ),
+                (tr("A lamp, a point"), tr("What the scene has it for; with Shift up and down")),
+            ),
+            tr("The picture in the image pane"): (
+                (tr("Drag, or arrows"), tr("Move the camera in its plane")),
+                (tr("Wheel, or + and −"), tr("Go nearer to the target, or back")),
+            ),
+            tr("Points to follow"): (
+                (tr("Click"), tr("Follow the point through all panes")),
+                (tr("Drag its mark in the image"), tr("In its plane; with Shift along its ray")),
+                (tr("Esc"), tr("Remove it")),
+            ),
+            tr("Without a mouse, in a pane that Tab has reached"): (
+                (
+                    tr("Page Down, Page Up"),
+                    tr("From vertex to vertex; with Shift from mark to mark"),
+                ),
+                (tr("Space"), tr("Follow the vertex")),
+                (
+                    tr("Enter"),
+                    tr("Take hold, and let go; with Shift it holds as a Shift-drag does"),
+                ),
+                (tr("Arrows, while held"), tr("Drag by a pixel; with Shift by ten; Esc puts back")),
+            ),
+            tr("Controls"): (
+                (tr("Slider"), tr("Drag it; with Shift ten times finer")),
+                (tr("Wheel"), tr("With Ctrl, or once it has the focus")),
+                (
+                    tr("Field"),
+                    tr(
+                        "Type a number, also beyond the slider's ends, and Enter; Esc takes back"
+                        " what was typed"
+                    ),
+                ),
+                (tr("Double-click its name"), tr("Reset it")),
+                (tr("The triangle"), tr("Let it run to and fro")),
+            ),
+            tr("The strip of stages"): (
+                (tr("← →"), tr("From stop to stop")),
+                (tr("Page Up, Page Down"), tr("A small step; Home and End go to its ends")),
+            ),
+            tr("Matrices"): (
+                (
+                    tr("Double-click, F2 or Enter"),
+                    tr("Type another number into view ← world or clip ← view"),
+                ),
+                (tr("Tab"), tr("The next number; Esc leaves it")),
+            ),
+            tr("Presenting"): (
+                (
+                    _key("F5"),
+                    tr("The panes fill the screen, in letters for the back row; again: end"),
+                ),
+                (_key("B"), tr("A black screen, and back")),
+                (_key("P"), tr("Mark in all panes what the mouse is over")),
+                (tr("Mouse at the top"), tr("The tool bar comes")),
+            ),
+            tr("Pointing"): (
+                (
+                    tr("Rest on anything"),
+                    tr(
+                        "The same plane, edge, corner, axis, word, control or matrix cell is marked"
+                        " wherever it is; so does the keyboard's focus"
+                    ),
+                ),
+            ),
+        }
+        rows = "".join(
+            f"<tr><td colspan=2><h4>{escape(title)}</h4></td></tr>"
+            + "".join(
+                f"<tr><td><b>{escape(keys)}</b></td><td>{escape(does)}</td></tr>"
+                for keys, does in lines
+            )
+            for title, lines in groups.items()
         )
+        page = QTextBrowser()
+        page.setHtml(f"<table cellpadding=3>{rows}</table>")
+        dialog = QDialog(self._window)
+        dialog.setWindowTitle(tr("Keys and mouse"))
+        dialog.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+        buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Close)
+        buttons.rejected.connect(dialog.close)
+        layout = QVBoxLayout(dialog)
+        layout.addWidget(page)
+        layout.addWidget(buttons)
+        em = page.fontMetrics().height()
+        dialog.resize(
+            QSize(42 * em, 48 * em).boundedTo(self._window.screen().availableSize() * 0.9)
+        )
+        dialog.show()
 
     def show_conventions(self) -> None:
         """Say which way axes, depths and pixels run."""

@@ -10,6 +10,7 @@ from PySide6.QtWidgets import QWidget
 
 from app.document.store import Store
 from app.model.projection import Projection
+from widgets.parts.fields import Row
 from widgets.window.actions import Actions
 
 
@@ -63,6 +64,9 @@ class History(QObject):
         self.stand_still()
         document = self._store.document
         self._store.set_document(replace(document, projection=self._start(), settings={}))
+        rows: list[Row] = self._window.findChildren(Row)  # type: ignore[type-abstract]
+        for row in rows:
+            row.clear_error()  # what was refused was never in the document
 
     def stand_still(self) -> None:
         """Let nothing move by itself."""

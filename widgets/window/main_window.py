@@ -225,9 +225,7 @@ class MainWindow(QMainWindow):
         self.history.show()
         if path is not None:
             self.files.take_up(path)
-        if settings.geometry:
-            self.restoreGeometry(QByteArray(settings.geometry))
-        else:
+        if not self.restoreGeometry(QByteArray(settings.geometry or b"")):  # which may be damaged
             self.resize(QSize(*AT_FIRST_PX).boundedTo(self.screen().availableSize()))
         QTimer.singleShot(0, self.recovery.offer)
         self._was_painted = False

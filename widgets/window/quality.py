@@ -136,7 +136,7 @@ class DrawnQuality(QObject):
             Fields of `app.precision.quality.Quality`, or a scene and paths in its document, and
             their values.
         """
-        document = self._store.document
+        document = self._store.seen
         scene = choice.get("scene", document.scene)
         if scene != document.scene:
             document = Document(scene, self._scene(scene).start, document.extra)

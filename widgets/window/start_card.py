@@ -21,12 +21,12 @@ from PySide6.QtWidgets import (
     QGridLayout,
     QHBoxLayout,
     QLabel,
-    QSizePolicy,
     QToolButton,
     QVBoxLayout,
     QWidget,
 )
 
+from app.document.view import View
 from app.scenes.scene import BUILT_IN, load
 from widgets.parts import palette
 from widgets.parts.icons import show_icon
@@ -44,6 +44,10 @@ ABOVE_STAGES_PX = 64
 """The stage bar is at the bottom of the cube, and the cube may be the pane in the corner."""
 SEEN_DONE_MS = 4000
 """How long the three things are still seen when all are done."""
+
+
+BARE = View(layers=frozenset({"labels"}))
+"""Nothing could be read so small."""
 
 
 class StartCard(QWidget):
@@ -94,9 +98,10 @@ class StartCard(QWidget):
         self.tiles = {name: self._tile(name, titles[name]) for name in BUILT_IN}
         grid = QGridLayout()
         grid.setSpacing(2)
+        width = max(tile.sizeHint().width() for tile in self.tiles.values())
         for place, tile in enumerate(self.tiles.values()):
+            tile.setFixedWidth(width)
             grid.addWidget(tile, place // COLUMNS, place % COLUMNS)
-            grid.setColumnStretch(place % COLUMNS, 1)
         column = QVBoxLayout(card)
         column.setContentsMargins(16, 10, 16, 12)
         column.setSpacing(6)
@@ -145,7 +150,9 @@ class StartCard(QWidget):
         tile.setToolTip(title)
         tile.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextUnderIcon)
         tile.setIconSize(QSize(*THUMBNAIL_PX))
-        tile.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Preferred)
+        room = QPixmap(*THUMBNAIL_PX)  # for the picture, or all would move when it comes
+        room.fill(Qt.GlobalColor.transparent)
+        tile.setIcon(QIcon(room))
         tile.clicked.connect(partial(self._choose, self.scene_chosen.emit, name))
         return tile
 
@@ -205,7 +212,9 @@ class StartCard(QWidget):
         scene = load(name)
         size = [round(side * ratio * DRAWN_FINER) for side in THUMBNAIL_PX]
         style = palette.drawing_style(dark=self._dark, screen_px=0.0, device_pixel_ratio=ratio)
-        pixels = render(scene, scene.start, [scene.leading], (size[0], size[1]), style=style)
+        pixels = render(
+            scene, scene.start, [scene.leading], (size[0], size[1]), style=style, view=BARE
+        )
         height, width, _ = pixels.shape
         image = QImage(
             np.ascontiguousarray(pixels).data, width, height, 3 * width, QImage.Format.Format_RGB888

@@ -293,8 +293,10 @@ class _Elided(QLabel):
 
     def show_sentences(self, sentences: list[str]) -> None:
         """Show the first, or nothing if there is none."""
-        more = f" (+{len(sentences) - 1})" if sentences[1:] else ""
-        self.show_text(f"⚠ {sentences[0]}{more}" if sentences else "", "\n".join(sentences))
+        first = f"⚠ {sentences[0]}" if sentences else ""
+        if sentences[1:]:
+            first = self.tr("{0} And {1} more.").format(first, len(sentences) - 1)
+        self.show_text(first, "\n".join(sentences))
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)

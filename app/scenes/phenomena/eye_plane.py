@@ -38,7 +38,6 @@ from app.scenes.phenomena.illustration import (
     Settings,
     Subject,
     Text,
-    figure,
     of_parallel,
     point,
 )
@@ -355,7 +354,7 @@ def _readings(
     principal, middle = principal_point(projection), [side / 2.0 for side in projection.image_size]
     off_axis = None
     if any(abs(p - m) > 1e-6 * m for p, m in zip(principal, middle, strict=True)):
-        off_axis = Phrase(_OFF_AXIS, tuple(figure(part, 6) for part in principal))
+        off_axis = Phrase(_OFF_AXIS, tuple(map(float, principal)))
     wrongly = QT_TRANSLATE_NOOP("phenomena", "F drawn wrongly")
     missed = QT_TRANSLATE_NOOP("phenomena", "F missed")
     if mesh is not None:

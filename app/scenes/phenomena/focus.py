@@ -190,7 +190,7 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Illus
         return Illustration(readings, warning=note)
     f_mm = focal_length_mm(projection)
     if focus <= f_mm * _MM:
-        note = Phrase(_TOO_CLOSE, (f"{focus:.6g}", f"{f_mm * _MM:.6g}"))
+        note = Phrase(_TOO_CLOSE, (focus, f_mm * _MM))
         readings = (*_readings(f_mm, f_mm / n, None, note), _target_reading(None, note))
         return Illustration(readings, warning=note)
     sharp = sharpness(f_mm, n, focus, c_mm)

@@ -54,15 +54,20 @@ class Phrase:
     ----------
     template : str
         Marked with ``QT_TRANSLATE_NOOP("phenomena", ...)``; ``{0}``, ``{1}`` for the values.
-    values : tuple of str
+    values : tuple of str or float
     """
 
     template: str
-    values: tuple[str, ...] = ()
+    values: tuple[str | float, ...] = ()
 
-    def sentence(self, translate: Callable[[str], str] = str) -> str:
-        """The sentence in another language."""
-        return translate(self.template).format(*self.values)
+    def sentence(
+        self,
+        translate: Callable[[str], str] = str,
+        write: Callable[[float], str] = lambda value: figure(value, 4),
+    ) -> str:
+        """The sentence in another language, with its numbers as they are written there."""
+        values = (value if isinstance(value, str) else write(value) for value in self.values)
+        return translate(self.template).format(*values)
 
 
 # --------------------------------------------------------------------------- settings

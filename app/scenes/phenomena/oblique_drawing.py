@@ -206,7 +206,7 @@ def _show(projection: Projection, _settings: Settings, subject: Subject) -> Illu
     if drawn is None:
         note = warning or Phrase(_UNMEASURED)
     elif abs(drawn.up - 1.0) > _SQUARE:
-        note = Phrase(_STRETCHED, (f"{drawn.up:.3g}",))
+        note = Phrase(_STRETCHED, (float(drawn.up),))
     end_on = drawn is not None and by_formula[0] == 0.0
     has_angle = drawn is not None and not end_on
     readings = [

@@ -204,9 +204,9 @@ def _formula(settings: Settings, light: Array) -> Phrase:
     """What S is made of."""
     parts = [-number(settings, "height"), *light[:3].tolist()]
     if light[3] == 1.0:
-        return Phrase(_OF_LAMP, tuple(figure(part, 6) for part in parts))
+        return Phrase(_OF_LAMP, tuple(parts))
     largest = max(map(abs, point(settings, "light")))
-    return Phrase(_OF_SUN, tuple(figure(part, 6) for part in (*parts, largest)))
+    return Phrase(_OF_SUN, (*parts, largest))
 
 
 def _readings(
@@ -229,14 +229,7 @@ def _readings(
             shadow = shadows.places[chosen]
     off = None if shadow is None or met is None else float(np.linalg.norm(shadow - met))
     return (
-        *(
-            Reading(
-                f"S, {row + 1}",
-                tuple(float(part) + 0.0 for part in matrix[row]),
-                note=None if row else formula,
-            )
-            for row in range(4)
-        ),
+        Reading("S", tuple(float(part) + 0.0 for part in matrix.reshape(-1)), note=formula),
         Reading(
             QT_TRANSLATE_NOOP("phenomena", "vertex P"), _three(place), note=_if_none(place, note)
         ),
@@ -407,7 +400,7 @@ PHENOMENON = Phenomenon(
             True,
         ),
     ),
-    numbers=6,
+    numbers=3,
     check=_check,
     own_mesh=True,
 )

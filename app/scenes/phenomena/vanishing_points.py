@@ -311,7 +311,7 @@ def _pixel_reading(projection: Projection, axis: int, point: Vanishing) -> Readi
     angle_deg = drawn_angle_deg(projection, point.clip)
     if angle_deg is None:
         return Reading(label, None, "px", Phrase(_END_ON, (name,)))
-    return Reading(label, None, "px", Phrase(_AT_INFINITY, (name, f"{angle_deg:.4g}")))
+    return Reading(label, None, "px", Phrase(_AT_INFINITY, (name, float(angle_deg))))
 
 
 def _running_readings(point: Vanishing, at: Running, why_no_v: Phrase | None) -> list[Reading]:
