@@ -282,6 +282,16 @@ class Label:
             self._text = text
             self.actor.SetInput(self._pad + text + self._pad)
 
+    @property
+    def text(self) -> str:
+        """What is written on it."""
+        return self._text or ""
+
+    @property
+    def is_visible(self) -> bool:
+        """What `set_visible` said last."""
+        return self._visible
+
     def set_plate(self, plate: str) -> None:
         """Put a label that has a plate on one of another colour, in whatever reads better there."""
         if plate == self._plate:

@@ -37,9 +37,12 @@ _AWAY_PX = -1e4
 _ARC = 12  # pieces of the angle's arc
 _ARC_EM, _TICK_EM, _ROW_EM = 3.5, 0.35, 1.7
 _SAME = 1e-9  # of a window's side: an axis so near to its middle halves it
+_ON = ((0.0, 0.0),)
+_ABOVE = ((-1.0, 1.0), (0.0, 1.0), (-1.0, 0.6), (-1.0, -0.6))
 _ON_OR_BESIDE = ((0.0, 0.0), (1.0, 0.0), (-1.0, 0.0), (0.0, -1.0), (0.0, 1.0))
 _RIGHT = ((1.0, 0.0), (1.0, -0.3), (1.0, 0.3), (0.0, 1.0), (-1.0, 1.0))
-_NAMES = ("near", "d", "far", "angle", "height", "width")
+_LEFT = ((-1.0, 0.0), (-1.0, 0.6), (-1.0, -0.6), (1.0, 0.0), (0.0, 1.0), (0.0, -1.0))
+_NAMES = ("near", "d", "s", "far", "angle", "height", "width")
 
 Way = tuple[float, float]
 
@@ -56,9 +59,9 @@ class Measured(NamedTuple):
         Scene-local.
     corners : (8, 3) array or None
         Of the frustum as it is drawn.
-    with_target : bool
-        Whether the target's distance is called d: scenes with a plane at a distance d of their
-        own say that.
+    distances : tuple of (str, float)
+        What else is measured from the eye along the axis. If none of it is d, that is the
+        target's.
     """
 
     view: str
@@ -66,7 +69,7 @@ class Measured(NamedTuple):
     eye: Array
     target: Array
     corners: Array | None
-    with_target: bool
+    distances: tuple[tuple[str, float], ...]
 
 
 class Half(NamedTuple):
@@ -194,34 +197,43 @@ class Dimensions:
                 if corners is not None:
                     self._across(layout, spots, measured)
             else:
-                self._along(layout, spots, measured)
                 if corners is not None:
                     self._beside(layout, spots, measured)
+                self._along(layout, spots, measured, size_px)
         self._points.Modified()
 
     # -- what is drawn
 
-    def _along(self, layout: Layout, spots: Array, measured: Measured) -> None:
+    def _along(
+        self, layout: Layout, spots: Array, measured: Measured, size_px: tuple[int, int]
+    ) -> None:
         """From the eye to near, target and far, one under the other, the shortest on top."""
         lens, words = measured.projection.lens, self._words
         eye, target = spots[:2]
         ways: list[tuple[str, float, float]] = []
-        if measured.with_target and has_camera(measured.projection):
-            ways.append(("d", float(target[0]), measured.projection.camera.distance))
+        if has_camera(measured.projection):
+            away = measured.projection.camera.distance
+            named = {"d": away, **dict(measured.distances)}
+            per_unit = float(target[0] - eye[0]) / away
+            ways += [(n, float(eye[0]) + per_unit * d, d) for n, d in named.items()]
+            ways = [way for way in ways if 0.0 <= way[1] <= size_px[0]]
         if lens.planes is not None and measured.corners is not None:
             near, far = lens.planes
             ways.append(("near", float(spots[2:6, 0].mean()), near))
             ways.append(("far", float(spots[6:10, 0].mean()), far))
         y = float(spots[:, 1].min())
+        top = y - 0.5 * _ROW_EM * self._em
         for name, x, distance in sorted(ways, key=lambda way: abs(way[1] - eye[0])):
             y -= _ROW_EM * self._em
             self._line((float(eye[0]), y), (x, y))
             for end in (float(eye[0]), x):
                 tick = _TICK_EM * self._em
                 self._line((end, y - tick), (end, y + tick))
-            self._write(layout, name, f"{words[name]} = {written_distance(distance)}",
-                        ((float(eye[0]) + x) / 2.0, y), (max(float(eye[0]), x), y),
-                        abs(x - float(eye[0])))  # fmt: skip
+            start, end = sorted((float(eye[0]), x))
+            text = f"{words.get(name, name)} = {written_distance(distance)}"
+            self._write(layout, name, text, (start, y), (end, y))
+        # Rows of their own, to the bottom: nothing else is written there, and no leader runs there.
+        layout.keep_free_box([(0.0, 0.0, 1.0), (float(size_px[0]), top, 1.0)])
 
     def _beside(self, layout: Layout, spots: Array, measured: Measured) -> None:
         """Half the angle at the eye, and half the window on the far plane."""
@@ -229,8 +241,19 @@ class Dimensions:
         half = half_of(measured.projection, axis)
         if half is None or not measured.projection.lens.central:
             return
+
+        def keep_off(face: Array) -> None:
+            """Let no text lie on a plane, which is a line here."""
+            layout.keep_free_box([(x, y, 1.0) for x, y in face.tolist()])
+
         eye, far_edge = spots[0], spots[edge]
         reached = far_edge - eye
+        keep_off(spots[6:10])
+        x = float(far_edge[0]) - 1.2 * self._em
+        self._upright(x, float(eye[1]), float(far_edge[1]))
+        middle = (x, (float(eye[1]) + float(far_edge[1])) / 2.0)
+        self._put(layout, "height", self._half_text(axis, half), [middle], _LEFT)
+        keep_off(spots[2:6])
         if half.angle_deg is not None:
             # The arc is on the screen what the angle is: both axes have one scale there.
             radius = min(_ARC_EM * self._em, 0.8 * float(np.hypot(*reached)))
@@ -242,26 +265,27 @@ class Dimensions:
             self._line((float(eye[0]), float(eye[1])), (float(far_edge[0]), float(eye[1])))
             text = f"{self._angle(axis)}/2 = {written_distance(half.angle_deg)}°"
             x, y = arc[_ARC // 2].tolist()
-            self._texts["angle"].set_text(text)
-            layout.place(self._texts["angle"], text, [(x, y, 1.0)], _RIGHT)
-        x = float(far_edge[0]) - 1.2 * self._em
-        self._upright(layout, "height", x, float(eye[1]), float(far_edge[1]),
-                      self._half_text(axis, half))  # fmt: skip
+            self._put(layout, "angle", text, [(x, y)], _RIGHT)
 
     def _across(self, layout: Layout, spots: Array, measured: Measured) -> None:
         """Half the height and half the width of the window, seen along the axis."""
-        upper, right = (half_of(measured.projection, axis) for axis in (1, 0))
-        if upper is None or right is None:
+        upper, half_width = (half_of(measured.projection, axis) for axis in (1, 0))
+        if upper is None or half_width is None:
             return
         # The projectors of a parallel lens need not be parallel to its axis.
+        # Beside the face, not across it: the picture is there.
         eye, face = spots[0], spots[6:10] if measured.projection.lens.central else spots[2:6]
         x, y = float(eye[0]), float(eye[1])
-        self._upright(layout, "height", x, y, float(face[2, 1]), self._half_text(1, upper))
-        end, tick = float(face[1, 0]), _TICK_EM * self._em
-        self._line((x, y), (end, y))
-        self._line((end, y - tick), (end, y + tick))
-        self._write(layout, "width", self._half_text(0, right), ((x + end) / 2.0, y), (end, y),
-                    abs(end - x))  # fmt: skip
+        right, top = face[2].tolist()
+        aside = right + 0.7 * self._em
+        self._upright(aside, y, top)
+        self._put(layout, "height", self._half_text(1, upper), [(aside, top)], _ABOVE)
+        below, tick = float(face[0, 1]) - 1.2 * self._em, _TICK_EM * self._em
+        self._line((x, below), (right, below))
+        for end in (x, right):
+            self._line((end, below - tick), (end, below + tick))
+        start, end = sorted((x, right))
+        self._write(layout, "width", self._half_text(0, half_width), (start, below), (end, below))
 
     def _half_text(self, axis: int, half: Half) -> str:
         size = written_distance(half.at_far)
@@ -272,24 +296,36 @@ class Dimensions:
     def _angle(self, axis: int) -> str:
         return "fov" if axis else "fov_x"
 
-    def _upright(
-        self, layout: Layout, name: str, x: float, start: float, end: float, text: str
-    ) -> None:
+    def _upright(self, x: float, start: float, end: float) -> None:
         tick = _TICK_EM * self._em
         self._line((x, start), (x, end))
         for y in (start, end):
             self._line((x - tick, y), (x + tick, y))
-        self._write(layout, name, text, (x, (start + end) / 2.0), (x, end), math.inf)
 
-    def _write(
-        self, layout: Layout, name: str, text: str, middle: Way, end: Way, room_px: float
-    ) -> None:
-        """Put a text in the middle of its line, or behind the end of one that is too short."""
+    def _write(self, layout: Layout, name: str, text: str, start: Way, end: Way) -> None:
+        """Put a text on the middle of its level line, or in its row beside one too short for it."""
+        room_px = end[0] - start[0]
+        if layout.half(text)[0] * 2.0 + self._em <= room_px:
+            middle = (start[0] + end[0]) / 2.0, start[1]
+            if self._put(layout, name, text, [middle], _ON, gaps=1):
+                return
+        for place, side in ((end, 1.0), (start, -1.0)):
+            if self._put(layout, name, text, [place], [(side, 0.0)], gaps=2):
+                return
+        self._put(layout, name, text, [end], _ON_OR_BESIDE[1:])
+
+    def _put(
+        self,
+        layout: Layout,
+        name: str,
+        text: str,
+        places: Sequence[Way],
+        sides: Sequence[Way],
+        gaps: int = 6,
+    ) -> bool:
         label = self._texts[name]
         label.set_text(text)
-        fits = layout.half(text)[0] * 2.0 + self._em <= room_px
-        places = [(*middle, 1.0), (*end, 1.0)] if fits else [(*end, 1.0)]
-        layout.place(label, text, places, _ON_OR_BESIDE if fits else _ON_OR_BESIDE[1:])
+        return layout.place(label, text, [(*place, 1.0) for place in places], sides, gaps=gaps)
 
     def _line(self, start: Way, end: Way) -> None:
         if self._used < _SEGMENTS:

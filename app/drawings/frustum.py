@@ -141,10 +141,10 @@ class FrustumDrawing:
         self.dimmable = *lines, walls
         canvas.add(*lines, far_face, walls, near_face, layer="frustum")
 
-    def show(self, projection: Projection, standing: Standing) -> None:
-        """Take over the model's volume."""
+    def show(self, projection: Projection, standing: Standing, held_depth: float = 0.0) -> None:
+        """Take over the model's volume; `held_depth` is that of points which a scene has beside."""
         self._extent = standing.extent
-        self.reach = self._reach_of(projection.lens, standing)
+        self.reach = self._reach_of(projection.lens, standing, held_depth)
         if self.reach is None:
             self._show_whole(projection, standing)
         else:
@@ -202,12 +202,12 @@ class FrustumDrawing:
         if ends is not None:
             self._break_ends[name] = ends
 
-    def _reach_of(self, lens: Lens, standing: Standing) -> Reach | None:
+    def _reach_of(self, lens: Lens, standing: Standing, held_depth: float) -> Reach | None:
         if lens.planes is None:
             return None
         size, extent = self._size, standing.extent
         nearby_target = min(standing.camera.distance, 2.0 * extent)
-        high = _BEYOND * max(standing.objects_depth, nearby_target, 0.5 * size)
+        high = _BEYOND * max(standing.objects_depth, held_depth, nearby_target, 0.5 * size)
         near, far = lens.planes
         if lens.central:
             low = 0.0

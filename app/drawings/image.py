@@ -200,6 +200,7 @@ class ImageDrawing:
                 self._words,
                 renderer=self._picture,
                 over=True,
+                leads=True,
             )
         width, height = self._image_size
         placing = Placing(
@@ -370,7 +371,7 @@ class ImageDrawing:
         self._zero = label("0, 0", (-1, -1))
         self._width_label = label("", (1, -1))
         self._height_label = label("", (-1, 1))
-        self._x_label = label(words["x"], (-1, -1), style.u)
+        self._x_label = label(words["x"], (-1, 1), style.u)
         self._y_label = label(words["y"], (1, 1), style.v)
 
     def _add_sides(self) -> None:
@@ -475,7 +476,8 @@ class ImageDrawing:
         width_end = max(right - gap, least)
         move(self._zero, zero, above)
         move(self._width_label, width_end, above)
-        move(self._x_label, max(right, width_end + gap), above)
+        # Below its axis, as y is beside its own: above it is the title row with its buttons.
+        move(self._x_label, right + thin, top + head + gap)
         move(self._height_label, left + head + gap, bottom + thin + gap)
         move(self._y_label, left - head - gap, bottom + thin + gap)
 

@@ -12,6 +12,7 @@ import weakref
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from functools import partial
 from itertools import product
+from types import MappingProxyType
 from typing import Any, NamedTuple, Protocol, TypeAlias
 
 import numpy as np
@@ -49,13 +50,16 @@ _BELOW_PLANE = (
     (1.0, 1.0),
 )  # fmt: skip
 _ABOVE_PLANE = tuple((x, -y) for x, y in (_BELOW_PLANE[1:3] + _BELOW_PLANE[:1] + _BELOW_PLANE[3:]))
+_BELOW_HANDLE = tuple((x, -y) for x, y in _ABOVE_PLANE)
 _GAPS_EM = (0.5, 1.6, 3.0, 5.0, 8.0, 12.0)  # between a label and its point, best first
-_HIDES = (0.01, 0.05, 0.1)  # parts of the subject that a label may hide, rather than more
+_HIDES = (0.001, 0.01, 0.05, 0.1)  # parts of the subject that a label may hide, rather than more
 FREE, CROSSING, ON_SUBJECT = range(3)
 """What a place is like: it hides nothing; a leader runs under a label; part of the subject goes."""
 _LEADER_FROM_EM = 1.2  # a label as far from its point is joined to it by a line
 _OTHER_PLANE_EM = 2.0  # as far is each plane's label from the other one's corners
 _STAYS_WITHIN_EM = 3.0  # a label as near to its point stays where it is while something moves
+
+_NOWHERE: Mapping[str, tuple[float, float]] = MappingProxyType({})
 
 Spot: TypeAlias = tuple[float, float, float]
 """Pixels from the pane's left and bottom, and depth: negative behind the pane's camera."""
@@ -195,6 +199,8 @@ class Named(NamedTuple):
         face, then of the far face; None if there is none.
     planes : (float, float) or None
         Distances of near and far, to be written; None if they have none.
+    without : frozenset of str
+        ``"eye"`` and ``"target"``, if they are not to be named.
     """
 
     eye: Array
@@ -204,6 +210,7 @@ class Named(NamedTuple):
     body: Array
     corners: Array | None
     planes: tuple[float, float] | None
+    without: frozenset[str] = frozenset()
 
 
 class Labels:
@@ -260,6 +267,7 @@ class Labels:
         afresh: bool,
         first: Callable[[Layout, Callable[[Array], Sequence[Spot]]], None] | None = None,
         subject: Subject | None = None,
+        held_at: Mapping[str, tuple[float, float]] = _NOWHERE,
     ) -> bool:
         """Put each label where it hides no other one, at its first place if that is free.
 
@@ -275,6 +283,9 @@ class Labels:
             Places other labels before these, given the layout and `PaneView.seen`.
         subject : Subject, optional
             What no label hides while there is a place beside it.
+        held_at : mapping of str to (float, float), optional
+            Where the handles of near and far are, from the pane's left and bottom. Where both
+            planes are seen at one place, as from the eye, only that tells which label is whose.
 
         Returns
         -------
@@ -295,7 +306,9 @@ class Labels:
         corners = np.tile(named.eye, (8, 1)) if named.corners is None else named.corners
         seen = pane.seen(np.concatenate([*points, _PLANES_FROM_CORNERS @ corners]))
         eye, target, *spots = seen
-        planes = spots[-16:-8], spots[-8:]
+        planes: tuple[Sequence[Spot], Sequence[Spot]] = (spots[-16:-8], spots[-8:])
+        if held_at.keys() >= {"near", "far"} and self._are_one(planes):
+            planes = [(*held_at["near"], 1.0)], [(*held_at["far"], 1.0)]
         layout.keep_free([eye, target])
         if first is not None:
             first(layout, pane.seen)
@@ -314,9 +327,14 @@ class Labels:
                     crowded.append(partial(by_the_arrow, leader=leaders[name]))
             else:
                 label.set_visible(False)
-        layout.place(self._target, words["target"], [target], _RIGHT_BELOW, leaders["target"])
-        layout.keep_free_box(spots[len(named.tips) : -16])
-        layout.place(self._eye, words["eye"], [eye], _BELOW, leaders["eye"])
+        at_target, at_eye = (
+            [] if name in named.without else [spot]
+            for name, spot in (("target", target), ("eye", eye))
+        )
+        layout.place(self._target, words["target"], at_target, _RIGHT_BELOW, leaders["target"])
+        if named.arrows:
+            layout.keep_free_box(spots[len(named.tips) : -16])
+        layout.place(self._eye, words["eye"], at_eye, _BELOW, leaders["eye"])
         for i, (label, sides, leader) in enumerate(
             (
                 (self._near, _BELOW_PLANE, leaders["near"]),
@@ -324,6 +342,8 @@ class Labels:
             )
         ):
             others = planes[1 - i][:4]
+            if len(planes[i]) == 1:  # outwards from its handle
+                sides = _ABOVE_PLANE if planes[i][0][1] >= planes[1 - i][0][1] else _BELOW_HANDLE
             if named.corners is None:
                 layout.place(label, texts[i], [], sides, leader)  # nowhere
                 continue
@@ -339,6 +359,12 @@ class Labels:
             by_the_arrow(gaps=3)
         self._kept = layout.settled
         return self._kept != before
+
+    def _are_one(self, planes: tuple[Sequence[Spot], Sequence[Spot]]) -> bool:
+        """Whether both planes' corners are seen at the same places."""
+        least = _OTHER_PLANE_EM * self._canvas.style.font_size
+        near, far = ([spot[:2] for spot in spots] for spots in planes)
+        return all(min(math.dist(one, other) for other in far) < least for one in near)
 
 
 class Subject(Protocol):

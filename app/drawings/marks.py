@@ -57,7 +57,7 @@ _FLAT_LINES = -5e-5  # of the depth range, before faces, where all marks are in 
 _SPREAD, _GOLDEN = 120, 0.7548776662466927  # points over the subject; 1/plastic number
 _MOST_FACES = 20_000  # of a subject that texts get out of the way of
 # Right and up of a text from its point, in half texts, best first.
-_GAPS = 3
+_GAPS, _GAPS_WITH_LEADER = 3, 5
 _BESIDE = ((1.0, 1.0), (-1.0, 1.0), (1.0, -1.0), (-1.0, -1.0), (0.0, 1.0), (0.0, -1.0))
 
 
@@ -279,17 +279,18 @@ class MarksDrawing:
         count = len(self._texts)
         spots = seen(np.concatenate([self._text_points, self._dot_points]))
         layout.keep_free([spot for spot in spots[count:] if spot[2] > 0.0])
+        gaps = _GAPS_WITH_LEADER if self._leads else _GAPS
         for label, leader, text, spot in zip(
             self._labels, self._leaders, self._texts, spots, strict=False
         ):
             label.set_size(layout.em)
-            if leader is not None:
+            if self._leads and not self._over:
                 layout.place(label, text, [spot], _BESIDE, leader)
                 continue
             if subject is not None:
-                self._best[label] = layout.least_hiding(text, spot, _BESIDE, _GAPS, subject)
+                self._best[label] = layout.least_hiding(text, spot, _BESIDE, gaps, subject)
             best = self._best.get(label, ())
-            layout.place(label, text, [spot], _BESIDE, gaps=_GAPS, best=best)
+            layout.place(label, text, [spot], _BESIDE, leader, gaps=gaps, best=best)
 
     # -- copies
 

@@ -35,6 +35,7 @@ _VIEW_ANGLE_DEG = 50.0
 _MARGIN_EM = 1.6  # beside what is framed, for the labels
 _SMALL_MARGIN = 1.0 / 6.0  # of a small pane: both sides together take no more of it
 _DIMENSIONS_EM = 8.5  # under it in a flat view, for the lines that say how far and a sentence
+_BEHIND_FAR = 1.4  # of far's distance: what is seen in a view from the side
 _SHRUNK = 0.4  # of the pane: what fills less of it is brought nearer by `refit`
 _NEAREST = 0.02  # of the distance to what is looked at: what is nearer is cut
 _LINES_LIFT = 2e-3  # of the distance: a face must not eat its own edges
@@ -335,6 +336,11 @@ class OwnView:
             return _Flat(0.0, 0.0, 0.0, min(slope, _STEEPEST_EYE) if slope > 0.0 else 1.0)
         below = 0.0 if self.fixed in ("axis", "eye") else _DIMENSIONS_EM
         wide, high = self._room(below)
+        if self.fixed in ("side", "top") and framed.corners is not None:
+            # A row that goes on far behind the frustum would make a strip of it.
+            far = float((axes[0] @ (framed.corners - framed.eye).T).max())
+            deepest = max(_BEHIND_FAR * far, 1.1 * framed.camera.distance)
+            offsets[0] = np.minimum(offsets[0], deepest)
         low, most = offsets[:2].min(axis=1), offsets[:2].max(axis=1)
         middle, half = (low + most) / 2.0, 0.0
         for _ in range(2):

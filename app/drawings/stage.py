@@ -176,12 +176,13 @@ class StageDrawing:
         placed = position, projection.depth if at_ndc else projection
         if placed != self._placed:
             self._placed, morph = placed, self._morph
-            self.box.show(morph, position, self.own.axes(morph.stop_at(position)))
+            self.box.show(morph, position)
             planes = morph.planes_display(position).tolist()
             for plane, (*normal, offset) in zip(self._planes, planes, strict=True):
                 plane.SetNormal(*normal)
                 plane.SetOrigin(*(-offset * part for part in normal))
             self._show_highlighted()
+            self._place_texts()
         if at_ndc:  # what the volume holds is all that is shown, in the arithmetic that it needs
             to_display = self._display_from_ndc
             surface, lines = (to_display @ m for m in self._model.show_projection(self._seen))
@@ -251,8 +252,6 @@ class StageDrawing:
         self._place_texts()
 
     def _place_texts(self) -> None:
-        if self._marks is None:
-            return
         width_px, height_px = self.own.size_px
         rows = self.own.pane_from_display
 
@@ -262,7 +261,9 @@ class StageDrawing:
 
         layout = Layout((width_px, height_px), self._style.font_size, {})
         layout.keep_title_free()
-        self._marks.place_texts(layout, seen)
+        self.box.place_words(layout, seen)
+        if self._marks is not None:
+            self._marks.place_texts(layout, seen)
 
     def show_probes(self, probes: Sequence[Probe]) -> None:
         """Mark these probes, and no others."""

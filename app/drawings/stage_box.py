@@ -6,8 +6,10 @@ range is [0, 1]; elsewhere a pyramid, or the flat frame of the picture.
 
 from __future__ import annotations
 
+import itertools
 import math
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping, Sequence
+from typing import TypeAlias
 
 import numpy as np
 import pyvista as pv
@@ -24,8 +26,9 @@ from app.drawings.actors import (
     unlit_actor,
 )
 from app.drawings.frustum import CUBE
+from app.drawings.labels import Layout, Leader, Spot
 from app.drawings.pointing import FACES, FAR_FACE, NEAR_FACE, Emphasis
-from app.drawings.stage_view import OVERSHOOT
+from app.drawings.stage_view import AXES_LENGTH, OVERSHOOT
 from app.drawings.style import rgb
 from app.lecture.highlight import AXES, SIDES
 from app.lecture.stages import (
@@ -40,10 +43,31 @@ from app.lecture.stages import (
 from app.model.projection import Array
 
 _TINT = 0.16
-_TRIAD = 0.35  # length of the axes at the world and view stops
 _CANONICAL_TRIAD = 0.75  # of x and y in the canonical volumes, short of the sides' words
-_BESIDE = np.array([-0.3, -0.42])  # right and up of a pyramid's small near face: its plate
-_BESIDE_PYRAMID = np.array([-1.35, 0.2])
+_NUMBERS_FROM_EM = 8.0  # of the volume's width in the pane: in a smaller one there is no room
+
+# On which sides of their points words can be, best first: right and up, in half labels.
+_Sides: TypeAlias = tuple[tuple[float, float], ...]
+_PLANE: _Sides = (
+    (1.0, 1.0),
+    (-1.0, 1.0),
+    (0.0, 1.0),
+    (1.0, -1.0),
+    (-1.0, -1.0),
+    (0.0, -1.0),
+    (-1.0, 0.0),
+)
+_PYRAMID: _Sides = ((-1.0, -0.6), (-1.0, 0.6), (-1.0, -1.0), (0.0, -1.0), *_PLANE)
+_LETTER_SIDES: tuple[_Sides, ...] = (
+    ((1.0, 0.0), (1.0, -0.6), (0.0, -1.0), (1.0, 0.6), (0.0, 1.0), (-1.0, 0.0)),
+    ((0.0, 1.0), (-1.0, 0.6), (1.0, 0.6), (-1.0, 0.0), (1.0, 0.0), (0.0, -1.0)),
+    ((0.3, 1.0), (1.0, 0.3), (-0.3, 1.0), (-1.0, 0.0), (-1.0, 1.0), (0.0, -1.0), (1.0, -1.0)),
+)
+_NUMBER_SIDES: dict[str, _Sides] = {
+    "x": ((0.0, -1.0), (-0.6, -1.0), (0.6, -1.0)),
+    "y": ((-1.0, 0.0), (-1.0, 0.6), (-1.0, -0.6), (-0.6, -1.0), (1.0, 0.6)),
+    "z": ((1.0, -0.7), (1.0, 0.0), (1.0, -1.2)),
+}
 
 
 class StageBox:
@@ -70,6 +94,10 @@ class StageBox:
     def __init__(self, canvas: Canvas, words: Mapping[str, str]) -> None:
         self._canvas, self._words = canvas, words
         self._space = Space()
+        self._at: dict[Label, Array] = {}
+        self._is_pyramid = False
+        self._written: set[Label] = set()
+        """What stands in the pane if it has room."""
         self._add_volume()
         self._add_axes()
         self._add_words()
@@ -119,26 +147,20 @@ class StageBox:
     def _add_words(self) -> None:
         style, words = self._canvas.style, self._words
 
-        def label(
-            text: str,
-            offset_em: tuple[float, float],
-            anchor: tuple[int, int],
-            plate: str | None = None,
-        ) -> Label:
-            return self._canvas.label(text, offset_em=offset_em, anchor=anchor, plate=plate)
+        def label(text: str, plate: str | None = None) -> Label:
+            return self._canvas.label(text, plate=plate, in_pixels=True)
 
-        self.near = label(words["near"], (0.7, 0.3), (-1, -1), style.near)
-        self.far = label(words["far"], (0.7, 0.3), (-1, -1), style.far)
-        self._numbers = {
-            "x": [label("", (0.0, -0.4), (0, 1)) for _ in range(2)],
-            "y": [label("", (-0.5, 0.0), (1, 0)) for _ in range(2)],
-            "z": [label("", (0.5, -0.7), (-1, 0), style.background) for _ in range(2)],
+        # The leaders before all labels, whose plates hide the ends.
+        self._leaders = {
+            name: Leader(getattr(style, name), style.line_width) for name in ("near", "far")
         }
-        self._letters = (
-            label("", (0.6, 0.0), (-1, 0), style.u),
-            label("", (0.0, 0.6), (0, -1), style.v),
-            label("", (0.4, 0.6), (0, -1), style.n),
-        )
+        for leader in self._leaders.values():
+            leader.add_to(self._canvas)
+        self.near = label(words["near"], style.near)
+        self.far = label(words["far"], style.far)
+        # Without plates: they lie over what is drawn, and hide nothing of it.
+        self._numbers = {name: [label("") for _ in range(2)] for name in "xyz"}
+        self._letters = label("", style.u), label("", style.v), label("", style.n)
 
     def make_emphasis(self, emphasis: Emphasis) -> None:
         """Let faces, edges, corners, axes and words stand out while they are highlighted."""
@@ -155,16 +177,8 @@ class StageBox:
 
     # -- at a position of the strip
 
-    def show(self, morph: Morph, position: float, looked_from: Array) -> None:
-        """Stand there; draw nothing yet.
-
-        Parameters
-        ----------
-        morph : Morph
-        position : float
-        looked_from : (3, 3) array
-            `StageView.axes` of the nearest stop.
-        """
+    def show(self, morph: Morph, position: float) -> None:
+        """Stand there; `place_words` then writes what is to be read. Draw nothing yet."""
         stop, drawn = morph.stop_at(position), morph.has_volume(position)
         box = fitting(morph.display_from_box(position)) if drawn else np.zeros((4, 4))
         self.stop, self.display_from_box, has_depth = stop, box, stop != IMAGE
@@ -180,7 +194,9 @@ class StageBox:
                 is_written = has_depth or name != "z"
                 number.set_visible(stop >= CANONICAL_PERSPECTIVE and is_written)
         if drawn:
-            self._place_words(morph, position, stop, looked_from)
+            self._place_words(morph, position, stop)
+        labels = self.near, self.far, *self._letters, *itertools.chain(*self._numbers.values())
+        self._written = {label for label in labels if label.is_visible and label.text}
 
     def _place_axes(self, morph: Morph, position: float, stop: int) -> None:
         """Put axes and letters where the nearest stop has them."""
@@ -197,7 +213,7 @@ class StageBox:
             inner = start + np.abs(corner - start)[:, None] * axes
             starts, tips = np.tile(start, (3, 1)), inner + OVERSHOOT * axes
         else:
-            axes, lengths = np.eye(3), np.full(3, _TRIAD)
+            axes, lengths = np.eye(3), np.full(3, AXES_LENGTH)
             if stop <= VIEW:
                 start, axes = morph.axes_at(position)
                 away = math.hypot(*start)
@@ -218,7 +234,7 @@ class StageBox:
             turn[:, 0] *= length
             shaft_space.set(_at(starts[i], turn))
             letter = self._letters[i]
-            letter.set_position(tips[i])
+            self._at[letter] = tips[i]
             letter.set_text(self._words[letters[i]])
             is_shown = stop != IMAGE or i < 2
             letter.set_visible(is_shown)
@@ -234,21 +250,14 @@ class StageBox:
         shown: Array = homogeneous[..., :3] / homogeneous[..., 3:]
         return shown
 
-    def _place_words(self, morph: Morph, position: float, stop: int, looked_from: Array) -> None:
+    def _place_words(self, morph: Morph, position: float, stop: int) -> None:
         """Put near, far and the ends of the axes at the corners of the view volume."""
         box, lens, words = self.display_from_box, morph.projection.lens, self._words
         limit = RADIUS if stop <= VIEW else 2.0
         near, far = (_edge(box, -1.0, 1.0, limit, z) for z in (1.0, 0.0))
         is_pyramid = lens.has_pyramid
-        if stop <= CANONICAL_PERSPECTIVE and is_pyramid:
-            aside = _BESIDE
-            if stop > VIEW:
-                # As far as the near face is small, and the pane has turned to where it looks so.
-                part = 1.0 - abs(position - CANONICAL_PERSPECTIVE)
-                aside = part * (1.0 - lens.near / lens.far / 2.0) * _BESIDE_PYRAMID
-            near = near + aside @ looked_from[:2]
-        self.near.set_position(near)
-        self.far.set_position(far)
+        self._is_pyramid = stop <= CANONICAL_PERSPECTIVE and is_pyramid
+        self._at |= {self.near: near, self.far: far}
         near_text = words["near"]
         x, y, z = ("−1", "1"), ("−1", "1"), ("0", "−1")
         ends = 1.0, 1.0
@@ -278,7 +287,42 @@ class StageBox:
                 self._numbers[name], texts, corners, strict=True
             ):
                 number.set_text(text)
-                number.set_position(_edge(box, across, up, limit, along))
+                self._at[number] = _edge(box, across, up, limit, along)
+
+    def place_words(self, layout: Layout, seen: Callable[[Array], Sequence[Spot]]) -> None:
+        """Put every word where it has room in the pane, on no other one; draw nothing yet.
+
+        Numbers only where the volume is large: in a small pane they give way to the names.
+
+        Parameters
+        ----------
+        layout : Layout
+        seen : callable
+            From points of display space, (n, 3), to where they are in the pane.
+        """
+        if not self._at:
+            return
+        spots = dict(zip(self._at, seen(np.array(list(self._at.values()))), strict=True))
+        for leader in self._leaders.values():
+            leader.set_visible(False)
+        for name, label in (("near", self.near), ("far", self.far)):
+            if label in self._written:
+                sides = _PYRAMID if name == "near" and self._is_pyramid else _PLANE
+                layout.place(label, label.text, [spots[label]], sides, self._leaders[name])
+        for letter, beside in zip(self._letters, _LETTER_SIDES, strict=True):
+            if letter in self._written:
+                layout.place(letter, letter.text, [spots[letter]], beside, gaps=1)
+        with np.errstate(divide="ignore", invalid="ignore"):  # where far is at infinity
+            corners = self._shown(CUBE)
+        finite = corners[np.isfinite(corners).all(axis=1)]
+        across = np.ptp([x for x, _, _ in seen(finite)]) if len(finite) else 0.0
+        for name, numbers in self._numbers.items():
+            for number in numbers:
+                if number in self._written and across < _NUMBERS_FROM_EM * layout.em:
+                    number.set_visible(False)
+                elif number in self._written:
+                    beside = _NUMBER_SIDES[name]
+                    layout.place(number, number.text, [spots[number]], beside, gaps=2)
 
 
 def fitting(matrix: Array) -> Array:

@@ -22,6 +22,8 @@ from app.lecture.stages import (
 )
 from app.model.projection import Array, Camera
 
+AXES_LENGTH = 0.35
+"""Of the axes at the stops of world and view."""
 OVERSHOOT = 0.28
 """Of the axes beyond the cube, and beyond the picture."""
 
@@ -107,6 +109,8 @@ class StageView:
         right, up, _ = self.axes(stop)
         if stop <= VIEW:
             drawn = _FILLED * RADIUS * np.array([right, -right, up, -up])
+            if stop == VIEW:  # the eye is at the ball's border, and n points outwards
+                drawn = np.vstack([drawn, [0.0, 0.0, _FILLED * RADIUS + AXES_LENGTH]])
         elif stop == IMAGE:
             sides = np.array([*image_size, 0.0])
             across, down, _ = sides / sides.max()

@@ -34,6 +34,8 @@ class Style:
         The axes of the camera's frame; also x, y, z of the spaces after it.
     eye, target, frustum, accent : str
         The camera, the point it looks at, the edges of the view volume, what is pointed out.
+    shadow : str
+        Of a thing, on a ground that is tinted with `muted`: darker than that.
     line_width : float
         Of ordinary lines. Thin ones have half of it and thick ones one and a half, so that at a
         whole scale all are whole pixels: OpenGL would round them, each way of drawing in its own.
@@ -54,6 +56,7 @@ class Style:
     target: str
     frustum: str
     accent: str
+    shadow: str
     line_width: float = 2.0
     font_size: float = 12.0
 
@@ -97,6 +100,7 @@ LIGHT = Style(
     target="#a1960d",
     frustum="#5a6068",
     accent="#c46f9d",
+    shadow="#5a6068",
 )
 DARK = Style(
     background="#16181b",
@@ -112,4 +116,5 @@ DARK = Style(
     target="#f0e442",
     frustum="#a4abb3",
     accent="#cc79a7",
+    shadow="#000000",
 )

@@ -41,6 +41,7 @@ from app.scenes.scene import Scene
 
 _WHOLE, _NEARBY = 3.0, 1.1  # of the extent: a frustum that is framed whole; else only so far
 _FARTHEST_MARK = 1e3  # of the extent: where lines toward infinity end
+_PICTURE_PART = 0.5  # of the pane's width: a near plane on which words are rather not written
 _FRAMED_MARK = 5.0  # of the scene's size: marks farther from it are not brought into view
 
 
@@ -115,6 +116,7 @@ class WorldDrawing:
         self._masked_for: PaneView | None = None
         self._mask: Mask | None = None
         self._grips: dict[str, Array] = {}
+        self._measured: tuple[tuple[str, float], ...] = ()
         self._standing: Standing | None = None
         self.own = OwnView(canvas, self._origin, self._objects.mean(axis=0))
         self.show_projection(scene.start)
@@ -174,8 +176,14 @@ class WorldDrawing:
         self._follow_pane(afresh=True)
 
     def _switch_layers(self) -> None:
-        # Nobody sees the camera that they look through.
-        hidden = self._hidden | {"camera"} if self.own.sees_from_eye else self._hidden
+        # Nobody sees the camera that they look through; along its axis it stands in the picture.
+        # And from the eye the picture covers the scene itself, pressed flat: whose hidden edges
+        # are hardly behind what hides them.
+        hidden = self._hidden
+        if self.own.sees_from_eye:
+            hidden = hidden | {"camera", "near-picture"}
+        elif self.own.fixed == "axis":
+            hidden = hidden | {"camera"}
         if hidden != self._canvas.hidden:
             self._canvas.show_layers(hidden)
 
@@ -277,9 +285,9 @@ class WorldDrawing:
         if self._standing is None or projection.camera is not self._standing.camera:
             self._standing = self._stand(projection.camera)
             self.camera.show(self._standing)
-        self.frustum.show(projection, self._standing)
         is_first = self._marks is None and illustration is not None
         self._show_illustration(illustration)
+        self.frustum.show(projection, self._standing, self._deepest_grip)
         if is_first and not self.own.was_moved:
             self.reset_view()
         elif self.own.fixed:
@@ -287,6 +295,14 @@ class WorldDrawing:
             self._follow_camera(afresh=False)
         else:
             self._follow_pane(afresh=False)
+
+    @property
+    def _deepest_grip(self) -> float:
+        """How far from the eye plane what a scene is held at is; 0 for what is far from it."""
+        at, most = self._stands, _FRAMED_MARK * self._scene.size
+        offsets = [np.array(point) - at.camera.eye for point in self._grips.values()]
+        depths = [-float(o @ at.camera.frame[2]) for o in offsets if math.hypot(*o) <= most]
+        return max(depths, default=0.0)
 
     @property
     def _stands(self) -> Standing:
@@ -313,8 +329,12 @@ class WorldDrawing:
         """The labels, and whether one has changed sides; see `Labels.lay_out`."""
         at, planes = self._stands, self._projection.lens.planes
         arrows, tips = self.camera.names
-        corners = self.frustum.corners if self.frustum.seen else None
-        named = Named(at.eye, at.target, arrows, tips, self.camera.box, corners, planes)
+        unseen = self._unseen
+        if "camera" in self._canvas.hidden:
+            arrows, tips = (), np.empty((0, 3))
+        named = Named(
+            at.eye, at.target, arrows, tips, self.camera.box, self._corners_seen, planes, unseen
+        )
         first = None
         if "labels" in self._canvas.hidden:
             return False
@@ -323,7 +343,38 @@ class WorldDrawing:
         pane = self.own.pane
         if pane is not self._masked_for:
             self._masked_for, self._mask = pane, self._silhouette.seen(pane)
-        return self.labels.lay_out(pane, named, afresh=afresh, first=first, subject=self._mask)
+        return self.labels.lay_out(
+            pane, named, afresh=afresh, first=first, subject=self._mask, held_at=self._held_at()
+        )
+
+    @property
+    def _corners_seen(self) -> Array | None:
+        """Those of the frustum, (8, 3); None if there is none, or its layer is off."""
+        if not self.frustum.seen or "frustum" in self._canvas.hidden:
+            return None
+        return self.frustum.corners
+
+    @property
+    def _unseen(self) -> frozenset[str]:
+        """What is neither named nor held, because what it names is not drawn."""
+        unseen = set[str]()
+        if "frustum" in self._hidden:
+            unseen |= {"near", "far", "corner"}
+        if "camera" in self._hidden:
+            unseen |= {"eye", "target"}
+        elif "camera" in self._canvas.hidden:  # seen through, or from right behind it
+            unseen |= {"eye"}
+        return frozenset(unseen)
+
+    def _held_at(self) -> dict[str, tuple[float, float]]:
+        """Where near and far are held, from the pane's left and bottom."""
+        height_px = self.own.pane.size_px[1]
+        marked = () if self.handles is None else self.handles.shown
+        return {
+            handle.name: (x, height_px - y)
+            for handle, (x, y) in marked
+            if handle.name in ("near", "far")
+        }
 
     def _place_first(self, layout: Layout, seen: Callable[[Array], Sequence[Spot]]) -> None:
         """What the labels keep off: the handles, and the texts of a scene."""
@@ -331,10 +382,16 @@ class WorldDrawing:
             height_px = self.own.pane.size_px[1]
             layout.keep_free([(x, height_px - y, 1.0) for _, (x, y) in self.handles.shown])
         if self.own.fixed and self._dimensions is not None:
-            at, own, alone = self._stands, self.own, self._scene.phenomenon is None
-            corners = self.frustum.corners if self.frustum.seen else None
-            measured = Measured(own.fixed, self._projection, at.eye, at.target, corners, alone)
+            at, own, corners = self._stands, self.own, self._corners_seen
+            measured = Measured(
+                own.fixed, self._projection, at.eye, at.target, corners, self._measured
+            )
             self._dimensions.place(layout, seen, own.pane.size_px, measured)
+            if own.fixed == "axis" and corners is not None:
+                picture = seen(corners[:4])
+                across = max(x for x, _, _ in picture) - min(x for x, _, _ in picture)
+                if across < _PICTURE_PART * own.pane.size_px[0]:
+                    layout.keep_free_box(picture)
         if self._marks is not None:
             self._marks.place_texts(layout, seen)
 
@@ -475,6 +532,7 @@ class WorldDrawing:
                 self._canvas, self._scene, self._canvas.style, self._words, leads=True
             )
         marks, limit = self._marks, _FARTHEST_MARK * self._stands.extent
+        self._measured = () if illustration is None else illustration.measured
         self._grips = (
             {} if illustration is None else {g.setting: g.point for g in illustration.grips}
         )
@@ -534,7 +592,7 @@ class WorldDrawing:
             self.handles.show(
                 [] if none else shown(
                     self._projection, self.planes_drawn, self.sight, size_px, apart_px, held,
-                    self._grips,
+                    self._grips, self._unseen,
                 ),
                 size_px[1],
             )  # fmt: skip

@@ -75,6 +75,7 @@ def shown(
     apart_px: float,
     kept: Handle | None = None,
     grips: Mapping[str, Array] = MappingProxyType({}),
+    without: frozenset[str] = frozenset(),
 ) -> list[tuple[Handle, Spot]]:
     """The handles for which a pane has room, and where they are in it.
 
@@ -95,12 +96,15 @@ def shown(
         Stays, whatever it stands on: it is under the hand.
     grips : mapping of setting to (3,) array, optional
         Points of the world that settings of the scene are held at.
+    without : frozenset of str, optional
+        Names of those that cannot be held, because what they are of is not drawn.
     """
     has_faces = projection.lens.planes is not None  # a free matrix has no planes, no window
     held = [Handle("grip", setting=name) for name in grips]
     held_at = sight.seen(np.array(list(grips.values())).reshape(-1, 3)).tolist()
     spots = dict(zip(held, map(tuple, held_at), strict=True))
     cameras = [EYE, TARGET] if has_camera(projection) else []
+    cameras = [handle for handle in cameras if handle.name not in without]
     places = np.array([projection.camera.eye, projection.camera.target])
     if has_faces:
         places = np.vstack([places, _places(projection, drawn)])
@@ -117,14 +121,17 @@ def shown(
         found.append((handle, (x, y)))
         return True
 
+    if kept is not None and kept.name in without:
+        kept = None
     if kept is not None and kept in spots:
         found.append((kept, spots[kept]))
     single = [[handle] for handle in (*held, *cameras)]
-    for alternatives in (*single, _NEAR, _FAR) if has_faces else single:
+    planes = [plane for plane in (_NEAR, _FAR) if plane[0].name not in without]
+    for alternatives in (*single, *planes) if has_faces else single:
         same = kept is not None and alternatives[0].name == kept.name != "grip"
         if not same and alternatives[0] != kept:
             any(take(handle) for handle in alternatives)
-    if not has_faces:
+    if not has_faces or "corner" in without:
         return found
     corners = [spots[handle] for handle in _NEAR_CORNERS]
     sides = [math.dist(corners[i], corners[i - 1]) for i in range(4)]

@@ -587,7 +587,7 @@ def _posts() -> Scene:
         joined(ground, *lines),
         Projection(
             Camera((6.0, 5.0, 9.0), (1.0, 1.8, -8.0)),
-            Perspective(fov_y_deg=45.0, near=6.0, far=130.0),
+            Perspective(fov_y_deg=45.0, near=9.0, far=130.0),
         ),
     )
 

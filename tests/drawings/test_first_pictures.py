@@ -176,6 +176,20 @@ def test_the_cameras_body_is_no_larger_than_a_twelfth_of_the_pane(
             assert max(extent_px(body)) <= min(size_px) / 12.0 + 2.0  # its lines are 2 px wide
 
 
+def test_what_a_scene_is_held_at_is_not_beyond_a_break(off_screen: MakeScreen) -> None:
+    """The line's end Q is 12.8 from the eye plane, the letter 7.7, and far is 14: all is whole."""
+    scene = load("affine-depth")
+    drawing = WorldDrawing(off_screen(*LARGE), scene, WORDS, LIGHT)
+    phenomenon = scene.phenomenon
+    assert phenomenon is not None
+    for far, is_broken in ((14.0, False), (20.0, True)):
+        projection = replace(scene.start, lens=scene.start.lens.but(far=far))
+        drawing.show_projection(
+            projection, phenomenon.illustration(projection, phenomenon.defaults, scene.subject)
+        )
+        assert any(edge.GetVisibility() for _, edge in drawing.frustum.breaks["far"]) == is_broken
+
+
 @pytest.mark.parametrize(("far", "is_broken"), [(18.0, False), (20.0, True), (math.inf, True)])
 def test_the_frustum_is_broken_beyond_half_again_the_objects_depth(
     off_screen: MakeScreen, far: float, is_broken: bool

@@ -105,6 +105,31 @@ def test_a_flat_view_is_the_cameras_frame_to_scale(
     assert spots[0, 1] - spots[:, 1] == pytest.approx(scale * (upwards - upwards[0]), abs=1e-6)
 
 
+@pytest.mark.parametrize(
+    ("view", "projection"), [("eye", START), ("axis", START.with_lens("orthographic"))]
+)
+def test_where_the_planes_lie_on_each_other_each_label_stands_at_its_own_handle(
+    off_screen: MakeScreen, view: str, projection: Projection
+) -> None:
+    screen = off_screen(*SIZE_PX)
+    drawing = made(screen, projection)
+    drawing.show_fixed(view)
+    assert drawing.handles is not None
+    held = {str(handle.name): (x, SIZE_PX[1] - y) for handle, (x, y) in drawing.handles.shown}
+    shown = texts(screen)
+    for name, other in (("near", "far"), ("far", "near")):
+        (label,) = (actor for text, actor in shown.items() if text.startswith(f"{name} "))
+        left, bottom, right, top = box_of(screen, label)
+
+        def away(
+            spot: tuple[float, float], box: tuple[float, ...] = (left, bottom, right, top)
+        ) -> float:
+            x, y = spot
+            return math.dist(spot, (min(max(x, box[0]), box[2]), min(max(y, box[1]), box[3])))
+
+        assert away(held[name]) < 30.0 < away(held[other])
+
+
 def test_the_planes_light_their_pixels_from_the_side(off_screen: MakeScreen) -> None:
     """As far from the eye as 4 is to 18, upright, and as high as n tan and f tan say."""
     screen = off_screen(*SIZE_PX)
@@ -242,6 +267,82 @@ def test_the_dimensions_are_those_of_the_lecture(
         assert apart, (one, other)
     for text, (left, bottom, right, top) in boxes.items():
         assert left >= 0 and bottom >= 0 and right <= SIZE_PX[0] and top <= SIZE_PX[1], text
+
+
+@pytest.mark.parametrize(
+    ("name", "written"),
+    [
+        ("similar-triangles", {"near = 2", "d = 4", "far = 14"}),
+        ("focus", {"near = 1.7", "s = 5", "d = 5.009", "far = 22"}),
+        ("planar-shadow", {"near = 4", "d = 14.46", "far = 24"}),
+    ],
+)
+def test_a_scenes_distances_stand_in_rows_of_their_own(
+    off_screen: MakeScreen, name: str, written: set[str]
+) -> None:
+    """One under the other, the shortest on top; nothing else is there, and no leader ends there."""
+    screen, scene = off_screen(*SIZE_PX), load(name)
+    drawing = WorldDrawing(screen, scene, WORDS, LIGHT, live=True)
+    phenomenon = scene.phenomenon
+    assert phenomenon is not None
+    drawing.show_projection(
+        scene.start,
+        phenomenon.illustration(scene.start, phenomenon.defaults, scene.subject),
+    )
+    drawing.show_fixed("side")
+    screen.pixels()
+    boxes = {text: box_of(screen, actor) for text, actor in texts(screen).items()}
+    rows = {text: box for text, box in boxes.items() if text in written}
+    assert rows.keys() == written
+    length = {text: float(text.split(" = ")[1]) for text in rows}
+    ordered = sorted(rows, key=lambda text: length[text])
+    for upper, lower in itertools.pairwise(ordered):
+        assert rows[upper][1] >= rows[lower][3]
+    highest = max(top for _, _, _, top in rows.values())
+    assert all(box[1] > highest for text, box in boxes.items() if text not in written)
+
+
+@pytest.mark.parametrize("view", ["side", "top"])
+def test_no_text_lies_on_a_plane(off_screen: MakeScreen, view: str) -> None:
+    """From the side a plane is a line: what is written with a sign of equality stays off it."""
+    screen = off_screen(*SIZE_PX)
+    drawing = made(screen)
+    for near, far in ((4.0, 18.0), (2.0, 14.0), (6.0, 40.0)):
+        drawing.show_projection(with_lens(near=near, far=far))
+        drawing.show_fixed("")
+        drawing.show_fixed(view)
+        screen.pixels()
+        window = np.array(drawing.frustum.corners)
+        spots = pixel_of(drawing, window)
+        for face in (spots[:4], spots[4:]):
+            x, low, high = face[:, 0].mean(), face[:, 1].min(), face[:, 1].max()
+            for text, actor in texts(screen).items():
+                left, bottom, right, top = box_of(screen, actor)
+                beside = right <= x or x <= left
+                above = SIZE_PX[1] - top >= high or SIZE_PX[1] - bottom <= low
+                assert "=" not in text or beside or above, (text, near, far)
+
+
+@pytest.mark.parametrize("name", ["letter-f", "planar-shadow", "similar-triangles"])
+def test_along_the_axis_nothing_is_written_over_the_picture(
+    off_screen: MakeScreen, name: str
+) -> None:
+    screen, start = off_screen(*SIZE_PX), load(name).start
+    drawing = made(screen, start, name)
+    drawing.show_fixed("axis")
+    screen.pixels()
+    spots = pixel_of(drawing, drawing.frustum.corners)
+    (near_left, near_top), (near_right, near_bottom) = spots[:4].min(axis=0), spots[:4].max(axis=0)
+    (far_left, far_top), (far_right, far_bottom) = spots[4:].min(axis=0), spots[4:].max(axis=0)
+    for text, actor in texts(screen).items():
+        left, bottom, right, top = box_of(screen, actor)
+        upper, lower = SIZE_PX[1] - top, SIZE_PX[1] - bottom
+        aside = (
+            right <= near_left or near_right <= left or lower <= near_top or near_bottom <= upper
+        )
+        assert aside, text
+        if "=" in text:
+            assert right <= far_left or far_right <= left or lower <= far_top or far_bottom <= upper
 
 
 def test_half_a_window_by_hand() -> None:
@@ -409,6 +510,40 @@ def test_a_layer_is_switched_off_and_on_again(off_screen: MakeScreen, layer: str
     drawing.show_layers(others)
     assert seen_of(screen, drawing, layer)
     assert (screen.pixels() == before).all()
+
+
+@pytest.mark.parametrize(
+    ("layer", "names"),
+    [
+        ("camera", {"eye", "target", "u", "v", "n"}),
+        ("frustum", {"near 4", "far 18", "near = 4", "far = 18"}),
+    ],
+)
+@pytest.mark.parametrize("view", ["", "side"])
+def test_names_and_handles_go_with_what_they_are_of(
+    off_screen: MakeScreen, layer: str, names: set[str], view: str
+) -> None:
+    screen = off_screen(*SIZE_PX)
+    drawing = made(screen)
+    drawing.show_fixed(view)
+    assert drawing.handles is not None
+    screen.pixels()
+    before, handles = texts(screen).keys(), list(drawing.handles.shown)
+    assert names - {"near = 4", "far = 18"} <= before
+    held = {handle.name for handle, _ in handles if handle.name in ("eye", "target")}
+    gone = held if layer == "camera" else {"near", "far", "corner"}
+    drawing.show_layers(frozenset({layer}))
+    screen.pixels()
+    assert not names & texts(screen).keys()
+    assert {handle.name for handle, _ in drawing.handles.shown} == (
+        {handle.name for handle, _ in handles} - gone
+    )
+    drawing.hold(TARGET if layer == "camera" else handles[-1][0])  # a hand that was on it
+    assert not {handle.name for handle, _ in drawing.handles.shown} & gone
+    drawing.hold(None)
+    drawing.show_layers(frozenset())
+    screen.pixels()
+    assert texts(screen).keys() == before and list(drawing.handles.shown) == handles
 
 
 def test_no_handle_can_be_held_that_is_not_seen(off_screen: MakeScreen) -> None:

@@ -20,7 +20,7 @@ from app.model.projection import (
 )
 from app.model.refusal import Refusal
 from app.scenes.phenomena.focus import PHENOMENON, blur_mm, sharpness
-from app.scenes.phenomena.illustration import Illustration, Subject
+from app.scenes.phenomena.illustration import Illustration, OwnMesh, Subject
 from tests.oracles.illustrations import showing
 
 mp.mp.dps = 40
@@ -196,6 +196,70 @@ def test_the_planes_stand_where_the_limits_are() -> None:
         assert curve[:, 1].min() == 0.0
         assert curve[np.argmin(curve[:, 1]), 0] == focus
     assert counted > 50
+
+
+def test_the_picture_outlines_the_posts_whose_numbers_are_in_the_range_and_no_others() -> None:
+    """Their faces with the number stand 0.15 m before it, in the camera the scene opens with."""
+    posts = 2, 3, 4, 5, 6, 8, 10, 12, 15, 20
+    start = PHENOMENON.start
+    outlined = {}
+    for aperture in (1.0, 2.8, 22.0):
+        illustration = show(start, aperture=aperture)
+        got = values(illustration)
+        low, high = got["sharp from"], got["sharp to"] or math.inf
+        # About, for the camera looks down a little.
+        sharp = [d for d in posts if low < 0.99 * (d - 0.15) and 1.01 * (d - 0.15) < high]
+        lines = [line for line in illustration.image.lines if line.colour == "v"]
+        outlined[aperture] = sharp
+        # Four sides each, but for those that leave the picture at the bottom.
+        assert 3 * len(sharp) <= len(lines) <= 4 * len(sharp)
+        assert [text.text for text in illustration.image.texts] == ["sharp"]
+        flat = [np.ptp(line.points, axis=0) for line in lines]
+        widths = sorted({round(x, 3) for x, y in flat if x > 10.0 * y})
+        # As wide as a post's 0.3 m are at its distance.
+        window = 2.0 * math.tan(math.radians(14.0)) * 1280 / 720
+        expected = sorted(0.3 / (window * (post - 0.15)) * 1280 for post in sharp)
+        for ours, theirs in ((widths, expected), (expected, widths)):
+            assert all(any(abs(w - v) < 0.03 * v for v in theirs) for w in ours)
+    assert outlined[1.0] == [5] and outlined[2.8] == [5, 6] and len(outlined[22.0]) > 5
+
+
+def test_a_post_that_is_not_sharp_bears_its_disc() -> None:
+    """The traced one of its distance, in the picture's pixels."""
+    start, (focus, aperture) = PHENOMENON.start, (5.0, 1.4)
+    illustration = show(start, focus=focus, aperture=aperture)
+    lens = ThinLens(values(illustration)["focal length f"], aperture, focus)
+    discs = [np.ptp(face.points[:, 0]) for face in illustration.image.faces]
+    tops = [(0.0, 1.4, -d + 0.15) for d in (2, 3, 4, 6, 8, 10, 12, 15, 20)]
+    away = -start.trace(np.array(tops)).view[:, 2]
+    per_mm = math.hypot(*start.image_size) / math.hypot(36, 24)
+    expected = [float(lens.disc(float(d))) * per_mm for d in away]
+    assert discs == pytest.approx(expected, rel=1e-6)
+    assert all(c > 0.03 * per_mm for c in discs)
+
+
+def test_the_cube_shows_the_limits_where_depth_puts_them() -> None:
+    """NDC z = (f + n)/(f - n) - 2 f n/((f - n) w), by the lecture's own formula."""
+    illustration = show(PHENOMENON.start)
+    got, lens = values(illustration), PHENOMENON.start.lens
+    n, f = lens.near, lens.far
+    expected = [
+        (f + n) / (f - n) - 2.0 * f * n / ((f - n) * w)
+        for w in (got["sharp from"], 5.0, got["sharp to"])
+    ]
+    for face, z in zip(illustration.ndc.faces, expected, strict=True):
+        np.testing.assert_allclose(face.points[:, 2], z, atol=1e-12)
+        np.testing.assert_allclose(np.abs(face.points[:, :2]), 1.0, atol=1e-12)
+
+
+def test_of_a_mesh_of_the_users_the_sharp_vertices_are_marked() -> None:
+    points = np.array([(0.0, 1.0, -d) for d in (3.0, 4.9, 5.0, 5.1, 9.0)])
+    nothing = np.empty((0, 2, 3)), 0, np.empty((0, 3, 3))
+    subject = Subject((0.0, 1.0, -9.0), (0.0, 1.0, -3.0), points, OwnMesh(*nothing))
+    illustration = PHENOMENON.illustration(PHENOMENON.start, PHENOMENON.defaults, subject)
+    places = np.array([dot.point for dot in illustration.image.dots])
+    np.testing.assert_allclose(places, PHENOMENON.start.trace(points[1:4]).image)
+    assert illustration.image.lines == () and illustration.image.faces == ()
 
 
 @pytest.mark.parametrize(

@@ -225,9 +225,9 @@ def test_at_ndc_the_cube_waits_for_another_depth_range(
     drawing, start = screen.drawing, screen.scene.start
     show = drawing.box.show
 
-    def counted(morph: Morph, position: float, looked_from: Any) -> None:
+    def counted(morph: Morph, position: float) -> None:
         placed.append(position)
-        show(morph, position, looked_from)
+        show(morph, position)
 
     monkeypatch.setattr(drawing.box, "show", counted)
     drawing.show_projection(replace(start, lens=Perspective(30.0, 2.0, 31.0)))

@@ -37,7 +37,7 @@ from app.scenes.phenomena.illustration import (
     Text,
     number,
 )
-from app.scenes.phenomena.picture import outline
+from app.scenes.phenomena.picture import outline, seen
 from app.scenes.phenomena.sampling import seen_distances
 from app.scenes.shapes import Coloured, flat, ground_grid
 
@@ -67,6 +67,8 @@ _TOO_FINE = QT_TRANSLATE_NOOP(
     " shows its noise instead",
 )
 
+_FRONT_NAME = QT_TRANSLATE_NOOP("phenomena", "surface 1")
+_BEHIND_NAME = QT_TRANSLATE_NOOP("phenomena", "surface 2")
 _FRONT_RGB, _FRONT, _BEHIND = (230, 159, 0), "#e69f00", "#0072b2"
 _CORNERS = np.array([(-5.0, 0, 4), (5, 0, 4), (5, 6, -44), (-5, 6, -44)])
 """A ramp that leads away, so that one picture has many distances."""
@@ -200,16 +202,27 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Illus
     matrix = moved_behind(projection, gap)
     # In the other panes, whose depth buffers are their own, its outline is enough.
     copies = (Copy(matrix, panes=("image",), colour=_BEHIND),)
-    marks = Marks()
+    marks = image = Marks()
     if subject.mesh is None:
         moved = _CORNERS + matrix[:3, 3]
+        named = ((_FRONT_NAME, _CORNERS[3], _FRONT), (_BEHIND_NAME, moved[2], _BEHIND))
         marks = Marks(
             lines=(Line(outline(moved), _BEHIND, 1.5),),
-            texts=(Text("1", _CORNERS[0], _FRONT), Text("2", moved[1], _BEHIND)),
+            texts=tuple(Text(name, end, colour) for name, end, colour in named),
+        )
+        trace = projection.trace(np.array([end for _, end, _ in named]))
+        image = Marks(
+            texts=tuple(
+                Text(name, place, colour)
+                for (name, _, colour), place, shown in zip(
+                    named, trace.image, seen(trace), strict=True
+                )
+                if shown
+            )
         )
     buffer = buffer_of(projection, settings)
     if isinstance(buffer, Phrase):
-        return Illustration((), world=marks, copies=copies, warning=buffer)
+        return Illustration((), world=marks, image=image, copies=copies, warning=buffer)
     first, second = distances(projection, gap, subject)
     share: float | None = None
     note: Phrase | None = Phrase(_NOT_IN_PICTURE)
@@ -252,6 +265,7 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Illus
     return Illustration(
         readings,
         world=marks,
+        image=image,
         copies=copies,
         diagrams=(_diagram(buffer, w if known else None),),
         rendering=Rendering(buffer=buffer),

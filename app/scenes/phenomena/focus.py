@@ -27,6 +27,7 @@ from app.model.refusal import QT_TRANSLATE_NOOP
 from app.scenes.phenomena.illustration import (
     Curve,
     Diagram,
+    Dot,
     Face,
     Illustration,
     Line,
@@ -41,7 +42,7 @@ from app.scenes.phenomena.illustration import (
     number,
     of_parallel,
 )
-from app.scenes.phenomena.picture import outline, section
+from app.scenes.phenomena.picture import outline, section, seen, seen_lines
 from app.scenes.shapes import (
     EDGE_RGB,
     SIDE_RGB,
@@ -80,6 +81,7 @@ _ELLIPSE = QT_TRANSLATE_NOOP(
 SHARP_FROM = QT_TRANSLATE_NOOP("phenomena", "sharp from")
 SHARP_TO = QT_TRANSLATE_NOOP("phenomena", "sharp to")
 IN_FOCUS = QT_TRANSLATE_NOOP("phenomena", "in focus")
+SHARP = QT_TRANSLATE_NOOP("phenomena", "sharp")
 
 
 def focal_length_mm(projection: Projection) -> float:
@@ -139,15 +141,40 @@ def blur_mm(f_mm: float, f_number: float, focus: float, distances: Array) -> Arr
 _POSTS = (2, 3, 4, 5, 6, 8, 10, 12, 15, 20)
 
 
+_HALF, _HIGH = 0.15, 1.4  # of a post: half its width and depth, and its height
+_MOST_VERTICES = 400  # of the user's mesh that are marked where they are sharp
+
+
+def _post_places() -> list[tuple[float, float]]:
+    """How far each post is to the right, and away from the eye."""
+    places = []
+    tangent = -0.4  # of the angle from the axis to the next post's left side
+    for distance in _POSTS:
+        places.append((tangent * distance + _HALF, float(distance)))
+        tangent += 2.0 * _HALF / distance + 0.025
+    return places
+
+
+_POST_PLACES = np.array(_post_places())
+_FRONTS = np.array(
+    [
+        [(x - _HALF, 0.0), (x + _HALF, 0.0), (x + _HALF, _HIGH), (x - _HALF, _HIGH)]
+        for x, _ in _POST_PLACES
+    ]
+)
+_FRONTS = np.concatenate(
+    [_FRONTS, np.broadcast_to(_HALF - _POST_PLACES[:, 1, None, None], (len(_POSTS), 4, 1))], axis=2
+)
+"""The corners of the posts' faces with the numbers, (n, 4, 3), world coordinates."""
+
+
 def _geometry() -> tuple[Coloured, Coloured]:
     """Posts with their distances from the eye in m on them, beside each other in the picture."""
     faces: list[Coloured] = []
     boxes = []
-    tangent = -0.4  # of the angle from the axis to the next post's left side
-    for distance in _POSTS:
-        x = tangent * distance + 0.15
-        tangent += 0.3 / distance + 0.025
-        box = box_faces((x - 0.15, 0.0, -distance - 0.15), (x + 0.15, 1.4, -distance + 0.15))
+    for distance, (x, _) in zip(_POSTS, _POST_PLACES.tolist(), strict=True):
+        lower, upper = (x - _HALF, 0.0, -distance - _HALF), (x + _HALF, _HIGH, _HALF - distance)
+        box = box_faces(lower, upper)
         digits = written_number(distance, (x, 1.1, -distance + 0.155), 0.22)
         faces += [(box, SIDE_RGB), (digits, flat(EDGE_RGB, len(digits)))]
         boxes.append(box)
@@ -176,7 +203,10 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Illus
             _drawn_disc(projection, disc_mm),
         ),
         world=_planes(projection, focus, sharp, subject),
+        ndc=_planes_ndc(projection, focus, sharp),
+        image=_sharp_in_picture(projection, settings, sharp, subject),
         diagrams=(_diagram(f_mm, n, focus, c_mm, sharp),),
+        measured=(("s", focus),) if projection.lens.near <= focus <= projection.lens.far else (),
     )
 
 
@@ -204,21 +234,27 @@ def _readings(
 
 def _drawn_disc(projection: Projection, disc_mm: float) -> Reading:
     """The target's disc in the picture: its diameter, or both of an ellipse."""
-    blur_px: tuple[float, ...] = (
-        disc_mm * (math.hypot(*projection.image_size) / _FILM_DIAGONAL_MM),
-    )
-    left, right, bottom, top = projection.window
-    window = right - left, top - bottom
-    stretched = not math.isclose(window[0] / window[1], projection.aspect, rel_tol=1e-6)
-    if stretched:
-        film_mm = (side * (_FILM_DIAGONAL_MM / math.hypot(*window)) for side in window)
-        blur_px = tuple(
-            disc_mm * (size_px / side_mm)
-            for size_px, side_mm in zip(projection.image_size, film_mm, strict=True)
-        )
+    across, up = (disc_mm * px for px in _px_per_mm(projection))
+    stretched = across != up
+    blur_px = (across, up) if stretched else (across,)
     if not np.isfinite(blur_px).all():
         return _target_reading(None, Phrase(_BOUNDLESS))
     return _target_reading(blur_px, Phrase(_ELLIPSE)) if stretched else _target_reading(blur_px[0])
+
+
+def _px_per_mm(projection: Projection) -> tuple[float, float]:
+    """What of the picture is a millimetre of the film, across and up: one value if not stretched.
+
+    The film is as long from corner to corner as 36 x 24 mm are, and shaped like the window.
+    """
+    left, right, bottom, top = projection.window
+    window = right - left, top - bottom
+    if math.isclose(window[0] / window[1], projection.aspect, rel_tol=1e-6):
+        per_mm = math.hypot(*projection.image_size) / _FILM_DIAGONAL_MM
+        return per_mm, per_mm
+    film_mm = [side * (_FILM_DIAGONAL_MM / math.hypot(*window)) for side in window]
+    width, height = projection.image_size
+    return width / film_mm[0], height / film_mm[1]
 
 
 def _target_reading(
@@ -231,16 +267,11 @@ def _planes(projection: Projection, focus: float, sharp: Sharpness, subject: Sub
     """Near limit, focus and far limit, each where it crosses the frustum."""
     near, far = projection.lens.near, projection.lens.far
     faces, lines, texts = [], [], []
-    for name, distance, colour, opacity in (
-        (SHARP_FROM, sharp.near, "v", 0.12),
-        (IN_FOCUS, focus, "accent", 0.3),
-        (SHARP_TO, sharp.far, "v", 0.12),
-    ):
-        if near <= distance <= far and distance < math.inf:
-            corners = section(projection, distance)
-            faces.append(Face(corners, colour, opacity))
-            lines.append(Line(outline(corners), colour, 1.0))
-            texts.append(Text(name, corners[2 if colour == "accent" else 3], colour))
+    for name, distance, colour, opacity in _crossing(projection, focus, sharp):
+        corners = section(projection, distance)
+        faces.append(Face(corners, colour, opacity))
+        lines.append(Line(outline(corners), colour, 1.0))
+        texts.append(Text(name, corners[2 if colour == "accent" else 3], colour))
     # The frustum's edges, thick where what is between them is sharp.
     size = float(np.linalg.norm(np.subtract(subject.upper, subject.lower)))
     low, high = max(near, sharp.near), min(far, sharp.far, 4.0 * (focus + size))
@@ -248,6 +279,77 @@ def _planes(projection: Projection, focus: float, sharp: Sharpness, subject: Sub
         lines += [Line(np.array(pair), "v", 2.0) for pair in zip(
             section(projection, low), section(projection, high), strict=True)]  # fmt: skip
     return Marks(tuple(lines), tuple(faces), (), tuple(texts))
+
+
+def _crossing(
+    projection: Projection, focus: float, sharp: Sharpness
+) -> list[tuple[str, float, str, float]]:
+    """Name, distance, colour and opacity of near limit, focus and far limit in the frustum."""
+    near, far = projection.lens.near, projection.lens.far
+    return [
+        (name, distance, colour, opacity)
+        for name, distance, colour, opacity in (
+            (SHARP_FROM, sharp.near, "v", 0.12),
+            (IN_FOCUS, focus, "accent", 0.3),
+            (SHARP_TO, sharp.far, "v", 0.12),
+        )
+        if near <= distance <= far and distance < math.inf
+    ]
+
+
+def _planes_ndc(projection: Projection, focus: float, sharp: Sharpness) -> Marks:
+    """The same planes across the cube; words where they are larger, in the world."""
+    faces, lines = [], []
+    for _, distance, colour, opacity in _crossing(projection, focus, sharp):
+        corners = projection.trace(section(projection, distance)).ndc
+        if not np.isfinite(corners).all():  # the eye is so far out that no digit is left
+            continue
+        faces.append(Face(corners, colour, opacity))
+        lines.append(Line(outline(corners), colour, 2.0 if colour == "accent" else 1.0))
+    return Marks(tuple(lines), tuple(faces))
+
+
+def _sharp_in_picture(
+    projection: Projection, settings: Settings, sharp: Sharpness, subject: Subject
+) -> Marks:
+    """What is sharp outlined and named, and on each post the disc as which a point of it is drawn.
+
+    Of the user's mesh the vertices that are sharp.
+    """
+    if subject.mesh is not None:
+        step = -(-len(subject.points) // _MOST_VERTICES)
+        trace = projection.trace(subject.points[::step])
+        away = -trace.view[..., 2]
+        drawn = seen(trace) & (sharp.near <= away) & (away <= sharp.far)
+        return Marks(dots=tuple(Dot(place, "v", 0.6) for place in trace.image[drawn]))
+    trace = projection.trace(_FRONTS)
+    away = -trace.view[..., 2]
+    is_sharp = ((sharp.near <= away) & (away <= sharp.far)).all(axis=1)
+    corners = trace.clip[is_sharp]
+    sides = np.stack([corners, np.roll(corners, -1, axis=1)], axis=2).reshape(-1, 2, 4)
+    lines = seen_lines(projection, sides, ["v"] * len(sides), 2.0)
+    texts = []
+    tops = projection.trace(_FRONTS[:, 2:].mean(axis=1))  # a number's face, the middle of its top
+    named = np.flatnonzero(is_sharp & seen(tops))
+    if len(named):
+        texts.append(Text(SHARP, tops.image[named[0]], "v"))
+    n, focus = number(settings, "aperture"), number(settings, "focus")
+    with np.errstate(all="ignore"):
+        discs_mm = blur_mm(focal_length_mm(projection), n, focus, -tops.view[:, 2])
+    half = np.outer(discs_mm / 2.0, _px_per_mm(projection))
+    rim = np.linspace(0.0, 2.0 * math.pi, 24, endpoint=False)
+    circle = np.stack([np.cos(rim), np.sin(rim)], axis=1)
+    shown = (
+        seen(tops)
+        & ~is_sharp
+        & np.isfinite(half).all(axis=1)
+        & (half < max(projection.image_size)).all(axis=1)
+    )
+    faces = [
+        Face(place + size * circle, "accent", 0.9)
+        for place, size in zip(tops.image[shown], half[shown], strict=True)
+    ]
+    return Marks(lines, tuple(faces), (), tuple(texts))
 
 
 def _diagram(f_mm: float, n: float, focus: float, c_mm: float, sharp: Sharpness) -> Diagram:
@@ -279,7 +381,7 @@ def _diagram(f_mm: float, n: float, focus: float, c_mm: float, sharp: Sharpness)
 
 _START = Projection(
     Camera((0.0, 1.3, 0.0), (0.0, 1.0, -5.0)),
-    Perspective(fov_y_deg=28.0, near=1.2, far=26.0),
+    Perspective(fov_y_deg=28.0, near=1.7, far=22.0),
 )
 
 PHENOMENON = Phenomenon(
@@ -290,7 +392,8 @@ PHENOMENON = Phenomenon(
         "The synthetic camera has a point for a lens, and all of its picture is sharp; of a real"
         " lens only what is at the focal distance is drawn as points, and the rest as discs."
         " Between the two limits the discs are no larger than the circle of confusion and pass for"
-        " points. One world unit is 1 m; the picture itself is not blurred.",
+        " points. One world unit is 1 m. The picture itself is not blurred: what is sharp in it is"
+        " outlined, and on top of every other post is the disc as which a point there is drawn.",
     ),
     tries=(
         QT_TRANSLATE_NOOP("phenomena", "Focus on the post at 10 m."),
@@ -341,6 +444,5 @@ PHENOMENON = Phenomenon(
         ),
     ),
     controls=("lens.fov_y_deg",),
-    leading="image",
     own_mesh=True,
 )

@@ -465,6 +465,9 @@ class Illustration:
     warning : Phrase, optional
         Why something cannot be shown as things are.
     grips : tuple of Grip
+    measured : tuple of (str, float)
+        Distances from the eye plane that the scene has letters for: what the flat views of the
+        world measure. Without one of its own, d is the target's.
     idle : bool
         Whether nothing of the phenomenon is shown, whatever its settings; `warning` says why.
     """
@@ -478,6 +481,7 @@ class Illustration:
     rendering: Rendering | None = None
     warning: Phrase | None = None
     grips: tuple[Grip, ...] = ()
+    measured: tuple[tuple[str, float], ...] = ()
     idle: bool = False
 
 

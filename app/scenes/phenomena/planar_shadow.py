@@ -171,7 +171,7 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Illus
     matrix = shadow_matrix(light, height)
     shadows = cast(matrix, subject.points)
     too_high = int(np.count_nonzero(shadows.w <= 0.0))
-    copies = [Copy(_scaled(matrix), _PANES, "muted")]
+    copies = [Copy(_scaled(matrix), _PANES, "shadow")]
     if too_high and not settings["clip"]:
         copies.append(Copy(_scaled(-matrix), _PANES, "u"))
     # The vertex followed: the highest of those with a shadow, and among these the farthest one.
@@ -330,7 +330,7 @@ def _marks(
             shown.append(shadow)
         trace = projection.trace(np.array(shown))
         image = [Dot(pixel, "accent", 1.2) for pixel in trace.image[seen(trace)]]
-    face = Face(corners, "muted", 0.12)
+    face = Face(corners, "muted", 0.2)
     return Marks(tuple(lines), (face,), tuple(dots), tuple(texts)), Marks(dots=tuple(image))
 
 

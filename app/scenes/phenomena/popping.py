@@ -339,7 +339,7 @@ PHENOMENON = Phenomenon(
     lectures=("001",),
     start=Projection(
         Camera((0.5, 2.2, _START_Z), (0.0, 2.0, -40.0)),
-        Perspective(fov_y_deg=45.0, near=1.0, far=100.0),
+        Perspective(fov_y_deg=45.0, near=6.0, far=100.0),
     ),
     geometry=_geometry,
     show=_show,

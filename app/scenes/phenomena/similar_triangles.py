@@ -168,6 +168,7 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Illus
         image=_marked(trace.image) if here else Marks(),
         copies=(Copy(onto_plane(projection, distance, slab)),),
         grips=(Grip("point", place),),
+        measured=(("d", distance),),
     )
 
 

@@ -500,7 +500,7 @@ PHENOMENON = Phenomenon(
     start=Projection(
         Camera.from_orbit((0.0, 1.3, 0.0), Orbit(*_VIEWS["2"], 6.0)),
         # As far from the eye as no ground is seen before it: room for the marks on the near plane.
-        Perspective(fov_y_deg=70.0, near=1.8, far=11.0),
+        Perspective(fov_y_deg=70.0, near=3.2, far=11.0),
     ),
     geometry=_geometry,
     show=_show,
