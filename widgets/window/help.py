@@ -45,107 +45,124 @@ class Help(QObject):
 
     def show_keys(self) -> None:
         """Say what keys and mouse do, in a table that scrolls where the screen is low."""
-        tr = self.tr
         one, two, three, back = (_key(f"Ctrl+{number}") for number in "1230")
         groups = {
-            tr("Everywhere"): (
-                (_key("Ctrl+Z"), tr("Undo; a drag is one step")),
-                (_key("Ctrl+R"), tr("Reset all to how the scene opens")),
-                (_key(PLAY_KEY), tr("Play or pause the camera's walk")),
-                (_key("Ctrl+E"), tr("Export the panes as a picture")),
-                (_key("Ctrl+F") + tr(" or /"), tr("Find a control by its name")),
-                (_key("F4"), tr("Hide the controls, or show them")),
-                (tr("Esc"), tr("Leave what is on top; put back what is being dragged")),
+            self.tr("Everywhere"): (
+                (_key("Ctrl+Z"), self.tr("Undo; a drag is one step")),
+                (_key("Ctrl+R"), self.tr("Reset all to how the scene opens")),
+                (_key(PLAY_KEY), self.tr("Play or pause the camera's walk")),
+                (_key("Ctrl+E"), self.tr("Export the panes as a picture")),
+                (_key("Ctrl+F") + self.tr(" or /"), self.tr("Find a control by its name")),
+                (_key("F4"), self.tr("Hide the controls, or show them")),
+                (self.tr("Esc"), self.tr("Leave what is on top; put back what is being dragged")),
                 (
-                    tr("Drop a file"),
-                    tr("Open a document, a mesh (OBJ, STL, PLY, glTF) or an exported picture"),
+                    self.tr("Drop a file"),
+                    self.tr("Open a document, a mesh (OBJ, STL, PLY, glTF) or an exported picture"),
                 ),
             ),
-            tr("Where the panes stand"): (
-                (f"{one}, {two}, {three}", tr("World, NDC cube, image into the large slot")),
-                (tr("again, or double-click a title"), tr("The whole window for that pane")),
-                (back, tr("All panes, as the scene has them")),
-            ),
-            tr("A pane's own view (the model is not touched)"): (
-                (tr("Drag"), tr("Turn it")),
-                (tr("Shift-drag"), tr("Move it")),
-                (tr("Wheel"), tr("Nearer, farther")),
-                (tr("Double-click"), tr("Back to how it was")),
+            self.tr("Where the panes stand"): (
+                (f"{one}, {two}, {three}", self.tr("World, NDC cube, image into the large slot")),
                 (
-                    tr("Tab, then arrows"),
-                    tr("Turn; with Shift move; + and − nearer, farther; Home"),
+                    self.tr("again, or double-click a title"),
+                    self.tr("The whole window for that pane"),
+                ),
+                (back, self.tr("All panes, as the scene has them")),
+            ),
+            self.tr("A pane's own view (the model is not touched)"): (
+                (self.tr("Drag"), self.tr("Turn it")),
+                (self.tr("Shift-drag"), self.tr("Move it")),
+                (self.tr("Wheel"), self.tr("Nearer, farther")),
+                (self.tr("Double-click"), self.tr("Back to how it was")),
+                (
+                    self.tr("Tab, then arrows"),
+                    self.tr("Turn; with Shift move; + and − nearer, farther; Home"),
                 ),
             ),
-            tr("Marks in the world pane (these move the model)"): (
-                (tr("Eye, target"), tr("In the plane that faces you; with Shift up and down")),
-                (tr("Near, far"), tr("Along the view direction")),
+            self.tr("Marks in the world pane (these move the model)"): (
                 (
-                    tr("A corner"),
-                    tr(
+                    self.tr("Eye, target"),
+                    self.tr("In the plane that faces you; with Shift up and down"),
+                ),
+                (self.tr("Near, far"), self.tr("Along the view direction")),
+                (
+                    self.tr("A corner"),
+                    self.tr(
                         "The field of view, or that corner of a lens with a window; with Shift"
                         " both sides"
                     ),
                 ),
-                (tr("A lamp, a point"), tr("What the scene has it for; with Shift up and down")),
-            ),
-            tr("The picture in the image pane"): (
-                (tr("Drag, or arrows"), tr("Move the camera in its plane")),
-                (tr("Wheel, or + and −"), tr("Go nearer to the target, or back")),
-            ),
-            tr("Points to follow"): (
-                (tr("Click"), tr("Follow the point through all panes")),
-                (tr("Drag its mark in the image"), tr("In its plane; with Shift along its ray")),
-                (tr("Esc"), tr("Remove it")),
-            ),
-            tr("Without a mouse, in a pane that Tab has reached"): (
                 (
-                    tr("Page Down, Page Up"),
-                    tr("From vertex to vertex; with Shift from mark to mark"),
+                    self.tr("A lamp, a point"),
+                    self.tr("What the scene has it for; with Shift up and down"),
                 ),
-                (tr("Space"), tr("Follow the vertex")),
-                (
-                    tr("Enter"),
-                    tr("Take hold, and let go; with Shift it holds as a Shift-drag does"),
-                ),
-                (tr("Arrows, while held"), tr("Drag by a pixel; with Shift by ten; Esc puts back")),
             ),
-            tr("Controls"): (
-                (tr("Slider"), tr("Drag it; with Shift ten times finer")),
-                (tr("Wheel"), tr("With Ctrl, or once it has the focus")),
+            self.tr("The picture in the image pane"): (
+                (self.tr("Drag, or arrows"), self.tr("Move the camera in its plane")),
+                (self.tr("Wheel, or + and −"), self.tr("Go nearer to the target, or back")),
+            ),
+            self.tr("Points to follow"): (
+                (self.tr("Click"), self.tr("Follow the point through all panes")),
                 (
-                    tr("Field"),
-                    tr(
+                    self.tr("Drag its mark in the image"),
+                    self.tr("In its plane; with Shift along its ray"),
+                ),
+                (self.tr("Esc"), self.tr("Remove it")),
+            ),
+            self.tr("Without a mouse, in a pane that Tab has reached"): (
+                (
+                    self.tr("Page Down, Page Up"),
+                    self.tr("From vertex to vertex; with Shift from mark to mark"),
+                ),
+                (self.tr("Space"), self.tr("Follow the vertex")),
+                (
+                    self.tr("Enter"),
+                    self.tr("Take hold, and let go; with Shift it holds as a Shift-drag does"),
+                ),
+                (
+                    self.tr("Arrows, while held"),
+                    self.tr("Drag by a pixel; with Shift by ten; Esc puts back"),
+                ),
+            ),
+            self.tr("Controls"): (
+                (self.tr("Slider"), self.tr("Drag it; with Shift ten times finer")),
+                (self.tr("Wheel"), self.tr("With Ctrl, or once it has the focus")),
+                (
+                    self.tr("Field"),
+                    self.tr(
                         "Type a number, also beyond the slider's ends, and Enter; Esc takes back"
                         " what was typed"
                     ),
                 ),
-                (tr("Double-click its name"), tr("Reset it")),
-                (tr("The triangle"), tr("Let it run to and fro")),
+                (self.tr("Double-click its name"), self.tr("Reset it")),
+                (self.tr("The triangle"), self.tr("Let it run to and fro")),
             ),
-            tr("The strip of stages"): (
-                (tr("← →"), tr("From stop to stop")),
-                (tr("Page Up, Page Down"), tr("A small step; Home and End go to its ends")),
-            ),
-            tr("Matrices"): (
+            self.tr("The strip of stages"): (
+                (self.tr("← →"), self.tr("From stop to stop")),
                 (
-                    tr("Double-click, F2 or Enter"),
-                    tr("Type another number into view ← world or clip ← view"),
+                    self.tr("Page Up, Page Down"),
+                    self.tr("A small step; Home and End go to its ends"),
                 ),
-                (tr("Tab"), tr("The next number; Esc leaves it")),
             ),
-            tr("Presenting"): (
+            self.tr("Matrices"): (
+                (
+                    self.tr("Double-click, F2 or Enter"),
+                    self.tr("Type another number into view ← world or clip ← view"),
+                ),
+                (self.tr("Tab"), self.tr("The next number; Esc leaves it")),
+            ),
+            self.tr("Presenting"): (
                 (
                     _key("F5"),
-                    tr("The panes fill the screen, in letters for the back row; again: end"),
+                    self.tr("The panes fill the screen, in letters for the back row; again: end"),
                 ),
-                (_key("B"), tr("A black screen, and back")),
-                (_key("P"), tr("Mark in all panes what the mouse is over")),
-                (tr("Mouse at the top"), tr("The tool bar comes")),
+                (_key("B"), self.tr("A black screen, and back")),
+                (_key("P"), self.tr("Mark in all panes what the mouse is over")),
+                (self.tr("Mouse at the top"), self.tr("The tool bar comes")),
             ),
-            tr("Pointing"): (
+            self.tr("Pointing"): (
                 (
-                    tr("Rest on anything"),
-                    tr(
+                    self.tr("Rest on anything"),
+                    self.tr(
                         "The same plane, edge, corner, axis, word, control or matrix cell is marked"
                         " wherever it is; so does the keyboard's focus"
                     ),
@@ -163,7 +180,7 @@ class Help(QObject):
         page = QTextBrowser()
         page.setHtml(f"<table cellpadding=3>{rows}</table>")
         dialog = QDialog(self._window)
-        dialog.setWindowTitle(tr("Keys and mouse"))
+        dialog.setWindowTitle(self.tr("Keys and mouse"))
         dialog.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
         buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Close)
         buttons.rejected.connect(dialog.close)
