@@ -1124,6 +1124,24 @@ def test_a_damaged_place_of_the_window_is_as_none(make_window: MakeWindow, geome
     assert window.size() == make_window().size()
 
 
+def test_what_a_scene_sets_by_itself_is_not_in_the_dock_twice(window: MainWindow) -> None:
+    show_scene(window, "oblique-drawing")
+    rows, card = window.controls.rows, window.controls.card
+    seen_rows = [row for row in {*rows.values(), *card.rows.values()} if row.isVisible()]
+    names = [row.name for row in seen_rows]
+    assert len(names) == len(set(names)) and card.rows["angle_deg"].isVisible()
+    for key in ("preset", "receding", "receding_deg"):
+        assert not rows[key].isVisible()
+    window.controls.find_control()
+    QTest.keyClicks(window.controls.search, "receding")
+    assert not rows["receding"].isVisible() and card.rows["angle_deg"].isVisible()
+    QTest.keyClick(window.controls.search, Qt.Key.Key_Escape)
+    window.guide.choose("letter-f")
+    window.store.set_projection(window.store.document.projection.with_lens("oblique"))
+    settle()
+    assert rows["preset"].isVisible()
+
+
 def test_reset_takes_a_refused_text_with_it(window: MainWindow) -> None:
     far: Any = window.controls.rows["far"]
     enter(far.field, "3")

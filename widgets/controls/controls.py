@@ -102,6 +102,7 @@ class Controls(QScrollArea):
         self._size = 10.0
         self._is_for_class = False
         self._lifted: tuple[str, ...] = ()
+        self._replaced: Collection[str] = ()
         self._found: set[QWidget] | None = None
         """What is looked for, and is all that is shown; None if nothing is."""
         self.setWidgetResizable(True)
@@ -266,7 +267,7 @@ class Controls(QScrollArea):
     def _highlighted(self, key: str, about: Highlight, is_highlighted: bool) -> None:
         self.highlighted.emit(key, about if is_highlighted else NOTHING)
 
-    def bring_to_front(self, paths: Collection[str]) -> None:
+    def bring_to_front(self, paths: Collection[str], replaced: Collection[str] = ()) -> None:
         """Show the controls that matter for the scene in its card, and no others.
 
         Parameters
@@ -274,11 +275,13 @@ class Controls(QScrollArea):
         paths : collection of str
             ``lens.near``, ``camera.distance``: what a row shows, of what part. Of another lens
             they come to be seen when that is chosen.
+        replaced : collection of str
+            Rows that the scene's own settings stand for.
         """
         lifted = tuple(path.rpartition(".")[2] for path in paths)
-        if lifted == self._lifted:
+        if (lifted, replaced) == (self._lifted, self._replaced):
             return
-        self._lifted = lifted
+        self._lifted, self._replaced = lifted, replaced
         for part in self._parts:
             part.bring_home()
         self.card.lift(self.rows[key] for key in lifted)
@@ -310,6 +313,8 @@ class Controls(QScrollArea):
         }
         elsewhere: dict[QWidget, Known] = {}
         for key, binding in self._bindings.items():
+            if key in self._replaced:
+                continue
             in_use = known if self._in_use(binding) else elsewhere
             in_use[binding.row] = Known.of(key, (binding.row.name,), binding.row.tip)
         walk = self.animation
@@ -567,8 +572,9 @@ class Controls(QScrollArea):
     # -- shown
 
     def _in_use(self, binding: Binding) -> bool:
-        """Whether a row belongs to the lens at hand."""
-        return not binding.lenses or self._projection.lens.kind in binding.lenses
+        """Whether a row belongs to the lens at hand, and no setting of the scene's is the same."""
+        of_lens = not binding.lenses or self._projection.lens.kind in binding.lenses
+        return of_lens and binding.field not in self._replaced
 
     def _show_rows(self, parts: Collection[str] = PARTS) -> None:
         """Show the rows of these parts of the projection, of those that are in use and unfolded."""

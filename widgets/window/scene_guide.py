@@ -93,7 +93,10 @@ class SceneGuide(QObject):
         mesh = Path(document.mesh).name
         self._card.show_scene(title, shown.scene.tries, phenomenon, mesh)
         self._panel.show_scene(title, phenomenon)
-        self._controls.bring_to_front(phenomenon.controls if phenomenon else ())
+        if phenomenon is None:
+            self._controls.bring_to_front(())
+        else:
+            self._controls.bring_to_front(phenomenon.controls, phenomenon.replaces)
 
     def _set_settings(self, settings: Mapping[str, Value]) -> None:
         try:

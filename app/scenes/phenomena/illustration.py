@@ -565,6 +565,9 @@ class Phenomenon:
     controls : tuple of str
         The model's controls that matter here: ``lens.near``, ``camera.distance``. With the settings
         there are 2 to 4 at a time.
+    replaces : tuple of str
+        The model's controls whose work settings do here, so that none is there twice: the lens's
+        ``preset``.
     tries : tuple of 3 str
         Translatable: what to try, in short imperatives and questions.
     numbers : int
@@ -599,6 +602,7 @@ class Phenomenon:
     show: Callable[[Projection, Settings, Subject], Illustration]
     settings: tuple[Setting, ...] = ()
     controls: tuple[str, ...] = ()
+    replaces: tuple[str, ...] = ()
     tries: tuple[str, ...] = ()
     numbers: int = 3
     follow: Callable[[Projection, Found, Settings], Projection] = _keep

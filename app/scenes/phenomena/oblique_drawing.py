@@ -293,6 +293,7 @@ PHENOMENON = Phenomenon(
         QT_TRANSLATE_NOOP("phenomena", "Which faces keep their shape?"),
         QT_TRANSLATE_NOOP("phenomena", "Cavalier or cabinet: which looks right?"),
     ),
+    replaces=("preset", "receding", "receding_deg"),
     lectures=("002",),
     start=oblique(
         Projection(
