@@ -151,6 +151,8 @@ def test_a_face_has_the_same_colour_in_all_panes(
         screen = off_screen(500, 400)
         drawing = kind(screen, scene, WORDS, LIGHT)
         drawing.show_projection(scene.start)
+        if kind is StageDrawing:  # where the same faces are seen as in the picture
+            drawing.show_view(Camera((0.0, 0.0, 1.8), (0.0, 0.0, 0.0)))
         pictures.append(screen.pixels())
     large = [colour for colour in colours if drawn(pictures[0], colour).sum() > 100]
     assert len(large) >= min(2, len(colours))
