@@ -358,7 +358,7 @@ def test_a_cell_marks_the_rows_that_it_depends_on(window: MainWindow) -> None:
     before = pictures(window)
     view = window.matrices.views["view_from_world"]
     assert isinstance(view, MatrixView)
-    hover(window, view, view._cell_rect(2, 0).center().toPoint())
+    hover(window, view, view.cell_rect(2, 0).center().toPoint())
     assert window.highlighter.now == {"n"}
     assert marked(window) == {"azimuth_deg", "elevation_deg"}
     assert changed(before, pictures(window)) == {"world", "ndc"}

@@ -533,7 +533,7 @@ def test_what_fails_in_a_panel_while_it_is_shown_is_reported_and_the_window_stay
     watch: report.ExceptionWatch, display: Any, qtbot: Any, when: str
 ) -> None:
     from PySide6.QtCore import Qt
-    from PySide6.QtWidgets import QLabel, QToolButton, QWidget
+    from PySide6.QtWidgets import QLabel, QToolButton, QVBoxLayout, QWidget
 
     from widgets.window.drawer import Panels
 
@@ -542,14 +542,17 @@ def test_what_fails_in_a_panel_while_it_is_shown_is_reported_and_the_window_stay
             super().showEvent(event)
             raise ValueError("the panel broke")
 
-    panels, broken, whole = Panels(), Broken(), QLabel("all is well")
-    qtbot.addWidget(panels)
+    holder, panels, broken, whole = QWidget(), Panels(), Broken(), QLabel("all is well")
+    qtbot.addWidget(holder)
+    column = QVBoxLayout(holder)
+    column.addWidget(panels)
+    column.addWidget(panels.names)
     panels.add("Broken", broken, "")
     panels.add("Whole", whole, "")
     if when == "first shown":
         panels.open(broken)
-    application.show_window(panels)
-    first, second = panels.findChildren(QToolButton)
+    application.show_window(holder)
+    first, second = panels.names.findChildren(QToolButton)
     if when == "opened":
         assert watch.report is None
         qtbot.mouseClick(first, Qt.MouseButton.LeftButton)
@@ -705,7 +708,7 @@ window.filled.connect(lambda: QTimer.singleShot(300, then))
         canvas,
         when=PAINTED,
     )
-    assert done.stdout == "[] 1 True\nTrue 2.5 False\nworld image ndc\n", done.stderr
+    assert done.stdout == "[] 4 True\nTrue 2.5 False\nworld image ndc\n", done.stderr
     assert (done.returncode, done.stderr) == (0, "")
 
 
