@@ -149,7 +149,7 @@ def test_esc_leaves_what_is_on_top_first(window: MainWindow) -> None:
 
 def test_columns_and_back(window: MainWindow) -> None:
     start = places(window)
-    action = next(a for a in all_actions(window) if a.text() == "Panes in co&lumns")
+    action = next(a for a in all_actions(window) if a.text() == "Panes in col&umns")
     assert not action.isChecked()
     action.trigger()
     settle()

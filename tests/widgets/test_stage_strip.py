@@ -251,9 +251,7 @@ def test_the_heads_of_the_axes_are_as_long_in_half_a_cube(
     camera.SetPosition(10.0, 0.0, 0.0)
     camera.SetParallelScale(1.6)
     screen.drawing.reset_clipping_range()
-    for prop in screen.plotter.renderer.GetViewProps():
-        if isinstance(prop, vtkTextActor):  # a plate may lie over it
-            prop.VisibilityOff()
+    screen.drawing.show_layers(frozenset({"labels"}))  # a plate may lie over it
     z_near, z_far = DEPTH_RANGES[depth]
     half = abs(z_far - z_near) / 2.0
     tip = (1.0 if z_near > z_far else -1.0) * 1.28 * half
