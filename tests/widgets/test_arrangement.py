@@ -114,6 +114,8 @@ def test_what_was_prepared_by_hand_comes_back_from_its_file(
     assert (view.stage, view.frame_step, view.panel, view.letters) == (2.0, "n", "frame", "000")
     assert [probe.number for probe in view.probes] == [1, 2] and view.pinned == {1}
     assert set(view.panes) == {"world", "ndc"}
+    QTest.mouseMove(window.windowHandle(), QPoint(window.width() - 4, 2))  # points at nothing
+    settle()
     there = {name: pixels(window, name) for name in window.panes}
     mine, other = tmp_path / "mine.json", tmp_path / "other.json"
     assert window.files.save_to(mine)
