@@ -5,8 +5,10 @@ The shapes are those of Lucide (lucide.dev, ISC licence), on a grid of 24, as li
 
 from __future__ import annotations
 
+from functools import cache
+
 from PySide6.QtCore import QByteArray, QObject, QSize, Qt
-from PySide6.QtGui import QAction, QColor, QIcon, QPainter, QPalette, QPixmap
+from PySide6.QtGui import QAction, QIcon, QImage, QPainter, QPalette, QPixmap
 from PySide6.QtSvg import QSvgRenderer
 from PySide6.QtWidgets import QAbstractButton, QApplication
 
@@ -77,19 +79,21 @@ def icon(name: str) -> QIcon:
     ):
         colour = QApplication.palette().color(group, QPalette.ColorRole.ButtonText)
         for side in SIDES_PX:
-            found.addPixmap(_pixmap(name, side, colour), mode)
+            drawn = _drawn(name, side, colour.name(), colour.alphaF())
+            found.addPixmap(QPixmap.fromImage(drawn), mode)
     return found
 
 
-def _pixmap(name: str, side: int, colour: QColor) -> QPixmap:
+@cache
+def _drawn(name: str, side: int, colour: str, opacity: float) -> QImage:
     svg = (
         '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 24 24" fill="none"'
-        f' stroke="{colour.name()}" stroke-opacity="{colour.alphaF():.2f}" stroke-width="2"'
+        f' stroke="{colour}" stroke-opacity="{opacity:.2f}" stroke-width="2"'
         f' stroke-linecap="round" stroke-linejoin="round"><path d="{_PATHS[name]}"/></svg>'
     )
-    pixmap = QPixmap(side, side)
-    pixmap.fill(Qt.GlobalColor.transparent)
-    painter = QPainter(pixmap)
+    image = QImage(side, side, QImage.Format.Format_ARGB32_Premultiplied)
+    image.fill(Qt.GlobalColor.transparent)
+    painter = QPainter(image)
     QSvgRenderer(QByteArray(svg.encode())).render(painter)
     painter.end()
-    return pixmap
+    return image

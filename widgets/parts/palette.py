@@ -113,6 +113,9 @@ def apply(application: QApplication, *, dark: bool, screen_px: float) -> None:
         Height of the screen that a class looks at, of whose height text is a share; 0 for text as
         on every desktop.
     """
+    worn = application.property("frustumLabDress")
+    if worn == [dark, screen_px, application.font().toString(), application.styleSheet()]:
+        return  # Qt would style every widget there is anew
     palette = QPalette()
     for role, light_colour, dark_colour in _COLOURS:
         colour = QColor(dark_colour if dark else light_colour)
@@ -161,3 +164,5 @@ def apply(application: QApplication, *, dark: bool, screen_px: float) -> None:
             on_accent="#101010" if dark else "#ffffff",
         )
     )
+    worn = [dark, screen_px, application.font().toString(), application.styleSheet()]
+    application.setProperty("frustumLabDress", worn)
