@@ -346,7 +346,7 @@ def test_every_handle_is_named_for_every_lens(window: MainWindow) -> None:
         QApplication.sendEvent(window.panes["world"].canvas, QEvent(QEvent.Type.Leave))
     said = " | ".join(texts)
     for part in ("Eye = (6, 5, 9)", "Target = (0, 2.2, 0)", "Near = 5", "Far = 16",
-                 "Field of view = 45", "Left = -0.6", "Top = 2.5"):  # fmt: skip
+                 "Field of view = 45", "Left = −0.6", "Top = 2.5"):  # fmt: skip
         assert part in said, part
     assert "" not in texts
 
