@@ -17,6 +17,9 @@ from pytestqt.qtbot import QtBot
 
 from tests import PATIENCE_MS
 
+MOST_WIDGETS = 600
+"""That may be left after a test: about two docks full. Python has not collected them yet."""
+
 # Of the processes that share the tests out, each has a screen of its own.
 _worker = os.environ.get("PYTEST_XDIST_WORKER", "")
 _displays = os.environ.get("TEST_DISPLAYS", "").split()
@@ -76,6 +79,20 @@ def own_home(homes: Iterator[Path], monkeypatch: pytest.MonkeyPatch) -> Path:
     ):
         monkeypatch.setenv(name, str(folder))
     return home
+
+
+@pytest.fixture(autouse=True)
+def nothing_left() -> Iterator[None]:
+    """Delete what a test has closed: what styles the application styles every widget there is."""
+    yield
+    if "PySide6.QtWidgets" in sys.modules:
+        from PySide6.QtWidgets import QApplication
+
+        from tests.support.opened import delete_what_is_due
+
+        delete_what_is_due()
+        left = len(QApplication.allWidgets())
+        assert left < MOST_WIDGETS, f"{left} widgets outlive their tests"
 
 
 @pytest.fixture(scope="session")

@@ -71,7 +71,9 @@ def read_back(key: str, shown: Projection) -> float:
     controls.set_scene(6.0, START)
     controls.sections["more_lens"].set_open(True)
     show(controls, shown)
-    return number(controls, key).value()
+    value = number(controls, key).value()
+    controls.deleteLater()
+    return value
 
 
 def combo(controls: Controls, key: str) -> QComboBox:
