@@ -59,7 +59,7 @@ class Silhouette:
             spots = spots[((high >= 0.0) & (low <= shape)).all(axis=1)]
             sides = np.ptp(spots, axis=1).max(axis=1)
             steps = 2 ** np.ceil(np.log2(np.clip(sides, 1.0, _MOST_STEPS))).astype(np.int64)
-            for count in np.unique(steps).tolist():
+            for count in sorted(set(steps.tolist())):
                 some = spots[steps == count]
                 places = np.tensordot(_lattice(count), some, axes=(1, 1)).reshape(-1, 2)
                 at = np.floor(places).astype(np.int64)

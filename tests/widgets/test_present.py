@@ -8,8 +8,8 @@ from typing import Any
 
 import numpy as np
 import pytest
-from PySide6.QtCore import QEvent, QPoint, QPointF, QRect, Qt
-from PySide6.QtGui import QEnterEvent, QFontInfo
+from PySide6.QtCore import QEvent, QPoint, QPointF, QRect, QSize, Qt
+from PySide6.QtGui import QEnterEvent, QFontInfo, QIcon, QPixmap
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QLabel, QToolButton, QWidget
 
@@ -193,6 +193,29 @@ def test_icons_grow_with_their_letters(window: MainWindow, theme: str) -> None:
     for button in window.menus.tools.findChildren(QToolButton):
         if button.isVisible() and not button.icon().isNull():
             assert button.iconSize().height() >= 0.022 * window.height(), button.text()
+    window.look.set_theme("light")
+
+
+@pytest.mark.parametrize(("theme", "lightness"), [("light", (0, 110)), ("dark", (140, 255))])
+def test_icons_have_the_colour_of_their_text(
+    window: MainWindow, theme: str, lightness: tuple[int, int]
+) -> None:
+    """Also a copy that Qt has made for itself, to add to it."""
+    window.look.set_theme(theme)
+    icons = [QIcon(a.icon()) for a in window.menus.tools.actions() if not a.icon().isNull()]
+    assert len(icons) > 5
+    for icon in icons:
+        icon.addPixmap(QPixmap(1, 1))
+        picture = icon.pixmap(QSize(20, 20), 2.0).toImage()
+        inked = [
+            picture.pixelColor(x, y)
+            for x in range(picture.width())
+            for y in range(picture.height())
+            if picture.pixelColor(x, y).alpha() == 255
+        ]
+        assert picture.width() == 40 and len(inked) > 20
+        found = {colour.lightness() for colour in inked}
+        assert lightness[0] <= min(found) and max(found) <= lightness[1]
     window.look.set_theme("light")
 
 

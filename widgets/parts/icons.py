@@ -7,12 +7,11 @@ from __future__ import annotations
 
 from functools import cache
 
-from PySide6.QtCore import QByteArray, QObject, QSize, Qt
-from PySide6.QtGui import QAction, QIcon, QImage, QPainter, QPalette, QPixmap
+from PySide6.QtCore import QByteArray, QObject, QRect, QRectF, QSize, Qt
+from PySide6.QtGui import QAction, QIcon, QIconEngine, QPainter, QPalette, QPixmap
 from PySide6.QtSvg import QSvgRenderer
 from PySide6.QtWidgets import QAbstractButton, QApplication
 
-SIDES_PX = (16, 20, 24, 32, 48, 64)
 _PATHS = {
     "copy": "M10 8h10a2 2 0 0 1 2 2v10a2 2 0 0 1-2 2H10a2 2 0 0 1-2-2V10a2 2 0 0 1 2-2z"
     "M4 16a2 2 0 0 1-2-2V4a2 2 0 0 1 2-2h10a2 2 0 0 1 2 2",
@@ -39,7 +38,7 @@ _PATHS = {
 
 
 def show_icon(shown: QAction | QAbstractButton, name: str) -> None:
-    """Give an action or a button an icon, which `dress` draws anew in another theme.
+    """Give an action or a button an icon.
 
     Parameters
     ----------
@@ -47,53 +46,63 @@ def show_icon(shown: QAction | QAbstractButton, name: str) -> None:
     name : str
         One of the family: ``"undo"``.
     """
-    shown.setProperty("iconName", name)
-    _show(shown, name)
-
-
-def dress(owner: QObject) -> None:
-    """Draw all icons inside in the colours and for the letters of now."""
-    found: list[QAction | QAbstractButton] = [
-        *owner.findChildren(QAction),
-        *owner.findChildren(QAbstractButton),
-    ]
-    for shown in found:
-        name = shown.property("iconName")
-        if name:
-            _show(shown, name)
-
-
-def _show(shown: QAction | QAbstractButton, name: str) -> None:
-    shown.setIcon(icon(name))
+    shown.setIcon(QIcon(_Drawn(name)))
     if isinstance(shown, QAbstractButton):
-        side = shown.fontMetrics().height()
-        shown.setIconSize(QSize(side, side))
+        shown.setProperty("hasIconOfFamily", True)
+        _fit(shown)
 
 
-def icon(name: str) -> QIcon:
-    """One of the family in the colours of the palette, also for what cannot be used just now."""
-    found = QIcon()
-    for mode, group in (
-        (QIcon.Mode.Normal, QPalette.ColorGroup.Active),
-        (QIcon.Mode.Disabled, QPalette.ColorGroup.Disabled),
-    ):
+def fit(owner: QObject) -> None:
+    """Make all icons on buttons inside as large as the letters are now."""
+    for button in owner.findChildren(QAbstractButton):
+        if button.property("hasIconOfFamily"):
+            _fit(button)
+
+
+def _fit(button: QAbstractButton) -> None:
+    side = button.fontMetrics().height()
+    button.setIconSize(QSize(side, side))
+
+
+class _Drawn(QIconEngine):
+    """A shape of the family, drawn when it is seen in the palette's colours of then."""
+
+    def __init__(self, name: str) -> None:
+        super().__init__()
+        self._name = name
+
+    def clone(self) -> QIconEngine:
+        made = _Drawn(self._name)
+        _clones.append(made)
+        return made
+
+    def pixmap(self, size: QSize, mode: QIcon.Mode, state: QIcon.State) -> QPixmap:
+        drawn = QPixmap(size)
+        drawn.fill(Qt.GlobalColor.transparent)
+        painter = QPainter(drawn)
+        self.paint(painter, drawn.rect(), mode, state)
+        painter.end()
+        return drawn
+
+    def paint(self, painter: QPainter, rect: QRect, mode: QIcon.Mode, _state: QIcon.State) -> None:
+        group = (
+            QPalette.ColorGroup.Disabled
+            if mode is QIcon.Mode.Disabled
+            else QPalette.ColorGroup.Active
+        )
         colour = QApplication.palette().color(group, QPalette.ColorRole.ButtonText)
-        for side in SIDES_PX:
-            drawn = _drawn(name, side, colour.name(), colour.alphaF())
-            found.addPixmap(QPixmap.fromImage(drawn), mode)
-    return found
+        _renderer(self._name, colour.name(), colour.alphaF()).render(painter, QRectF(rect))
+
+
+_clones: list[_Drawn] = []
+"""Qt's own from then on, but PySide would delete what Python drops."""
 
 
 @cache
-def _drawn(name: str, side: int, colour: str, opacity: float) -> QImage:
+def _renderer(name: str, colour: str, opacity: float) -> QSvgRenderer:
     svg = (
         '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 24 24" fill="none"'
         f' stroke="{colour}" stroke-opacity="{opacity:.2f}" stroke-width="2"'
         f' stroke-linecap="round" stroke-linejoin="round"><path d="{_PATHS[name]}"/></svg>'
     )
-    image = QImage(side, side, QImage.Format.Format_ARGB32_Premultiplied)
-    image.fill(Qt.GlobalColor.transparent)
-    painter = QPainter(image)
-    QSvgRenderer(QByteArray(svg.encode())).render(painter)
-    painter.end()
-    return image
+    return QSvgRenderer(QByteArray(svg.encode()))

@@ -145,7 +145,7 @@ class Look(QObject):
             if name == "image":
                 how += (quality,)
             pane.build(shown, turned.get(name), self.adaptive.drawn, self.words, drawn, *how)
-        icons.dress(self._window)
+        icons.fit(self._window)
         self.built.emit(style)
 
     def refine(self, name: str, smooth: bool) -> None:
