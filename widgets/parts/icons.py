@@ -8,7 +8,7 @@ from __future__ import annotations
 from functools import cache
 
 from PySide6.QtCore import QByteArray, QObject, QRect, QRectF, QSize, Qt
-from PySide6.QtGui import QAction, QIcon, QIconEngine, QPainter, QPalette, QPixmap
+from PySide6.QtGui import QAction, QIcon, QIconEngine, QImage, QPainter, QPalette, QPixmap
 from PySide6.QtSvg import QSvgRenderer
 from PySide6.QtWidgets import QAbstractButton, QApplication
 
@@ -76,33 +76,38 @@ class _Drawn(QIconEngine):
         _clones.append(made)
         return made
 
-    def pixmap(self, size: QSize, mode: QIcon.Mode, state: QIcon.State) -> QPixmap:
-        drawn = QPixmap(size)
-        drawn.fill(Qt.GlobalColor.transparent)
-        painter = QPainter(drawn)
-        self.paint(painter, drawn.rect(), mode, state)
-        painter.end()
-        return drawn
+    def pixmap(self, size: QSize, mode: QIcon.Mode, _state: QIcon.State) -> QPixmap:
+        return QPixmap.fromImage(_image(self._name, size, *_colour(mode)))
 
     def paint(self, painter: QPainter, rect: QRect, mode: QIcon.Mode, _state: QIcon.State) -> None:
-        group = (
-            QPalette.ColorGroup.Disabled
-            if mode is QIcon.Mode.Disabled
-            else QPalette.ColorGroup.Active
-        )
-        colour = QApplication.palette().color(group, QPalette.ColorRole.ButtonText)
-        _renderer(self._name, colour.name(), colour.alphaF()).render(painter, QRectF(rect))
+        _draw(painter, rect, self._name, *_colour(mode))
 
 
-_clones: list[_Drawn] = []
-"""Qt's own from then on, but PySide would delete what Python drops."""
+def _colour(mode: QIcon.Mode) -> tuple[str, float]:
+    disabled = mode is QIcon.Mode.Disabled
+    group = QPalette.ColorGroup.Disabled if disabled else QPalette.ColorGroup.Active
+    colour = QApplication.palette().color(group, QPalette.ColorRole.ButtonText)
+    return colour.name(), colour.alphaF()
 
 
-@cache
-def _renderer(name: str, colour: str, opacity: float) -> QSvgRenderer:
+@cache  # no QPixmap, which may not outlive the application
+def _image(name: str, size: QSize, colour: str, opacity: float) -> QImage:
+    image = QImage(size, QImage.Format.Format_ARGB32_Premultiplied)
+    image.fill(Qt.GlobalColor.transparent)
+    painter = QPainter(image)
+    _draw(painter, image.rect(), name, colour, opacity)
+    painter.end()
+    return image
+
+
+def _draw(painter: QPainter, rect: QRect, name: str, colour: str, opacity: float) -> None:
     svg = (
         '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 24 24" fill="none"'
         f' stroke="{colour}" stroke-opacity="{opacity:.2f}" stroke-width="2"'
         f' stroke-linecap="round" stroke-linejoin="round"><path d="{_PATHS[name]}"/></svg>'
     )
-    return QSvgRenderer(QByteArray(svg.encode()))
+    QSvgRenderer(QByteArray(svg.encode())).render(painter, QRectF(rect))
+
+
+_clones: list[_Drawn] = []
+"""Qt's own from then on, but PySide would delete what Python drops."""
