@@ -150,23 +150,38 @@ def _pi() -> Fraction:
     return Fraction(4 * (4 * arctangent_of_inverse(5) - arctangent_of_inverse(239)), one)
 
 
-def cotangent_deg(angle_deg: Fraction) -> Fraction:
-    """The cotangent of an angle strictly between 0 and 180 degrees, to about `BITS` bits.
-
-    Taylor's series of sine and cosine of the angle's distance from 0, 90 or 180 degrees,
-    whichever is nearest: at most 45 degrees, exact, and never lost in a larger number.
-    """
-    if angle_deg > 90:
-        return -cotangent_deg(180 - angle_deg)
-    small = min(angle_deg, 90 - angle_deg)
-    x = cut(small * _pi() / 180)
+def _cosine_and_ratio(x: Fraction) -> tuple[Fraction, Fraction]:
+    """``cos(x)`` and ``sin(x)/x`` of at most pi/4, to about `BITS` bits: Taylor's series."""
     square = cut(x * x)
-    term = cos = over_x = Fraction(1)  # over_x is sin(x)/x
+    term = cos = over_x = Fraction(1)
     k = 0
     while abs(term) * (1 << (BITS + 16)) > 1:
         k += 2
         term = cut(-term * square / ((k - 1) * k))
         cos += term
         over_x += term / (k + 1)
+    return cos, over_x
+
+
+def cotangent_deg(angle_deg: Fraction) -> Fraction:
+    """The cotangent of an angle strictly between 0 and 180 degrees, to about `BITS` bits.
+
+    From the angle's distance from 0, 90 or 180 degrees, whichever is nearest: at most 45 degrees,
+    exact, and never lost in a larger number.
+    """
+    if angle_deg > 90:
+        return -cotangent_deg(180 - angle_deg)
+    small = min(angle_deg, 90 - angle_deg)
+    x = cut(small * _pi() / 180)
+    cos, over_x = _cosine_and_ratio(x)
     tangent = cut(x * over_x / cos)
     return tangent if small != angle_deg else cut(1 / tangent)
+
+
+def cos_sin_deg(angle_deg: Fraction) -> tuple[Fraction, Fraction]:
+    """Cosine and sine of any angle, to about `BITS` bits; exact at the multiples of 90 degrees."""
+    quarter = round(angle_deg / 90)
+    x = cut((angle_deg - 90 * quarter) * _pi() / 180)
+    cos, over_x = _cosine_and_ratio(x)
+    cos, sin = cut(cos), cut(x * over_x)
+    return ((cos, sin), (-sin, cos), (-cos, -sin), (sin, -cos))[quarter % 4]

@@ -6,6 +6,7 @@ The letters u, v, n and the look-at are those of lecture 004 (Horvat).
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
@@ -163,7 +164,9 @@ class Camera:
             for axis in self.exact_frame
         ]
 
-    def exact_view(self, point_world: Vector) -> tuple[Fraction, Fraction, Fraction]:
+    def exact_view(
+        self, point_world: Sequence[float | Fraction]
+    ) -> tuple[Fraction, Fraction, Fraction]:
         """View coordinates of a point to `double_double.BITS` bits, zero where they are zero."""
         offset = [Fraction(p) - Fraction(e) for p, e in zip(point_world, self.eye, strict=True)]
         backward, right = self._exact_axes

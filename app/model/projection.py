@@ -94,9 +94,9 @@ from app.model.limits import (
     read_only,
     within,
 )
+from app.model.object_transform import NOT_MOVED, SPACES, ObjectTransform, Placed, Space
 from app.model.refusal import Refusal
 from app.model.tables import (
-    OBJECT,
     VIEWPORT,
     Step,
     evaluated,
@@ -128,12 +128,15 @@ __all__ = [  # the model's one door: what its other rooms hold can be had here
     "Frustum",
     "Intrinsics",
     "Lens",
+    "ObjectTransform",
     "Oblique",
     "Orbit",
     "Orthographic",
     "Perspective",
+    "Placed",
     "Projection",
     "Rationals",
+    "Space",
     "Stage",
     "Trace",
     "Vector",
@@ -212,7 +215,7 @@ def _shift(*offset: Fraction | int) -> Rationals:
 
 @dataclass(frozen=True)
 class Projection:
-    """A camera, a lens, an image and a depth range: everything a picture depends on.
+    """A camera, a lens, an image, a depth range and an object: everything a picture depends on.
 
     A value that exists is a value that works; edits are made with `dataclasses.replace`.
 
@@ -224,6 +227,8 @@ class Projection:
         Width and height in pixels.
     depth : {"opengl", "direct3d", "reversed"}
         The NDC range of z.
+    placement : ObjectTransform
+        Where the scene's object stands.
 
     Raises
     ------
@@ -235,6 +240,7 @@ class Projection:
     lens: Lens = Perspective()
     image_size: tuple[int, int] = (1280, 720)
     depth: DepthRange = "opengl"
+    placement: ObjectTransform = NOT_MOVED
 
     def __post_init__(self) -> None:
         try:
@@ -388,8 +394,25 @@ class Projection:
         -------
         (4, 4) float64 array
         """
-        shift = _translation(np.asarray(origin, dtype=np.float64) - self.camera.eye)
-        return read_only(self.clip_from_eye @ shift)
+        return self.clip_from_local(origin)
+
+    def local_to_eye(self, origin: ArrayLike, space: Space = "world") -> Array:
+        """From points relative to `origin` to world axes with their origin in the eye, (4, 4).
+
+        Parameters
+        ----------
+        origin : (3,) array_like
+            In the space that the points are given in.
+        space : {"world", "object"}
+        """
+        if space == "object" and not self.placement.is_identity:
+            x, y, z = np.asarray(origin, dtype=np.float64).tolist()
+            return self.placement.local_from((x, y, z), self.camera.eye)
+        return _translation(np.asarray(origin, dtype=np.float64) - self.camera.eye)
+
+    def clip_from_local(self, origin: ArrayLike, space: Space = "world") -> Array:
+        """Clip from points relative to `origin`, in the world or of the object, (4, 4)."""
+        return read_only(self.clip_from_eye @ self.local_to_eye(origin, space))
 
     @cached_property
     def clip_from_eye(self) -> Array:
@@ -473,7 +496,8 @@ class Projection:
         These are the matrices to be read: every number is computed in rationals and rounded once.
         """
         first, *rest = (
-            _stage(step, self._exact_letters) for step in (OBJECT, *self.lens.table.steps, VIEWPORT)
+            _stage(step, self._exact_letters | self.placement.letters)
+            for step in (self.placement.step, *self.lens.table.steps, VIEWPORT)
         )
         return (first, self._view_stage, *rest)
 
@@ -509,13 +533,36 @@ class Projection:
 
     # -- points
 
-    def trace(self, points_world: ArrayLike) -> Trace:
+    def placed(self, points: ArrayLike, space: Space = "world") -> Placed:
+        """Points of a space in the world, (n, 3), with the digits that the eye does not share.
+
+        Parameters
+        ----------
+        points : (..., 3) array_like
+        space : {"world", "object"}
+
+        Raises
+        ------
+        Refusal
+            If a coordinate is not a finite number, here or in the world, or for another space.
+        """
+        if space not in SPACES:
+            raise Refusal("space", space, ONE_OF, ", ".join(SPACES))
+        given = checked_points(points).reshape(-1, 3)
+        if space == "world" or self.placement.is_identity:
+            return Placed.at(given)
+        found = self.placement.placed(given)
+        checked_points(found.world)
+        return found
+
+    def trace(self, points: ArrayLike, space: Space = "world") -> Trace:
         """Follow points through every stage, eye first and in closed form.
 
         Parameters
         ----------
-        points_world : (..., 3) array_like
-            World coordinates.
+        points : (..., 3) array_like
+        space : {"world", "object"}
+            What the coordinates are.
 
         Raises
         ------
@@ -527,12 +574,20 @@ class Projection:
         Depth is ``f/(f - n) * ((w - n)/w)``, not ``A + B/w``: the difference ``w - n`` keeps
         1.3e-16 where the sum of two large numbers keeps 6e-5 (near close to far).
         """
-        world = checked_points(points_world)
+        rest: Array | None = None
+        if space == "world":
+            world = checked_points(points)
+        else:
+            found = self.placed(points, space)
+            world = found.world.reshape(np.shape(points))
+            rest = None if found.rest is None else found.rest.reshape(np.shape(points))
         with np.errstate(divide="ignore", invalid="ignore", over="ignore", under="ignore"):
-            return self.lens.trace(self, world)
+            return self.lens.trace(self, world, rest)
 
-    def view(self, world: Array) -> tuple[Array, Array]:
+    def view(self, world: Array, rest: Array | None = None) -> tuple[Array, Array]:
         """View coordinates of points (n, 3), rounded once, and what that cut off of z.
+
+        `rest` is what the points' own rounding cut off.
 
         Returns
         -------
@@ -547,10 +602,12 @@ class Projection:
         2^-25 of the size, and its rounding 2^-75.
         """
         if not self.stretch <= _LARGE_STRETCH:
-            parts = self.view_double_double(world)
+            parts = self.view_double_double(world, rest)
             return np.stack([part.hi for part in parts]), parts[2].lo
         large, small = self.camera.frame_parts
         offset, left_over = dd.two_sum(np.ascontiguousarray(world.T), self._minus_eye)
+        if rest is not None:
+            offset, left_over = dd.two_sum(offset, left_over + rest.T)
         unit = np.abs(offset)
         unit = unit[0] + unit[1] + unit[2]
         unit *= _ABOVE_OFFSETS
@@ -567,19 +624,24 @@ class Projection:
     def _minus_eye(self) -> Array:
         return read_only([[-part] for part in self.camera.eye])
 
-    def view_double_double(self, points_world: Array) -> tuple[DoubleDouble, ...]:
+    def view_double_double(
+        self, points_world: Array, rest: Array | None = None
+    ) -> tuple[DoubleDouble, ...]:
         """View coordinates x, y, z with twice the digits of float64.
 
         Parameters
         ----------
         points_world : (n, 3) array
+        rest : (n, 3) array, optional
+            What their rounding cut off.
 
         Returns
         -------
         tuple of 3 DoubleDouble of (n,) arrays
             Their errors are below ``3 double_double.RELATIVE_ERROR`` of the distance from the eye.
         """
-        offsets = [dd.two_sum(points_world[:, i], -part) for i, part in enumerate(self.camera.eye)]
+        offset = Placed(points_world, rest, np.zeros(0)).offset(self.camera.eye)
+        offsets = [DoubleDouble(*parts) for parts in zip(*offset, strict=True)]
         rows = []
         for axis in self.camera.frame_double_double:
             x, y, z = (dd.multiply(part, o) for part, o in zip(axis, offsets, strict=True))

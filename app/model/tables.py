@@ -80,9 +80,6 @@ class Step(NamedTuple):
     note: str = ""
 
 
-NO_OBJECT_TRANSFORM = QT_TRANSLATE_NOOP(
-    "Stage", "the scene's objects are given in world coordinates"
-)
 NO_M_PP = QT_TRANSLATE_NOOP("Stage", "a parallel lens has no M_pp: this is the identity")
 SCALED_BY_NEAR = QT_TRANSLATE_NOOP(
     "Stage", "far is infinite: the canonical pyramid is scaled by near, which is at z = -1"
@@ -90,8 +87,6 @@ SCALED_BY_NEAR = QT_TRANSLATE_NOOP(
 
 TO_PYRAMID = "canonical_perspective_from_view"
 """The first step of what meets in an eye."""
-
-OBJECT = Step("world_from_object", note=NO_OBJECT_TRANSFORM)
 
 DEPTH_RANGE = Step(
     "depth_range_from_canonical_parallel",  # lecture 001's M_z, for any range

@@ -29,10 +29,11 @@ from app.arithmetic.double_double import DoubleDouble
 from app.model.projection import (
     ONE_OF,
     Array,
+    Placed,
     Projection,
+    Space,
     Trace,
     Vector,
-    checked_points,
 )
 from app.model.refusal import Refusal
 
@@ -85,11 +86,10 @@ class Reference(NamedTuple):
     rests: Array
 
     @classmethod
-    def of(cls, projection: Projection, points_world: ArrayLike) -> Reference:
-        """The truth about points (n, 3) in world coordinates."""
-        world = checked_points(points_world).reshape(-1, 3)
+    def of(cls, projection: Projection, points: ArrayLike, space: Space = "world") -> Reference:
+        """The truth about points (n, 3) in the world or of the object."""
         with np.errstate(all="ignore"):
-            numbers, rests, _ = _exact_numbers(projection, world)
+            numbers, rests, _ = _exact_numbers(projection, points, space)
         numbers[~(numbers[:, 6] > 0.0)] = np.nan
         return cls(numbers[:, 10:], rests)
 
@@ -115,18 +115,23 @@ class Reference(NamedTuple):
 
 
 def predict(
-    projection: Projection, points_world: ArrayLike, origin: Vector = (0.0, 0.0, 0.0)
+    projection: Projection,
+    points: ArrayLike,
+    origin: Vector = (0.0, 0.0, 0.0),
+    space: Space = "world",
 ) -> dict[Precision, Prediction] | None:
     """Bound every precision's largest error over points, from the roundings of its operations.
 
     Parameters
     ----------
     projection : Projection
-    points_world : (n, 3) array_like
-        World coordinates. Those that `Projection.trace` finds in front of the eye plane count,
-        inside of the view volume or not; the others have no picture.
+    points : (n, 3) array_like
+        Those that `Projection.trace` finds in front of the eye plane count, inside of the view
+        volume or not; the others have no picture.
     origin : Vector
-        World point from which the GPU's vertices are measured (a scene's origin).
+        Point from which the GPU's vertices are measured (a scene's origin).
+    space : {"world", "object"}
+        What the coordinates are, the origin's too.
 
     Returns
     -------
@@ -136,11 +141,13 @@ def predict(
     -----
     Every point is bounded by itself: 0.15 microseconds each where there are many.
     """
-    world = checked_points(points_world).reshape(-1, 3)
-    bounds = _Bounds(projection, origin)
+    placed = projection.placed(points, space)
+    given = np.reshape(points, (-1, 3))
+    bounds = _Bounds(projection, origin, space)
     with np.errstate(all="ignore"):
-        blocks = (world[start : start + _CHUNK] for start in range(0, len(world), _CHUNK))
-        found = [errors for errors in map(bounds.of, blocks) if errors is not None]
+        blocks = (slice(start, start + _CHUNK) for start in range(0, len(given), _CHUNK))
+        every = (bounds.of(placed.part(block), given[block]) for block in blocks)
+        found = [errors for errors in every if errors is not None]
     if not found:
         return None
     largest = np.max(found, axis=0)
@@ -157,12 +164,10 @@ class _Bounds:
     What is divided are the *numerators*: x and y of clip space, the depth times w, and w.
     """
 
-    def __init__(self, projection: Projection, origin: Vector) -> None:
-        self._projection = projection
+    def __init__(self, projection: Projection, origin: Vector, space: Space) -> None:
+        self._projection, self._space = projection, space
         self._origin = np.reshape(origin, (3, 1))
-        self._eye = np.reshape(projection.camera.eye, (3, 1))
-        clip_from_local = projection.clip_from_world_at(origin)
-        self._single = _single_sizes(projection, origin, clip_from_local)
+        self._single = _single_sizes(projection, projection.local_to_eye(origin, space))
         lens = projection.lens
         self._rows, axes = (part.copy() for part in lens.stated_in(projection))
         self._axes = np.ascontiguousarray(axes[:3, :3])
@@ -172,38 +177,40 @@ class _Bounds:
         cells = np.maximum(sizes, np.abs(self._rows))
         by_distance = np.column_stack([cells[:, :3].sum(axis=1), cells[:, 3]])
         # What float64 loses of each numerator, what the product in `of` does, and the least w that
-        # this leaves sure; from the view, the depth's numerator, the distance from the eye and 1.
-        self._weights = np.zeros((8, 6))
+        # this leaves sure; from the view, the depth's numerator, the distance from the eye, 1 and
+        # what the points themselves lack.
+        self._weights = np.zeros((8, 7))
         self._weights[:4, [0, 1, 2, 5]] = _UNIT_64 * roundings * sizes
         self._weights[2, 3] = _UNIT_64 * roundings[2, 0]
         self._weights[:4, 4] = lens.view_error(projection) * by_distance[:, 0]
         self._weights[:4, 5] += dd.UNDERFLOW
-        self._weights[4:7, 4:] = 2.0**-48 * by_distance[:3]
-        self._weights[7, 4:] = 2.0**-38 * by_distance[3]
+        self._weights[:4, 6] = by_distance[:, 0]
+        self._weights[4:7, 4:6] = 2.0**-48 * by_distance[:3]
+        self._weights[7, 4:6] = 2.0**-38 * by_distance[3]
 
-    def of(self, world: Array) -> Array | None:
+    def of(self, world: Placed, given: Array) -> Array | None:
         """The largest errors of x and y in pixels and of the depth by each of `PRECISIONS`, (3, 3).
 
-        None if no point has a picture.
+        None if no point has a picture. `given` are the points as the GPU has them, (n, 3).
         """
-        columns = np.ascontiguousarray(world.T)
-        offset = columns - self._eye
+        columns = np.ascontiguousarray(given.T)
+        offset = world.offset(self._projection.camera.eye).hi
         view = self._axes @ offset
         clip = self._rows[:, :3] @ view + self._rows[:, 3:]
         w = clip[3].copy()
-        sizes = np.empty((6, len(world)))
+        sizes = np.empty((7, len(given)))
         np.abs(view, out=sizes[:3])
         np.abs(clip, out=clip)
         sizes[3] = clip[2]
         np.abs(offset, out=offset).sum(axis=0, out=sizes[4])
         sizes[4] += 1e30 * dd.UNDERFLOW  # below, 2^-100 of it underflows
-        sizes[5] = 1.0
+        sizes[5], sizes[6] = 1.0, world.lost
         weighed = self._weights @ sizes
         numerators = np.add(clip[:3], weighed[4:7], out=clip[:3])
         certain = clip[3] > np.maximum(weighed[7], 1e-290 * numerators.max())
         seen = certain & (w > 0.0)
         if not certain.all():
-            traced = self._projection.trace(world[~certain])
+            traced = self._projection.trace(given[~certain], self._space)
             w[~certain], seen[~certain] = traced.clip[:, 3], traced.in_front
         if not seen.any():
             return None
@@ -276,16 +283,14 @@ def _on_the_screen(projection: Projection, off: Array, unit: float) -> Array:
     return errors
 
 
-def _single_sizes(projection: Projection, origin: Vector, clip_from_local: Array) -> Array:
+def _single_sizes(projection: Projection, local_to_eye: Array) -> Array:
     """Of the cells that a GPU is given, (4, 4), x, y, depth and w, for `_lost_single`.
 
     What float64 lost in making them is in it, as 2^-27 of the terms that they are summed from.
     """
     cells, axes = projection.lens.stated_in(projection)
-    from_eye = projection.lens.cell_sizes(cells) @ np.abs(axes)
-    shift = np.append(np.abs(np.subtract(origin, projection.camera.eye)), 1.0)
-    summed = np.column_stack([from_eye[:, :3], from_eye @ shift])
-    sizes = np.abs(clip_from_local) + 2.0**-27 * summed
+    summed = projection.lens.cell_sizes(cells) @ np.abs(axes) @ np.abs(local_to_eye)
+    sizes = np.abs(projection.clip_from_eye @ local_to_eye) + 2.0**-27 * summed
     return _with_depth(projection, sizes)
 
 
@@ -318,7 +323,10 @@ def _lost_single(sizes: Array, local: Array) -> Array:
 
 
 def drawing_bounds_px(
-    projection: Projection, boxes_world: Array, origin: Vector = (0.0, 0.0, 0.0)
+    projection: Projection,
+    boxes: Array,
+    origin: Vector = (0.0, 0.0, 0.0),
+    space: Space = "world",
 ) -> list[float]:
     """What `float32` can lose at most in what is seen of boxes, from their corners alone.
 
@@ -327,10 +335,12 @@ def drawing_bounds_px(
     Parameters
     ----------
     projection : Projection
-    boxes_world : (n, 8, 3) array
+    boxes : (n, 8, 3) array
         Boxes that hold things whole: an edge may be as wrong as either of its ends.
     origin : Vector
-        World point from which the GPU's vertices are measured.
+        Point from which the GPU's vertices are measured.
+    space : {"world", "object"}
+        What boxes and origin are given in.
 
     Returns
     -------
@@ -342,11 +352,11 @@ def drawing_bounds_px(
     `predict`'s bound, of the largest coordinates and the least w; where it is seen, no NDC
     coordinate is larger than 1.
     """
-    local = boxes_world - origin
+    local = boxes - origin
     if not len(local):
         return []
-    clip_from_local = projection.clip_from_world_at(origin)
-    sizes = _single_sizes(projection, origin, clip_from_local)
+    clip_from_local = projection.clip_from_local(origin, space)
+    sizes = _single_sizes(projection, projection.local_to_eye(origin, space))
     lost = _lost_single(sizes, np.abs(local).max(axis=1).T)
     if not np.isfinite(lost).all():
         return [math.inf] * len(local)
@@ -363,10 +373,13 @@ def drawing_bounds_px(
 
 
 def drawing_bound_px(
-    projection: Projection, boxes_world: Array, origin: Vector = (0.0, 0.0, 0.0)
+    projection: Projection,
+    boxes: Array,
+    origin: Vector = (0.0, 0.0, 0.0),
+    space: Space = "world",
 ) -> float:
     """The largest of `drawing_bounds_px`, of boxes (n, 8, 3) or of one, (8, 3)."""
-    return max(drawing_bounds_px(projection, boxes_world.reshape(-1, 8, 3), origin), default=0.0)
+    return max(drawing_bounds_px(projection, boxes.reshape(-1, 8, 3), origin, space), default=0.0)
 
 
 def _least_w_seen(clip: Array, sizes: Array) -> Array:
@@ -397,13 +410,14 @@ def _least_w_seen(clip: Array, sizes: Array) -> Array:
 
 def precision_for_drawing(
     projection: Projection,
-    boxes_world: Array,
+    boxes: Array,
     origin: Vector = (0.0, 0.0, 0.0),
     tolerance_px: float = DRAWING_TOLERANCE_PX,
+    space: Space = "world",
 ) -> Precision:
     """The cheaper of the two precisions that can be drawn, if what it can lose in boxes, (n, 8, 3)
     or (8, 3), is below a tolerance."""
-    bound_px = drawing_bound_px(projection, boxes_world, origin)
+    bound_px = drawing_bound_px(projection, boxes, origin, space)
     return "float32" if bound_px <= tolerance_px else "float64"
 
 
@@ -421,19 +435,22 @@ def precision_for_reading(predictions: Mapping[Precision, Prediction] | None) ->
 
 def trace(
     projection: Projection,
-    points_world: ArrayLike,
+    points: ArrayLike,
     precision: Precision = "float64",
     origin: Vector = (0.0, 0.0, 0.0),
+    space: Space = "world",
 ) -> Trace:
     """Follow points through every stage with the arithmetic of a precision.
 
     Parameters
     ----------
     projection : Projection
-    points_world : (..., 3) array_like
+    points : (..., 3) array_like
     precision : {"float32", "float64", "exact"}
     origin : Vector
-        World point from which the GPU's vertices are measured; `float32` only.
+        Point from which the GPU's vertices are measured; `float32` only.
+    space : {"world", "object"}
+        What the coordinates are, the origin's too.
 
     Raises
     ------
@@ -443,22 +460,24 @@ def trace(
     if precision not in PRECISIONS:
         raise Refusal("rung", precision, ONE_OF, ", ".join(PRECISIONS))
     if precision == "float64":
-        return projection.trace(points_world)
-    world = checked_points(points_world)
-    flat = world.reshape(-1, 3)
+        return projection.trace(points, space)
+    placed = projection.placed(points, space)
     with np.errstate(all="ignore"):
         if precision == "float32":
-            parts = _trace_float32(projection, flat, origin)
+            parts = _trace_float32(projection, placed, points, origin, space)
         else:
-            parts = _trace_exact(projection, flat)
-    return Trace(world, *(part.reshape(world.shape[:-1] + part.shape[1:]) for part in parts))
+            parts = _trace_exact(projection, points, space)
+    shape = np.shape(points)[:-1]
+    return Trace._make(part.reshape(shape + part.shape[1:]) for part in (placed.world, *parts))
 
 
-def _trace_float32(projection: Projection, world: Array, origin: Vector) -> tuple[Any, ...]:
+def _trace_float32(
+    projection: Projection, placed: Placed, points: ArrayLike, origin: Vector, space: Space
+) -> tuple[Any, ...]:
     single = np.float32
-    matrix = projection.clip_from_world_at(origin).astype(single)
-    local = (world - origin).astype(single)
-    offset = (world - projection.camera.eye).astype(single)
+    matrix = projection.clip_from_local(origin, space).astype(single)
+    local = (np.asarray(points, dtype=np.float64).reshape(-1, 3) - origin).astype(single)
+    offset = placed.offset(projection.camera.eye).hi.T.astype(single)
     lens = projection.lens
     view = lens.view_of(projection, offset)
 
@@ -554,23 +573,26 @@ def _bounded(number: Any) -> _Bounded:
     return _Bounded(DoubleDouble(np.asarray(hi), np.asarray(lo)), np.asarray(error))
 
 
-def _trace_exact(projection: Projection, world: Array) -> tuple[Any, ...]:
-    numbers, _, outside = _exact_numbers(projection, world)
+def _trace_exact(projection: Projection, points: ArrayLike, space: Space) -> tuple[Any, ...]:
+    numbers, _, outside = _exact_numbers(projection, points, space)
     view, clip, ndc, image, depth = np.split(numbers, (3, 7, 10, 12), axis=1)
     in_front = (clip[:, 3] > 0.0) & np.isfinite(numbers[:, 7:]).all(axis=1)
     return _finish(view, clip, ndc, image, depth[:, 0], in_front, outside)
 
 
-def _exact_numbers(projection: Projection, world: Array) -> tuple[Array, Array, Any]:
+def _exact_numbers(
+    projection: Projection, points: ArrayLike, space: Space
+) -> tuple[Array, Array, Any]:
     """View 3, clip 4, NDC 3, image 2 and depth; what rounding cut off the last 3; outside 6."""
-    numbers, rests = np.empty((len(world), 13)), np.empty((len(world), 3))
-    outside = np.empty((len(world), 6), dtype=bool)
-    for start in range(0, len(world), _CHUNK):
+    placed = projection.placed(points, space)
+    given = np.asarray(points, dtype=np.float64).reshape(-1, 3)
+    numbers, rests = np.empty((len(given), 13)), np.empty((len(given), 3))
+    outside = np.empty((len(given), 6), dtype=bool)
+    for start in range(0, len(given), _CHUNK):
         block = slice(start, start + _CHUNK)
-        points = world[block]
-        parts, error = projection.lens.coordinates(projection, points)
+        parts, error = projection.lens.coordinates(projection, placed.part(block))
         first = projection.lens.clipped(projection, *(_Bounded(part, error) for part in parts))
-        doubtful = np.zeros(len(points), dtype=bool)
+        doubtful = np.zeros(len(error), dtype=bool)
         for column, number in enumerate(first[:7] + _divide(projection, first[3:7])):
             numbers[block, column] = number.value.hi
             if column >= 10:
@@ -580,12 +602,15 @@ def _exact_numbers(projection: Projection, world: Array) -> tuple[Array, Array, 
             outside[block, plane] = number.value.hi < 0.0
             doubtful |= ~((number.error < np.abs(number.value.hi)) | (number.error == 0.0))
         for i in start + np.flatnonzero(doubtful):
-            numbers[i], rests[i], outside[i] = _trace_rational(projection, world[i].tolist())
+            point: Sequence[float | Fraction] = given[i].tolist()
+            if space == "object":
+                point = projection.placement.exactly(given[i].tolist())
+            numbers[i], rests[i], outside[i] = _trace_rational(projection, point)
     return numbers, rests, outside
 
 
 def _trace_rational(
-    projection: Projection, point: Sequence[float]
+    projection: Projection, point: Sequence[float | Fraction]
 ) -> tuple[list[float], list[float], list[bool]]:
     """One point of `_exact_numbers` in rationals, each number rounded once."""
     lens = projection.lens

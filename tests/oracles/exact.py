@@ -11,7 +11,7 @@ from typing import Any, NamedTuple
 
 import mpmath
 
-from app.model.projection import FreeMatrix, Perspective, Projection
+from app.model.projection import FreeMatrix, ObjectTransform, Perspective, Projection
 
 mp = mpmath.mp.clone()
 mp.dps = 80
@@ -30,8 +30,23 @@ class Answer(NamedTuple):
 
 
 def vector(values: Sequence[float]) -> Numbers:
-    """Float64 numbers, exactly."""
-    return [mp.mpf(float(value)) for value in values]
+    """Float64 numbers, exactly; what has more digits already keeps them."""
+    return [value if isinstance(value, mp.mpf) else mp.mpf(float(value)) for value in values]
+
+
+def placed(placement: ObjectTransform, point: Sequence[float]) -> Numbers:
+    """A point of the object in the world, by turning it about one axis after the other."""
+    x, y, z = (s * p for s, p in zip(vector(placement.scale), vector(point), strict=True))
+    move = vector(placement.translate)
+    if placement.order == "rts":
+        x, y, z = (p + t for p, t in zip((x, y, z), move, strict=True))
+    about_x, about_y, about_z = (mp.radians(angle) for angle in vector(placement.rotate_deg))
+    y, z = y * mp.cos(about_x) - z * mp.sin(about_x), y * mp.sin(about_x) + z * mp.cos(about_x)
+    z, x = z * mp.cos(about_y) - x * mp.sin(about_y), z * mp.sin(about_y) + x * mp.cos(about_y)
+    x, y = x * mp.cos(about_z) - y * mp.sin(about_z), x * mp.sin(about_z) + y * mp.cos(about_z)
+    if placement.order == "rts":
+        return [x, y, z]
+    return [p + t for p, t in zip((x, y, z), move, strict=True)]
 
 
 def minus(a: Numbers, b: Numbers) -> Numbers:

@@ -33,6 +33,7 @@ from app.model.limits import (
     Vector,
     read_only,
 )
+from app.model.object_transform import Placed
 from app.model.refusal import Refusal
 from app.model.tables import evaluated
 
@@ -91,8 +92,9 @@ class ClosedForm(Lens):
 
     # -- points, eye first
 
-    def trace(self, setup: Setup, world: Array) -> Trace:
+    def trace(self, setup: Setup, world: Array, rest: Array | None = None) -> Trace:
         flat = world.reshape(-1, 3)
+        left_over = None if rest is None else rest.reshape(-1, 3)
         count = len(flat)
         # In one piece: the system hands out a large one many times as fast as several.
         numbers = np.empty(13 * count)
@@ -103,13 +105,18 @@ class ClosedForm(Lens):
         in_front, outside = np.empty(count, dtype=bool), np.empty((count, 6), dtype=bool)
         traced = Trace(flat, view, clip, ndc, image, numbers[12 * count :], in_front, outside)
         for start in range(0, count, _CHUNK):
-            self._trace_block(setup, Trace._make(part[start : start + _CHUNK] for part in traced))
+            block = slice(start, start + _CHUNK)
+            self._trace_block(
+                setup,
+                Trace._make(part[block] for part in traced),
+                None if left_over is None else left_over[block],
+            )
         shape = world.shape[:-1]
         return Trace._make(part.reshape(shape + part.shape[1:]) for part in traced)
 
-    def _trace_block(self, setup: Setup, traced: Trace) -> None:
+    def _trace_block(self, setup: Setup, traced: Trace, cut_off: Array | None) -> None:
         """Fill in what follows from the world coordinates, row by row: so numpy is fast."""
-        rows, rest = setup.view(traced.world)
+        rows, rest = setup.view(traced.world, cut_off)
         x, y, z = rows
         distance = -z
         (x_clip, y_clip), w, (x_ndc, y_ndc) = self._pictured(setup, x, y, distance)
@@ -240,11 +247,14 @@ class ClosedForm(Lens):
         """What the distance from a plane is multiplied by to give the depth times w."""
         raise NotImplementedError
 
-    def coordinates(self, setup: Setup, points: Array) -> tuple[Sequence[DoubleDouble], Array]:
-        size = np.abs(points - setup.camera.eye).sum(axis=1)
-        return setup.view_double_double(points), 3.0 * dd.RELATIVE_ERROR * size + dd.UNDERFLOW
+    def coordinates(self, setup: Setup, points: Placed) -> tuple[Sequence[DoubleDouble], Array]:
+        size = np.abs(points.offset(setup.camera.eye).hi).sum(axis=0)
+        view = setup.view_double_double(points.world, points.rest)
+        return view, 3.0 * dd.RELATIVE_ERROR * size + points.lost + dd.UNDERFLOW
 
-    def exact_coordinates(self, setup: Setup, point: Sequence[float]) -> tuple[Fraction, ...]:
+    def exact_coordinates(
+        self, setup: Setup, point: Sequence[float | Fraction]
+    ) -> tuple[Fraction, ...]:
         return setup.camera.exact_view((point[0], point[1], point[2]))
 
     def view_of(self, setup: Setup, offsets: Any) -> Any:

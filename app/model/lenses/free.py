@@ -14,7 +14,6 @@ from typing import Any, ClassVar
 
 import numpy as np
 
-from app.arithmetic import double_double as dd
 from app.arithmetic.double_double import DoubleDouble
 from app.arithmetic.rationals import rationals
 from app.model.lenses.lens import Lens, LensTable
@@ -31,6 +30,7 @@ from app.model.limits import (
     finite_matrix,
     keep_checked,
 )
+from app.model.object_transform import Placed
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
 from app.model.tables import inverse, matrix, rounded
 
@@ -157,8 +157,10 @@ class FreeMatrix(Lens):
 
     # -- points
 
-    def trace(self, setup: Setup, world: Array) -> Trace:
+    def trace(self, setup: Setup, world: Array, rest: Array | None = None) -> Trace:
         offsets = world - setup.camera.eye
+        if rest is not None:
+            offsets += rest
         view_from_eye = rounded(setup.exact_from_eye[0])
         view = offsets @ view_from_eye[:3, :3].T + view_from_eye[:3, 3]
         if tuple(view_from_eye[3]) != (0.0, 0.0, 0.0, 1.0):
@@ -284,11 +286,13 @@ class FreeMatrix(Lens):
         inside = from_near, to_far, x_clip + w, -x_clip + w, y_clip + w, -y_clip + w
         return [*view[:3], *clip, *inside]
 
-    def coordinates(self, setup: Setup, points: Array) -> tuple[Sequence[DoubleDouble], Array]:
-        parts = [dd.two_sum(points[:, i], -part) for i, part in enumerate(setup.camera.eye)]
-        return parts, np.zeros(len(points))
+    def coordinates(self, setup: Setup, points: Placed) -> tuple[Sequence[DoubleDouble], Array]:
+        offset = points.offset(setup.camera.eye)
+        return [DoubleDouble(*parts) for parts in zip(*offset, strict=True)], points.lost
 
-    def exact_coordinates(self, setup: Setup, point: Sequence[float]) -> tuple[Fraction, ...]:
+    def exact_coordinates(
+        self, setup: Setup, point: Sequence[float | Fraction]
+    ) -> tuple[Fraction, ...]:
         pairs = zip(point, setup.camera.eye, strict=True)
         return tuple(Fraction(part) - Fraction(eye) for part, eye in pairs)
 

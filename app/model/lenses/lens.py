@@ -38,6 +38,7 @@ from app.model.limits import (
     finite,
     real,
 )
+from app.model.object_transform import Placed
 from app.model.refusal import Refusal, format_value
 from app.model.tables import TO_PYRAMID, Step, Table
 
@@ -427,8 +428,11 @@ class Lens:
 
     # -- points
 
-    def trace(self, setup: Setup, world: Array) -> Trace:
-        """Points (..., 3) through every stage; see `Projection.trace`."""
+    def trace(self, setup: Setup, world: Array, rest: Array | None = None) -> Trace:
+        """Points (..., 3) through every stage, with what their rounding to float64 cut off.
+
+        See `Projection.trace`.
+        """
         raise NotImplementedError
 
     def world_from_image(self, setup: Setup, points: Array) -> Array:
@@ -442,11 +446,13 @@ class Lens:
         """
         raise NotImplementedError
 
-    def coordinates(self, setup: Setup, points: Array) -> tuple[Sequence[DoubleDouble], Array]:
+    def coordinates(self, setup: Setup, points: Placed) -> tuple[Sequence[DoubleDouble], Array]:
         """What `clipped` starts from, of points (n, 3) with twice the digits, and its error."""
         raise NotImplementedError
 
-    def exact_coordinates(self, setup: Setup, point: Sequence[float]) -> tuple[Fraction, ...]:
+    def exact_coordinates(
+        self, setup: Setup, point: Sequence[float | Fraction]
+    ) -> tuple[Fraction, ...]:
         """The same of one point without any error."""
         raise NotImplementedError
 

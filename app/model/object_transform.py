@@ -1,0 +1,248 @@
+"""Where the object stands: its translation, rotation and scale, and the matrix that they make.
+
+``world_from_object = T Rz Ry Rx S`` (lecture 003): the columns of the linear part are the object's
+own axes as they lie in the world, and the last one is where its origin is. The other order, R T S,
+moves first and turns the object about the world's origin afterwards.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from functools import cached_property, reduce
+from typing import Literal, NamedTuple, TypeAlias
+
+import numpy as np
+
+from app.arithmetic import double_double as dd
+from app.arithmetic.double_double import DoubleDouble
+from app.arithmetic.rationals import Rationals, product
+from app.model.limits import ONE_OF, Array, Vector, finite_vector, keep_checked
+from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
+from app.model.tables import Step, evaluated, matrix, rounded
+
+Order: TypeAlias = Literal["trs", "rts"]
+ORDERS: tuple[Order, ...] = ("trs", "rts")
+"""The factors from left to right: what stands on the right is done first."""
+Space: TypeAlias = Literal["world", "object"]
+SPACES: tuple[Space, ...] = ("world", "object")
+"""Of points that are given: `object` ones go through the object's transform first."""
+
+NOT_TRANSFORMED = QT_TRANSLATE_NOOP("Stage", "the scene's objects are given in world coordinates")
+FLATTENED = QT_TRANSLATE_NOOP(
+    "Stage", "a scale of 0 flattens the object: the inverse and the normals are gone"
+)
+
+_ROUNDINGS = 6.0
+"""Of the double-double terms that a placed coordinate is summed from, at most."""
+
+
+class Placed(NamedTuple):
+    """Points in the world with twice the digits of float64.
+
+    Attributes
+    ----------
+    world : (n, 3) array
+        The nearest float64.
+    rest : (n, 3) array or None
+        What that cut off; None if nothing.
+    lost : (n,) array
+        What both together lack at most: the sum over the three coordinates.
+    """
+
+    world: Array
+    rest: Array | None
+    lost: Array
+
+    @classmethod
+    def at(cls, world: Array) -> Placed:
+        """Points that are given in the world, (n, 3)."""
+        return cls(world, None, np.zeros(len(world)))
+
+    def part(self, which: slice) -> Placed:
+        """Some of them."""
+        rest = None if self.rest is None else self.rest[which]
+        return Placed(self.world[which], rest, self.lost[which])
+
+    def offset(self, origin: Sequence[float] | Array) -> DoubleDouble:
+        """Their offset from a point of the world, (3, n): subtracted before anything is lost."""
+        offset = dd.two_sum(np.ascontiguousarray(self.world.T), -np.reshape(origin, (3, 1)))
+        return offset if self.rest is None else dd.two_sum(offset.hi, offset.lo + self.rest.T)
+
+
+_TRANSLATION = matrix("""
+    1  0  0  t_x
+    0  1  0  t_y
+    0  0  1  t_z
+    0  0  0  1
+""")
+_SCALE = matrix("""
+    s_x  0    0    0
+    0    s_y  0    0
+    0    0    s_z  0
+    0    0    0    1
+""")
+_TURNS = (
+    (
+        "rotation_z",
+        matrix("""
+            cos(phi_z)  -sin(phi_z)  0  0
+            sin(phi_z)  cos(phi_z)   0  0
+            0           0            1  0
+            0           0            0  1
+        """),
+    ),
+    (
+        "rotation_y",
+        matrix("""
+            cos(phi_y)   0  sin(phi_y)  0
+            0            1  0           0
+            -sin(phi_y)  0  cos(phi_y)  0
+            0            0  0           1
+        """),
+    ),
+    (
+        "rotation_x",
+        matrix("""
+            1  0           0            0
+            0  cos(phi_x)  -sin(phi_x)  0
+            0  sin(phi_x)  cos(phi_x)   0
+            0  0           0            1
+        """),
+    ),
+)
+_FACTORS = {
+    "trs": (("translation", _TRANSLATION), *_TURNS, ("scale", _SCALE)),
+    "rts": (*_TURNS, ("translation", _TRANSLATION), ("scale", _SCALE)),
+}
+
+
+@dataclass(frozen=True)
+class ObjectTransform:
+    """How the object is scaled, turned and moved from its own space into the world.
+
+    Parameters
+    ----------
+    translate : sequence of 3 floats
+        World units.
+    rotate_deg : sequence of 3 floats
+        About x, then y, then z, of the fixed axes, in degrees; right-handed.
+    scale : sequence of 3 floats
+        Along the object's own axes; 0 flattens it, a negative one mirrors it.
+    order : {"trs", "rts"}
+        Scaled and turned, then moved; or moved, then turned about the world's origin.
+
+    Raises
+    ------
+    Refusal
+        For a number that is not finite or larger than `LARGEST`, or another order.
+    """
+
+    translate: Vector = (0.0, 0.0, 0.0)
+    rotate_deg: Vector = (0.0, 0.0, 0.0)
+    scale: Vector = (1.0, 1.0, 1.0)
+    order: Order = "trs"
+
+    def __post_init__(self) -> None:
+        for field in ("translate", "rotate_deg", "scale"):
+            keep_checked(self, **{field: finite_vector(field, getattr(self, field))})
+        if not isinstance(self.order, str) or self.order not in ORDERS:
+            raise Refusal("order", self.order, ONE_OF, ", ".join(ORDERS))
+
+    @property
+    def step(self) -> Step:
+        """`world_from_object` as formulas; without factors where it is the identity."""
+        if self.is_identity:
+            return Step("world_from_object", note=NOT_TRANSFORMED)
+        note = FLATTENED if self.rank < 3 else ""
+        return Step("world_from_object", _FACTORS[self.order], note)
+
+    @cached_property
+    def letters(self) -> dict[str, Fraction]:
+        """What the formulas' letters stand for, sines and cosines to `double_double.BITS` bits."""
+        known: dict[str, Fraction] = {}
+        for letter, vector in (("t", self.translate), ("s", self.scale)):
+            known |= {
+                f"{letter}_{x}": Fraction(part) for x, part in zip("xyz", vector, strict=True)
+            }
+        for x, angle_deg in zip("xyz", self.rotate_deg, strict=True):
+            cos, sin = dd.cos_sin_deg(Fraction(angle_deg))
+            known |= {f"cos(phi_{x})": cos, f"sin(phi_{x})": sin}
+        return known
+
+    @cached_property
+    def exact(self) -> Rationals:
+        """`world_from_object` before it is rounded."""
+        if self.is_identity:
+            return [[Fraction(i == j) for j in range(4)] for i in range(4)]
+        factors = [evaluated(table, self.letters) for _, table in self.step.factors]
+        return reduce(product, factors)
+
+    @cached_property
+    def matrix(self) -> Array:
+        """`world_from_object`, (4, 4), every number rounded once."""
+        return rounded(self.exact)
+
+    @cached_property
+    def is_identity(self) -> bool:
+        """Whether the object stands where its own coordinates say."""
+        return (
+            not any(self.translate)
+            and all(angle % 360.0 == 0.0 for angle in self.rotate_deg)
+            and self.scale == (1.0, 1.0, 1.0)
+        )
+
+    @property
+    def rank(self) -> int:
+        """Of the linear part: 3, or less where a scale of 0 flattens the object."""
+        return sum(part != 0.0 for part in self.scale)
+
+    def placed(self, points_object: Array) -> Placed:
+        """Points (n, 3) of the object, in the world.
+
+        Notes
+        -----
+        Each coordinate is a sum of four double-double terms, so that an object far away keeps the
+        digits that its points differ in.
+        """
+        if self.is_identity:
+            return Placed.at(points_object)
+        columns = points_object.T
+        high, low, lost = [], [], np.zeros(len(points_object))
+        for row in self.exact[:3]:
+            parts = [DoubleDouble(*map(np.asarray, dd.from_exact(part))) for part in row]
+            total = DoubleDouble(*(part + np.zeros(len(points_object)) for part in parts[3]))
+            sizes = np.abs(total.hi)
+            for part, column in zip(parts, columns, strict=False):
+                term = dd.multiply(part, DoubleDouble(column, np.zeros_like(column)))
+                sizes = sizes + np.abs(term.hi)
+                total = dd.add(total, term)
+            high.append(total.hi)
+            low.append(total.lo)
+            lost += _ROUNDINGS * dd.RELATIVE_ERROR * sizes + dd.UNDERFLOW
+        return Placed(np.stack(high, axis=1), np.stack(low, axis=1), lost)
+
+    def exactly(self, point_object: Sequence[float]) -> tuple[Fraction, ...]:
+        """A point of the object in the world, without rounding."""
+        point = [*map(Fraction, point_object), Fraction(1)]
+        return tuple(
+            sum((a * b for a, b in zip(row, point, strict=True)), Fraction(0))
+            for row in self.exact[:3]
+        )
+
+    def local_from(self, origin: Vector, target: Vector) -> Array:
+        """From the object's coordinates relative to `origin` to the world's relative to `target`.
+
+        Returns
+        -------
+        (4, 4) array
+            Every number rounded once: what origins have in common is gone before.
+        """
+        exact = [list(row) for row in self.exact]
+        for row, part, away in zip(exact, self.exactly(origin), target, strict=False):
+            row[3] = part - Fraction(away)
+        return rounded(exact)
+
+
+NOT_MOVED = ObjectTransform()

@@ -1,0 +1,247 @@
+"""L2: the object's own transform, against turning points by hand and against mpmath."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from dataclasses import replace
+from fractions import Fraction
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from app.arithmetic import double_double as dd
+from app.model.projection import (
+    Array,
+    Camera,
+    FreeMatrix,
+    Frustum,
+    Lens,
+    ObjectTransform,
+    Oblique,
+    Orthographic,
+    Perspective,
+    Projection,
+)
+from app.model.refusal import Refusal
+from app.precision.levels import PRECISIONS, drawing_bounds_px, predict, trace
+from tests.oracles import exact
+
+BOX = (-3.0, 3.0, -2.0, 2.0, 1.0, 30.0)
+TURNED = ObjectTransform((1.0, 2.0, 3.0), (0.0, 90.0, 0.0), (2.0, 1.0, 0.5))
+
+
+def test_l2_the_columns_are_the_objects_axes_and_its_origin() -> None:
+    """Turned by 90 degrees about y, x points to -z and z to x; each is as long as its scale."""
+    assert TURNED.matrix.tolist() == [
+        [0.0, 0.0, 0.5, 1.0],
+        [0.0, 1.0, 0.0, 2.0],
+        [-2.0, 0.0, 0.0, 3.0],
+        [0.0, 0.0, 0.0, 1.0],
+    ]
+
+
+@pytest.mark.parametrize(
+    ("turn", "seen"),
+    [
+        ((90.0, 0.0, 0.0), (0.0, 0.0, 1.0)),  # y goes to z
+        ((0.0, 90.0, 0.0), (0.0, 1.0, 0.0)),
+        ((0.0, 0.0, 90.0), (-1.0, 0.0, 0.0)),  # y goes to -x
+        ((90.0, 90.0, 0.0), (1.0, 0.0, 0.0)),  # first about x, then y takes z to x
+    ],
+)
+def test_l2_turns_are_right_handed_about_x_then_y_then_z(
+    turn: tuple[float, ...], seen: tuple[float, ...]
+) -> None:
+    found = ObjectTransform(rotate_deg=turn).matrix[:3, :3] @ [0.0, 1.0, 0.0]  # type: ignore[arg-type]
+    assert tuple(found.tolist()) == seen
+
+
+def test_l2_the_two_orders_differ_in_where_the_object_is_and_not_in_how_it_lies() -> None:
+    """T R turns it where it stands; R T carries it round the world's origin."""
+    there = ObjectTransform((2.0, 0.0, 0.0), (0.0, 0.0, 90.0))
+    round_it = replace(there, order="rts")
+    assert there.matrix[:3, 3].tolist() == [2.0, 0.0, 0.0]
+    assert round_it.matrix[:3, 3].tolist() == [0.0, 2.0, 0.0]
+    assert np.array_equal(there.matrix[:3, :3], round_it.matrix[:3, :3])
+
+
+def test_l2_the_stage_comes_first_with_its_factors() -> None:
+    stage = Projection(placement=TURNED).stages[0]
+    assert stage.name == "world_from_object"
+    assert [name for name, _ in stage.factors] == [
+        "translation",
+        "rotation_z",
+        "rotation_y",
+        "rotation_x",
+        "scale",
+    ]
+    product = np.eye(4)
+    for _, factor in stage.factors:
+        product = product @ factor
+    assert np.array_equal(product, stage.matrix) and np.array_equal(stage.matrix, TURNED.matrix)
+    assert Projection().stages[0].factors == ()
+
+
+def test_where_the_object_is_not_moved_nothing_changes_to_the_last_bit() -> None:
+    points = np.random.default_rng(3).normal(size=(200, 3)) * 4.0
+    turned_round = Projection(placement=ObjectTransform(rotate_deg=(360.0, -720.0, 0.0)))
+    for level in PRECISIONS:
+        own, world = (
+            trace(turned_round, points, level, space="object"),
+            trace(Projection(), points, level),
+        )
+        for a, b in zip(own, world, strict=True):
+            assert np.array_equal(a, b, equal_nan=True)
+
+
+def hard(rng: np.random.Generator) -> Iterator[Projection]:
+    """Objects near and far, turned by much and by next to nothing, under every lens and level."""
+    lenses: list[Lens] = [
+        Perspective(45.0, 0.1, 100.0),
+        Perspective(1e-4, 0.1, math.inf),
+        Frustum(-0.3, 0.9, 0.1, 0.7, 1.0, 1e6),
+        Orthographic(*BOX),
+        Oblique(*BOX, alpha_deg=63.4, beta_deg=116.5),
+    ]
+    for away in (0.0, 1e3, 1e9):
+        for angle_deg in (1e-9, 33.0, 12345.678):
+            for lens in lenses:
+                centre = away * rng.normal(size=3)
+                eye = centre + rng.normal(size=3) * 5.0
+                camera = Camera(tuple(eye.tolist()), tuple(centre.tolist()))
+                depth = str(rng.choice(["opengl", "direct3d", "reversed"]))
+                for order in ("trs", "rts"):
+                    move = centre
+                    if order == "rts":  # such that it comes to the same place
+                        turn = ObjectTransform(rotate_deg=tuple(angle_deg * rng.normal(size=3)))
+                        move = np.linalg.solve(turn.matrix[:3, :3], centre)
+                    placement = ObjectTransform(
+                        tuple(move.tolist()),
+                        turn.rotate_deg
+                        if order == "rts"
+                        else tuple(angle_deg * rng.normal(size=3)),
+                        tuple(10.0 ** rng.uniform(-2, 2, 3) * rng.choice([-1.0, 1.0], 3)),
+                        order,
+                    )
+                    yield Projection(camera, lens, (1920, 1080), depth, placement)  # type: ignore[arg-type]
+
+
+def test_an_object_far_away_that_is_turned_by_next_to_nothing_is_within_every_bound() -> None:
+    rng, counted = np.random.default_rng(20), 0
+    with exact.mp.workdps(120):
+        for projection in hard(rng):
+            points = rng.normal(size=(4, 3))
+            points /= np.abs(projection.placement.scale)  # a unit or so in the world
+            bounds = predict(projection, points, space="object")
+            oracle = exact.Exact(projection)
+            answers = [oracle(exact.placed(projection.placement, p)) for p in points]
+            for level in PRECISIONS:
+                found = trace(projection, points, level, space="object")
+                for answer, view, image, depth in zip(
+                    answers, found.view, found.image, found.depth, strict=True
+                ):
+                    if not np.isfinite(image).all():
+                        continue
+                    assert bounds is not None
+                    px, of_depth = bounds[level]
+                    off = max(abs(a - float(b)) for a, b in zip(answer.image, image, strict=True))
+                    assert off <= px, (level, projection)
+                    assert abs(answer.depth - float(depth)) <= of_depth, (level, projection)
+                    counted += 1
+                    if level == "exact":
+                        numbers = [*answer.image, answer.depth, *answer.view]
+                        for true, one in zip(numbers, [*image, depth, *view], strict=True):
+                            assert abs(true - float(one)) <= 0.5001 * np.spacing(abs(float(one)))
+    assert counted > 500
+
+
+def test_float64_places_a_far_object_as_exactly_as_a_near_one() -> None:
+    """1e9 away and turned by 1e-9 degrees, where world coordinates in float64 are 1e-7 off."""
+    away = 1e9
+    camera = Camera((away + 5.0, away, away), (away, away, away))
+    placement = ObjectTransform((away, away, away), (0.0, 1e-9, 0.0))
+    projection = Projection(
+        camera, Perspective(45.0, 0.1, 100.0), (1920, 1080), placement=placement
+    )
+    points = np.array([[0.3, 0.1, 0.7], [1e-7, 1e-9, -1e-8]])
+    found = trace(projection, points, "float64", space="object").image
+    with exact.mp.workdps(80):
+        oracle = exact.Exact(projection)
+        for point, image in zip(points, found, strict=True):
+            truth = oracle(exact.placed(placement, point)).image
+            assert max(abs(a - float(b)) for a, b in zip(truth, image, strict=True)) < 1e-11
+    rounded = projection.trace(projection.placed(points, "object").world).image
+    assert np.abs(rounded - found).max() > 1e-6
+
+
+def test_the_gpus_matrix_is_right_and_its_bound_holds() -> None:
+    rng = np.random.default_rng(5)
+    corners = np.array([[(i >> k & 1) * 2.0 - 1.0 for k in range(3)] for i in range(8)])
+    with exact.mp.workdps(80):
+        for projection in hard(rng):
+            boxes = (corners / np.abs(projection.placement.scale)).reshape(1, 8, 3)
+            (bound_px,) = drawing_bounds_px(projection, boxes, space="object")
+            found = trace(projection, boxes[0], "float32", space="object")
+            oracle = exact.Exact(projection)
+            for point, image, outside in zip(boxes[0], found.image, found.outside, strict=True):
+                if outside.any() or not np.isfinite(image).all():
+                    continue
+                truth = oracle(exact.placed(projection.placement, point)).image
+                off = max(abs(a - float(b)) for a, b in zip(truth, image, strict=True))
+                assert off <= bound_px, projection
+
+
+@given(st.floats(-1e6, 1e6))
+def test_sines_and_cosines_have_all_their_bits(angle_deg: float) -> None:
+    cos, sin = dd.cos_sin_deg(Fraction(angle_deg))
+    with exact.mp.workdps(90):
+        angle = exact.mp.radians(exact.mp.mpf(angle_deg))
+        for found, true in ((cos, exact.mp.cos(angle)), (sin, exact.mp.sin(angle))):
+            mine = exact.mp.mpf(found.numerator) / found.denominator
+            assert abs(mine - true) < exact.mp.mpf(2) ** -240
+
+
+def test_a_scale_of_0_flattens_and_says_what_is_gone() -> None:
+    flat = ObjectTransform(rotate_deg=(10.0, 20.0, 30.0), scale=(1.0, 0.0, 1.0))
+    assert flat.rank == 2 and ObjectTransform(scale=(0.0, 0.0, 0.0)).rank == 0
+    stage = Projection(placement=flat).stages[0]
+    assert "inverse" in stage.note and not Projection(placement=TURNED).stages[0].note
+    seen = Projection(placement=flat).trace([[1.0, 5.0, 2.0], [1.0, -7.0, 2.0]], "object")
+    assert np.array_equal(seen.image[0], seen.image[1]) and np.isfinite(seen.image).all()
+
+
+@pytest.mark.parametrize("lens", [FreeMatrix(np.eye(4).tolist()), Perspective()])
+def test_a_typed_matrix_goes_through_it_as_well(lens: Lens) -> None:
+    projection = Projection(lens=lens, placement=TURNED)
+    point: Array = np.array([0.5, 1.0, 2.0])
+    whole = projection.trace(point, "object")
+    hand = projection.trace([1.0 + 0.5 * 2.0, 2.0 + 1.0, 3.0 - 2.0 * 0.5])
+    assert np.array_equal(whole.clip, hand.clip) and np.array_equal(whole.world, hand.world)
+
+
+@pytest.mark.parametrize(
+    ("values", "field"),
+    [
+        ({"scale": (1.0, math.nan, 1.0)}, "scale"),
+        ({"rotate_deg": (0.0, math.inf, 0.0)}, "rotate_deg"),
+        ({"translate": (1e308, 0.0, 0.0)}, "translate"),
+        ({"translate": (0.0, 0.0)}, "translate"),
+        ({"order": "srt"}, "order"),
+    ],
+)
+def test_bad_numbers_are_refused_by_name(values: dict[str, object], field: str) -> None:
+    with pytest.raises(Refusal) as caught:
+        ObjectTransform(**values)  # type: ignore[arg-type]
+    assert caught.value.field == field
+
+
+def test_a_point_that_is_placed_beyond_all_bounds_is_refused() -> None:
+    projection = Projection(placement=ObjectTransform(scale=(1e99, 1.0, 1.0)))
+    with pytest.raises(Refusal):
+        projection.trace((1e3, 0.0, 0.0), "object")
+    with pytest.raises(Refusal) as caught:
+        projection.trace((0.0, 0.0, 0.0), "camera")  # type: ignore[arg-type]
+    assert caught.value.field == "space"
