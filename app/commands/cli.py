@@ -55,6 +55,7 @@ from app.model.projection import (
     WHOLE_PIXELS,
     Array,
     Projection,
+    Space,
     Stage,
     Trace,
 )
@@ -193,16 +194,16 @@ def _project(arguments: Sequence[str]) -> int:
         raise CliError(f"POINTS is missing: {source} is what the camera is read from.")
     projection = document_of(file[0] if file else None, found.set).projection
     points = _read_points(source)
-    predictions = predict(projection, points)
+    predictions = predict(projection, points, space=found.space)
     precision = found.rung or precision_for_reading(predictions)
-    traced = trace(projection, points, precision)
+    traced = trace(projection, points, precision, space=found.space)
     beyond = ~np.isfinite(np.column_stack([traced.view, traced.clip])).all(axis=1)
     if beyond.any():  # float32 ends at 3e38, a document and its points do not
         number = int(beyond.argmax()) + 1
         raise CliError(
             f"--rung = {precision!r}: point {number} leads to numbers that it cannot hold."
         )
-    answer = _Answer(projection, traced, precision, predictions)
+    answer = _Answer(projection, traced, precision, predictions, found.space)
     if found.format == "table":
         write_out([f"{_lens_line(projection)}\n\n"])
     write_out(_PROJECT_FORMATS[found.format](answer))
@@ -234,6 +235,7 @@ class _Answer(NamedTuple):
     trace: Trace
     precision: Precision
     predictions: dict[Precision, Prediction] | None
+    space: Space
 
 
 _POINTS = re.compile(r"(?=.*\d)[-+.\deE\s,;()\[\]]+")
@@ -254,7 +256,7 @@ def _check_typed_points(arguments: Sequence[str]) -> None:
 
 
 def _read_points(source: str) -> list[tuple[float, float, float]]:
-    """World points from a CSV file or standard input; a first row of names may come first."""
+    """Points from a CSV file or standard input; a first row of names may come first."""
     name = "Standard input" if source == "-" else source
     try:
         # With the mark that some spreadsheets put before UTF-8, or without.
@@ -397,7 +399,9 @@ def _project_json(answer: _Answer) -> Iterator[str]:
             lines.append(f'{line}, "inside": {inside}, "outside_of": {json.dumps(outside_of)}}}')
         yield separator + ",\n".join(lines)
         separator = ",\n"
-    names = ("view_from_world", "clip_from_view", "clip_from_world")
+    names: tuple[str, ...] = ("view_from_world", "clip_from_view", "clip_from_world")
+    if answer.space == "object":
+        names = ("world_from_object", *names)
     stages = (*answer.projection.stages, *answer.projection.direct_stages)
     matrices = {stage.name: _plain(stage.matrix) for stage in stages if stage.name in names}
     yield f'\n],\n"matrices": {json.dumps(matrices, allow_nan=False)},\n'

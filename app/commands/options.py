@@ -36,6 +36,7 @@ SUMMARIES = {
 THEMES = ("light", "dark")
 CANVASES = ("opengl", "raster")
 PRECISIONS = ("float32", "float64", "exact")
+SPACES = ("world", "object")
 MATRIX_FORMATS = ("text", "json", "latex")
 PROJECT_FORMATS = ("table", "csv", "json")
 TRADES = ("arithmetic", "interpolation", "depth", "smoothing", "detail")
@@ -44,7 +45,8 @@ SETTABLE = (
     "scene", "mesh", "depth", "camera.eye", "camera.target", "camera.up", "lens.kind",
     "lens.fov_y_deg", "lens.near", "lens.far", "lens.left", "lens.right", "lens.bottom",
     "lens.top", "lens.keep", "lens.alpha_deg", "lens.beta_deg", "lens.clip_from_view",
-    "lens.view_from_world", "image.width", "image.height", "quality.rung", "quality.smoothing",
+    "lens.view_from_world", "object.translate", "object.rotate_deg", "object.scale", "object.order",
+    "image.width", "image.height", "quality.rung", "quality.smoothing",
     "quality.detail", "quality.depth_format", "quality.depth_mapping", "view.layout", "view.large",
     "view.stage", "view.frame_step", "view.panel", "view.letters", "view.layers", "view.fixed",
     "view.probes",
@@ -306,6 +308,7 @@ def _project() -> Parser:
     parser = Parser("project", "[FILE] POINTS", text)
     parser.add_choice("--format", PROJECT_FORMATS, "form of the output (table)", "table")
     parser.add_choice("--rung", PRECISIONS, "arithmetic (float64, or exact where that is needed)")
+    parser.add_choice("--space", SPACES, "what the coordinates are (world)", "world")
     parser.add_set()
     return parser
 

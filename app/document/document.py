@@ -29,6 +29,7 @@ from typing import Any, BinaryIO, NamedTuple, TypeAlias
 from app.document.view import FIELDS as VIEW_FIELDS
 from app.document.view import View, read_view, view_tree
 from app.model.limits import FOUR_BY_FOUR, OTHER_SIDE
+from app.model.object_transform import NOT_MOVED, ObjectTransform
 from app.model.projection import (
     FINITE_NUMBER,
     LARGEST_IMAGE_PX,
@@ -123,6 +124,9 @@ MESH_NAME = QT_TRANSLATE_NOOP("Refusal", "must be the path of a mesh file ({0}),
 NO_MESH_HERE = QT_TRANSLATE_NOOP(
     "Refusal", "cannot be shown in the scene {0}, which needs its own objects"
 )
+FIXED = QT_TRANSLATE_NOOP(
+    "Refusal", "cannot be moved in the scene {0}, whose objects are fixed; another scene's can"
+)
 POINTS = QT_TRANSLATE_NOOP("Refusal", "must be x, y, z of one point after the other")
 AWAY_FROM_TARGET = QT_TRANSLATE_NOOP("Refusal", "must be at least {0} away from the target")
 LONGER = QT_TRANSLATE_NOOP("Refusal", "must be at least {0} long")
@@ -156,8 +160,8 @@ class Document:
     Raises
     ------
     Refusal
-        If the scene is not a name, the mesh not one that it can show, or the scene cannot have
-        these settings.
+        If the scene is not a name, the mesh not one that it can show, the scene cannot have these
+        settings, or its objects are fixed and the projection moves them.
     """
 
     scene: str = "letter-f"
@@ -174,6 +178,8 @@ class Document:
         phenomenon = PHENOMENA.get(self.scene)
         settings = phenomenon.checked(self.settings) if phenomenon else MappingProxyType({})
         object.__setattr__(self, "settings", settings)
+        if phenomenon is not None and not self.projection.placement.is_identity:
+            raise Refusal.in_document(FIXED, self.scene, field="object")
         if self.mesh != "":
             if not isinstance(self.mesh, str) or "\0" in self.mesh or not is_mesh(self.mesh):
                 bound = MESH_NAME, ", ".join(MESH_ENDINGS)
@@ -223,11 +229,12 @@ def lens_fields(kind: object) -> tuple[str, ...]:
 
 
 _CAMERA = tuple(f.name for f in fields(Camera))
+_OBJECT = tuple(f.name for f in fields(ObjectTransform))
 _QUALITY = tuple(f.name for f in fields(Quality))
 _OPTIONAL = ("keep",)
 _MATRICES = ("lens.clip_from_view", "lens.view_from_world")
 _TEXTS = (
-    *("scene", "mesh", "depth", "lens.keep"),
+    *("scene", "mesh", "depth", "lens.keep", "object.order"),
     *(f"quality.{key}" for key in _QUALITY if key != "detail"),
     *(f"view.{key}" for key in VIEW_FIELDS if key != "stage"),
 )
@@ -236,13 +243,14 @@ _NUMBER = re.compile(r"[+-]?([0-9]+(\.[0-9]*)?|\.[0-9]+)([eE][+-]?[0-9]+)?")
 _LONGEST_SHOWN = 60
 
 
-_SECTIONS = ("settings", "camera", "lens", "image", "quality", "view")
+_SECTIONS = ("settings", "object", "camera", "lens", "image", "quality", "view")
 
 
 def model_paths() -> dict[str, str]:
     """The paths of the model's fields in the document, where they are not the same."""
     return (
         {key: f"camera.{key}" for key in _CAMERA}
+        | {key: f"object.{key}" for key in _OBJECT}
         | {key: f"lens.{key}" for kind in kinds() for key in ("kind", *lens_fields(kind))}
         | {key: f"image.{key}" for key in ("width", "height")}
     )
@@ -253,6 +261,7 @@ def _known(scene: str, kind: object) -> dict[str, tuple[str, ...]]:
     return {
         "": ("format", "version", "scene", "mesh", "depth", *_SECTIONS),
         "settings": tuple(setting.name for setting in _settings_of(scene)),
+        "object": _OBJECT,
         "camera": _CAMERA,
         "lens": ("kind", *lens_fields(kind)),
         "image": ("width", "height"),
@@ -491,7 +500,10 @@ def _document(tree: Tree, folder: Path | None = None) -> Document:
 
     values = _section(tree, "image")
     width, height = (_whole(_required(values, key, f"image.{key}")) for key in ("width", "height"))
-    projection = Projection(camera, lens, (width, height), _required(tree, "depth", "depth"))
+    depth = _required(tree, "depth", "depth")
+    values = _section(tree, "object") if "object" in tree else {}
+    placement = ObjectTransform(**{key: values[key] for key in _OBJECT if key in values})
+    projection = Projection(camera, lens, (width, height), depth, placement)
     values = _section(tree, "view") if "view" in tree else {}
     panes = values.get("panes", {})
     if not isinstance(panes, dict):
@@ -612,7 +624,7 @@ def _dump(tree: Tree, ensure_ascii: bool) -> str:
 
 def _tree(document: Document) -> Tree:
     projection, extra = document.projection, document.extra
-    camera, lens = projection.camera, projection.lens
+    camera, lens, placement = projection.camera, projection.lens, projection.placement
     width, height = projection.image_size
     tree: Tree = {
         "format": FORMAT,
@@ -620,6 +632,7 @@ def _tree(document: Document) -> Tree:
         "scene": document.scene,
         **({"mesh": document.mesh} if document.mesh else {}),
         **({"settings": _settings_tree(document)} if document.settings else {}),
+        **({"object": _object_tree(placement)} if placement != NOT_MOVED else {}),
         "camera": _camera_tree(camera),
         "lens": _lens_tree(lens),
         "depth": projection.depth,
@@ -682,6 +695,14 @@ def _camera_tree(camera: Camera) -> Tree:
     return {key: [_plain(part) for part in getattr(camera, key)] for key in _CAMERA}
 
 
+def _object_tree(placement: ObjectTransform) -> Tree:
+    tree = {
+        key: [_plain(part) for part in getattr(placement, key)]
+        for key in ("translate", "rotate_deg", "scale")
+    }
+    return tree if placement.order == NOT_MOVED.order else {**tree, "order": placement.order}
+
+
 def _mesh_from(path: str, folder: Path) -> str:
     """Name a mesh as seen from a folder, if it is below it or at most two levels beside it."""
     if not is_mesh(path):  # a built-in scene
@@ -732,7 +753,8 @@ def set_values(document: Document, assignments: Iterable[str]) -> Document:
         texts[path] = text
     scene = texts.pop("scene", document.scene)
     if scene != document.scene:
-        document = replace(document, scene=scene, settings={}, mesh="")
+        still = replace(document.projection, placement=NOT_MOVED)
+        document = replace(document, scene=scene, projection=still, settings={}, mesh="")
     if "view.frame_step" in texts:
         texts.setdefault("view.panel", "frame")
     kind = texts.pop("lens.kind", "")
@@ -815,7 +837,7 @@ def _read_text(path: str, text: str) -> Any:
         return text
     if path in _TEXTS or (path == "lens.far" and _number(text) is None):  # inf, or for the lens
         return text
-    if path.startswith("camera."):
+    if path.startswith(("camera.", "object.")):
         return _read_vector(path, text)
     if path in _MATRICES:
         cells = [_number(part.strip()) for part in text.split(",")]

@@ -33,6 +33,7 @@ FIELDS = {
     "H": ("image",), "alpha": ("alpha_deg",), "beta": ("beta_deg",),
     "axis_u": ("eye", "target", "up"), "axis_v": ("eye", "target", "up"),
     "axis_n": ("eye", "target"), "eye": ("eye",), "target": ("target",),
+    "move": ("translate",), "turn": ("rotate_deg",), "size": ("scale",),
 }  # fmt: skip
 """Of the document, by the names of `app.lecture.notation`'s formulas."""
 
@@ -88,6 +89,7 @@ def state_of(projection: Projection) -> State:
         values |= {f"{axis}_{x}": component for x, component in zip("xyz", row, strict=True)}
         values[f"dot(axis_{axis})"] = part
     values |= lens.letters(Fraction(*projection.image_size))
+    values |= projection.placement.letters
     held: list[tuple[str, tuple[str, ...]]] = [(f"u_{x}", ("up",)) for x in _only_axis(camera.up)]
     held += [(f"{axis}_{x}", ("eye", "target")) for x in _only_axis(frame[2]) for axis in "uv"]
     return State(

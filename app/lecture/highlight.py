@@ -9,6 +9,7 @@ names                          what
 near far left right bottom top the six planes of the view volume
 u v n                          the axes of the camera's frame (lecture 004)
 eye target up                  what the frame is made of
+object_x ... object_origin     the object's axes and its origin, the columns of its matrix
 fov                            the field of view, by whatever number it is given
 near_left_bottom ...           a corner of the view volume, by its three planes
 image depth keep alpha_deg ... fields of the document that only controls and cells show
@@ -24,6 +25,8 @@ Highlight: TypeAlias = frozenset[str]
 
 NOTHING: Highlight = frozenset()
 AXES = ("u", "v", "n")
+OBJECT_AXES = ("object_x", "object_y", "object_z", "object_origin")
+"""The columns of `world_from_object`."""
 CORNERS = tuple(
     f"{depth}_{corner}"
     for depth in ("near", "far")

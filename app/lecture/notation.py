@@ -19,13 +19,14 @@ from app.arithmetic.rationals import product
 from app.lecture.algebra import SYMBOLS, Ratio, number, ratio
 from app.lecture.algebra import Letters as Quantities
 from app.lecture.dependence import FIELDS, State, reach, state_of
-from app.lecture.highlight import Highlight
+from app.lecture.highlight import OBJECT_AXES, Highlight
 from app.model import formula
 from app.model.formula import ARROW, Difference, Formula, Pair, Quotient, Sum, parse
 from app.model.lenses.lens import LensTable
+from app.model.object_transform import FACTORS, FROM_OBJECT
 from app.model.projection import DEPTH_RANGES, Array, Projection, Rationals, Stage
 from app.model.refusal import format_value
-from app.model.tables import VIEWPORT, evaluated
+from app.model.tables import VIEWPORT, Step, evaluated
 
 Letters: TypeAlias = Literal["own", "000", "001", "002", "003"]
 Numbers: TypeAlias = tuple[tuple[float, ...], ...]
@@ -37,6 +38,9 @@ LETTERS: tuple[Letters, ...] = ("own", "000", "001", "002", "003")
 _OURS = {
     "fov": "fov", "aspect": "aspect", "alpha": "\u03b1", "beta": "β",
     "axis_u": f"u{ARROW}", "axis_v": f"v{ARROW}", "axis_n": f"n{ARROW}", "eye": f"e{ARROW}",
+    **{f"move_{x}": f"t_{x}" for x in "xyz"},
+    **{f"turn_{x}": f"φ_{x}" for x in "xyz"},
+    **{f"size_{x}": f"s_{x}" for x in "xyz"},
     "eye_x": "e_x", "eye_y": "e_y", "eye_z": "e_z", "theta_h": "θ_h", "theta_v": "θ_v",
 }  # fmt: skip
 _EYE_P = {"eye": f"P{ARROW}", "eye_x": "x_p", "eye_y": "y_p", "eye_z": "z_p"}
@@ -157,6 +161,10 @@ def letters_in(matrix: Matrix, row: int, column: int) -> Highlight:
     }
     eye = {"eye" for name in names if name.startswith("eye")}
     fields = set(matrix.fields[row][column]).union(*(FIELDS.get(name, ()) for name in names))
+    if matrix.name == FROM_OBJECT and any(cell != "0" for cell in matrix.formulas[3][:3]):
+        row, column = column, row  # of row vectors
+    if matrix.name == FROM_OBJECT and row < 3:
+        axes.add(OBJECT_AXES[column])
     lens = fields - {"eye", "target", "up"}
     return frozenset(axes | eye | {"fov" if name == "fov_y_deg" else name for name in lens})
 
@@ -260,6 +268,11 @@ def _fields(lens: _Written, letters: Letters, state: State) -> _FieldTable:
     as well.
     """
     own = _formulas(lens, letters)
+    # Also what is not moved can be.
+    own = {
+        **own,
+        FROM_OBJECT: _formulas(lens._replace(order=lens.order or "trs"), letters)[FROM_OBJECT],
+    }
     others = [
         (field, _formulas(lens._replace(table=table), letters))
         for field, table in lens.table.otherwise.items()
@@ -274,7 +287,7 @@ def _fields(lens: _Written, letters: Letters, state: State) -> _FieldTable:
         formula = _spelled(own[key][i][j], own["clip_from_view"])
         mine = reach(formula, state)
         found = dict.fromkeys(mine.fields)
-        for field, table in others:
+        for field, table in others if key != FROM_OBJECT else ():
             other = _spelled(table[key][i][j], table["clip_from_view"])
             if other != formula and not (mine.is_zero and reach(other, state).is_zero):
                 found[field] = None
@@ -337,11 +350,14 @@ class _Written(NamedTuple):
     table: LensTable
     has_own_view: bool
     depth: str
+    order: str  # of the object's factors; empty where nothing is moved
 
 
 def _written(projection: Projection) -> _Written:
     lens = projection.lens
-    return _Written(lens.table, lens.own_view is not None, projection.depth)
+    placement = projection.placement
+    order = "" if placement.is_identity else placement.order
+    return _Written(lens.table, lens.own_view is not None, projection.depth, order)
 
 
 _IDENTITY: Formulas = tuple(tuple(str(int(i == j)) for j in range(4)) for i in range(4))
@@ -388,16 +404,17 @@ def _formulas(lens: _Written, letters: Letters) -> _Table:
         return tuple(tuple(written.get(cell, cell) for cell in row) for row in signed)
 
     view = _view_formulas(lens.has_own_view)
-    table: _Table = {"world_from_object": _IDENTITY, **view}
+    table: _Table = {FROM_OBJECT: _IDENTITY, **view}
     from_view = _ONES
-    for step in (*steps, VIEWPORT):
+    own = [Step(FROM_OBJECT, FACTORS[lens.order])] if lens.order else []
+    for step in (*own, *steps, VIEWPORT):
         whole = _ONES
         for label, factor in step.factors:
             cells = evaluated(factor, known, SYMBOLS)
             table[f"{step.name}/{label}"] = formulas(f"{step.name}/{label}", cells)
             whole = product(whole, cells)
         table[step.name] = formulas(step.name, whole)
-        if step is not VIEWPORT:
+        if step is not VIEWPORT and step.name != FROM_OBJECT:
             from_view = product(whole, from_view)
             target, _, _ = step.name.partition("_from_")
             running = formulas(f"{target}_from_view", from_view)

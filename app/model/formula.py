@@ -569,7 +569,7 @@ class _Stacked(_Plain):
         return f"({text})"
 
 
-_GREEK = {"\u03b1": r"\alpha", "β": r"\beta", "θ": r"\theta"}
+_GREEK = {"\u03b1": r"\alpha", "β": r"\beta", "θ": r"\theta", "φ": r"\varphi"}
 
 
 class _Latex(_Stacked):

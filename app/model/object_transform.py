@@ -72,23 +72,23 @@ class Placed(NamedTuple):
 
 
 _TRANSLATION = matrix("""
-    1  0  0  t_x
-    0  1  0  t_y
-    0  0  1  t_z
+    1  0  0  move_x
+    0  1  0  move_y
+    0  0  1  move_z
     0  0  0  1
 """)
 _SCALE = matrix("""
-    s_x  0    0    0
-    0    s_y  0    0
-    0    0    s_z  0
-    0    0    0    1
+    size_x  0       0       0
+    0       size_y  0       0
+    0       0       size_z  0
+    0       0       0       1
 """)
 _TURNS = (
     (
         "rotation_z",
         matrix("""
-            cos(phi_z)  -sin(phi_z)  0  0
-            sin(phi_z)  cos(phi_z)   0  0
+            cos(turn_z)  -sin(turn_z)  0  0
+            sin(turn_z)  cos(turn_z)   0  0
             0           0            1  0
             0           0            0  1
         """),
@@ -96,9 +96,9 @@ _TURNS = (
     (
         "rotation_y",
         matrix("""
-            cos(phi_y)   0  sin(phi_y)  0
+            cos(turn_y)   0  sin(turn_y)  0
             0            1  0           0
-            -sin(phi_y)  0  cos(phi_y)  0
+            -sin(turn_y)  0  cos(turn_y)  0
             0            0  0           1
         """),
     ),
@@ -106,16 +106,18 @@ _TURNS = (
         "rotation_x",
         matrix("""
             1  0           0            0
-            0  cos(phi_x)  -sin(phi_x)  0
-            0  sin(phi_x)  cos(phi_x)   0
+            0  cos(turn_x)  -sin(turn_x)  0
+            0  sin(turn_x)  cos(turn_x)   0
             0  0           0            1
         """),
     ),
 )
-_FACTORS = {
+FROM_OBJECT = "world_from_object"
+FACTORS = {
     "trs": (("translation", _TRANSLATION), *_TURNS, ("scale", _SCALE)),
     "rts": (*_TURNS, ("translation", _TRANSLATION), ("scale", _SCALE)),
 }
+"""Of `world_from_object`, by order."""
 
 
 @dataclass(frozen=True)
@@ -154,21 +156,21 @@ class ObjectTransform:
     def step(self) -> Step:
         """`world_from_object` as formulas; without factors where it is the identity."""
         if self.is_identity:
-            return Step("world_from_object", note=NOT_TRANSFORMED)
-        note = FLATTENED if self.rank < 3 else ""
-        return Step("world_from_object", _FACTORS[self.order], note)
+            return Step(FROM_OBJECT, note=NOT_TRANSFORMED)
+        return Step(FROM_OBJECT, FACTORS[self.order], FLATTENED if self.rank < 3 else "")
 
     @cached_property
     def letters(self) -> dict[str, Fraction]:
         """What the formulas' letters stand for, sines and cosines to `double_double.BITS` bits."""
         known: dict[str, Fraction] = {}
-        for letter, vector in (("t", self.translate), ("s", self.scale)):
+        for letter, vector in (("move", self.translate), ("size", self.scale)):
             known |= {
                 f"{letter}_{x}": Fraction(part) for x, part in zip("xyz", vector, strict=True)
             }
         for x, angle_deg in zip("xyz", self.rotate_deg, strict=True):
+            known[f"turn_{x}"] = Fraction(angle_deg)
             cos, sin = dd.cos_sin_deg(Fraction(angle_deg))
-            known |= {f"cos(phi_{x})": cos, f"sin(phi_{x})": sin}
+            known |= {f"cos(turn_{x})": cos, f"sin(turn_{x})": sin}
         return known
 
     @cached_property

@@ -1028,6 +1028,7 @@ def test_the_names_in_the_help_are_those_that_there_are() -> None:
     paths |= {f"view.{key}" for key in view.FIELDS if key not in ("panes", "pinned")}
     assert set(options.SETTABLE) == paths
     assert options.PRECISIONS == PRECISIONS
+    assert options.SPACES == SPACES
     assert tuple(measuring.TRADES) == options.TRADES
     assert tuple(SWEEPS) == options.SWEEPS
     assert tuple(cli._PROJECT_FORMATS) == options.PROJECT_FORMATS

@@ -22,6 +22,7 @@ from app.model.projection import (
     FreeMatrix,
     Frustum,
     Lens,
+    ObjectTransform,
     Oblique,
     Orthographic,
     Perspective,
@@ -254,6 +255,10 @@ def moves(projection: Projection) -> dict[str, list[Projection]]:
         )
         moved = replace(camera, **{vector: tuple(parts)})
         found[vector] = [replace(projection, camera=moved)]
+    for vector in ("translate", "rotate_deg", "scale"):
+        parts = tuple(part + 0.03 for part in getattr(projection.placement, vector))
+        placement = replace(projection.placement, **{vector: parts})
+        found[vector] = [replace(projection, placement=placement)]
     if isinstance(lens, FreeMatrix):
         return found
     lenses: dict[str, list[Any]] = {"far": [math.inf] if not lens.parallel else []}
@@ -276,6 +281,11 @@ CAMERAS = {
     "at-the-origin": Camera((0.0, 0.0, 0.0), (0.0, 0.0, -5.0), (0.0, 1.0, 0.0)),
     "along-up": Camera((1.0, 0.0, 0.0), (2.0, 5.5, 0.25), (1.0, 0.0, 0.0)),
     "level": Camera((0.0, 2.0, 9.0), (0.0, 0.0, 0.0), (0.0, 0.0, -2.0)),
+}
+PLACED = {
+    "opengl": ObjectTransform(),
+    "direct3d": ObjectTransform((1.0, 0.0, 2.0), (0.0, 20.0, 0.0), (2.0, 1.0, 0.0)),
+    "reversed": ObjectTransform((1.0, 0.0, 2.0), (10.0, 20.0, 30.0), (2.0, 1.0, 1.0), "rts"),
 }
 KEEPS: tuple[Any, ...] = ("stretch", "x", "y")
 MOVED: dict[str, tuple[Lens, ...]] = {
@@ -311,7 +321,7 @@ def test_a_cell_names_just_what_changes_it(lens: str, camera: str) -> None:
         as_ever = camera == "askew" and getattr(chosen, "keep", "stretch") == "stretch"
         if not as_ever and depth != "reversed":
             continue
-        projection = Projection(CAMERAS[camera], chosen, (1280, 720), depth)
+        projection = Projection(CAMERAS[camera], chosen, (1280, 720), depth, PLACED[depth])
         letters: Letters = "002" if depth == "opengl" else "003"
         running = depth == "reversed"
         moved = {

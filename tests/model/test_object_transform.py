@@ -194,6 +194,21 @@ def test_the_gpus_matrix_is_right_and_its_bound_holds() -> None:
                 assert off <= bound_px, projection
 
 
+def test_what_placed_coordinates_lack_is_bounded() -> None:
+    rng = np.random.default_rng(6)
+    for projection in hard(rng):
+        points = rng.normal(size=(3, 3)) * 10.0 ** rng.uniform(-9, 9, (3, 1))
+        found = projection.placed(points, "object")
+        assert found.rest is not None
+        for point, high, low, lost in zip(points, found.world, found.rest, found.lost, strict=True):
+            truth = projection.placement.exactly(point.tolist())
+            off = sum(
+                abs(true - Fraction(a) - Fraction(b))
+                for true, a, b in zip(truth, high.tolist(), low.tolist(), strict=True)
+            )
+            assert off <= lost <= 1e-28 * (1e9 + np.abs(high).sum() + np.abs(point).sum() * 1e3)
+
+
 @given(st.floats(-1e6, 1e6))
 def test_sines_and_cosines_have_all_their_bits(angle_deg: float) -> None:
     cos, sin = dd.cos_sin_deg(Fraction(angle_deg))
