@@ -16,7 +16,7 @@ from __future__ import annotations
 import importlib.util
 import math
 import weakref
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from functools import cache
 from pathlib import Path
 from typing import Any
@@ -41,7 +41,6 @@ from vtkmodules.vtkRenderingCore import (
 from app.drawings.style import Style, rgb
 from app.model.projection import Projection
 from app.scenes.scene import Scene
-from app.scenes.shapes import is_grid
 
 CUBE_CORNERS = np.array(
     [(x, y, z) for z in (-1, 1) for x, y in ((-1, -1), (1, -1), (1, 1), (-1, 1))], dtype=np.float64
@@ -52,6 +51,7 @@ CUBE_EDGES = (
 )  # fmt: skip
 """The cube's edges as polylines over `CUBE_CORNERS`: the face at -1, the one at +1, between."""
 
+_NO_LINES = pv.PolyData()
 _DPI = 72  # at which VTK's points are pixels
 _VTK_FONT_FILE = 4
 _KEEP_OFF_ZERO = """
@@ -400,10 +400,11 @@ def unlit_actor(mesh: pv.PolyData) -> vtkActor:
     return actor
 
 
-def scene_actors(
-    scene: Scene, style: Style, clip: Iterable[vtkPlane] = ()
-) -> tuple[vtkActor | None, vtkActor | None]:
-    """The scene's faces and its lines, in scene-local coordinates (world - origin).
+class SceneActors:
+    """The scene's faces and its lines, in scene-local coordinates (origin taken off).
+
+    The ground's lines are among the lines as long as nothing is moved. Then they are another
+    actor's, which stays where it is.
 
     Parameters
     ----------
@@ -412,23 +413,55 @@ def scene_actors(
     clip : iterable of vtkPlane
         Planes in the pane's own world, behind which nothing is drawn.
 
-    Returns
-    -------
-    (surface, lines) : vtkActor or None each
+    Attributes
+    ----------
+    surface, lines, ground : vtkActor or None
+    is_moved : bool
+        Whether the ground stays behind.
     """
-    surface = None if scene.surface is None else _faces_actor(scene, scene.surface)
-    lines = None if scene.lines is None else unlit_actor(scene.lines)
-    if lines is not None:
-        lines.GetProperty().SetLineWidth(style.line_width / 2.0)
-        _after_position(lines, _KEEP_OFF_ZERO)
-    planes = list(clip)
-    if lines is not None and not planes:  # which would have to be cut as well
-        _cut_behind(lines)
-    for actor in (surface, lines):
-        if actor is not None:
+
+    def __init__(self, scene: Scene, style: Style, clip: Iterable[vtkPlane] = ()) -> None:
+        self._scene, self._has_grid, self.is_moved = scene, True, False
+        self.surface = None if scene.surface is None else _faces_actor(scene, scene.surface)
+        self.lines = None if scene.lines is None else unlit_actor(scene.lines)
+        self.ground = None if scene.lines is None else unlit_actor(scene.lines)
+        planes = list(clip)
+        for lines in (self.lines, self.ground):
+            if lines is not None:
+                lines.GetProperty().SetLineWidth(style.line_width / 2.0)
+                _after_position(lines, _KEEP_OFF_ZERO)
+                if not planes:  # which would have to be cut as well
+                    _cut_behind(lines)
+        self._share_out()
+        for actor in self:
             for plane in planes:
                 actor.GetMapper().AddClippingPlane(plane)
-    return surface, lines
+
+    def __iter__(self) -> Iterator[vtkActor]:
+        """Those that there are."""
+        return (a for a in (self.surface, self.lines, self.ground) if a is not None)
+
+    def show_grid(self, shown: bool) -> None:
+        """Draw the ground's lines, or leave them out."""
+        self._has_grid = shown
+        self._share_out()
+
+    def show_moved(self, moved: bool) -> None:
+        """Let the ground stay behind while the objects move, or be one with them again."""
+        if moved != self.is_moved:
+            self.is_moved = moved
+            self._share_out()
+
+    def _share_out(self) -> None:
+        if self.lines is None or self.ground is None:
+            return
+        kept, left = self._scene.lines, None
+        if self.is_moved or not self._has_grid:
+            objects, ground = self._scene.apart
+            kept, left = objects.lines, ground.lines if self._has_grid else None
+        for actor, mesh in ((self.lines, kept), (self.ground, left)):
+            mapper: Any = actor.GetMapper()
+            mapper.SetInputData(_NO_LINES if mesh is None else mesh)
 
 
 def _faces_actor(scene: Scene, surface: pv.PolyData) -> vtkActor:
@@ -455,39 +488,13 @@ def _faces_actor(scene: Scene, surface: pv.PolyData) -> vtkActor:
     return actor
 
 
-def show_grid(lines: vtkActor | None, scene: Scene, shown: bool) -> None:
-    """Let the actor of a scene's lines show all of them, or none of the ground's."""
-    if lines is None:
-        return
-    mesh = scene.lines
-    assert mesh is not None
-    kept = None if shown else ~is_grid(np.asarray(mesh.cell_data["rgb"]))
-    lines.SetVisibility(kept is None or bool(kept.any()))
-    if kept is not None and kept.any():
-        if scene not in _gridless:
-            _gridless[scene] = _lines_of(mesh, kept)
-        mesh = _gridless[scene]
-    mapper: Any = lines.GetMapper()
-    mapper.SetInputData(mesh)
-
-
-_gridless: WeakKeyDictionary[Scene, pv.PolyData] = WeakKeyDictionary()
-
-
-def _lines_of(lines: pv.PolyData, kept: NDArray[np.bool_]) -> pv.PolyData:
-    ends = np.asarray(lines.lines).reshape(-1, 3)[kept]
-    mesh = pv.PolyData(lines.points, lines=ends.ravel())
-    mesh.cell_data["rgb"] = np.asarray(lines.cell_data["rgb"])[kept]
-    return mesh
-
-
 class Detail:
     """Faces actors of one scene that can show another one's faces: the same with fewer triangles.
 
     Parameters
     ----------
     *actors : vtkActor or None
-        As `scene_actors` made them.
+        As `SceneActors` made them.
     """
 
     def __init__(self, *actors: vtkActor | None) -> None:

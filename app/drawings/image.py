@@ -14,7 +14,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
-from vtkmodules.vtkRenderingCore import vtkRenderer
+from vtkmodules.vtkRenderingCore import vtkActor, vtkRenderer
 
 from app.drawings.actors import Canvas, Space, face_actor, identity_camera, lifted
 from app.drawings.labels import Layout
@@ -86,7 +86,7 @@ class ImageDrawing:
         self._framed = framed
         self._canvas = Canvas(screen, style, self._layout)
         self._image_size = scene.start.image_size
-        self._surface_space, self._line_space = Space(), Space()
+        self._surface_space, self._line_space, self._ground_space = Space(), Space(), Space()
         self._picture = vtkRenderer()
         self._projection = scene.start
         self._add_picture()
@@ -154,9 +154,10 @@ class ImageDrawing:
             self._canvas.relayout()
         self._projection = projection
         seen = self._seen
-        surface, lines = self._model.show_projection(seen)
+        surface, lines, ground = self._model.show_projection(seen)
         self._surface_space.set_projective(surface)
         self._line_space.set_projective(lifted(lines, seen, self._scene))
+        self._ground_space.set_projective(lifted(ground, seen, self._scene))
         self._show_illustration(illustration)
         if self._probes.probes:
             self._place_probes()
@@ -232,8 +233,7 @@ class ImageDrawing:
             return
         if self._rasteriser is None:
             others = [] if self._marks is None else self._marks.copied_faces
-            if model.lines is not None:
-                others.append((model.lines, self._line_space))
+            others += self._line_actors
             self._rasteriser = Rasteriser(
                 self._scene,
                 self._style,
@@ -342,14 +342,17 @@ class ImageDrawing:
         self._layers = self._canvas.window.GetNumberOfLayers()
         self._canvas.window.SetNumberOfLayers(max(2, self._layers))
         self._canvas.window.AddRenderer(picture)
-        model = self._model
-        for actor, space in (
-            (model.surface, self._surface_space),
-            (model.lines, self._line_space),
-        ):
-            if actor is not None:
-                space.add(actor)
-                self._canvas.add(actor, renderer=picture)
+        if self._model.surface is not None:
+            self._surface_space.add(self._model.surface)
+        for actor, space in self._line_actors:
+            space.add(actor)
+        self._canvas.add(*self._model.actors, renderer=picture)
+
+    @property
+    def _line_actors(self) -> list[tuple[vtkActor, Space]]:
+        actors = self._model.actors
+        pairs = (actors.lines, self._line_space), (actors.ground, self._ground_space)
+        return [(actor, space) for actor, space in pairs if actor is not None]
 
     def _add_axes(self, words: Mapping[str, str]) -> None:
         style = self._style

@@ -33,10 +33,10 @@ from app.drawings.actors import (
     Canvas,
     Detail,
     Label,
+    SceneActors,
     Space,
     lift_lines,
     put_in_front,
-    scene_actors,
     unlit_actor,
 )
 from app.drawings.labels import Layout, Leader, Spot
@@ -98,7 +98,7 @@ class MarksDrawing:
     renderer : vtkRenderer, optional
         Where to draw; the pane's own if not given.
     clip : iterable of vtkPlane
-        As for `scene_actors`; cuts copies.
+        As for `SceneActors`; cuts copies.
     over : bool
         Whether marks lie in one plane before everything else.
     leads : bool
@@ -346,7 +346,7 @@ class MarksDrawing:
         """Make what a copy needs and has not got."""
         if actors.detail is not None:
             return
-        actors.surface, _ = scene_actors(self._scene, self._style, self._clip)
+        actors.surface = SceneActors(self._scene, self._style, self._clip).surface
         actors.detail = Detail(actors.surface)
         if actors.surface is not None:
             actors.space.add(actors.surface)

@@ -45,17 +45,25 @@ class NearPicture:
     def __init__(self, canvas: Canvas, scene: Scene) -> None:
         self._canvas = canvas
         self._planes = [vtkPlane() for _ in range(6)]
-        self.faces, self.lines = actors.scene_actors(scene, canvas.style, self._planes)
-        self.space, self._lines_space = Space(), Space()
-        if self.faces is not None:
-            self.space.add(self.faces)
-        if self.lines is not None:
-            self._lines_space.add(self.lines)
-        self.actors = [actor for actor in (self.faces, self.lines) if actor is not None]
+        self.actors = actors.SceneActors(scene, canvas.style, self._planes)
+        self.faces = self.actors.surface
+        self.space, self._lines_space, self._ground_space = Space(), Space(), Space()
+        for actor, space in (
+            (self.faces, self.space),
+            (self.actors.lines, self._lines_space),
+            (self.actors.ground, self._ground_space),
+        ):
+            if actor is not None:
+                space.add(actor)
         canvas.add(*self.actors, layer="near-picture")
 
     def show(
-        self, projection: Projection, standing: Standing, frustum: FrustumDrawing, pane: PaneView
+        self,
+        projection: Projection,
+        standing: Standing,
+        frustum: FrustumDrawing,
+        pane: PaneView,
+        local_from_object: Array,
     ) -> None:
         """Lay the scene onto the near plane of a frustum, as the pane's camera sees it."""
         lens, reach, depths = projection.lens, frustum.reach, standing.depths
@@ -79,8 +87,9 @@ class NearPicture:
             from_eye_side = float(away @ standing.camera.frame[2]) > -reach.near
             view = standing.view_from_local, standing.local_from_view
             film = flatten(projection, view, depths, reach.high, toward_eye=from_eye_side)
-        self.space.set(film.surface)
-        self._lines_space.set(film.lines)
+        self.space.set(film.surface @ local_from_object)
+        self._lines_space.set(film.lines @ local_from_object)
+        self._ground_space.set(film.lines)
         for plane, (*normal, offset) in zip(self._planes, film.planes.tolist(), strict=True):
             plane.SetNormal(normal)
             plane.SetOrigin([-offset * part for part in normal])

@@ -41,12 +41,14 @@ from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPlane, vtkPolyData
 from vtkmodules.vtkRenderingCore import vtkActor
 
-from app.drawings.actors import CUBE_CORNERS, Detail, scene_actors, show_grid
+from app.drawings.actors import CUBE_CORNERS, Detail, SceneActors
+from app.drawings.scene_bounds import bounds_px
 from app.drawings.style import Style
-from app.model.projection import Array, Projection
-from app.precision.levels import Precision, drawing_bounds_px
+from app.model.projection import Array, ObjectTransform, Projection, Space
+from app.precision.levels import Precision
 from app.scenes.scene import Scene
 
+_GROUND = 2
 _WIDE = 2.0  # of the picture: beyond, wide lines and points do not reach into it
 _MANY_CELLS, _CLUSTERS = 1_000, 256  # of so many, clusters are made; about so many
 _LEAST_W = 1e-30  # under a free matrix: what is nearer to w = 0 cannot be divided by it
@@ -61,23 +63,11 @@ def least_tolerance(scene: Scene, tolerance_px: float) -> float:
     return math.inf if "texture" in scene.requires else tolerance_px
 
 
-def _bounds_px(projection: Projection, scene: Scene) -> tuple[float, float]:
-    """What float32 can lose of a scene's faces and of its lines; once for all panes of a step."""
-    kept = _bounds.get(scene)
-    if kept is None or kept[0] != projection:
-        faces = len(scene.boxes.faces)
-        found = drawing_bounds_px(projection, scene.boxes.together, scene.origin)
-        bounds = max(found[:faces], default=0.0), max(found[faces:], default=0.0)
-        kept = _bounds[scene] = projection, bounds
-    return kept[1]
-
-
-_bounds: WeakKeyDictionary[Scene, tuple[Projection, tuple[float, float]]] = WeakKeyDictionary()
 _projected: WeakKeyDictionary[Scene, _Projected] = WeakKeyDictionary()
 
 
 class ModelActors:
-    """The scene's faces and lines, and the vertices that they have under a projection.
+    """A scene's actors under a projection: their matrices, and the vertices that they have.
 
     Parameters
     ----------
@@ -86,11 +76,12 @@ class ModelActors:
     tolerance_px : float
         Error up to which the GPU's own float32 may draw.
     clip : iterable of vtkPlane
-        As for `scene_actors`.
+        As for `SceneActors`.
 
     Attributes
     ----------
-    surface, lines : vtkActor or None
+    actors : SceneActors
+    surface : vtkActor or None
     """
 
     def __init__(
@@ -98,7 +89,8 @@ class ModelActors:
     ) -> None:
         self._scene = scene
         self._tolerance_px = tolerance_px
-        self.surface, self.lines = scene_actors(scene, style, clip)
+        self.actors = SceneActors(scene, style, clip)
+        self.surface = self.actors.surface
         self._detail = Detail(self.surface)
         self._made: tuple[_Made | None, ...] = ()
         self.show_detail(None)
@@ -114,16 +106,23 @@ class ModelActors:
         self._detail.show(fewer)
         self._fewer = fewer
         self._made = tuple(
-            None if actor is None else _Made(actor) for actor in (self.surface, self.lines)
+            None if actor is None else _Made(actor)
+            for actor in (self.surface, self.actors.lines, self.actors.ground)
         )
 
     def show_grid(self, shown: bool) -> None:
         """Draw the ground's lines, or leave them out; then show a projection."""
         self.show_local()
-        show_grid(self.lines, self._scene, shown)
+        self.actors.show_grid(shown)
         self.show_detail(self._fewer)
 
-    def show_projection(self, projection: Projection) -> tuple[Array, Array]:
+    def _move(self, placement: ObjectTransform) -> None:
+        if self.actors.is_moved == placement.is_identity:
+            self.show_local()
+            self.actors.show_moved(not placement.is_identity)
+            self.show_detail(self._fewer)
+
+    def show_projection(self, projection: Projection) -> tuple[Array, Array, Array]:
         """Choose the precision and give the actors their vertices.
 
         Parameters
@@ -133,24 +132,38 @@ class ModelActors:
 
         Returns
         -------
-        surface, lines : (4, 4) float64 arrays
+        surface, lines, ground : (4, 4) float64 arrays
             Clip from vertex coordinates, for the actors to stand under.
         """
-        scene = self._scene
-        bounds = _bounds_px(projection, scene)
-        clip_from_local = projection.clip_from_world_at(scene.origin)
-        matrices = []
-        for which, (made, bound_px) in enumerate(zip(self._made, bounds, strict=True)):
+        scene, placement = self._scene, projection.placement
+        self._move(placement)
+        bounds = (*bounds_px(projection, scene), 0.0)  # while nothing is moved there is no ground
+        clip_from_world = projection.clip_from_local(scene.origin)
+        clip_from_object = clip_from_world
+        if not placement.is_identity:
+            clip_from_object = projection.clip_from_local(scene.origin, "object")
+        matrices = [clip_from_object, clip_from_object, clip_from_world]
+        for which, (made, bound_px) in enumerate(zip(self._made, bounds, strict=False)):
             if made is not None and made.is_seen and bound_px > self._tolerance_px:
-                matrices.append(made.replace(self._part(which, made, projection)))
-                continue
-            matrices.append(clip_from_local)
-            if made is not None:
+                matrices[which] = made.replace(self._part(which, made, projection))
+            elif made is not None:
                 made.restore()
         if self.precision == "float32":
             _projected.pop(scene, None)
-        surface, lines = matrices
-        return surface, lines
+        surface, lines, ground = matrices
+        return surface, lines, ground
+
+    def show_placed(self, placement: ObjectTransform) -> Array:
+        """Give the actors the scene's own vertices, and tell where the objects' stand.
+
+        Returns
+        -------
+        (4, 4) array
+            World-local coordinates from the objects' own; the ground has the world's.
+        """
+        self._move(placement)
+        self.show_local()
+        return placement.local_from(self._scene.origin, self._scene.origin)
 
     def show_local(self) -> None:
         """Give the actors the scene's own vertices, scene-local, whatever they stand under."""
@@ -166,14 +179,15 @@ class ModelActors:
         if kept is None or kept.fewer is not self._fewer or kept.projection != projection:
             kept = _projected[self._scene] = _Projected(self._fewer, projection)
         if which not in kept.parts:
-            part = _projected_part(made, projection, np.array(self._scene.origin))
+            space: Space = "world" if which == _GROUND else "object"
+            part = _projected_part(made, projection, np.array(self._scene.origin), space)
             kept.parts[which] = _Vertices(part, made, projection)
         return kept.parts[which]
 
 
 @dataclass
 class _Projected:
-    """What of a scene was projected last: parts by their place, faces 0 and lines 1."""
+    """What of a scene was projected last: faces are part 0, lines 1 and a ground `_GROUND`."""
 
     fewer: Scene | None
     projection: Projection
@@ -355,26 +369,27 @@ class _Clusters(NamedTuple):
         return cls(np.where(upper, ends[1][:, None], ends[0][:, None]), cluster)
 
 
-def _projected_part(made: _Made, projection: Projection, origin: Array) -> _Part:
+def _projected_part(made: _Made, projection: Projection, origin: Array, space: Space) -> _Part:
     """What a projection leaves of a mesh; clusters that lie beyond one plane are not looked at."""
     planes, cells, points = _planes(projection), made.cells, made.points
     beyond = np.zeros(0, dtype=np.bool_)
     if len(cells) > _MANY_CELLS:
         normals, offsets = planes
-        rows = normals @ projection.clip_from_world_at(origin)
+        rows = normals @ projection.clip_from_local(origin, space)
         rows[:, 3] += offsets
         boxes = made.clusters.boxes
         slack = 1e-9 * (np.abs(rows) @ (*np.abs(boxes).max(axis=(0, 1)), 1.0))  # a glance rounds
         beyond = ((boxes @ rows[:, :3].T + rows[:, 3]).max(axis=1) < -slack).any(axis=1)
     if not beyond.any():
-        return _cut(projection.trace(points.astype(np.float64) + origin).clip, cells, planes)
+        traced = projection.trace(points.astype(np.float64) + origin, space)
+        return _cut(traced.clip, cells, planes)
     kept = np.flatnonzero(~beyond[made.clusters.cluster])
     used = np.zeros(len(points), dtype=np.bool_)
     used[cells[kept]] = True
     vertices = np.flatnonzero(used)
     at = np.cumsum(used) - 1
-    world = points[vertices].astype(np.float64) + origin
-    part = _cut(projection.trace(world).clip, at[cells[kept]], planes)
+    traced = projection.trace(points[vertices].astype(np.float64) + origin, space)
+    part = _cut(traced.clip, at[cells[kept]], planes)
     return part._replace(
         vertex=vertices if part.vertex is None else vertices[part.vertex],
         cell=kept if part.cell is None else kept[part.cell],

@@ -282,6 +282,7 @@ def _disc(radius_px: float, colour: str, corners: int = 24, hole_px: float = 0.0
 
 
 _sorted: WeakKeyDictionary[Scene, tuple[Future[Surface], Lines]] = WeakKeyDictionary()
+_NO_FACES = Surface(np.empty((0, 3), np.float32), np.empty((0, 3), np.int32))
 _sorting = ThreadPoolExecutor(1, "sorting")
 
 
@@ -289,29 +290,49 @@ def sort_ahead(scene: Scene) -> None:
     """Sort the scene's faces as they are picked, beside all else: a million vertices take 0.1 s."""
     if scene in _sorted:
         return
-    mesh, lines = scene.surface, scene.lines
+    mesh = scene.surface
     points: NDArray[Any] = np.empty((0, 3), np.float32)
     triangles: NDArray[Any] = np.empty((0, 3), np.int32)
     if mesh is not None:
         if not mesh.is_all_triangles:  # VTK does not let go of Python: here as well as there
             mesh = mesh.triangulate()
         points, triangles = np.asarray(mesh.points), mesh.regular_faces
-    ends = np.empty((0, 2, 3)) if lines is None else lines.points[lines.lines.reshape(-1, 3)[:, 1:]]
     surface = _sorting.submit(Surface, points, triangles, scene.origin)
-    _sorted[scene] = surface, Lines(ends, scene.origin)
+    _sorted[scene] = surface, _lines_of(scene)
 
 
 def pick_in(
-    scene: Scene, sight: Sight, pixel: tuple[float, float], pixel_ratio: float = 1.0
+    scene: Scene,
+    projection: Projection,
+    sight: Sight,
+    pixel: tuple[float, float],
+    pixel_ratio: float = 1.0,
 ) -> Hit | None:
     """What of a scene is seen at a pixel; see `picking.pick`."""
     sort_ahead(scene)
     surface, lines = _sorted[scene]
-    return pick(surface.result(), lines, sight, pixel, pixel_ratio)
+    placement = projection.placement
+    if placement.is_identity:
+        return pick(surface.result(), lines, sight, pixel, pixel_ratio)
+    objects, ground = (_lines_of(part) for part in scene.apart)
+    behind = pick(_NO_FACES, ground, sight, pixel, pixel_ratio)
+    placed = sight.of_object(projection, scene.origin)
+    hit = pick(surface.result(), objects, placed, pixel, pixel_ratio)
+    if hit is None or (behind is not None and behind.order < hit.order and hit.vertex is None):
+        return behind
+    (point,) = placement.placed(np.array([hit.point])).world.tolist()
+    return hit._replace(point=point)
+
+
+def _lines_of(scene: Scene) -> Lines:
+    lines = scene.lines
+    ends = np.empty((0, 2, 3)) if lines is None else lines.points[lines.lines.reshape(-1, 3)[:, 1:]]
+    return Lines(ends, scene.origin)
 
 
 def next_vertex(
     scene: Scene,
+    projection: Projection,
     sight: Sight,
     rectangle_px: tuple[float, float, float, float],
     pixel_ratio: float,
@@ -324,6 +345,7 @@ def next_vertex(
     Parameters
     ----------
     scene : Scene
+    projection : Projection
     sight : Sight
     rectangle_px : (float, float, float, float)
         The part of the pane in which the scene is drawn: left, top, width and height.
@@ -343,6 +365,7 @@ def next_vertex(
         return None
     sort_ahead(scene)
     surface = _sorted[scene][0].result()
+    sight = sight.of_object(projection, scene.origin)
     order = stops(
         np.asarray(scene.surface.points), scene.origin, sight, rectangle_px, pixel_ratio, at
     )
@@ -355,8 +378,9 @@ def next_vertex(
     return next((stop.number for stop in tried if not surface.hides(sight, stop)), fallback)
 
 
-def vertex_of(scene: Scene, number: int) -> Vector:
+def vertex_of(scene: Scene, projection: Projection, number: int) -> Vector:
     """Where a vertex of a scene's faces is in the world; the same bits as where it is picked."""
     assert scene.surface is not None
-    x, y, z = (scene.surface.points[number] + np.array(scene.origin)).tolist()
+    point = np.array([scene.surface.points[number] + np.array(scene.origin)], dtype=np.float64)
+    ((x, y, z),) = projection.placement.placed(point).world.tolist()
     return x, y, z

@@ -44,9 +44,10 @@ class Silhouette:
             points = surface.points[:: -(-len(surface.points) // _MOST_POINTS)]
             self._triangles = np.repeat(points.astype(np.float64)[:, None], 3, axis=1)
 
-    def seen(self, pane: PaneView) -> Mask:
+    def seen(self, pane: PaneView, local_from_object: Array) -> Mask:
         """Where they are in a pane now; what reaches behind its camera is left out."""
-        square, triangles = self._square_px, self._triangles
+        square, placed = self._square_px, local_from_object
+        triangles = self._triangles @ placed[:3, :3].T + placed[:3, 3]
         shape = tuple(int(side_px / square) + 2 for side_px in pane.size_px)
         held = np.zeros(shape, dtype=np.bool_)
         if len(triangles):

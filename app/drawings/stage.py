@@ -78,22 +78,25 @@ class StageDrawing:
         self._scene, self._words, self._style = scene, words, style
         self._canvas = Canvas(screen, style, self._layout)
         self.own = StageView(self._canvas, scene.start.camera)
-        self._space, self._line_space = Space(), Space()
+        self._space, self._line_space, self._ground_space = Space(), Space(), Space()
         self._position = float(NDC)
         self._placed: tuple[float, object] | None = None
         """The position at which the box stands, and what else it depends on."""
         # Left, right, bottom, top, far, near of the view volume, normals inwards.
         self._planes = [vtkPlane() for _ in range(6)]
         self._model = ModelActors(scene, style, least_tolerance(scene, tolerance_px), self._planes)
-        if self._model.lines is not None:
-            lift_lines(self._model.lines)
+        drawn = self._model.actors
+        for lines in (drawn.lines, drawn.ground):
+            if lines is not None:
+                lift_lines(lines)
         for actor, space in (
-            (self._model.surface, self._space),
-            (self._model.lines, self._line_space),
+            (drawn.surface, self._space),
+            (drawn.lines, self._line_space),
+            (drawn.ground, self._ground_space),
         ):
             if actor is not None:
                 space.add(actor)
-                self._canvas.add(actor)
+        self._canvas.add(*drawn)
         self.box = StageBox(self._canvas, words)
         self._emphasis = Emphasis(self._canvas)
         self.box.make_emphasis(self._emphasis)
@@ -137,7 +140,8 @@ class StageDrawing:
         """Made when something asks for it: most steps at the NDC stop do not."""
         if self._made is None:
             scene = self._scene
-            self._made = morph_of(self._projection, scene.origin, scene.corners)
+            corners = scene.reach(self._projection.placement)
+            self._made = morph_of(self._projection, scene.origin, corners)
         return self._made
 
     def show_layers(self, hidden: frozenset[str]) -> None:
@@ -185,12 +189,14 @@ class StageDrawing:
             self._place_texts()
         if at_ndc:  # what the volume holds is all that is shown, in the arithmetic that it needs
             to_display = self._display_from_ndc
-            surface, lines = (to_display @ m for m in self._model.show_projection(self._seen))
+            matrices = [to_display @ m for m in self._model.show_projection(self._seen)]
         else:
-            self._model.show_local()
-            surface = lines = self._morph.display_from_local(position)
-        self._space.set_projective(surface)
-        self._line_space.set_projective(lines)
+            display_from_local = self._morph.display_from_local(position)
+            of_object = display_from_local @ self._model.show_placed(projection.placement)
+            matrices = [of_object, of_object, display_from_local]
+        spaces = self._space, self._line_space, self._ground_space
+        for space, matrix in zip(spaces, matrices, strict=True):
+            space.set_projective(matrix)
         if self._probes.probes:
             self._place_probes()
 

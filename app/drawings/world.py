@@ -33,7 +33,7 @@ from app.drawings.rasterising import Rasteriser
 from app.drawings.silhouette import Mask, Silhouette
 from app.drawings.style import Style
 from app.lecture.highlight import CORNERS, Highlight
-from app.model.projection import Array, Camera, Projection
+from app.model.projection import Array, Camera, ObjectTransform, Projection
 from app.picking.handles import Handle, nearest, shown
 from app.picking.picking import Probe, Sight
 from app.scenes.phenomena.illustration import Illustration, Marks, Rendering
@@ -80,19 +80,21 @@ class WorldDrawing:
     ) -> None:
         self._scene, self._words = scene, words
         self._origin = np.array(scene.origin, dtype=np.float64)
-        self._objects = _box_corners(scene.lower, scene.upper) - self._origin
-        meshes = [mesh for mesh in (scene.surface, scene.lines) if mesh is not None]
-        bounds = [np.reshape(mesh.bounds, (3, 2)) for mesh in meshes]
-        self._everything = np.concatenate(
-            [self._objects, *(_box_corners(b[:, 0], b[:, 1]) for b in bounds)]
-        )
+        self._placement: ObjectTransform | None = None
+        self._place(scene.start.placement)
         self._canvas = canvas = Canvas(screen, style, self._lay_out)
-        self._faces, lines = actors.scene_actors(scene, style)
-        self._lines_space = Space()
-        if lines is not None:
-            self._lines_space.add(lines)
-        canvas.add(*(actor for actor in (self._faces, lines) if actor is not None))
-        self._lines, self._hidden = lines, canvas.hidden
+        self._actors = drawn = actors.SceneActors(scene, style)
+        self._faces = drawn.surface
+        self._faces_space, self._lines_space, self._ground_space = Space(), Space(), Space()
+        for actor, space in (
+            (drawn.surface, self._faces_space),
+            (drawn.lines, self._lines_space),
+            (drawn.ground, self._ground_space),
+        ):
+            if actor is not None:
+                space.add(actor)
+        canvas.add(*drawn)
+        self._hidden = canvas.hidden
         self.picture = NearPicture(canvas, scene)
         self._detail = actors.Detail(self._faces, self.picture.faces)
         self._rasterisers: list[Rasteriser] = []
@@ -169,8 +171,8 @@ class WorldDrawing:
         hidden : frozenset of str
             Of `app.document.view.LAYERS`.
         """
-        for lines in (self._lines, self.picture.lines):
-            actors.show_grid(lines, self._scene, "grid" not in hidden)
+        for drawn in (self._actors, self.picture.actors):
+            drawn.show_grid("grid" not in hidden)
         self._hidden = hidden
         self._switch_layers()
         self._follow_pane(afresh=True)
@@ -282,7 +284,14 @@ class WorldDrawing:
             Nothing of another one stays.
         """
         self._projection = projection
-        if self._standing is None or projection.camera is not self._standing.camera:
+        is_placed = self._place(projection.placement)
+        if is_placed:
+            for drawn in (self._actors, self.picture.actors):
+                drawn.show_moved(not projection.placement.is_identity)
+            self._faces_space.set(self._local_from_object)
+            self._place_lines()
+            self._mask = None
+        if is_placed or self._standing is None or projection.camera is not self._standing.camera:
             self._standing = self._stand(projection.camera)
             self.camera.show(self._standing)
         is_first = self._marks is None and illustration is not None
@@ -295,6 +304,17 @@ class WorldDrawing:
             self._follow_camera(afresh=False)
         else:
             self._follow_pane(afresh=False)
+
+    def _place(self, placement: ObjectTransform) -> bool:
+        """Take where the objects stand; tell whether they stood elsewhere."""
+        if placement == self._placement:
+            return False
+        scene, origin = self._scene, self._origin
+        self._placement = placement
+        self._local_from_object = placement.local_from(scene.origin, scene.origin)
+        self._objects = placement.placed(scene.objects_box).world - origin
+        self._everything = np.concatenate([self._objects, scene.reach(placement) - origin])
+        return True
 
     @property
     def _deepest_grip(self) -> float:
@@ -341,8 +361,9 @@ class WorldDrawing:
         if self._marks is not None or self.handles is not None or self.own.fixed:
             first = self._place_first
         pane = self.own.pane
-        if pane is not self._masked_for:
-            self._masked_for, self._mask = pane, self._silhouette.seen(pane)
+        if pane is not self._masked_for or self._mask is None:
+            self._masked_for = pane
+            self._mask = self._silhouette.seen(pane, self._local_from_object)
         return self.labels.lay_out(
             pane, named, afresh=afresh, first=first, subject=self._mask, held_at=self._held_at()
         )
@@ -470,10 +491,15 @@ class WorldDrawing:
         self._switch_layers()
         if not self.own.fixed and self._dimensions is not None:
             self._dimensions.hide()
-        self._lines_space.set(self.own.lifted(1.0))
+        self._place_lines()
         if self._marks is not None:
             self._marks.place_copies(self.own.lifted)
         self._follow_pane(afresh=afresh)
+
+    def _place_lines(self) -> None:
+        lifted = self.own.lifted(1.0)
+        self._lines_space.set(lifted @ self._local_from_object)
+        self._ground_space.set(lifted)
 
     def _follow_pane(self, *, afresh: bool) -> None:
         """All that depends on the model and on where the pane's camera stands."""
@@ -483,7 +509,7 @@ class WorldDrawing:
         self._place_labels(afresh=afresh)
         # From the eye the planes cover all of the picture, and one another.
         frustum.tint(pane, 0.0 if self.own.sees_from_eye else self._light)
-        self.picture.show(self._projection, at, frustum, pane)
+        self.picture.show(self._projection, at, frustum, pane, self._local_from_object)
         frustum.turn_breaks(pane)
         depths = self.camera.depths(pane)
         drawn = [self._everything, self.camera.around, frustum.corners, self._marked]
@@ -509,7 +535,7 @@ class WorldDrawing:
                     picture=False,
                 )
                 for actor, space in (
-                    (self._faces, Space()),
+                    (self._faces, self._faces_space),
                     (self.picture.faces, self.picture.space),
                 )
                 if actor is not None
@@ -596,10 +622,3 @@ class WorldDrawing:
                 ),
                 size_px[1],
             )  # fmt: skip
-
-
-def _box_corners(lower: Any, upper: Any) -> Array:
-    """The eight corners of a box, (8, 3)."""
-    lower, upper = np.asarray(lower, dtype=np.float64), np.asarray(upper, dtype=np.float64)
-    corners: Array = lower + (upper - lower) * ((actors.CUBE_CORNERS + 1.0) / 2.0)
-    return corners

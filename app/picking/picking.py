@@ -76,6 +76,13 @@ class Sight(NamedTuple):
         rows[[0, 1, 3]] = np.asarray(pixels_from_pixels) @ self.rows[[0, 1, 3]]
         return self._replace(rows=rows)
 
+    def of_object(self, projection: Projection, origin: Vector) -> Sight:
+        """The same sight, for points of the object: ``rows (p - origin, 1)``."""
+        if projection.placement.is_identity:
+            return self
+        local = projection.placement.local_from(origin, tuple(self.eye.tolist()))
+        return Sight(np.array(origin), self.rows @ local, self.limits @ local)
+
     def seen(self, points_world: ArrayLike) -> Array:
         """Pixels x, y of points, (n, 2); NaN for those at or behind the eye plane."""
         offsets = np.asarray(points_world, dtype=np.float64) - self.eye

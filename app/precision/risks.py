@@ -87,7 +87,7 @@ def risks(
     ----------
     projection : Projection
     lower, upper : Vector
-        World bounds of the scene's objects.
+        Bounds of the scene's objects, in their own coordinates.
     drawn : {"float32", "float64"}
         The precision that the panes are drawn with.
     drawing_px : float
@@ -97,7 +97,8 @@ def risks(
     """
     found = []
     size = math.dist(lower, upper)
-    beyond = projection.trace(list(product(*zip(lower, upper, strict=True)))).outside.all(axis=0)
+    corners = list(product(*zip(lower, upper, strict=True)))
+    beyond = projection.trace(corners, "object").outside.all(axis=0)
     if beyond.any():
         found.append(Risk(NO_PICTURE, (PLANES[beyond.argmax()],)))
     lens, distance = projection.lens, projection.camera.distance

@@ -25,7 +25,14 @@ from typing import TYPE_CHECKING, Any, NamedTuple, TypeAlias, cast
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from app.model.projection import Array, Camera, Perspective, Projection
+from app.model.projection import (
+    Array,
+    Camera,
+    ObjectTransform,
+    Perspective,
+    Projection,
+    Space,
+)
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
 from app.scenes.mesh_files import ENDINGS as ENDINGS
 from app.scenes.mesh_files import (
@@ -162,6 +169,7 @@ class _Later:
         Least and largest x, y and z.
     n_cells, corners : int
         How many polygons or lines, and of how many corners together.
+    rgb : (n_cells, 3) array of uint8
     cells : (n_cells + 1,) and (corners,) arrays of int
         Where each one's corners begin, and the corners.
     """
@@ -171,7 +179,7 @@ class _Later:
     ) -> None:
         self.points = points.astype(np.float32)
         self.bounds = np.stack([self.points.min(axis=0), self.points.max(axis=0)], axis=1).ravel()
-        self.n_cells, self.corners = len(rgb), corners.size
+        self.n_cells, self.corners, self.rgb = len(rgb), corners.size, rgb
         self.cells = offsets, corners
         self.make = partial(_poly_data, points, offsets, corners, rgb)
 
@@ -295,6 +303,47 @@ class Scene:
         return self._box(low, high)
 
     @cached_property
+    def apart(self) -> tuple[Scene, Scene]:
+        """The objects alone and the ground alone, as scenes from the same origin."""
+        surface, lines = (self.__dict__[name] for name in ("surface", "lines"))
+        kept: list[_Later | None] = [None, None]
+        if lines is not None:
+            rgb = np.asarray(lines.rgb if isinstance(lines, _Later) else lines.cell_data["rgb"])
+            ends, grid = np.asarray(lines.points).reshape(-1, 2, 3), is_grid(rgb)
+            for i, which in enumerate((~grid, grid)):
+                kept[i] = _line_set((ends[which], rgb[which])) if which.any() else None
+        objects, ground = kept
+        return (
+            replace(self, surface=surface, lines=objects),
+            replace(self, surface=None, lines=ground),
+        )
+
+    def parts(self, placement: ObjectTransform) -> tuple[tuple[Scene, Space], ...]:
+        """What is drawn under one matrix each, and what its coordinates are.
+
+        All of it in the world while nothing is moved; else the objects, and the ground.
+        """
+        if placement.is_identity:
+            return ((self, "world"),)
+        objects, ground = self.apart
+        return (objects, "object"), (ground, "world")
+
+    def reach(self, placement: ObjectTransform) -> Array:
+        """World coordinates of the corners of boxes round all that is drawn, (8 or 16, 3)."""
+        if placement.is_identity:
+            return self.corners
+        objects, ground = self.apart
+        placed = placement.placed(objects.corners).world
+        if ground.__dict__["lines"] is None:
+            return placed
+        return np.concatenate([placed, ground.corners])
+
+    @property
+    def objects_box(self) -> Array:
+        """Corners of the objects' bounds in the object's coordinates, (8, 3)."""
+        return self._box(*(np.subtract(end, self.origin) for end in (self.lower, self.upper)))
+
+    @cached_property
     def boxes(self) -> Boxes:
         """Boxes that together hold what is drawn, each thing in one of them whole.
 
@@ -323,6 +372,11 @@ class Scene:
         which = np.array([[i >> axis & 1 for axis in range(3)] for i in range(8)], dtype=bool)
         corners: Array = np.where(which, high, low) + self.origin
         return corners
+
+    @property
+    def has_vertices(self) -> bool:
+        """Whether there is anything to draw: an empty ground has nothing."""
+        return any(self.__dict__[name] is not None for name in ("surface", "lines"))
 
     @property
     def vertices(self) -> Array:

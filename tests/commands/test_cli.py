@@ -26,6 +26,7 @@ from app.commands import cli, options
 from app.document.document import Document, embed, read, set_values, to_json, write
 from app.document.view import View
 from app.model.limits import SMALLEST_WINDOW
+from app.model.object_transform import SPACES
 from app.model.projection import (
     LARGEST,
     Camera,

@@ -595,9 +595,9 @@ def test_what_float64_leaves_out_at_a_glance_is_not_seen(
     traced: list[int] = []
     trace = Projection.trace
 
-    def counted(projection: Projection, points: Any) -> Any:
+    def counted(projection: Projection, points: Any, space: Any = "world") -> Any:
         traced.append(len(points))
-        return trace(projection, points)
+        return trace(projection, points, space)
 
     for eye in ((3.0, 2.0, 4.0), (0.1, 0.0, 0.0), (1.12, 0.1, 0.0)):
         projection = Projection(

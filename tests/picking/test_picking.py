@@ -310,7 +310,7 @@ def test_the_grid_is_picked_where_no_face_is_in_front(lens: Lens) -> None:
                 face is not None and projection.trace(face).depth < trace.depth - 1e-6
                 for face in faces
             ]
-            hit = pick_in(scene, sight, (x, y))
+            hit = pick_in(scene, scene.start, sight, (x, y))
             assert hit is not None
             if not any(in_front):
                 clear += 1
@@ -419,7 +419,7 @@ def test_a_scene_is_sorted_before_it_is_clicked() -> None:
     sort_ahead(scene)
     sort_ahead(scene)
     x, y = scene.start.trace((0.5, 1.0, 0.5)).image.tolist()
-    hit = pick_in(scene, Sight.of(scene.start), (x, y))
+    hit = pick_in(scene, scene.start, Sight.of(scene.start), (x, y))
     assert hit is not None and hit.point == pytest.approx((0.5, 1.0, 0.5))
 
 

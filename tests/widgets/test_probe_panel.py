@@ -194,7 +194,7 @@ def test_a_click_on_or_beside_a_vertex_that_is_seen_gives_it_in_every_pane(
                 if np.nanmin(away) <= math.hypot(right, down):
                     continue  # another is nearer
                 clicks[name] += 1
-                hit = pick_in(scene, sight, (float(x) + right, float(y) + down))
+                hit = pick_in(scene, scene.start, sight, (float(x) + right, float(y) + down))
                 if hit is None or math.dist(hit.point, vertex) > 1e-6:
                     missed.append((name, vertex.tolist(), right, down, hit))
     assert not missed, missed

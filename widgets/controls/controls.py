@@ -39,7 +39,7 @@ from widgets.parts.fields import Choice, Linear, Log, NumberRow, Row, Scale, sho
 from widgets.parts.focus import FocusRing
 from widgets.parts.messages import field_name, seen_from, sentence, translated
 from widgets.parts.panel import EVERYTHING, Changed, Shown
-from widgets.parts.section import GAP_PX, PARTS, Binding, Part, Rows, Section, Typed
+from widgets.parts.section import GAP_PX, PARTS, Binding, Of, Part, Rows, Section, Typed
 
 WIDTH_PX, LEAST_PX = 285, 270
 """How wide the dock is where nobody has chosen, and how narrow it becomes at the ordinary font."""
@@ -80,7 +80,8 @@ class Controls(QScrollArea):
         Every row of the projection by the name of what it shows: ``"near"``, ``"fov_y_deg"``,
         ``"eye_x"``, ...
     sections : dict of str to Section
-        What is folded: ``"more_lens"``, ``"more_camera"``, ``"image"``, ``"animation"``.
+        What is folded: ``"more_lens"``, ``"more_camera"``, ``"image"``, ``"object"``,
+        ``"animation"``.
     animation : AnimationBar
         Its cameras come out of `edited`; its gestures are its own.
     search : SearchBox
@@ -100,7 +101,7 @@ class Controls(QScrollArea):
         self._projection = Projection()
         self._defaults = self._projection
         self._size = 10.0
-        self._is_for_class = False
+        self._is_for_class = self._has_fixed_objects = False
         self._lifted: tuple[str, ...] = ()
         self._replaced: Collection[str] = ()
         self._found: set[QWidget] | None = None
@@ -133,6 +134,7 @@ class Controls(QScrollArea):
             "more_lens": Section(self.tr("More of the lens")),
             "more_camera": Section(self.tr("More of the camera")),
             "image": Section(self.tr("Image and depth range")),
+            "object": Section(self.tr("Object")),
             "animation": Section(self.tr("Animation")),
         }
         for section in self.sections.values():
@@ -142,6 +144,7 @@ class Controls(QScrollArea):
         self._make_camera()
         self._make_image()
         self._make_depth()
+        self._make_object()
         self._make_animation()
         self._bindings: dict[str, Binding] = {}
         for rows in self._parts:
@@ -172,6 +175,8 @@ class Controls(QScrollArea):
     def take(self, shown: Shown, changed: Changed) -> None:
         """Show another projection, and fit the sliders to another scene; answered by no signal."""
         if changed & {"scene", "view"}:
+            self._has_fixed_objects = shown.scene.phenomenon is not None
+            self._fixed.setVisible(self._has_fixed_objects)
             self.set_scene(shown.scene.size, shown.scene.start)
         self._show(shown.projection)
         if changed & {"illustration", "settings"}:
@@ -247,6 +252,7 @@ class Controls(QScrollArea):
             about_target = Linear.about(camera.target[axis], reach)
             self._number(f"eye_{letter}").setScale(about_target)
             self._number(f"target_{letter}").setScale(about_target)
+            self._number(f"translate_{letter}").setScale(Linear.about(0.0, 2.0 * size))
         near, far = sorted((size, camera.distance))
         self._number("distance").setScale(Log(float(f"{near / 10.0:.2g}"), 10.0 * far))
         self._lens.fit(self._projection, size, defaults)
@@ -405,8 +411,8 @@ class Controls(QScrollArea):
         for vector, tip in vectors.items():
             for axis, letter in enumerate("xyz"):
                 name = self.tr("{0} {1}").format(field_name(vector), letter)
-                read = partial(_read_component, vector, axis)
-                write = partial(_write_component, vector, axis)
+                read = partial(_read_component, "camera", vector, axis)
+                write = partial(_write_component, "camera", vector, axis)
                 scale = Linear(-1.0, 1.0, 0.01)  # of the others the scene is yet to scale it
                 unit, unit_tip = ("", "") if vector == "up" else lengths
                 more.add_number(
@@ -458,6 +464,61 @@ class Controls(QScrollArea):
             self.tr("Which z the near and the far plane have in the NDC cube."),
             choices, lambda p: p.depth, lambda p, depth: p.with_depth(depth),
             name=self.tr("NDC z"),
+        )  # fmt: skip
+
+    def _make_object(self) -> None:
+        section = self.sections["object"]
+        self._fixed = QLabel(
+            self.tr(
+                "The objects of this scene are fixed: what it shows is reckoned with them. Those of"
+                " the letter F, the cube, the posts and of any mesh can be moved."
+            )
+        )
+        self._fixed.setWordWrap(True)
+        section.add(self._fixed)
+        degrees, lengths = (
+            (self.tr("°"), self.tr("degrees")),
+            (self.tr("units"), self.tr("world units")),
+        )
+        numbers = {
+            "translate": (
+                self.tr("Moves the object: the last column of world ← object."),
+                *lengths,
+            ),
+            "rotate_deg": (
+                self.tr("Turns the object about the fixed axes: first x, then y, then z."),
+                *degrees,
+            ),
+            "scale": (
+                self.tr("Stretches the object along its own axes: 0 flattens it, −1 mirrors it."),
+                self.tr("×"),
+                self.tr("times"),
+            ),
+        }
+        scales = {"rotate_deg": Linear(-180.0, 180.0, 1.0), "scale": Linear(-3.0, 3.0, 0.01)}
+        for vector, (tip, unit, unit_tip) in numbers.items():
+            for axis, letter in enumerate("xyz"):
+                section.add_number(
+                    f"{vector}_{letter}", "placement", tip,
+                    scales.get(vector, Linear(-1.0, 1.0, 0.01)), unit, unit_tip,
+                    partial(_read_component, "placement", vector, axis),
+                    partial(_write_component, "placement", vector, axis),
+                    name=self.tr("{0} {1}").format(field_name(vector), letter), field=vector,
+                )  # fmt: skip
+        choices = (
+            Choice("trs", self.tr("T R S"), self.tr("Scaled and turned where it is, then moved.")),
+            Choice(
+                "rts",
+                self.tr("R T S"),
+                self.tr("Scaled and moved, then turned about the world's origin."),
+            ),
+        )
+        section.add_choice(
+            "order", "placement",
+            self.tr("Which factor comes first: of column vectors, the one on the right."),
+            choices, lambda p: p.placement.order,
+            lambda p, order: replace(p, placement=replace(p.placement, order=order)),
+            buttons=True,
         )  # fmt: skip
 
     def _make_animation(self) -> None:
@@ -572,7 +633,9 @@ class Controls(QScrollArea):
     # -- shown
 
     def _in_use(self, binding: Binding) -> bool:
-        """Whether a row belongs to the lens at hand, and no setting of the scene's is the same."""
+        """Whether a row belongs to lens and scene, and no setting of the scene's is the same."""
+        if binding.part == "placement" and self._has_fixed_objects:
+            return False
         of_lens = not binding.lenses or self._projection.lens.kind in binding.lenses
         return of_lens and binding.field not in self._replaced
 
@@ -672,14 +735,17 @@ def _with_orbit(projection: Projection, orbit: Orbit) -> Projection:
     return replace(projection, camera=Camera.from_orbit(projection.camera.target, orbit))
 
 
-def _read_component(vector: str, axis: int, projection: Projection) -> float:
-    return float(getattr(projection.camera, vector)[axis])
+def _read_component(part: Of, vector: str, axis: int, projection: Projection) -> float:
+    return float(getattr(getattr(projection, part), vector)[axis])
 
 
-def _write_component(vector: str, axis: int, projection: Projection, value: float) -> Projection:
-    components = list(getattr(projection.camera, vector))
+def _write_component(
+    part: Of, vector: str, axis: int, projection: Projection, value: float
+) -> Projection:
+    whole: Any = getattr(projection, part)
+    components = list(getattr(whole, vector))
     components[axis] = value
-    return replace(projection, camera=replace(projection.camera, **{vector: tuple(components)}))
+    return replace(projection, **{part: replace(whole, **{vector: tuple(components)})})
 
 
 def _side(axis: int, projection: Projection) -> int:

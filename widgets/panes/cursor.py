@@ -201,7 +201,15 @@ class Cursor(QObject):
             image: ImageDrawing = drawing
             rectangle_px = image.picture_rectangle_px
         at = self._thing.number if isinstance(self._thing, Vertex) else None
-        number = next_vertex(self._scene, drawing.sight, rectangle_px, ratio, at, forwards=forwards)
+        number = next_vertex(
+            self._scene,
+            self._pane.projection,
+            drawing.sight,
+            rectangle_px,
+            ratio,
+            at,
+            forwards=forwards,
+        )
         return None if number is None else Vertex(number)
 
     def _next_to_hold(self, forwards: bool) -> Thing | None:
@@ -273,7 +281,7 @@ class Cursor(QObject):
         if isinstance(thing, Vertex) and self._scene is not None:
             from app.drawings.probes import vertex_of
 
-            return vertex_of(self._scene, thing.number)
+            return vertex_of(self._scene, self._pane.projection, thing.number)
         if isinstance(thing, Followed):
             return next((p.point for p in self._pane.probes if p.number == thing.number), None)
         return None

@@ -340,6 +340,12 @@ class Pane(QFrame):
         view: Camera | None = self.drawing.view
         return view
 
+    @property
+    def projection(self) -> Projection:
+        """What it was told last."""
+        assert self._shown is not None
+        return self._shown.projection
+
     def take(self, shown: Shown, changed: Changed) -> None:
         """Show the model's new value, and what a phenomenon shows for it: now, or on appearing."""
         self._shown = shown

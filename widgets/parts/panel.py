@@ -18,7 +18,7 @@ from app.scenes.scene import Scene
 
 Changed: TypeAlias = frozenset[str]
 """Some of `EVERYTHING`."""
-PROJECTION: Changed = frozenset({"lens", "camera", "image_size", "depth"})
+PROJECTION: Changed = frozenset({"lens", "camera", "image_size", "depth", "placement"})
 """The fields of a `Projection`."""
 EVERYTHING: Changed = PROJECTION | {"scene", "illustration", "settings", "quality", "view"}
 

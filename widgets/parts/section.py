@@ -21,8 +21,8 @@ from widgets.parts.messages import field_name
 Read: TypeAlias = Callable[[Projection], Any]
 Write: TypeAlias = Callable[[Projection, Any], Projection]
 Keep: TypeAlias = Callable[[Projection, Any, Projection], None]
-Of: TypeAlias = Literal["lens", "camera", "image_size", "depth"]
-PARTS: tuple[Of, ...] = ("lens", "camera", "image_size", "depth")
+Of: TypeAlias = Literal["lens", "camera", "image_size", "depth", "placement"]
+PARTS: tuple[Of, ...] = ("lens", "camera", "image_size", "depth", "placement")
 
 
 def tidy(number: float) -> float:

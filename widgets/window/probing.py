@@ -137,7 +137,9 @@ class Probing(QObject):
             if pixel is None:  # beside the picture
                 return ()
         pixel_ratio = self._panes[name].canvas.pixel_ratio
-        hit = pick_in(self._shown().scene, drawing.sight, (x_px, y_px), pixel_ratio)
+        shown = self._shown()
+        at = x_px, y_px
+        hit = pick_in(shown.scene, shown.projection, drawing.sight, at, pixel_ratio)
         if hit is not None:
             return (Probe(0, point=hit.point),)
         return () if pixel is None else (Probe(0, pixel=pixel),)

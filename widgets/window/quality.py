@@ -19,8 +19,8 @@ from PySide6.QtCore import QObject
 
 from app.document.document import Document, set_values
 from app.document.store import Store
+from app.drawings.scene_bounds import bounds_px
 from app.model.refusal import Refusal
-from app.precision.levels import precision_for_drawing
 from app.precision.quality import AUTO, AUTOMATIC
 from app.scenes.scene import Scene
 from widgets.panes.pane import SMOOTHINGS, Pane
@@ -160,8 +160,8 @@ class DrawnQuality(QObject):
         precision = quality.rung
         if precision == AUTO:
             tolerance_px = self._settings.tolerance_px
-            boxes = scene.boxes.together
-            precision = precision_for_drawing(projection, boxes, scene.origin, tolerance_px)
+            is_enough = max(bounds_px(projection, scene)) <= tolerance_px
+            precision = "float32" if is_enough else "float64"
         return {
             "rung": precision,
             "depth_format": quality.depth_format or "fixed24",

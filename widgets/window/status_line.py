@@ -17,6 +17,7 @@ from PySide6.QtGui import QResizeEvent, QShowEvent
 from PySide6.QtWidgets import QLabel, QMenu, QSizePolicy, QStatusBar, QToolButton
 
 from app.drawings.frame_budget import LARGEST_FRAME_MS
+from app.drawings.scene_bounds import bounds_px, predictions
 from app.model.projection import Projection
 from app.precision.levels import (
     DRAWING_TOLERANCE_PX,
@@ -24,9 +25,7 @@ from app.precision.levels import (
     LEAST_TOLERANCE_PX,
     Precision,
     Prediction,
-    drawing_bound_px,
     precision_for_reading,
-    predict,
 )
 from app.precision.quality import AUTOMATIC, Quality
 from app.precision.risks import risks
@@ -189,12 +188,12 @@ class StatusLine(QStatusBar):
         if self._projection is None or self._scene is None:
             return
         projection, scene = self._projection, self._scene
-        self._predictions = predict(projection, scene.vertices, scene.origin)
+        self._predictions = predictions(projection, scene)
         tolerance_px = self._quality.tolerance_px(self.tolerance_px)
-        bounds_px = [drawing_bound_px(projection, boxes, scene.origin) for boxes in scene.boxes]
-        drawing_px = max(bounds_px)
+        found_px = bounds_px(projection, scene)
+        drawing_px = max(found_px)
         self._drawn = "float32" if drawing_px <= tolerance_px else "float64"
-        float32_px = max((px for px in bounds_px if px <= tolerance_px), default=0.0)
+        float32_px = max((px for px in found_px if px <= tolerance_px), default=0.0)
         self._show_precisions(self._drawn, float32_px, self._predictions)
         self._risks = [
             translated(risk.template, "Health").format(*map(plane_name, risk.figures))

@@ -1,0 +1,43 @@
+"""What every precision can lose of a scene where it stands, before anything is drawn."""
+
+from __future__ import annotations
+
+from weakref import WeakKeyDictionary
+
+from app.model.projection import Projection
+from app.precision.levels import Precision, Prediction, drawing_bounds_px, predict
+from app.scenes.scene import Scene
+
+
+def bounds_px(projection: Projection, scene: Scene) -> tuple[float, ...]:
+    """What float32 can lose of a scene's faces, of its lines, and of a ground left behind.
+
+    Once for all panes of a step.
+    """
+    kept = _bounds.get(scene)
+    if kept is None or kept[0] != projection:
+        bounds: list[float] = []
+        for part, space in scene.parts(projection.placement):
+            faces = len(part.boxes.faces)
+            found = drawing_bounds_px(projection, part.boxes.together, scene.origin, space)
+            bounds += max(found[:faces], default=0.0), max(found[faces:], default=0.0)
+        if len(bounds) == 4:  # the ground has no faces
+            del bounds[2]
+        kept = _bounds[scene] = projection, tuple(bounds)
+    return kept[1]
+
+
+def predictions(projection: Projection, scene: Scene) -> dict[Precision, Prediction] | None:
+    """Bounds of every precision's largest error over a scene's vertices, where they stand."""
+    found: dict[Precision, Prediction] | None = None
+    for part, space in scene.parts(projection.placement):
+        if part.has_vertices:
+            bounds = predict(projection, part.vertices, scene.origin, space)
+            if found is not None and bounds is not None:
+                for level, bound in found.items():
+                    bounds[level] = Prediction(*map(max, bound, bounds[level]))
+            found = bounds or found
+    return found
+
+
+_bounds: WeakKeyDictionary[Scene, tuple[Projection, tuple[float, ...]]] = WeakKeyDictionary()
