@@ -31,13 +31,16 @@ _SHAPES = {
     "near": (4, 0.68),
     "far": (4, 0.68),
     "grip": (16, 0.52),
+    "origin": (16, 0.52),
+    "turn": (16, 0.42),
+    **dict.fromkeys("xyz", (4, 0.6)),
 }
 _CORNER = 4, 0.72  # corners of the mark, and its radius in em
 _RIM_EM = _RING_EM = 0.12
 _LAYERS = 3  # ring, rim and fill
 _POINTS = 16  # of each outline
 _POINTED_OUT = 1.4  # times as large
-_MOST = 10  # eye, target, near, far, four corners, and two points of a scene's settings
+_MOST = 15  # eye, target, near, far, four corners, five of the object, or two of a scene's
 _AWAY_PX = -1e4
 
 
@@ -58,6 +61,8 @@ class HandleMarks:
         fills = {"eye": style.background, "corner": style.background}
         fills |= {"grip": style.background}
         fills |= {name: getattr(style, name) for name in ("target", "near", "far")}
+        fills |= {"origin": style.ink, "turn": style.background}
+        fills |= {"x": style.u, "y": style.v, "z": style.n}
         self._fills = {name: _bytes(colour) for name, colour in fills.items()}
         self._accent, self._ink = _bytes(style.accent), _bytes(style.ink)
         self._ring = _bytes(style.background)
@@ -102,8 +107,9 @@ class HandleMarks:
             if not (math.isfinite(x) and math.isfinite(y)):  # held, and not to be seen
                 x, y = _AWAY_PX, _AWAY_PX
             out = handle == self.held
-            self._places[i, ..., :2] = self._outlines[handle.name, out] + (x, height_px - y)
-            fill = self._accent if out else self._fills[handle.name]
+            kind = handle.setting if handle.name == "object" else handle.name
+            self._places[i, ..., :2] = self._outlines[kind, out] + (x, height_px - y)
+            fill = self._accent if out else self._fills[kind]
             self._colours[i] = self._ring, self._ink, fill
         self._points.Modified()
         self._scalars.Modified()

@@ -26,13 +26,14 @@ from app.drawings.handles import APART_EM, HandleMarks
 from app.drawings.labels import Labels, Layout, Named, PaneView
 from app.drawings.marks import MarksDrawing, Placing
 from app.drawings.near_picture import NearPicture
+from app.drawings.object_axes import ObjectAxes
 from app.drawings.own_view import Framed, OwnView
 from app.drawings.pointing import Emphasis, Segment, Spot, pointed_at, volume_edges
 from app.drawings.probes import Probes
 from app.drawings.rasterising import Rasteriser
 from app.drawings.silhouette import Mask, Silhouette
 from app.drawings.style import Style
-from app.lecture.highlight import CORNERS, Highlight
+from app.lecture.highlight import CORNERS, OBJECT_AXES, Highlight
 from app.model.projection import Array, Camera, ObjectTransform, Projection
 from app.picking.handles import Handle, nearest, shown
 from app.picking.picking import Probe, Sight
@@ -80,6 +81,7 @@ class WorldDrawing:
     ) -> None:
         self._scene, self._words = scene, words
         self._origin = np.array(scene.origin, dtype=np.float64)
+        self._axes: ObjectAxes | None = None
         self._placement: ObjectTransform | None = None
         self._place(scene.start.placement)
         self._canvas = canvas = Canvas(screen, style, self._lay_out)
@@ -249,6 +251,14 @@ class WorldDrawing:
             (frozenset(("target" if name == "look" else name,)), eye, tip)
             for name, tip in zip(arrows, tip_spots, strict=True)
         ]
+        axes = self._object_axes
+        if axes is not None:
+            origin, *ends = self._spots(np.vstack([axes.origin, axes.origin + axes.ways]))
+            points.append((frozenset((OBJECT_AXES[3],)), origin))
+            segments += [
+                (frozenset((name,)), origin, end)
+                for name, end in zip(axes.shafts, ends, strict=True)
+            ]
         segments += volume_edges(corners)
         if self._projection.lens.central:
             segments += [(frozenset(("fov",)), eye, corner) for corner in corners[:4]]
@@ -290,6 +300,7 @@ class WorldDrawing:
                 drawn.show_moved(not projection.placement.is_identity)
             self._faces_space.set(self._local_from_object)
             self._place_lines()
+            self._show_axes()
             self._mask = None
         if is_placed or self._standing is None or projection.camera is not self._standing.camera:
             self._standing = self._stand(projection.camera)
@@ -315,6 +326,24 @@ class WorldDrawing:
         self._objects = placement.placed(scene.objects_box).world - origin
         self._everything = np.concatenate([self._objects, scene.reach(placement) - origin])
         return True
+
+    def _show_axes(self) -> None:
+        """The object's axes, as soon as they are not the world's."""
+        is_moved = self._actors.is_moved
+        if self._axes is None and is_moved:
+            self._axes = ObjectAxes(self._canvas, self._scene.size)
+            for name, shaft in self._axes.shafts.items():
+                self._emphasis.line(shaft, name)
+                label = self.labels.add_arrow(name, self._axes.colours[name])
+                self._emphasis.label(label, name)
+            self._emphasis.show(self._highlighted)
+        if self._axes is not None:
+            self._axes.show(self._local_from_object, is_moved)
+
+    @property
+    def _object_axes(self) -> ObjectAxes | None:
+        """Those that are drawn."""
+        return self._axes if self._actors.is_moved else None
 
     @property
     def _deepest_grip(self) -> float:
@@ -352,6 +381,11 @@ class WorldDrawing:
         unseen = self._unseen
         if "camera" in self._canvas.hidden:
             arrows, tips = (), np.empty((0, 3))
+        axes = self._object_axes
+        if axes is not None:
+            beside = tips.reshape(len(axes.names), len(arrows), 3)
+            tips = np.concatenate([beside, axes.names], axis=1).reshape(-1, 3)
+            arrows += tuple(axes.shafts)
         named = Named(
             at.eye, at.target, arrows, tips, self.camera.box, self._corners_seen, planes, unseen
         )
@@ -612,13 +646,14 @@ class WorldDrawing:
 
     def _place_handles(self) -> None:
         if self.handles is not None:
+            axes = self._object_axes
             held, apart_px = self.handles.held, APART_EM * self._canvas.style.font_size
             size_px = self.own.pane.size_px
             none = "handles" in self._canvas.hidden
             self.handles.show(
                 [] if none else shown(
                     self._projection, self.planes_drawn, self.sight, size_px, apart_px, held,
-                    self._grips, self._unseen,
+                    self._grips, self._unseen, 0.0 if axes is None else axes.reach,
                 ),
                 size_px[1],
             )  # fmt: skip

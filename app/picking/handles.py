@@ -14,13 +14,13 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import replace
+from dataclasses import fields, replace
 from types import MappingProxyType
 from typing import Literal, NamedTuple, TypeAlias
 
 import numpy as np
 
-from app.model.projection import LENSES, ONE_OF, Array, Projection, Vector
+from app.model.projection import LENSES, ONE_OF, Array, ObjectTransform, Projection, Vector
 from app.model.refusal import Refusal
 from app.picking.picking import Sight
 
@@ -35,16 +35,16 @@ class Handle(NamedTuple):
 
     Attributes
     ----------
-    name : {"eye", "target", "near", "far", "corner", "grip"}
+    name : {"eye", "target", "near", "far", "corner", "grip", "object"}
     face : {"", "near", "far"}
         On which face of the view volume it is, if on one.
     at : (float, float)
-        Where on that face, from -1 to 1.
+        Where on that face, from -1 to 1; of the object, how long its axes are drawn, twice.
     setting : str
-        Of a grip: which of the scene's settings it moves.
+        Of a grip: which of the scene's settings it moves. Of the object: one of `OBJECT_POINTS`.
     """
 
-    name: Literal["eye", "target", "near", "far", "corner", "grip"]
+    name: Literal["eye", "target", "near", "far", "corner", "grip", "object"]
     face: Literal["", "near", "far"] = ""
     at: tuple[float, float] = (0.0, 0.0)
     setting: str = ""
@@ -63,7 +63,11 @@ _ON_FACES = _ALL[2:]
 _AT = np.array([handle.at for handle in _ON_FACES])
 _IS_FAR = np.array([handle.face == "far" for handle in _ON_FACES])
 
+OBJECT_POINTS = ("origin", "x", "y", "z", "turn")
+"""What the object is held at: to move it, to stretch it along an axis, to turn it."""
+_TURN_OUT = 0.75  # of the axes' length, between x and z
 _CAMERA = ("eye", "target")
+_OBJECT = tuple(field.name for field in fields(ObjectTransform))
 _PER_PX = 0.1  # to what part of a pixel a value is rounded: nobody's hand is steadier
 
 
@@ -76,6 +80,7 @@ def shown(
     kept: Handle | None = None,
     grips: Mapping[str, Array] = MappingProxyType({}),
     without: frozenset[str] = frozenset(),
+    object_reach: float = 0.0,
 ) -> list[tuple[Handle, Spot]]:
     """The handles for which a pane has room, and where they are in it.
 
@@ -98,11 +103,19 @@ def shown(
         Points of the world that settings of the scene are held at.
     without : frozenset of str, optional
         Names of those that cannot be held, because what they are of is not drawn.
+    object_reach : float, optional
+        How long the object's axes are drawn; 0 while they are not.
     """
     has_faces = projection.lens.planes is not None  # a free matrix has no planes, no window
     held = [Handle("grip", setting=name) for name in grips]
     held_at = sight.seen(np.array(list(grips.values())).reshape(-1, 3)).tolist()
     spots = dict(zip(held, map(tuple, held_at), strict=True))
+    if object_reach:
+        points = object_points(projection.placement, object_reach)
+        placed = [Handle("object", "", (object_reach, object_reach), name) for name in points]
+        placed_at = sight.seen(np.array(list(points.values()))).tolist()
+        spots |= zip(placed, map(tuple, placed_at), strict=True)
+        held += placed
     cameras = [EYE, TARGET] if has_camera(projection) else []
     cameras = [handle for handle in cameras if handle.name not in without]
     places = np.array([projection.camera.eye, projection.camera.target])
@@ -128,7 +141,8 @@ def shown(
     single = [[handle] for handle in (*held, *cameras)]
     planes = [plane for plane in (_NEAR, _FAR) if plane[0].name not in without]
     for alternatives in (*single, *planes) if has_faces else single:
-        same = kept is not None and alternatives[0].name == kept.name != "grip"
+        several = ("grip", "object")
+        same = kept is not None and alternatives[0].name == kept.name and kept.name not in several
         if not same and alternatives[0] != kept:
             any(take(handle) for handle in alternatives)
     if not has_faces or "corner" in without:
@@ -164,6 +178,8 @@ def place(projection: Projection, handle: Handle, drawn: tuple[float, float]) ->
     """Where a handle is in the world, (3,)."""
     if handle.name in _CAMERA:
         return np.array(getattr(projection.camera, handle.name))
+    if handle.name == "object":
+        return object_points(projection.placement, handle.at[0])[handle.setting]
     at: Array = _places(projection, drawn)[_ON_FACES.index(handle)]
     return at
 
@@ -209,6 +225,8 @@ def dragged(
     if handle.name in _CAMERA:
         before = getattr(projection.camera, handle.name)
         return {handle.name: _moved_point(before, sight, pixel, shift)}
+    if handle.name == "object":
+        return _moved_object(projection.placement, handle, sight, pixel, shift)
     if handle.name in ("near", "far"):
         return {handle.name: _moved_plane(projection, handle, drawn, sight, pixel)}
     before = projection.lens.fov_y_deg
@@ -273,20 +291,105 @@ def changed(projection: Projection, change: Mapping[str, float | Vector]) -> Pro
         If there is no such camera or lens.
     """
     camera = {name: value for name, value in change.items() if name in _CAMERA}
-    lens = {name: value for name, value in change.items() if name not in _CAMERA}
+    placement = {name: value for name, value in change.items() if name in _OBJECT}
+    lens = {name: value for name, value in change.items() if name not in (*_CAMERA, *_OBJECT)}
     return replace(
         projection,
         camera=replace(projection.camera, **camera),  # type: ignore[arg-type]
         lens=projection.lens.but(**lens),
+        placement=replace(projection.placement, **placement),  # type: ignore[arg-type]
     )
 
 
 def present(projection: Projection, names: Iterable[str]) -> Change:
-    """What these fields of the camera or the lens are now."""
-    return {
-        name: getattr(projection.camera if name in _CAMERA else projection.lens, name)
-        for name in names
-    }
+    """What these fields of the camera, the lens or the object are now."""
+
+    def owner(name: str) -> object:
+        if name in _CAMERA:
+            return projection.camera
+        return projection.placement if name in _OBJECT else projection.lens
+
+    return {name: getattr(owner(name), name) for name in names}
+
+
+# --------------------------------------------------------------------------- the object
+
+
+def object_points(placement: ObjectTransform, reach: float) -> dict[str, Array]:
+    """Where the object is held, world points (3,) by `OBJECT_POINTS`.
+
+    Parameters
+    ----------
+    placement : ObjectTransform
+    reach : float
+        How many of its columns an axis is long.
+    """
+    matrix, turned = placement.matrix, _turned(placement)
+    origin = matrix[:3, 3]
+    tips = [origin + reach * matrix[:3, axis] for axis in range(3)]
+    aside = origin + _TURN_OUT * reach * (turned[:, 0] + turned[:, 2])
+    return dict(zip(OBJECT_POINTS, (origin, *tips, aside), strict=True))
+
+
+def _turned(placement: ObjectTransform) -> Array:
+    """The directions of the object's axes, (3, 3), an axis a column; also of a flattened one."""
+    rotation: Array = ObjectTransform(rotate_deg=placement.rotate_deg).matrix[:3, :3]
+    return rotation
+
+
+def _moved_object(
+    placement: ObjectTransform, handle: Handle, sight: Sight, pixel: Spot, shift: bool
+) -> Change:
+    """Its origin under the hand, the tip of an axis there, or turned as seen from the pane."""
+    reach, turned = handle.at[0], _turned(placement)
+    points = object_points(placement, reach)
+    origin = points["origin"]
+    if handle.setting == "origin":
+        moved = np.array(_moved_point(_vector(origin), sight, pixel, shift))
+        if placement.order == "rts":  # which is turned after it was moved
+            moved = turned.T @ moved
+        return {"translate": _vector(moved)}
+    if handle.setting == "turn":
+        return {"rotate_deg": _turned_as_seen(placement, points, sight, pixel)}
+    axis = "xyz".index(handle.setting)
+    before = placement.scale[axis]
+    along, per_px = _slide(sight, origin, reach * turned[:, axis], pixel)
+    scale = list(placement.scale)
+    scale[axis] = _tidy(along, before, per_px)
+    x, y, z = scale
+    return {"scale": (x, y, z)}
+
+
+def _turned_as_seen(
+    placement: ObjectTransform, points: Mapping[str, Array], sight: Sight, pixel: Spot
+) -> Vector:
+    """Angles about x, y, z after a turn about the line of sight to the object's origin.
+
+    The three angles of a rotation matrix ``Rz Ry Rx``; the shortest way round on the screen.
+    """
+    origin = points["origin"]
+    (centre, held) = sight.seen([origin, points["turn"]])
+    start, end = held - centre, np.array(pixel) - centre
+    x, y, _, w = sight.rows
+    # Towards the pane's camera, where x and y stay: pixels run down, and so do the turns.
+    toward = np.cross((x - centre[0] * w)[:3], (y - centre[1] * w)[:3])
+    toward /= np.linalg.norm(toward)
+    angle = math.atan2(start[0] * end[1] - start[1] * end[0], float(start @ end))
+    angle_deg = _tidy(math.degrees(angle), 0.0, math.degrees(1.0 / max(math.hypot(*start), 1.0)))
+    about = math.radians(angle_deg)
+    across = np.cross(np.eye(3), -toward)  # Rodrigues' formula
+    turn = np.eye(3) + math.sin(about) * across + (1.0 - math.cos(about)) * across @ across
+    matrix = turn @ _turned(placement)
+    up = math.hypot(matrix[0, 0], matrix[1, 0])
+    angles = (
+        math.atan2(matrix[2, 1], matrix[2, 2]) if up > 1e-12 else 0.0,
+        math.atan2(-matrix[2, 0], up),
+        math.atan2(matrix[1, 0], matrix[0, 0])
+        if up > 1e-12
+        else math.atan2(-matrix[0, 1], matrix[1, 1]),
+    )
+    about_x, about_y, about_z = (round(math.degrees(part), 9) + 0.0 for part in angles)
+    return about_x, about_y, about_z
 
 
 # --------------------------------------------------------------------------- in the view volume

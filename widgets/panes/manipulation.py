@@ -180,8 +180,14 @@ class Manipulation(QObject):
         if handle.name == "grip":
             grip = self._grips.get(handle.setting)
             return "" if grip is None else f"{self._labels[grip.setting]} = {_shown(_value(grip))}"
-        is_on_face = bool(handle.face)
-        if self._projection.lens.planes is None if is_on_face else not has_camera(self._projection):
+        projection = self._projection
+        if handle.name == "object":
+            is_gone = projection.placement.is_identity
+        else:
+            is_gone = not has_camera(projection)
+            if handle.face:
+                is_gone = projection.lens.planes is None
+        if is_gone:
             return ""
         values = present(self._projection, self._does(handle)[0])
         return ", ".join(f"{field_name(name)} = {_shown(value)}" for name, value in values.items())
@@ -210,6 +216,12 @@ class Manipulation(QObject):
     def _does(self, handle: Handle) -> tuple[tuple[str, ...], str]:
         if handle.name == "grip":
             return (), self.tr("Drag this point (Shift: up and down)")
+        if handle.setting == "origin":
+            return ("translate",), self.tr("Drag the object (Shift: up and down)")
+        if handle.setting == "turn":
+            return ("rotate_deg",), self.tr("Drag round to turn the object, as seen from here")
+        if handle.name == "object":
+            return ("scale",), self.tr("Drag along the axis to stretch the object")
         if handle.name == "eye":
             return ("eye",), self.tr("Drag the eye (Shift: up and down)")
         if handle.name == "target":
