@@ -280,8 +280,8 @@ class _Made:
 
     @property
     def is_seen(self) -> bool:
-        """Whether nothing else is drawn in its place."""
-        return bool(self._actor.GetVisibility())
+        """Whether there is anything, and nothing else is drawn in its place."""
+        return bool(self._actor.GetVisibility() and self._mesh.GetNumberOfCells())
 
     @property
     def is_projected(self) -> bool:

@@ -18,7 +18,7 @@ import numpy as np
 from app.arithmetic import double_double as dd
 from app.arithmetic.double_double import DoubleDouble
 from app.arithmetic.rationals import Rationals, product
-from app.model.limits import ONE_OF, Array, Vector, finite_vector, keep_checked
+from app.model.limits import ONE_OF, Array, Vector, finite_vector, keep_checked, within
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
 from app.model.tables import Step, evaluated, matrix, rounded
 
@@ -34,6 +34,8 @@ FLATTENED = QT_TRANSLATE_NOOP(
     "Stage", "a scale of 0 flattens the object: the inverse and the normals are gone"
 )
 
+LARGEST_SCALE = 1e30
+"""Either way; of a coordinate up to `LARGEST` no product overflows."""
 _ROUNDINGS = 6.0
 """Of the double-double terms that a placed coordinate is summed from, at most."""
 
@@ -138,7 +140,8 @@ class ObjectTransform:
     Raises
     ------
     Refusal
-        For a number that is not finite or larger than `LARGEST`, or another order.
+        For a number that is not finite or larger than `LARGEST`, a scale beyond `LARGEST_SCALE`,
+        or another order.
     """
 
     translate: Vector = (0.0, 0.0, 0.0)
@@ -149,6 +152,8 @@ class ObjectTransform:
     def __post_init__(self) -> None:
         for field in ("translate", "rotate_deg", "scale"):
             keep_checked(self, **{field: finite_vector(field, getattr(self, field))})
+        for part in self.scale:
+            within("scale", part, -LARGEST_SCALE, LARGEST_SCALE)
         if not isinstance(self.order, str) or self.order not in ORDERS:
             raise Refusal("order", self.order, ONE_OF, ", ".join(ORDERS))
 

@@ -544,16 +544,14 @@ class Projection:
         Raises
         ------
         Refusal
-            If a coordinate is not a finite number, here or in the world, or for another space.
+            If a coordinate is not a finite number, or for another space.
         """
         if space not in SPACES:
             raise Refusal("space", space, ONE_OF, ", ".join(SPACES))
         given = checked_points(points).reshape(-1, 3)
         if space == "world" or self.placement.is_identity:
             return Placed.at(given)
-        found = self.placement.placed(given)
-        checked_points(found.world)
-        return found
+        return self.placement.placed(given)
 
     def trace(self, points: ArrayLike, space: Space = "world") -> Trace:
         """Follow points through every stage, eye first and in closed form.

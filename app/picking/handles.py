@@ -377,7 +377,7 @@ def _turned_as_seen(
     angle = math.atan2(start[0] * end[1] - start[1] * end[0], float(start @ end))
     angle_deg = _tidy(math.degrees(angle), 0.0, math.degrees(1.0 / max(math.hypot(*start), 1.0)))
     about = math.radians(angle_deg)
-    across = np.cross(np.eye(3), -toward)  # Rodrigues' formula
+    across = np.cross(np.eye(3), toward)  # Rodrigues' formula
     turn = np.eye(3) + math.sin(about) * across + (1.0 - math.cos(about)) * across @ across
     matrix = turn @ _turned(placement)
     up = math.hypot(matrix[0, 0], matrix[1, 0])

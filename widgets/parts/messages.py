@@ -42,6 +42,9 @@ FACTORS = {
     "translation": QT_TRANSLATE_NOOP("Factor", "translation"),
     "scale": QT_TRANSLATE_NOOP("Factor", "scale"),
     "shear": QT_TRANSLATE_NOOP("Factor", "shear"),
+    "rotation_x": QT_TRANSLATE_NOOP("Factor", "rotation about x"),
+    "rotation_y": QT_TRANSLATE_NOOP("Factor", "rotation about y"),
+    "rotation_z": QT_TRANSLATE_NOOP("Factor", "rotation about z"),
 }
 """What the stages' factors are called, but for the lectures' own letters."""
 

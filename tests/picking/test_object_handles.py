@@ -1,0 +1,140 @@
+"""L2: the object held in the world pane: what a drag makes of its transform."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from app.model.projection import Camera, ObjectTransform, Projection
+from app.picking.handles import (
+    OBJECT_POINTS,
+    Handle,
+    changed,
+    dragged,
+    object_points,
+    place,
+    present,
+    shown,
+)
+from app.picking.picking import Sight
+from tests.picking.test_handles import SIZE, looks, planes
+
+REACH = 2.0
+
+
+def handle(name: str) -> Handle:
+    return Handle("object", "", (REACH, REACH), name)
+
+
+def placed(random: np.random.Generator, order: str = "trs") -> Projection:
+    """An object of everyday size, anyhow, before a camera."""
+    placement = ObjectTransform(
+        tuple(random.uniform(-2.0, 2.0, 3)),
+        tuple(random.uniform(-170.0, 170.0, 3)),
+        tuple(random.uniform(0.5, 2.0, 3)),
+        order,  # type: ignore[arg-type]
+    )
+    return Projection(Camera((6.0, 5.0, 9.0), (0.0, 1.0, 0.0)), placement=placement)
+
+
+def spot(projection: Projection, name: str, sight: Sight) -> np.ndarray:
+    return np.asarray(sight.seen([place(projection, handle(name), planes(projection))])[0])
+
+
+@pytest.mark.parametrize("order", ["trs", "rts"])
+@pytest.mark.parametrize("name", ["origin", "x", "y", "z"])
+def test_l2_what_is_held_goes_with_the_hand(name: str, order: str) -> None:
+    """Onto the pixel of the same handle of another object that differs in nothing else."""
+    random = np.random.default_rng(3)
+    for _ in range(40):
+        projection = placed(random, order)
+        sight, placement = looks(projection.camera), projection.placement
+        if name == "origin":
+            end = spot(projection, name, sight) + random.uniform(-30.0, 30.0, 2)
+        else:
+            scale = np.array(placement.scale)
+            scale["xyz".index(name)] *= random.uniform(0.6, 1.5)
+            other = replace(placement, scale=tuple(scale.tolist()))
+            end = spot(replace(projection, placement=other), name, sight)
+        change = dragged(projection, handle(name), planes(projection), sight, tuple(end.tolist()))
+        after = changed(projection, change)
+        assert math.dist(spot(after, name, sight), end) < 1.0
+        kept = {"translate", "rotate_deg", "scale"} - set(change)
+        assert all(getattr(after.placement, key) == getattr(placement, key) for key in kept)
+
+
+def test_l2_a_turn_goes_round_as_the_hand_goes_and_about_the_line_of_sight() -> None:
+    random = np.random.default_rng(4)
+    for _ in range(60):
+        projection = placed(random)
+        sight = looks(projection.camera)
+        centre, start = (spot(projection, name, sight) for name in ("origin", "turn"))
+        if math.dist(centre, start) < 40.0:
+            continue
+        angle = random.uniform(-2.5, 2.5)
+        x, y = start - centre
+        cos, sin = math.cos(angle), math.sin(angle)
+        end = centre + np.array([cos * x - sin * y, sin * x + cos * y])
+        drawn = planes(projection)
+        change = dragged(projection, handle("turn"), drawn, sight, tuple(end.tolist()))
+        after = changed(projection, change)
+        assert set(change) == {"rotate_deg"}
+        assert np.allclose(spot(after, "origin", sight), centre)
+        # A turn in space about the ray: directions across it turn by the angle, it stays.
+        before, now = (
+            ObjectTransform(rotate_deg=p.placement.rotate_deg).matrix[:3, :3]
+            for p in (projection, after)
+        )
+        turn = now @ before.T
+        origin = place(projection, handle("origin"), drawn)
+        ray = origin - sight.eye
+        ray /= np.linalg.norm(ray)
+        assert np.allclose(turn @ ray, ray, atol=1e-6)
+        assert math.acos(min(1.0, (np.trace(turn) - 1.0) / 2.0)) == pytest.approx(
+            abs(angle), abs=0.01
+        )
+        seen_end = spot(after, "turn", sight) - centre
+        assert float(seen_end @ (end - centre)) > 0.0 or abs(angle) < 0.2
+
+
+def test_where_it_is_held_is_on_its_columns() -> None:
+    projection = placed(np.random.default_rng(5))
+    points, matrix = object_points(projection.placement, REACH), projection.placement.matrix
+    assert tuple(points) == OBJECT_POINTS
+    assert np.array_equal(points["origin"], matrix[:3, 3])
+    for axis, name in enumerate("xyz"):
+        tip = matrix @ [*(REACH * np.eye(3)[axis]), 1.0]
+        assert np.allclose(points[name], tip[:3])
+
+
+def test_it_is_held_only_while_its_axes_are_drawn() -> None:
+    projection = Projection(placement=ObjectTransform((0.0, 0.0, 1.0), (0.0, 20.0, 0.0)))
+    sight = looks(Camera((9.0, 6.0, 12.0), (0.0, 2.0, 0.0)))
+
+    def names(reach: float) -> set[str]:
+        found = shown(projection, planes(projection), sight, SIZE, 10.0, object_reach=reach)
+        return {each.setting for each, _ in found if each.name == "object"}
+
+    assert names(0.0) == set()
+    assert names(REACH) == set(OBJECT_POINTS)
+
+
+def test_what_is_moved_is_named_and_given_back() -> None:
+    projection = placed(np.random.default_rng(6))
+    fields = ("translate", "rotate_deg", "scale")
+    before = present(projection, fields)
+    moved = changed(projection, {"translate": (0.0, 0.0, 0.0), "scale": (0.0, 1.0, 1.0)})
+    assert moved.placement.rank == 2 and changed(moved, before) == projection
+
+
+def test_a_flattened_axis_can_be_pulled_out_again() -> None:
+    projection = Projection(
+        Camera((6.0, 5.0, 9.0), (0.0, 1.0, 0.0)), placement=ObjectTransform(scale=(1.0, 0.0, 1.0))
+    )
+    sight = looks(projection.camera)
+    up = sight.seen([(0.0, REACH * 1.5, 0.0)])[0]
+    change = dragged(projection, handle("y"), planes(projection), sight, tuple(up.tolist()))
+    assert changed(projection, change).placement.scale[1] == pytest.approx(1.5, abs=0.01)

@@ -1,0 +1,125 @@
+"""L2 in the window: the object's own transform in dock, panes and panel."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+from PySide6.QtWidgets import QLabel
+
+from app.document.document import Document, write
+from app.model.projection import ObjectTransform
+from app.scenes.scene import load
+from tests.support.controls import enter, number
+from tests.support.window import pixels, settle, show_scene
+from widgets.window.main_window import MainWindow
+
+KEYS = [f"{vector}_{x}" for vector in ("translate", "rotate_deg", "scale") for x in "xyz"]
+
+
+def test_l2_every_number_of_the_object_is_a_row_and_moves_all_panes(window: MainWindow) -> None:
+    section = window.controls.sections["object"]
+    section.set_open(True)
+    settle()
+    for key in KEYS:
+        row = number(window.controls, key)
+        assert row.isVisible() and row.tip
+        before = {name: pixels(window, name) for name in window.panes}
+        row.edited.emit(row.value() + 0.75 if "rotate" not in key else 35.0)
+        settle()
+        for name, picture in before.items():
+            assert (pixels(window, name) != picture).any(), (key, name)
+    placement = window.store.document.projection.placement
+    assert placement == ObjectTransform((0.75,) * 3, (35.0,) * 3, (1.75,) * 3)
+    for _ in KEYS:
+        window.store.undo()
+    assert window.store.document.projection.placement.is_identity
+    assert number(window.controls, "scale_x").value() == 1.0
+
+
+def test_l2_the_orders_are_a_choice(window: MainWindow) -> None:
+    window.controls.rows["rotate_deg_y"].edited.emit(90.0)  # type: ignore[attr-defined]
+    window.controls.rows["translate_x"].edited.emit(2.0)  # type: ignore[attr-defined]
+    places = []
+    for order in ("trs", "rts"):
+        window.controls.rows["order"].edited.emit(order)  # type: ignore[attr-defined]
+        places.append(window.store.document.projection.placement.matrix[:3, 3].tolist())
+    assert places == [[2.0, 0.0, 0.0], [0.0, 0.0, -2.0]]
+
+
+def test_l2_a_column_lights_its_axis_and_an_axis_its_column(window: MainWindow) -> None:
+    window.controls.rows["rotate_deg_y"].edited.emit(30.0)  # type: ignore[attr-defined]
+    settle()
+    drawing = window.panes["world"].drawing
+    axes = drawing._object_axes
+    x, y, _ = drawing._spots(axes.origin + 0.8 * axes.ways)[0]
+    assert "object_x" in drawing.highlight_at(x, y)
+    before = pixels(window, "world")
+    assert drawing.show_highlight(frozenset({"object_x"}))
+    window.panes["world"].request_repaint()
+    settle()
+    assert (pixels(window, "world") != before).any()
+
+
+def test_objects_of_a_phenomenon_are_fixed_and_it_is_said(window: MainWindow) -> None:
+    section = window.controls.sections["object"]
+    section.set_open(True)
+    show_scene(window, "eye-plane")
+    said = [w.text() for w in section.findChildren(QLabel) if w.isVisible() and "fixed" in w.text()]
+    assert len(said) == 1 and not number(window.controls, "translate_x").isVisible()
+    show_scene(window, "cube")
+    assert number(window.controls, "translate_x").isVisible()
+    assert not [w for w in section.findChildren(QLabel) if w.isVisible() and "fixed" in w.text()]
+
+
+def test_a_flattened_object_says_what_is_gone(window: MainWindow) -> None:
+    window.controls.rows["scale_y"].edited.emit(0.0)  # type: ignore[attr-defined]
+    settle()
+    assert window.store.document.projection.placement.rank == 2
+    assert "inverse" in window.store.document.projection.stages[0].note
+
+
+@pytest.mark.parametrize("typed", ["nan", "1e308", "2e30", "one"])
+def test_a_wrong_scale_is_refused_and_the_last_good_one_stays(
+    window: MainWindow, typed: str
+) -> None:
+    window.controls.sections["object"].set_open(True)
+    row = number(window.controls, "scale_x")
+    enter(row, typed)
+    settle()
+    assert row.error and window.store.document.projection.placement.is_identity
+
+
+def test_l2_what_was_prepared_comes_back(window: MainWindow, tmp_path: Path) -> None:
+    placement = ObjectTransform((1.0, 0.0, -2.0), (0.0, 30.0, 0.0), (1.0, 2.0, 1.0), "rts")
+    document = Document("cube", replace(load("cube").start, placement=placement))
+    path = tmp_path / "moved.json"
+    write(document, path)
+    window.controls.sections["object"].set_open(True)
+    window.files.open(path)
+    settle()
+    assert window.store.document.projection.placement == placement
+    assert number(window.controls, "rotate_deg_y").value() == 30.0
+
+
+def test_a_vertex_is_picked_where_it_is_seen(window: MainWindow) -> None:
+    """By the keyboard, which goes to what is really there."""
+    from app.drawings.probes import next_vertex, pick_in, vertex_of
+
+    window.controls.rows["translate_x"].edited.emit(2.0)  # type: ignore[attr-defined]
+    window.controls.rows["rotate_deg_y"].edited.emit(40.0)  # type: ignore[attr-defined]
+    settle()
+    scene, projection = window.shown.scene, window.store.document.projection
+    sight = window.panes["image"].drawing.sight
+    rectangle = window.panes["image"].drawing.picture_rectangle_px
+    number_at = next_vertex(scene, projection, sight, rectangle, 1.0, None, forwards=True)
+    assert number_at is not None
+    place = vertex_of(scene, projection, number_at)
+    ((x, y),) = sight.seen([place]).tolist()
+    hit = pick_in(scene, projection, sight, (x, y))
+    assert hit is not None and hit.vertex == number_at and hit.point == pytest.approx(place)
+    # The ground is found where it always was.
+    ((x, y),) = sight.seen([(-5.0, 0.0, 0.0)]).tolist()
+    ground = pick_in(scene, projection, sight, (x, y))
+    assert ground is not None and ground.point == pytest.approx((-5.0, 0.0, 0.0), abs=1e-5)
