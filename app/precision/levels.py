@@ -26,6 +26,7 @@ from numpy.typing import ArrayLike
 
 from app.arithmetic import double_double as dd
 from app.arithmetic.double_double import DoubleDouble
+from app.model.infinity import trace_at_infinity
 from app.model.projection import (
     ONE_OF,
     Array,
@@ -452,6 +453,37 @@ def trace(
         else:
             parts = _trace_exact(projection, flat)
     return Trace(world, *(part.reshape(world.shape[:-1] + part.shape[1:]) for part in parts))
+
+
+def trace_homogeneous(
+    projection: Projection, points: ArrayLike, precision: Precision = "float64"
+) -> Trace:
+    """Follow points that may be at infinity through every stage.
+
+    Parameters
+    ----------
+    projection : Projection
+    points : (n, 4) array_like
+        World points, w = 1, and directions, w = 0: of `app.model.infinity.homogeneous`.
+    precision : {"float32", "float64", "exact"}
+        Of the points; directions are exact, whichever it is.
+
+    Returns
+    -------
+    Trace
+        `world` and `view` have four numbers each.
+    """
+    given = np.asarray(points, dtype=np.float64)
+    finite = given[:, 3] != 0.0
+    traced = trace(projection, given[:, :3], precision)
+    ones = np.ones((len(given), 1))
+    world, view = (np.hstack([part, ones]) for part in (traced.world, traced.view))
+    found = traced._replace(world=world, view=view)
+    for i in np.flatnonzero(~finite).tolist():
+        x, y, z, _ = given[i].tolist()
+        for column, part in zip(found, trace_at_infinity(projection, (x, y, z)), strict=True):
+            column[i] = part
+    return found
 
 
 def _trace_float32(projection: Projection, world: Array, origin: Vector) -> tuple[Any, ...]:
