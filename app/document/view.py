@@ -32,7 +32,7 @@ PANES = ("world", "ndc", "image")
 """The panes, from left to right."""
 STAGES = ("world", "view", "pyramid", "box", "ndc", "image")
 """The stops of the stage strip, as a document names them."""
-PANELS = ("matrices", "frame", "probe", "scene", "measure")
+PANELS = ("matrices", "frame", "kinds", "probe", "scene", "measure")
 """The panels of the drawer."""
 LAYERS = ("labels", "handles", "grid", "frustum", "camera", "near-picture")
 """What of the world can be hidden."""

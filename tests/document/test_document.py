@@ -1331,7 +1331,7 @@ def test_a_wrong_camera_of_a_pane_is_named_where_the_file_has_it(
 
 NO_PANE = "must be one of world, ndc, image, or empty for none."
 NO_STAGE = "must be one of world, view, pyramid, box, ndc, image, or a number from 0 to 5."
-NO_PANEL = "must be one of matrices, frame, probe, scene, measure, or empty for none."
+NO_PANEL = "must be one of matrices, frame, kinds, probe, scene, measure, or empty for none."
 NO_LAYERS = "must be a list of names out of labels, handles, grid, frustum, camera, near-picture."
 NO_PROBE = (
     "must be three numbers for a point, four with its w, two for a pixel's ray, or null for none."

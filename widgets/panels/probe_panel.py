@@ -512,7 +512,7 @@ class ProbePanel(ReadablePanel):
             if at_infinity and w < 0.0:
                 why = self.tr("behind the eye: no picture")
                 more = [self.tr("the opposite direction has one")]
-            elif at_infinity and projection.lens.parallel:
+            elif at_infinity and not projection.clip_from_view[3, :3].any():  # w is that of p
                 why = self.tr("w = 0: its picture is at infinity too")
                 more = [self.tr("parallel projectors: lines stay parallel")]
             elif at_infinity and w == 0.0:
