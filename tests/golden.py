@@ -49,6 +49,7 @@ SCENES: dict[str, dict[str, Any]] = {
     "cube": {},
     "posts": {},
     "similar-triangles": {"distance": (-8.0, 12.0), "point": ((-3.0, 3.0),)},
+    "camera-obscura": {"distance": (1.0, 8.0)},
     "field-of-view": {
         "preset": ["wide", "tele", "eye", "monitor", "phone"],
         "distance": (0.4, 8.0),

@@ -47,6 +47,8 @@ from app.commands.options import (
 from app.document.document import MESH_ENDINGS, is_mesh, picture_json
 from app.lecture.notation import latex_name, latex_number
 from app.lecture.typed_matrix import properties
+from app.model.infinity import homogeneous
+from app.model.limits import Row
 from app.model.projection import (
     FINITE_NUMBER,
     LARGEST,
@@ -60,7 +62,14 @@ from app.model.projection import (
     Trace,
 )
 from app.model.refusal import Refusal, format_value
-from app.precision.levels import Precision, Prediction, precision_for_reading, predict, trace
+from app.precision.levels import (
+    Precision,
+    Prediction,
+    precision_for_reading,
+    predict,
+    trace,
+    trace_homogeneous,
+)
 
 LARGEST_INPUT = 2**30
 """Most bytes of points that are read."""
@@ -193,10 +202,14 @@ def _project(arguments: Sequence[str]) -> int:
     if not file and source.lower().endswith((".json", *MESH_ENDINGS)):
         raise CliError(f"POINTS is missing: {source} is what the camera is read from.")
     projection = document_of(file[0] if file else None, found.set).projection
-    points = _read_points(source)
-    predictions = predict(projection, points, space=found.space)
+    given, has_w = _read_points(source)
+    points = np.array(given)
+    predictions = predict(projection, points[points[:, 3] != 0.0, :3], space=found.space)
     precision = found.rung or precision_for_reading(predictions)
-    traced = trace(projection, points, precision, space=found.space)
+    if has_w:
+        traced = trace_homogeneous(projection, points, precision, found.space)
+    else:
+        traced = trace(projection, points[:, :3], precision, space=found.space)
     beyond = ~np.isfinite(np.column_stack([traced.view, traced.clip])).all(axis=1)
     if beyond.any():  # float32 ends at 3e38, a document and its points do not
         number = int(beyond.argmax()) + 1
@@ -237,6 +250,17 @@ class _Answer(NamedTuple):
     predictions: dict[Precision, Prediction] | None
     space: Space
 
+    @property
+    def stages(self) -> tuple[tuple[str, tuple[str, ...]], ...]:
+        """Each stage and its columns: with w where the points were given with one."""
+        return _HOMOGENEOUS if self.trace.world.shape[1] == 4 else _STAGES
+
+    @property
+    def counts(self) -> tuple[int, int]:
+        """Numbers of a point, and those of one that has no picture: up to clip space."""
+        columns = [len(names) for _, names in self.stages]
+        return sum(columns), sum(columns[:3])
+
 
 _POINTS = re.compile(r"(?=.*\d)[-+.\deE\s,;()\[\]]+")
 """What is numbers and what stands between them, and so no file's name."""
@@ -248,15 +272,23 @@ def _check_typed_points(arguments: Sequence[str]) -> None:
     if not typed:
         return
     parts = [part for part in re.split(r"[\s,;()\[\]]+", " ".join(typed)) if part]
-    point = ",".join(parts) if len(parts) == 3 else "1,2,3"
+    point = ",".join(parts) if len(parts) in (3, 4) else "1,2,3"
     raise CliError(
         f"POINTS = {' '.join(typed)!r}: must be a CSV file, or - for standard input; for a point:"
         f" echo {point} | python3 -m app project -."
     )
 
 
-def _read_points(source: str) -> list[tuple[float, float, float]]:
-    """Points from a CSV file or standard input; a first row of names may come first."""
+def _read_points(source: str) -> tuple[list[Row], bool]:
+    """Points from a CSV file or standard input; a first row of names may come first.
+
+    Returns
+    -------
+    points : list of Row
+        With w: 1, or 0 at infinity.
+    has_w : bool
+        Whether a row, or the names, say which.
+    """
     name = "Standard input" if source == "-" else source
     try:
         # With the mark that some spreadsheets put before UTF-8, or without.
@@ -267,7 +299,7 @@ def _read_points(source: str) -> list[tuple[float, float, float]]:
         raise CliError(f"{name!r} is not a name that a file can have.") from error
     except OSError as error:
         raise CliError(f"{name} cannot be read: {error.strerror or error}.") from error
-    points = []
+    points, has_w = [], False
     rows = csv.reader(io.StringIO(text, newline=""), skipinitialspace=True)
     first = True
     try:
@@ -275,14 +307,15 @@ def _read_points(source: str) -> list[tuple[float, float, float]]:
             cells = [cell.strip() for cell in row]
             if not any(cells):
                 continue
-            if not (first and [cell.lower() for cell in cells] == ["x", "y", "z"]):
+            has_w |= len(cells) == 4
+            if not (first and [cell.lower() for cell in cells] in (list("xyz"), list("xyzw"))):
                 points.append(_point(cells, f"{name}, line {rows.line_num}"))
             first = False
     except csv.Error as error:
         raise CliError(f"{name}, line {rows.line_num}: is not CSV ({error}).") from error
     if not points:
         raise CliError(f"{name} has no points: it must have rows of x,y,z.")
-    return points
+    return points, has_w
 
 
 def _read_input(source: str) -> bytes:
@@ -301,13 +334,13 @@ def _read_input(source: str) -> bytes:
     return content
 
 
-def _point(cells: list[str], where: str) -> tuple[float, float, float]:
-    if len(cells) != 3:
+def _point(cells: list[str], where: str) -> Row:
+    if len(cells) not in (3, 4):
         found = "1 column" if len(cells) == 1 else f"{len(cells)} columns"
         hint = ", with commas between them and decimal points" if ";" in "".join(cells) else ""
-        raise CliError(f"{where}: has {found}, must have three: x,y,z{hint}.")
+        raise CliError(f"{where}: has {found}, must have three: x,y,z, or w too{hint}.")
     values = []
-    for name, cell in zip("xyz", cells, strict=True):
+    for name, cell in zip("xyzw", cells, strict=False):
         try:
             value = parse_number(cell)
         except ValueError:
@@ -317,8 +350,10 @@ def _point(cells: list[str], where: str) -> tuple[float, float, float]:
         if abs(value) > LARGEST:
             raise CliError(f"{where}: {name} = {cell}: must lie within ±{LARGEST}.")
         values.append(value)
-    x, y, z = values
-    return x, y, z
+    try:
+        return homogeneous(*values[:3], *(values[3:] or (1.0,)))
+    except Refusal as error:
+        raise CliError(f"{where}: {error}") from error
 
 
 class _Block(NamedTuple):
@@ -326,8 +361,8 @@ class _Block(NamedTuple):
 
     Attributes
     ----------
-    numbers : (n, 16) float64 array
-        The columns of `_STAGES`; NaN where there is no picture, and no minus zero.
+    numbers : (n, k) float64 array
+        The columns of `_Answer.stages`; NaN where there is no picture, and no minus zero.
     in_front : list of bool
     outside_of : list of tuple of str
     """
@@ -342,7 +377,7 @@ class _Block(NamedTuple):
         return list(map(repr, self.numbers.ravel().tolist()))
 
 
-_STAGES = (
+_STAGES: tuple[tuple[str, tuple[str, ...]], ...] = (
     ("world", ("world_x", "world_y", "world_z")),
     ("view", ("view_x", "view_y", "view_z")),
     ("clip", ("clip_x", "clip_y", "clip_z", "clip_w")),
@@ -350,9 +385,11 @@ _STAGES = (
     ("image", ("image_x_px", "image_y_px")),
     ("depth", ("depth",)),
 )
-_NUMBERS = sum(len(names) for _, names in _STAGES)
-_BEFORE_NDC = 10
-"""As many of them there are also of a point without a picture."""
+_HOMOGENEOUS = tuple(
+    (stage, (*names, f"{stage}_w") if stage in ("world", "view") else names)
+    for stage, names in _STAGES
+)
+"""The same where points may be at infinity."""
 _BLOCK = 4096
 
 
@@ -380,21 +417,22 @@ def _plain(array: Array) -> list[Any]:
 def _project_json(answer: _Answer) -> Iterator[str]:
     parts = [
         f'"{stage}": {"[%s]" if len(names) > 1 else "%s"}' % ", ".join(["%s"] * len(names))
-        for stage, names in _STAGES
+        for stage, names in answer.stages
     ]
     seen = "{" + ", ".join(parts)
     unseen = "{" + ", ".join([*parts[:3], *(f'"{stage}": null' for stage, _ in _STAGES[3:])])
+    count, before_ndc = answer.counts
     separator = '{"points": [\n'
     for block in _blocks(answer.trace):
         texts, lines = block.texts, []
         for i, (in_front, outside_of) in enumerate(
             zip(block.in_front, block.outside_of, strict=True)
         ):
-            first = _NUMBERS * i
+            first = count * i
             if in_front:
-                line = seen % tuple(texts[first : first + _NUMBERS])
+                line = seen % tuple(texts[first : first + count])
             else:
-                line = unseen % tuple(texts[first : first + _BEFORE_NDC])
+                line = unseen % tuple(texts[first : first + before_ndc])
             inside = "true" if in_front and not outside_of else "false"
             lines.append(f'{line}, "inside": {inside}, "outside_of": {json.dumps(outside_of)}}}')
         yield separator + ",\n".join(lines)
@@ -423,17 +461,18 @@ def _finite_or_text(error: float) -> float | str:
 
 
 def _project_csv(answer: _Answer) -> Iterator[str]:
-    columns = [name for _, names in _STAGES for name in names]
+    columns = [name for _, names in answer.stages for name in names]
     yield ",".join([*columns, "inside", "outside_of"]) + "\n"
-    none = [""] * (_NUMBERS - _BEFORE_NDC)
+    count, before_ndc = answer.counts
+    none = [""] * (count - before_ndc)
     for block in _blocks(answer.trace):
         texts, lines = block.texts, []
         for i, (in_front, outside_of) in enumerate(
             zip(block.in_front, block.outside_of, strict=True)
         ):
-            cells = texts[_NUMBERS * i : _NUMBERS * (i + 1)]
+            cells = texts[count * i : count * (i + 1)]
             if not in_front:
-                cells[_BEFORE_NDC:] = none
+                cells[before_ndc:] = none
             cells += ["true" if in_front and not outside_of else "false", " ".join(outside_of)]
             lines.append(",".join(cells) + "\n")
         yield "".join(lines)
@@ -443,11 +482,12 @@ def _project_table(answer: _Answer) -> Iterator[str]:
     labels = ("world", "view", "clip", "NDC", "image px", "depth")
     rows, line = len(labels) + 1, "%*s" * 4 + "\n"
     seen = "%-10s  " + line + "".join(f"{label:>10}  {line}" for label in labels)
-    none = "none: the point is not in front of the eye\n"
     unseen = "%-10s  " + line + "".join(f"{label:>10}  {line}" for label in labels[:3])
-    unseen += "".join(f"{label:>10}  {none}" for label in labels[3:])
     # Where each number stands in a table of four columns, below its head.
-    places = [4 * row + i for row, (_, names) in enumerate(_STAGES, 1) for i in range(len(names))]
+    places = [
+        4 * row + i for row, (_, names) in enumerate(answer.stages, 1) for i in range(len(names))
+    ]
+    numbers, before_ndc = answer.counts
     number = 0
     for block in _blocks(answer.trace):
         count, texts = len(block.numbers), block.texts
@@ -456,11 +496,11 @@ def _project_table(answer: _Answer) -> Iterator[str]:
             texts[i] = texts[i].removesuffix(".0")
         counted = np.zeros((2, count, 4 * rows), dtype=int)
         counted[0, :, :4] = counted[1, :, :4] = 1
-        counted[:, :, places] = np.reshape(_lengths(texts), (2, count, _NUMBERS))
-        counted[:, ~np.array(block.in_front), places[_BEFORE_NDC] :] = 0
+        counted[:, :, places] = np.reshape(_lengths(texts), (2, count, numbers))
+        counted[:, ~np.array(block.in_front), places[before_ndc] :] = 0
         cells = np.full((count, 4 * rows), "", dtype=object)
         cells[:, :4] = "x", "y", "z", "w"
-        cells[:, places] = np.array(texts, dtype=object).reshape(count, _NUMBERS)
+        cells[:, places] = np.array(texts, dtype=object).reshape(count, numbers)
         filled: list[Any] = [None] * (2 * cells.size)
         filled[::2] = _widths(*counted.reshape(2, count, rows, 4))
         filled[1::2] = cells.ravel().tolist()
@@ -474,6 +514,9 @@ def _project_table(answer: _Answer) -> Iterator[str]:
             values = filled[first : first + 8 * (rows if in_front else 4)]
             lines.append("\n" if number > 1 else "")
             lines.append(shown % (f"point {number}", *values))
+            if not in_front:
+                why = _why_none(block.numbers[i, :before_ndc].tolist())
+                lines += [f"{label:>10}  none: {why}\n" for label in labels[3:]]
             beyond = ", ".join(outside_of)
             lines.append(
                 f"{'outside of' if beyond else 'inside':>10}  {beyond or 'the view volume'}\n"
@@ -487,6 +530,16 @@ def _project_table(answer: _Answer) -> Iterator[str]:
             for precision, error in answer.predictions.items()
         ]
         yield f"\ncomputed in {answer.precision}; errors are below: {', '.join(errors)}\n"
+
+
+def _why_none(numbers: list[float]) -> str:
+    """Why a point has no picture, by its numbers up to clip space."""
+    at_infinity, w = len(numbers) > 10 and numbers[3] == 0.0, numbers[-1]
+    if not at_infinity or w > 0.0:  # beyond float64's pixels, if it is in front
+        return "the point is not in front of the eye"
+    if w < 0.0:
+        return "the point at infinity is behind the eye; the opposite direction has a picture"
+    return "the picture is at infinity too: w = 0, and lines of this direction stay parallel"
 
 
 _PROJECT_FORMATS: dict[str, Callable[[_Answer], Iterator[str]]] = {

@@ -303,7 +303,8 @@ def _export() -> Parser:
 def _project() -> Parser:
     text = (
         "a document, picture or mesh whose camera is used (the letter F's), and the points: "
-        "CSV with the columns x,y,z, or - for standard input"
+        "CSV with the columns x,y,z, or - for standard input; a fourth one, w, may be 0 for a"
+        " point at infinity, and divides x, y and z where it is neither 0 nor 1"
     )
     parser = Parser("project", "[FILE] POINTS", text)
     parser.add_choice("--format", PROJECT_FORMATS, "form of the output (table)", "table")

@@ -12,7 +12,16 @@ from typing import Any
 from app.lecture.camera_frame import STEPS
 from app.lecture.notation import LETTERS, Letters
 from app.lecture.stages import IMAGE, NDC
-from app.model.limits import LARGEST_IMAGE_PX, ONE_OF, finite_vector, keep_checked, real, within
+from app.model.infinity import homogeneous
+from app.model.limits import (
+    LARGEST_IMAGE_PX,
+    ONE_OF,
+    Row,
+    finite_vector,
+    keep_checked,
+    real,
+    within,
+)
 from app.model.projection import Camera
 from app.model.refusal import QT_TRANSLATE_NOOP, Bound, Refusal
 from app.picking.picking import Probe
@@ -23,7 +32,7 @@ PANES = ("world", "ndc", "image")
 """The panes, from left to right."""
 STAGES = ("world", "view", "pyramid", "box", "ndc", "image")
 """The stops of the stage strip, as a document names them."""
-PANELS = ("matrices", "frame", "probe", "scene", "measure")
+PANELS = ("matrices", "frame", "kinds", "probe", "scene", "measure")
 """The panels of the drawer."""
 LAYERS = ("labels", "handles", "grid", "frustum", "camera", "near-picture")
 """What of the world can be hidden."""
@@ -37,7 +46,8 @@ ONE_OR_NONE = QT_TRANSLATE_NOOP("Refusal", "must be one of {0}, or empty for non
 SOME_OF = QT_TRANSLATE_NOOP("Refusal", "must be a list of names out of {0}")
 SOME_PROBES = QT_TRANSLATE_NOOP("Refusal", "must be a list of at most {0} probes")
 A_PROBE = QT_TRANSLATE_NOOP(
-    "Refusal", "must be three numbers for a point, two for a pixel's ray, or null for none"
+    "Refusal",
+    "must be three numbers for a point, four with its w, two for a pixel's ray, or null for none",
 )
 PROBE_NUMBERS = QT_TRANSLATE_NOOP("Refusal", "must be a list of numbers that probes have")
 
@@ -107,13 +117,14 @@ class View:
             raise Refusal("probes", numbers, SOME_PROBES, MOST_PROBES)
         for probe in self.probes:
             where = f"probes[{probe.number - 1}]"
-            if probe.point is not None and probe.pixel is None:
-                finite_vector(where, probe.point)
-            elif probe.pixel is not None and probe.point is None:
+            given = [x for x in (probe.point, probe.pixel, probe.direction) if x is not None]
+            if len(given) != 1:
+                raise Refusal(where, None, A_PROBE)
+            if probe.pixel is not None:
                 for part in probe.pixel:
                     within(where, real(where, part), 0.0, LARGEST_IMAGE_PX)
             else:
-                raise Refusal(where, None, A_PROBE)
+                _finite_row(where, probe.row or ())
         if not all(map(_is_number, self.pinned)) or not self.pinned <= set(numbers):
             raise Refusal("pinned", sorted(self.pinned, key=str), PROBE_NUMBERS)
         keep_checked(self, stage=float(self.stage), pinned=frozenset(map(int, self.pinned)))
@@ -188,13 +199,24 @@ def _probes(value: Any) -> tuple[Probe, ...]:
         if part is None:
             continue
         where = f"probes[{number - 1}]"
-        if not isinstance(part, list) or len(part) not in (2, 3) or not all(map(_is_number, part)):
+        count = len(part) if isinstance(part, list) else 0
+        if count not in (2, 3, 4) or not all(map(_is_number, part)):
             raise Refusal(where, part, A_PROBE)
-        if len(part) == 3:
+        if count == 2:
+            probes.append(Probe(number, pixel=(real(where, part[0]), real(where, part[1]))))
+        elif count == 3:
             probes.append(Probe(number, point=finite_vector(where, part)))
         else:
-            probes.append(Probe(number, pixel=(real(where, part[0]), real(where, part[1]))))
+            probes.append(Probe.of(number, _finite_row(where, part)))
     return tuple(probes)
+
+
+def _finite_row(where: str, values: Sequence[Any]) -> Row:
+    """Homogeneous coordinates of a probe; what is wrong with them is said of the probe."""
+    try:
+        return homogeneous(*values)
+    except Refusal as error:
+        raise Refusal(where, list(values), error.bound, *error.limits) from None
 
 
 def view_tree(view: View) -> dict[str, Any]:
@@ -213,6 +235,6 @@ def view_tree(view: View) -> dict[str, Any]:
     if "probes" in tree:
         places: list[Any] = [None] * view.probes[-1].number
         for probe in view.probes:
-            places[probe.number - 1] = list(probe.point or probe.pixel or ())
+            places[probe.number - 1] = list(probe.point or probe.pixel or probe.row or ())
         tree["probes"] = places
     return tree

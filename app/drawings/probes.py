@@ -23,8 +23,10 @@ from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 from vtkmodules.vtkRenderingCore import vtkActor2D, vtkPolyDataMapper2D
 
+from app.document.view import MOST_PROBES
 from app.drawings.actors import Canvas, Label, Space, lift_lines, line_actor
 from app.drawings.style import Style, rgb
+from app.model.infinity import trace_at_infinity
 from app.model.projection import Array, Projection, Trace, Vector
 from app.picking.picking import (
     Hit,
@@ -117,6 +119,15 @@ class Probes:
         marks = []
         for probe, trace in zip(self.probes, self._traces(projection), strict=True):
             line = projector(projection, probe, (near, far, min(0.0, near)))
+            if probe.direction is not None and trace is not None:
+                # From the eye to where all lines that run so are seen: on the near plane.
+                if line is None:
+                    marks.append(Mark(probe.number, None))
+                    continue
+                crossing = sight.seen(line[:1])[0]
+                inside = not trace.outside.any()
+                marks.append(Mark(probe.number, crossing, inside, line[[2, 1]] - origin, crossing))
+                continue
             if probe.point is None or trace is None:
                 if line is None:  # under a free matrix that has no inverse, or it is all behind
                     marks.append(Mark(probe.number, None))
@@ -140,7 +151,7 @@ class Probes:
         for probe, trace in zip(self.probes, self._traces(projection), strict=True):
             z = projection.depth_range
             spot, solid = None, True
-            if probe.point is None or trace is None:
+            if trace is None:
                 assert probe.pixel is not None
                 width, height = projection.image_size
                 x, y = 2.0 * probe.pixel[0] / width - 1.0, 1.0 - 2.0 * probe.pixel[1] / height
@@ -149,7 +160,11 @@ class Probes:
                     marks.append(Mark(probe.number, None))
                     continue
                 x, y, z_point = trace.ndc.tolist()
-                spot, solid = sight.seen([probe.point])[0], not trace.outside.any()
+                solid = not trace.outside.any()
+                if probe.direction is not None:
+                    spot = sight.seen_at_infinity(probe.direction)
+                elif probe.point is not None:
+                    spot = sight.seen([probe.point])[0]
                 z = min(*z, z_point), max(*z, z_point)
             ends = np.array([(x, y, end, 1.0) for end in z]) @ display_from_ndc.T
             # Between two stops a line may reach infinity, as only a free matrix makes it.
@@ -174,7 +189,12 @@ class Probes:
         traces = iter(
             _traced(projection, tuple(p.point for p in self.probes if p.point is not None))
         )
-        return [None if probe.point is None else next(traces) for probe in self.probes]
+        return [
+            _traced_at_infinity(projection, probe.direction)
+            if probe.direction is not None
+            else None if probe.point is None else next(traces)
+            for probe in self.probes
+        ]  # fmt: skip
 
 
 @lru_cache(maxsize=2)  # of one step: with the depth range at hand, and with the one the cube has
@@ -182,6 +202,11 @@ def _traced(projection: Projection, points: tuple[Vector, ...]) -> tuple[Trace, 
     """Points through all stages, all at once for all panes."""
     rows = zip(*projection.trace(points), strict=True) if points else ()
     return tuple(Trace(*row) for row in rows)
+
+
+@lru_cache(maxsize=2 * MOST_PROBES)
+def _traced_at_infinity(projection: Projection, direction: Vector) -> Trace:
+    return trace_at_infinity(projection, direction)
 
 
 class _Slot:

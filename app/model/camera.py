@@ -168,7 +168,11 @@ class Camera:
         self, point_world: Sequence[float | Fraction]
     ) -> tuple[Fraction, Fraction, Fraction]:
         """View coordinates of a point to `double_double.BITS` bits, zero where they are zero."""
-        offset = [Fraction(p) - Fraction(e) for p, e in zip(point_world, self.eye, strict=True)]
+        pairs = zip(point_world, self.eye, strict=True)
+        return self.exact_along([Fraction(part) - Fraction(eye) for part, eye in pairs])
+
+    def exact_along(self, offset: Sequence[Fraction]) -> tuple[Fraction, Fraction, Fraction]:
+        """The parts of an offset or a direction along u, v and n, as those of `exact_view`."""
         backward, right = self._exact_axes
         x, y, z = (
             sum((c * o for c, o in zip(axis, offset, strict=True)), Fraction(0)) / length

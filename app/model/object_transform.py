@@ -232,9 +232,16 @@ class ObjectTransform:
 
     def exactly(self, point_object: Sequence[float]) -> tuple[Fraction, ...]:
         """A point of the object in the world, without rounding."""
-        point = [*map(Fraction, point_object), Fraction(1)]
+        return self._applied((*point_object, 1.0))
+
+    def along(self, direction_object: Sequence[float]) -> tuple[Fraction, ...]:
+        """A direction of the object in the world, without rounding."""
+        return self._applied((*direction_object, 0.0))
+
+    def _applied(self, homogeneous: Sequence[float]) -> tuple[Fraction, ...]:
+        numbers = [*map(Fraction, homogeneous)]
         return tuple(
-            sum((a * b for a, b in zip(row, point, strict=True)), Fraction(0))
+            sum((a * b for a, b in zip(row, numbers, strict=True)), Fraction(0))
             for row in self.exact[:3]
         )
 

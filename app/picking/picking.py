@@ -21,6 +21,8 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from app.model.infinity import trace_at_infinity
+from app.model.limits import Row
 from app.model.projection import LARGEST, Array, Projection, Vector
 
 VERTEX_WITHIN_PX = 6.0
@@ -90,6 +92,11 @@ class Sight(NamedTuple):
         w = np.where(w > 0.0, w, np.nan)
         return np.stack([x / w, y / w], axis=1)
 
+    def seen_at_infinity(self, direction: Vector) -> Array:
+        """Pixel x, y of a point at infinity, (2,); NaN where it has none."""
+        x, y, _, w = self.rows[:, :3] @ direction
+        return np.array([x / w, y / w]) if w > 0.0 else np.full(2, np.nan)
+
 
 class Hit(NamedTuple):
     """What was found.
@@ -124,11 +131,27 @@ class Probe:
         World coordinates.
     pixel : (float, float), optional
         The image's pixel whose ray it is, if it is no point.
+    direction : Vector, optional
+        The point at infinity that it is, if it is neither: w = 0.
     """
 
     number: int
     point: Vector | None = None
     pixel: tuple[float, float] | None = None
+    direction: Vector | None = None
+
+    @classmethod
+    def of(cls, number: int, row: Row) -> Probe:
+        """Of homogeneous coordinates, as `app.model.infinity.homogeneous` gives them."""
+        x, y, z, w = row
+        return cls(number, direction=(x, y, z)) if w == 0.0 else cls(number, (x, y, z))
+
+    @property
+    def row(self) -> Row | None:
+        """Its homogeneous coordinates; None for a pixel's ray."""
+        if self.direction is not None:
+            return (*self.direction, 0.0)
+        return None if self.point is None else (*self.point, 1.0)
 
 
 def projector(projection: Projection, probe: Probe, distances: ArrayLike) -> Array | None:
@@ -154,8 +177,13 @@ def projector(projection: Projection, probe: Probe, distances: ArrayLike) -> Arr
     without an inverse. Of a line through infinity it is the part in front of the eye plane, from
     its end as far as it is drawn.
     """
-    at = np.asarray(distances, dtype=np.float64)
-    return projection.lens.line(projection, probe.pixel, probe.point, at)
+    at, pixel = np.asarray(distances, dtype=np.float64), probe.pixel
+    if probe.direction is not None:  # all its lines meet in one pixel
+        trace = trace_at_infinity(projection, probe.direction)
+        if not trace.in_front:
+            return None
+        pixel = float(trace.image[0]), float(trace.image[1])
+    return projection.lens.line(projection, pixel, probe.point, at)
 
 
 def dragged(

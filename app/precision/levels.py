@@ -26,6 +26,7 @@ from numpy.typing import ArrayLike
 
 from app.arithmetic import double_double as dd
 from app.arithmetic.double_double import DoubleDouble
+from app.model.infinity import trace_at_infinity
 from app.model.projection import (
     ONE_OF,
     Array,
@@ -469,6 +470,44 @@ def trace(
             parts = _trace_exact(projection, points, space)
     shape = np.shape(points)[:-1]
     return Trace._make(part.reshape(shape + part.shape[1:]) for part in (placed.world, *parts))
+
+
+def trace_homogeneous(
+    projection: Projection,
+    points: ArrayLike,
+    precision: Precision = "float64",
+    space: Space = "world",
+) -> Trace:
+    """Follow points that may be at infinity through every stage.
+
+    Parameters
+    ----------
+    projection : Projection
+    points : (n, 4) array_like
+        Points, w = 1, and directions, w = 0: of `app.model.infinity.homogeneous`.
+    precision : {"float32", "float64", "exact"}
+        Of the points; directions are exact, whichever it is.
+    space : {"world", "object"}
+        What the coordinates are.
+
+    Returns
+    -------
+    Trace
+        `world` and `view` have four numbers each.
+    """
+    given = np.asarray(points, dtype=np.float64)
+    finite = given[:, 3] != 0.0
+    traced = trace(projection, given[:, :3], precision, space=space)
+    ones = np.ones((len(given), 1))
+    world, view = (np.hstack([part, ones]) for part in (traced.world, traced.view))
+    found = traced._replace(world=world, view=view)
+    for i in np.flatnonzero(~finite).tolist():
+        direction: Sequence[float | Fraction] = given[i, :3].tolist()
+        if space == "object":
+            direction = projection.placement.along(given[i, :3].tolist())
+        for column, part in zip(found, trace_at_infinity(projection, direction), strict=True):
+            column[i] = part
+    return found
 
 
 def _trace_float32(

@@ -261,6 +261,29 @@ def test_a_point_beyond_the_numbers_of_a_forced_precision_is_refused(
     )
 
 
+def test_l13_a_fourth_column_is_w_and_0_is_a_direction(by_hand: Path) -> None:
+    """Along -z: x and y in the middle of 200 x 100, z of the cube (9 + 1)/(9 - 1)."""
+    text = "x,y,z,w\n0,0,-2,0\n4,2,2,2\n0,0,2,0\n1,0,0,0\n2,1,1\n"
+    ahead, halved, behind, across, point = project(by_hand, points=text)
+    assert ahead["world"] == ahead["view"] == [0, 0, -2, 0]
+    assert ahead["clip"] == [0, 0, 2.5, 2]
+    assert (ahead["ndc"], ahead["image"], ahead["depth"]) == ([0, 0, 1.25], [100, 50], 1.125)
+    assert (ahead["inside"], ahead["outside_of"]) == (False, ["far"])
+    assert halved["world"] == [2, 1, 1, 1] and halved == point
+    assert [point["image"] for point in (behind, across)] == [None, None]
+    done = run_here("project", by_hand, "-", "--format", "csv", text=text)
+    rows = list(csv.DictReader(io.StringIO(done.stdout)))
+    assert [(row["world_w"], row["view_w"]) for row in rows] == [
+        (w, w) for w in ("0.0", "1.0", "0.0", "0.0", "1.0")
+    ]
+    table = run_here("project", by_hand, "-", text=text).stdout
+    assert re.search(r"^     world +0 +0 +-2 +0$", table, re.MULTILINE)
+    assert table.count("none: the point at infinity is behind the eye") == 3
+    assert table.count("none: the picture is at infinity too: w = 0") == 3
+    last = run_here("project", by_hand, "-", text="0,0,-2,0\n").stdout.splitlines()[-1]
+    assert last == "outside of  far"  # and no bound, of no finite point
+
+
 def test_csv_has_the_same_numbers_as_json_and_empty_cells_for_null(by_hand: Path) -> None:
     points = "0.1,0.2,0.3\n0,0,6\n-90,0,1e-5\n"
     done = run_here("project", by_hand, "-", "--format", "csv", text=points)
@@ -348,7 +371,11 @@ def test_csv_of_every_kitchen_is_read(text: bytes) -> None:
         (b"\n\n", ["no points"]),
         (b"x,y,z\n", ["no points"]),
         (b"1,2,3\n1,2\n", ["line 2", "2 columns", "three"]),
-        (b"1,2,3,4\n", ["line 1", "4 columns", "three"]),
+        (b"1,2,3,4,5\n", ["line 1", "5 columns", "three"]),
+        (b"0,0,0,0\n", ["line 1: w = 0: must not be 0 where x, y and z are"]),
+        (b"1,2,3,nan\n", ["line 1", "w = 'nan'", "finite number"]),
+        (b"1,2,3,1e308\n", ["line 1", "w = 1e308", f"{LARGEST}"]),
+        (b"1e100,2,3,1e-300\n", ["line 1", "x/w = inf", "finite number"]),
         (b"1;2;3\n", ["line 1", "has 1 column, must", "with commas between them"]),
         (b"0,5;1;2\n", ["line 1", "has 2 columns, must", "and decimal points"]),
         (b"1,2,3\n\n1,b,3\n", ["line 3", "y = 'b'", "finite number"]),
@@ -443,7 +470,8 @@ def test_project_without_points_is_refused() -> None:
         (["-1,2,3"], "-1,2,3", "-1,2,3"),
         (["(1, 2, 3)", "--set", "camera.eye=1,2,3"], "(1, 2, 3)", "1,2,3"),
         (["1,2"], "1,2", "1,2,3"),
-        (["1" * 60 + ",2,3,4"], "1" * 60 + ",2,3,4", "1,2,3"),
+        (["1,0,0,0"], "1,0,0,0", "1,0,0,0"),
+        (["1" * 60 + ",2,3,4,5"], "1" * 60 + ",2,3,4,5", "1,2,3"),
     ],
 )
 def test_project_of_typed_coordinates_says_how_to_give_them(

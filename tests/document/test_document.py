@@ -1243,11 +1243,18 @@ def test_the_view_of_the_design_is_read() -> None:
 
 
 def test_a_probe_has_its_number_by_its_place() -> None:
-    document = parse(with_value("view", {"probes": [None, [1, 2, 3], [640, 360]], "pinned": [2]}))
-    probes = Probe(2, (1.0, 2.0, 3.0)), Probe(3, None, (640.0, 360.0))
+    document = parse(
+        with_value("view", {"probes": [None, [1, 2, 3], [640, 360], [0, 0, -1, 0]], "pinned": [2]})
+    )
+    probes = (
+        Probe(2, (1.0, 2.0, 3.0)),
+        Probe(3, None, (640.0, 360.0)),
+        Probe(4, direction=(0.0, 0.0, -1.0)),
+    )
     assert document.view.probes == probes and document.view.pinned == {2}
     written = json.loads(to_json(document))["view"]
-    assert written == {"probes": [None, [1, 2, 3], [640, 360]], "pinned": [2]}
+    places = [None, [1, 2, 3], [640, 360], [0, 0, -1, 0]]
+    assert written == {"probes": places, "pinned": [2]}
 
 
 def test_two_documents_that_are_looked_at_differently_are_equal() -> None:
@@ -1324,9 +1331,11 @@ def test_a_wrong_camera_of_a_pane_is_named_where_the_file_has_it(
 
 NO_PANE = "must be one of world, ndc, image, or empty for none."
 NO_STAGE = "must be one of world, view, pyramid, box, ndc, image, or a number from 0 to 5."
-NO_PANEL = "must be one of matrices, frame, probe, scene, measure, or empty for none."
+NO_PANEL = "must be one of matrices, frame, kinds, probe, scene, measure, or empty for none."
 NO_LAYERS = "must be a list of names out of labels, handles, grid, frustum, camera, near-picture."
-NO_PROBE = "must be three numbers for a point, two for a pixel's ray, or null for none."
+NO_PROBE = (
+    "must be three numbers for a point, four with its w, two for a pixel's ray, or null for none."
+)
 WRONG_VIEWS: list[tuple[object, str]] = [
     (7, " = 7: must be an object with named values in braces."),
     ({"layout": "rows"}, ".layout = 'rows': must be one of pictures, columns."),
@@ -1357,6 +1366,8 @@ WRONG_VIEWS: list[tuple[object, str]] = [
     ({"probes": [[1, 2, 3], 4]}, f".probes[1] = 4: {NO_PROBE}"),
     ({"probes": [[1]]}, f".probes[0] = [1]: {NO_PROBE}"),
     ({"probes": [[1, True, 2]]}, f".probes[0] = [1, true, 2]: {NO_PROBE}"),
+    ({"probes": [[0, 0, 0, 0]]}, ".probes[0] = [0, 0, 0, 0]: must not be 0 where x, y and z are:"
+                                 " (0, 0, 0, 0) is no point and no direction."),
     ({"probes": [[1, 2, 1e200]]}, ".probes[0] = 1e+200: must be at most 1e+100."),
     ({"probes": [[640, -1]]}, ".probes[0] = -1: must be at least 0."),
     ({"probes": [None, [16385, 2]]}, ".probes[1] = 16385: must be at most 16384."),

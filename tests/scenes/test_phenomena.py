@@ -31,7 +31,7 @@ LEAST_SEEN = {
 """But for what a scene is there to leave out."""
 FOLLOWED = {
     *("field-of-view", "view-volumes", "off-axis-window", "oblique-drawing", "vanishing-points"),
-    "far-plane-popping",
+    *("far-plane-popping", "camera-obscura"),
 }
 """Whose settings move the camera or the lens."""
 

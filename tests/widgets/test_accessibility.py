@@ -41,6 +41,7 @@ def panels(window: Any) -> Iterator[QWidget]:
     for panel in (
         window.matrices,
         window.frame_panel,
+        window.kinds_panel,
         window.probe_panel,
         window.scene_panel,
         window.measure_panel,

@@ -94,8 +94,8 @@ def test_one_panel_is_open_at_a_time(qtbot: QtBot) -> None:
 def heights(window: Any) -> list[int]:
     """Of the panels' part of the window, as their names are clicked from left to right and back."""
     found = []
-    panels = (window.matrices, window.frame_panel, window.probe_panel, window.scene_panel,
-              window.measure_panel)  # fmt: skip
+    panels = (window.matrices, window.frame_panel, window.kinds_panel, window.probe_panel,
+              window.scene_panel, window.measure_panel)  # fmt: skip
     for panel in (*panels, *panels[::-1]):
         window.panels.open(panel)
         QApplication.processEvents()
@@ -115,7 +115,7 @@ def test_the_names_stand_still_and_a_panel_has_at_most_a_third(
         return [name.mapTo(window, QPoint()) for name in names.findChildren(QToolButton)]
 
     before, panes = places(), [pane.geometry() for pane in window.panes.values()]
-    assert len(before) == 5 and places()[0].y() > size[1] - 60, "at the bottom"
+    assert len(before) == 6 and places()[0].y() > size[1] - 60, "at the bottom"
     found = set()
     for name in names.findChildren(QToolButton):
         QTest.mouseClick(name, Qt.MouseButton.LeftButton)
@@ -174,7 +174,8 @@ def test_a_height_that_the_hand_has_chosen_stays(window: MainWindow) -> None:
 def test_tab_goes_all_round_the_window(window: MainWindow, qtbot: QtBot) -> None:
     activate(window)
     window.probe_panel.follow(point=(0.0, 0.0, 0.0))
-    for panel in (window.matrices, window.frame_panel, window.probe_panel, window.measure_panel):
+    for panel in (window.matrices, window.frame_panel, window.kinds_panel, window.probe_panel,
+                  window.measure_panel):  # fmt: skip
         window.panels.open(panel)
         QApplication.processEvents()
         start = window.controls.rows["near"].field

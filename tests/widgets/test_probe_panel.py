@@ -537,6 +537,7 @@ def test_every_number_is_the_command_s_to_the_last_digit(
                         continue
                     values = expected[name]
                     values = [] if values is None else np.atleast_1d(values).tolist()
+                    values += [1.0] if name in ("world", "view") else []
                     mine = list(filter(None, lines[row][1 + 4 * block : 5 + 4 * block]))
                     assert mine == list(map(format_value, values)), name
                     assert list(map(float, mine)) == values
@@ -583,7 +584,7 @@ def test_four_digits_are_read_all_by_the_switch_and_all_copied(panel: ProbePanel
 
     few, whole = shown(), copied(panel)
     exact = [text.removeprefix("÷ ") for line in whole[:8] for text in line[1:] if text]
-    assert few[0] == "0.3333" and few != exact and len(few) == len(exact) == 22
+    assert few[0] == "0.3333" and few != exact and len(few) == len(exact) == 25
     for short, number in zip(few, exact, strict=True):
         assert plain(short) == f"{float(number):.4g}", number
     width = panel.table.columnWidth(1)
@@ -689,16 +690,92 @@ def test_one_more_than_can_be_compared_is_refused_in_a_sentence(
 def test_the_point_can_be_typed(panel: ProbePanel, qtbot: QtBot) -> None:
     panel.activateWindow()
     assert QTest.qWaitForWindowActive(panel, PATIENCE_MS)
-    for field, text in zip(panel.fields, ("1.25", "1/3", "-2e-3"), strict=True):
+    for field, text in zip(panel.fields, ("1.25", "1/3", "-2e-3"), strict=False):
         field.setFocus()
         field.selectAll()
         qtbot.keyClicks(field, text)
         qtbot.keyClick(field, Qt.Key.Key_Return)
     assert panel.probes == (Probe(1, (1.25, 1 / 3, -0.002)),)
     panel.fields[1].setFocus()  # the field that is typed in has all digits, the others few
-    assert [field.text() for field in panel.fields] == ["1.25", "0.3333333333333333", "-0.002"]
+    assert [field.text() for field in panel.fields] == ["1.25", "0.3333333333333333", "-0.002", "1"]
     panel.fields[2].setFocus()
-    assert [field.text() for field in panel.fields] == ["1.25", "0.3333", "-0.002"]
+    assert [field.text() for field in panel.fields] == ["1.25", "0.3333", "-0.002", "1"]
+
+
+def type_in(field: Any, text: str) -> None:
+    field.setFocus()
+    field.selectAll()
+    QTest.keyClicks(field, text)
+    QTest.keyClick(field, Qt.Key.Key_Return)
+
+
+def test_l13_rows_begin_with_w_and_stay_in_columns(panel: ProbePanel) -> None:
+    """Lecture 002: (x, y, z) is (x, y, z, 1), and only clip space has another w."""
+    show(panel, replace(start(), camera=Camera((0.0, 0.0, 5.0), (0.0, 0.0, 0.0))))
+    panel.follow(point=(1.0, 2.0, 3.0))
+    found = [cells(panel, 0, row) for row in range(5)]
+    assert found[0] == found[1] == ["1", "2", "3", "1"]
+    assert found[2] == ["1", "2", "−2", "1"]
+    assert len(found[3]) == 4 and found[3][3] == "2" and found[4] == ["÷ 2"] * 3
+
+
+def test_l13_a_point_at_infinity_is_typed_with_w_0(panel: ProbePanel) -> None:
+    """Seen along -z with near 4, far 18: z of the cube is (f + n)/(f - n) there."""
+    show(panel, replace(start(), camera=Camera((0.0, 0.0, 5.0), (0.0, 0.0, 0.0))))
+    panel.follow(point=(0.0, 0.0, -1.0))
+    type_in(panel.fields[3], "0")
+    assert panel.probes == (Probe(1, direction=(0.0, 0.0, -1.0)),)
+    assert panel.choice.currentText() == "Direction 1"
+    rows = [cells(panel, 0, row) for row in range(9)]
+    assert rows[0] == rows[1] == rows[2] == ["0", "0", "−1", "0"]
+    assert rows[3] == ["0", "0", "1.571", "1"] and rows[4] == ["÷ 1"] * 3
+    assert rows[5] == ["0", "0", "1.571"] and rows[6] == ["640", "360"]
+    assert rows[8] == ["the vanishing point; outside of: far"]
+    type_in(panel.fields[2], "2")
+    assert cells(panel, 0, 4) == ["behind the eye: no picture"]
+    assert cells(panel, 0, 5) == ["the opposite direction has one"]
+    panel.follow(direction=(1.0, 0.0, 0.0))
+    assert cells(panel, 0, 4) == ["w = 0: its picture is at infinity too"]
+    assert cells(panel, 0, 5) == ["parallel to the image: lines stay parallel"]
+    show(panel, panel._projection.with_lens("orthographic"))  # type: ignore[union-attr]
+    assert cells(panel, 0, 5) == ["parallel projectors: lines stay parallel"]
+
+
+def test_l13_another_w_divides_and_four_zeros_are_refused(panel: ProbePanel) -> None:
+    panel.follow(direction=(1.0, -2.0, 3.0))
+    type_in(panel.fields[3], "-4")
+    assert panel.probes == (Probe(1, (-0.25, 0.5, -0.75)),)
+    assert panel.fields[3].text() == "1"
+    panel.follow(point=(0.0, 0.0, 0.0))
+    for text, said in (
+        (
+            "0",
+            "w = 0: must not be 0 where x, y and z are: (0, 0, 0, 0) is no point and no direction.",
+        ),
+        ("1e308", f"w = 1e+308: must be at most {LARGEST}."),
+        ("nan", "w = “nan”: must be a number, such as 0.5 or 2e-3."),
+    ):
+        type_in(panel.fields[3], text)
+        assert panel.error.text() == f"⚠ Not possible. {said}"
+        assert panel.fields[3].accessibleDescription() == panel.error.text()
+        assert panel.probes == (Probe(1, (0.0, 0.0, 0.0)),)
+
+
+def test_l13_a_point_at_infinity_is_marked_in_all_panes(window: MainWindow) -> None:
+    """In the image at its vanishing point, in the world where its ray leaves by the near plane."""
+    direction = (-0.2, -0.1, -1.0)
+    window.probe_panel.follow(direction=direction)
+    QApplication.processEvents()
+    for name in ("image", "ndc"):
+        place = place_in(window, name, tuple(1e9 * part for part in direction))
+        x, y = (round(part) for part in place)
+        found = pixels(window, name)[y - 9 : y + 10, x - 9 : x + 10].reshape(-1, 3)
+        rim = np.abs(found.astype(float) - 255 * np.array(rgb(LIGHT.ink))).max(axis=1) <= 12
+        assert rim.sum() > 20, name  # a hollow disc: it is beyond the far plane
+    assert any_mark(window, "world")
+    window.probe_panel.follow(direction=(0.2, 0.1, 1.0))
+    QApplication.processEvents()
+    assert not any(any_mark(window, name) for name in window.panes)  # behind the eye
 
 
 @pytest.mark.parametrize(
@@ -770,7 +847,7 @@ def test_everything_has_a_name_for_a_screen_reader(panel: ProbePanel) -> None:
     for widget in (*panel.fields, panel.table, panel.choice):
         assert widget.accessibleName()
     names = [field.accessibleName() for field in panel.fields]
-    assert names == ["Probe, world x", "Probe, world y", "Probe, world z"]
+    assert names == [f"Probe, world {part}" for part in "xyzw"]
 
 
 def test_probes_are_traced_once_for_all_panes(

@@ -1713,7 +1713,7 @@ def test_full_hd_at_a_screen_scale_of_two_holds_the_window_that_presents(
         window.resize(960, 540)
         settle()
         assert (window.width(), window.height()) == (960, 540), name
-    for panel in (window.matrices, window.frame_panel, window.probe_panel, window.measure_panel):
+    for panel in window.panels.all:
         window.panels.open(panel)
         settle()
         assert window.minimumSizeHint().width() <= 960

@@ -15,6 +15,7 @@ from typing import Any, NamedTuple
 from PySide6.QtCore import QObject
 from PySide6.QtWidgets import QLabel
 
+from app.lecture.kinds import leaning
 from app.model.projection import (
     AT_LEAST,
     AT_MOST,
@@ -114,7 +115,7 @@ class LensControls(QObject):
 
     def _make_leaning(self) -> None:
         """How the projectors of an oblique lens lean."""
-        leaning = _with("alpha_deg")
+        oblique = _with("alpha_deg")
         drawings = {
             "cavalier": (self.tr("cavalier, {0}°"), self.tr("Depth is drawn in full length")),
             "cabinet": (self.tr("cabinet, {0}°"), self.tr("Depth is drawn in half its length")),
@@ -129,7 +130,7 @@ class LensControls(QObject):
             "preset", "lens",
             self.tr("The textbooks' drawings. What lies at the target stays in its place in the"
                     " picture."),
-            choices, _preset, _with_preset, none=self.tr("free"), lenses=leaning,
+            choices, _preset, _with_preset, none=self.tr("free"), lenses=oblique,
         )  # fmt: skip
         degrees = self.tr("degrees")
         receding = Typed(_angles, lambda p: Receding(*receding_of(p.lens)), _with_receding)
@@ -139,14 +140,14 @@ class LensControls(QObject):
                     " cavalier, 0.5 a cabinet drawing, 0 orthographic. The target stays in its"
                     " place in the picture."),
             Linear(0.0, 2.0, 0.01), self.tr("×"), self.tr("times the true length"),
-            *receding.access("receding"), lenses=leaning,
+            *receding.access("receding"), lenses=oblique,
         )  # fmt: skip
         self._front.add_number(
             "receding_deg", "lens",
             self.tr("Direction in which depth is drawn, from the right anticlockwise. The target"
                     " stays in its place in the picture."),
             Linear(-180.0, 180.0, 1.0), "°", degrees,
-            *receding.access("receding_deg"), lenses=leaning,
+            *receding.access("receding_deg"), lenses=oblique,
         )  # fmt: skip
 
     def _add_declared(self, field: str) -> NumberRow:
@@ -453,26 +454,13 @@ def _angles(projection: Projection) -> tuple[float, float]:
     return lens.alpha_deg, lens.beta_deg
 
 
-def _leaning(projection: Projection, alpha_deg: float, beta_deg: float) -> Projection:
-    """Other angles, with the target in its place in the picture."""
-    lens: Any = projection.lens
-    leaning = replace(lens, alpha_deg=alpha_deg, beta_deg=beta_deg)
-    away = projection.camera.distance - lens.near
-    x, y = ((was - now) * away for was, now in zip(lens.shear, leaning.shear, strict=True))
-    lens = replace(
-        leaning,
-        left=lens.left + x, right=lens.right + x, bottom=lens.bottom + y, top=lens.top + y,
-    )  # fmt: skip
-    return replace(projection, lens=lens)
-
-
 def _with_receding(projection: Projection, receding: Receding) -> Projection:
     if abs(receding.receding) > LARGEST_SHEAR and math.isfinite(receding.receding):
         bound, limit = (
             (AT_MOST, LARGEST_SHEAR) if receding.receding > 0.0 else (AT_LEAST, -LARGEST_SHEAR)
         )
         raise Refusal("receding", receding.receding, bound, limit)
-    return _leaning(projection, *oblique_angles(*receding))
+    return leaning(projection, *oblique_angles(*receding))
 
 
 def _preset(projection: Projection) -> str | None:
@@ -484,4 +472,4 @@ def _preset(projection: Projection) -> str | None:
 
 
 def _with_preset(projection: Projection, key: str) -> Projection:
-    return _leaning(projection, *OBLIQUE_PRESETS[key])
+    return leaning(projection, *OBLIQUE_PRESETS[key])

@@ -50,6 +50,7 @@ from PySide6.QtWidgets import (
 from app.document.view import MOST_PROBES
 from app.lecture.highlight import NOTHING, Highlight, made_of
 from app.model.formula import stacked_fraction
+from app.model.infinity import homogeneous
 from app.model.limits import finite
 from app.model.projection import (
     PLANES,
@@ -59,7 +60,7 @@ from app.model.projection import (
 )
 from app.model.refusal import Refusal
 from app.picking.picking import Probe, projector
-from app.precision.levels import precision_for_reading, predict, trace
+from app.precision.levels import precision_for_reading, predict, trace_homogeneous
 from widgets.parts.digits import digits, read_text
 from widgets.parts.fields import REFUSAL_SHEET, ShortField, refusal
 from widgets.parts.messages import number_text, plane_name, sentence
@@ -109,10 +110,11 @@ class ProbePanel(ReadablePanel):
         self._is_new = False
 
         self.choice = QComboBox()
+        self.choice.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToContents)
         self.choice.setAccessibleName(self.tr("Probe"))
         self.choice.setToolTip(self.tr("Which probe the fields and buttons are about"))
         self.choice.activated.connect(lambda index: self.choose(self.choice.itemData(index)))
-        self.fields = tuple(ShortField(name) for name in "xyz")
+        self.fields = tuple(ShortField(name) for name in "xyzw")
         self.pin = QPushButton(self.tr("Pin"))
         self.pin.setCheckable(True)
         self.pin.setStyleSheet(_PIN_SHEET)
@@ -164,7 +166,7 @@ class ProbePanel(ReadablePanel):
     def _lay_out(self) -> None:
         line = QHBoxLayout()
         line.addWidget(self.choice)
-        for name, field in zip("xyz", self.fields, strict=True):
+        for name, field in zip("xyzw", self.fields, strict=True):
             field.setAccessibleName(self.tr("Probe, world {0}").format(name))
             field.setToolTip(self.tr("World {0} of the probe; type a number").format(name))
             field.editingFinished.connect(self._typed)
@@ -172,6 +174,12 @@ class ProbePanel(ReadablePanel):
             label.setBuddy(field)
             line.addWidget(label)
             line.addWidget(field, 1)
+        self.fields[3].setToolTip(
+            self.tr(
+                "w of the probe: 1 for a point; 0 for the point at infinity in the direction"
+                " x, y, z; with any other w the point is (x/w, y/w, z/w)"
+            )
+        )
         for button in (self.pin, self._remove, self._clear):
             line.addWidget(button)
         layout = QVBoxLayout(self)
@@ -200,7 +208,11 @@ class ProbePanel(ReadablePanel):
         return next((probe for probe in self.probes if probe.number == self._chosen), None)
 
     def follow(
-        self, *, point: Vector | None = None, pixel: tuple[float, float] | None = None
+        self,
+        *,
+        point: Vector | None = None,
+        pixel: tuple[float, float] | None = None,
+        direction: Vector | None = None,
     ) -> None:
         """Follow a point, or a pixel's ray: with the chosen probe, unless it is pinned.
 
@@ -210,6 +222,8 @@ class ProbePanel(ReadablePanel):
             World coordinates.
         pixel : (float, float), optional
             Of the image.
+        direction : Vector, optional
+            A point at infinity, in world coordinates.
         """
         number = self._chosen
         if not number or number in self._pinned:
@@ -223,7 +237,7 @@ class ProbePanel(ReadablePanel):
                 return
             number = (loose or free)[0]
         self._chosen = number
-        self._put(Probe(number, point, pixel))
+        self._put(Probe(number, point, pixel, direction))
 
     @property
     def pinned(self) -> frozenset[int]:
@@ -295,21 +309,22 @@ class ProbePanel(ReadablePanel):
         if not any(field.isModified() for field in self.fields):
             return
         probe = self.chosen
-        point = list(probe.point) if probe is not None and probe.point is not None else [0.0] * 3
-        for axis, (name, field) in enumerate(zip("xyz", self.fields, strict=True)):
-            if not field.isModified():
-                continue
-            try:
-                point[axis] = finite(name, field.read())
-            except Refusal as error:
-                self.error.setText(refusal(sentence(error)))
-                self.error.show()
-                field.setAccessibleDescription(self.error.text())
-                return
+        row: list[object] = list((probe and probe.row) or (0.0, 0.0, 0.0, 1.0))
+        field = self.fields[3]
+        try:
+            for axis, (name, field) in enumerate(zip("xyzw", self.fields, strict=True)):
+                if field.isModified():
+                    row[axis] = finite(name, field.read())
+            found = Probe.of(self._chosen, homogeneous(*row))
+        except Refusal as error:
+            self.error.setText(refusal(sentence(error)))
+            self.error.show()
+            field.setAccessibleDescription(self.error.text())
+            return
         if not self._chosen:
-            self.follow(point=(point[0], point[1], point[2]))
+            self.follow(point=found.point, direction=found.direction)
         else:
-            self._put(Probe(self._chosen, (point[0], point[1], point[2])))
+            self._put(found)
         self._show_choice()
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
@@ -325,9 +340,9 @@ class ProbePanel(ReadablePanel):
             self.choice.addItem(self._name(other), other.number)
         self.choice.setCurrentIndex(self.choice.findData(self._chosen))
         self.choice.setEnabled(bool(self.probes))
-        point = None if probe is None else probe.point
+        row = None if probe is None else probe.row
         for axis, field in enumerate(self.fields):
-            field.show_number(None if point is None else point[axis])
+            field.show_number(None if row is None else row[axis])
             field.take_back()
             field.setAccessibleDescription("")
         self.error.hide()
@@ -341,7 +356,9 @@ class ProbePanel(ReadablePanel):
 
     def _name(self, probe: Probe) -> str:
         pin = " ⚲" if probe.number in self._pinned else ""
-        text = self.tr("Ray {0}") if probe.point is None else self.tr("Point {0}")
+        text = self.tr("Ray {0}") if probe.pixel is not None else self.tr("Point {0}")
+        if probe.direction is not None:
+            text = self.tr("Direction {0}")
         return text.format(probe.number) + pin
 
     # -- the table
@@ -385,20 +402,22 @@ class ProbePanel(ReadablePanel):
         if self._projection is None:
             return
         projection = self._projection
-        points = [probe.point for probe in self.probes if probe.point is not None]
+        rows = [probe.row for probe in self.probes if probe.row is not None]
         followed: Trace | None = None
-        if points:
-            followed = trace(projection, points, precision_for_reading(predict(projection, points)))
+        if rows:
+            points = [probe.point for probe in self.probes if probe.point is not None]
+            bounds = predict(projection, points) if points else None
+            followed = trace_homogeneous(projection, rows, precision_for_reading(bounds))
         formulas = self._formulas(projection)
         columns: list[_Block] = []
         outside, row = [], 0
         for probe in self.probes:
-            if probe.point is None or followed is None:
+            if probe.row is None or followed is None:
                 columns.append(self._of_ray(projection, probe))
                 outside.append(NOTHING)
             else:
                 point = Trace(*(part[row] for part in followed))
-                columns.append(self._of_point(point))
+                columns.append(self._of_point(projection, point))
                 outside.append(frozenset(_outside_of(point)))
                 row += 1
         numbers = [probe.number for probe in self.probes]
@@ -420,8 +439,8 @@ class ProbePanel(ReadablePanel):
         spans = [
             (row, 1 + _PARTS * i)
             for i, lines in enumerate(columns)
-            for row in (0, 4, len(lines) - 1)
-            if len(lines[row]) == 1
+            for row, line in enumerate(lines)
+            if len(line) == 1 and isinstance(line[0], str)
         ]
         if spans != self._spans:
             self.table.clearSpans()
@@ -440,11 +459,20 @@ class ProbePanel(ReadablePanel):
                 width = digit * (longest + 2)
                 if anew or width > self.table.columnWidth(column):
                     self.table.setColumnWidth(column, width)
+            words = [line[0] for line in lines if len(line) == 1 and isinstance(line[0], str)]
+            longest = max(map(metrics.horizontalAdvance, words), default=0) + 2 * digit
+            block = range(1 + _PARTS * i, 1 + _PARTS * (i + 1))
+            missing = longest - sum(map(self.table.columnWidth, block))
+            for column in block if missing > 0 else ():
+                width = self.table.columnWidth(column) + math.ceil(missing / _PARTS)
+                self.table.setColumnWidth(column, width)
 
     def _formulas(self, projection: Projection) -> list[tuple[str, str]]:
         """Name and formula of every line, as of `widgets.parts.typeset`."""
         lens = projection.lens
         view = "R (p − e)" if lens.own_view is None else "M p"
+        if lens.own_view is None and any(probe.direction for probe in self.probes):
+            view = "R (p − w e)"  # of w = 0, a direction, no eye is subtracted
         w = _W.get(tuple(cell.text for cell in lens.table.clip_from_view[3]), "(P p_view)_4")
         inside = "n ≤ −z_view ≤ f"
         if lens.planes is None:
@@ -464,9 +492,10 @@ class ProbePanel(ReadablePanel):
             (self.tr("inside"), f"|x|, |y| ≤ w;  {inside}"),
         ]
 
-    def _of_point(self, point: Trace) -> _Block:
+    def _of_point(self, projection: Projection, point: Trace) -> _Block:
         """What is in a point's lines."""
         world, view, clip = _cells(point.world), _cells(point.view), _cells(point.clip)
+        at_infinity = point.world[3] == 0.0
         outside_of = _outside_of(point)
         if outside_of:
             names = ", ".join(map(plane_name, outside_of))
@@ -476,15 +505,26 @@ class ProbePanel(ReadablePanel):
         lines: _Block = [world, world, view, clip]
         if point.in_front:
             lines += [clip[3:] * 3, _cells(point.ndc), _cells(point.image), _cells(point.depth)]
+            if at_infinity:
+                inside = self.tr("the vanishing point; {0}").format(inside)
         else:
-            w = float(point.clip[3])
-            if w < 0.0:
+            w, more = float(point.clip[3]), list[str | float]()
+            if at_infinity and w < 0.0:
+                why = self.tr("behind the eye: no picture")
+                more = [self.tr("the opposite direction has one")]
+            elif at_infinity and not projection.clip_from_view[3, :3].any():  # w is that of p
+                why = self.tr("w = 0: its picture is at infinity too")
+                more = [self.tr("parallel projectors: lines stay parallel")]
+            elif at_infinity and w == 0.0:
+                why = self.tr("w = 0: its picture is at infinity too")
+                more = [self.tr("parallel to the image: lines stay parallel")]
+            elif w < 0.0:
                 why = self.tr("behind the eye")
             elif w == 0.0:
                 why = self.tr("in the eye plane (w = 0)")
             else:
                 why = self.tr("beside the eye: no number is large enough")
-            lines += [[why], [], [], []]
+            lines += [[why], more, [], []]
         return [*lines, [inside]]
 
     def _of_ray(self, projection: Projection, probe: Probe) -> _Block:

@@ -48,6 +48,7 @@ from app.scenes.scene import Scene
 from widgets.controls.animation import AnimationBar
 from widgets.controls.controls import Controls
 from widgets.panels.frame_panel import FramePanel
+from widgets.panels.kinds_panel import KindsPanel
 from widgets.panels.matrix_panel import MatrixPanel
 from widgets.panels.measure_panel import MeasurePanel
 from widgets.panels.probe_panel import ProbePanel
@@ -258,6 +259,7 @@ class MainWindow(QMainWindow):
         """Make all panels; what every panel may want of the window is wired in `_wire`."""
         self.matrices = MatrixPanel()
         self.frame_panel = FramePanel()
+        self.kinds_panel = KindsPanel()
         self.probe_panel = ProbePanel()
         self.scene_panel = ScenePanel()
         self.measure_panel = MeasurePanel(
@@ -274,6 +276,13 @@ class MainWindow(QMainWindow):
             self.frame_panel: (
                 self.tr("Camera frame"),
                 self.tr("u, v, n, step by step: how eye, target and up make the view matrix"),
+            ),
+            self.kinds_panel: (
+                self.tr("Kinds of projection"),
+                self.tr(
+                    "The tree of planar projections: which one the picture is, and a click"
+                    " makes it another"
+                ),
             ),
             self.probe_panel: (self.tr("Probe"), self.tr("Follow points through every stage")),
             self.scene_panel: (

@@ -10,6 +10,7 @@ from types import MappingProxyType
 
 from app.scenes.phenomena import (
     affine_depth,
+    camera_obscura,
     depth_buffer,
     eye_plane,
     field_of_view,
@@ -30,6 +31,7 @@ PHENOMENA = MappingProxyType(
         phenomenon.name: phenomenon
         for phenomenon in (
             similar_triangles.PHENOMENON,
+            camera_obscura.PHENOMENON,
             field_of_view.PHENOMENON,
             view_volumes.PHENOMENON,
             off_axis_window.PHENOMENON,

@@ -476,9 +476,9 @@ def _follow(projection: Projection, before: Found, after: Settings) -> Projectio
 
 
 def _found(projection: Projection, settings: Settings) -> Found:
-    frame = _FRAMES.get(str(settings["points"]))
-    turned = frame is None or float(np.abs(projection.camera.frame - frame).max()) > CLOSE
-    return {"points": "free" if turned or not projection.lens.central else settings["points"]}
+    frame = projection.camera.frame
+    views = (name for name, one in _FRAMES.items() if np.abs(frame - one).max() <= CLOSE)
+    return {"points": next(views, "free") if projection.lens.central else "free"}
 
 
 PHENOMENON = Phenomenon(

@@ -1,0 +1,285 @@
+"""The tree of planar projections (lecture 002): what each kind is, and which one a picture is.
+
+Nothing of it is remembered: which kind a projection is follows from where its projectors meet and
+how the world's axes lie to the image plane, however it came to be so.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+from typing import Any, NamedTuple
+
+from app.model.infinity import trace_at_infinity
+from app.model.projection import (
+    Camera,
+    Orbit,
+    Projection,
+    Vector,
+    oblique_angles,
+)
+from app.model.refusal import QT_TRANSLATE_NOOP
+
+TOLERANCE = 1e-4
+"""Of an axis' part across the image plane, and of a receding edge: a tenth of a pixel in 1000.
+
+A camera that was typed with two decimals of a degree is the drawing that it was meant to be.
+"""
+AXES: tuple[Vector, Vector, Vector] = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
+
+
+class Kind(NamedTuple):
+    """A node of the tree.
+
+    Attributes
+    ----------
+    name : str
+    parent : str
+        Empty for the root.
+    title, condition : str
+        What it is called, and what makes it what it is, beyond what makes its parent; marked for
+        translation.
+    orbit : Orbit, optional
+        From where its picture is taken; distance 1 stands for the present one. None for a node
+        that asks nothing of the camera.
+    receding : float, optional
+        Of an oblique drawing: how long an edge along the view is drawn.
+    """
+
+    name: str
+    parent: str
+    title: str
+    condition: str
+    orbit: Orbit | None = None
+    receding: float | None = None
+
+
+def _degrees(tangent: float) -> float:
+    return math.degrees(math.atan(tangent))
+
+
+KINDS: dict[str, Kind] = {
+    kind.name: kind
+    for kind in (
+        Kind(
+            "planar", "",
+            QT_TRANSLATE_NOOP("Kind", "planar projections"),
+            QT_TRANSLATE_NOOP("Kind", "projectors are straight lines, and meet a plane"),
+        ),
+        Kind(
+            "perspective", "planar",
+            QT_TRANSLATE_NOOP("Kind", "perspective"),
+            QT_TRANSLATE_NOOP("Kind", "all projectors meet in the eye"),
+        ),
+        Kind(
+            "1-point", "perspective",
+            QT_TRANSLATE_NOOP("Kind", "1-point"),
+            QT_TRANSLATE_NOOP(
+                "Kind", "two axes are parallel to the image plane: one vanishing point"
+            ),
+            Orbit(0.0, 0.0, 1.0),
+        ),
+        Kind(
+            "2-point", "perspective",
+            QT_TRANSLATE_NOOP("Kind", "2-point"),
+            QT_TRANSLATE_NOOP(
+                "Kind", "one axis is parallel to the image plane: two vanishing points"
+            ),
+            Orbit(40.0, 0.0, 1.0),
+        ),
+        Kind(
+            "3-point", "perspective",
+            QT_TRANSLATE_NOOP("Kind", "3-point"),
+            QT_TRANSLATE_NOOP(
+                "Kind", "no axis is parallel to the image plane: three vanishing points"
+            ),
+            Orbit(44.0, 30.0, 1.0),
+        ),
+        Kind(
+            "parallel", "planar",
+            QT_TRANSLATE_NOOP("Kind", "parallel"),
+            QT_TRANSLATE_NOOP("Kind", "all projectors are parallel"),
+        ),
+        Kind(
+            "orthographic", "parallel",
+            QT_TRANSLATE_NOOP("Kind", "orthographic"),
+            QT_TRANSLATE_NOOP("Kind", "projectors are at right angles to the image plane"),
+        ),
+        Kind(
+            "axonometric", "orthographic",
+            QT_TRANSLATE_NOOP("Kind", "axonometric"),
+            QT_TRANSLATE_NOOP("Kind", "no two axes are parallel to the image plane"),
+        ),
+        Kind(
+            "isometric", "axonometric",
+            QT_TRANSLATE_NOOP("Kind", "isometric"),
+            QT_TRANSLATE_NOOP("Kind", "all three axes make equal angles with the image plane"),
+            Orbit(45.0, _degrees(math.sqrt(0.5)), 1.0),
+        ),
+        Kind(  # from (1, 1, sqrt 7), as ISO 5456-3 draws it: z half as long as x and y
+            "dimetric", "axonometric",
+            QT_TRANSLATE_NOOP("Kind", "dimetric"),
+            QT_TRANSLATE_NOOP("Kind", "two axes make equal angles with the image plane"),
+            Orbit(_degrees(1.0 / math.sqrt(7.0)), _degrees(1.0 / math.sqrt(8.0)), 1.0),
+        ),
+        Kind(
+            "trimetric", "axonometric",
+            QT_TRANSLATE_NOOP("Kind", "trimetric"),
+            QT_TRANSLATE_NOOP("Kind", "the axes make three different angles with the image plane"),
+            Orbit(30.0, 20.0, 1.0),
+        ),
+        Kind(
+            "multiview", "orthographic",
+            QT_TRANSLATE_NOOP("Kind", "multiview"),
+            QT_TRANSLATE_NOOP("Kind", "two axes are parallel to the image plane"),
+        ),
+        Kind(
+            "front", "multiview",
+            QT_TRANSLATE_NOOP("Kind", "front"),
+            QT_TRANSLATE_NOOP("Kind", "x and y are parallel to the image plane, seen along −z"),
+            Orbit(0.0, 0.0, 1.0),
+        ),
+        Kind(
+            "top", "multiview",
+            QT_TRANSLATE_NOOP("Kind", "top"),
+            QT_TRANSLATE_NOOP("Kind", "x and z are parallel to the image plane, seen along −y"),
+            Orbit(0.0, 90.0, 1.0),
+        ),
+        Kind(
+            "side", "multiview",
+            QT_TRANSLATE_NOOP("Kind", "side"),
+            QT_TRANSLATE_NOOP("Kind", "y and z are parallel to the image plane, seen along −x"),
+            Orbit(90.0, 0.0, 1.0),
+        ),
+        Kind(
+            "oblique", "parallel",
+            QT_TRANSLATE_NOOP("Kind", "oblique"),
+            QT_TRANSLATE_NOOP("Kind", "projectors are aslant to the image plane"),
+        ),
+        Kind(
+            "cavalier", "oblique",
+            QT_TRANSLATE_NOOP("Kind", "cavalier"),
+            QT_TRANSLATE_NOOP(
+                "Kind", "two axes are parallel to the image plane, the third is drawn in full"
+            ),
+            Orbit(0.0, 0.0, 1.0), 1.0,
+        ),
+        Kind(
+            "cabinet", "oblique",
+            QT_TRANSLATE_NOOP("Kind", "cabinet"),
+            QT_TRANSLATE_NOOP(
+                "Kind", "two axes are parallel to the image plane, the third is drawn in half"
+            ),
+            Orbit(0.0, 0.0, 1.0), 0.5,
+        ),
+    )
+}  # fmt: skip
+"""Every node, by name; parents first, children from left to right."""
+
+RECEDING_DEG = 45.0
+"""In which direction the cavalier and the cabinet drawing recede."""
+
+
+def path(kind: str) -> tuple[str, ...]:
+    """A node and those above it, the root first."""
+    parent = KINDS[kind].parent
+    return (*path(parent), kind) if parent else (kind,)
+
+
+def scale_factors(projection: Projection) -> Vector | None:
+    """How long a unit along x, y and z is drawn, in world units of the image plane.
+
+    Returns
+    -------
+    Vector or None
+        None for a lens whose pictures shrink with the distance, and for a typed matrix, whose
+        picture has no size in world units.
+    """
+    if projection.lens.planes is None or projection.lens.central:
+        return None
+    left, right, bottom, top = projection.window
+    clips = (trace_at_infinity(projection, axis).clip.tolist() for axis in AXES)
+    x, y, z = (
+        math.hypot(clip[0] * (right - left) / 2.0, clip[1] * (top - bottom) / 2.0) for clip in clips
+    )
+    return x, y, z
+
+
+def kind_of(projection: Projection) -> str | None:
+    """Which node a projection is: the lowest whose condition holds, or None for a typed matrix."""
+    lens = projection.lens
+    if lens.planes is None:
+        return None
+    away = projection.camera.frame[2].tolist()
+    through = [abs(part) > TOLERANCE for part in away]
+    if lens.central:
+        return f"{sum(through)}-point"
+    has_face = sum(through) == 1
+    receding = math.hypot(*lens.shear)
+    if receding > TOLERANCE:
+        drawn = (
+            k for k in KINDS.values() if k.receding is not None and _same(receding, k.receding)
+        )
+        found = next(drawn, None)
+        return found.name if found is not None and has_face else "oblique"
+    if has_face:
+        faces = {(0, True): "side", (1, True): "top", (2, True): "front"}
+        axis = through.index(True)
+        return faces.get((axis, away[axis] > 0.0), "multiview")
+    x, y, z = map(abs, away)  # the sines of the axes' angles with the image plane
+    return ("trimetric", "dimetric", "dimetric", "isometric")[
+        _same(x, y) + _same(y, z) + _same(x, z)
+    ]
+
+
+def _same(a: float, b: float) -> bool:
+    return abs(a - b) <= TOLERANCE
+
+
+def with_kind(projection: Projection, kind: str) -> Projection:
+    """The projection of a node: its lens, and the camera turned about its target as it asks.
+
+    Parameters
+    ----------
+    projection : Projection
+    kind : str
+        One of `KINDS`; what is so already stays as it is. Of a node that says nothing of the
+        camera, the camera stays, unless its condition does not hold from there: then it is that of
+        the node's first child.
+
+    Raises
+    ------
+    Refusal
+        If the camera cannot be turned so, or the lens cannot be.
+    """
+    now = kind_of(projection)
+    if now is not None and kind in path(now):
+        return projection
+    node, camera, above = KINDS[kind], projection.camera, path(kind)
+    if node.orbit is not None:
+        orbit = node.orbit._replace(distance=camera.distance)
+        projection = replace(projection, camera=Camera.from_orbit(camera.target, orbit))
+    if "oblique" in above:
+        projection = projection.with_lens("oblique")
+        if node.receding is not None:
+            projection = leaning(projection, *oblique_angles(node.receding, RECEDING_DEG))
+    elif "parallel" in above:
+        projection = projection.with_lens("orthographic")
+    elif not projection.lens.central:
+        projection = projection.with_lens("perspective")
+    if kind in path(kind_of(projection) or kind):
+        return projection
+    return with_kind(projection, next(each.name for each in KINDS.values() if each.parent == kind))
+
+
+def leaning(projection: Projection, alpha_deg: float, beta_deg: float) -> Projection:
+    """Other angles of an oblique lens, with the target in its place in the picture."""
+    lens: Any = projection.lens
+    leaning = replace(lens, alpha_deg=alpha_deg, beta_deg=beta_deg)
+    away = projection.camera.distance - lens.near
+    x, y = ((was - now) * away for was, now in zip(lens.shear, leaning.shear, strict=True))
+    lens = replace(
+        leaning,
+        left=lens.left + x, right=lens.right + x, bottom=lens.bottom + y, top=lens.top + y,
+    )  # fmt: skip
+    return replace(projection, lens=lens)

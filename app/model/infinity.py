@@ -1,0 +1,122 @@
+"""Homogeneous coordinates: points at infinity, which are directions, through every stage.
+
+``(x, y, z, w)`` is the point ``(x/w, y/w, z/w)``; with w = 0 it is no point of space but a
+direction, a point at infinity (lecture 002). A matrix takes a direction by its linear part, so that
+no eye is subtracted from it, and only the divide by the lens' w makes a point of it: the vanishing
+point of all lines that run this way. Everything is computed in rationals and rounded once.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from fractions import Fraction
+
+import numpy as np
+
+from app.arithmetic.rationals import rationals
+from app.model.limits import PLANES, Row, finite
+from app.model.projection import Projection, Trace
+from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
+
+A_DIRECTION = QT_TRANSLATE_NOOP(
+    "Refusal", "must not be 0 where x, y and z are: (0, 0, 0, 0) is no point and no direction"
+)
+
+
+def homogeneous(x: object, y: object, z: object, w: object) -> Row:
+    """Homogeneous coordinates as those of a point, w = 1, or of a direction, w = 0.
+
+    Parameters
+    ----------
+    x, y, z, w : float
+
+    Returns
+    -------
+    (float, float, float, float)
+        ``(x/w, y/w, z/w, 1)``, each rounded once, or ``(x, y, z, 0)``.
+
+    Raises
+    ------
+    Refusal
+        For a number that is not finite or larger than `LARGEST`, also after the divide, and for
+        four zeros.
+    """
+    given = [finite(name, value) for name, value in zip("xyzw", (x, y, z, w), strict=True)]
+    *parts, weight = given
+    if weight == 0.0:
+        if not any(parts):
+            raise Refusal("w", 0.0, A_DIRECTION)
+        return parts[0], parts[1], parts[2], 0.0
+    if weight == 1.0:
+        return parts[0], parts[1], parts[2], 1.0
+    with np.errstate(over="ignore"):
+        divided = [float(np.float64(part) / weight) for part in parts]
+    point = [finite(f"{name}/w", part) for name, part in zip("xyz", divided, strict=True)]
+    return point[0], point[1], point[2], 1.0
+
+
+def trace_at_infinity(projection: Projection, direction: Sequence[float | Fraction]) -> Trace:
+    """Follow one point at infinity through every stage.
+
+    Parameters
+    ----------
+    projection : Projection
+    direction : sequence of 3 numbers
+        In the world.
+
+    Returns
+    -------
+    Trace
+        `world` and `view` have four numbers, their w last, and there is one point: no array has
+        a first axis. NDC, image and depth are those of the vanishing point; NaN where w of clip
+        space is 0, whose picture is at infinity too, and where it is less: the lines come from
+        behind the eye then, and it is the opposite direction in which they vanish.
+
+    Notes
+    -----
+    ``n . d`` is exactly 0 where it is: its numerator is a sum of whole numbers.
+    """
+    world = [Fraction(part) for part in direction] + [Fraction(0)]
+    own_view = projection.lens.own_view
+    if own_view is None:
+        view = [*projection.camera.exact_along(world[:3]), Fraction(0)]
+    else:
+        view = [_dot(row, world) for row in rationals(own_view)]
+    clip = [_dot(row, view) for row in projection.direct_stages[0].exact]
+    x, y, z, w = clip
+    z_near, z_far = map(Fraction, projection.depth_range)
+    sign = 1 if z_far > z_near else -1
+    inside = (z - w * z_near) * sign, (w * z_far - z) * sign, x + w, w - x, y + w, w - y
+    pictured = [math.nan] * 6
+    if w > 0:
+        viewport = projection.stages[-1].exact
+        ndc = [x / w, y / w, z / w, Fraction(1)]
+        pictured = [
+            _rounded(part) for part in [*ndc[:3], *(_dot(row, ndc) for row in viewport[:3])]
+        ]
+    in_front = all(map(math.isfinite, pictured))
+    numbers = np.array(pictured if in_front else [math.nan] * 6)
+    world_4, view_4, clip_4 = (
+        np.array([_rounded(part) for part in each]) for each in (world, view, clip)
+    )
+    outside = np.array([part < 0 for part in inside])
+    assert len(outside) == len(PLANES)
+    return Trace(
+        *(world_4, view_4, clip_4),
+        *(numbers[:3], numbers[3:5], numbers[5]),
+        np.array(in_front),
+        outside,
+    )
+
+
+def _dot(row: Sequence[Fraction], column: Sequence[Fraction]) -> Fraction:
+    return sum((a * b for a, b in zip(row, column, strict=True)), Fraction(0))
+
+
+def _rounded(number: Fraction) -> float:
+    """The nearest float64, infinite beyond them all; no minus zero."""
+    try:
+        return float(number) + 0.0
+    except OverflowError:
+        return math.inf if number > 0 else -math.inf
