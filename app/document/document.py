@@ -266,6 +266,20 @@ class Document:
         view = replace(self.view, compare=tuple(pictures), dividers=())
         return replace(states[own], view=view)
 
+    def name_of(self, picture: Picture) -> str:
+        """What one of the pictures is called that it is compared with.
+
+        Its own name; that of the document's own picture as long as it has the values for it. Else
+        one of the drawings' words: ``held``, ``now``, ``other``.
+        """
+        if not picture.live:
+            return picture.name or ("other" if picture.held is None else "held")
+        if picture.name:
+            with contextlib.suppress(Refusal):  # then it has not these values
+                if self.pictured(replace(picture, live=False)) == self:
+                    return picture.name
+        return "now"
+
     @property
     def state(self) -> Held:
         """What of it can be held, to be compared with what comes."""
