@@ -14,7 +14,7 @@ import sys
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from functools import partial
-from itertools import pairwise
+from itertools import pairwise, starmap
 from typing import Any
 
 import numpy as np
@@ -327,18 +327,17 @@ def _compared(
         for part, (left, top, wide, high) in zip(drawn, places, strict=True):
             whole[top : top + high, left : left + wide] = part
         return whole
-    ends = (0.0, *dividers, 1.0)
-    middles = [(start + end) / 2.0 for start, end in pairwise(ends)]
+    middles = [sum(ends) / 2.0 for ends in pairwise((0.0, *dividers, 1.0))]
     layers = [
         draw(projection, illustration, size, framed=framed, caption=name, middle=middle)
         for (projection, illustration, name), middle in zip(shown, middles, strict=True)
     ]
     live = next(place for place, picture in enumerate(pictures) if picture.live)
-    left, right = layers[live][1]
-    edges = [0, *(round(left + part * (right - left)) for part in dividers), width]
+    begin, end = layers[live][1]
+    edges = [0, *(round(begin + part * (end - begin)) for part in dividers), width]
     whole = layers[0][0].copy()
-    for (pixels, _), (start, end) in zip(layers, pairwise(edges), strict=True):
-        whole[:, start:end] = pixels[:, start:end]
+    for (pixels, _), strip in zip(layers, starmap(slice, pairwise(edges)), strict=True):
+        whole[:, strip] = pixels[:, strip]
     half = max(1, round(style.line_width / 2.0))
     for x in edges[1:-1]:
         whole[:, max(0, x - half) : x + half, :3] = np.array(rgb(style.ink)) * 255.0

@@ -253,6 +253,8 @@ class Compare(QObject):
         self.handles: list[Divider] = []
         self.captions: list[Title] = []
         self._cuts: list[QRect] = []
+        self._laid_out: list[tuple[int, int] | None] = []
+        """For which sizes of images."""
         self._make_bar()
         pane.surface.installEventFilter(self)
         pane.header.installEventFilter(self)
@@ -319,6 +321,7 @@ class Compare(QObject):
         self.bar.setVisible(self.is_on)
         self._pane.set_bare(self.is_on and not dividers)
         self._name_way()
+        self._laid_out = []
         self._lay_out()
         self.changed.emit()
 
@@ -344,14 +347,25 @@ class Compare(QObject):
         shown = self._pane.shown
         if not self.is_on or shown is None or not self._pane.isVisible():
             return
+        smoothing = self._smoothing()
         for other in self.others:
-            other.refresh(shown, self._smoothing())
-        self._lay_out()
+            other.refresh(shown, smoothing)
+        seen = [None if each is None else each.projection.image_size for each in self._seen]
+        if seen != self._laid_out:
+            self._laid_out = seen
+            self._lay_out()
         self._say(shown)
+
+    @property
+    def _seen(self) -> list[Shown | None]:
+        """What each of the pictures shows, in their order; None for what there is not."""
+        others = iter(self.others)
+        return [self._pane.shown if each.live else next(others).shown for each in self.pictures]
 
     def _open(self) -> None:
         """The live picture has reached the screen: the first time, the others follow."""
         if any(not other.pane.canvas.is_open for other in self.others):
+            self._laid_out = []
             self.refresh()
 
     def close_canvases(self) -> None:
@@ -365,11 +379,11 @@ class Compare(QObject):
         words = {"held": self.tr("Held"), "now": self.tr("Now"), "other": self.tr("Other")}
         found_names = map(shown.document.name_of, self.pictures)
         names = [words.get(name) or of_phenomena(name) for name in found_names]
-        others = [other.shown for other in self.others]
-        at = next(place for place, picture in enumerate(self.pictures) if picture.live)
-        states = [each.document.state for each in (*others[:at], shown, *others[at:]) if each]
-        for caption, name in zip(self.captions, names, strict=True):
-            caption.setText(name)
+        states = [each.document.state for each in self._seen if each is not None]
+        if names != [caption.text() for caption in self.captions]:
+            for caption, name in zip(self.captions, names, strict=True):
+                caption.setText(name)
+            self._place_captions()
         found = differences(states)
         named = {change.partition("=")[0] for each in self.pictures for change in each.changes}
         # What the pictures have their names from is said by these.
@@ -378,7 +392,6 @@ class Compare(QObject):
         texts = texts or [self.tr("nothing differs yet: change something")]
         parts = [f"{' | '.join(names)}:  ", *(f"{text}, " for text in texts[:-1]), texts[-1]]
         self.words.say([parts[0] + parts[1], *parts[2:]])
-        self._place_captions()
 
     def _difference(self, path: str, values: Sequence[Any], shown: Shown) -> str:
         section, _, name = path.rpartition(".")
@@ -466,11 +479,7 @@ class Compare(QObject):
     def _cells(self) -> list[QRect]:
         """Places beside or above each other, whichever gives the larger pictures, of one height."""
         whole, em = self._pane.surface.rect(), float(self._pane.fontMetrics().height())
-        shown = self._pane.shown
-        aspects = [1.0] * len(self.pictures)
-        if shown is not None:
-            states = {other.picture: other.shown for other in self.others}
-            aspects = [(states.get(each) or shown).projection.aspect for each in self.pictures]
+        aspects = [1.0 if shown is None else shown.projection.aspect for shown in self._seen]
         found = cells(whole.width(), whole.height(), aspects, em)
         return [QRect(*cell) for cell in found]
 

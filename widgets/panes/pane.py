@@ -358,6 +358,7 @@ class Pane(QFrame):
         """
         if other._built_with is not None and other._built_with is not self._built_with:
             self.build(shown, None, *other._built_with)
+            self._built_with = other._built_with
         elif shown is not self._shown:
             self.take(shown, PROJECTION)
         self.show_layers(other._hidden)
