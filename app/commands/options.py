@@ -49,7 +49,7 @@ SETTABLE = (
     "image.width", "image.height", "quality.rung", "quality.smoothing",
     "quality.detail", "quality.depth_format", "quality.depth_mapping", "view.layout", "view.large",
     "view.stage", "view.frame_step", "view.panel", "view.letters", "view.layers", "view.fixed",
-    "view.probes",
+    "view.probes", "view.compare", "view.dividers",
 )  # fmt: skip
 """Every path that ``--set`` knows, of all lenses; and each scene has ``settings.NAME`` of its own.
 

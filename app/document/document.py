@@ -26,8 +26,17 @@ from functools import partial
 from types import MappingProxyType
 from typing import Any, BinaryIO, NamedTuple, TypeAlias
 
+from app.document.compare import (
+    HELD_ELSEWHERE,
+    MOST_PICTURES,
+    PARTS,
+    SOME_DIVIDERS,
+    SOME_PICTURES,
+    Held,
+    Picture,
+)
+from app.document.view import AS_EVER, View, read_view, view_tree
 from app.document.view import FIELDS as VIEW_FIELDS
-from app.document.view import View, read_view, view_tree
 from app.model.limits import FOUR_BY_FOUR, OTHER_SIDE
 from app.model.object_transform import NOT_MOVED, ObjectTransform
 from app.model.projection import (
@@ -46,7 +55,7 @@ from app.model.projection import (
 from app.model.refusal import QT_TRANSLATE_NOOP, Bound, Refusal, format_value, shown_name
 from app.precision.quality import AUTOMATIC, Quality
 from app.scenes.phenomena import PHENOMENA
-from app.scenes.phenomena.illustration import Setting, Settings
+from app.scenes.phenomena.illustration import YES_OR_NO, Setting, Settings
 from app.scenes.shapes import LETTER_F
 from app.strangers import open_regular
 
@@ -130,6 +139,13 @@ FIXED = QT_TRANSLATE_NOOP(
 POINTS = QT_TRANSLATE_NOOP("Refusal", "must be x, y, z of one point after the other")
 AWAY_FROM_TARGET = QT_TRANSLATE_NOOP("Refusal", "must be at least {0} away from the target")
 LONGER = QT_TRANSLATE_NOOP("Refusal", "must be at least {0} long")
+A_NAME = QT_TRANSLATE_NOOP("Refusal", "must be a name")
+SOME_CHANGES = QT_TRANSLATE_NOOP("Refusal", "must be a list of texts NAME=VALUE")
+COMPARED = QT_TRANSLATE_NOOP(
+    "Refusal",
+    "must be a ready-made comparison of the scene ({0}), or NAME=VALUE; with ; between the values"
+    " of a picture, and | between pictures",
+)
 NO_EQUALS = QT_TRANSLATE_NOOP("Refusal", "must be written as NAME=VALUE")
 
 
@@ -216,6 +232,64 @@ class Document:
             return self
         projection, after = phenomenon.changed(self.projection, self.settings, settings)
         return replace(self, projection=projection, settings=after)
+
+    def pictured(self, picture: Picture) -> Document:
+        """The document as one of the pictures shows it that it is compared with.
+
+        Raises
+        ------
+        Refusal
+            If there is no such picture of it just now.
+        """
+        plain = replace(self, view=AS_EVER)
+        if picture.live:
+            return plain
+        if picture.held is not None:
+            return replace(
+                plain, projection=picture.held.projection, settings=picture.held.settings
+            )
+        return set_values(plain, picture.changes)
+
+    def compared(self, name: str) -> Document:
+        """The document beside the other pictures of one of its scene's own comparisons.
+
+        It is the picture whose values it has, or becomes the last of them.
+
+        Raises
+        ------
+        Refusal
+            If the scene has none of this name, or has no such pictures just now.
+        """
+        phenomenon = PHENOMENA.get(self.scene)
+        ready = {each.name: each for each in phenomenon.comparisons} if phenomenon else {}
+        if name not in ready:
+            names = ", ".join(ready) or "none"
+            raise Refusal.in_document(COMPARED, names, field="view.compare", value=name)
+        pictures = [Picture(*each) for each in ready[name].pictures]
+        states = [self.pictured(picture) for picture in pictures]
+        own = states.index(self) if self in states else len(states) - 1
+        pictures[own] = replace(pictures[own], live=True)
+        view = replace(self.view, compare=tuple(pictures), dividers=())
+        return replace(states[own], view=view)
+
+    def name_of(self, picture: Picture) -> str:
+        """What one of the pictures is called that it is compared with.
+
+        Its own name; that of the document's own picture as long as it has the values for it. Else
+        one of the drawings' words: ``held``, ``now``, ``other``.
+        """
+        if not picture.live:
+            return picture.name or ("other" if picture.held is None else "held")
+        if picture.name:
+            with contextlib.suppress(Refusal):  # then it has not these values
+                if self.pictured(replace(picture, live=False)) == self:
+                    return picture.name
+        return "now"
+
+    @property
+    def state(self) -> Held:
+        """What of it can be held, to be compared with what comes."""
+        return Held(self.projection, self.settings)
 
 
 # --------------------------------------------------------------------------- names and values
@@ -509,12 +583,76 @@ def _document(tree: Tree, folder: Path | None = None) -> Document:
     if not isinstance(panes, dict):
         raise Refusal.in_document(OBJECT, field="view.panes", value=panes)
     cameras = {name: _pane_camera(panes, name) for name in panes}
+    pictures = _pictures(values.get("compare", []), scene, mesh)
     with _paths("view"):
-        view = read_view(values, cameras)
+        view = read_view(values, cameras, pictures)
     values = _section(tree, "quality") if "quality" in tree else {}
     quality = Quality(**{key: values[key] for key in _QUALITY if key in values})
     unknown = _unknown(tree, scene, kind, cameras)
     return Document(scene, projection, unknown, view, settings, mesh, quality)
+
+
+@contextlib.contextmanager
+def _inside(path: str) -> Iterator[None]:
+    """Give complaints of a document that is in a document their paths in that."""
+    try:
+        yield
+    except Refusal as error:
+        error.field = f"{path}.{error.field}" if error.field else path
+        raise
+
+
+def _pictures(value: Any, scene: str, mesh: Any) -> tuple[Picture, ...]:
+    """The pictures that a document is compared with, as `_picture_tree` writes them."""
+    path = "view.compare"
+    if not isinstance(value, list) or len(value) > MOST_PICTURES:
+        raise Refusal.in_document(SOME_PICTURES, MOST_PICTURES, field=path, value=value)
+    pictures = []
+    for place, part in enumerate(value):
+        where = f"{path}[{place}]"
+        if not isinstance(part, dict):
+            raise Refusal.in_document(OBJECT, field=where, value=part)
+        values: Tree = {"name": "", "set": [], "live": False, "held": {}} | part
+        texts = isinstance(values["set"], list) and all(isinstance(x, str) for x in values["set"])
+        for key, fits, bound in (
+            ("name", isinstance(values["name"], str), A_NAME),
+            ("set", texts, SOME_CHANGES),
+            ("live", isinstance(values["live"], bool), YES_OR_NO),
+            ("held", isinstance(values["held"], dict), OBJECT),
+        ):
+            if not fits:
+                raise Refusal.in_document(bound, field=f"{where}.{key}", value=values[key])
+        held = _held(part["held"], f"{where}.held", scene, mesh) if "held" in part else None
+        changes = tuple(values["set"])
+        with _paths(where):
+            pictures.append(Picture(values["name"], changes, held, values["live"]))
+    return tuple(pictures)
+
+
+def _held(values: Tree, path: str, scene: str, mesh: Any) -> Held:
+    """A held state from its own part of a document: of the same scene."""
+    for key, own in (("scene", scene), ("mesh", mesh)):
+        if values.get(key, own) != own:
+            field = f"{path}.{key}"
+            raise Refusal.in_document(HELD_ELSEWHERE, repr(own), field=field, value=values[key])
+    with _inside(path):
+        return _document(
+            {key: values[key] for key in PARTS if key in values} | {"scene": scene}
+        ).state
+
+
+def _picture_tree(picture: Picture, scene: str) -> Tree:
+    tree: Tree = {}
+    if picture.name:
+        tree["name"] = picture.name
+    if picture.changes:
+        tree["set"] = list(picture.changes)
+    if picture.live:
+        tree["live"] = True
+    if picture.held is not None:
+        held = Document(scene, picture.held.projection, settings=picture.held.settings)
+        tree["held"] = {key: value for key, value in _tree(held).items() if key in PARTS}
+    return tree
 
 
 def _lens(values: Any, path: str) -> Lens:
@@ -652,6 +790,9 @@ def _tree(document: Document) -> Tree:
             name: _camera_tree(camera) | labels.get(name, {})
             for name, camera in document.view.panes.items()
         }
+    if document.view.compare:
+        pictures = document.view.compare
+        view["compare"] = [_picture_tree(picture, document.scene) for picture in pictures]
     if view:
         tree["view"] = view
     for section in _SECTIONS:
@@ -730,7 +871,9 @@ def set_values(document: Document, assignments: Iterable[str]) -> Document:
         ``lens.far=inf``, ``camera.eye=3,2,4``, ``depth=reversed``, ``scene=cube``,
         ``settings.distance=2``, ``view.stage=pyramid``; a matrix as its 16 cells, row after row,
         probes as x, y, z of one point after the other, layers that are hidden by their names with
-        commas. Only the outcome of
+        commas. Pictures to compare with are ``view.compare=lens.near=2;lens.far=9|lens.near=3``, or
+        the name of what the scene has ready-made, with the values that the document's own picture
+        has in it. Only the outcome of
         all of them has to be valid, so that their order does not matter; of two for the same
         path the last holds. Another scene comes first and has its default settings; then
         ``lens.kind``, which keeps the picture alike, or with numbers of its window has these as
@@ -769,13 +912,14 @@ def set_values(document: Document, assignments: Iterable[str]) -> Document:
         if path not in paths:
             raise _unknown_path(path, paths)
     document = _with_lens(_set_settings(document, texts), kind)
+    beside, dividers = texts.pop("view.compare", None), texts.pop("view.dividers", None)
     tree = _tree(document)
     for path, text in texts.items():
         section, _, key = path.rpartition(".")
         if section != "settings":
             (tree.setdefault(section, {}) if section else tree)[key] = _read_text(path, text)
     try:
-        return _document(tree)
+        return _beside(_document(tree), beside, dividers)
     except Refusal as error:
         side, bound = OTHER_SIDE.get(error.bound, ("", error.bound))
         if f"lens.{side}" not in texts or error.field in texts:
@@ -783,6 +927,31 @@ def set_values(document: Document, assignments: Iterable[str]) -> Document:
         # What was set is the other of the two.
         limit, value = format_value(error.value), tree["lens"][side]
         raise Refusal.in_document(bound, limit, field=f"lens.{side}", value=value) from error
+
+
+def _beside(document: Document, pictures: str | None, dividers: str | None) -> Document:
+    """Compare with the pictures that a text names, or as those there are, divided so."""
+    if pictures is not None and pictures and "=" not in pictures:
+        document = document.compared(pictures)
+    elif pictures is not None:
+        with _paths("view.compare"):
+            others = [
+                Picture(changes=tuple(change.strip() for change in part.split(";")))
+                for part in (pictures.split("|") if pictures else ())
+            ]
+        for other in others:
+            document.pictured(other)
+        compare = (*others, Picture(live=True)) if others else ()
+        with _paths("view"):
+            document = replace(document, view=replace(document.view, compare=compare, dividers=()))
+    if dividers is not None:
+        places = [_number(part.strip()) for part in dividers.split(",")] if dividers else []
+        numbers = tuple(part for part in places if part is not None)
+        with _paths("view"):
+            if len(numbers) < len(places):
+                raise Refusal("dividers", dividers, SOME_DIVIDERS)
+            document = replace(document, view=replace(document.view, dividers=numbers))
+    return document
 
 
 def _with_lens(document: Document, kind: str) -> Document:

@@ -9,6 +9,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, fields
 from typing import Any
 
+from app.document.compare import SOME_DIVIDERS, Picture, check_pictures
 from app.lecture.camera_frame import STEPS
 from app.lecture.notation import LETTERS, Letters
 from app.lecture.stages import IMAGE, NDC
@@ -79,6 +80,12 @@ class View:
         Points that are followed, in the order of their numbers.
     pinned : frozenset of int
         Numbers of the probes that the next click leaves alone.
+    compare : tuple of Picture
+        The pictures of the image pane, from left to right or from above, one of them the
+        document's own; none while it is seen alone.
+    dividers : tuple of float
+        Where the pictures compared lie over each other and are divided, as fractions of the
+        picture's width; none where they are side by side.
     panes : dict of str to Camera
         From where a pane was looked at, if somebody turned it; also of panes that are not here.
         Not to be changed in place.
@@ -99,6 +106,8 @@ class View:
     fixed: str = ""
     probes: tuple[Probe, ...] = ()
     pinned: frozenset[int] = frozenset()
+    compare: tuple[Picture, ...] = ()
+    dividers: tuple[float, ...] = ()
     panes: dict[str, Camera] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
@@ -127,6 +136,7 @@ class View:
                 _finite_row(where, probe.row or ())
         if not all(map(_is_number, self.pinned)) or not self.pinned <= set(numbers):
             raise Refusal("pinned", sorted(self.pinned, key=str), PROBE_NUMBERS)
+        check_pictures(self.compare, self.dividers)
         keep_checked(self, stage=float(self.stage), pinned=frozenset(map(int, self.pinned)))
 
     @property
@@ -154,7 +164,9 @@ AS_EVER = View()
 # --------------------------------------------------------------------------- as JSON has it
 
 
-def read_view(values: Mapping[str, Any], panes: dict[str, Camera]) -> View:
+def read_view(
+    values: Mapping[str, Any], panes: dict[str, Camera], compare: tuple[Picture, ...] = ()
+) -> View:
     """A view from its part of a document, as `view_tree` writes it.
 
     Parameters
@@ -162,14 +174,16 @@ def read_view(values: Mapping[str, Any], panes: dict[str, Camera]) -> View:
     values : mapping
         What is not there has its default; what is no field of a view is left alone.
     panes : dict of str to Camera
-        Read already.
+    compare : tuple of Picture
+        Both read already.
 
     Raises
     ------
     Refusal
         For a value that no view has.
     """
-    found = {name: values[name] for name in FIELDS if name in values} | {"panes": panes}
+    found = {name: values[name] for name in FIELDS if name in values}
+    found |= {"panes": panes, "compare": compare}
     stage = found.get("stage")
     if isinstance(stage, str) and stage in STAGES:
         found["stage"] = STAGES.index(stage)
@@ -181,6 +195,10 @@ def read_view(values: Mapping[str, Any], panes: dict[str, Camera]) -> View:
         found["pinned"] = _set_of("pinned", found["pinned"], PROBE_NUMBERS)
     if "probes" in found:
         found["probes"] = _probes(found["probes"])
+    if "dividers" in found:
+        if not isinstance(found["dividers"], list):
+            raise Refusal("dividers", found["dividers"], SOME_DIVIDERS)
+        found["dividers"] = tuple(found["dividers"])
     return View(**found)
 
 
@@ -220,16 +238,18 @@ def _finite_row(where: str, values: Sequence[Any]) -> Row:
 
 
 def view_tree(view: View) -> dict[str, Any]:
-    """What of a view is not as ever, as a document has it; its panes' cameras are left out."""
+    """What of a view is not as ever, as a document has it, without cameras and pictures."""
     tree: dict[str, Any] = {}
     for name in FIELDS:
         value = getattr(view, name)
-        if name != "panes" and value != getattr(AS_EVER, name):
+        if name not in ("panes", "compare") and value != getattr(AS_EVER, name):
             tree[name] = value
     if "stage" in tree:
         tree["stage"] = STAGES[int(view.stage)] if view.stage.is_integer() else view.stage
     if "layers" in tree:
         tree["layers"] = [name for name in LAYERS if name in view.layers]
+    if "dividers" in tree:
+        tree["dividers"] = list(view.dividers)
     if "pinned" in tree:
         tree["pinned"] = sorted(view.pinned)
     if "probes" in tree:

@@ -44,6 +44,9 @@ WORDS: Mapping[str, str] = MappingProxyType(
         "y": "y",
         "z": "z",
         "d": "d",
+        "held": "held",
+        "now": "now",
+        "other": "other",
         "half width": "half width",
         "half height": "half height",
         "no planes": "A typed matrix has no near, no far and no angle.",
@@ -53,3 +56,6 @@ WORDS: Mapping[str, str] = MappingProxyType(
     }
 )
 """The words written into the drawings; a mapping with the same keys translates them."""
+
+AXES = "axes"
+"""A layer that no document names: the pixel axes, which pictures beside each other do without."""

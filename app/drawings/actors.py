@@ -149,8 +149,9 @@ class Canvas:
 
     @staticmethod
     def make_ready(renderer: Any) -> None:
-        """Make a renderer draw everything it is given, in the order it is given."""
+        """Make a renderer draw everything it is given, in the order it is given, and opaquely."""
         renderer.GetCullers().RemoveAllItems()
+        renderer.SetBackgroundAlpha(1.0)  # or Qt adds what lies under it, in a window of OpenGL's
         renderer.SetUseOIT(False)
 
     def add(self, *props: vtkProp, renderer: Any = None, layer: str = "") -> None:

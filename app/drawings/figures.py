@@ -13,6 +13,8 @@ import os
 import sys
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
+from functools import partial
+from itertools import pairwise, starmap
 from typing import Any
 
 import numpy as np
@@ -22,13 +24,14 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkUnsignedCharArray
 from vtkmodules.vtkRenderingCore import vtkTextActor
 
-from app.document.document import embed, write_bytes_atomically
+from app.document.document import Document, embed, write_bytes_atomically
 from app.document.view import AS_EVER, PANES, View
-from app.drawings import WORDS
+from app.drawings import AXES, WORDS
 from app.drawings.image import ImageDrawing
 from app.drawings.off_screen import off_screen
+from app.drawings.side_by_side import cells
 from app.drawings.stage import StageDrawing
-from app.drawings.style import LIGHT, Style
+from app.drawings.style import LIGHT, Style, rgb
 from app.drawings.world import WorldDrawing
 from app.model.projection import LARGEST_IMAGE_PX, Projection
 from app.model.refusal import QT_TRANSLATE_NOOP, Cancelled, Refusal, format_value
@@ -159,21 +162,22 @@ def render(
     for pane, left, right in zip(panes, edges[:-1], edges[1:], strict=True):
         if progress is not None and not progress(len(parts) / len(panes)):
             raise Cancelled
-        parts.append(
-            _render_pane(
-                pane,
-                scene,
-                projection,
-                illustration,
-                (right - left, height),
-                transparent,
-                style,
-                words,
-                framed=len(panes) > 1,
-                view=view,
-                quality=quality,
-            )
+        draw = partial(
+            _render_pane,
+            pane,
+            scene,
+            transparent=transparent,
+            style=style,
+            words=words,
+            view=view,
+            quality=quality,
         )
+        size_px, framed = (right - left, height), len(panes) > 1
+        if pane == "image" and view.compare:
+            document = Document(scene.name, projection, view=view, settings=settings or {})
+            parts.append(_compared(document, scene, draw, size_px, framed, style, words))
+        else:
+            parts.append(draw(projection, illustration, size_px, framed=framed)[0])
     return parts[0] if len(parts) == 1 else np.concatenate(parts, axis=1)
 
 
@@ -288,30 +292,90 @@ def checked_size(
     return round(asked["width"] * scale), round(asked["height"] * scale)
 
 
+def _compared(
+    document: Document,
+    scene: Scene,
+    draw: Callable[..., tuple[Pixels, tuple[float, float]]],
+    size: tuple[int, int],
+    framed: bool,
+    style: Style,
+    words: Mapping[str, str],
+) -> Pixels:
+    """The pictures that a document's is compared with, and it: divided, or side by side.
+
+    `draw` draws a pane's pixels, and tells where its picture begins and ends in them.
+    """
+    pictures, dividers = document.view.compare, document.view.dividers
+    shown = []
+    for picture in pictures:
+        of = document.pictured(picture)
+        phenomenon, illustration = scene.phenomenon, None
+        if phenomenon is not None:
+            illustration = phenomenon.illustration(of.projection, of.settings, scene.subject)
+        name = document.name_of(picture)
+        shown.append((of.projection, illustration, words.get(name, name)))
+    width, height = size
+    if not dividers:
+        aspects = [projection.aspect for projection, _, _ in shown]
+        places = cells(width, height, aspects, style.font_size)
+        drawn = [
+            draw(*each, (wide, high), framed=True, caption=name, bare=True)[0]
+            for (*each, name), (_, _, wide, high) in zip(shown, places, strict=True)
+        ]
+        whole = np.empty((height, width, drawn[0].shape[2]), np.uint8)
+        whole[:] = drawn[0][0, 0]  # beside the pictures
+        for part, (left, top, wide, high) in zip(drawn, places, strict=True):
+            whole[top : top + high, left : left + wide] = part
+        return whole
+    middles = [sum(ends) / 2.0 for ends in pairwise((0.0, *dividers, 1.0))]
+    layers = [
+        draw(projection, illustration, size, framed=framed, caption=name, middle=middle)
+        for (projection, illustration, name), middle in zip(shown, middles, strict=True)
+    ]
+    live = next(place for place, picture in enumerate(pictures) if picture.live)
+    begin, end = layers[live][1]
+    edges = [0, *(round(begin + part * (end - begin)) for part in dividers), width]
+    whole = layers[0][0].copy()
+    for (pixels, _), strip in zip(layers, starmap(slice, pairwise(edges)), strict=True):
+        whole[:, strip] = pixels[:, strip]
+    half = max(1, round(style.line_width / 2.0))
+    for x in edges[1:-1]:
+        whole[:, max(0, x - half) : x + half, :3] = np.array(rgb(style.ink)) * 255.0
+        whole[:, max(0, x - half) : x + half, 3:] = 255
+    return whole
+
+
 def _render_pane(
     pane: str,
     scene: Scene,
     projection: Projection,
     illustration: Illustration | None,
     size: tuple[int, int],
+    *,
     transparent: bool,
     style: Style,
     words: Mapping[str, str],
     framed: bool,
     view: View,
     quality: Quality,
-) -> Pixels:
+    caption: str = "",
+    middle: float = 0.5,
+    bare: bool = False,
+) -> tuple[Pixels, tuple[float, float]]:
+    """A pane's pixels, and from where to where its picture is in them, if it has one."""
     factor = _oversampling(size)
     width, height = (factor * side for side in size)
     options: dict[str, Any] = {}
     if pane != "world":
         options["tolerance_px"] = quality.tolerance_px(DRAWING_TOLERANCE_PX)
     if pane == "image":
-        options |= {"framed": framed, "quality": quality}
+        options |= {
+            "framed": framed, "quality": quality, "caption": caption, "middle": middle
+        }  # fmt: skip
     with off_screen(width, height) as screen:
         window = screen.render_window
         drawing = _DRAWINGS[pane](screen, scene, words, style.enlarged(factor), **options)
-        drawing.show_layers(view.layers)
+        drawing.show_layers(view.layers | {AXES} if bare else view.layers)
         drawing.show_projection(projection, illustration)
         if isinstance(drawing, StageDrawing):
             drawing.show_stage(view.stage)
@@ -331,8 +395,12 @@ def _render_pane(
         if isinstance(drawing, ImageDrawing) and drawing.problem is not None:  # known from now on
             window.Render()
         drawn = pixels_of(window)
+        ends = (0.0, float(size[0]))
+        if isinstance(drawing, ImageDrawing):
+            place = drawing.picture_rectangle_px
+            ends = place.left / factor, (place.left + place.width) / factor
         drawing.remove()
-    return _averaged(drawn, factor, transparent)
+    return _averaged(drawn, factor, transparent), ends
 
 
 def _clear_plates(renderer: Any) -> None:

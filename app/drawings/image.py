@@ -16,6 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 from vtkmodules.vtkRenderingCore import vtkActor, vtkRenderer
 
+from app.drawings import AXES
 from app.drawings.actors import Canvas, Space, face_actor, identity_camera, lifted
 from app.drawings.labels import Layout
 from app.drawings.marks import MarksDrawing, Placing, spread_over
@@ -23,6 +24,7 @@ from app.drawings.pointing import Emphasis, Segment, Spot, pointed_at
 from app.drawings.precision import ModelActors, least_tolerance
 from app.drawings.probes import Probes
 from app.drawings.rasterising import Rasteriser
+from app.drawings.side_by_side import BARE_EM
 from app.drawings.style import TITLE_EM, Style, rgb
 from app.lecture.highlight import SIDES, Highlight, corner_at
 from app.model.projection import Array, Camera, Projection
@@ -67,6 +69,10 @@ class ImageDrawing:
     framed : bool
         Draw frame, axes and margins round the picture. Without them it fills the pane as far as
         its aspect allows: wholly, if the pane has the image's size.
+    caption : str
+        Written above a framed picture; a pane has a title of its own there.
+    middle : float
+        Where, as a part of the picture's width.
     """
 
     def __init__(
@@ -79,6 +85,8 @@ class ImageDrawing:
         quality: Quality = AUTOMATIC,
         *,
         framed: bool = True,
+        caption: str = "",
+        middle: float = 0.5,
     ) -> None:
         self._scene = scene
         self._model = ModelActors(scene, style, least_tolerance(scene, tolerance_px))
@@ -109,6 +117,12 @@ class ImageDrawing:
             self._canvas.renderer.SetBackground(*rgb(style.margin))
             self._add_axes(words)
             self._add_sides()
+            self._caption: Any = None
+            self._middle = middle
+            if caption:
+                self._caption = self._canvas.label(
+                    caption, anchor=(0, -1), in_pixels=True, bold=True
+                )
 
     def show_highlight(self, highlighted: Highlight) -> bool:
         """Let what is highlighted stand out, and nothing else; tell whether that is a change."""
@@ -138,7 +152,7 @@ class ImageDrawing:
     @property
     def picture_rectangle_px(self) -> Rectangle:
         """Where the picture lies in the pane of its present size."""
-        return self._fit(*self._canvas.window.GetSize())
+        return self.rectangle_in(*self._canvas.window.GetSize())
 
     @property
     def precision(self) -> Precision:
@@ -166,6 +180,10 @@ class ImageDrawing:
         """Switch labels and grid off, if they are among these layers; then show a projection."""
         if ("grid" in hidden) != ("grid" in self._canvas.hidden):
             self._model.show_grid("grid" not in hidden)
+        if self._framed and (AXES in hidden) != (AXES in self._canvas.hidden):
+            for label in self._axis_labels:
+                label.set_visible(AXES not in hidden)
+            self._canvas.relayout()
         self._canvas.show_layers(hidden)
 
     def show_detail(self, fewer: Scene | None) -> None:
@@ -360,13 +378,13 @@ class ImageDrawing:
         self._heads = {name: Space() for name in ("x", "y")}
         colours = {"frame": style.ink, "x": style.u, "y": style.v, "origin": style.ink}
         for name, space in self._bars.items():
-            self._add_face(space, _SQUARE, colours[name])
+            self._add_face(space, _SQUARE, colours[name], "" if name == "frame" else AXES)
         heads = {
             "x": ((0.0, -1.0, 0.0), (2.0, 0.0, 0.0), (0.0, 1.0, 0.0)),
             "y": ((-1.0, 0.0, 0.0), (0.0, 2.0, 0.0), (1.0, 0.0, 0.0)),
         }
         for name, space in self._heads.items():
-            self._add_face(space, heads[name], colours[name])
+            self._add_face(space, heads[name], colours[name], AXES)
 
         def label(text: str, anchor: tuple[int, int], plate: str | None = None) -> Any:
             return self._canvas.label(text, anchor=anchor, plate=plate, in_pixels=True)
@@ -376,6 +394,9 @@ class ImageDrawing:
         self._height_label = label("", (-1, 1))
         self._x_label = label(words["x"], (-1, 1), style.u)
         self._y_label = label(words["y"], (1, 1), style.v)
+        self._axis_labels = (
+            self._zero, self._width_label, self._height_label, self._x_label, self._y_label
+        )  # fmt: skip
 
     def _add_sides(self) -> None:
         """Bars and squares over the frame that show while a side or a corner is highlighted."""
@@ -395,16 +416,20 @@ class ImageDrawing:
             self._emphasis.label(label, name)
 
     def _add_face(
-        self, space: Space, points: tuple[tuple[float, float, float], ...], colour: str
+        self,
+        space: Space,
+        points: tuple[tuple[float, float, float], ...],
+        colour: str,
+        layer: str = "",
     ) -> Any:
         actor = face_actor(points, [range(len(points))], colour)
         space.add(actor)
-        self._canvas.add(actor)
+        self._canvas.add(actor, layer=layer)
         return actor
 
     # -- changed when the pane's or the image's size changes
 
-    def _fit(self, pane_width_px: int, pane_height_px: int) -> Rectangle:
+    def rectangle_in(self, pane_width_px: int, pane_height_px: int) -> Rectangle:
         """The largest rectangle of the image's aspect inside the pane and its margins."""
         left, top, right, bottom = self._margins_px if self._framed else (0, 0, 0, 0)
         room_x = max(1, pane_width_px - left - right)
@@ -419,11 +444,14 @@ class ImageDrawing:
     def _margins_px(self) -> tuple[int, int, int, int]:
         """Left, top, right, bottom: room for the numbers, the arrow heads and their letters."""
         em = self._style.font_size
+        if AXES in self._canvas.hidden:
+            side = round(BARE_EM * em)
+            return side, round((BARE_EM + TITLE_EM) * em), side, side
         above = 1.7 + TITLE_EM
         return round(2.2 * em), round(above * em), round(1.8 * em), round(2.0 * em)
 
     def _layout(self, pane_width_px: int, pane_height_px: int) -> None:
-        left, top, width, height = self._fit(pane_width_px, pane_height_px)
+        left, top, width, height = self.rectangle_in(pane_width_px, pane_height_px)
         right, bottom = left + width, top + height
         self._picture.SetViewport(
             left / pane_width_px,
@@ -478,6 +506,10 @@ class ImageDrawing:
         least = zero + (len("0, 0") + len(str(self._image_size[0]))) * _EM_OF_DIGIT * em
         width_end = max(right - gap, least)
         move(self._zero, zero, above)
+        if self._caption is not None:
+            bare = AXES in self._canvas.hidden
+            higher = above if bare else above - 1.3 * em
+            move(self._caption, left + self._middle * width, higher)
         move(self._width_label, width_end, above)
         # Below its axis, as y is beside its own: above it is the title row with its buttons.
         move(self._x_label, right + thin, top + head + gap)

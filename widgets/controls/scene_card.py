@@ -38,6 +38,7 @@ from PySide6.QtWidgets import (
 from app.model.projection import Projection
 from app.model.refusal import Refusal
 from app.scenes.phenomena.illustration import (
+    Comparison,
     Found,
     Illustration,
     Phenomenon,
@@ -109,6 +110,8 @@ class SceneCard(QWidget):
     """The user wants to choose a mesh for the place of the scene's own objects."""
     mesh_removed = Signal()
     """The user wants the scene's own objects back."""
+    comparison_wanted = Signal(str)
+    """The user wants to see this one of the scene's own comparisons."""
     explanation_wanted = Signal()
     """The user wants to read more about the scene, and to see its diagrams."""
 
@@ -154,6 +157,7 @@ class SceneCard(QWidget):
         for button in (self.use_mesh, self.remove_mesh, self.explanation):
             button.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.explanation.clicked.connect(self.explanation_wanted)
+        self.comparisons: list[QToolButton] = []
         self._offered: dict[QWidget, bool] = {}
         self._lay_out()
         self._dress()
@@ -174,6 +178,8 @@ class SceneCard(QWidget):
         column.addLayout(self._rows)
         column.addWidget(self.warning)
         column.addWidget(self.readout)
+        self._compares = QVBoxLayout()
+        column.addLayout(self._compares)
         column.addLayout(buttons)
         column.addWidget(self.remove_mesh, 0, Qt.AlignmentFlag.AlignLeft)
 
@@ -202,6 +208,7 @@ class SceneCard(QWidget):
             self._phenomenon, self._settings, self._illustration = phenomenon, {}, None
             self._problem = None
             self._make_rows(() if phenomenon is None else phenomenon.settings)
+            self._offer_comparisons(() if phenomenon is None else phenomenon.comparisons)
             self.readout.begin(0 if phenomenon is None else phenomenon.numbers)
             self.readout.show_readings(())
             self.warning.say("")
@@ -232,6 +239,8 @@ class SceneCard(QWidget):
         self.warning.setVisible(found is None and bool(self.warning.text()))
         for button, offered in self._offered.items():
             button.setVisible(found is None and offered and not self._is_for_class)
+        for button in self.comparisons:
+            button.setVisible(found is None)
 
     def set_presenting(self, on: bool) -> None:
         """Show a class what to try, its controls and its numbers, and nothing else."""
@@ -337,6 +346,27 @@ class SceneCard(QWidget):
             for part in (row, *row.findChildren(QWidget)):
                 part.installEventFilter(self)
         self._why_not, self._without_effect = {}, set()
+
+    def _offer_comparisons(self, comparisons: Iterable[Comparison]) -> None:
+        for button in self.comparisons:
+            self._compares.removeWidget(button)
+            button.hide()
+            button.deleteLater()
+        self.comparisons = []
+        for comparison in comparisons:
+            button = QToolButton()
+            names = ", ".join(of_phenomena(name) for name, _ in comparison.pictures)
+            button.setText(self.tr("Compare: {0}").format(names))
+            button.setToolTip(self.tr("Show these pictures beside each other, in large"))
+            button.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
+            show_icon(button, "compare")
+            button.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
+            button.clicked.connect(partial(self._want_comparison, comparison.name))
+            self._compares.addWidget(button, 0, Qt.AlignmentFlag.AlignLeft)
+            self.comparisons.append(button)
+
+    def _want_comparison(self, name: str, _checked: bool = False) -> None:
+        self.comparison_wanted.emit(name)
 
     def _add_player(self, setting: Setting, row: NumberRow) -> None:
         player = Player(setting, self)

@@ -14,7 +14,7 @@ import time
 from collections.abc import Callable, Sequence
 from typing import Any, Protocol, cast
 
-from PySide6.QtCore import QEvent, QPoint, QPointF, Qt, Signal
+from PySide6.QtCore import QEvent, QPoint, QPointF, QRect, Qt, Signal
 from PySide6.QtGui import (
     QCloseEvent,
     QKeyEvent,
@@ -32,12 +32,13 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from app.drawings import AXES
 from app.lecture.highlight import NOTHING, Highlight
 from app.model.projection import Camera, Projection
 from app.picking.picking import Probe, Sight
 from app.scenes.phenomena.illustration import Illustration
 from app.scenes.scene import Scene
-from widgets.panes.canvas import AnyCanvas, Hand
+from widgets.panes.canvas import AnyCanvas, Hand, RasterCanvas
 from widgets.parts.icons import show_icon
 from widgets.parts.note import Title
 from widgets.parts.panel import PROJECTION, Changed, Shown
@@ -124,7 +125,7 @@ class FixedDrawing(Drawing, Protocol):
         """Take a fixed view, or the free one; draw nothing yet."""
 
 
-class _WholePixels(QWidget):
+class Surface(QWidget):
     """Holds a canvas so that its edges are on whole pixels of the screen.
 
     Where the screen's scale is 1.5, say, they are not everywhere: Qt then leaves a black line at
@@ -136,20 +137,28 @@ class _WholePixels(QWidget):
         self._margins = QVBoxLayout(self)
         self._margins.setContentsMargins(0, 0, 0, 0)
         self._margins.addWidget(canvas)
+        self._room: QRect | None = None
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)
         self.fit()
 
+    def set_room(self, room: QRect | None) -> None:
+        """Give the canvas a part of the surface, or None for all of it."""
+        if room != self._room:
+            self._room = room
+            self.fit()
+
     def fit(self) -> None:
         """Move the edges inwards to the next whole pixels."""
         place, ratio = self.mapTo(self.window(), QPoint()), self.devicePixelRatioF()
-        left, top = place.x(), place.y()
+        room = self._room or self.rect()
+        left, top = place.x() + room.x(), place.y() + room.y()
         self._margins.setContentsMargins(
-            _to_whole(left, 1, ratio),
-            _to_whole(top, 1, ratio),
-            _to_whole(left + self.width(), -1, ratio),
-            _to_whole(top + self.height(), -1, ratio),
+            room.x() + _to_whole(left, 1, ratio),
+            room.y() + _to_whole(top, 1, ratio),
+            self.width() - room.x() - room.width() + _to_whole(left + room.width(), -1, ratio),
+            self.height() - room.y() - room.height() + _to_whole(top + room.height(), -1, ratio),
         )
         self._margins.invalidate()
         self._margins.activate()
@@ -198,6 +207,8 @@ class Pane(QFrame):
     """The `Highlight` that the mouse draws to what is under it; only when that changes."""
     timed = Signal(float, float)
     """What the last step's matrices and a repaint took, in ms; only after `set_timed`."""
+    marked = Signal()
+    """It shows other layers or probes."""
 
     def __init__(
         self,
@@ -215,6 +226,7 @@ class Pane(QFrame):
         self._make_drawing = make_drawing
         self._shown: Shown | None = None
         self._to_build: tuple[object, ...] | None = None
+        self._built_with: tuple[object, ...] | None = None
         self._view: Camera | None = None
         self._stage: float | None = None
         self._stage_is_stale = False
@@ -224,6 +236,7 @@ class Pane(QFrame):
         self._fixed_is_stale = False
         self._hidden: frozenset[str] = frozenset()
         self._layers_are_stale = False
+        self._is_bare = False
         self._probes: Sequence[Probe] = ()
         self._highlight = self._pointed_at = NOTHING
         self._highlight_is_stale = False
@@ -283,8 +296,9 @@ class Pane(QFrame):
             "as a drag with Shift; arrows drag by a pixel, with Shift by ten; Escape puts back."
         )
         self.canvas.setAccessibleDescription(f"{keys} {cursor_keys}")
-        self._fitted = _WholePixels(self.canvas)
-        self._column.addWidget(self._fitted, 0, 0)
+        self.surface = Surface(self.canvas)
+        self._column.addWidget(self.surface, 0, 0)
+        self._column.setRowStretch(0, 1)
         for widget, side, inside in (
             (self.header, Qt.AlignmentFlag.AlignLeft, (self.title, self.note)),
             (self._tools, Qt.AlignmentFlag.AlignRight, (self._reset, self._enlarge, self._float)),
@@ -322,10 +336,41 @@ class Pane(QFrame):
             Handed to `make_drawing` after the screen.
         """
         self._shown = shown
-        self._to_build = args
+        self._to_build = self._built_with = args
         self._view = view
         if self.isVisible():
             self._refresh()
+
+    def another(self, title: str) -> Pane:
+        """A pane that draws the same in another place, off the screen, and lets nobody turn it."""
+        return Pane(title, self._make_drawing, orbits=False, make_canvas=RasterCanvas)
+
+    def draw_like(self, other: Pane, shown: Shown, *, at_rest: str = "") -> None:
+        """Show something in the way in which another pane is drawn.
+
+        Parameters
+        ----------
+        other : Pane
+            One that has been built.
+        shown : Shown
+        at_rest : str
+            How it smooths, drawn with all triangles; as the other one does just now if empty.
+        """
+        if other._built_with is not None and other._built_with is not self._built_with:
+            self.build(shown, None, *other._built_with)
+            self._built_with = other._built_with
+        elif shown is not self._shown:
+            self.take(shown, PROJECTION)
+        self.show_layers(other._hidden)
+        self.set_bare(other._is_bare)
+        self.show_probes(tuple(probe for probe in other._probes if probe.number))
+        self.set_smoothing(at_rest or other._smoothing)
+        self.set_detail(None if at_rest else other._fewer)
+
+    @property
+    def shown(self) -> Shown | None:
+        """What it shows, or will when it appears."""
+        return self._shown
 
     @property
     def name(self) -> str:
@@ -396,6 +441,18 @@ class Pane(QFrame):
             self._hidden, self._layers_are_stale = hidden, True
             if self.isVisible():
                 self._refresh()
+            self.marked.emit()
+
+    def set_bare(self, bare: bool) -> None:
+        """Leave a picture's axes out, for its size's sake: at once if visible, or on appearing."""
+        if bare != self._is_bare:
+            self._is_bare, self._layers_are_stale = bare, True
+            if self.isVisible():
+                self._refresh()
+
+    @property
+    def _switched_off(self) -> frozenset[str]:
+        return self._hidden | {AXES} if self._is_bare else self._hidden
 
     def show_probes(self, probes: Sequence[Probe]) -> None:
         """Mark these probes, and no others: at once if visible, else on appearing."""
@@ -404,6 +461,7 @@ class Pane(QFrame):
             self._probes_stale = True
             if self.isVisible():
                 self._refresh()
+            self.marked.emit()
 
     @property
     def probes(self) -> Sequence[Probe]:
@@ -443,8 +501,8 @@ class Pane(QFrame):
             self._step_is_stale = self._step is not None
             self._fixed_is_stale = bool(self._fixed)
             self._layers_are_stale = False
-            if self._hidden:
-                self.drawing.show_layers(self._hidden)
+            if self._switched_off:
+                self.drawing.show_layers(self._switched_off)
             self._highlight_is_stale = True
             self._apply_smoothing()
             self.drawing.show_projection(shown.projection, shown.illustration)
@@ -458,7 +516,7 @@ class Pane(QFrame):
             if self._detail_is_stale:
                 self.drawing.show_detail(self._fewer)
             if self._layers_are_stale:
-                self.drawing.show_layers(self._hidden)
+                self.drawing.show_layers(self._switched_off)
             if self._stale or self._detail_is_stale or self._layers_are_stale:
                 began = time.perf_counter()
                 self.drawing.show_projection(shown.projection, shown.illustration)
@@ -495,6 +553,17 @@ class Pane(QFrame):
         layout.addWidget(widget)
         layout.addWidget(narrow)
         self._beside_title = widget, narrow
+
+    def add_tool(self, button: QToolButton) -> None:
+        """Put a button before those at the end of the title row."""
+        cast(QHBoxLayout, self._tools.layout()).insertWidget(0, button)
+        self._fit_header()
+
+    @property
+    def title_room(self) -> tuple[int, int]:
+        """From where to where the title row is free, in pixels from the surface's left."""
+        left = self.header.x() + self.header.width()
+        return left, self.width() if self._tools.isHidden() else self._tools.x()
 
     def set_presenting(self, on: bool) -> None:
         """Show a class no buttons in the title, which the mouse and the keys can do without."""
@@ -577,7 +646,7 @@ class Pane(QFrame):
         size = self.canvas.size()
         self.canvas.resize(size.width(), size.height() + 1)
         self.show()
-        self._fitted.fit()
+        self.surface.fit()
 
     def close_canvas(self) -> None:
         """Release VTK's hold; before the window's own close, or it outlives its GL context."""
@@ -620,7 +689,7 @@ class Pane(QFrame):
 
     def moveEvent(self, event: QMoveEvent) -> None:
         super().moveEvent(event)
-        self._fitted.fit()
+        self.surface.fit()
 
     def showEvent(self, event: QShowEvent) -> None:
         super().showEvent(event)

@@ -144,6 +144,15 @@ class Actions(QObject):
         )  # fmt: skip
         self.pointer.setCheckable(True)
         self.pointer.setEnabled(False)
+        self.compare = self._action(
+            self.tr("&Compare with this picture"), None, "F6",
+            self.tr("Hold the picture as it is and compare it with what comes; again, end that"),
+        )  # fmt: skip
+        self.compare.setCheckable(True)
+        self.compare_way = self._action(
+            self.tr("Compared side &by side, or over each other"), None, "Shift+F6"
+        )
+        self.compare_way.setEnabled(False)
         self.show_cost = self._toggle(self.tr("&Show cost"), self.cost_shown, False)
         self.show_cost.setToolTip(
             self.tr("Measure what every step takes: the model, each pane's matrices and repaint")
@@ -241,6 +250,8 @@ class Actions(QObject):
         menu = self._window.menuBar().addMenu(self.tr("&View"))
         slots = self._slots
         menu.addActions([self.present, self.blank, self.pointer])
+        menu.addSeparator()
+        menu.addActions([self.compare, self.compare_way])
         menu.addSeparator()
         for number, (name, pane) in enumerate(self._panes.items(), start=1):
             text = self.tr("{0} in large").format(pane.name)

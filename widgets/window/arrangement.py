@@ -23,6 +23,7 @@ from app.model.projection import Camera
 from widgets.panels.frame_panel import FramePanel
 from widgets.panels.matrix_panel import MatrixPanel
 from widgets.panels.probe_panel import ProbePanel
+from widgets.panes.compare import Compare
 from widgets.panes.pane import Pane
 from widgets.panes.stage_strip import StageStrip
 from widgets.parts.panel import Changed, Panel, Shown
@@ -52,6 +53,7 @@ class Arrangement(QObject):
     matrices : MatrixPanel
     frame : FramePanel
     probes : ProbePanel
+    compare : Compare
     window : QWidget
     """
 
@@ -68,12 +70,14 @@ class Arrangement(QObject):
         matrices: MatrixPanel,
         frame: FramePanel,
         probes: ProbePanel,
+        compare: Compare,
         window: QWidget,
     ) -> None:
         super().__init__(window)
         self._panes, self._slots, self._strip, self._world = panes, slots, strip, world
         self._drawer, self._panels = drawer, panels
         self._matrices, self._frame, self._probes = matrices, frame, probes
+        self._compare = compare
         self._given = View()
         """What was shown last: what of it no widget can change is so still."""
 
@@ -94,6 +98,8 @@ class Arrangement(QObject):
             fixed=self._world.fixed,
             probes=self._probes.probes,
             pinned=self._probes.pinned,
+            compare=self._compare.pictures,
+            dividers=self._compare.dividers,
             panes=elsewhere | cameras(self._panes),
         )
 
@@ -115,3 +121,4 @@ class Arrangement(QObject):
         if (view.probes, view.pinned) != (self._probes.probes, self._probes.pinned):
             chosen = view.probes[-1].number if view.probes else 0
             self._probes.restore(view.probes, chosen, view.pinned)
+        self._compare.show(view.compare, view.dividers)

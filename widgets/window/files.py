@@ -202,8 +202,9 @@ class Files(QObject):
         if name != self._store.document.scene:
             # What was prepared for a class stays, and what was about the scene before goes.
             view = replace(
-                self._store.look(), large="", panel=None, probes=(), pinned=frozenset(), panes={}
-            )
+                self._store.look(), large="", panel=None, probes=(), pinned=frozenset(), panes={},
+                compare=(), dividers=(),
+            )  # fmt: skip
             extra = self._store.document.extra
             self._store.set_document(Document(name, scene.start, extra, view))
         return True

@@ -67,6 +67,7 @@ from widgets.parts.message_bar import MessageBar
 from widgets.parts.panel import EVERYTHING, Changed, Panel, Shown, Told
 from widgets.window.actions import Actions, take_typed
 from widgets.window.arrangement import Arrangement
+from widgets.window.comparing import Comparing
 from widgets.window.drawer import Drawer, Panels
 from widgets.window.files import Files
 from widgets.window.help import Help
@@ -334,6 +335,15 @@ class MainWindow(QMainWindow):
             self.files.choose_scene,
         )
         self.first_steps = FirstSteps(self, self.slots)
+        self.comparing = Comparing(
+            self.panes["image"],
+            self.look,
+            self.store,
+            self.slots,
+            self.controls.card,
+            self.menus,
+            self.messages,
+        )
         self.arrangement = Arrangement(
             self.panes,
             self.slots,
@@ -344,6 +354,7 @@ class MainWindow(QMainWindow):
             self.matrices,
             self.frame_panel,
             self.probe_panel,
+            self.comparing.pictures,
             self,
         )
         self.store.look = lambda: self.arrangement.view
@@ -387,6 +398,7 @@ class MainWindow(QMainWindow):
             self.arrangement,  # which takes back what a scene has opened or forgotten by itself
             self.cost,
             self.look,
+            self.comparing,  # of the image that has been told
             self.counting,
             self.strip,
             self.files,
@@ -409,6 +421,7 @@ class MainWindow(QMainWindow):
         strip.gesture_started.connect(partial(self.look.refine, "ndc", False))
         strip.gesture_finished.connect(partial(self.look.refine, "ndc", True))
         self.history.rested.connect(self.look.rest)
+        self.history.rested.connect(self.comparing.pictures.refresh)
         self.look.built.connect(self.manipulation.leave)
         self.look.built.connect(controls.set_style)
         set_all_digits(self.settings.all_digits)
@@ -501,6 +514,7 @@ class MainWindow(QMainWindow):
     def _show_view(self, document: Document) -> None:
         self.shown = replace(self.shown, document=document)
         self.arrangement.show(document.view)
+        self.comparing.pictures.refresh()
 
     def _tell(self, changed: Changed) -> None:
         """Tell everyone who is concerned what has changed."""
@@ -551,11 +565,13 @@ class MainWindow(QMainWindow):
         self.start_card = None
 
     def _on_top(self) -> Callable[[], object] | None:
-        """What Esc leaves: the start card, a message, an empty screen, a whole pane, presenting."""
+        """What Esc leaves: start card, message, comparison, whole pane, blank, presenting."""
         if self.start_card is not None:
             return self.start_card.close
         if self.messages.text and not self.messages.choices:  # an offer would be lost
             return self.messages.done
+        if self.comparing.is_on and not self.present.is_blank:
+            return self.comparing.end
         if self.slots.whole and not self.present.is_blank:
             return partial(self.slots.bring, self.slots.whole)
         return self.present.leave if self.present.is_on else None
@@ -634,6 +650,7 @@ class MainWindow(QMainWindow):
         self.settings.geometry = bytes(geometry.data())
         self.recovery.close()
         self.store.blockSignals(True)  # a wheel may still be turning, and end its gesture
+        self.comparing.pictures.close_canvases()
         for pane in self.panes.values():
             pane.close_canvas()
             if pane.isWindow():

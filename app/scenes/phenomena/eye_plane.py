@@ -22,6 +22,7 @@ from app.model.clipping import LARGEST_CLIP, clip_segments, cut_at_eye, naive_nd
 from app.model.projection import Array, Camera, Perspective, Projection
 from app.model.refusal import QT_TRANSLATE_NOOP
 from app.scenes.phenomena.illustration import (
+    Comparison,
     Curve,
     Diagram,
     Dot,
@@ -75,6 +76,10 @@ _OFF_AXIS = QT_TRANSLATE_NOOP(
     "the two agree where the lens' axis meets the middle of the picture; here it meets ({0}, {1})"
     " px, and their sum is twice that",
 )
+
+_NAIVE = QT_TRANSLATE_NOOP("phenomena", "divided, not cut")
+_CUT = QT_TRANSLATE_NOOP("phenomena", "cut at z = −0.01")
+_CLIPPED = QT_TRANSLATE_NOOP("phenomena", "clipped, then divided")
 
 _SOME_EDGES = QT_TRANSLATE_NOOP(
     "phenomena",
@@ -314,19 +319,18 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Illus
     warning = None
     if angles is None and (a != b).any():
         warning = Phrase(_THROUGH if trace.view[0, :, 2].any() else _WITHIN)
-    size = projection.image_size
+    size, way = projection.image_size, str(settings["drawn"])
     diagrams = (
-        _picture(QT_TRANSLATE_NOOP("phenomena", "divided, not cut"), drawn.naive, "u", size),
-        _picture(QT_TRANSLATE_NOOP("phenomena", "cut at z = −0.01"), drawn.cut, "accent", size),
-        _picture(QT_TRANSLATE_NOOP("phenomena", "clipped, then divided"), drawn.right, "accent",
-                 size),
+        _picture(_NAIVE, drawn.naive, "u", size),
+        _picture(_CUT, drawn.cut, "accent", size),
+        _picture(_CLIPPED, drawn.right, "accent", size),
         _circle(angles, bool((trace.view[0, :, 2] < 0.0).any())),
     )  # fmt: skip
     return Illustration(
         _readings(projection, drawn, trace.view[0], mesh),
         world=_world_marks(projection, subject, a, b, -trace.view[0, :, 2]),
         ndc=_ndc_marks(projection, trace.clip[0]),
-        image=_image_marks(drawn),
+        image=_image_marks(drawn) if way == "faces" else _edges_alone(drawn, way, size),
         diagrams=diagrams,
         warning=warning,
         grips=(Grip("start", a), Grip("end", b)),
@@ -451,6 +455,20 @@ def _image_marks(drawn: Pictures) -> Marks:
     return Marks(tuple(lines), (), tuple(dots), tuple(texts))
 
 
+def _edges_alone(drawn: Pictures, way: str, size: tuple[int, int]) -> Marks:
+    """All edges in one of the three ways, on an empty picture: what a program draws by it."""
+    lines = {"naive": drawn.naive, "cut": drawn.cut, "clipped": drawn.right}[way]
+    colour = "u" if way == "naive" else "accent"
+    width, height = size
+    empty = Face(np.array([(0, 0), (width, 0), (width, height), (0, height)]), "background", 1.0)
+    edges = [Line(ends, "ink", 1.0) for ends in lines[1:] if np.isfinite(ends).all()]
+    texts: list[Text] = []
+    if np.isfinite(lines[0]).all():
+        edges.append(Line(lines[0], colour, 2.5))
+        texts.append(Text("AB", lines[0].mean(axis=0), colour))
+    return Marks(tuple(edges), (empty,), (), tuple(texts))
+
+
 _START = Projection(
     Camera((0.8, 2.4, 1.2), (-1.2, 2.4, 0.2)),
     Perspective(fov_y_deg=75.0, near=0.05, far=30.0),
@@ -488,9 +506,34 @@ PHENOMENON = Phenomenon(
             QT_TRANSLATE_NOOP("phenomena", "Where it ends; behind the eye its image is mirrored"),
             (2.5, 1.8, 2.5),
         ),
+        Setting(
+            "drawn",
+            QT_TRANSLATE_NOOP("phenomena", "Picture"),
+            QT_TRANSLATE_NOOP(
+                "phenomena",
+                "The faces with AB over them, or the edges alone, drawn in one of the three ways",
+            ),
+            "faces",
+            choices=(
+                ("faces", QT_TRANSLATE_NOOP("phenomena", "faces, with both images of AB")),
+                ("naive", _NAIVE),
+                ("cut", _CUT),
+                ("clipped", _CLIPPED),
+            ),
+        ),
     ),
     controls=("camera.distance",),
     leading="image",
     own_mesh=True,
     own_mesh_crosses=True,  # what lies on the floor beside the eye crosses nothing
+    comparisons=(
+        Comparison(
+            "divides",
+            (
+                (QT_TRANSLATE_NOOP("phenomena", "naive"), ("settings.drawn=naive",)),
+                (QT_TRANSLATE_NOOP("phenomena", "cut"), ("settings.drawn=cut",)),
+                (QT_TRANSLATE_NOOP("phenomena", "clipped"), ("settings.drawn=clipped",)),
+            ),
+        ),
+    ),
 )

@@ -29,6 +29,7 @@ from app.model.projection import (
 from app.model.refusal import QT_TRANSLATE_NOOP
 from app.scenes.phenomena.illustration import (
     CLOSE,
+    Comparison,
     Found,
     Illustration,
     Line,
@@ -389,4 +390,16 @@ PHENOMENON = Phenomenon(
     follow=_follow,
     found=_found,
     own_mesh=True,
+    comparisons=(
+        Comparison(
+            "photographs",
+            (
+                (QT_TRANSLATE_NOOP("phenomena", "29 mm"), ("settings.preset=wide",)),
+                (
+                    QT_TRANSLATE_NOOP("phenomena", "105 mm"),
+                    ("settings.preset=tele", "settings.enlarged=true"),
+                ),
+            ),
+        ),
+    ),
 )

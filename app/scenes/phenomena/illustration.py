@@ -543,6 +543,24 @@ def _any(_settings: Settings) -> None:
     """Every combination of settings can be shown."""
 
 
+@dataclass(frozen=True)
+class Comparison:
+    """Pictures of a phenomenon that belong side by side.
+
+    Attributes
+    ----------
+    name : str
+        In the document's words: ``view.compare=NAME``.
+    pictures : tuple of (str, tuple of str)
+        From left to right: what each is called, translatable, and what it has for itself, as
+        ``--set`` has it: ``"settings.preset=wide"``. They follow the document in all else. The
+        document is one of them, the last if it is none of them yet.
+    """
+
+    name: str
+    pictures: tuple[tuple[str, tuple[str, ...]], ...]
+
+
 @dataclass(frozen=True, eq=False)
 class Phenomenon:
     """A phenomenon that the lectures name, as a scene.
@@ -591,6 +609,8 @@ class Phenomenon:
     own_mesh_crosses : bool
         Whether that mesh is rather to reach beyond the bounds: as wide or as high as they are,
         its front where theirs is, and its right side a sixth of their width farther out.
+    comparisons : tuple of Comparison
+        Those that the lectures make.
     """
 
     name: str
@@ -612,6 +632,7 @@ class Phenomenon:
     leading: str = "world"
     own_mesh: bool = False
     own_mesh_crosses: bool = False
+    comparisons: tuple[Comparison, ...] = ()
 
     @property
     def defaults(self) -> Settings:

@@ -27,6 +27,7 @@ import numpy as np
 from app.model.projection import Array, Camera, Perspective, Projection
 from app.model.refusal import QT_TRANSLATE_NOOP
 from app.scenes.phenomena.illustration import (
+    Comparison,
     Dot,
     Illustration,
     Line,
@@ -324,4 +325,13 @@ PHENOMENON = Phenomenon(
     leading="image",
     requires=frozenset({"texture"}),
     own_mesh=True,
+    comparisons=(
+        Comparison(
+            "interpolation",
+            (
+                (QT_TRANSLATE_NOOP("phenomena", "affine"), ("settings.interpolation=affine",)),
+                (QT_TRANSLATE_NOOP("phenomena", "correct"), ("settings.interpolation=correct",)),
+            ),
+        ),
+    ),
 )

@@ -16,6 +16,7 @@ import numpy as np
 from app.model.projection import Array, Camera, Frustum, Projection
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
 from app.scenes.phenomena.illustration import (
+    Comparison,
     Face,
     Found,
     Illustration,
@@ -355,4 +356,17 @@ PHENOMENON = Phenomenon(
     follow=_follow,
     found=_found,
     own_mesh=True,
+    comparisons=(
+        Comparison(  # which an image of the window's own aspect would not show
+            "proportions",
+            (
+                (QT_TRANSLATE_NOOP("phenomena", "stretch"), ("lens.keep=stretch",)),
+                (QT_TRANSLATE_NOOP("phenomena", "keep x"), ("lens.keep=x",)),
+                (
+                    QT_TRANSLATE_NOOP("phenomena", "keep y"),
+                    ("lens.keep=y", "image.width=720", "image.height=720"),
+                ),
+            ),
+        ),
+    ),
 )

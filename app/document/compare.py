@@ -1,0 +1,167 @@
+"""Pictures beside the document's own: what each of them shows, and in what they differ.
+
+A picture is held, a state of camera, lens, image and settings as it was; or it follows the document
+in everything but some values of its own (the same camera, another interpolation).
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass, field, fields
+from types import MappingProxyType
+from typing import Any
+
+from app.model.projection import Camera, Projection
+from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
+from app.scenes.phenomena.illustration import Settings
+
+MOST_PICTURES = 3
+"""As many as the lectures set side by side: stretch, keep x, keep y; naive, cut, clipped."""
+
+SOME_PICTURES = QT_TRANSLATE_NOOP(
+    "Refusal", "must be a list of 2 to {0} pictures, just one of them the document's own"
+)
+SOME_DIVIDERS = QT_TRANSLATE_NOOP(
+    "Refusal",
+    "must be rising numbers from 0 to 1, one fewer than the pictures compared, or none for side by"
+    " side",
+)
+ONLY_OF_THE_PICTURE = QT_TRANSLATE_NOOP(
+    "Refusal", "must be a value of settings, camera, lens, image, object or depth, as NAME=VALUE"
+)
+HELD_ELSEWHERE = QT_TRANSLATE_NOOP("Refusal", "must be the document's own, {0}")
+PARTS = ("settings", "camera", "lens", "image", "object", "depth")
+"""What of a document a picture shows, and can have for itself."""
+_ALONG = 1e-9  # sine between two camera axes that are one
+
+
+@dataclass(frozen=True)
+class Held:
+    """A state that stays as it was.
+
+    Attributes
+    ----------
+    projection : Projection
+    settings : mapping
+        Of the scene's phenomenon; complete.
+    """
+
+    projection: Projection
+    settings: Settings = field(default_factory=lambda: MappingProxyType({}))
+
+
+@dataclass(frozen=True)
+class Picture:
+    """One of the pictures that are seen beside each other.
+
+    Parameters
+    ----------
+    name : str
+        What it is called; translatable, if it is one of a phenomenon's own.
+    changes : tuple of str
+        In what it differs from the document, as ``--set`` has it: ``"lens.keep=x"``. Of the
+        document's own, with what values it has its name.
+    held : Held, optional
+        What it shows instead of following the document.
+    live : bool
+        Whether it is the document's own.
+
+    Raises
+    ------
+    Refusal
+        For changes that are none of a picture.
+    """
+
+    name: str = ""
+    changes: tuple[str, ...] = ()
+    held: Held | None = None
+    live: bool = False
+
+    def __post_init__(self) -> None:
+        for change in self.changes:
+            path, equals, _ = change.partition("=")
+            if not equals or path.strip().partition(".")[0] not in PARTS:
+                raise Refusal("set", change, ONLY_OF_THE_PICTURE)
+
+
+def check_pictures(pictures: Sequence[Picture], dividers: Sequence[float]) -> None:
+    """Refuse what is no comparison.
+
+    Raises
+    ------
+    Refusal
+        For the number of pictures, or dividers that are none between them.
+    """
+    count = len(pictures)
+    live = sum(picture.live for picture in pictures)
+    if count and not (2 <= count <= MOST_PICTURES and live == 1):
+        raise Refusal("compare", [picture.name for picture in pictures], SOME_PICTURES,
+                      MOST_PICTURES)  # fmt: skip
+    numbers = all(
+        isinstance(each, (int, float)) and not isinstance(each, bool) for each in dividers
+    )
+    if dividers and not (
+        numbers
+        and len(dividers) == count - 1
+        and list(dividers) == sorted(dividers)
+        and dividers[0] >= 0.0
+        and dividers[-1] <= 1.0
+    ):
+        raise Refusal("dividers", list(dividers), SOME_DIVIDERS)
+
+
+# --------------------------------------------------------------------------- in what they differ
+
+
+def differences(states: Sequence[Held]) -> list[tuple[str, tuple[Any, ...]]]:
+    """In what some states differ: path in the document, and each state's value.
+
+    Parameters
+    ----------
+    states : sequence of Held
+        In the order in which they are seen.
+
+    Returns
+    -------
+    list of (str, tuple)
+        Settings first. ``camera.distance`` stands for the eye where only that differs, ``image``
+        is (width, height), and of lenses of several kinds only what all of them have is named.
+    """
+    found: list[tuple[str, tuple[Any, ...]]] = []
+
+    def compared(path: str, values: Sequence[Any]) -> None:
+        if any(value != values[0] for value in values):
+            found.append((path, tuple(values)))
+
+    for name in states[0].settings:
+        compared(f"settings.{name}", [state.settings[name] for state in states])
+    shown = [state.projection for state in states]
+    cameras = [projection.camera for projection in shown]
+    if _same_axis(cameras):
+        compared("camera.distance", [camera.distance for camera in cameras])
+    else:
+        for part in ("eye", "target", "up"):
+            compared(f"camera.{part}", [getattr(camera, part) for camera in cameras])
+    lenses: list[Any] = [projection.lens for projection in shown]
+    compared("lens.kind", [lens.kind for lens in lenses])
+    for each in fields(lenses[0]):
+        if all(each.name in {other.name for other in fields(lens)} for lens in lenses):
+            compared(f"lens.{each.name}", [getattr(lens, each.name) for lens in lenses])
+    compared("image", [projection.image_size for projection in shown])
+    for each in fields(Projection):
+        if each.name not in ("camera", "lens", "image_size"):
+            compared(each.name, [getattr(projection, each.name) for projection in shown])
+    return found
+
+
+def _same_axis(cameras: Sequence[Camera]) -> bool:
+    """Whether they look at one target along one line, one way up."""
+    first = cameras[0]
+    if any((camera.target, camera.up) != (first.target, first.up) for camera in cameras):
+        return False
+    u, v, _ = first.frame
+    return all(
+        math.hypot(float(u @ camera.frame[2]), float(v @ camera.frame[2])) <= _ALONG
+        for camera in cameras
+    )

@@ -1,0 +1,521 @@
+"""Pictures beside that of the image pane: held ones, or others that follow the document.
+
+::
+
+    the document changes --> pane.take --> refresh --> what follows is drawn once more
+                                              '------> what is held stays: pixels
+
+Each of the others is a pane of its own that draws off the screen and keeps its pixels, inside of
+the image pane: cut at dividers that are dragged, or side by side, where the live picture gives way.
+They are only looked at: hand, handles and probes are those of the live one.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from itertools import pairwise
+from typing import Any
+
+from PySide6.QtCore import QEvent, QObject, QPoint, QPointF, QRect, QRectF, QSize, Qt, Signal
+from PySide6.QtGui import (
+    QKeyEvent,
+    QMouseEvent,
+    QPainter,
+    QPaintEvent,
+    QPalette,
+    QPolygonF,
+    QResizeEvent,
+)
+from PySide6.QtWidgets import QHBoxLayout, QLabel, QSizePolicy, QToolButton, QWidget
+
+from app.document.compare import Held, Picture, differences
+from app.document.document import Document
+from app.drawings.side_by_side import cells
+from app.model.refusal import Refusal
+from app.scenes.phenomena import PHENOMENA
+from widgets.panes.canvas import ARROWS
+from widgets.panes.pane import Pane
+from widgets.parts.digits import read_text
+from widgets.parts.focus import FocusRing
+from widgets.parts.icons import show_icon
+from widgets.parts.messages import field_name, of_phenomena, sentence
+from widgets.parts.note import Title
+from widgets.parts.panel import Shown
+
+GRASP_PX = 15
+"""Width of a divider for the mouse; it is drawn a fifth as wide."""
+KEY_STEP = 0.02
+"""Of the picture's width for an arrow key; with Shift a tenth of it."""
+
+
+class Divider(QWidget):
+    """A line between two pictures that lie over each other."""
+
+    moved = Signal(float)
+    """The mouse has it at this place, in pixels from the left of what it divides."""
+    stepped = Signal(float)
+    """A key moves it by this part of the picture's width; beyond 1 to an end."""
+
+    def __init__(self, surface: QWidget) -> None:
+        super().__init__(surface)
+        self.setCursor(Qt.CursorShape.SplitHCursor)
+        self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
+        self.setAccessibleName(self.tr("Divider between two pictures"))
+        self.setToolTip(
+            self.tr("Drag it over the pictures, or ← →; with Shift finer; Home, End; Esc ends it")
+        )
+        FocusRing(self)
+
+    def mousePressEvent(self, event: QMouseEvent) -> None:
+        event.accept()
+
+    def mouseMoveEvent(self, event: QMouseEvent) -> None:
+        event.accept()
+        if event.buttons() & Qt.MouseButton.LeftButton:
+            self.moved.emit(self.mapToParent(event.position()).x())
+
+    def mouseReleaseEvent(self, event: QMouseEvent) -> None:
+        event.accept()
+
+    def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
+        event.accept()  # which would enlarge the pane
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        key = Qt.Key(event.key())
+        finer = 0.1 if event.modifiers() & Qt.KeyboardModifier.ShiftModifier else 1.0
+        if key in (Qt.Key.Key_Left, Qt.Key.Key_Right):
+            self.stepped.emit(ARROWS[key][0] * KEY_STEP * finer)
+        elif key in (Qt.Key.Key_Home, Qt.Key.Key_End):
+            self.stepped.emit(-2.0 if key == Qt.Key.Key_Home else 2.0)
+        else:
+            super().keyPressEvent(event)
+
+    def paintEvent(self, _event: QPaintEvent) -> None:
+        painter = QPainter(self)
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        colours, middle = self.palette(), self.width() / 2.0
+        ink, plain = (colours.color(role) for role in (QPalette.ColorRole.WindowText,
+                                                       QPalette.ColorRole.Base))  # fmt: skip
+        painter.fillRect(QRectF(middle - 1.5, 0, 3, self.height()), plain)
+        painter.fillRect(QRectF(middle - 0.5, 0, 1, self.height()), ink)
+        knob = QRectF(0, 0, self.width() - 1, self.width() - 1)
+        knob.moveCenter(QPointF(middle, self.height() / 2.0))
+        painter.setPen(ink)
+        painter.setBrush(plain)
+        painter.drawEllipse(knob)
+        painter.setBrush(ink)
+        for side in (-1.0, 1.0):
+            tip = knob.center() + QPointF(side * 0.33 * knob.width(), 0)
+            back = QPointF(-side * 3, 0)
+            painter.drawPolygon(
+                QPolygonF([tip, tip + back + QPointF(0, 3), tip + back - QPointF(0, 3)])
+            )
+        painter.end()
+
+
+class _Other(QWidget):
+    """One of the other pictures: a pane that nothing reaches, cut to its place.
+
+    Attributes
+    ----------
+    picture : Picture
+    pane : Pane
+    state : Held or None
+        What it shows; None while there is no such picture of the document.
+    """
+
+    def __init__(self, pane: Pane, picture: Picture) -> None:
+        super().__init__(pane.surface)
+        self.setAttribute(Qt.WidgetAttribute.WA_NoMousePropagation)
+        self.picture, self.state = picture, Held(Document().projection)
+        self._of = pane
+        self.pane = pane.another(f"{pane.name}: {picture.name}")
+        self.pane.setFrameShape(Pane.Shape.NoFrame)
+        self.pane.header.hide()
+        self.pane.set_presenting(True)
+        self.pane.canvas.setFocusPolicy(Qt.FocusPolicy.NoFocus)
+        self.pane.canvas.setToolTip("")
+        self.pane.canvas.setMinimumSize(1, 1)
+        self.pane.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
+        self.pane.setParent(self)
+        self._why = QLabel(self)
+        self._why.setAlignment(Qt.AlignmentFlag.AlignCenter)
+        self._why.setWordWrap(True)
+        self._why.setAutoFillBackground(True)
+        self._why.setTextFormat(Qt.TextFormat.PlainText)
+        self._why.hide()
+        self.shown: Shown | None = None
+
+    def refresh(self, shown: Shown, smoothing: str) -> None:
+        """Draw it anew if it is another picture than before, or is drawn otherwise."""
+        try:
+            document = shown.document.pictured(self.picture)
+        except Refusal as error:
+            self.shown = None
+            self._why.setText(sentence(error))
+        else:
+            before = self.shown
+            if before is None or before.scene is not shown.scene or before.document != document:
+                self.shown = Shown.of(document, shown.scene)
+            assert self.shown is not None
+            at_rest = smoothing if self.picture.held is not None else ""
+            if self._of.canvas.is_open and not self.pane.canvas.is_open:
+                self.pane.open()
+            self.pane.draw_like(self._of, self.shown, at_rest=at_rest)
+        self._why.setVisible(self.shown is None)
+
+    def place(self, cut: QRect, whole: QRect) -> None:
+        """Be seen in one rectangle of the surface, of a pane that has another."""
+        self.setGeometry(cut)
+        self.pane.setGeometry(whole.translated(-cut.topLeft()))
+        self.pane.surface.fit()
+        self._why.setGeometry(self.rect())
+        self.setVisible(not cut.isEmpty())
+
+    def close_canvas(self) -> None:
+        """Give back what OpenGL holds for it."""
+        self.pane.close_canvas()
+
+
+class _Words(QLabel):
+    """Two lines of text, as much as there is room for; all of it as its tooltip."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.setObjectName("paneNote")
+        self.setWordWrap(True)
+        self.setTextFormat(Qt.TextFormat.PlainText)
+        self.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
+        self._parts: Sequence[str] = ()
+
+    def say(self, parts: Sequence[str]) -> None:
+        """Say all of these, one after the other, or as many of the first as there is room for."""
+        if parts != self._parts:
+            self._parts = parts
+            self.setToolTip("".join(parts))
+            self.setAccessibleDescription("".join(parts))
+            self._fit()
+
+    def sizeHint(self) -> QSize:
+        """Two lines high, whatever there is to say: the picture keeps its size."""
+        return QSize(0, 2 * self.fontMetrics().lineSpacing() + 2)
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        super().resizeEvent(event)
+        self._fit()
+
+    def changeEvent(self, event: QEvent) -> None:
+        super().changeEvent(event)
+        if event.type() == QEvent.Type.FontChange:
+            self.updateGeometry()
+
+    def _fit(self) -> None:
+        room = QRect(0, 0, max(1, self.width()), 1 << 20)
+        for count in range(len(self._parts), 0, -1):
+            more = "" if count == len(self._parts) else " …"
+            text = "".join(self._parts[:count]) + more
+            used = self.fontMetrics().boundingRect(room, Qt.TextFlag.TextWordWrap, text)
+            if used.height() <= self.height() or count == 1:
+                self.setText(text)
+                return
+
+
+class Compare(QObject):
+    """The pictures in the image pane.
+
+    Parameters
+    ----------
+    pane : Pane
+        Shows the document's own picture.
+    smoothing : callable
+        How a pane smooths while the hand rests.
+
+    Attributes
+    ----------
+    pictures : tuple of Picture
+        From left to right or from above; none while there is only the document's own.
+    dividers : tuple of float
+        As fractions of the picture's width; none where they are side by side.
+    bar : QWidget
+        Below the picture: in what they differ.
+    """
+
+    changed = Signal()
+    """Other pictures are compared, or none, or otherwise."""
+    end_wanted = Signal()
+
+    def __init__(self, pane: Pane, smoothing: Callable[[], str]) -> None:
+        super().__init__(pane)
+        self._pane, self._smoothing = pane, smoothing
+        self.pictures: tuple[Picture, ...] = ()
+        self.dividers: tuple[float, ...] = ()
+        self.others: list[_Other] = []
+        self.handles: list[Divider] = []
+        self.captions: list[Title] = []
+        self._cuts: list[QRect] = []
+        self._laid_out: list[tuple[int, int] | None] = []
+        """For which sizes of images."""
+        self._make_bar()
+        pane.surface.installEventFilter(self)
+        pane.header.installEventFilter(self)
+        pane.canvas.shown.connect(self._open)
+        pane.marked.connect(self.refresh)
+
+    def _make_bar(self) -> None:
+        self.bar = QWidget()
+        self.words = _Words()
+        self.words.setAccessibleName(self.tr("In what the pictures differ"))
+        self.way = QToolButton()
+        self.way.setAutoRaise(True)
+        self.way.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
+        self.way.clicked.connect(self.toggle_way)
+        self.end = QToolButton()
+        self.end.setAutoRaise(True)
+        self.end.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
+        show_icon(self.end, "close")
+        self.end.setToolTip(self.tr("End the comparison (Esc)"))
+        self.end.setAccessibleName(self.tr("End the comparison"))
+        self.end.clicked.connect(self.end_wanted)
+        self.bar.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Fixed)
+        row = QHBoxLayout(self.bar)
+        row.setContentsMargins(8, 2, 2, 2)
+        row.addWidget(self.words, 1)
+        row.addWidget(self.way)
+        row.addWidget(self.end)
+        self.bar.hide()
+        self._pane.add_below(self.bar)
+
+    @property
+    def is_on(self) -> bool:
+        """Whether anything is compared."""
+        return bool(self.pictures)
+
+    # -- what is compared
+
+    def show(self, pictures: Sequence[Picture], dividers: Sequence[float]) -> None:
+        """Compare with these from now on; `refresh` draws them."""
+        if tuple(pictures) == self.pictures and tuple(dividers) == self.dividers:
+            return
+        if tuple(pictures) != self.pictures:
+            for widget in (*self.others, *self.captions):
+                if isinstance(widget, _Other):
+                    widget.close_canvas()
+                widget.hide()
+                widget.deleteLater()
+            self.pictures = tuple(pictures)
+            self.others = [_Other(self._pane, each) for each in pictures if not each.live]
+            self.captions = [Title("") for _ in pictures]
+            for caption in self.captions:
+                caption.setParent(self._pane.surface)
+                caption.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
+        self.dividers = tuple(dividers)
+        while len(self.handles) < len(dividers):
+            handle = Divider(self._pane.surface)
+            number = len(self.handles)
+            handle.moved.connect(lambda x, number=number: self._drag(number, x))
+            handle.stepped.connect(lambda part, number=number: self._step(number, part))
+            self.handles.append(handle)
+        for number, handle in enumerate(self.handles):
+            handle.setVisible(number < len(dividers))
+        self._pane.canvas.setMinimumSize(*((1, 1) if pictures else (120, 120)))
+        self.bar.setVisible(self.is_on)
+        self._pane.set_bare(self.is_on and not dividers)
+        self._name_way()
+        self._laid_out = []
+        self._lay_out()
+        self.changed.emit()
+
+    def toggle_way(self) -> None:
+        """Divide the pictures that are side by side, or the other way round."""
+        if self.is_on:
+            count = len(self.pictures)
+            even = tuple(number / count for number in range(1, count))
+            self.show(self.pictures, () if self.dividers else even)
+            self.refresh()
+
+    def _name_way(self) -> None:
+        text = self.tr("Side by side") if self.dividers else self.tr("Over each other")
+        self.way.setText(text)
+        self.way.setToolTip(
+            self.tr("Show every picture whole, beside the others")
+            if self.dividers
+            else self.tr("Lay the pictures over each other, with a divider to be dragged")
+        )
+
+    def refresh(self) -> None:
+        """Draw what is another picture now than before; what is held stays as it is."""
+        shown = self._pane.shown
+        if not self.is_on or shown is None or not self._pane.isVisible():
+            return
+        smoothing = self._smoothing()
+        for other in self.others:
+            other.refresh(shown, smoothing)
+        seen = [None if each is None else each.projection.image_size for each in self._seen]
+        if seen != self._laid_out:
+            self._laid_out = seen
+            self._lay_out()
+        self._say(shown)
+
+    @property
+    def _seen(self) -> list[Shown | None]:
+        """What each of the pictures shows, in their order; None for what there is not."""
+        others = iter(self.others)
+        return [self._pane.shown if each.live else next(others).shown for each in self.pictures]
+
+    def _open(self) -> None:
+        """The live picture has reached the screen: the first time, the others follow."""
+        if any(not other.pane.canvas.is_open for other in self.others):
+            self._laid_out = []
+            self.refresh()
+
+    def close_canvases(self) -> None:
+        """Release VTK's hold of the other pictures, before the window's own close."""
+        for other in self.others:
+            other.close_canvas()
+
+    # -- in words
+
+    def _say(self, shown: Shown) -> None:
+        words = {"held": self.tr("Held"), "now": self.tr("Now"), "other": self.tr("Other")}
+        found_names = map(shown.document.name_of, self.pictures)
+        names = [words.get(name) or of_phenomena(name) for name in found_names]
+        states = [each.document.state for each in self._seen if each is not None]
+        if names != [caption.text() for caption in self.captions]:
+            for caption, name in zip(self.captions, names, strict=True):
+                caption.setText(name)
+            self._place_captions()
+        found = differences(states)
+        named = {change.partition("=")[0] for each in self.pictures for change in each.changes}
+        # What the pictures have their names from is said by these.
+        found = [each for each in found if each[0] not in named] or found
+        texts = [self._difference(*each, shown) for each in found]
+        texts = texts or [self.tr("nothing differs yet: change something")]
+        parts = [f"{' | '.join(names)}:  ", *(f"{text}, " for text in texts[:-1]), texts[-1]]
+        self.words.say([parts[0] + parts[1], *parts[2:]])
+
+    def _difference(self, path: str, values: Sequence[Any], shown: Shown) -> str:
+        section, _, name = path.rpartition(".")
+        label, unit = field_name(name), "°" if name.endswith("_deg") else ""
+        texts = [self._value(value) for value in values]
+        phenomenon = PHENOMENA.get(shown.document.scene)
+        if section == "settings" and phenomenon is not None:
+            setting = next(each for each in phenomenon.settings if each.name == name)
+            label, unit = of_phenomena(setting.label), of_phenomena(setting.unit)
+            words = {key: of_phenomena(text) for key, text in setting.choices}
+            texts = [words.get(text, text) for text in texts]
+        elif name == "image":
+            texts = [f"{width} × {height}" for width, height in values]
+        if "" in texts:  # a matrix
+            return label
+        if label[1:2].islower():  # in the middle of a sentence
+            label = label[0].lower() + label[1:]
+        return f"{label} {' → '.join(f'{text}{unit}' for text in texts)}"
+
+    def _value(self, value: Any) -> str:
+        """Of a number, a point, a word; of what is larger nothing."""
+        if isinstance(value, bool):
+            return self.tr("on") if value else self.tr("off")
+        if isinstance(value, (int, float)):
+            return read_text(float(value))
+        if isinstance(value, tuple) and all(isinstance(part, float) for part in value):
+            return f"({', '.join(map(read_text, value))})"
+        return value if isinstance(value, str) else ""
+
+    # -- where they are
+
+    def _lay_out(self) -> None:
+        """Give the live picture and the others their places."""
+        surface = self._pane.surface
+        whole = surface.rect()
+        if not self.is_on or self.dividers:
+            surface.set_room(None)
+        if self.dividers:
+            edges = [0, *self._edges_px(), whole.width()]
+            cuts = [QRect(left, 0, right - left, whole.height()) for left, right in pairwise(edges)]
+            wholes = [whole] * len(cuts)
+        else:
+            cuts = wholes = self._cells() if self.is_on else []
+        others = iter(self.others)
+        for picture, cut, own in zip(self.pictures, cuts, wholes, strict=True):
+            if not picture.live:
+                other = next(others)
+                other.place(cut, own)
+                other.raise_()
+            elif not self.dividers:
+                surface.set_room(cut)
+        for handle, x in zip(self.handles, self._edges_px(), strict=False):
+            handle.setGeometry(x - GRASP_PX // 2, 0, GRASP_PX, whole.height())
+            handle.raise_()
+        self._cuts = cuts
+        self._place_captions()
+
+    def _place_captions(self) -> None:
+        """Each above its picture, where title and buttons leave it room."""
+        free_left, free_right = self._pane.title_room
+        title = self._pane.title
+        row = title.mapTo(self._pane, QPoint()).y() - self._pane.surface.y()
+        below = row + title.height()
+        others = iter(self.others)
+        for picture, caption, cut in zip(self.pictures, self.captions, self._cuts, strict=False):
+            pane = self._pane if picture.live else next(others).pane
+            height, y, middle = caption.sizeHint().height(), row, cut.center().x()
+            if not self.dividers:
+                place = _picture_in(pane, cut)
+                y = max(cut.top() + row, round(place.top()) - height)
+                middle = round(place.center().x())
+            left, right = cut.left() + GRASP_PX, cut.right() - GRASP_PX
+            if y < below:
+                left, right = max(left, free_left + 4), min(right, free_right - 4)
+            width = min(caption.sizeHint().width(), right - left)
+            x = min(max(middle - width // 2, left), right - width)
+            caption.setGeometry(x, y, max(0, width), height)
+            caption.setVisible(width >= min(caption.sizeHint().width(), 2 * height))
+            caption.raise_()
+
+    def _edges_px(self) -> list[int]:
+        place = _picture_in(self._pane, self._pane.surface.rect())
+        return [round(place.left() + part * place.width()) for part in self.dividers]
+
+    def _cells(self) -> list[QRect]:
+        """Places beside or above each other, whichever gives the larger pictures, of one height."""
+        whole, em = self._pane.surface.rect(), float(self._pane.fontMetrics().height())
+        aspects = [1.0 if shown is None else shown.projection.aspect for shown in self._seen]
+        found = cells(whole.width(), whole.height(), aspects, em)
+        return [QRect(*cell) for cell in found]
+
+    # -- dividers
+
+    def _drag(self, number: int, x: float) -> None:
+        place = _picture_in(self._pane, self._pane.surface.rect())
+        self._put(number, (x - place.left()) / place.width())
+
+    def _step(self, number: int, part: float) -> None:
+        self._put(number, self.dividers[number] + part)
+
+    def _put(self, number: int, place: float) -> None:
+        """Move a divider, as far as the next one or an end."""
+        bounds = (0.0, *self.dividers, 1.0)
+        place = min(max(place, bounds[number]), bounds[number + 2])
+        if place != self.dividers[number]:
+            dividers = list(self.dividers)
+            dividers[number] = place
+            self.dividers = tuple(dividers)
+            self._lay_out()
+            self.changed.emit()
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        if self.is_on and event.type() in (QEvent.Type.Resize, QEvent.Type.Show):
+            if watched is self._pane.surface and event.type() == QEvent.Type.Show:
+                self.refresh()
+            self._lay_out()
+        return super().eventFilter(watched, event)
+
+
+def _picture_in(pane: Pane, room: QRect) -> QRectF:
+    """Where a pane's picture is in a room of the surface that its canvas has, or would have."""
+    if pane.drawing is None or room.isEmpty():
+        return QRectF(room.x(), room.y(), max(1, room.width()), max(1, room.height()))
+    ratio = pane.canvas.pixel_ratio
+    size = (max(1, round(side * ratio)) for side in (room.width(), room.height()))
+    left, top, width, height = (side / ratio for side in pane.drawing.rectangle_in(*size))
+    return QRectF(room.x() + left, room.y() + top, width, height)

@@ -1,0 +1,132 @@
+"""Comparing pictures: by the button of the image pane, by menu and key, by a scene's own card.
+
+::
+
+    button, F6 ---> hold ----.
+    the scene's card --------+--> Compare (in the image pane), the pane into the large slot
+    Arrangement (the view) --'
+"""
+
+from __future__ import annotations
+
+from PySide6.QtCore import QObject
+from PySide6.QtWidgets import QToolButton
+
+from app.document.compare import Picture
+from app.document.store import Store
+from app.model.refusal import Refusal
+from widgets.controls.scene_card import SceneCard
+from widgets.panes.compare import Compare
+from widgets.panes.pane import Pane
+from widgets.parts.icons import show_icon
+from widgets.parts.message_bar import MessageBar
+from widgets.parts.messages import sentence
+from widgets.parts.panel import EVERYTHING, Changed, Shown
+from widgets.window.actions import Actions
+from widgets.window.look import Look
+from widgets.window.slots import Slots
+
+
+class Comparing(QObject):
+    """Begins and ends comparisons.
+
+    Parameters
+    ----------
+    image : Pane
+    look : Look
+    store : Store
+    slots : Slots
+    card : SceneCard
+    menus : Actions
+    messages : MessageBar
+
+    Attributes
+    ----------
+    pictures : Compare
+        In the image pane.
+    button : QToolButton
+        In its title row.
+    """
+
+    concerns = EVERYTHING
+
+    def __init__(
+        self,
+        image: Pane,
+        look: Look,
+        store: Store,
+        slots: Slots,
+        card: SceneCard,
+        menus: Actions,
+        messages: MessageBar,
+    ) -> None:
+        super().__init__(image)
+        self._store, self._slots, self._menus, self._messages = store, slots, menus, messages
+        self._was_large: str | None = None
+        """What the image took the large slot from when it was to be compared."""
+        self.pictures = Compare(image, lambda: look.adaptive.smoothing(True))
+        self.button = QToolButton()
+        show_icon(self.button, "compare")
+        self.button.setAutoRaise(True)
+        self.button.setCheckable(True)
+        self.button.setToolTip(menus.compare.toolTip())
+        self.button.setAccessibleName(menus.compare.text().replace("&", ""))
+        image.add_tool(self.button)
+        self.button.clicked.connect(self.toggle)
+        menus.compare.triggered.connect(self.toggle)
+        menus.compare_way.triggered.connect(self.pictures.toggle_way)
+        card.comparison_wanted.connect(self.begin)
+        look.built.connect(self.pictures.refresh)
+        self.pictures.end_wanted.connect(self.end)
+        self.pictures.changed.connect(self._mark)
+
+    @property
+    def is_on(self) -> bool:
+        """Whether anything is compared."""
+        return self.pictures.is_on
+
+    def take(self, shown: Shown, changed: Changed) -> None:
+        """Draw what has changed of the other pictures; after the image pane."""
+        self.pictures.refresh()
+
+    def toggle(self) -> None:
+        """Hold the picture as it is, or end the comparison."""
+        if self.is_on:
+            self.end()
+        else:
+            held = Picture(held=self._store.document.state)
+            self._enlarge()
+            self.pictures.show((held, Picture(live=True)), (0.5,))
+            self.pictures.refresh()
+        self._mark()
+
+    def begin(self, name: str) -> None:
+        """Show one of the scene's own comparisons, the document as one of its pictures."""
+        try:
+            compared = self._store.seen.compared(name)
+        except Refusal as error:
+            self._messages.say(sentence(error))
+            return
+        self._store.set_document(compared)  # if it is another one, a step that can be undone
+        self._enlarge()
+        self.pictures.show(compared.view.compare, compared.view.dividers)
+        self.pictures.refresh()
+
+    def end(self) -> None:
+        """See the document's own picture alone again, where it was before."""
+        self.pictures.show((), ())
+        if self._was_large is not None and self._slots.large == "image" and not self._slots.whole:
+            self._slots.arrange(self._slots.layout_name, self._was_large)
+        self._was_large = None
+
+    def _enlarge(self) -> None:
+        """Pictures that are compared are no thumbnails."""
+        slots = self._slots
+        if slots.layout_name == "pictures" and slots.large != "image" and not slots.whole:
+            self._was_large = "" if slots.large == slots.leading else slots.large
+            slots.arrange(slots.layout_name, "image")
+
+    def _mark(self) -> None:
+        self.button.setChecked(self.is_on)
+        self._menus.compare.setChecked(self.is_on)
+        self._menus.compare_way.setEnabled(self.is_on)
