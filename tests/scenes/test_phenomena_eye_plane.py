@@ -434,3 +434,26 @@ def test_wrong_is_written_just_where_something_is_drawn_wrongly() -> None:
         assert wrong == (value(illustration, "AB drawn wrongly") > 0.0)
         counted[wrong] += 1
     assert min(counted.values()) > 30
+
+
+def test_of_the_segment_the_cube_has_what_is_in_it() -> None:
+    """By two thousand points of it, each divided by its own w if it is inside."""
+    rng = np.random.default_rng(12)
+    inside = 0
+    for _ in range(100):
+        projection, start, end = draw(rng)
+        ndc = show(projection, start, end).ndc
+        assert len(ndc.lines) == len(ndc.texts)
+        part = np.linspace(0.0, 1.0, 2000)[:, None]
+        clip = projection.trace((1.0 - part) * np.array(start) + part * np.array(end)).clip
+        seen = clip[(np.abs(clip[:, :3]) <= clip[:, 3:]).all(axis=1) & (clip[:, 3] > 0.0)]
+        if len(seen) < 2:
+            continue
+        inside += 1
+        (line,), (text,) = ndc.lines, ndc.texts
+        points = seen[:, :3] / seen[:, 3:]
+        low, high = np.sort(line.points, axis=0)
+        assert np.abs(line.points).max() <= 1.0 + 1e-9
+        assert (points >= low - 1e-9).all() and (points <= high + 1e-9).all()
+        assert text.text == "AB" and (low <= text.point).all() and (text.point <= high).all()
+    assert inside > 20

@@ -198,3 +198,15 @@ def test_no_scale_is_written_where_there_is_none() -> None:
     assert illustration.warning is not None
     assert {text.text for text in illustration.world.texts} == {"u", "v", "n"}
     assert not any("1 " in text.text for text in illustration.image.texts)
+
+
+@pytest.mark.parametrize("angle_deg", [30.0, -45.0, 135.0, 180.0])
+def test_beside_the_edges_that_are_measured_is_room_for_their_names(angle_deg: float) -> None:
+    """Of v the one farthest to the right is marked, and u's name is at the end of its edge."""
+    seen = followed(PHENOMENON.start, drawing="cabinet", angle_deg=angle_deg)
+    # The middle of the marked edge, 2 units high, is at y = 1.
+    (place,) = (text.point for text in shown(seen).image.texts if text.text.startswith("v"))
+    at_one = seen.trace([(x, 1.0, z) for x in (-1.0, 1.0) for z in (-1.0, 1.0)]).image
+    assert place == pytest.approx(at_one[at_one[:, 0].argmax()])
+    (place,) = (text.point for text in shown(seen).image.texts if text.text.startswith("u"))
+    assert place == pytest.approx(seen.trace((-1.0, 0.0, 1.0)).image)

@@ -230,3 +230,18 @@ def test_far_lights_are_read_as_exactly_as_near_ones() -> None:
     sun = show(kind="sun", light=(1.0, 1.0, -1.0))
     shadow = value(sun, "its shadow S·P / w")
     assert value(illustration, "its shadow S·P / w") == pytest.approx(shadow, abs=1e-14)
+
+
+@pytest.mark.parametrize(("height", "written"), [(0.0, "L_y = 9"), (-2.0, "L_y − h = 11")])
+def test_how_high_the_lamp_is_stands_at_its_plumb_line(height: float, written: str) -> None:
+    world = show(light=(-4.0, 9.0, 3.0), height=height).world
+    (text,) = (text for text in world.texts if text.text.startswith("L_y"))
+    assert text.text == written and text.point.tolist() == [-4.0, (9.0 + height) / 2.0, 3.0]
+    plumb = [[-4.0, 9.0, 3.0], [-4.0, height, 3.0]]
+    assert plumb in [line.points.tolist() for line in world.lines]
+
+
+def test_how_high_the_sun_stands_is_its_angle() -> None:
+    """3, 4, 5: sin is 0.8."""
+    texts = [text.text for text in show(kind="sun", light=(3.0, 4.0, 0.0)).world.texts]
+    assert "53.13°" in texts and not any(text.startswith("L_y") for text in texts)

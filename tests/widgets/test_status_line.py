@@ -123,7 +123,7 @@ def test_what_is_hidden_is_predicted_when_it_appears(
 def test_a_risk_is_told_and_goes_again(qtbot: QtBot, line: StatusLine, scene: Scene) -> None:
     risky = replace(EVERYDAY, lens=Perspective(179.5, 1e-6, math.inf))
     rested(qtbot, line, risky, scene)
-    assert line.health.text().startswith("⚠ At the target, a 24-bit depth buffer")
+    assert line.health.text().startswith("At the target, a 24-bit depth buffer")
     assert "clamp the field of view to 179°" in line.health.toolTip()
     assert line.health.accessibleDescription() == line.health.toolTip().replace("\n", " ")
     line.resize(400, 24)
@@ -197,7 +197,7 @@ def test_a_number_is_asked_for_as_the_rows_read_it(
         QLocale.setDefault(before)
     for value, want in zip(found, wanted, strict=True):
         if isinstance(want, str):
-            assert value.startswith("⚠ Not possible. Drawing tolerance = ") and want in value
+            assert value.startswith("Not possible. Drawing tolerance = ") and want in value
         else:
             assert value == want
     assert taken == [want for want in wanted[:-1] if isinstance(want, float)]

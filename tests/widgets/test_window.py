@@ -1431,7 +1431,7 @@ def test_a_setting_that_cannot_be_is_refused_at_its_row(window: MainWindow) -> N
     row.field.selectAll()
     QTest.keyClicks(row.field, "0")
     QTest.keyClick(row.field, Qt.Key.Key_Return)
-    assert row.error.startswith("⚠ Not possible. Plane distance d = 0: must not be 0: the plane")
+    assert row.error.startswith("Not possible. Plane distance d = 0: must not be 0: the plane")
     assert window.store.document == on_triangles()
     assert list(window.store.documents) == steps
 

@@ -12,14 +12,14 @@ from functools import partial
 from typing import Literal, TypeAlias
 
 from PySide6.QtCore import Qt, Signal
-from PySide6.QtWidgets import QHBoxLayout, QLabel, QToolButton, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QHBoxLayout, QToolButton, QVBoxLayout, QWidget
 
 from app.model.limits import NOT_PARALLEL, within
 from app.model.projection import LARGEST, NOT_THE_EYE, Camera, Vector
 from app.model.refusal import Refusal
 from widgets.parts.clock import Clock, Playing
 from widgets.parts.fields import Choice, ChoiceRow, Linear, NumberRow, Row
-from widgets.parts.icons import show_icon
+from widgets.parts.icons import WarningLabel, show_icon
 from widgets.parts.messages import limits_text, sentence
 
 HeightMode: TypeAlias = Literal["fixed", "swing", "steps"]
@@ -174,8 +174,7 @@ class AnimationBar(QWidget, Playing):
         self.button = QToolButton()
         self.button.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
         self.button.clicked.connect(self.toggle)
-        self._error = QLabel()
-        self._error.setWordWrap(True)
+        self._error = WarningLabel()
         self.speed = NumberRow(
             self.tr("Speed"),
             self.tr(
@@ -427,5 +426,5 @@ class AnimationBar(QWidget, Playing):
 
     def _say(self, text: str) -> None:
         stopped = self.tr("Stopped.")
-        self._error.setText(f"⚠ {stopped} {text}" if text else "")
+        self._error.setText(f"{stopped} {text}" if text else "")
         self._error.setVisible(bool(text))

@@ -62,7 +62,7 @@ from widgets.parts.fields import (
     Scale,
     VectorRow,
 )
-from widgets.parts.icons import show_icon
+from widgets.parts.icons import WarningLabel, show_icon
 from widgets.parts.messages import (
     breakable,
     limits_text,
@@ -429,7 +429,7 @@ class SceneCard(QWidget):
             self.explanation.setText(about)
         warning = self._problem if illustration is None else illustration.warning or self._problem
         why = "" if warning is None else _full(warning.sentence(of_phenomena, read_text))
-        self.warning.say(why and f"⚠ {why}")
+        self.warning.say(why)
         self._let_choose(found, why if illustration is not None and illustration.idle else "")
 
     def _with_count(self, reading: Reading) -> Reading:
@@ -496,14 +496,12 @@ class SceneCard(QWidget):
             self._dress()
 
 
-class _Sentence(QLabel):
+class _Sentence(WarningLabel):
     """A line that is there when there is something to say."""
 
     def __init__(self, name: str) -> None:
         super().__init__()
         self.setObjectName(name)
-        self.setWordWrap(True)
-        self.setTextFormat(Qt.TextFormat.PlainText)
         self.setStyleSheet(
             "#rowError { border: 0px; border-left: 3px solid #d55e00; padding: 1px 0 2px 5px; }"
         )
@@ -757,8 +755,7 @@ class Readout(QWidget):
         unfolded = not many or self.more.isChecked()
         readings = self._readings if unfolded else self._readings[: self._first]
         self.more.setVisible(many)
-        arrows = Qt.ArrowType
-        self.more.setArrowType(arrows.DownArrow if unfolded else arrows.RightArrow)
+        show_icon(self.more, "choose" if unfolded else "unfold")
         while len(self.lines) < len(readings):
             self._add_line()
         labels = [of_phenomena(reading.label) for reading in readings]

@@ -50,6 +50,7 @@ from app.model.refusal import Refusal, format_value
 from widgets.parts.digits import digits, read_text
 from widgets.parts.fields import Log, NumberRow
 from widgets.parts.focus import FocusRing
+from widgets.parts.icons import WarningLabel
 from widgets.parts.messages import sentence
 from widgets.parts.panel import PROJECTION, Changed, Panel, Shown
 from widgets.parts.section import tidy
@@ -194,9 +195,7 @@ class FramePanel(Panel):
             self.tr("Make an error in up, and see by how much the picture turns"),
             self._nudge,
         )
-        self.warning = QLabel()
-        self.warning.setWordWrap(True)
-        self.warning.setTextFormat(Qt.TextFormat.PlainText)
+        self.warning = WarningLabel()
 
     def _set_fonts(self) -> None:
         larger = QFont(self.font())
@@ -362,13 +361,13 @@ class FramePanel(Panel):
         if off_deg <= CLOSE_DEG:
             turned_deg = most_turned_deg(round(off_deg, 12), NUDGE_DEG)  # as 0.1 was typed
             text = self.tr(
-                "⚠ Up is only {0}° from the line of sight: up × n is nearly 0, and an error of"
+                "Up is only {0}° from the line of sight: up × n is nearly 0, and an error of"
                 " {1}° in up turns the picture by up to {2}°."
             ).format(*map(read_text, (off_deg, NUDGE_DEG, turned_deg)))
         typed = _has_own_view(self._projection)
         if typed:
             text = self.tr(
-                "⚠ The view matrix was typed, and no camera has it: these are the numbers of the"
+                "The view matrix was typed, and no camera has it: these are the numbers of the"
                 " camera before. Undo, or choose a lens."
             )
         for control in (self.angle, self.nudge):

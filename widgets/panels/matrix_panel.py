@@ -30,7 +30,6 @@ from PySide6.QtGui import (
 )
 from PySide6.QtWidgets import (
     QCheckBox,
-    QComboBox,
     QHBoxLayout,
     QLabel,
     QMenu,
@@ -60,9 +59,11 @@ from app.model.formula import ARROW
 from app.model.projection import Projection
 from app.model.refusal import Refusal
 from widgets.panels.matrix_view import VIEW, MatrixView, is_a_cameras, rich
+from widgets.parts.combo import Combo
 from widgets.parts.digits import digits, read_text
 from widgets.parts.fields import REFUSAL_SHEET, parse_number, refusal
 from widgets.parts.focus import FocusRing
+from widgets.parts.icons import WarningLabel, show_icon
 from widgets.parts.messages import field_name, sentence, stage_title, translated
 from widgets.parts.panel import PROJECTION, Changed, Shown
 from widgets.parts.readable import ReadablePanel
@@ -218,8 +219,8 @@ class MatrixPanel(ReadablePanel):
         FocusRing(self._scroll)
         self._content.installEventFilter(self)
         self._scroll.setFrameShape(QScrollArea.Shape.NoFrame)
-        self.explanation = QLabel()
-        self.explanation.setWordWrap(True)
+        self.explanation = WarningLabel()
+        self.explanation.set_warns(False)
         self.explanation.setAccessibleDescription(self.tr("About the cell"))
         self.explanation.setMinimumHeight(2 * self.fontMetrics().height())
         self.explanation.setAlignment(Qt.AlignmentFlag.AlignTop)
@@ -230,8 +231,8 @@ class MatrixPanel(ReadablePanel):
         layout.addWidget(self._scroll, 1)
         layout.addWidget(self.explanation)
 
-    def _choice(self, name: str, tip: str, choices: Sequence[tuple[str, str]]) -> QComboBox:
-        box = QComboBox()
+    def _choice(self, name: str, tip: str, choices: Sequence[tuple[str, str]]) -> Combo:
+        box = Combo()
         box.setAccessibleName(name)
         box.setToolTip(tip)
         for value, text in choices:
@@ -267,6 +268,7 @@ class MatrixPanel(ReadablePanel):
 
     def _explain(self, text: str, sheet: str = "") -> None:
         self.explanation.setStyleSheet(sheet)
+        self.explanation.set_warns(bool(sheet))
         vectors = ARROW in text
         self.explanation.setTextFormat(
             Qt.TextFormat.RichText if vectors else Qt.TextFormat.PlainText
@@ -497,9 +499,7 @@ class MatrixPanel(ReadablePanel):
         self._set_arrow(box)
 
     def _set_arrow(self, box: _Box) -> None:
-        box.fold.setArrowType(
-            Qt.ArrowType.LeftArrow if box.fold.isChecked() else Qt.ArrowType.RightArrow
-        )
+        show_icon(box.fold, "back" if box.fold.isChecked() else "unfold")
 
     def _note(self, matrix: Matrix) -> str:
         if matrix.note:

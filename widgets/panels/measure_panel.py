@@ -15,10 +15,9 @@ from dataclasses import replace
 from pathlib import Path
 
 from PySide6.QtCore import QEvent, QObject, QSize, Qt, Signal
-from PySide6.QtGui import QFont, QGuiApplication, QPalette
+from PySide6.QtGui import QFont, QGuiApplication, QIcon, QPalette
 from PySide6.QtWidgets import (
     QAbstractItemView,
-    QComboBox,
     QFileDialog,
     QGridLayout,
     QHBoxLayout,
@@ -57,9 +56,11 @@ from app.measure.results import (
 from app.model.refusal import Refusal
 from app.scenes.phenomena.illustration import Diagram
 from widgets.panels.measuring import Measuring
+from widgets.parts.combo import Combo
 from widgets.parts.diagram import DiagramView
 from widgets.parts.digits import digits
 from widgets.parts.focus import FocusRing
+from widgets.parts.icons import icon
 from widgets.parts.messages import of_measurements, sentence
 from widgets.parts.note import Note
 from widgets.parts.panel import Changed, Shown
@@ -147,7 +148,7 @@ class MeasurePanel(ReadablePanel):
         self.list.setCurrentRow(0)
         self.list.currentItemChanged.connect(self._go_on)
         self.list.currentItemChanged.connect(self._readable.changed)
-        self.how = QComboBox()
+        self.how = Combo()
         self.how.addItem(self.tr("Quick"), True)
         self.how.addItem(self.tr("Full"), False)
         self.how.setAccessibleName(self.tr("How exactly"))
@@ -164,6 +165,7 @@ class MeasurePanel(ReadablePanel):
         self.progress = QProgressBar()
         self.progress.setRange(0, 1000)
         self.progress.setAccessibleName(self.tr("Progress of the measurement"))
+        self.progress.hide()
         self.export_button = self._button(
             self.tr("Export…"), self.tr("Save what is shown: CSV, JSON, PNG or PDF"),
             self.export_dialog,
@@ -346,6 +348,7 @@ class MeasurePanel(ReadablePanel):
         running = self.measuring.running
         self.run_button.setEnabled(not running)
         self.cancel_button.setEnabled(running)
+        self.progress.setVisible(running)
         self._show_paused()
 
     def _show_paused(self) -> None:
@@ -437,8 +440,8 @@ class MeasurePanel(ReadablePanel):
         shown, other = self._shown()
         for row, name in enumerate(chart.TITLES):
             found = (self.measured.get(name), self.loaded.get(name))
-            sign = "✓ " if any(each and _says_something(each) for each in found) else ""
-            self.list.item(row).setText(sign + of_measurements(chart.TITLES[name]))
+            has = any(each and _says_something(each) for each in found)
+            self.list.item(row).setIcon(icon("check") if has else QIcon())
         self.forget_button.setEnabled(bool(self.loaded))
         self.export_button.setEnabled(shown is not None)
         self._show_chart(shown, other)

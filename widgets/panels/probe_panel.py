@@ -34,7 +34,6 @@ from PySide6.QtGui import (
 )
 from PySide6.QtWidgets import (
     QAbstractItemView,
-    QComboBox,
     QHBoxLayout,
     QHeaderView,
     QLabel,
@@ -61,8 +60,10 @@ from app.model.projection import (
 from app.model.refusal import Refusal
 from app.picking.picking import Probe, projector
 from app.precision.levels import precision_for_reading, predict, trace_homogeneous
+from widgets.parts.combo import Combo
 from widgets.parts.digits import digits, read_text
 from widgets.parts.fields import REFUSAL_SHEET, ShortField, refusal
+from widgets.parts.icons import WarningLabel, icon
 from widgets.parts.messages import number_text, plane_name, sentence
 from widgets.parts.panel import PROJECTION, Changed, Shown
 from widgets.parts.readable import ReadablePanel
@@ -109,8 +110,8 @@ class ProbePanel(ReadablePanel):
         self._spans: list[tuple[int, int]] = []
         self._is_new = False
 
-        self.choice = QComboBox()
-        self.choice.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToContents)
+        self.choice = Combo()
+        self.choice.setSizeAdjustPolicy(Combo.SizeAdjustPolicy.AdjustToContents)
         self.choice.setAccessibleName(self.tr("Probe"))
         self.choice.setToolTip(self.tr("Which probe the fields and buttons are about"))
         self.choice.activated.connect(lambda index: self.choose(self.choice.itemData(index)))
@@ -126,11 +127,9 @@ class ProbePanel(ReadablePanel):
         self._clear = QPushButton(self.tr("Clear"))
         self._clear.setToolTip(self.tr("Remove all probes"))
         self._clear.clicked.connect(self.clear)
-        self.error = QLabel()
+        self.error = WarningLabel()
         self.error.setObjectName("rowError")
         self.error.setStyleSheet(REFUSAL_SHEET)
-        self.error.setTextFormat(Qt.TextFormat.PlainText)
-        self.error.setWordWrap(True)
         self.error.hide()
         self._hint = QLabel(
             self.tr(
@@ -337,7 +336,12 @@ class ProbePanel(ReadablePanel):
         probe = self.chosen
         self.choice.clear()
         for other in self.probes:
-            self.choice.addItem(self._name(other), other.number)
+            name = self._name(other)
+            self.choice.addItem(name, other.number)
+            if other.number in self._pinned:
+                place, role = self.choice.count() - 1, Qt.ItemDataRole.AccessibleTextRole
+                self.choice.setItemIcon(place, icon("pin"))
+                self.choice.setItemData(place, self.tr("{0}, pinned").format(name), role)
         self.choice.setCurrentIndex(self.choice.findData(self._chosen))
         self.choice.setEnabled(bool(self.probes))
         row = None if probe is None else probe.row
@@ -355,11 +359,10 @@ class ProbePanel(ReadablePanel):
         self.table.setVisible(bool(self.probes))
 
     def _name(self, probe: Probe) -> str:
-        pin = " ⚲" if probe.number in self._pinned else ""
         text = self.tr("Ray {0}") if probe.pixel is not None else self.tr("Point {0}")
         if probe.direction is not None:
             text = self.tr("Direction {0}")
-        return text.format(probe.number) + pin
+        return text.format(probe.number)
 
     # -- the table
 

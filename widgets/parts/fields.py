@@ -67,9 +67,11 @@ from PySide6.QtWidgets import (
 from app.model.limits import DISTINCT
 from app.model.projection import AT_LEAST, AT_MOST, FINITE_NUMBER, LARGEST
 from app.model.refusal import Refusal
+from widgets.parts.combo import Combo
 from widgets.parts.digits import FEW, digits
 from widgets.parts.escape import HeldSlider
 from widgets.parts.highlight import paint_highlight
+from widgets.parts.icons import WarningLabel
 from widgets.parts.messages import (
     A_NUMBER,
     A_NUMBER_LIKE,
@@ -99,13 +101,14 @@ ONE_LINE_EM = 11
 """Heights of a line: a name and what is chosen stand on one line if they are not wider."""
 
 REFUSAL_SHEET = "QLabel { border: 0px; border-left: 3px solid #d55e00; padding: 1px 0 2px 5px; }"
-"""How a `refusal` looks: in the window's own text colour; the bar, sign and words mark it."""
+"""How a `refusal` looks in a `WarningLabel`: in the window's own text colour; the bar, sign and
+words mark it."""
 
 
 def refusal(sentence: str) -> str:
     """A sentence that says why something was refused, marked as that."""
     refused = QCoreApplication.translate("Row", "Not possible.")  # lupdate reads no f-strings
-    return f"⚠ {refused} {sentence}"
+    return f"{refused} {sentence}"
 
 
 # --------------------------------------------------------------------------- numbers as text
@@ -451,8 +454,8 @@ class _Slider(HeldSlider):
         event.accept()
 
 
-class _Combo(QComboBox):
-    """A combo box that leaves the wheel to the column until it has the focus."""
+class _Combo(Combo):
+    """One that leaves the wheel to the column until it has the focus."""
 
     def __init__(self) -> None:
         super().__init__()
@@ -680,7 +683,7 @@ class Row(QWidget):
         self._marked = False
         self._value: Any = None
         self._default: Any = None
-        self._error: QLabel | None = None
+        self._error: WarningLabel | None = None
         self._refused = False
         self.tip = tip
         how_to_reset = self.tr("Double-click the name to reset it.")
@@ -751,9 +754,7 @@ class Row(QWidget):
 
     def _show_refusal(self, text: str) -> None:
         if self._error is None:
-            self._error = QLabel()
-            self._error.setWordWrap(True)
-            self._error.setTextFormat(Qt.TextFormat.PlainText)
+            self._error = WarningLabel()
             self._error.setObjectName("rowError")
             self._error.setStyleSheet(REFUSAL_SHEET)
             self._grid.addWidget(self._error, 2, 0, 1, self._grid.columnCount())

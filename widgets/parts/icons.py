@@ -7,12 +7,26 @@ from __future__ import annotations
 
 from functools import cache
 
-from PySide6.QtCore import QByteArray, QObject, QRect, QRectF, QSize, Qt
-from PySide6.QtGui import QAction, QIcon, QIconEngine, QImage, QPainter, QPalette, QPixmap
+from PySide6.QtCore import QByteArray, QEvent, QObject, QRect, QRectF, QSize, Qt
+from PySide6.QtGui import (
+    QAction,
+    QIcon,
+    QIconEngine,
+    QImage,
+    QPainter,
+    QPaintEvent,
+    QPalette,
+    QPixmap,
+)
 from PySide6.QtSvg import QSvgRenderer
-from PySide6.QtWidgets import QAbstractButton, QApplication
+from PySide6.QtWidgets import QAbstractButton, QApplication, QLabel
+
+SIGN = 1.25
+"""Room of a warning sign and what is free behind it, in heights of a line."""
 
 _PATHS = {
+    "back": "M15 18l-6-6 6-6",
+    "check": "M20 6L9 17l-5-5",
     "copy": "M10 8h10a2 2 0 0 1 2 2v10a2 2 0 0 1-2 2H10a2 2 0 0 1-2-2V10a2 2 0 0 1 2-2z"
     "M4 16a2 2 0 0 1-2-2V4a2 2 0 0 1 2-2h10a2 2 0 0 1 2 2",
     "close": "M18 6L6 18M6 6l12 12",
@@ -29,6 +43,9 @@ _PATHS = {
     "open": "M6 14l1.5-2.9A2 2 0 0 1 9.2 10H20a2 2 0 0 1 1.9 2.5l-1.5 6a2 2 0 0 1-1.9 1.5H4"
     "a2 2 0 0 1-2-2V5a2 2 0 0 1 2-2h3.9a2 2 0 0 1 1.7.9l.8 1.2a2 2 0 0 0 1.7.9H18a2 2 0 0 1 2 2v2",
     "pause": "M6 4h4v16H6zM14 4h4v16h-4z",
+    "pin": "M12 17v5M9 10.8a2 2 0 0 1-1.1 1.8l-1.8.9A2 2 0 0 0 5 15.2V16a1 1 0 0 0 1 1h12"
+    "a1 1 0 0 0 1-1v-.8a2 2 0 0 0-1.1-1.7l-1.8-.9A2 2 0 0 1 15 10.8V7a1 1 0 0 1 1-1 2 2 0 0 0 0-4H8"
+    "a2 2 0 0 0 0 4 1 1 0 0 1 1 1z",
     "play": "M6 3l14 9-14 9z",
     "present": "M2 3h20M21 3v11a2 2 0 0 1-2 2H5a2 2 0 0 1-2-2V3M7 21l5-5 5 5",
     "redo": "M15 14l5-5-5-5M20 9H9.5a5.5 5.5 0 0 0 0 11H13",
@@ -36,6 +53,9 @@ _PATHS = {
     "save": "M19 21H5a2 2 0 0 1-2-2V5a2 2 0 0 1 2-2h11l5 5v11a2 2 0 0 1-2 2zM17 21v-8H7v8M7 3v5h8",
     "search": "M19 11a8 8 0 1 1-16 0 8 8 0 0 1 16 0zM21 21l-4.3-4.3",
     "undo": "M9 14L4 9l5-5M4 9h10.5a5.5 5.5 0 0 1 0 11H11",
+    "unfold": "M9 18l6-6-6-6",
+    "warning": "M21.7 18l-8-14a2 2 0 0 0-3.5 0l-8 14A2 2 0 0 0 4 21h16a2 2 0 0 0 1.7-3M12 9v4"
+    "M12 17h.01",
 }
 
 
@@ -48,10 +68,59 @@ def show_icon(shown: QAction | QAbstractButton, name: str) -> None:
     name : str
         One of the family: ``"undo"``.
     """
-    shown.setIcon(QIcon(_Drawn(name)))
+    shown.setIcon(icon(name))
     if isinstance(shown, QAbstractButton):
         shown.setProperty("hasIconOfFamily", True)
         _fit(shown)
+
+
+def icon(name: str) -> QIcon:
+    """One of the family, for what is neither an action nor a button: an item of a list."""
+    return QIcon(_Drawn(name))
+
+
+def paint_icon(painter: QPainter, rect: QRect, name: str, *, enabled: bool = True) -> None:
+    """Draw one of the family, in the colour that it has on a button."""
+    mode = QIcon.Mode.Normal if enabled else QIcon.Mode.Disabled
+    _draw(painter, rect, name, *_colour(mode))
+
+
+class WarningLabel(QLabel):
+    """Plain text behind a warning sign, while there is any.
+
+    Attributes
+    ----------
+    warns : bool
+        Whether the text now is a warning.
+    """
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.warns = True
+        self.setWordWrap(True)
+        self.setTextFormat(Qt.TextFormat.PlainText)
+        self._fit_sign()
+
+    def set_warns(self, warns: bool) -> None:
+        """Let the next text be a warning, or none."""
+        self.warns = warns
+        self._fit_sign()
+
+    def changeEvent(self, event: QEvent) -> None:
+        super().changeEvent(event)
+        if event.type() == QEvent.Type.FontChange:
+            self._fit_sign()
+
+    def _fit_sign(self) -> None:
+        self.setIndent(round(SIGN * self.fontMetrics().height()) if self.warns else 0)
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        super().paintEvent(event)
+        if self.warns and self.text():
+            side, room = self.fontMetrics().height(), self.contentsRect()
+            painter = QPainter(self)
+            paint_icon(painter, QRect(room.left(), room.top(), side, side), "warning")
+            painter.end()
 
 
 def fit(owner: QObject) -> None:

@@ -6,12 +6,12 @@ a mark between thousands: 33.5 typed would be 335.
 
 from __future__ import annotations
 
-from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QDialog, QDialogButtonBox, QLabel, QVBoxLayout, QWidget
 
 from app.model.limits import within
 from app.model.refusal import Refusal
 from widgets.parts.fields import REFUSAL_SHEET, NumberField, refusal
+from widgets.parts.icons import WarningLabel
 from widgets.parts.messages import sentence
 
 
@@ -51,9 +51,7 @@ class NumberDialog(QDialog):
         self.field.setAccessibleName(f"{name} ({unit})")
         self.field.selectAll()
         asked.setBuddy(self.field)
-        self.problem = QLabel()
-        self.problem.setWordWrap(True)
-        self.problem.setTextFormat(Qt.TextFormat.PlainText)
+        self.problem = WarningLabel()
         self.problem.setStyleSheet(REFUSAL_SHEET)
         self.problem.hide()
         self.buttons = QDialogButtonBox(

@@ -56,34 +56,41 @@ QToolBar QToolButton#presentButton {{ color: {on_accent}; background: {accent}; 
 """
 
 
-_FOR_A_CLASS = """
+_GROWING = """
 QSlider:horizontal {{ min-height: {slider:.0f}px; }}
 QSlider::groove:horizontal {{ height: {groove:.0f}px; border-radius: {half_groove:.0f}px;
-    background: {line}; }}
+    background: {frame}; }}
 QSlider::sub-page:horizontal {{ height: {groove:.0f}px; border-radius: {half_groove:.0f}px;
     background: palette(highlight); }}
 #near::sub-page:horizontal {{ background: {near}; }}
 #far::sub-page:horizontal {{ background: {far}; }}
 QSlider::handle:horizontal {{ width: {thumb:.0f}px; margin: -{beside:.0f}px 0px;
-    border: {frame:.0f}px solid {edge_of_thumb}; border-radius: {round:.0f}px;
+    border: {edge:.0f}px solid {edge_of_thumb}; border-radius: {round:.0f}px;
     background: {base_of_thumb}; }}
 QSlider::handle:horizontal:focus {{ border-color: {accent}; }}
-QLineEdit {{ border: {frame:.0f}px solid {line}; border-radius: {round:.0f}px;
-    background: palette(base); padding: {frame:.0f}px; }}
-QLineEdit:focus {{ border-color: {accent}; }}
+QLineEdit, QComboBox {{ border: {edge:.0f}px solid {frame}; border-radius: {round:.0f}px;
+    background: palette(base); padding: {edge:.0f}px; }}
+QComboBox {{ padding: {edge:.0f}px {beside:.0f}px; }}
+QLineEdit:focus, QComboBox:focus {{ border-color: {accent}; }}
+QComboBox::drop-down {{ border: 0px; width: {arrow:.0f}px; }}
+QComboBox::down-arrow {{ image: none; }}
+"""
+"""What Qt's own style draws as small on every screen, however large the letters are, and frames
+that it draws darker than a window that is dark."""
+
+_FOR_A_CLASS = """
 QCheckBox::indicator {{ width: {box:.0f}px; height: {box:.0f}px; }}
 """
-"""What Qt's own style draws as small on every screen, however large the letters are."""
 
 
-def _for_a_class(em: float, **colours: str) -> str:
+def _growing(em: float, *, presenting: bool, **colours: str) -> str:
     """The part of the style sheet that grows with the letters, whose height in pixels is `em`."""
-    groove, frame = round(0.22 * em), max(1, round(0.06 * em))
-    beside = round(0.22 * em)
-    return _FOR_A_CLASS.format(
+    groove, edge = max(4, round(0.22 * em)), max(1, round(0.06 * em))
+    beside = max(4, round(0.22 * em))
+    return (_GROWING + _FOR_A_CLASS * presenting).format(
         groove=groove, half_groove=groove // 2, beside=beside, slider=groove + 2 * beside + 2,
-        thumb=groove + 2 * beside - 2 * frame, frame=frame, round=0.15 * em, box=0.9 * em,
-        **colours,
+        thumb=groove + 2 * beside - 2 * edge, edge=edge, round=max(2.0, 0.15 * em), box=0.9 * em,
+        arrow=em, **colours,
     )  # fmt: skip
 
 
@@ -139,17 +146,18 @@ def apply(application: QApplication, *, dark: bool, screen_px: float) -> None:
     font.setPointSizeF(base_size * larger)
     application.setFont(font)
     accent, line = ("#3a93cc", "#4a4d50") if dark else ("#0072b2", "#c4c4c0")
-    larger_parts = _for_a_class(
+    growing = _growing(
         QFontInfo(font).pixelSize(),
+        presenting=screen_px > 0.0,
         near=(DARK if dark else LIGHT).near,
         far=(DARK if dark else LIGHT).far,
         accent=accent,
-        line=line,
+        frame="#74777a" if dark else "#888884",
         edge_of_thumb="#b4b4b4" if dark else "#585858",
         base_of_thumb="#34373a" if dark else "#ffffff",
     )
     application.setStyleSheet(
-        (larger_parts if screen_px else "")
+        growing
         + _STYLE_SHEET.format(
             muted="#b4b4b4" if dark else "#585858",
             bar="#4a3c10" if dark else "#fff4d6",

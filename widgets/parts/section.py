@@ -16,6 +16,7 @@ from PySide6.QtWidgets import QLabel, QSizePolicy, QToolButton, QVBoxLayout, QWi
 
 from app.model.projection import Projection
 from widgets.parts.fields import Choice, ChoiceRow, Log, NumberRow, Row, Scale
+from widgets.parts.icons import show_icon
 from widgets.parts.messages import field_name
 
 Read: TypeAlias = Callable[[Projection], Any]
@@ -283,7 +284,7 @@ class Section(Rows):
     def _show(self) -> None:
         is_open = self.is_open
         self.body.setVisible(is_open)
-        self.heading.setArrowType(Qt.ArrowType.DownArrow if is_open else Qt.ArrowType.RightArrow)
+        show_icon(self.heading, "choose" if is_open else "unfold")
         self.heading.setToolTip(self.tr("Fold") if is_open else self.tr("Unfold"))
         self.heading.setAccessibleDescription(self.tr("unfolded") if is_open else self.tr("folded"))
         self.toggled.emit(is_open)

@@ -14,7 +14,6 @@ from functools import partial
 from PySide6.QtCore import QObject, QSize, Qt, Signal, SignalInstance
 from PySide6.QtGui import QAction, QActionGroup, QFontInfo, QKeySequence
 from PySide6.QtWidgets import (
-    QComboBox,
     QLabel,
     QLineEdit,
     QMainWindow,
@@ -29,6 +28,7 @@ from app.document.view import LAYOUTS
 from app.scenes.phenomena import PHENOMENA
 from app.scenes.scene import BUILT_IN
 from widgets.panes.pane import Pane
+from widgets.parts.combo import Combo
 from widgets.parts.icons import show_icon
 from widgets.parts.messages import file_title, of_phenomena
 from widgets.window.files import Files
@@ -169,7 +169,7 @@ class Actions(QObject):
         self.play = self._action(
             self.tr("Play"), None, PLAY_KEY, self.tr("Play or pause the camera's orbit")
         )
-        self.scene_box = QComboBox()
+        self.scene_box = Combo()
         self._make_tool_bar()
         keyed = [a for a in window.findChildren(QAction) if not a.shortcut().isEmpty()]
         # A hidden menu bar has no shortcuts, and a pane takes them into a window of its own.

@@ -7,7 +7,6 @@ from typing import NamedTuple
 
 from PySide6.QtWidgets import (
     QCheckBox,
-    QComboBox,
     QDialog,
     QDialogButtonBox,
     QFormLayout,
@@ -21,7 +20,9 @@ from PySide6.QtWidgets import (
 from app.document.view import PANES
 from app.drawings.figures import DPI, checked_size, checked_text
 from app.model.refusal import Refusal
+from widgets.parts.combo import Combo
 from widgets.parts.fields import parse_number
+from widgets.parts.icons import WarningLabel
 from widgets.parts.messages import sentence
 
 
@@ -79,18 +80,17 @@ class ExportDialog(QDialog):
             ).format(DPI)
         )
         self._text.textChanged.connect(self._check)
-        self._scale = QComboBox()
+        self._scale = Combo()
         self._scale.setToolTip(
             self.tr("Draws the same figure with more pixels: text and lines grow with it")
         )
         for factor in (1, 2, 3, 4):
             self._scale.addItem(f"{factor} ×", float(factor))
         self._scale.currentIndexChanged.connect(self._check)
-        self._background = QComboBox()
+        self._background = Combo()
         self._background.addItem(self.tr("white"), False)
         self._background.addItem(self.tr("transparent"), True)
-        self._problem = QLabel()
-        self._problem.setWordWrap(True)
+        self._problem = WarningLabel()
         self._buttons = QDialogButtonBox(
             QDialogButtonBox.StandardButton.Save | QDialogButtonBox.StandardButton.Cancel
         )
@@ -144,7 +144,7 @@ class ExportDialog(QDialog):
                 problem = self.tr("Width and height must be whole numbers.")
             else:
                 problem = self._refused(choice)
-        self._problem.setText("⚠ " + problem if problem else "")
+        self._problem.setText(problem)
         self._buttons.button(QDialogButtonBox.StandardButton.Save).setEnabled(not problem)
 
     def _refused(self, choice: ExportChoice) -> str:

@@ -14,7 +14,7 @@ from collections.abc import Mapping
 
 from PySide6.QtCore import QEvent, QObject, QSize, Qt, QTimer, Signal
 from PySide6.QtGui import QResizeEvent, QShowEvent
-from PySide6.QtWidgets import QLabel, QMenu, QSizePolicy, QStatusBar, QToolButton
+from PySide6.QtWidgets import QMenu, QSizePolicy, QStatusBar, QToolButton
 
 from app.drawings.frame_budget import LARGEST_FRAME_MS
 from app.drawings.scene_bounds import bounds_px, predictions
@@ -30,6 +30,7 @@ from app.precision.levels import (
 from app.precision.quality import AUTOMATIC, Quality
 from app.precision.risks import risks
 from app.scenes.scene import Scene
+from widgets.parts.icons import WarningLabel
 from widgets.parts.messages import plane_name, translated
 from widgets.parts.number_dialog import NumberDialog
 from widgets.parts.panel import PROJECTION, Changed, Shown
@@ -273,13 +274,15 @@ def _error_text(px: float) -> str:
     return f"{px:.1g}" if math.isfinite(px) else "∞"
 
 
-class _Elided(QLabel):
+class _Elided(WarningLabel):
     """As much of the worst sentence as there is room for; all of them as its tooltip."""
 
     def __init__(self, name: str) -> None:
         super().__init__()
         self.setObjectName(name)
-        # Neither a long sentence nor its sign, which another font has, may resize the panes.
+        self.setWordWrap(False)
+        self.set_warns(name == "health")
+        # A long sentence may not resize the panes.
         self.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Ignored)
         self._sentence = ""
 
@@ -292,7 +295,7 @@ class _Elided(QLabel):
 
     def show_sentences(self, sentences: list[str]) -> None:
         """Show the first, or nothing if there is none."""
-        first = f"⚠ {sentences[0]}" if sentences else ""
+        first = sentences[0] if sentences else ""
         if sentences[1:]:
             first = self.tr("{0} And {1} more.").format(first, len(sentences) - 1)
         self.show_text(first, "\n".join(sentences))
@@ -303,7 +306,7 @@ class _Elided(QLabel):
 
     def _elide(self) -> None:
         text = self.fontMetrics().elidedText(
-            self._sentence, Qt.TextElideMode.ElideRight, self.width() - 4
+            self._sentence, Qt.TextElideMode.ElideRight, self.width() - 4 - max(0, self.indent())
         )
         if text != self.text():
             self.setText(text)

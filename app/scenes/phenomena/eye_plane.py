@@ -20,7 +20,7 @@ from numpy.typing import NDArray
 
 from app.model.clipping import LARGEST_CLIP, clip_segments, cut_at_eye, naive_ndc
 from app.model.projection import Array, Camera, Perspective, Projection
-from app.model.refusal import QT_TRANSLATE_NOOP
+from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
 from app.scenes.phenomena.illustration import (
     Comparison,
     Curve,
@@ -423,22 +423,20 @@ def _world_marks(
 
 
 def _ndc_marks(projection: Projection, clip: Array) -> Marks:
-    """What of the segment is between near and far; the cube's sides cut the rest."""
-    near, far = projection.lens.near, projection.lens.far
-    (start, end), low, high = clip[:, 3].tolist(), 0.0, 1.0
-    for at_start, at_end in ((start - near, end - near), (far - start, far - end)):
-        if at_start < 0.0 and at_end < 0.0:
-            return Marks()
-        if at_start < 0.0 or at_end < 0.0:
-            share = 0.0 if math.isinf(at_start) else at_start / (at_start - at_end)
-            low, high = (max(low, share), high) if at_start < 0.0 else (low, min(high, share))
-    if low >= high:
+    """What of the segment is in the cube."""
+    if not (np.abs(clip) <= LARGEST_CLIP).all():
         return Marks()
-    ends = np.array([[1.0 - low, low], [1.0 - high, high]]) @ clip
-    w = np.clip(ends[:, 3:], near, far)  # where the cut has cancelled all of its digits
-    with np.errstate(over="ignore"):
-        ndc = ends[:, :3] / w
-    return Marks((Line(ndc, "accent", 2.0),)) if np.isfinite(ndc).all() else Marks()
+    try:
+        cut = clip_segments(clip[0], clip[1], projection.depth)
+    except Refusal:  # through the eye, from so far that its ends round to one point's
+        return Marks()
+    if not cut.visible:
+        return Marks()
+    with np.errstate(invalid="ignore", divide="ignore"):
+        ndc = cut.points_clip[:, :3] / cut.points_clip[:, 3:]
+    if not np.isfinite(ndc).all():  # a segment that points at the eye, up to there
+        return Marks()
+    return Marks((Line(ndc, "accent", 2.0),), texts=(Text("AB", ndc.mean(axis=0), "accent"),))
 
 
 def _image_marks(drawn: Pictures) -> Marks:

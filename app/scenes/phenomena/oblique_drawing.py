@@ -193,12 +193,14 @@ def _show(projection: Projection, _settings: Settings, subject: Subject) -> Illu
     length = max(high - low for low, high in zip(subject.lower, subject.upper, strict=True))
     ends = corner + length * np.array([np.zeros(3), -u, v, -n])
     segments = np.array([ends[[0, i]] for i in (1, 2, 3)])
+    if receding_of(lens)[0] > 0.0 and lens.shear[0] < 0.0:
+        segments[1] += ends[3] - corner  # the outer one of these edges: beside it is room
     colours = ("u", "v", "n")
     lines = tuple(Line(ends, c, 2.0) for ends, c in zip(segments, colours, strict=True))
 
     corners = box_corners(subject.lower, subject.upper)
-    middles = segments.mean(axis=1)
-    trace = projection.trace(np.concatenate([ends, corners, middles]))
+    named = np.array([segments[0, 1], *segments[1:].mean(axis=1)])  # where beside them is room
+    trace = projection.trace(np.concatenate([ends, corners, named]))
     by_formula = receding_of(lens)
     warning = Phrase(_NOT_PARALLEL) if lens.central else None
     drawn = measured(trace.image[:4]) if warning is None else None
@@ -248,20 +250,20 @@ def _show(projection: Projection, _settings: Settings, subject: Subject) -> Illu
             f"v: {up:.3g} ×",
             label + (f", {figure(drawn.angle_deg, 3)}°" if has_angle else ""),
         )
-    texts = tuple(
-        Text(text, place, colour)
-        for text, place, colour in zip(labels, middles, colours, strict=True)
-    )
-    world = Marks(lines, texts=texts)
+
+    def texts(places: Array) -> tuple[Text, ...]:
+        return tuple(map(Text, labels, places, colours))
+
+    world = Marks(lines, texts=texts(segments.mean(axis=1)))
     if warning is None:
         world = _projectors(projection, corners, trace.view[4:12], world)
-    segments_clip = trace.clip[[[0, 1], [0, 2], [0, 3]]]
+    segments_clip = projection.trace(segments).clip
     return Illustration(
         tuple(readings),
         world=world,
         image=Marks(
             seen_lines(projection, segments_clip, colours, 2.0),
-            texts=seen_texts(trace, texts),
+            texts=seen_texts(trace, texts(named)),
         ),
         warning=warning,
     )

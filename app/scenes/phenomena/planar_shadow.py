@@ -16,6 +16,7 @@ camera's own w is below 0 too, the product of both is above: such points are bey
 
 from __future__ import annotations
 
+import math
 from functools import partial
 from typing import NamedTuple
 
@@ -310,9 +311,16 @@ def _marks(
             lines.append(Line(np.array([top, end]), "u", 0.5))
     if sun:
         head = middle + reach * way
-        lines.append(Line(np.array([head, head - 0.3 * reach * way]), "accent", 2.0))
+        tail = head - 0.3 * reach * way
+        lines.append(Line(np.array([head, tail]), "accent", 2.0))
+        above_deg = math.degrees(math.asin(min(float(way[1]), 1.0)))
+        texts.append(Text(f"{figure(above_deg, 4)}°", (head + tail) / 2.0))
     else:
         head = light[:3]
+        foot = np.array([head[0], height, head[2]])
+        lines.append(Line(np.array([head, foot]), "ink", 1.0))
+        above = "L_y − h" if height else "L_y"
+        texts.append(Text(f"{above} = {figure(head[1] - height, 4)}", (head + foot) / 2.0))
     dots.append(Dot(head, "accent", 1.6))
     name = _SUN if sun else _LAMP
     texts.append(Text(name, head, "accent"))

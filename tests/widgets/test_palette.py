@@ -1,0 +1,99 @@
+"""How parts are dressed: frames that are seen in both themes, arrows and signs of the letters."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+
+import numpy as np
+import pytest
+from PySide6.QtWidgets import QApplication, QLineEdit, QWidget
+from pytestqt.qtbot import QtBot
+
+from app.drawings.style import contrast
+from tests.support.window import rgb_of
+from widgets.parts import palette
+from widgets.parts.combo import Combo
+from widgets.parts.escape import HeldSlider
+from widgets.parts.icons import WarningLabel
+
+
+@pytest.fixture
+def dressed(qapp: QApplication) -> Iterator[Callable[..., None]]:
+    def dress(*, dark: bool = False, screen_px: float = 0.0) -> None:
+        palette.apply(qapp, dark=dark, screen_px=screen_px)
+
+    yield dress
+    dress()
+
+
+def hexadecimal(colour: np.ndarray) -> str:
+    return "#" + bytes(colour[:3].tolist()).hex()
+
+
+@pytest.mark.parametrize("dark", [False, True])
+@pytest.mark.parametrize("screen_px", [0.0, 2160.0])
+def test_a_frame_is_seen_against_the_window(
+    dressed: Callable[..., None], qtbot: QtBot, dark: bool, screen_px: float
+) -> None:
+    """3 : 1, as WCAG 2.1 has it for a control's edge (1.4.11)."""
+    dressed(dark=dark, screen_px=screen_px)
+    behind = QWidget()
+    qtbot.addWidget(behind)
+    field, combo, slider = QLineEdit("4", behind), Combo(), HeldSlider()
+    combo.addItem("oblique")
+    for place, part in enumerate((field, combo, slider)):
+        part.setParent(behind)
+        part.setGeometry(10, 10 + 100 * place, 300, 80)
+    behind.resize(320, 320)
+    behind.show()
+    seen = rgb_of(behind.grab().toImage())
+    window = hexadecimal(seen[2, 2])
+    for part in (field, combo):
+        left = seen[part.y() + 40, part.x() : part.x() + 8]
+        assert max(contrast(hexadecimal(pixel), window) for pixel in left) >= 3.0
+        assert contrast(hexadecimal(seen[part.y() + 40, part.x() - 3]), window) == 1.0
+    groove = seen[slider.y() + 40, slider.x() + 200]
+    assert contrast(hexadecimal(groove), window) >= 3.0
+
+
+def test_the_arrow_of_a_combo_box_grows_with_the_letters(
+    dressed: Callable[..., None], qtbot: QtBot
+) -> None:
+    combo = Combo()
+    qtbot.addWidget(combo)
+    combo.addItem("oblique")
+    widths = []
+    for screen_px in (0.0, 2160.0):
+        dressed(screen_px=screen_px)
+        combo.resize(combo.sizeHint())
+        combo.show()
+        height = combo.fontMetrics().height()
+        right = rgb_of(combo.grab().toImage())[4:-4, -round(1.1 * height) : -4].astype(int)
+        arrow = np.flatnonzero((right.sum(axis=2) < 400).any(axis=0))
+        widths.append(float(np.ptp(arrow)) / height)
+        advance = combo.fontMetrics().horizontalAdvance(combo.currentText())
+        assert combo.width() >= advance + height
+    assert min(widths) > 0.2 and max(widths) < 0.8
+    assert widths[0] == pytest.approx(widths[1], abs=0.15)
+
+
+def test_a_warning_has_its_sign_beside_its_text(dressed: Callable[..., None], qtbot: QtBot) -> None:
+    """Drawn, whatever letters the font has; a text that warns of nothing has none."""
+    dressed()
+    label = WarningLabel()
+    qtbot.addWidget(label)
+    label.resize(300, 20)
+    label.show()
+    side = label.fontMetrics().height()
+
+    def inked() -> int:
+        return int((rgb_of(label.grab().toImage())[:, :side].astype(int).sum(axis=2) < 400).sum())
+
+    assert inked() == 0
+    label.setText("near")
+    assert label.text() == "near" and label.indent() > side and inked() > 20
+    label.setText("")
+    assert inked() == 0
+    label.set_warns(False)
+    label.setText("")
+    assert label.indent() == 0

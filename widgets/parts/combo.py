@@ -1,0 +1,44 @@
+"""A combo box whose arrow is of the window's family and grows with its letters."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import QEvent, QRect, QSize
+from PySide6.QtGui import QPainter, QPaintEvent
+from PySide6.QtWidgets import QComboBox, QStyle, QStyleOptionComboBox
+
+from widgets.parts.icons import paint_icon
+
+ARROW = 0.8
+"""Width of the arrow, as a part of its room, which the style sheet makes as wide as a line is
+high."""
+
+
+class Combo(QComboBox):
+    """A combo box; the application's style sheet leaves its arrow to it."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self._fit()
+
+    def changeEvent(self, event: QEvent) -> None:
+        super().changeEvent(event)
+        if event.type() == QEvent.Type.FontChange:
+            self._fit()
+
+    def _fit(self) -> None:
+        side = self.fontMetrics().height()
+        self.setIconSize(QSize(side, side))
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        super().paintEvent(event)
+        option = QStyleOptionComboBox()
+        self.initStyleOption(option)
+        room = self.style().subControlRect(
+            QStyle.ComplexControl.CC_ComboBox, option, QStyle.SubControl.SC_ComboBoxArrow, self
+        )
+        side = round(ARROW * min(room.width(), room.height()))
+        place = QRect(0, 0, side, side)
+        place.moveCenter(room.center())
+        painter = QPainter(self)
+        paint_icon(painter, place, "choose", enabled=self.isEnabled())
+        painter.end()
