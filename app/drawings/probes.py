@@ -345,8 +345,8 @@ def pick_in(
     hit = pick(surface.result(), objects, placed, pixel, pixel_ratio)
     if hit is None or (behind is not None and behind.order < hit.order and hit.vertex is None):
         return behind
-    (point,) = placement.placed(np.array([hit.point])).world.tolist()
-    return hit._replace(point=point)
+    ((x, y, z),) = placement.placed(np.array([hit.point])).world.tolist()
+    return hit._replace(point=(x, y, z))
 
 
 def _lines_of(scene: Scene) -> Lines:

@@ -18,9 +18,9 @@ import numpy as np
 from app.arithmetic import double_double as dd
 from app.arithmetic.double_double import DoubleDouble
 from app.arithmetic.rationals import Rationals, product
-from app.model.limits import ONE_OF, Array, Vector, finite_vector, keep_checked, within
+from app.model.limits import ONE_OF, Array, Row, Vector, finite_vector, keep_checked, within
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
-from app.model.tables import Step, evaluated, matrix, rounded
+from app.model.tables import Step, evaluated, inverse, matrix, rounded
 
 Order: TypeAlias = Literal["trs", "rts"]
 ORDERS: tuple[Order, ...] = ("trs", "rts")
@@ -244,6 +244,21 @@ class ObjectTransform:
             sum((a * b for a, b in zip(row, numbers, strict=True)), Fraction(0))
             for row in self.exact[:3]
         )
+
+    def object_from_world(self, homogeneous: Sequence[float]) -> Row:
+        """A point or a direction of the world in the object's coordinates, each rounded once.
+
+        Raises
+        ------
+        Refusal
+            For an object that a scale of 0 has flattened.
+        """
+        numbers = [*map(Fraction, homogeneous)]
+        x, y, z, w = (
+            float(sum((a * b for a, b in zip(row, numbers, strict=True)), Fraction(0)))
+            for row in inverse(FROM_OBJECT, self.exact)
+        )
+        return x, y, z, w
 
     def local_from(self, origin: Vector, target: Vector) -> Array:
         """From the object's coordinates relative to `origin` to the world's relative to `target`.

@@ -219,6 +219,15 @@ def test_sines_and_cosines_have_all_their_bits(angle_deg: float) -> None:
             assert abs(mine - true) < exact.mp.mpf(2) ** -240
 
 
+def test_back_to_the_object_each_number_is_rounded_once() -> None:
+    point = TURNED.placed(np.array([[0.25, 1.0, 2.0]])).world[0]
+    assert TURNED.object_from_world((*point, 1.0)) == (0.25, 1.0, 2.0, 1.0)
+    assert TURNED.object_from_world((0.0, 0.0, 2.0, 0.0)) == (-1.0, 0.0, 0.0, 0.0)
+    with pytest.raises(Refusal) as caught:
+        ObjectTransform(scale=(1.0, 0.0, 1.0)).object_from_world((1.0, 2.0, 3.0, 1.0))
+    assert caught.value.field == "world_from_object"
+
+
 def test_a_scale_of_0_flattens_and_says_what_is_gone() -> None:
     flat = ObjectTransform(rotate_deg=(10.0, 20.0, 30.0), scale=(1.0, 0.0, 1.0))
     assert flat.rank == 2 and ObjectTransform(scale=(0.0, 0.0, 0.0)).rank == 0

@@ -123,3 +123,20 @@ def test_a_vertex_is_picked_where_it_is_seen(window: MainWindow) -> None:
     ((x, y),) = sight.seen([(-5.0, 0.0, 0.0)]).tolist()
     ground = pick_in(scene, projection, sight, (x, y))
     assert ground is not None and ground.point == pytest.approx((-5.0, 0.0, 0.0), abs=1e-5)
+
+
+def test_l2_a_probe_is_read_in_the_objects_coordinates_too(window: MainWindow) -> None:
+    window.panels.open(window.probe_panel)
+    window.probe_panel.follow(point=(2.0, 1.0, 0.0))
+    window.controls.rows["translate_x"].edited.emit(2.0)  # type: ignore[attr-defined]
+    window.controls.rows["rotate_deg_y"].edited.emit(90.0)  # type: ignore[attr-defined]
+    settle()
+
+    def line(row: int) -> list[str]:
+        model = window.probe_panel.table.model()
+        return [str(model.index(row, 1 + part).data()) for part in range(4)]
+
+    assert line(0) == ["0", "1", "0", "1"] and line(1) == ["2", "1", "0", "1"]
+    window.controls.rows["scale_y"].edited.emit(0.0)  # type: ignore[attr-defined]
+    settle()
+    assert "flattened" in line(0)[0] and line(1)[0] == "2"

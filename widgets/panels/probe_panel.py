@@ -472,7 +472,7 @@ class ProbePanel(ReadablePanel):
 
     def _formulas(self, projection: Projection) -> list[tuple[str, str]]:
         """Name and formula of every line, as of `widgets.parts.typeset`."""
-        lens = projection.lens
+        lens, placement = projection.lens, projection.placement
         view = "R (p − e)" if lens.own_view is None else "M p"
         if lens.own_view is None and any(probe.direction for probe in self.probes):
             view = "R (p − w e)"  # of w = 0, a direction, no eye is subtracted
@@ -485,7 +485,7 @@ class ProbePanel(ReadablePanel):
         image = f"(x + 1) {stacked_fraction('W', '2')},  (1 − y) {stacked_fraction('H', '2')}"
         return [
             (self.tr("object"), "p"),
-            (self.tr("world"), "I p"),
+            (self.tr("world"), _WORLD[placement.order] if not placement.is_identity else "I p"),
             (self.tr("view"), view),
             (self.tr("clip"), f"P p_view;  w = {w}"),
             (self.tr("divide"), "÷ w"),
@@ -505,7 +505,7 @@ class ProbePanel(ReadablePanel):
             inside = self.tr("outside of: {0}").format(names)
         else:
             inside = self.tr("inside")
-        lines: _Block = [world, world, view, clip]
+        lines: _Block = [self._of_object(projection, point), world, view, clip]
         if point.in_front:
             lines += [clip[3:] * 3, _cells(point.ndc), _cells(point.image), _cells(point.depth)]
             if at_infinity:
@@ -529,6 +529,13 @@ class ProbePanel(ReadablePanel):
                 why = self.tr("beside the eye: no number is large enough")
             lines += [[why], more, [], []]
         return [*lines, [inside]]
+
+    def _of_object(self, projection: Projection, point: Trace) -> _Line:
+        """Where a point of the world is on the object, wherever that stands."""
+        try:
+            return list(projection.placement.object_from_world(point.world.tolist()))
+        except Refusal:
+            return [self.tr("none: a scale of 0 has flattened the object")]
 
     def _of_ray(self, projection: Projection, probe: Probe) -> _Block:
         """What is in a ray's lines: it has x and y only, and these from the pixel."""
@@ -556,6 +563,7 @@ def _outside_of(point: Trace) -> list[str]:
     return [plane for plane, is_out in zip(PLANES, point.outside.tolist(), strict=True) if is_out]
 
 
+_WORLD = {"trs": "T R S p", "rts": "R T S p"}
 _Line: TypeAlias = list[str | float]
 _Block: TypeAlias = list[_Line]
 """Of a probe, line by line: its numbers, or one text across them."""
