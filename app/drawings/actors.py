@@ -27,7 +27,7 @@ import pyvista as pv
 import vtkmodules.vtkRenderingFreeType
 import vtkmodules.vtkRenderingOpenGL2  # noqa: F401  both register what renders, on import
 from numpy.typing import ArrayLike, NDArray
-from vtkmodules.vtkCommonDataModel import vtkPlane
+from vtkmodules.vtkCommonDataModel import vtkPlane, vtkPolyData
 from vtkmodules.vtkCommonMath import vtkMatrix4x4
 from vtkmodules.vtkRenderingCore import (
     vtkActor,
@@ -51,7 +51,7 @@ CUBE_EDGES = (
 )  # fmt: skip
 """The cube's edges as polylines over `CUBE_CORNERS`: the face at -1, the one at +1, between."""
 
-_NO_LINES = pv.PolyData()
+_NO_LINES = vtkPolyData()
 _DPI = 72  # at which VTK's points are pixels
 _VTK_FONT_FILE = 4
 _KEEP_OFF_ZERO = """
