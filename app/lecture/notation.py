@@ -60,6 +60,16 @@ _SYMBOLS: dict[str, dict[str, str]] = {
 }  # fmt: skip
 
 
+_CHAINS: dict[str, dict[str, str]] = {
+    "001": {
+        "canonical_perspective_from_view": "M_persp",
+        "canonical_parallel_from_canonical_perspective": "M_pp",
+        "depth_range_from_canonical_parallel": "M_z",
+    },
+    "000": {"clip_from_view": "P"},
+}
+"""What a lecture calls the steps of its chain."""
+
 _QUANTITIES: dict[str, dict[str, Ratio]] = {
     lecture: {ours: ratio(parse(its)) for ours, its in terms.items()}
     for lecture, terms in {
@@ -145,6 +155,28 @@ def matrices(
     )
     return tuple(_matrix(stage, names, projection, tables, letters, rows)
                  for stage, names in shown)  # fmt: skip
+
+
+def lecture_name(letters: Letters, name: str, steps: Sequence[str]) -> str:
+    """What a lecture calls a stage, such as ``M_pp``; of `clip_from_view` its chain.
+
+    Parameters
+    ----------
+    letters : Letters
+    name : str
+        ``target_from_source``.
+    steps : sequence of str
+        Names of the stages that are no identity, in their order.
+    """
+    names = _CHAINS.get(letters, {})
+    if name == "clip_from_view" and name not in names:
+        return " ".join(names[step] for step in reversed(steps) if step in names)
+    return names.get(name, "")
+
+
+def is_identity(matrix: Matrix) -> bool:
+    """Whether a matrix is 1: a lecture's chain does without it."""
+    return matrix.formulas == _IDENTITY
 
 
 def letters_in(matrix: Matrix, row: int, column: int) -> Highlight:

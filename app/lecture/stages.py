@@ -42,6 +42,15 @@ STOPS = ("world", "view", "canonical_perspective", "canonical_parallel", "ndc", 
 """The strip's stops in order; a position is an index into them, or between two."""
 WORLD, VIEW, CANONICAL_PERSPECTIVE, CANONICAL_PARALLEL, NDC, IMAGE = range(len(STOPS))
 
+REACHED_BY = (
+    ("world_from_object",),
+    ("view_from_world",),
+    ("canonical_perspective_from_view", "canonical_parallel_from_view"),
+    ("canonical_parallel_from_canonical_perspective",),
+    ("depth_range_from_canonical_parallel", "clip_from_view"),
+    ("image_from_ndc",),
+)
+"""By which matrix each stop is reached: the first of these that a lens has."""
 RADIUS = 1.3
 """Of the ball that holds what is framed at the first two stops, in display space."""
 CLOSED_AT = VIEW + 0.5

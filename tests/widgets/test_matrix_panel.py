@@ -888,7 +888,8 @@ def test_a_vector_is_told_from_the_plane_of_its_letter(
             assert drawn == text.replace(ARROW, "").replace("_", "")
         drawn_bold = [run for _, _, run, font in runs if font.bold()]
         assert len(drawn_bold) == text.count(ARROW) and {len(run) for run in drawn_bold} == {1}
-    latex = as_latex(panel.shown[1], letters, formulas=True)
+    (view,) = (matrix for matrix in panel.shown if matrix.name == "view_from_world")
+    latex = as_latex(view, letters, formulas=True)
     assert r"\vec{" in latex and ARROW not in latex
 
 
@@ -982,3 +983,45 @@ def test_a_cell_that_is_held_while_its_matrix_goes_says_nothing_more(
         shown_at_last(panel, qtbot)
         assert panel._projection.lens.kind == lens  # no error on the way
     QTest.mouseRelease(window.windowHandle(), Qt.MouseButton.LeftButton, pos=cell)
+
+
+def test_l9_the_stage_reached_lights_its_matrix(panel: MatrixPanel) -> None:
+    def lit() -> list[str]:
+        return [
+            matrix.name
+            for matrix, box in zip(panel._shown, panel._boxes, strict=True)
+            if box.title.property("reached")
+        ]
+
+    assert lit() == ["depth_range_from_canonical_parallel"]  # NDC is where the strip starts
+    names = (
+        "world_from_object",
+        "view_from_world",
+        "canonical_perspective_from_view",
+        "canonical_parallel_from_canonical_perspective",
+        "depth_range_from_canonical_parallel",
+        "image_from_ndc",
+    )
+    for stop, name in enumerate(names):
+        panel.show_stage(float(stop))
+        assert lit() == [name]
+    panel.show_stage(2.4)
+    assert lit() == ["canonical_perspective_from_view"]
+
+
+def test_l9_the_chain_is_the_lectures_and_without_identities(panel: MatrixPanel) -> None:
+    panel.letters.setCurrentIndex(panel.letters.findData("001"))
+    panel.letters.activated.emit(panel.letters.currentIndex())
+    panel._readable.changed()
+    titles = {
+        matrix.name: box.title.text()
+        for matrix, box in zip(panel._shown, panel._boxes, strict=True)
+        if box.isVisible()
+    }
+    assert [*titles] == [matrix.name for matrix in panel.shown]
+    assert "world_from_object" not in titles
+    assert titles["clip_from_view"].endswith("= M<sub>z</sub> M<sub>pp</sub> M<sub>persp</sub>")
+    assert titles["depth_range_from_canonical_parallel"].endswith("= M<sub>z</sub>")
+    panel.letters.setCurrentIndex(panel.letters.findData("own"))
+    panel._readable.changed()
+    assert "world_from_object" in {matrix.name for matrix in panel.shown}

@@ -12,6 +12,7 @@ Nothing is computed while the panel is folded. A drag counts as one change of th
 
 from __future__ import annotations
 
+import re
 import textwrap
 from collections.abc import Sequence
 from functools import partial
@@ -51,9 +52,12 @@ from app.lecture.notation import (
     cell_sign,
     cell_text,
     has_own_signs,
+    is_identity,
+    lecture_name,
     matrices,
     written,
 )
+from app.lecture.stages import NDC, REACHED_BY
 from app.lecture.typed_matrix import EDITABLE, properties, with_cell
 from app.model.formula import ARROW
 from app.model.projection import Projection
@@ -154,6 +158,7 @@ class MatrixPanel(ReadablePanel):
         """Whose cell the explanation is about."""
         self._gap: QSpacerItem | None = None
         """Keeps a matrix in its place whose neighbours have gone."""
+        self._stop = NDC
         self._earlier: tuple[object, tuple[Matrix, ...]] = (None, ())
         digits.changed.connect(self._readable.changed)
         self._lay_out()
@@ -387,7 +392,7 @@ class MatrixPanel(ReadablePanel):
     @property
     def shown(self) -> tuple[Matrix, ...]:
         """The matrices that are shown."""
-        return self._shown
+        return tuple(matrix for matrix in self._shown if self._is_written(matrix))
 
     @property
     def views(self) -> dict[str, MatrixView]:
@@ -422,10 +427,14 @@ class MatrixPanel(ReadablePanel):
             title = stage_title(matrix.name)
             if properties(self._projection, matrix.name):
                 title = self.tr("{0}, a free matrix").format(title)
-            box.title.setText(title)
+            steps = [each.name for each in self.shown if not each.product]
+            called = lecture_name(self._letters, matrix.name, steps)
+            called = re.sub(r"_([a-z]+)", r"<sub>\1</sub>", called)
+            box.title.setText(f"{title} = {called}" if called else title)
             factors_of = (f"({stage_title(name)})" for name in matrix.product)
             box.title.setToolTip(" = ".join([stage_title(matrix.name), " · ".join(factors_of)])
                                  if matrix.product else stage_title(matrix.name))  # fmt: skip
+            box.setVisible(self._is_written(matrix))
             note = self._note(matrix)
             old = before.get(matrix.name)
             box.view.show_matrix(matrix, old, **settings)
@@ -442,6 +451,7 @@ class MatrixPanel(ReadablePanel):
                 view.show_matrix(
                     matrix.factors[number], factors[number] if factors else None, **settings
                 )
+        self._light_reached(in_view=False)
         if anew and in_hand is not None and in_hand[0] in self.views:
             name, left_px, cell = in_hand
             self._keep_in_place(self.views[name], left_px)
@@ -461,6 +471,31 @@ class MatrixPanel(ReadablePanel):
         return matrices(
             projection, self._letters, rows=self._rows, running=self.running.isChecked()
         )
+
+    def _is_written(self, matrix: Matrix) -> bool:
+        """Whether it is there in these letters: a lecture writes no identity into its chain."""
+        return self._letters == "own" or not is_identity(matrix)
+
+    def show_stage(self, position: float) -> None:
+        """Light the matrix by which the stage strip has come where it stands."""
+        stop = int(position + 0.5)
+        if stop != self._stop:
+            self._stop = stop
+            self._light_reached(in_view=True)
+
+    def _light_reached(self, *, in_view: bool) -> None:
+        names = [matrix.name for matrix in self._shown]
+        reached = next((name for name in REACHED_BY[self._stop] if name in names), "")
+        for name, box in zip(names, self._boxes, strict=True):
+            is_reached = name == reached
+            if bool(box.title.property("reached")) != is_reached:
+                box.title.setProperty("reached", is_reached)
+                box.title.setAccessibleDescription(
+                    self.tr("the stage strip stands here") if is_reached else ""
+                )
+                box.title.style().polish(box.title)
+            if is_reached and in_view and self.isVisible():
+                self._scroll.ensureWidgetVisible(box, 8, 0)
 
     def _close_gap(self) -> None:
         if self._gap is not None:
@@ -621,7 +656,7 @@ class MatrixPanel(ReadablePanel):
         QGuiApplication.clipboard().setText(self._written_out(form, matrix))
 
     def _copy_all(self, form: str) -> None:
-        text = "\n".join(self._written_out(form, matrix) for matrix in self._shown)
+        text = "\n".join(self._written_out(form, matrix) for matrix in self.shown)
         QGuiApplication.clipboard().setText(text)
 
     def _written_out(self, form: str, matrix: Matrix) -> str:

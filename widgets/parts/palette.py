@@ -33,6 +33,7 @@ _COLOURS = (  # role, light, dark
 
 _STYLE_SHEET = """
 #paneTitle {{ font-weight: 600; }}
+#paneTitle[reached="true"] {{ color: {on_accent}; background: {accent}; border-radius: 3px; }}
 #cardTitle {{ font-size: {large:.0f}px; font-weight: 600; }}
 #startCard {{ background: {veil}; }}
 #card, #firstSteps {{ background: {window}; border: 1px solid {line}; border-radius: 6px; }}

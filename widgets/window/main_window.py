@@ -418,6 +418,7 @@ class MainWindow(QMainWindow):
         self.frame_panel.step_changed.connect(self.panes["world"].show_step)
         strip.moved.connect(ndc.show_stage)
         strip.named.connect(ndc.set_title)
+        strip.moved.connect(self.matrices.show_stage)
         strip.gesture_started.connect(partial(self.look.refine, "ndc", False))
         strip.gesture_finished.connect(partial(self.look.refine, "ndc", True))
         self.history.rested.connect(self.look.rest)
