@@ -203,7 +203,7 @@ def test_many_segments_are_cut_as_each_alone() -> None:
     assert clip_segments(np.empty((0, 4)), np.empty((0, 4))).points_clip.shape == (0, 2, 4)
 
 
-def test_each_plane_cuts_where_its_name_says() -> None:
+def test_l15_each_plane_cuts_where_its_name_says() -> None:
     """A ray from the cube's centre to beyond each face, for every range of z."""
     for depth, (z_near, z_far) in DEPTH_RANGES.items():
         centre = np.array([0.0, 0.0, (z_near + z_far) / 2.0, 1.0])
@@ -528,7 +528,7 @@ def test_an_impossible_polygon_is_named(polygon: object) -> None:
 # --------------------------------------------------------------------------- lecture 004
 
 
-def test_lecture_004_four_cases() -> None:
+def test_l16_004_four_cases() -> None:
     """1 both in front, 2 both behind, 3 from behind to the front, 4 from the front to behind."""
     front, back = (1.0, 2.0, -3.0), (5.0, 0.0, 1.0)
     got = cut_at_eye([front, back, back, front], [front, back, front, back])
@@ -540,7 +540,7 @@ def test_lecture_004_four_cases() -> None:
     assert got.points_view[2, 0].tolist() == got.points_view[3, 1].tolist()
 
 
-def test_lecture_004_the_point_of_the_cut() -> None:
+def test_l16_004_the_point_of_the_cut() -> None:
     """(0, 0, 1) to (4, 2, -3): t = (1 + 0.01)/(1 + 3) = 0.2525, x = 1.01, y = 0.505."""
     got = cut_at_eye((0.0, 0.0, 1.0), (4.0, 2.0, -3.0))
     assert got.case == 3
@@ -557,7 +557,7 @@ def test_lecture_004_on_the_cut_itself_is_in_front() -> None:
     assert huge.points_view[0].tolist() == [5e299, 0.0, EYE_Z]
 
 
-def test_lecture_004_cut_draws_what_clipping_draws() -> None:
+def test_l16_004_cut_draws_what_clipping_draws() -> None:
     """With near = 0.01 the lecture's plane is the near plane: the same ends on the picture."""
     lens = Projection(Camera((0, 0, 0), (0, 0, -1)), Perspective(60.0, 0.01, 40.0))
     rng = np.random.default_rng(3)

@@ -54,7 +54,7 @@ def homogeneous(points: Array) -> Array:
 # --------------------------------------------------------------------------- 000
 
 
-def test_000_1_points_land_on_the_plane_at_distance_d() -> None:
+def test_l5_000_1_points_land_on_the_plane_at_distance_d() -> None:
     for lens in (SYMMETRIC, OFF_AXIS):
         projection = Projection(ORIGIN, lens)
         d = lens.near
@@ -69,7 +69,7 @@ def test_000_1_points_land_on_the_plane_at_distance_d() -> None:
         np.testing.assert_allclose(found, [x_p, y_p], rtol=1e-13, atol=1e-14)
 
 
-def test_000_2_and_3_the_plane_s_matrices_are_the_same_up_to_a_factor() -> None:
+def test_l5_000_2_and_3_the_plane_s_matrices_are_the_same_up_to_a_factor() -> None:
     """The matrix with -1/d and the one with d on its diagonal; ours has w = -z as (3) has."""
     d = SYMMETRIC.near
     equation_2 = np.eye(4)
@@ -88,7 +88,7 @@ def test_000_2_and_3_the_plane_s_matrices_are_the_same_up_to_a_factor() -> None:
 
 
 @pytest.mark.parametrize("lens", [OFF_AXIS, Orthographic(*SIDES, 1.0, 30.0)])
-def test_000_5_to_8_the_window_goes_to_minus_1_and_1(lens: Frustum | Orthographic) -> None:
+def test_l6_000_5_to_8_the_window_goes_to_minus_1_and_1(lens: Frustum | Orthographic) -> None:
     x, y, z = POINTS.T
     (x_min, x_max, y_min, y_max), z_min = SIDES, lens.near
     if lens.parallel:  # (5) and (7)
@@ -101,7 +101,7 @@ def test_000_5_to_8_the_window_goes_to_minus_1_and_1(lens: Frustum | Orthographi
     np.testing.assert_allclose(ndc[:, :2], np.column_stack([x_new, y_new]), rtol=1e-13, atol=1e-15)
 
 
-def test_000_9_to_11_an_affine_z_bends_lines_and_ours_does_not() -> None:
+def test_l8_000_9_to_11_an_affine_z_bends_lines_and_ours_does_not() -> None:
     projection = Projection(ORIGIN, OFF_AXIS)
     near, far = OFF_AXIS.near, OFF_AXIS.far
     a, b = np.array((-0.2, -0.9, -2.0)), np.array((6.0, -9.0, -28.0))
@@ -122,7 +122,7 @@ def test_000_9_to_11_an_affine_z_bends_lines_and_ours_does_not() -> None:
     np.testing.assert_allclose(z_clip, -A * on_line[:, 2] ** 2 - B * on_line[:, 2], rtol=1e-12)
 
 
-def test_000_a_and_b_of_12_from_their_two_equations() -> None:
+def test_l8_000_a_and_b_of_12_from_their_two_equations() -> None:
     for lens in (SYMMETRIC, OFF_AXIS):
         z_min, z_max = lens.near, lens.far
         a, b = np.linalg.solve([[-1.0, 1.0 / z_min], [-1.0, 1.0 / z_max]], [-1.0, 1.0])
@@ -137,7 +137,7 @@ def test_000_a_and_b_of_12_from_their_two_equations() -> None:
 
 
 @pytest.mark.parametrize("lens", [SYMMETRIC, Perspective(150.0, 0.5, 2.0), OFF_AXIS])
-def test_000_13_the_perspective_matrix(lens: Lens) -> None:
+def test_l6_000_13_the_perspective_matrix(lens: Lens) -> None:
     projection = Projection(SLANTED, lens)
     (x_min, x_max, y_min, y_max), z_min, z_max = projection.window, lens.near, lens.far
     lecture = [
@@ -158,7 +158,7 @@ def test_000_13_the_perspective_matrix(lens: Lens) -> None:
 )
 @example((-1.0, -9.0), (8.0, 12.0), 1280, 720, Frustum)  # off-centre: Y's slip shows only there
 @QUICK
-def test_000_variants_x_and_y_keep_the_proportions(
+def test_l7_000_variants_x_and_y_keep_the_proportions(
     low: tuple[float, float],
     extent: tuple[float, float],
     w: int,
@@ -194,7 +194,7 @@ PYRAMIDS: dict[str, Lens] = {
 }
 
 
-def test_001_the_camera_frame() -> None:
+def test_l1_001_the_camera_frame() -> None:
     """w = -look, v = up without its w part, u = v x w; 004's u, v, n in another order."""
     look = np.subtract(SLANTED.target, SLANTED.eye)
     up = np.array(SLANTED.up)
@@ -204,7 +204,7 @@ def test_001_the_camera_frame() -> None:
     np.testing.assert_allclose(SLANTED.frame, [np.cross(v, w), v, w], atol=1e-15)
 
 
-def test_001_points_of_the_far_face() -> None:
+def test_l4_001_points_of_the_far_face() -> None:
     """A, B and C: the far face's centre, and the middles of its right and upper edge."""
     lens = SYMMETRIC
     projection = Projection(SLANTED, lens, (1280, 720))
@@ -227,7 +227,7 @@ def test_001_points_of_the_far_face() -> None:
     np.testing.assert_allclose(image, homogeneous(np.array(expected)), atol=1e-13)
 
 
-def test_001_m_persp() -> None:
+def test_l9_001_m_persp() -> None:
     lens = SYMMETRIC
     projection = Projection(SLANTED, lens, (1280, 720))
     f, theta_v = lens.far, math.radians(lens.fov_y_deg)
@@ -242,7 +242,7 @@ def test_001_m_persp() -> None:
 
 
 @pytest.mark.parametrize("lens", PYRAMIDS.values(), ids=PYRAMIDS)
-def test_001_m_pp_and_its_check_of_the_corner(lens: Lens) -> None:
+def test_l9_001_m_pp_and_its_check_of_the_corner(lens: Lens) -> None:
     n, f = lens.near, lens.far
     c = -n / f
     m_pp = stages(Projection(SLANTED, lens))["canonical_parallel_from_canonical_perspective"]
@@ -263,7 +263,7 @@ def test_001_m_pp_and_its_check_of_the_corner(lens: Lens) -> None:
             np.testing.assert_allclose(far / far[3], [x, y, -1.0, 1.0], atol=1e-13)
 
 
-def test_001_m_pp_of_an_infinite_pyramid_is_its_limit() -> None:
+def test_l9_001_m_pp_of_an_infinite_pyramid_is_its_limit() -> None:
     """Scaled by near, which lies at z = -1; c would be 0, and the whole pyramid with it."""
     projection = Projection(SLANTED, Perspective(45.0, 2.0, math.inf))
     found = stages(projection)
@@ -276,7 +276,7 @@ def test_001_m_pp_of_an_infinite_pyramid_is_its_limit() -> None:
     assert (found[to_pyramid] @ [0.0, 0.0, -2.0, 1.0])[2] == -1.0
 
 
-def test_001_m_z() -> None:
+def test_l9_001_m_z() -> None:
     for lens in (*PYRAMIDS.values(), Orthographic(), Oblique()):
         m_z = stages(Projection(SLANTED, lens))["depth_range_from_canonical_parallel"]
         np.testing.assert_array_equal(
@@ -292,7 +292,7 @@ def test_001_m_z() -> None:
 
 @pytest.mark.parametrize("depth", ["opengl", "direct3d", "reversed"])
 @pytest.mark.parametrize("lens", PYRAMIDS.values(), ids=PYRAMIDS)
-def test_001_m_z_m_pp_m_persp_is_the_clip_matrix(lens: Lens, depth: str) -> None:
+def test_l9_001_m_z_m_pp_m_persp_is_the_clip_matrix(lens: Lens, depth: str) -> None:
     projection = Projection(SLANTED, lens, depth=depth)
     found = stages(projection)
     m_z = found["depth_range_from_canonical_parallel"]
@@ -304,7 +304,7 @@ def test_001_m_z_m_pp_m_persp_is_the_clip_matrix(lens: Lens, depth: str) -> None
     np.testing.assert_allclose(lens.far * whole, clip, rtol=1e-12, atol=1e-12 * np.abs(clip).max())
 
 
-def test_001_a_parallel_volume_needs_no_m_pp() -> None:
+def test_l10_001_a_parallel_volume_needs_no_m_pp() -> None:
     for lens in (Orthographic(*SIDES, 1.0, 30.0), Oblique(*SIDES, -2.0, 30.0)):
         projection = Projection(ORIGIN, lens)
         found = {stage.name: stage for stage in projection.stages}
@@ -352,14 +352,14 @@ REVERSED_Z = np.diag([1.0, 1.0, -1.0, 1.0])
 
 
 @pytest.mark.parametrize(("near", "far"), NEAR_AND_FAR)
-def test_002_p_ort(near: float, far: float) -> None:
+def test_l10_002_p_ort(near: float, far: float) -> None:
     found = Projection(ORIGIN, Orthographic(*SIDES, near, far)).clip_from_view
     np.testing.assert_allclose(found, REVERSED_Z @ p_ort(*SIDES, -near, -far), rtol=1e-14)
 
 
 @pytest.mark.parametrize(("near", "far"), NEAR_AND_FAR)
 @pytest.mark.parametrize(("alpha_deg", "beta_deg"), [(110.0, 75.0), (45.0, 90.0), (90.0, 163.0)])
-def test_002_h_and_p_obl(near: float, far: float, alpha_deg: float, beta_deg: float) -> None:
+def test_l11_002_h_and_p_obl(near: float, far: float, alpha_deg: float, beta_deg: float) -> None:
     z_n = -near
     cot_alpha, cot_beta = 1 / np.tan(np.radians([alpha_deg, beta_deg]))
     h = np.array(
@@ -379,7 +379,7 @@ def test_002_h_and_p_obl(near: float, far: float, alpha_deg: float, beta_deg: fl
 
 
 @pytest.mark.parametrize(("near", "far"), NEAR_AND_FAR)
-def test_002_perspective_is_ours_times_minus_1_with_z_reversed(near: float, far: float) -> None:
+def test_l6_002_perspective_is_ours_times_minus_1_with_z_reversed(near: float, far: float) -> None:
     sides = (-0.8, 0.8, -0.3, 0.3)
     ours = Projection(ORIGIN, Frustum(*sides, near, far)).clip_from_view
     np.testing.assert_allclose(
@@ -396,7 +396,7 @@ def test_002_perspective_is_ours_times_minus_1_with_z_reversed(near: float, far:
 
 
 @pytest.mark.parametrize(("near", "far"), NEAR_AND_FAR)
-def test_002_off_axis_perspective_is_h_and_then_the_symmetric_one(near: float, far: float) -> None:
+def test_l11_002_off_axis_perspective_is_h_and_then_the_symmetric_one(near: float, far: float) -> None:
     """H moves the window's middle onto the axis: cot(alpha) is its x over near."""
     x_l, x_r, y_b, y_t = SIDES
     lens = Frustum(*SIDES, near, far)
@@ -415,7 +415,7 @@ def test_002_off_axis_perspective_is_h_and_then_the_symmetric_one(near: float, f
     np.testing.assert_allclose(dict(stage.factors)["shear"], h, atol=1e-16)
 
 
-def test_002_off_axis_perspective_is_h_and_then_ortho() -> None:
+def test_l11_002_off_axis_perspective_is_h_and_then_ortho() -> None:
     """The route by the parallel box: H, the perspective map to the box, then P_ort."""
     near, far = OFF_AXIS.near, OFF_AXIS.far
     x_l, x_r, y_b, y_t = SIDES
@@ -428,7 +428,7 @@ def test_002_off_axis_perspective_is_h_and_then_ortho() -> None:
     np.testing.assert_allclose(box @ to_box @ h, expected, rtol=1e-13, atol=1e-14)
 
 
-def test_002_a_direction_is_a_point_at_infinity() -> None:
+def test_l13_002_a_direction_is_a_point_at_infinity() -> None:
     corners = corners_world(Projection(ORIGIN, Perspective(90.0, 1.0, math.inf), (100, 100)))
     np.testing.assert_array_equal(corners[4:, 3], 0.0)
     np.testing.assert_allclose(corners[6, :3] / -corners[6, 2], [1.0, 1.0, -1.0], rtol=1e-15)
@@ -436,7 +436,7 @@ def test_002_a_direction_is_a_point_at_infinity() -> None:
 
 @given(st.floats(-1, 1), st.floats(-1, 1), st.integers(1, 16384), st.integers(1, 16384))
 @QUICK
-def test_002_viewport(x_norm: float, y_norm: float, width: int, height: int) -> None:
+def test_l14_002_viewport(x_norm: float, y_norm: float, width: int, height: int) -> None:
     matrix = Projection(image_size=(width, height)).image_from_ndc
     x_win, y_win = width / 2 * (x_norm + 1), height / 2 * (1 - y_norm)
     image = matrix @ [x_norm, y_norm, 0.0, 1.0]
@@ -446,7 +446,7 @@ def test_002_viewport(x_norm: float, y_norm: float, width: int, height: int) -> 
 # --------------------------------------------------------------------------- 003
 
 
-def test_003_similar_triangles_to_ndc() -> None:
+def test_l5_003_similar_triangles_to_ndc() -> None:
     (left, right, bottom, top), n = SIDES, OFF_AXIS.near
     x_eye, y_eye, z_eye = POINTS.T
     x_p, y_p = n * x_eye / -z_eye, n * y_eye / -z_eye
@@ -460,7 +460,7 @@ def test_003_similar_triangles_to_ndc() -> None:
 
 
 @pytest.mark.parametrize("lens", [SYMMETRIC, Perspective(150.0, 0.5, 2.0), OFF_AXIS])
-def test_003_perspective_matrix_with_its_a_and_b(lens: Lens) -> None:
+def test_l6_003_perspective_matrix_with_its_a_and_b(lens: Lens) -> None:
     projection = Projection(SLANTED, lens)
     (left, right, bottom, top), n, f = projection.window, lens.near, lens.far
     # (A z + B)/(-z) = -1 at z = -n and 1 at z = -f
@@ -479,7 +479,7 @@ def test_003_perspective_matrix_with_its_a_and_b(lens: Lens) -> None:
 @given(st.floats(0.5, 179.0), st.integers(1, 16384), st.integers(1, 16384))
 @example(53.13010235415598, 100, 100)  # e = 2
 @QUICK
-def test_003_focal_length_e_and_its_frustum(fov_y_deg: float, width: int, height: int) -> None:
+def test_l3_003_focal_length_e_and_its_frustum(fov_y_deg: float, width: int, height: int) -> None:
     """glFrustum's left and right are -n/e and n/e, bottom and top -a n/e and a n/e."""
     n, a = 0.75, height / width  # the lecture's a is height over width
     lens = Perspective(fov_y_deg, n, 30.0)
@@ -496,7 +496,7 @@ def test_003_focal_length_e_and_its_frustum(fov_y_deg: float, width: int, height
     assert fov_y_from_window(window[3], n) == pytest.approx(fov_y_deg, rel=1e-12)
 
 
-def test_003_orthographic_matrix_without_its_slip() -> None:
+def test_l10_003_orthographic_matrix_without_its_slip() -> None:
     left, right, bottom, top, n, f = -1.0, 7.0, -9.0, 3.0, -2.0, 5.0
     projection = Projection(lens=Orthographic(left, right, bottom, top, n, f))
     lecture = [
@@ -511,7 +511,7 @@ def test_003_orthographic_matrix_without_its_slip() -> None:
 # --------------------------------------------------------------------------- 004
 
 
-def test_004_look_at_and_the_view_matrix() -> None:
+def test_l1_004_look_at_and_the_view_matrix() -> None:
     camera = SLANTED
     x0, y0, z0 = camera.eye
     n_vector = np.subtract(camera.eye, camera.target)
@@ -534,7 +534,7 @@ def test_004_look_at_and_the_view_matrix() -> None:
     np.testing.assert_allclose(projection.view_from_world, product, atol=1e-14)
 
 
-def test_004_pixels_by_scale_and_shift() -> None:
+def test_l14_004_pixels_by_scale_and_shift() -> None:
     """u = s_x x_p + p_x with s_x pixels per unit of the plane at distance d, as 004 draws."""
     projection = Projection(ORIGIN, SYMMETRIC, (1280, 720))
     _, right, _, top = projection.window

@@ -103,7 +103,7 @@ def test_both_distances_at_the_principal_ray_are_a_gap_apart() -> None:
     assert (RAMP[0] - moved).tolist() == pytest.approx((0.25 * n).tolist())
 
 
-def test_the_smallest_gap_at_the_target_is_the_lectures() -> None:
+def test_l17_the_smallest_gap_at_the_target_is_the_lectures() -> None:
     """w^2/(n 2^24) for 24 bits and far >> near; the same for 16; none beyond far."""
     camera = Camera((0.0, 6.0, 12.0), (0.0, 2.0, -10.0), (0.0, 1.0, 0.0))
     for near in (0.01, 0.03, 0.1, 0.3):

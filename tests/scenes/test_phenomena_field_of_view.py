@@ -92,7 +92,7 @@ def test_every_preset_and_every_ride_keeps_the_size(preset: str) -> None:
         assert np.allclose(ridden.camera.frame, seen.camera.frame, atol=1e-12)
 
 
-def test_the_lectures_numbers() -> None:
+def test_l20_the_lectures_numbers() -> None:
     """One unit is 10 cm: 30 cm are 3, 360 cm are 36; across 120, 30 and 5 degrees."""
     wide = preset_view("wide", 16 / 9)
     assert wide.distance == 3.0

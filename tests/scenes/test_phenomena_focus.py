@@ -111,7 +111,7 @@ def test_the_limits_are_where_traced_discs_are_as_large_as_the_circle_of_confusi
     assert 5 < infinite < 45
 
 
-def test_by_hand() -> None:
+def test_l24_by_hand() -> None:
     """A 50-mm lens at f/2, focused at 10 m, c = 0.025 mm: H = 2500/0.05 + 50 mm = 50.05 m.
 
     Near: 10 x 50/(50 + 9.95) = 8.3403 m; far: 10 x 50/(50 - 9.95) = 12.4844 m.

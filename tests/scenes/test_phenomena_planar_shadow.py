@@ -109,7 +109,7 @@ def test_shadow_and_count_are_the_ray_s() -> None:
 
 
 @pytest.mark.parametrize("kind", ["point", "sun"])
-def test_s_is_what_the_formula_beside_it_says(kind: str) -> None:
+def test_l19_s_is_what_the_formula_beside_it_says(kind: str) -> None:
     """From the numbers in the sentence alone: (p L) I - L p^T."""
     light, height = (1.25, 2.125, -3.375), -2.5
     illustration = show(kind=kind, light=light, height=height)
@@ -136,7 +136,7 @@ def test_p_and_its_shadow_are_marked_where_the_picture_shows_them() -> None:
         assert len(illustration.world.dots) == 3
 
 
-def test_by_hand() -> None:
+def test_l19_by_hand() -> None:
     """The light at (0, 4, 0) over y = 0: (1, 2, 1) is half way up, its shadow twice as far."""
     matrix = shadow_matrix(np.array([0.0, 4.0, 0.0, 1.0]), 0.0)
     assert (matrix @ [1.0, 2.0, 1.0, 1.0]).tolist() == [4.0, 0.0, 4.0, 2.0]

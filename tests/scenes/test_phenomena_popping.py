@@ -60,7 +60,7 @@ def with_fov(projection: Projection, factor: float) -> Projection:
     return replace(projection, lens=replace(lens, fov_y_deg=factor * lens.fov_y_deg))
 
 
-def test_as_many_pop_in_as_a_drive_counts() -> None:
+def test_l23_as_many_pop_in_as_a_drive_counts() -> None:
     """50 cameras, half of them looking up or down: a row counts if a point of a tree passes far.
 
     Points of a tree are places on its faces; over one spacing every row has had its turn. They are

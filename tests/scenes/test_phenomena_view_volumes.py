@@ -42,7 +42,7 @@ def test_volumes_are_the_sections_integrals_for_fifty_random_lenses() -> None:
         assert found is not None and found == pytest.approx(float(expected), rel=1e-13)
 
 
-def test_volumes_by_hand() -> None:
+def test_l4_volumes_by_hand() -> None:
     """Near 3, far 13, 45 degrees up and across: base 1 at distance 1 is (2 tan 22.5)^2."""
     seen = Projection(PHENOMENON.start.camera, Frustum(-3.0, 3.0, -3.0, 3.0, 3.0, 13.0))
     # A pyramid with slopes 1: side 6 at 3, 26 at 13; 4 (13^3 - 3^3)/3 = 4 * 2170/3.

@@ -91,7 +91,7 @@ def outside(projection: Projection, points: Any) -> bool:
 # --------------------------------------------------------------------------- built-in scenes
 
 
-def test_letter_f_is_eight_unit_cubes_without_the_faces_between_them() -> None:
+def test_l22_letter_f_is_eight_unit_cubes_without_the_faces_between_them() -> None:
     f = load("letter-f")
     drawn = faces(f)
     # 8 cubes x 6 faces, less 2 for each of the 7 touching pairs (4 in the stem, 2 + 1 in the arms)
