@@ -332,7 +332,8 @@ def test_l7_l16_l18_l20_are_one_click_away_in_their_scenes_and_large(window: Mai
         show_scene(window, scene)
         window.slots.arrange("pictures", window.slots.leading)
         (button,) = window.controls.card.comparisons
-        assert button.text() == f"Compare: {', '.join(names)}"
+        assert button.text() == " | ".join(names)
+        assert button.accessibleName() == f"Compare: {', '.join(names)}"
         click(button)
         compare = window.comparing.pictures
         assert window.slots.large == "image" and words(window) == said

@@ -54,6 +54,8 @@ class Divider(QWidget):
     """The mouse has it at this place, in pixels from the left of what it divides."""
     stepped = Signal(float)
     """A key moves it by this part of the picture's width; beyond 1 to an end."""
+    left = Signal()
+    """Esc was pressed on it."""
 
     def __init__(self, surface: QWidget) -> None:
         super().__init__(surface)
@@ -86,6 +88,8 @@ class Divider(QWidget):
             self.stepped.emit(ARROWS[key][0] * KEY_STEP * finer)
         elif key in (Qt.Key.Key_Home, Qt.Key.Key_End):
             self.stepped.emit(-2.0 if key == Qt.Key.Key_Home else 2.0)
+        elif key == Qt.Key.Key_Escape:
+            self.left.emit()  # also in a window of the pane's own
         else:
             super().keyPressEvent(event)
 
@@ -314,6 +318,7 @@ class Compare(QObject):
             handle = Divider(self._pane.surface)
             number = len(self.handles)
             handle.moved.connect(lambda x, number=number: self._drag(number, x))
+            handle.left.connect(self.end_wanted)
             handle.stepped.connect(lambda part, number=number: self._step(number, part))
             self.handles.append(handle)
         for number, handle in enumerate(self.handles):
