@@ -288,6 +288,7 @@ class Compare(QObject):
         row.addWidget(self.way)
         row.addWidget(self.end)
         self.bar.hide()
+        self._name_way()
         self._pane.add_below(self.bar)
 
     @property
