@@ -355,9 +355,14 @@ class SceneCard(QWidget):
         self.comparisons = []
         for comparison in comparisons:
             button = QToolButton()
-            names = ", ".join(of_phenomena(name) for name, _ in comparison.pictures)
-            button.setText(self.tr("Compare: {0}").format(names))
-            button.setToolTip(self.tr("Show these pictures beside each other, in large"))
+            names = " | ".join(of_phenomena(name) for name, _ in comparison.pictures)
+            button.setText(names)
+            about = self.tr("Compare: {0}").format(names.replace(" | ", ", "))
+            button.setAccessibleName(about)
+            button.setToolTip(
+                f"{about}\n{self.tr('Show these pictures beside each other, in large')}"
+            )
+            button.setMinimumWidth(1)  # it widens no dock
             button.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
             show_icon(button, "compare")
             button.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)

@@ -28,8 +28,7 @@ from PySide6.QtGui import (
 )
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QSizePolicy, QToolButton, QWidget
 
-from app.document.compare import Held, Picture, differences
-from app.document.document import Document
+from app.document.compare import Picture, differences
 from app.drawings.side_by_side import cells
 from app.model.refusal import Refusal
 from app.scenes.phenomena import PHENOMENA
@@ -55,6 +54,8 @@ class Divider(QWidget):
     """The mouse has it at this place, in pixels from the left of what it divides."""
     stepped = Signal(float)
     """A key moves it by this part of the picture's width; beyond 1 to an end."""
+    left = Signal()
+    """Esc was pressed on it."""
 
     def __init__(self, surface: QWidget) -> None:
         super().__init__(surface)
@@ -87,6 +88,8 @@ class Divider(QWidget):
             self.stepped.emit(ARROWS[key][0] * KEY_STEP * finer)
         elif key in (Qt.Key.Key_Home, Qt.Key.Key_End):
             self.stepped.emit(-2.0 if key == Qt.Key.Key_Home else 2.0)
+        elif key == Qt.Key.Key_Escape:
+            self.left.emit()  # also in a window of the pane's own
         else:
             super().keyPressEvent(event)
 
@@ -120,14 +123,16 @@ class _Other(QWidget):
     ----------
     picture : Picture
     pane : Pane
-    state : Held or None
+    shown : Shown or None
         What it shows; None while there is no such picture of the document.
+    why : QLabel
+        Then it says why.
     """
 
     def __init__(self, pane: Pane, picture: Picture) -> None:
         super().__init__(pane.surface)
         self.setAttribute(Qt.WidgetAttribute.WA_NoMousePropagation)
-        self.picture, self.state = picture, Held(Document().projection)
+        self.picture = picture
         self._of = pane
         self.pane = pane.another(f"{pane.name}: {picture.name}")
         self.pane.setFrameShape(Pane.Shape.NoFrame)
@@ -138,12 +143,12 @@ class _Other(QWidget):
         self.pane.canvas.setMinimumSize(1, 1)
         self.pane.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
         self.pane.setParent(self)
-        self._why = QLabel(self)
-        self._why.setAlignment(Qt.AlignmentFlag.AlignCenter)
-        self._why.setWordWrap(True)
-        self._why.setAutoFillBackground(True)
-        self._why.setTextFormat(Qt.TextFormat.PlainText)
-        self._why.hide()
+        self.why = QLabel(self)
+        self.why.setAlignment(Qt.AlignmentFlag.AlignCenter)
+        self.why.setWordWrap(True)
+        self.why.setAutoFillBackground(True)
+        self.why.setTextFormat(Qt.TextFormat.PlainText)
+        self.why.hide()
         self.shown: Shown | None = None
 
     def refresh(self, shown: Shown, smoothing: str) -> None:
@@ -152,7 +157,7 @@ class _Other(QWidget):
             document = shown.document.pictured(self.picture)
         except Refusal as error:
             self.shown = None
-            self._why.setText(sentence(error))
+            self.why.setText(sentence(error))
         else:
             before = self.shown
             if before is None or before.scene is not shown.scene or before.document != document:
@@ -162,14 +167,14 @@ class _Other(QWidget):
             if self._of.canvas.is_open and not self.pane.canvas.is_open:
                 self.pane.open()
             self.pane.draw_like(self._of, self.shown, at_rest=at_rest)
-        self._why.setVisible(self.shown is None)
+        self.why.setVisible(self.shown is None)
 
     def place(self, cut: QRect, whole: QRect) -> None:
         """Be seen in one rectangle of the surface, of a pane that has another."""
         self.setGeometry(cut)
         self.pane.setGeometry(whole.translated(-cut.topLeft()))
         self.pane.surface.fit()
-        self._why.setGeometry(self.rect())
+        self.why.setGeometry(self.rect())
         self.setVisible(not cut.isEmpty())
 
     def close_canvas(self) -> None:
@@ -283,6 +288,7 @@ class Compare(QObject):
         row.addWidget(self.way)
         row.addWidget(self.end)
         self.bar.hide()
+        self._name_way()
         self._pane.add_below(self.bar)
 
     @property
@@ -313,6 +319,7 @@ class Compare(QObject):
             handle = Divider(self._pane.surface)
             number = len(self.handles)
             handle.moved.connect(lambda x, number=number: self._drag(number, x))
+            handle.left.connect(self.end_wanted)
             handle.stepped.connect(lambda part, number=number: self._step(number, part))
             self.handles.append(handle)
         for number, handle in enumerate(self.handles):

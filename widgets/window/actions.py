@@ -145,12 +145,12 @@ class Actions(QObject):
         self.pointer.setCheckable(True)
         self.pointer.setEnabled(False)
         self.compare = self._action(
-            self.tr("&Compare with this picture"), None, "F6",
+            self.tr("Co&mpare with this picture"), None, "F6",
             self.tr("Hold the picture as it is and compare it with what comes; again, end that"),
         )  # fmt: skip
         self.compare.setCheckable(True)
         self.compare_way = self._action(
-            self.tr("Compared side &by side, or over each other"), None, "Shift+F6"
+            self.tr("Compared s&ide by side, or over each other"), None, "Shift+F6"
         )
         self.compare_way.setEnabled(False)
         self.show_cost = self._toggle(self.tr("&Show cost"), self.cost_shown, False)

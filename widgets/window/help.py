@@ -97,6 +97,12 @@ class Help(QObject):
                 ),
             ),
             self.tr("The picture in the image pane"): (
+                (_key("F6"), self.tr("Hold it and compare it with what comes; again, end that")),
+                (_key("Shift+F6"), self.tr("What is compared side by side, or over each other")),
+                (
+                    self.tr("Tab to the divider, then arrows"),
+                    self.tr("Move it; with Shift finer; Home and End; Esc ends the comparison"),
+                ),
                 (self.tr("Drag, or arrows"), self.tr("Move the camera in its plane")),
                 (self.tr("Wheel, or + and −"), self.tr("Go nearer to the target, or back")),
             ),

@@ -1,0 +1,292 @@
+"""Pictures to compare with: kept, refused, and those that the lectures set side by side."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+import pytest
+
+from app.document.compare import Held, Picture, differences
+from app.document.document import Document, parse, set_values, to_json
+from app.document.view import View
+from app.model.projection import FreeMatrix
+from app.model.refusal import Refusal
+from app.scenes.phenomena import PHENOMENA
+from app.scenes.phenomena.illustration import Illustration
+from app.scenes.scene import load
+
+LIVE = Picture(live=True)
+
+
+def of(scene: str) -> Document:
+    return Document(scene, load(scene).start)
+
+
+def compared(scene: str, name: str) -> list[Document]:
+    """The pictures of a ready-made comparison, from left to right."""
+    document = of(scene).compared(name)
+    return [document.pictured(picture) for picture in document.view.compare]
+
+
+def shown(document: Document) -> Illustration:
+    scene = load(document.scene)
+    assert scene.phenomenon is not None
+    return scene.phenomenon.illustration(document.projection, document.settings, scene.subject)
+
+
+# -- kept
+
+
+@pytest.fixture
+def held() -> Document:
+    """A document that is compared with what it was."""
+    before = of("interpolation")
+    after = replace(before, projection=before.projection.with_depth("direct3d"))
+    pictures = (Picture("before", held=before.state), LIVE, Picture(changes=("lens.far=30",)))
+    return replace(after, view=View(compare=pictures, dividers=(0.25, 0.5)))
+
+
+def test_what_is_compared_is_in_the_document_and_no_part_of_the_model(held: Document) -> None:
+    again = parse(to_json(held))
+    assert again.view == held.view
+    assert again == replace(held, view=View())
+    first, own, follows = (again.pictured(picture) for picture in again.view.compare)
+    assert first.projection.depth == "opengl" and own == again
+    assert (follows.projection.lens.far, follows.projection.depth) == (30.0, "direct3d")
+
+
+def test_what_follows_has_its_own_values_and_else_those_of_the_document(held: Document) -> None:
+    moved = set_values(held, ["camera.eye=1,2,9", "lens.near=2"])
+    before, _, follows = (moved.pictured(picture) for picture in moved.view.compare)
+    assert before.projection == of("interpolation").projection
+    assert follows.projection.camera == moved.projection.camera
+    assert (follows.projection.lens.near, follows.projection.lens.far) == (2.0, 30.0)
+
+
+@pytest.mark.parametrize(
+    ("good", "bad", "sentence"),
+    [
+        ('"near": 3, "far": 24}, "depth": "opengl"', '"near": -3, "far": 24}, "depth": "opengl"',
+         "view.compare[0].held.lens.near = -3: must be greater than 0."),
+        ('"held": {', '"held": {"scene": "cube", ',
+         "view.compare[0].held.scene = 'cube': must be the document's own, 'interpolation'."),
+        ('"live": true', '"live": 1', "view.compare[1].live = 1: must be true or false."),
+        ('{"live": true}', '7',
+         "view.compare[1] = 7: must be an object with named values in braces."),
+        (', {"live": true}', "",
+         "view.compare = ['before', '']: must be a list of 2 to 3 pictures, just one of them the"
+         " document's own."),
+        ('["lens.far=30"]', '"lens.far=30"',
+         "view.compare[2].set = 'lens.far=30': must be a list of texts NAME=VALUE."),
+        ("lens.far=30", "scene=cube",
+         "view.compare[2].set = 'scene=cube': must be a value of settings, camera, lens, image,"
+         " object or depth, as NAME=VALUE."),
+        ("[0.25, 0.5]", "[0.5, 0.25]",
+         "view.dividers = [0.5, 0.25]: must be rising numbers from 0 to 1, one fewer than the"
+         " pictures compared, or none for side by side."),
+    ],
+)  # fmt: skip
+def test_a_damaged_comparison_is_refused_in_one_sentence(
+    held: Document, good: str, bad: str, sentence: str
+) -> None:
+    text = to_json(held)
+    assert text.count(good) >= 1
+    place = text.rindex(good)
+    with pytest.raises(Refusal) as refused:
+        parse(text[:place] + bad + text[place + len(good) :])
+    assert str(refused.value) == sentence
+
+
+def test_a_picture_that_the_document_has_not_just_now_does_not_keep_it_from_opening() -> None:
+    document = set_values(of("letter-f"), ["view.compare=lens.near=6"])
+    nearer = replace(
+        document,
+        projection=replace(document.projection, lens=document.projection.lens.but(far=5.0)),
+    )
+    again = parse(to_json(nearer))
+    with pytest.raises(Refusal, match=r"lens.near = 6"):
+        again.pictured(again.view.compare[0])
+
+
+@pytest.mark.parametrize(
+    ("texts", "sentence"),
+    [
+        (["view.compare=other"], "view.compare = 'other': must be a ready-made comparison of the"
+         " scene (interpolation), or NAME=VALUE; with ; between the values of a picture, and"
+         " | between pictures."),
+        (["view.compare=lens.near=-1"], "lens.near = -1: must be greater than 0."),
+        (["view.dividers=0.5"], "view.dividers = [0.5]: must be rising numbers from 0 to 1, one"
+         " fewer than the pictures compared, or none for side by side."),
+        (["view.compare=interpolation", "view.dividers=x"], "view.dividers = 'x': must be rising"
+         " numbers from 0 to 1, one fewer than the pictures compared, or none for side by side."),
+    ],
+)  # fmt: skip
+def test_what_cannot_be_compared_cannot_be_set(texts: list[str], sentence: str) -> None:
+    with pytest.raises(Refusal) as refused:
+        set_values(of("interpolation"), texts)
+    assert str(refused.value) == sentence
+
+
+def test_pictures_are_set_by_their_values_or_by_the_name_of_what_is_ready_made() -> None:
+    document = set_values(
+        of("letter-f"), ["view.compare=lens.near=2;lens.far=40|lens.fov_y_deg=60"]
+    )
+    near, wide, own = (document.pictured(each).projection for each in document.view.compare)
+    assert (near.lens.near, near.lens.far) == (2.0, 40.0)
+    assert wide == replace(own, lens=own.lens.but(fov_y_deg=60.0))
+    document = set_values(of("eye-plane"), ["view.compare=divides", "view.dividers=0.2,0.7"])
+    assert document.settings["drawn"] == "clipped", "the last, if it is none of them"
+    assert document.view.dividers == (0.2, 0.7)
+    document = set_values(document, ["view.compare="])
+    assert document.view == View()
+
+
+def test_every_ready_made_comparison_is_of_pictures_that_differ() -> None:
+    found = 0
+    for name, phenomenon in PHENOMENA.items():
+        for comparison in phenomenon.comparisons:
+            pictures = compared(name, comparison.name)
+            assert all(one != other for one in pictures for other in pictures if one is not other)
+            found += 1
+    assert found >= 4
+
+
+def test_the_live_picture_has_its_name_as_long_as_it_has_its_values() -> None:
+    document = of("interpolation").compared("interpolation")
+    names = [document.name_of(picture) for picture in document.view.compare]
+    assert names == ["affine", "correct"] and document.view.compare[0].live
+    other = document.with_settings({"interpolation": "correct"})
+    assert [other.name_of(picture) for picture in document.view.compare] == ["now", "correct"]
+    assert document.name_of(Picture(held=document.state)) == "held"
+
+
+# -- in what they differ
+
+
+def test_what_differs_is_found_and_nothing_else() -> None:
+    start = of("letter-f").projection
+    other = replace(start, lens=start.lens.but(near=8.0, fov_y_deg=60.0), image_size=(720, 720))
+    assert differences([Held(start), Held(start)]) == []
+    assert differences([Held(start), Held(other), Held(start)]) == [
+        ("lens.fov_y_deg", (45.0, 60.0, 45.0)),
+        ("lens.near", (4.0, 8.0, 4.0)),
+        ("image", ((1280, 720), (720, 720), (1280, 720))),
+    ]
+
+
+def test_a_ride_towards_the_target_differs_in_its_distance_alone() -> None:
+    start = of("field-of-view")
+    near, far = (each.state for each in compared("field-of-view", "photographs"))
+    found = dict(differences([near, far]))
+    assert found["settings.preset"] == ("wide", "tele")
+    assert found["camera.distance"] == pytest.approx((3.0, 36.0))
+    assert "camera.eye" not in found
+    turned = set_values(start, ["camera.up=0.1,1,0"])
+    assert {path for path, _ in differences([start.state, turned.state])} == {"camera.up"}
+
+
+def test_lenses_of_two_kinds_differ_in_what_both_have() -> None:
+    start = of("letter-f").projection
+    parallel = start.with_lens("orthographic")
+    typed = replace(start, lens=FreeMatrix(np.eye(4).tolist()))
+    paths = [path for path, _ in differences([Held(start), Held(parallel)])]
+    assert paths == ["lens.kind"]
+    assert "lens.kind" in [path for path, _ in differences([Held(start), Held(typed)])]
+
+
+# -- the lectures' own
+
+
+def test_l7_the_window_is_stretched_or_keeps_x_or_y() -> None:
+    """A window of 8 by 4.5 in an image as high as wide: lecture 000, variants X and Y."""
+    stretch, keep_x, keep_y = (each.projection for each in compared("off-axis-window",
+                                                                    "proportions"))  # fmt: skip
+    left, right, bottom, top = -1.375, 0.625, -0.5625, 0.5625
+    assert stretch.window == pytest.approx((left, right, bottom, top))
+    assert keep_x.window == pytest.approx((left, right, -1.0, 1.0)), "y fitted about its centre"
+    k = (1.125 - 2.0) / 2.0
+    assert keep_y.window == pytest.approx((left - k, right + k, bottom, top)), "x2 is x_max + k"
+    for projection, square in ((stretch, False), (keep_x, True), (keep_y, True)):
+        # One unit across and one up, in the plane of the window: circles stay round, or do not.
+        x, y, _ = projection.camera.target
+        corner, across, up = projection.trace(
+            np.array([(x, y, 0.0), (x + 1.0, y, 0.0), (x, y + 1.0, 0.0)])
+        ).image
+        sides = across[0] - corner[0], corner[1] - up[1]
+        assert (sides[0] == pytest.approx(sides[1])) == square
+        assert projection.image_size == (720, 720)
+
+
+def test_l18_one_picture_interpolates_affinely_and_the_other_divides() -> None:
+    affine, correct = compared("interpolation", "interpolation")
+    assert affine.projection == correct.projection
+    textures = [shown(each).rendering for each in (affine, correct)]
+    assert [each and each.texture and each.texture.affine for each in textures] == [True, False]
+
+
+def value(document: Document, label: str) -> Any:
+    (reading,) = (each for each in shown(document).readings if each.label == label)
+    return reading.value
+
+
+@pytest.mark.parametrize("size", [(1280, 720), (360, 240), (500, 900)])
+def test_l20_29_mm_at_30_cm_and_105_mm_at_360_cm_show_one_size(size: tuple[int, int]) -> None:
+    """One unit is 10 cm; a subject of height h is drawn h H / (2 d tan(fov/2)) high."""
+    start = set_values(of("field-of-view"), [f"image.width={size[0]}", f"image.height={size[1]}"])
+    start = start.with_settings({"preset": "eye"}).with_settings({"preset": "wide"})
+    document = start.compared("photographs")
+    subject = load("field-of-view").subject
+    high = subject.upper[1] - subject.lower[1]
+    sizes = []
+    for picture, distance in zip(document.view.compare, (3.0, 36.0), strict=True):
+        of_it = document.pictured(picture)
+        projection = of_it.projection
+        assert projection.camera.distance == pytest.approx(distance)
+        half = math.radians(projection.lens.fov_y_deg) / 2.0
+        expected = high * size[1] / (2.0 * distance * math.tan(half))
+        found = value(of_it, "subject's height, at the target's distance")
+        assert found == pytest.approx(expected, rel=1e-9)
+        sizes.append(found)
+    assert sizes[0] == pytest.approx(sizes[1], rel=1e-12)
+    wide = document.pictured(document.view.compare[0])
+    assert value(wide, "focal length, 35-mm camera") == pytest.approx(29.0)
+    # Foreshortening is a matter of the distance alone.
+    depths = [value(document.pictured(each), "foreshortening, nearest : farthest")
+              for each in document.view.compare]  # fmt: skip
+    assert depths[0] > 1.5 and 1.0 < depths[1] < 1.1
+
+
+def test_l16_naive_cut_and_clipped_are_three_drawings_of_the_same_edges() -> None:
+    naive, cut, clipped = compared("eye-plane", "divides")
+    assert naive.projection == cut.projection == clipped.projection
+    projection = naive.projection
+    camera, (width, height) = projection.camera, projection.image_size
+    u, v, n = np.array(camera.frame)
+
+    def divided(point: Any) -> np.ndarray:
+        """By hand: x, y over the distance before the eye, whatever its sign."""
+        x, y, z = (np.array(point) - camera.eye) @ np.array([u, v, n]).T
+        scale = height / 2.0 / math.tan(math.radians(projection.lens.fov_y_deg) / 2.0)
+        return np.array([width / 2.0 - scale * x / z, height / 2.0 + scale * y / z])
+
+    a, b = (divided(naive.settings[end]) for end in ("start", "end"))
+    along = (b - a) / np.hypot(*(b - a))
+
+    def parts(document: Document) -> np.ndarray:
+        """Where AB's drawing is on the line from A' to B', in parts of the way."""
+        line = max(shown(document).image.lines, key=lambda line: line.width)
+        away = line.points - a
+        assert np.abs(away[:, 0] * along[1] - away[:, 1] * along[0]).max() < 1e-6
+        return np.sort(away @ along) / np.hypot(*(b - a))
+
+    wrong = parts(naive)
+    assert 0.0 <= wrong[0] < wrong[1] <= 1.0 + 1e-12, "between its ends, one of them mirrored"
+    for document in (cut, clipped):
+        right = parts(document)
+        assert right[1] <= 1e-12 and right[0] < -0.1, "the other way, towards infinity"
+    counts = [len(shown(each).image.lines) for each in (naive, cut, clipped)]
+    assert counts[1] == counts[2], "the cut misses no edge that clipping draws here"
+    assert counts[0] != counts[2], "of the F edges are drawn that are not seen"

@@ -1,0 +1,118 @@
+"""A figure of pictures that are compared: divided, it is either of them; side by side, both."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from itertools import pairwise
+
+import numpy as np
+import pytest
+
+from app.document.document import Document, set_values
+from app.drawings.figures import Pixels, render
+from app.drawings.side_by_side import cells
+from app.drawings.style import LIGHT, rgb
+from app.model.refusal import Refusal
+from app.scenes.scene import load
+
+SIZE = 320, 180
+
+
+def figure(document: Document, *panes: str, size: tuple[int, int] = SIZE) -> Pixels:
+    return render(
+        load(document.scene),
+        document.projection,
+        panes or ("image",),
+        size,
+        view=document.view,
+        settings=document.settings,
+    )
+
+
+def alone(document: Document, place: int) -> Document:
+    """One of the pictures, compared with nothing."""
+    picture = document.pictured(document.view.compare[place])
+    return replace(picture, view=replace(document.view, compare=(), dividers=()))
+
+
+@pytest.mark.parametrize("panes", [("image",), ("image", "ndc")])
+def test_left_of_the_divider_is_the_one_picture_and_right_of_it_the_other(
+    panes: tuple[str, ...],
+) -> None:
+    document = set_values(
+        Document("letter-f", load("letter-f").start),
+        ["view.compare=lens.near=8;camera.up=0.2,1,0", "view.dividers=0.5"],
+    )
+    size = 320 * len(panes), 180
+    both, other, own = (
+        figure(each, *panes, size=size)[:, :320]
+        for each in (document, alone(document, 0), alone(document, 1))
+    )
+    title = 60 if len(panes) > 1 else 0  # where the pictures' names are
+    assert (both[title:, :156] == other[title:, :156]).all()
+    assert (both[title:, 164:] == own[title:, 164:]).all()
+    assert (other[title:, 164:] != own[title:, 164:]).any()
+    assert (both[90, 159:161] == np.array(rgb(LIGHT.ink)) * 255).all(axis=1).any()
+
+
+def bar_px(pixels: Pixels) -> int:
+    """How high the measure beside the subject is drawn."""
+    colour = np.array(rgb(LIGHT.accent)) * 255.0
+    is_bar = (np.abs(pixels[..., :3] - colour) < 6.0).all(axis=-1)
+    # An upright line: the column of the most pixels of its colour.
+    column = is_bar[:, np.argmax(is_bar.sum(axis=0))]
+    return int(np.flatnonzero(column)[-1] - np.flatnonzero(column)[0])
+
+
+def test_l20_the_measured_subject_is_as_high_in_both_photographs() -> None:
+    document = Document("field-of-view", load("field-of-view").start).compared("photographs")
+    pixels = figure(document, size=(800, 300))
+    (_, _, wide, _), (left, _, _, _) = cells(800, 300, [16 / 9, 16 / 9], 12.0)
+    assert wide == left == 400
+    one, other = bar_px(pixels[:, :400]), bar_px(pixels[:, 400:])
+    assert one > 100 and abs(one - other) <= 1
+    assert np.abs(pixels[:, :400].astype(int) - pixels[:, 400:]).max() > 100
+
+
+def test_a_picture_that_there_is_not_is_refused_in_one_sentence() -> None:
+    document = set_values(
+        Document("letter-f", load("letter-f").start), ["view.compare=lens.near=6"]
+    )
+    lens = document.projection.lens.but(far=5.0)
+    document = replace(document, projection=replace(document.projection, lens=lens))
+    with pytest.raises(Refusal, match=r"^lens.near = 6: must be less than far, which is 5\.$"):
+        figure(document)
+
+
+# -- side by side
+
+
+@pytest.mark.parametrize(
+    ("size", "aspects", "in_row"),
+    [
+        ((1000, 300), [16 / 9, 16 / 9], True),
+        ((600, 700), [16 / 9, 16 / 9], False),
+        ((600, 700), [1.0, 1.0, 1.0], False),
+        ((900, 320), [1.0, 16 / 9, 0.5], True),
+    ],
+)
+def test_pictures_side_by_side_are_as_large_as_they_can_be(
+    size: tuple[int, int], aspects: list[float], in_row: bool
+) -> None:
+    width, height = size
+    found = cells(width, height, aspects, 13.0)
+    assert len(found) == len(aspects)
+    assert (found[1][1] == 0) == in_row
+    for (left, top, wide, high), (next_left, next_top, _, _) in pairwise(found):
+        assert (next_left, next_top) == ((left + wide, 0) if in_row else (0, top + high))
+    left, top, wide, high = found[-1]
+    assert left + wide <= width and top + high <= height
+    if in_row and len(set(aspects)) > 1:  # of one height: the wider picture has the wider place
+        assert sorted(aspects) == [a for _, a in sorted(zip((c[2] for c in found), aspects,
+                                                            strict=True))]  # fmt: skip
+
+
+@pytest.mark.parametrize("size", [(0, 0), (1, 1), (5, 300)])
+def test_places_without_room_are_places(size: tuple[int, int]) -> None:
+    for left, top, wide, high in cells(*size, [1.5, 1.5, 1.5], 13.0):
+        assert 0 <= left <= left + wide <= size[0] and 0 <= top <= top + high <= size[1]

@@ -1,0 +1,363 @@
+"""The picture is held, something is changed, and both are seen; or the lectures' own pictures."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from PySide6.QtCore import QPoint, QSize, Qt
+from PySide6.QtTest import QTest
+
+from app.document.compare import Picture
+from app.document.document import read
+from app.document.view import View
+from app.model.projection import Projection
+from app.scenes.scene import load
+from tests.support.window import (
+    LEFT,
+    MakeWindow,
+    activate,
+    click,
+    counted_repaints,
+    picture,
+    present,
+    rgb_of,
+    seen,
+    settle,
+    show_scene,
+)
+from widgets.window.main_window import MainWindow
+
+
+def hold(window: MainWindow) -> Any:
+    """Hold the picture by the button of its pane, and take what compares it."""
+    click(window.comparing.button)
+    return window.comparing.pictures
+
+
+def change(window: MainWindow, **lens: float) -> Projection:
+    """Change the lens, as a control would."""
+    projection = seen(window, lens=window.store.document.projection.lens.but(**lens))
+    window.store.set_projection(projection)
+    settle()
+    return projection
+
+
+def surface_of(window: MainWindow) -> np.ndarray:
+    """What is seen of the image pane's pictures, all of them."""
+    pane = window.panes["image"]
+    settle()
+    whole = rgb_of(pane.grab().toImage())
+    at = pane.surface.geometry()
+    return whole[at.top() : at.bottom() + 1, at.left() : at.right() + 1]
+
+
+def words(window: MainWindow) -> str:
+    """In what the pictures differ, as it is said."""
+    return str(window.comparing.pictures.words.toolTip())
+
+
+def test_left_of_the_divider_is_what_was_held_and_right_of_it_what_is(window: MainWindow) -> None:
+    window.slots.bring("image")
+    settle()
+    compare = hold(window)
+    held = window.store.document.projection
+    assert window.comparing.button.isChecked() and compare.bar.isVisible()
+    change(window, near=8.0, fov_y_deg=60.0)
+    both = surface_of(window)
+    x = compare.handles[0].geometry().center().x()
+    window.slots.arrange("pictures", "image")
+    rows = slice(30, both.shape[0])  # below the titles
+    live = rgb_of(picture(window.panes["image"].canvas))
+    assert (both[rows, x + 10 :] == live[rows, x + 10 :]).all()
+    live_left = live[rows, : x - 10]
+    window.store.set_projection(held)
+    settle()
+    alone = rgb_of(picture(window.panes["image"].canvas))
+    assert (both[rows, : x - 10] == alone[rows, : x - 10]).all()
+    assert (alone[rows, : x - 10] != live_left).any(), "else it is seen by no pixel"
+    assert words(window).startswith("Held | Now:")
+
+
+def test_what_differs_is_said_in_words(window: MainWindow) -> None:
+    hold(window)
+    assert words(window) == "Held | Now:  nothing differs yet: change something"
+    change(window, near=8.0, fov_y_deg=60.0)
+    assert words(window) == "Held | Now:  field of view 45° → 60°, near 4 → 8"
+    window.store.set_projection(seen(window, image_size=(720, 720)))
+    settle()
+    assert words(window).endswith("image 1280 × 720 → 720 × 720")
+    window.store.set_projection(window.store.document.projection.with_lens("orthographic"))
+    settle()
+    assert "lens perspective → orthographic" in words(window)
+
+
+def test_a_held_picture_is_pixels_and_what_follows_is_drawn_once_a_step(
+    window: MainWindow,
+) -> None:
+    compare = hold(window)
+    change(window, near=5.0)
+    drawn: list[str] = []
+
+    def count(other: Any, name: str) -> None:
+        canvas = other.pane.canvas
+        canvas.render_window.AddObserver("EndEvent", lambda *_: drawn.append(name))
+
+    count(compare.others[0], "held")
+    window.store.begin_gesture()
+    with counted_repaints(window) as counts:
+        for step in range(3):
+            change(window, near=5.5 + step)
+    window.store.end_gesture()
+    settle()
+    assert counts["image"] == 3 and drawn == []
+    compare.show((Picture(changes=("lens.near=2",)), Picture(live=True)), ())
+    compare.refresh()
+    settle()
+    count(compare.others[0], "follows")
+    with counted_repaints(window) as counts:
+        for step in range(3):
+            change(window, far=20.0 + step)
+    assert counts["image"] == 3 and drawn == ["follows"] * 3
+
+
+def test_the_pixels_are_made_anew_for_another_size_and_another_theme(window: MainWindow) -> None:
+    compare = hold(window)
+    change(window, near=8.0)
+
+    def picture_of_held() -> np.ndarray:
+        settle()
+        return rgb_of(picture(compare.others[0].pane.canvas))
+
+    light = picture_of_held()
+    window.look.set_theme("dark")
+    dark = picture_of_held()
+    assert dark.shape == light.shape and dark.mean() < light.mean() / 2
+    window.look.set_theme("light")
+    assert (picture_of_held() == light).all()
+    window.resize(window.size() - QSize(120, 60))
+    small = picture_of_held()
+    assert small.shape[0] < light.shape[0]
+    assert small.shape == rgb_of(picture(window.panes["image"].canvas)).shape
+
+
+def test_the_divider_is_dragged_and_goes_by_keys_as_far_as_the_picture(window: MainWindow) -> None:
+    activate(window)
+    compare = hold(window)
+    (handle,) = compare.handles
+    middle = handle.geometry().center()
+    QTest.mousePress(handle, LEFT, pos=QPoint(handle.width() // 2, 60))
+    QTest.mouseMove(handle, QPoint(handle.width() // 2 - 80, 60))
+    QTest.mouseRelease(handle, LEFT, pos=QPoint(handle.width() // 2, 60))
+    settle()
+    assert abs(handle.geometry().center().x() - (middle.x() - 80)) <= 2
+    assert compare.others[0].width() == handle.geometry().center().x()
+    place = compare.dividers[0]
+    handle.setFocus()
+    QTest.keyClick(handle, Qt.Key.Key_Right)
+    assert compare.dividers[0] == pytest.approx(place + 0.02)
+    QTest.keyClick(handle, Qt.Key.Key_Left, Qt.KeyboardModifier.ShiftModifier)
+    assert compare.dividers[0] == pytest.approx(place + 0.018)
+    QTest.keyClick(handle, Qt.Key.Key_End)
+    assert compare.dividers == (1.0,)
+    QTest.keyClick(handle, Qt.Key.Key_Right)
+    assert compare.dividers == (1.0,)
+    QTest.keyClick(handle, Qt.Key.Key_Home)
+    assert compare.dividers == (0.0,)
+    QTest.keyClick(handle, Qt.Key.Key_Escape)
+    settle()
+    assert not window.comparing.is_on and not handle.isVisible() and not compare.bar.isVisible()
+
+
+def test_keys_hold_toggle_and_end_it_and_nothing_is_to_be_undone(window: MainWindow) -> None:
+    activate(window)
+    large = window.slots.large
+    QTest.keyClick(window, Qt.Key.Key_F6)
+    compare = window.comparing.pictures
+    assert compare.dividers == (0.5,) and window.slots.large == "image"
+    QTest.keyClick(window, Qt.Key.Key_F6, Qt.KeyboardModifier.ShiftModifier)
+    assert compare.dividers == () and window.comparing.is_on
+    settle()
+    live, held = (pane.canvas for pane in (window.panes["image"], compare.others[0].pane))
+    room = window.panes["image"].surface.height()
+    assert live.height() + held.height() <= room and live.height() > 0.4 * room
+    click(compare.way)
+    assert compare.dividers == (0.5,) and live.height() == room
+    QTest.keyClick(window, Qt.Key.Key_Escape)
+    assert not window.comparing.is_on and window.slots.large == large
+    assert not window.store.can_undo and not window.store.modified
+    assert compare.others == []
+
+
+def test_the_held_side_is_only_looked_at_and_the_live_one_is_alive(window: MainWindow) -> None:
+    hold(window)
+    before = window.store.document
+    change(window, fov_y_deg=40.0)
+    compare, pane = window.comparing.pictures, window.panes["image"]
+    (other,) = compare.others
+    y = pane.surface.height() // 2
+    window_of_held = QPoint(other.width() - 30, y)
+    for act in (QTest.mouseClick, QTest.mouseDClick):
+        act(window.windowHandle(), LEFT, pos=other.mapTo(window, window_of_held))
+        settle()
+    assert window.probe_panel.probes == () and not window.slots.whole
+    # On the F, right of the divider.
+    ((x, y_px),) = pane.drawing.sight.seen([[1.5, 4.5, 0.5]]).tolist()
+    QTest.mouseClick(window.windowHandle(), LEFT,
+                     pos=pane.canvas.mapTo(window, QPoint(round(x), round(y_px))))  # fmt: skip
+    settle()
+    assert len(window.probe_panel.probes) == 1
+    assert other.pane.probes == window.probe_panel.probes, "the same point in both"
+    assert window.store.document.projection == replace(
+        before.projection, lens=before.projection.lens.but(fov_y_deg=40.0)
+    )
+
+
+def test_it_comes_back_from_a_file_and_goes_with_another_scene(
+    window: MainWindow, tmp_path: Path
+) -> None:
+    compare = hold(window)
+    change(window, near=8.0)
+    compare.handles[0].moved.emit(200.0)
+    view = window.store.seen.view
+    assert view.compare[0].held is not None and view.dividers != (0.5,)
+    assert window.files.save_to(tmp_path / "compared.json")
+    assert read(tmp_path / "compared.json").view == view
+    there = surface_of(window)
+    window.guide.choose("posts")
+    settle()
+    assert not window.comparing.is_on and window.store.seen.view.compare == ()
+    window.store.undo()
+    settle()
+    assert window.store.seen.view == view, "undo of the scene brings back how it was looked at"
+    window.comparing.end()
+    assert window.files.open(tmp_path / "compared.json")
+    settle()
+    assert window.store.seen.view == view
+    assert (surface_of(window) == there).all()
+
+
+def test_a_window_opens_with_what_is_compared(make_window: MakeWindow) -> None:
+    from app.document.document import Document
+
+    document = Document("interpolation", load("interpolation").start).compared("interpolation")
+    window = make_window(document)
+    settle()
+    compare = window.comparing.pictures
+    assert window.comparing.button.isChecked() and len(compare.others) == 1
+    assert compare.others[0].shown.document.settings["interpolation"] == "correct"
+    held, live = (rgb_of(picture(pane.canvas)) for pane in (compare.others[0].pane,
+                                                           window.panes["image"]))  # fmt: skip
+    assert held.std() > 20 and held.shape[1] == live.shape[1]
+    assert (held[: live.shape[0]] != live[: held.shape[0]]).any()
+
+
+def test_a_picture_that_there_is_not_says_so_in_its_place_and_comes_back(
+    window: MainWindow,
+) -> None:
+    compare = hold(window)
+    compare.show((Picture("near 6", ("lens.near=6",)), Picture(live=True)), ())
+    compare.refresh()
+    settle()
+    assert compare.others[0].shown is not None
+    change(window, far=5.0, near=1.0)
+    assert compare.others[0].shown is None
+    assert compare.others[0].why.isVisible()
+    assert compare.others[0].why.text() == "lens.near = 6: must be less than far, which is 5."
+    change(window, far=15.0)
+    assert compare.others[0].shown is not None and not compare.others[0].why.isVisible()
+
+
+def test_pictures_of_two_sizes_are_fitted_and_a_pane_without_room_is_no_harm(
+    window: MainWindow,
+) -> None:
+    compare = hold(window)
+    window.store.set_projection(seen(window, image_size=(400, 800)))
+    compare.toggle_way()
+    settle()
+    heights = [
+        pane.drawing.picture_rectangle_px.height
+        for pane in (window.panes["image"], compare.others[0].pane)
+    ]
+    assert abs(heights[0] - heights[1]) <= 0.05 * max(heights), "of one height, beside each other"
+    image = window.panes["image"]
+    image.setMinimumSize(0, 0)
+    for size in (QSize(0, 0), QSize(3, 3), QSize(90, 40)):
+        image.surface.resize(size)
+        settle()
+    compare.toggle_way()
+    settle()
+    assert window.comparing.is_on
+
+
+def test_presenting_keeps_it_and_esc_leaves_it_before_the_class(window: MainWindow) -> None:
+    activate(window)
+    hold(window)
+    change(window, near=8.0)
+    present(window)
+    compare = window.comparing.pictures
+    assert compare.bar.isVisible() and compare.others[0].isVisible()
+    assert not window.comparing.button.isVisible()
+    before = compare.words.fontMetrics().height()
+    QTest.keyClick(window, Qt.Key.Key_Escape)
+    assert not window.comparing.is_on and window.present.is_on
+    QTest.keyClick(window, Qt.Key.Key_Escape)
+    settle()
+    assert not window.present.is_on and before > 0
+
+
+# -- the scenes' own
+
+
+READY: dict[str, tuple[str, list[str], Callable[[View], bool]]] = {
+    "field-of-view": ("29 mm | 105 mm:  distance 3 → 36, field of view 40.18° → 3.491°",
+                      ["29 mm", "105 mm"], lambda view: view.compare[0].live),
+    "interpolation": ("affine | correct:  interpolation affine: s linear on the screen → correct:"
+                      " s/w and 1/w, divided",
+                      ["affine", "correct"], lambda view: view.compare[0].live),
+    "eye-plane": ("naive | cut | clipped:  picture divided, not cut → cut at z = −0.01 → clipped,"
+                  " then divided",
+                  ["naive", "cut", "clipped"], lambda view: view.compare[2].live),
+    "off-axis-window": ("stretch | keep x | keep y:  proportions stretch → x → y",
+                        ["stretch", "keep x", "keep y"], lambda view: view.compare[2].live),
+}  # fmt: skip
+
+
+def test_l7_l16_l18_l20_are_one_click_away_in_their_scenes_and_large(window: MainWindow) -> None:
+    for scene, (said, names, is_live) in READY.items():
+        show_scene(window, scene)
+        window.slots.arrange("pictures", window.slots.leading)
+        (button,) = window.controls.card.comparisons
+        assert button.text() == " | ".join(names)
+        assert button.accessibleName() == f"Compare: {', '.join(names)}"
+        click(button)
+        compare = window.comparing.pictures
+        assert window.slots.large == "image" and words(window) == said
+        assert [caption.text() for caption in compare.captions] == names
+        assert all(caption.isVisible() for caption in compare.captions), scene
+        assert is_live(window.store.seen.view)
+        widths = [other.width() for other in compare.others]
+        assert all(width > window.panes["image"].surface.width() / 4 for width in widths)
+        live = window.panes["image"].canvas.size()
+        for other in compare.others:  # all as large as the live one
+            assert (
+                abs(other.width() - live.width()) <= 1 and abs(other.height() - live.height()) <= 1
+            )
+        edits = scene in ("eye-plane", "off-axis-window")
+        assert window.store.modified == edits, "else the document is one of the pictures already"
+
+
+def test_l18_what_is_compared_follows_the_camera(window: MainWindow) -> None:
+    show_scene(window, "interpolation")
+    click(window.controls.card.comparisons[0])
+    window.store.set_projection(
+        seen(window, camera=replace(window.store.document.projection.camera, eye=(4.0, 3.0, 9.0)))
+    )
+    settle()
+    (other,) = window.comparing.pictures.others
+    assert other.shown.projection == window.store.document.projection
+    assert other.shown.document.settings["interpolation"] == "correct"
