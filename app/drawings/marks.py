@@ -41,7 +41,7 @@ from app.drawings.actors import (
     put_in_front,
     unlit_actor,
 )
-from app.drawings.labels import Layout, Leader, Spot
+from app.drawings.labels import GAPS_EM, Layout, Leader, Spot
 from app.drawings.style import Style, rgb
 from app.lecture.highlight import NOTHING, Highlight
 from app.model.clipping import LARGEST_CLIP, clip_polygon, clip_segments
@@ -326,8 +326,9 @@ class MarksDrawing:
             self._labels, self._leaders, self._texts, spots, spots[count:], strict=False
         ):
             label.set_size(layout.em)
-            if self._leads and not self._over:
-                layout.place(label, text, [spot], _sides_away(spot, away), leader)
+            if not self._over:
+                sides, most = _sides_away(spot, away), len(GAPS_EM) if self._leads else gaps
+                layout.place(label, text, [spot], sides, leader, gaps=most)
                 continue
             if subject is not None:
                 self._best[label] = layout.least_hiding(text, spot, _BESIDE, gaps, subject)

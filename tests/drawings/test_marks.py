@@ -682,3 +682,23 @@ def test_what_is_about_what_is_highlighted_stands_out(shown: Callable[..., Shown
         assert highlight() == (True, [red, green, blue])
     x, y = middle(drawn(seen.screen.pixels(), to_bytes(BLUE))).tolist()
     assert seen.drawing.highlight_at(x, y) == {"y"}
+
+
+@pytest.mark.parametrize("size", [(586, 610), (440, 420), (480, 290)])
+def test_l8_no_letters_lie_on_the_bow(off_screen: Any, size: tuple[int, int]) -> None:
+    scene = load("affine-depth")
+    assert scene.phenomenon is not None
+    full = scene.phenomenon.illustration(scene.start, scene.phenomenon.defaults, scene.subject)
+    (bow,) = (line for line in full.ndc.lines if len(line.points) == 65)
+    screen = off_screen(*size)
+    drawing = StageDrawing(screen, scene, WORDS, LIGHT)
+    pictures = []
+    for texts in ((), full.ndc.texts):
+        marks = Marks((bow,), texts=texts)
+        drawing.show_projection(scene.start, Illustration((), ndc=marks))
+        pictures.append(screen.pixels().astype(int))
+    plain, written = pictures
+    under_letters = (plain != written).any(axis=2)
+    on_bow = drawn(plain, to_bytes(LIGHT.u))
+    assert under_letters.sum() > 500 and on_bow.sum() > 100
+    assert not (under_letters & on_bow).any()

@@ -246,7 +246,8 @@ class Text:
     about : tuple of str
         As of `Line`.
     away_from : array like `point`, optional
-        In the world, a point that they are rather not towards: the middle of what has an edge here.
+        In world and NDC, a point that they are rather not towards: the middle of what has an edge
+        here, or what a curve bends away from.
     """
 
     text: str
