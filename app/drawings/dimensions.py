@@ -42,7 +42,7 @@ _ABOVE = ((-1.0, 1.0), (0.0, 1.0), (-1.0, 0.6), (-1.0, -0.6))
 _ON_OR_BESIDE = ((0.0, 0.0), (1.0, 0.0), (-1.0, 0.0), (0.0, -1.0), (0.0, 1.0))
 _RIGHT = ((1.0, 0.0), (1.0, -0.3), (1.0, 0.3), (0.0, 1.0), (-1.0, 1.0))
 _LEFT = ((-1.0, 0.0), (-1.0, 0.6), (-1.0, -0.6), (1.0, 0.0), (0.0, 1.0), (0.0, -1.0))
-_NAMES = ("near", "d", "s", "far", "angle", "height", "width")
+_NAMES = ("near", "d", "s", "w", "far", "angle", "height", "width", "x", "x_p", "y", "y_p")
 
 Way = tuple[float, float]
 
@@ -62,6 +62,8 @@ class Measured(NamedTuple):
     distances : tuple of (str, float)
         What else is measured from the eye along the axis. If none of it is d, that is the
         target's.
+    lengths : tuple of (str, float, (3,) array, (3,) array)
+        What is measured across it: its letter, how long it is, and its ends, scene-local.
     """
 
     view: str
@@ -70,6 +72,7 @@ class Measured(NamedTuple):
     target: Array
     corners: Array | None
     distances: tuple[tuple[str, float], ...]
+    lengths: tuple[tuple[str, float, Array, Array], ...] = ()
 
 
 class Half(NamedTuple):
@@ -193,6 +196,8 @@ class Dimensions:
             corners = measured.corners if measured.projection.lens.planes is not None else None
             drawn = np.array(points) if corners is None else np.vstack([points, corners])
             spots = np.array(seen(drawn))[:, :2]
+            for name, length, start, end in measured.lengths:
+                self._length(layout, name, length, *seen(np.array([start, end])))
             if measured.view == "axis":
                 if corners is not None:
                     self._across(layout, spots, measured)
@@ -234,6 +239,13 @@ class Dimensions:
             self._write(layout, name, text, (start, y), (end, y))
         # Rows of their own, to the bottom: nothing else is written there, and no leader runs there.
         layout.keep_free_box([(0.0, 0.0, 1.0), (float(size_px[0]), top, 1.0)])
+
+    def _length(self, layout: Layout, name: str, length: float, start: Spot, end: Spot) -> None:
+        """An upright line with its letter beside its middle."""
+        self._line(start[:2], end[:2])
+        middle = (start[0] + end[0]) / 2.0, (start[1] + end[1]) / 2.0
+        text = f"{name} = {written_distance(length)}"
+        self._put(layout, name, text, [middle], (*_LEFT, *_RIGHT))
 
     def _beside(self, layout: Layout, spots: Array, measured: Measured) -> None:
         """Half the angle at the eye, and half the window on the far plane."""

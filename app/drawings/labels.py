@@ -51,7 +51,7 @@ _BELOW_PLANE = (
 )  # fmt: skip
 _ABOVE_PLANE = tuple((x, -y) for x, y in (_BELOW_PLANE[1:3] + _BELOW_PLANE[:1] + _BELOW_PLANE[3:]))
 _BELOW_HANDLE = tuple((x, -y) for x, y in _ABOVE_PLANE)
-_GAPS_EM = (0.5, 1.6, 3.0, 5.0, 8.0, 12.0)  # between a label and its point, best first
+GAPS_EM = (0.5, 1.6, 3.0, 5.0, 8.0, 12.0)  # between a label and its point, best first
 _HIDES = (0.001, 0.01, 0.05, 0.1)  # parts of the subject that a label may hide, rather than more
 FREE, CROSSING, ON_SUBJECT = range(3)
 """What a place is like: it hides nothing; a leader runs under a label; part of the subject goes."""
@@ -429,7 +429,7 @@ class Layout:
         sides: Sequence[tuple[float, float]],
         leader: Leader | None = None,
         *,
-        gaps: int = len(_GAPS_EM),
+        gaps: int = len(GAPS_EM),
         apart_from: Sequence[Spot] = (),
         best: Sequence[int] = (),
         at_worst: int = ON_SUBJECT,
@@ -451,7 +451,7 @@ class Layout:
         leader : Leader, optional
             Joins the label to its point if they are far apart.
         gaps : int
-            How many of `_GAPS_EM` to try.
+            How many of `GAPS_EM` to try.
         apart_from : sequence of Spot
             What the label must not seem to belong to.
         best : sequence of int, optional
@@ -478,7 +478,7 @@ class Layout:
         if kept is not None and leader is not None and kept[1] in usable:
             found = search([kept])
         if found is None or found[2] == ON_SUBJECT:
-            places: Iterable[_Candidate] = product(_GAPS_EM[:gaps], usable, sides)
+            places: Iterable[_Candidate] = product(GAPS_EM[:gaps], usable, sides)
             if best and usable:
                 places = list(places)
                 places = [places[i] for i in best]
@@ -520,7 +520,7 @@ class Layout:
         if not len(subject):
             return []
         half = np.array(self.half(text))
-        away = half + self.em * np.repeat(_GAPS_EM[:gaps], len(sides))[:, None]
+        away = half + self.em * np.repeat(GAPS_EM[:gaps], len(sides))[:, None]
         centres = point[:2] + away * np.tile(sides, (gaps, 1))
         hidden = (np.abs(subject - centres[:, None]) < half).all(axis=2).mean(axis=1)
         order: list[int] = np.argsort(np.digitize(hidden, _HIDES), kind="stable").tolist()

@@ -18,7 +18,9 @@ in float64, and cut to a box that float32 can hold; a copy's matrix is moved the
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import replace
 from typing import Any, Literal, NamedTuple
 
 import numpy as np
@@ -39,8 +41,9 @@ from app.drawings.actors import (
     put_in_front,
     unlit_actor,
 )
-from app.drawings.labels import Layout, Leader, Spot
+from app.drawings.labels import GAPS_EM, Layout, Leader, Spot
 from app.drawings.style import Style, rgb
+from app.lecture.highlight import NOTHING, Highlight
 from app.model.clipping import LARGEST_CLIP, clip_polygon, clip_segments
 from app.model.projection import Array
 from app.scenes.phenomena.illustration import Copy, Dot, Face, Line, Marks, Text
@@ -54,11 +57,13 @@ ground and not the grid that is drawn on it."""
 
 _LINE_STEPS, _FACE_STEPS = 3, 0.7  # of `lift_lines`
 _FLAT_LINES = -5e-5  # of the depth range, before faces, where all marks are in one plane
+_WIDER = 2.4  # a line that is highlighted
 _SPREAD, _GOLDEN = 120, 0.7548776662466927  # points over the subject; 1/plastic number
 _MOST_FACES = 20_000  # of a subject that texts get out of the way of
 # Right and up of a text from its point, in half texts, best first.
 _GAPS, _GAPS_WITH_LEADER = 3, 5
 _BESIDE = ((1.0, 1.0), (-1.0, 1.0), (1.0, -1.0), (-1.0, -1.0), (0.0, 1.0), (0.0, -1.0))
+_ROUND = (*_BESIDE, (1.0, 0.0), (-1.0, 0.0))
 
 
 class Placing(NamedTuple):
@@ -133,8 +138,11 @@ class MarksDrawing:
         self._copies: list[_CopyActors] = []
         self._colours: dict[tuple[str, int], NDArray[np.uint8]] = {}
         self._texts: list[str] = []
-        self._text_points = self._dot_points = np.empty((0, 3))
+        self._text_abouts: list[tuple[str, ...]] = []
+        self._text_points = self._dot_points = self._away_points = np.empty((0, 3))
         self._shown: list[tuple[_CopyActors, Array]] = []
+        self._now: tuple[Marks, Placing] | None = None
+        self._highlighted = NOTHING
         self.points = np.empty((0, 3))
         """What is marked, in the coordinates of the pane's actors, (n, 3)."""
 
@@ -149,10 +157,38 @@ class MarksDrawing:
             A point that is not finite, or too far away for what it belongs to, is left out.
         placing : Placing
         """
+        self._now = marks, placing
         drawn = [self._show_lines(marks.lines, placing), *self._show_faces(marks.faces, placing)]
         drawn.append(self._show_dots(marks.dots, placing))
         self._show_texts(marks.texts, placing)
         self.points = np.concatenate(drawn)
+
+    def show_highlight(self, highlighted: Highlight) -> bool:
+        """Let what is about what is highlighted stand out; tell whether that is a change."""
+        before, self._highlighted = self._highlighted, highlighted
+        if self._now is None:
+            return False
+        marks, placing = self._now
+        abouts = [line.about for line in marks.lines] + [text.about for text in marks.texts]
+        names = frozenset[str]().union(*abouts)
+        if before & names == highlighted & names:
+            return False
+        self._show_lines(marks.lines, placing)
+        self._frame_texts()
+        return True
+
+    def label_at(self, x_px: float, y_px: float) -> Highlight:
+        """What the label at a pixel from the pane's top left is about."""
+        height_px = self._canvas.window.GetSize()[1]
+        renderer = self._renderer or self._canvas.renderer
+        for label, about in zip(self._labels, self._text_abouts, strict=False):
+            if about and label.covers(renderer, x_px, height_px - y_px):
+                return frozenset(about)
+        return NOTHING
+
+    def _frame_texts(self) -> None:
+        for label, about in zip(self._labels, self._text_abouts, strict=False):
+            label.set_framed(bool(self._highlighted.intersection(about)))
 
     def _show_lines(self, lines: Sequence[Line], placing: Placing) -> Array:
         lines = [line for line in lines if len(line.points) > 1]
@@ -168,7 +204,8 @@ class MarksDrawing:
         starts[np.cumsum(counts) - 1] = False
         first = np.flatnonzero(starts)
         segments = points[np.stack([first, first + 1], axis=1)]
-        widths = np.repeat([line.width for line in lines], counts - 1)
+        wide = [_WIDER if self._highlighted.intersection(line.about) else 1.0 for line in lines]
+        widths = np.repeat([line.width for line in lines] * np.array(wide), counts - 1)
         colours = np.repeat([self._rgba(line.colour) for line in lines], counts - 1, axis=0)
         if not np.abs(points).max() <= placing.limit:  # also NaN
             segments, kept = _cut_segments(segments, placing.limit)
@@ -235,6 +272,9 @@ class MarksDrawing:
         near = np.flatnonzero(_within(points, placing.limit)).tolist()
         words = [self._words.get(texts[i].text, texts[i].text) for i in near]
         self._text_points, self._texts = points[near], words
+        self._text_abouts = [texts[i].about for i in near]
+        away = [texts[i] if texts[i].away_from is None else _away(texts[i]) for i in near]
+        self._away_points = _placed_each(away, placing)
         style = self._style
         while len(self._labels) < len(near):
             label = self._canvas.label(
@@ -251,6 +291,7 @@ class MarksDrawing:
             if leader is not None:
                 leader.set_colour(self._named(colour or "ink"))
             label.set_text(word)
+        self._frame_texts()
         for label, leader in list(zip(self._labels, self._leaders, strict=True))[len(near) :]:
             label.set_visible(False)
             if leader is not None:
@@ -277,15 +318,17 @@ class MarksDrawing:
         if not self._texts:
             return
         count = len(self._texts)
-        spots = seen(np.concatenate([self._text_points, self._dot_points]))
-        layout.keep_free([spot for spot in spots[count:] if spot[2] > 0.0])
+        points = (self._text_points, self._away_points, self._dot_points)
+        spots = seen(np.concatenate(points))
+        layout.keep_free([spot for spot in spots[2 * count :] if spot[2] > 0.0])
         gaps = _GAPS_WITH_LEADER if self._leads else _GAPS
-        for label, leader, text, spot in zip(
-            self._labels, self._leaders, self._texts, spots, strict=False
+        for label, leader, text, spot, away in zip(
+            self._labels, self._leaders, self._texts, spots, spots[count:], strict=False
         ):
             label.set_size(layout.em)
-            if self._leads and not self._over:
-                layout.place(label, text, [spot], _BESIDE, leader)
+            if not self._over:
+                sides, most = _sides_away(spot, away), len(GAPS_EM) if self._leads else gaps
+                layout.place(label, text, [spot], sides, leader, gaps=most)
                 continue
             if subject is not None:
                 self._best[label] = layout.least_hiding(text, spot, _BESIDE, gaps, subject)
@@ -481,6 +524,20 @@ class _Batch:
         self._mesh.SetPoints(points)
         self._mesh.GetPointData().AddArray(colours)
         getattr(self._mesh, f"Set{self._kind}")(cells)
+
+
+def _away(text: Text) -> Text:
+    """The text where it is not to be."""
+    assert text.away_from is not None
+    return replace(text, point=text.away_from)
+
+
+def _sides_away(spot: Spot, away: Spot) -> Sequence[tuple[float, float]]:
+    """Where a text goes beside its point: farthest from another one first, if there is one."""
+    x, y = spot[0] - away[0], spot[1] - away[1]
+    if not math.hypot(x, y) > 0.0:
+        return _BESIDE
+    return sorted(_ROUND, key=lambda side: -(side[0] * x + side[1] * y) / math.hypot(*side))
 
 
 # --------------------------------------------------------------------------- cutting

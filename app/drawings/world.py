@@ -37,7 +37,7 @@ from app.lecture.highlight import CORNERS, OBJECT_AXES, Highlight
 from app.model.projection import Array, Camera, ObjectTransform, Projection
 from app.picking.handles import Handle, nearest, shown
 from app.picking.picking import Probe, Sight
-from app.scenes.phenomena.illustration import Illustration, Marks, Rendering
+from app.scenes.phenomena.illustration import Illustration, Length, Marks, Rendering
 from app.scenes.scene import Scene
 
 _WHOLE, _NEARBY = 3.0, 1.1  # of the extent: a frustum that is framed whole; else only so far
@@ -121,6 +121,7 @@ class WorldDrawing:
         self._mask: Mask | None = None
         self._grips: dict[str, Array] = {}
         self._measured: tuple[tuple[str, float], ...] = ()
+        self._lengths: tuple[Length, ...] = ()
         self._standing: Standing | None = None
         self.own = OwnView(canvas, self._origin, self._objects.mean(axis=0))
         self.show_projection(scene.start)
@@ -196,7 +197,8 @@ class WorldDrawing:
     def show_highlight(self, highlighted: Highlight) -> bool:
         """Let what is highlighted stand out, and nothing else; tell whether that is a change."""
         self._highlighted = highlighted
-        return self._emphasis.show(highlighted)
+        of_scene = self._marks is not None and self._marks.show_highlight(highlighted)
+        return self._emphasis.show(highlighted) or of_scene
 
     def show_step(self, step: int | None) -> None:
         """Build the camera's frame up to a step before a dimmed frustum; None for neither.
@@ -237,6 +239,8 @@ class WorldDrawing:
     def highlight_at(self, x_px: float, y_px: float) -> Highlight:
         """What is at a pixel from the pane's top left."""
         found = self._emphasis.label_at(x_px, y_px)
+        if not found and self._marks is not None:
+            found = self._marks.label_at(x_px, y_px)
         if found:
             return found
         arrows, tips = self.camera.arrows
@@ -439,8 +443,13 @@ class WorldDrawing:
         if self.own.fixed and self._dimensions is not None:
             at, own, corners = self._stands, self.own, self._corners_seen
             measured = Measured(
-                own.fixed, self._projection, at.eye, at.target, corners, self._measured
-            )
+                own.fixed, self._projection, at.eye, at.target, corners, self._measured,
+                tuple(
+                    (each.name, each.value, each.start - self._origin, each.end - self._origin)
+                    for each in self._lengths
+                    if each.view == own.fixed
+                ),
+            )  # fmt: skip
             self._dimensions.place(layout, seen, own.pane.size_px, measured)
             if own.fixed == "axis" and corners is not None:
                 picture = seen(corners[:4])
@@ -591,8 +600,10 @@ class WorldDrawing:
             self._marks = MarksDrawing(
                 self._canvas, self._scene, self._canvas.style, self._words, leads=True
             )
+            self._marks.show_highlight(self._highlighted)
         marks, limit = self._marks, _FARTHEST_MARK * self._stands.extent
         self._measured = () if illustration is None else illustration.measured
+        self._lengths = () if illustration is None else illustration.lengths
         self._grips = (
             {} if illustration is None else {g.setting: g.point for g in illustration.grips}
         )

@@ -13,6 +13,7 @@ object_x ... object_origin     the object's axes and its origin, the columns of 
 fov                            the field of view, by whatever number it is given
 near_left_bottom ...           a corner of the view volume, by its three planes
 image depth keep alpha_deg ... fields of the document that only controls and cells show
+settings.distance w y_p ...    a scene's settings, and letters of its own
 =============================  ====================================================
 """
 

@@ -272,7 +272,7 @@ def test_the_dimensions_are_those_of_the_lecture(
 @pytest.mark.parametrize(
     ("name", "written"),
     [
-        ("similar-triangles", {"near = 2", "d = 4", "far = 14"}),
+        ("similar-triangles", {"near = 2", "d = 4", "w = 9.601", "far = 14"}),
         ("focus", {"near = 1.7", "s = 5", "d = 5.009", "far = 22"}),
         ("planar-shadow", {"near = 4", "d = 14.46", "far = 24"}),
     ],
@@ -592,3 +592,26 @@ def test_no_line_of_a_scene_has_a_grids_colour_but_the_grid(name: str) -> None:
     grid = (rgb == GRID_RGB).all(axis=1) | (rgb == (105, 105, 105)).all(axis=1)
     heights = np.asarray(lines.points)[ends[grid], 1]
     assert len(heights) and np.ptp(heights) == 0.0
+
+
+@pytest.mark.parametrize(
+    ("view", "written"),
+    [("side", {"y = 2.472", "y_p = 1.03"}), ("top", {"x = 0.8126", "x_p = 0.3385"})],
+)
+def test_l5_both_triangles_are_measured_in_the_flat_views(
+    off_screen: MakeScreen, view: str, written: set[str]
+) -> None:
+    """d = 4, w = 9.601: 1.03/4 is 2.472/9.601, and 0.3385/4 is 0.8126/9.601."""
+    for one, other in (("1.03", "2.472"), ("0.3385", "0.8126")):
+        assert float(one) / 4.0 == pytest.approx(float(other) / 9.601, rel=1e-3)
+    screen, scene = off_screen(*SIZE_PX), load("similar-triangles")
+    drawing = WorldDrawing(screen, scene, WORDS, LIGHT)
+    assert scene.phenomenon is not None
+    drawing.show_projection(
+        scene.start,
+        scene.phenomenon.illustration(scene.start, scene.phenomenon.defaults, scene.subject),
+    )
+    drawing.show_fixed(view)
+    screen.pixels()
+    found = {text for text in texts(screen) if text.partition(" ")[0] in ("x", "y", "x_p", "y_p")}
+    assert found == written

@@ -651,3 +651,54 @@ def test_a_hidden_pane_computes_nothing_and_a_visible_one_paints_once(
     render_window.RemoveObserver(observer)
     pane.close_canvas()
     window.close()
+
+
+def test_what_is_about_what_is_highlighted_stands_out(shown: Callable[..., Shown]) -> None:
+    """A wider line and a framed name, of that alone; and still so after a step of a slider."""
+    low, high = (np.array([(-1.5, y, 0.6), (1.5, y, 0.6)]) for y in (1.0, 3.0))
+    marks = Marks(
+        (Line(low, RED, 2.0, ("y",)), Line(high, GREEN, 2.0, ("y_p",))),
+        texts=(Text("one", low[0] - (1.0, 0.0, 0.0), BLUE, ("y",)),),
+    )
+    seen, illustration = shown("world"), Illustration((), world=marks)
+
+    def counted(pixels: Pixels) -> list[int]:
+        return [int(drawn(pixels, to_bytes(colour)).sum()) for colour in (RED, GREEN, BLUE)]
+
+    red, green, blue = counted(seen.show(illustration))
+
+    def highlight(*names: str) -> tuple[bool, list[int]]:
+        return seen.drawing.show_highlight(frozenset(names)), counted(seen.screen.pixels())
+
+    for show_again in (False, True):
+        changed, (wide, same, framed) = highlight("y", "w")
+        if show_again:
+            wide, same, framed = counted(seen.show(illustration))
+        assert changed and wide > 2.0 * red and same == green and framed != blue
+        assert highlight("y", "x_p")[1] == [wide, same, framed]
+        assert not highlight("y")[0]
+        changed, (same, wide, plain) = highlight("y_p")
+        assert changed and wide > 2.0 * green and (same, plain) == (red, blue)
+        assert highlight() == (True, [red, green, blue])
+    x, y = middle(drawn(seen.screen.pixels(), to_bytes(BLUE))).tolist()
+    assert seen.drawing.highlight_at(x, y) == {"y"}
+
+
+@pytest.mark.parametrize("size", [(586, 610), (440, 420), (480, 290)])
+def test_l8_no_letters_lie_on_the_bow(off_screen: Any, size: tuple[int, int]) -> None:
+    scene = load("affine-depth")
+    assert scene.phenomenon is not None
+    full = scene.phenomenon.illustration(scene.start, scene.phenomenon.defaults, scene.subject)
+    (bow,) = (line for line in full.ndc.lines if len(line.points) == 65)
+    screen = off_screen(*size)
+    drawing = StageDrawing(screen, scene, WORDS, LIGHT)
+    pictures = []
+    for texts in ((), full.ndc.texts):
+        marks = Marks((bow,), texts=texts)
+        drawing.show_projection(scene.start, Illustration((), ndc=marks))
+        pictures.append(screen.pixels().astype(int))
+    plain, written = pictures
+    under_letters = (plain != written).any(axis=2)
+    on_bow = drawn(plain, to_bytes(LIGHT.u))
+    assert under_letters.sum() > 500 and on_bow.sum() > 100
+    assert not (under_letters & on_bow).any()

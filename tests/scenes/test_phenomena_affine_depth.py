@@ -256,3 +256,19 @@ def test_a_mesh_takes_the_letter_s_place() -> None:
     away = Projection(Camera((3.0, 3.0, 9.0), (3.0, 3.0, 90.0)), projection.lens)
     nothing = PHENOMENON.show(away, PHENOMENON.defaults, subject).readings[-1]
     assert nothing.value is None and nothing.note is not None
+
+
+def test_l8_the_deviation_is_written_beside_the_bow() -> None:
+    """By hand: x' from -1 to 1, w from 1 to 4, and z' = -1 + (w - 1)/2 from -1 to 0.5.
+
+    The chord is 2 by 1.5, 2.5 long. At w = 2, x' = 1/3, the bow is at -0.5 and the chord at 0:
+    0.5 aside in z', which is 0.4 across the chord, 16 % of it.
+    """
+    projection = Projection(EYE, Perspective(90.0, 1.0, 5.0), (600, 600))
+    illustration = show(projection, (-1.0, 0.0, -1.0), (4.0, 0.0, -4.0))
+    assert values(illustration)[:2] == pytest.approx([16.0, 2.0])
+    texts = {text.text: text for text in illustration.ndc.texts}
+    assert set(texts) == {"16 %", "A z + B", "A + B / z"}
+    said = texts["16 %"]
+    assert said.point == pytest.approx([1 / 3, 0.0, -0.5])
+    assert said.away_from == pytest.approx([1 / 3, 0.0, 0.0])

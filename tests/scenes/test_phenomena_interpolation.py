@@ -239,3 +239,41 @@ def test_a_mesh_that_near_cuts_has_no_error() -> None:
     illustration = shown(replace(PHENOMENON.start, camera=above), own(TRIANGLES))
     assert illustration.warning is not None and illustration.warning.template.startswith("the mesh")
     assert all(reading.value is None and reading.note for reading in illustration.readings)
+
+
+def test_l18_one_over_w_and_the_depth_are_straight_along_the_edge() -> None:
+    """By hand: w from 2.5 to 12.5, n = 1, f = 25.
+
+    003: 1/w at t = 1/2 is (1/2.5 + 1/12.5)/2 = 0.24, and were w linear there, 1/7.5. 000, (12):
+    z' = 26/24 - 50/24/w, which is 0.25, 14/24 and 22/24 at t = 0, 1/2 and 1.
+    """
+    projection = Projection(Camera((0.0, 3.0, 7.5), (0.0, 3.0, 0.0)), Perspective(60.0, 1.0, 25.0))
+    inverse, depth = PHENOMENON.show(projection, PHENOMENON.defaults, SUBJECT).diagrams
+    for diagram, curve, expected in (
+        (inverse, 0, (0.4, 0.24, 0.08)),
+        (inverse, 1, (0.4, 1 / 7.5, 0.08)),
+        (depth, 0, (0.25, 14 / 24, 22 / 24)),
+    ):
+        points = diagram.curves[curve].points
+        assert points[[0, 16, 32]] == pytest.approx(
+            np.column_stack([(0.0, 0.5, 1.0), expected]), abs=1e-12
+        )
+        assert (diagram.left, diagram.right) == (0.0, 1.0)
+        assert (diagram.bottom <= points[:, 1]).all() and (points[:, 1] <= diagram.top).all()
+    assert [(spot.x, spot.y) for spot in (*inverse.spots, *depth.spots)] == [
+        (0.5, pytest.approx(0.24)),
+        (0.5, pytest.approx(14 / 24)),
+    ]
+
+
+@pytest.mark.parametrize("depth", ["opengl", "direct3d", "reversed"])
+def test_l18_they_are_straight_from_anywhere_and_only_for_a_lens_with_an_eye(depth: str) -> None:
+    for eye in ((1.5, 4.0, 10.0), (9.0, 2.0, 6.5), (-3.0, 7.0, 8.0)):
+        seen = replace(PHENOMENON.start, camera=Camera(eye, (0.0, 0.0, 0.5)), depth=depth)
+        diagrams = PHENOMENON.show(seen, PHENOMENON.defaults, SUBJECT).diagrams
+        assert len(diagrams) == 2
+        for diagram in diagrams:
+            y = diagram.curves[0].points[:, 1]
+            assert abs(np.diff(y, 2)).max() < 1e-13 and abs(y[-1] - y[0]) > 0.01
+    flat = PHENOMENON.start.with_lens("orthographic")
+    assert not PHENOMENON.show(flat, PHENOMENON.defaults, SUBJECT).diagrams

@@ -52,9 +52,9 @@ def test_halves_that_do_not_join_are_found_out() -> None:
     left, right = halves(PHENOMENON.start)
     lens = right.lens
     assert isinstance(lens, Frustum)
-    # 0.001 of a window 1 wide is shown on 640 pixels: a gap of 0.64 px at its edge.
+    # 0.001 of a window 2 wide is shown on 640 pixels: a gap of 0.32 px at its edge.
     apart = replace(right, lens=replace(lens, left=lens.left + 0.001))
-    assert join_error_px((left, apart)) == pytest.approx(0.001 / 0.999 * 640, rel=1e-9)
+    assert join_error_px((left, apart)) == pytest.approx(0.001 / 1.999 * 640, rel=1e-9)
 
 
 def test_a_point_of_the_join_is_on_both_edges() -> None:
@@ -88,7 +88,7 @@ def test_the_wall_shows_what_one_picture_shows() -> None:
     left, right = halves(PHENOMENON.start)
     lens = right.lens
     assert isinstance(lens, Frustum)
-    apart = replace(right, lens=replace(lens, left=lens.left + 0.001))
+    apart = replace(right, lens=replace(lens, left=lens.left + 0.002))
     difference = largest_difference_px(PHENOMENON.start, (left, apart), SUBJECT.points)
     assert difference is not None and difference > 0.5
 
@@ -165,3 +165,62 @@ def test_the_join_is_marked_where_the_pixels_part() -> None:
     # In the world it lies on the window's plane, and is seen where the image has it.
     (join,) = [line for line in illustration.world.lines if line.colour == "accent"]
     assert seen.trace(join.points).image[:, 0] == pytest.approx(640.0, abs=1e-9)
+
+
+def written(projection: Projection) -> dict[str, tuple[str, list[float]]]:
+    """What is written at each side of the near rectangle, and where."""
+    texts = shown(projection).world.texts
+    return {
+        text.about[0]: (text.text, text.point.round(9).tolist()) for text in texts if text.about
+    }
+
+
+START_WRITTEN = {
+    "left": ("l = −2.75", [-1.25, 2.4, 4.0]),
+    "right": ("r = 1.25", [2.75, 2.4, 4.0]),
+    "bottom": ("b = −1.125", [0.75, 1.275, 4.0]),
+    "top": ("t = 1.125", [0.75, 3.525, 4.0]),
+}
+"""By hand: a window 8 by 4.5, 8 before the eye at (1.5, 2.4, 8), its middle 1.5 to the left; half
+as far away it is half as large."""
+
+
+def test_l6_the_near_rectangle_has_the_four_numbers_of_glfrustum() -> None:
+    assert written(PHENOMENON.start) == START_WRITTEN
+    # And they are those of the lecture's matrix: 2n/(r - l) and (r + l)/(r - l) (003).
+    matrix = PHENOMENON.start.clip_from_view
+    assert matrix[0, 0] == pytest.approx(2 * 4 / (1.25 + 2.75))
+    assert matrix[0, 2] == pytest.approx((1.25 - 2.75) / (1.25 + 2.75))
+    assert matrix[1, 1] == pytest.approx(2 * 4 / 2.25) and matrix[1, 2] == 0.0
+
+
+@pytest.mark.parametrize(
+    ("name", "value", "text", "step", "along"),
+    [
+        ("left", -0.75, "l = −0.75", (2.0, 0.0, 0.0), ("bottom", "top")),
+        ("right", 2.25, "r = 2.25", (1.0, 0.0, 0.0), ("bottom", "top")),
+        ("bottom", -2.125, "b = −2.125", (0.0, -1.0, 0.0), ("left", "right")),
+        ("top", 2.125, "t = 2.125", (0.0, 1.0, 0.0), ("left", "right")),
+        ("near", 2.0, "", (0.0, 0.0, 2.0), ()),  # all four, and their numbers stay
+        ("far", 30.0, "", (0.0, 0.0, 0.0), ()),
+    ],
+)
+def test_l6_each_of_the_six_moves_its_own_edge(
+    name: str, value: float, text: str, step: tuple[float, ...], along: tuple[str, ...]
+) -> None:
+    """A side goes alone, and the middles of the two beside it half as far."""
+    lens = replace(PHENOMENON.start.lens, keep="stretch", **{name: value})
+    now = written(replace(PHENOMENON.start, lens=lens))
+    for side, (before, place) in START_WRITTEN.items():
+        part = 1.0 if side == name or not text else 0.5 if side in along else 0.0
+        expected = [at + part * way for at, way in zip(place, step, strict=True)]
+        assert now[side] == (text if side == name else before, pytest.approx(expected))
+
+
+def test_l6_the_side_that_is_spoken_of_has_a_line_of_its_own() -> None:
+    lines = {line.about: line.points for line in shown(PHENOMENON.start).world.lines if line.about}
+    assert sorted(lines) == [("bottom",), ("left",), ("right",), ("top",)]
+    assert np.ptp(lines["left",], axis=0) == pytest.approx([0.0, 2.25, 0.0])
+    assert lines["left",][:, 0] == pytest.approx(-1.25)
+    assert np.ptp(lines["top",], axis=0) == pytest.approx([4.0, 0.0, 0.0])
+    assert lines["top",][:, 1] == pytest.approx(3.525)

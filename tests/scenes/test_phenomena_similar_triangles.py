@@ -91,7 +91,7 @@ def test_image_scale_and_sign_are_those_of_the_formula() -> None:
         x, y, z = in_view(projection.camera, place)
         if z >= 0:
             assert said["x_p = d·x / w"] is None and said["scale d / w"] is None
-            assert illustration.readings[0].note is not None
+            assert illustration.readings[2].note is not None
             continue
         checked += 1
         w = -z
@@ -178,10 +178,10 @@ def test_a_point_behind_the_eye_has_no_image_and_says_why() -> None:
     for place in (behind, beside, START.camera.eye):
         for distance in (4.0, -3.0):
             illustration = show(distance=distance, point=place)
-            said = illustration.readings
+            said = illustration.readings[2:5]  # what the projector gives
             if place != beside or said[0].value is None:  # beside it is a rounding's breadth
-                assert [reading.value for reading in said[:3]] == [None] * 3
-                assert all(r.note is not None and "behind" in r.note.sentence() for r in said[:3])
+                assert [reading.value for reading in said] == [None] * 3
+                assert all(r.note is not None and "behind" in r.note.sentence() for r in said)
                 assert not illustration.image.dots and not illustration.world.dots
             assert finite(illustration)
 
@@ -205,3 +205,56 @@ def test_a_parallel_lens_has_no_projectors_that_meet(lens: Any) -> None:
     assert illustration.warning is not None and "parallel" in illustration.warning.sentence()
     assert illustration.readings == () and illustration.world.lines == ()
     assert illustration.copies == ()
+
+
+@pytest.mark.parametrize(
+    ("distance", "last_row", "product", "image"),
+    [
+        (4.0, (0.0, 0.0, -0.25, 0.0), (2.0, 3.0, -6.0, 1.5), (4 / 3, 2.0)),
+        (-3.0, (0.0, 0.0, 1 / 3, 0.0), (2.0, 3.0, -6.0, -2.0), (-1.0, -1.5)),
+    ],
+)
+def test_l5_the_matrix_with_one_over_d_is_the_lectures(
+    distance: float, last_row: Any, product: Any, image: Any
+) -> None:
+    """000, (2) and 004: by hand, (2, 3, -6) becomes (2, 3, -6, -z/d), and that over its last."""
+    projection = Projection(Camera((0, 0, 0), (0, 0, -1)), Perspective(60, 1, 30))
+    illustration = show(projection, distance=distance, point=(2.0, 3.0, -6.0))
+    said = readings(illustration)
+    rows = np.reshape(said["projection, with −1/d"], (4, 4))
+    assert rows[:3].tolist() == np.eye(4)[:3].tolist()
+    assert rows[3] == pytest.approx(last_row, rel=1e-15)
+    assert said["of P: (x, y, z, −z/d)"] == pytest.approx(product)
+    assert (said["x_p = d·x / w"], said["y_p = d·y / w"]) == pytest.approx(image)
+    assert [part / product[3] for part in product[:2]] == pytest.approx(image)
+
+
+def test_l5_from_the_side_both_triangles_have_their_lengths() -> None:
+    """Of (2, 3, -6) at d = 4: y_p : d = y : w is 2 : 4 = 3 : 6; from above 4/3 : 4 = 2 : 6."""
+    projection = Projection(Camera((0, 0, 0), (0, 0, -1)), Perspective(60, 1, 30))
+    illustration = show(projection, distance=4.0, point=(2.0, 3.0, -6.0))
+    assert dict(illustration.measured) == {"d": 4.0, "w": 6.0}
+    found = {
+        each.name: (each.view, each.value, each.start.tolist(), each.end.tolist())
+        for each in illustration.lengths
+    }
+    assert found == {
+        "y": ("side", 3.0, [0.0, 0.0, -6.0], [0.0, 3.0, -6.0]),
+        "y_p": ("side", 2.0, [0.0, 0.0, -4.0], [0.0, 2.0, -4.0]),
+        "x": ("top", 2.0, [0.0, 0.0, -6.0], [2.0, 0.0, -6.0]),
+        "x_p": ("top", pytest.approx(4 / 3), [0.0, 0.0, -4.0], [pytest.approx(4 / 3), 0.0, -4.0]),
+    }
+
+
+def test_l5_what_speaks_of_d_stands_out_with_it() -> None:
+    illustration = show()
+    about = {reading.label: set(reading.about) for reading in illustration.readings}
+    assert about["projection, with −1/d"] == {"settings.distance"} <= about["scale d / w"]
+    lit = [line for line in illustration.world.lines if "settings.distance" in line.about]
+    eye = np.array(START.camera.eye)
+    lengths = sorted(len(line.points) for line in lit)
+    assert lengths == [2, 5]  # the axis from the eye to the plane, and the plane's border
+    axis = next(line.points for line in lit if len(line.points) == 2)
+    assert np.linalg.norm(axis - eye, axis=1) == pytest.approx([4.0, 0.0])
+    (name,) = (text.text for text in illustration.world.texts if text.about == lit[0].about)
+    assert name == "d = 4"

@@ -545,3 +545,39 @@ def test_a_camera_far_away_and_lenses_at_their_ends_can_be_hovered(window: MainW
                         "fov",
                     }
                     assert name
+
+
+# -- a scene's own settings, numbers and marks
+
+
+def test_l5_the_matrix_lights_up_with_d_and_the_plane_with_the_matrix(window: MainWindow) -> None:
+    window.guide.choose("similar-triangles")
+    settle()
+    card, before = window.controls.card, pictures(window)
+    matrix = card.readout.lines[0][1]
+    lit = [value for _, value, _ in card.readout.lines if value.is_marked]
+    assert not lit and "-0.25" in matrix.exact
+    hover(window, card.rows["distance"].name_label)
+    assert window.highlighter.now == {"settings.distance"}
+    assert matrix.is_marked and not card.readout.lines[3][1].is_marked  # y_p is no cell of it
+    assert "world" in changed(before, pictures(window))
+    hover(window, matrix)
+    assert window.highlighter.now == {"settings.distance"} and card.rows["distance"].is_marked
+    hover(window, card.readout.lines[3][1])
+    assert window.highlighter.now == {"y_p"} and not card.rows["distance"].is_marked
+    leave(window)
+    assert not changed(before, pictures(window)) and not matrix.is_marked
+
+
+def test_l6_each_number_of_the_window_lights_its_edge(window: MainWindow) -> None:
+    window.guide.choose("off-axis-window")
+    settle()
+    before = pictures(window)
+    lines = window.controls.card.readout.lines
+    for name in ("left", "right", "bottom", "top", "near", "far"):
+        hover(window, window.controls.rows[name].name_label)
+        assert window.highlighter.now == {name}
+        assert "world" in changed(before, pictures(window)), name
+        assert lines[2][1].is_marked == (name in ("left", "right"))
+    leave(window)
+    assert not changed(before, pictures(window))

@@ -123,6 +123,7 @@ class Controls(QScrollArea):
         self._not_here.hide()
         self._layout.addWidget(self._not_here)
         self.card = SceneCard()
+        self.card.highlighted.connect(self.highlighted)
         self.card.gesture_started.connect(self.gesture_started)
         self.card.gesture_finished.connect(self.gesture_finished)
         self.card.gesture_abandoned.connect(self.gesture_abandoned)
@@ -269,6 +270,7 @@ class Controls(QScrollArea):
         for binding in self._bindings.values():
             names = _about(binding).union(_MAKES.get(binding.field, ()))
             binding.row.set_marked(bool(names & shown))
+        self.card.show_highlight(shown)
 
     def _highlighted(self, key: str, about: Highlight, is_highlighted: bool) -> None:
         self.highlighted.emit(key, about if is_highlighted else NOTHING)

@@ -35,6 +35,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from app.lecture.highlight import NOTHING, Highlight
 from app.model.projection import Projection
 from app.model.refusal import Refusal
 from app.scenes.phenomena.illustration import (
@@ -112,6 +113,8 @@ class SceneCard(QWidget):
     """The user wants the scene's own objects back."""
     comparison_wanted = Signal(str)
     """The user wants to see this one of the scene's own comparisons."""
+    highlighted = Signal(str, object)
+    """Which row or reading the user is at, and the `Highlight` it draws; `NOTHING` after it."""
     explanation_wanted = Signal()
     """The user wants to read more about the scene, and to see its diagrams."""
 
@@ -136,6 +139,7 @@ class SceneCard(QWidget):
         self.title, self.tries = Balanced(), Balanced()
         self.warning = _Sentence("rowError")
         self.readout = Readout()
+        self.readout.highlighted.connect(partial(self.highlighted.emit, "reading"))
         self.use_mesh = QToolButton()
         self.use_mesh.setText(self.tr("My mesh…"))
         self.use_mesh.setAccessibleName(self.tr("My mesh"))
@@ -340,6 +344,7 @@ class SceneCard(QWidget):
             row.gesture_started.connect(partial(self._gesture_started, row))
             row.gesture_finished.connect(self.gesture_finished)
             row.gesture_abandoned.connect(self.gesture_abandoned)
+            row.highlighted.connect(partial(self._row_highlighted, setting.path))
             if setting.per_second and isinstance(row, NumberRow):
                 self._add_player(setting, row)
             self._rows.addWidget(row)
@@ -372,6 +377,15 @@ class SceneCard(QWidget):
 
     def _want_comparison(self, name: str, _checked: bool = False) -> None:
         self.comparison_wanted.emit(name)
+
+    def _row_highlighted(self, path: str, is_highlighted: bool) -> None:
+        self.highlighted.emit(path, frozenset((path,)) if is_highlighted else NOTHING)
+
+    def show_highlight(self, highlighted: Highlight) -> None:
+        """Mark the rows and the readings that are about what is highlighted."""
+        for setting in () if self._phenomenon is None else self._phenomenon.settings:
+            self.rows[setting.name].set_marked(setting.path in highlighted)
+        self.readout.show_highlight(highlighted)
 
     def _add_player(self, setting: Setting, row: NumberRow) -> None:
         player = Player(setting, self)
@@ -712,8 +726,12 @@ class Readout(QWidget):
     What has no value shows why in a sentence below, once for all that have the same reason.
     """
 
+    highlighted = Signal(object)
+    """The `Highlight` that the mouse draws to what a reading is about."""
+
     def __init__(self) -> None:
         super().__init__()
+        self._highlight = NOTHING
         self.lines: list[tuple[QLabel, _Value, QLabel]] = []
         self._readings: Sequence[Reading] = ()
         self._first = 0
@@ -765,6 +783,7 @@ class Readout(QWidget):
             self._add_line()
         labels = [of_phenomena(reading.label) for reading in readings]
         anew = labels != [label.text() for label, _, _ in self.lines if not label.isHidden()]
+        self._mark()
         for place, line in enumerate(self.lines):
             if anew:
                 for widget in line:
@@ -782,6 +801,24 @@ class Readout(QWidget):
             self.note.setText(text)
             self.note.setVisible(bool(text))
 
+    def show_highlight(self, highlighted: Highlight) -> None:
+        """Mark the numbers that speak of what is highlighted."""
+        self._highlight = highlighted
+        self._mark()
+
+    def _mark(self) -> None:
+        for reading, (_, value, _) in zip(self._readings, self.lines, strict=False):
+            value.set_marked(bool(self._highlight.intersection(reading.about)))
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        if event.type() in (QEvent.Type.Enter, QEvent.Type.Leave):
+            about: Highlight = NOTHING
+            for reading, line in zip(self._readings, self.lines, strict=False):
+                if watched in line and event.type() == QEvent.Type.Enter:
+                    about = frozenset(reading.about)
+            self.highlighted.emit(about)
+        return super().eventFilter(watched, event)
+
     def _add_line(self) -> None:
         label, value, unit = Balanced(), _Value(), QLabel()
         unit.setTextFormat(Qt.TextFormat.PlainText)
@@ -789,6 +826,7 @@ class Readout(QWidget):
         row = 2 * len(self.lines)
         for column, part in enumerate((label, value, unit)):
             part.hide()
+            part.installEventFilter(self)
             self._grid.addWidget(part, row, column)
         value.setObjectName("number")
         self.lines.append((label, value, unit))

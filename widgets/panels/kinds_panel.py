@@ -374,5 +374,5 @@ class KindsPanel(ReadablePanel):
         illustration = Shown.of(document, self._shown.scene).illustration
         if illustration is not None and illustration.warning is not None:
             why = illustration.warning.sentence(of_phenomena, read_text)
-            text = self.tr("{0} ⚠ This scene: {1}.").format(text, why)
+            text = self.tr("{0} This scene: {1}.").format(text, why)
         return text

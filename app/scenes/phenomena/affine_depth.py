@@ -32,6 +32,7 @@ from app.scenes.phenomena.illustration import (
     Settings,
     Subject,
     Text,
+    figure,
     of_parallel,
     point,
 )
@@ -240,9 +241,14 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Illus
         on_bow[2] = z_near + slope(projection) * (float(found.w[0]) - projection.lens.near)
         lines.append(Line(np.array([on_chord, on_bow]), "ink", 1.0))
         dots.append(Dot(on_bow, "u", 1.2))
+        # Outside of the bow, which curves away from there; and beyond the straight one's end.
+        quarter, straight = 3 * len(_STEPS) // 4, part.ndc[0]
+        beside = (1.0 - _STEPS[quarter]) * curve[0] + _STEPS[quarter] * curve[-1]
+        if math.isfinite(found.percent[0]):
+            texts.append(Text(f"{figure(found.percent[0], 4)} %", on_bow, away_from=on_chord))
         texts += [
-            Text("A z + B", on_bow, "u"),
-            Text("A + B / z", part.ndc[0].mean(axis=0), "accent"),
+            Text("A z + B", curve[quarter], "u", away_from=beside),
+            Text("A + B / z", straight[0], "accent", away_from=straight.mean(axis=0)),
         ]
     note = None
     if not own.any():

@@ -180,6 +180,8 @@ class Reading:
     unit : str
         ``"px"``, ``"°"``, ``"%"``, ``"×"``, or empty for world units.
     note : Phrase, optional
+    about : tuple of str
+        What it speaks of, by the names of `app.lecture.highlight`: it stands out with that.
     counted : bool
         Whether the value is not computed but counted in the picture's pixels, by somebody who can
         draw; until then it is None. `note` says why, if there turns out to be nothing to count.
@@ -190,15 +192,27 @@ class Reading:
     unit: str = ""
     note: Phrase | None = None
     counted: bool = False
+    about: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True, eq=False)
 class Line:
-    """A polyline. `points` is (k, 3), or (k, 2) in image pixels; `width` in ordinary lines."""
+    """A polyline.
+
+    Attributes
+    ----------
+    points : (k, 3) array, or (k, 2) in image pixels
+    colour : str
+    width : float
+        In ordinary lines.
+    about : tuple of str
+        In the world: what it stands out with, as of `Reading`.
+    """
 
     points: Array
     colour: str = "ink"
     width: float = 1.0
+    about: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True, eq=False)
@@ -221,11 +235,26 @@ class Dot:
 
 @dataclass(frozen=True, eq=False)
 class Text:
-    """A few letters beside a point; on a plate of `colour` if there is one."""
+    """A few letters beside a point.
+
+    Attributes
+    ----------
+    text : str
+    point : (3,) array, or (2,) in image pixels
+    colour : str
+        Of its plate, if it has one.
+    about : tuple of str
+        As of `Line`.
+    away_from : array like `point`, optional
+        In world and NDC, a point that they are rather not towards: the middle of what has an edge
+        here, or what a curve bends away from.
+    """
 
     text: str
     point: Array
     colour: str = ""
+    about: tuple[str, ...] = ()
+    away_from: Array | None = None
 
 
 @dataclass(frozen=True, eq=False)
@@ -245,6 +274,29 @@ class Grip:
     setting: str
     point: Array
     base: Vector = (0.0, 0.0, 0.0)
+
+
+@dataclass(frozen=True, eq=False)
+class Length:
+    """What one of the world's flat views measures across the axis, beside the distances along it.
+
+    Attributes
+    ----------
+    view : str
+        ``"side"`` or ``"top"``.
+    name : str
+        Its letter.
+    value : float
+        With its sign.
+    start, end : (3,) array
+        World coordinates, parallel to the screen there.
+    """
+
+    view: str
+    name: str
+    value: float
+    start: Array
+    end: Array
 
 
 @dataclass(frozen=True, eq=False)
@@ -468,6 +520,7 @@ class Illustration:
     measured : tuple of (str, float)
         Distances from the eye plane that the scene has letters for: what the flat views of the
         world measure. Without one of its own, d is the target's.
+    lengths : tuple of Length
     idle : bool
         Whether nothing of the phenomenon is shown, whatever its settings; `warning` says why.
     """
@@ -482,6 +535,7 @@ class Illustration:
     warning: Phrase | None = None
     grips: tuple[Grip, ...] = ()
     measured: tuple[tuple[str, float], ...] = ()
+    lengths: tuple[Length, ...] = ()
     idle: bool = False
 
 

@@ -28,6 +28,8 @@ from app.model.projection import Array, Camera, Perspective, Projection
 from app.model.refusal import QT_TRANSLATE_NOOP
 from app.scenes.phenomena.illustration import (
     Comparison,
+    Curve,
+    Diagram,
     Dot,
     Illustration,
     Line,
@@ -38,6 +40,7 @@ from app.scenes.phenomena.illustration import (
     Rendering,
     Setting,
     Settings,
+    Spot,
     Subject,
     Text,
     Texture,
@@ -56,6 +59,8 @@ _RGB = (245, 242, 230)
 
 _BOARD = _CORNERS[[[0, 1, 3], [1, 2, 3]]]
 """Its two triangles; the diagonal is that which the rasteriser draws."""
+_STEPS = np.linspace(0.0, 1.0, 33)
+"""Along the edge that is plotted, on the screen."""
 _MOST_PARTS = 1000
 """Of this many sides of a mesh's triangles, after they are cut, the readings are found."""
 
@@ -215,13 +220,72 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Illus
         dots=tuple(dot for dot, _ in here),
         texts=tuple(text for _, text in here),
     )
+    parallel = of_parallel(projection, _PARALLEL)
     return Illustration(
         _readings(errors, part, note, said),
         world=world,
         image=image,
+        diagrams=_along_edge(projection, ends, w) if parallel is None else (),
         rendering=rendering,
-        warning=note or of_parallel(projection, _PARALLEL),
+        warning=note or parallel,
     )
+
+
+def _along_edge(projection: Projection, ends: Array, w: Array) -> tuple[Diagram, ...]:
+    """1/w and the depth z' = A + B/z along the marked edge, over the part t of it on the screen.
+
+    Of the points of the edge that are seen at t, each by its own place in the world: that both come
+    out straight is what is shown (lecture 003: 1/z3 = (1 - t)/z1 + t/z2; 000 and 002: A + B/z).
+
+    Parameters
+    ----------
+    projection : Projection
+    ends : (2, 3) array
+        World coordinates.
+    w : (2,) array
+        Their distances from the eye plane.
+    """
+    near, far = (1.0 - _STEPS) / w[0], _STEPS / w[1]
+    trace = projection.trace(ends[0] + (far / (near + far))[:, None] * (ends[1] - ends[0]))
+    half = len(_STEPS) // 2
+    affine = 1.0 / ((1.0 - _STEPS) * w[0] + _STEPS * w[1])
+    low, high = sorted(projection.depth_range)
+    diagrams = []
+    for title, y_label, y, wrong, bounds in (
+        (
+            QT_TRANSLATE_NOOP("phenomena", "1/w along the marked edge is straight"),
+            "1/w = −1/z",
+            1.0 / trace.clip[:, 3],
+            affine,
+            (0.0, 1.1 / float(w.min())),
+        ),
+        (
+            QT_TRANSLATE_NOOP("phenomena", "depth z' = A + B/z along the marked edge is, too"),
+            "z'",
+            trace.ndc[:, 2],
+            None,
+            (low, high),
+        ),
+    ):
+        curves = [Curve(np.column_stack([_STEPS, y]), "accent", "", 2.0)]
+        if wrong is not None:
+            linear = QT_TRANSLATE_NOOP("phenomena", "if w were linear")
+            curves.append(Curve(np.column_stack([_STEPS, wrong]), "u", linear))
+        marked = Spot(0.5, float(y[half]), "t = ½", colour="accent")
+        diagrams.append(
+            Diagram(
+                title,
+                tuple(curves),
+                left=0.0,
+                right=1.0,
+                bottom=bounds[0],
+                top=bounds[1],
+                x_label=QT_TRANSLATE_NOOP("phenomena", "t, part of the edge on the screen"),
+                y_label=y_label,
+                spots=(marked,),
+            )
+        )
+    return tuple(diagrams)
 
 
 def _looked_at(subject: Subject, parts: int) -> tuple[Array, Array, Phrase | None, str]:

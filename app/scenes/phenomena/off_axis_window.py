@@ -29,6 +29,7 @@ from app.scenes.phenomena.illustration import (
     Settings,
     Subject,
     Text,
+    figure,
     number,
     of_parallel,
 )
@@ -172,18 +173,19 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Illus
     readings = _join_readings(projection, screens, subject, warning or Phrase(_ONE_SCREEN))
     sides = (_SIDES_LEFT, _SIDES_RIGHT) if len(screens) == 2 else (_SIDES_WINDOW,)
     for label, screen in zip(sides, screens, strict=True):
-        readings.append(Reading(label, screen.window[:2]))
+        readings.append(Reading(label, screen.window[:2], about=("left", "right")))
     left, right, bottom, top = projection.window
     readings += [
-        Reading(QT_TRANSLATE_NOOP("phenomena", "b, t"), (bottom, top)),
+        Reading(QT_TRANSLATE_NOOP("phenomena", "b, t"), (bottom, top), about=("bottom", "top")),
         Reading(
             QT_TRANSLATE_NOOP("phenomena", "off the axis, (r + l)/(r − l)"),
             (left / 2.0 + right / 2.0) / (right / 2.0 - left / 2.0),
+            about=("left", "right"),
         ),
     ]
     return Illustration(
         tuple(readings),
-        world=_world_marks(screens, names),
+        world=_world_marks(projection, screens, names),
         ndc=_ndc_marks(projection, screens),
         image=_image_marks(projection, screens, names),
         warning=warning or of_parallel(projection, _PARALLEL),
@@ -222,10 +224,15 @@ def _join_readings(
     ]
 
 
-def _world_marks(screens: tuple[Projection, ...], names: tuple[str, ...]) -> Marks:
-    """The window in the plane through the target, and the frusta from the eye to its screens."""
-    lines: list[Line] = []
-    faces, texts = [], []
+def _world_marks(
+    projection: Projection, screens: tuple[Projection, ...], names: tuple[str, ...]
+) -> Marks:
+    """The window in the plane through the target, and the frusta from the eye to its screens.
+
+    And, on the near plane, the four numbers that glFrustum takes of it (lecture 003).
+    """
+    lines, texts = _near_rectangle(projection)
+    faces = []
     for screen, name, colour in zip(screens, names, ("u", "n"), strict=False):
         corners = section(screen, screen.camera.distance)
         closed = outline(corners)
@@ -239,6 +246,24 @@ def _world_marks(screens: tuple[Projection, ...], names: tuple[str, ...]) -> Mar
     if len(screens) == 2:
         lines.append(Line(section(screens[1], screens[1].camera.distance)[[0, 3]], "accent", 2.0))
     return Marks(tuple(lines), tuple(faces), texts=tuple(texts))
+
+
+def _near_rectangle(projection: Projection) -> tuple[list[Line], list[Text]]:
+    """The near plane's window, l, r, b and t written at the side where each of them is."""
+    left_bottom, right_bottom, right_top, left_top = section(projection, projection.lens.near)
+    ends = {
+        "left": (left_bottom, left_top),
+        "right": (right_bottom, right_top),
+        "bottom": (left_bottom, right_bottom),
+        "top": (left_top, right_top),
+    }
+    lines, texts = [], []
+    middle = (left_bottom + right_top) / 2.0
+    for (side, edge), value in zip(ends.items(), projection.window, strict=True):
+        lines.append(Line(np.array(edge), "near", 1.5, (side,)))
+        text = f"{side[0]} = {figure(value, 4)}"
+        texts.append(Text(text, (edge[0] + edge[1]) / 2.0, "near", (side,), middle))
+    return lines, texts
 
 
 def _ndc_marks(projection: Projection, screens: tuple[Projection, ...]) -> Marks:
@@ -323,7 +348,7 @@ PHENOMENON = Phenomenon(
     start=Projection(
         Camera((1.5, 2.4, 8.0), (1.5, 2.4, 0.0)),
         # The window is 8 by 4.5 in the plane z = 0, 8 units away; its middle is 1.5 to the left.
-        Frustum(-5.5 / 4.0, 2.5 / 4.0, -2.25 / 4.0, 2.25 / 4.0, 2.0, 19.0, "y"),
+        Frustum(-2.75, 1.25, -1.125, 1.125, 4.0, 17.0, "y"),
     ),
     geometry=_geometry,
     show=_show,

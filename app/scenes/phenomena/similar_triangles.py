@@ -21,6 +21,7 @@ from app.scenes.phenomena.illustration import (
     Face,
     Grip,
     Illustration,
+    Length,
     Line,
     Marks,
     Phenomenon,
@@ -48,6 +49,11 @@ _PARALLEL = QT_TRANSLATE_NOOP(
     "phenomena",
     "a parallel lens has no eye that projectors meet in: choose a perspective lens to see them",
 )
+
+# What numbers and lines speak of, by the names of `app.lecture.highlight`.
+_OF_D, _OF_POINT, _OF_W = ("settings.distance",), ("settings.point",), ("w",)
+_OF_X_P, _OF_Y_P = ("x_p",), ("y_p",)
+_OF_IMAGE = (*_OF_X_P, *_OF_Y_P)
 
 _SLAB = 4e-3  # of the plane's distance: thickness of the picture on it
 
@@ -77,6 +83,17 @@ def projected(projection: Projection, distance: float, place: Array) -> tuple[fl
     if z >= 0.0:
         return None
     return distance * x / -z, distance * y / -z
+
+
+def lecture_matrix(distance: float) -> Array:
+    """The matrix with -1/d that projects points of view space, (4, 4).
+
+    It takes (x, y, z, 1) to (x, y, z, -z/d), divided (-d x/z, -d y/z, -d) (lecture 000, (2); 004,
+    "Matrica promatrane perspektivne projekcije").
+    """
+    matrix = np.eye(4)
+    matrix[3, 2:] = -1.0 / distance, 0.0
+    return matrix
 
 
 def onto_plane(projection: Projection, distance: float, slab: float = 0.0) -> Array:
@@ -118,10 +135,11 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Illus
         return world_from_view(projection, (x, y, z))
 
     plane = section(projection, distance)
-    lines = [Line(outline(plane), "v", 1.0)]
+    lines = [Line(outline(plane), "v", 1.0, _OF_D)]
     faces = [Face(plane, "v", 0.14)]
-    texts = [Text(f"d = {figure(distance, 4)}", plane[2], "v")]
+    texts = [Text(f"d = {figure(distance, 4)}", plane[2], "v", _OF_D)]
     dots, nearest = [], math.inf
+    lengths: tuple[Length, ...] = ()
     for x, y, z in projection.trace(_outermost(subject)).view.tolist():
         if z < 0.0:
             hit = world(distance * x / -z, distance * y / -z, -distance)
@@ -137,20 +155,48 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Illus
         faces += [Face(np.array([eye, axis, place]), "accent", 0.16)]
         faces += [Face(np.array([eye, foot, hit]), "accent", 0.3)]
         lines += [
-            Line(np.array([foot, eye, axis, place]), "ink", 1.0),
+            Line(np.array([foot, eye]), "ink", 1.0, _OF_D),
+            Line(np.array([eye, axis]), "ink", 1.0, _OF_W),
+            Line(np.array([axis, place]), "ink", 1.0, _OF_POINT),
             Line(_through(eye, place, hit, distance, w), "accent", 1.5),
-            Line(np.array([foot, hit]), "v", 2.0),
+            Line(np.array([foot, hit]), "v", 2.0, _OF_IMAGE),
         ]
         dots = [Dot(place, "accent", 1.3), Dot(hit, "accent", 1.3)]
         texts += [Text("P", place, "accent"), Text("P'", hit, "accent")]
-        texts += [Text("w", (eye + axis) / 2.0)]
+        texts += [Text("w", (eye + axis) / 2.0, about=_OF_W)]
         nearest = min(nearest, w)
+        lengths = tuple(
+            Length(view, letter, length, start, world(*end))
+            for view, letter, length, start, end in (
+                ("side", "y", y, axis, (0.0, y, z)),
+                ("side", "y_p", at[1], foot, (0.0, at[1], -distance)),
+                ("top", "x", x, axis, (x, 0.0, z)),
+                ("top", "x_p", at[0], foot, (at[0], 0.0, -distance)),
+            )
+        )
     note = Phrase(_BEHIND) if at is None else None
+    matrix = lecture_matrix(distance)
     readings = (
-        Reading("x_p = d·x / w", None if at is None else at[0], note=note),
-        Reading("y_p = d·y / w", None if at is None else at[1], note=note),
-        Reading(QT_TRANSLATE_NOOP("phenomena", "scale d / w"), scale, "×", note),
-        Reading("w", -z + 0.0),
+        Reading(
+            QT_TRANSLATE_NOOP("phenomena", "projection, with −1/d"),
+            tuple(matrix.reshape(-1).tolist()),
+            about=_OF_D,
+        ),
+        Reading(
+            QT_TRANSLATE_NOOP("phenomena", "of P: (x, y, z, −z/d)"),
+            tuple((matrix @ (x, y, z, 1.0) + 0.0).tolist()),
+            about=(*_OF_D, *_OF_W, *_OF_POINT),
+        ),
+        Reading("x_p = d·x / w", None if at is None else at[0], note=note, about=_OF_X_P),
+        Reading("y_p = d·y / w", None if at is None else at[1], note=note, about=_OF_Y_P),
+        Reading(
+            QT_TRANSLATE_NOOP("phenomena", "scale d / w"),
+            scale,
+            "×",
+            note,
+            about=(*_OF_D, *_OF_W),
+        ),
+        Reading("w", -z + 0.0, about=_OF_W),
         Reading(
             QT_TRANSLATE_NOOP("phenomena", "the image on the plane"),
             QT_TRANSLATE_NOOP("phenomena", "upright")
@@ -168,7 +214,8 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Illus
         image=_marked(trace.image) if here else Marks(),
         copies=(Copy(onto_plane(projection, distance, slab)),),
         grips=(Grip("point", place),),
-        measured=(("d", distance),),
+        lengths=lengths,
+        measured=(("d", distance),) if at is None else (("d", distance), ("w", -z)),
     )
 
 
@@ -236,7 +283,7 @@ PHENOMENON = Phenomenon(
         ),
     ),
     controls=("lens.fov_y_deg", "camera.distance"),
-    numbers=5,
+    numbers=6,
     check=_check,
     own_mesh=True,
 )
