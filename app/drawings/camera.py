@@ -160,7 +160,9 @@ class CameraDrawing:
     def names(self) -> tuple[tuple[str, ...], Array]:
         """The arrows that are drawn, and where their names can be, (k n, 3), best first."""
         arrows, directions = self.arrows
-        return arrows, np.concatenate([self._standing.eye + k * directions for k in _BEYOND_TIP])
+        larger = self.axes_size / self.body_size
+        beyond = [1.0 + (k - 1.0) / larger for k in _BEYOND_TIP]
+        return arrows, np.concatenate([self._standing.eye + k * directions for k in beyond])
 
     @property
     def box(self) -> Array:
@@ -170,7 +172,7 @@ class CameraDrawing:
     @property
     def around(self) -> Array:
         """What the body and its axes lie between, (6, 3)."""
-        return self._standing.eye + _AROUND * self.body_size * _SIX_WAYS
+        return self._standing.eye + _AROUND * self.axes_size * _SIX_WAYS
 
     def depths(self, pane: PaneView) -> tuple[float, float, float]:
         """How far from the pane's camera eye, target and axes are."""

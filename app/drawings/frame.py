@@ -21,8 +21,9 @@ from app.model.projection import Array, Camera
 
 TIPS = {"v": (0.0, 2.0, 0.0), "n": (0.0, 0.0, 2.6), "u": (2.0, 0.0, 0.0)}
 """Of the axes in view space, in sizes of the camera's body."""
-LARGER = 1.25
-"""How much larger they are while they are built step by step."""
+LARGER = 3.2
+"""How much larger they are while they are built step by step: a third of the pane, to be seen from
+the back row."""
 DIMMED = 0.22
 """How much is left of what is not the lesson."""
 

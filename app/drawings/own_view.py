@@ -116,6 +116,8 @@ class OwnView:
     ----------
     pane : PaneView
         How it looks just now; a move from outside is seen by `look`.
+    around : float
+        How much larger than ever the camera's axes are.
     fixed : str
         One of `app.document.view.FIXED`, or ``""``.
     """
@@ -128,6 +130,7 @@ class OwnView:
         self._framed: Framed | None = None
         self._framed_first: Framed | None = None
         self.fixed = ""
+        self.around = 1.0
         self._was_shifted = False
         self._flat: _Flat | None = None
         self._axes = np.eye(3)
@@ -284,7 +287,7 @@ class OwnView:
         position = _stand_back(axes, framed.points, slopes, lower)
         for _ in range(2):  # camera's body and axes are as large as the pane makes them
             unit = 2.0 * half / size_px[1] * float((position - eye) @ out)
-            around = max(0.0, AROUND_PX * min(size_px) * unit)
+            around = max(0.0, self.around * AROUND_PX * min(size_px) * unit)
             position = _stand_back(
                 axes, np.vstack([framed.points, eye + around * _SIX_WAYS]), slopes, lower
             )

@@ -23,7 +23,6 @@ from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 from vtkmodules.vtkRenderingCore import vtkActor2D, vtkPolyDataMapper2D
 
-from app.document.view import MOST_PROBES
 from app.drawings.actors import Canvas, Label, Space, lift_lines, line_actor
 from app.drawings.style import Style, rgb
 from app.model.infinity import trace_at_infinity
@@ -204,7 +203,7 @@ def _traced(projection: Projection, points: tuple[Vector, ...]) -> tuple[Trace, 
     return tuple(Trace(*row) for row in rows)
 
 
-@lru_cache(maxsize=2 * MOST_PROBES)
+@lru_cache(maxsize=16)  # six probes, likewise
 def _traced_at_infinity(projection: Projection, direction: Vector) -> Trace:
     return trace_at_infinity(projection, direction)
 

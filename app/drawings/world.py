@@ -20,7 +20,7 @@ from app.drawings import actors
 from app.drawings.actors import Canvas, Space
 from app.drawings.camera import CameraDrawing, Standing, view_matrices
 from app.drawings.dimensions import Dimensions, Measured
-from app.drawings.frame import DIMMED
+from app.drawings.frame import DIMMED, LARGER
 from app.drawings.frustum import CUBE, FrustumDrawing
 from app.drawings.handles import APART_EM, HandleMarks
 from app.drawings.labels import Labels, Layout, Named, PaneView
@@ -218,7 +218,14 @@ class WorldDrawing:
         for line, opacity in self._dimmable:
             line.SetOpacity(opacity * self._light)
         self.labels.dim_planes(self._light)
-        self._follow_pane(afresh=True)
+        around = 1.0 if step is None else LARGER
+        if around == self.own.around:
+            self._follow_pane(afresh=True)
+            return
+        self.own.around = around
+        if not (self.own.was_moved or self.own.fixed):
+            self.own.place(self._framed())
+        self._follow_camera(afresh=True)
 
     @property
     def _light(self) -> float:
@@ -417,8 +424,8 @@ class WorldDrawing:
     def _unseen(self) -> frozenset[str]:
         """What is neither named nor held, because what it names is not drawn."""
         unseen = set[str]()
-        if "frustum" in self._hidden:
-            unseen |= {"near", "far", "corner"}
+        if "frustum" in self._hidden or self.camera.step is not None:
+            unseen |= {"near", "far", "corner"}  # nothing before the arrows that are being built
         if "camera" in self._hidden:
             unseen |= {"eye", "target"}
         elif "camera" in self._canvas.hidden:  # seen through, or from right behind it

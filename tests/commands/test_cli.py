@@ -1538,7 +1538,10 @@ def test_a_phenomenon_is_named_and_set_on_the_command_line(tmp_path: Path) -> No
             ["scene=similar-triangles", "settings.distance=0"],
             "settings.distance = 0: must not be 0: the plane would go through the eye",
         ),
-        (["settings.distance=2"], "set scene as well (similar-triangles, field-of-view)"),
+        (
+            ["settings.distance=2"],
+            "set scene as well (similar-triangles, camera-obscura, field-of-view)",
+        ),
         (["mesh=bunny.obj"], "cannot be shown in the scene letter-f"),
         (["scene=similar-triangles", "mesh=bunny"], "must be the path of a mesh file"),
     ],

@@ -1689,7 +1689,7 @@ def test_a_setting_of_another_scene_names_that_scene() -> None:
     said = sentence(lambda: set_values(parse(DESIGN), ["settings.distance=2"]))
     assert said == (
         "settings.distance belongs to another scene: set scene as well (similar-triangles,"
-        " field-of-view)."
+        " camera-obscura, field-of-view)."
     )
     said = sentence(lambda: set_values(parse(DESIGN), ["settings.colour=2"]))
     assert "is not known; the nearest name is" in said

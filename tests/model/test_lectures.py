@@ -396,7 +396,9 @@ def test_l6_002_perspective_is_ours_times_minus_1_with_z_reversed(near: float, f
 
 
 @pytest.mark.parametrize(("near", "far"), NEAR_AND_FAR)
-def test_l11_002_off_axis_perspective_is_h_and_then_the_symmetric_one(near: float, far: float) -> None:
+def test_l11_002_off_axis_perspective_is_h_and_then_the_symmetric_one(
+    near: float, far: float
+) -> None:
     """H moves the window's middle onto the axis: cot(alpha) is its x over near."""
     x_l, x_r, y_b, y_t = SIDES
     lens = Frustum(*SIDES, near, far)

@@ -292,3 +292,16 @@ def test_what_cannot_be_focused_says_why() -> None:
         assert parallel.warning is not None
         assert set(values(parallel).values()) == {None}
         assert parallel.diagrams == () and parallel.world.faces == ()
+
+
+def test_l24_each_plane_s_name_points_at_another_corner_of_it() -> None:
+    """At the same one names stand over each other, and over the planes behind."""
+    start = PHENOMENON.start
+    texts = show().world.texts
+    assert [text.text for text in texts] == ["sharp from", "in focus", "sharp to"]
+    view = start.trace([text.point for text in texts]).view
+    limits = values(show())
+    depths = [limits["sharp from"], PHENOMENON.defaults["focus"], limits["sharp to"]]
+    assert -view[:, 2] == pytest.approx(depths, rel=1e-12)
+    sides = {(x > 0.0, y > 0.0) for x, y in view[:, :2].tolist()}
+    assert len(sides) == 3

@@ -116,13 +116,14 @@ def test_l23_as_many_pop_in_as_a_drive_counts() -> None:
 
 def test_crowns_pass_where_the_middle_of_no_tree_is_seen() -> None:
     """Looking up: the picture's lower edge is above the trees' middles, where far is."""
+    start = replace(PHENOMENON.start, lens=Perspective(45.0, 6.0, 100.0))
     camera = Camera((0.5, 2.2, 10.0), (0.0, 11.2, -40.0))
-    up = replace(with_fov(PHENOMENON.start, 0.4), camera=camera)
+    up = replace(with_fov(start, 0.4), camera=camera)
     readings = shown(up).readings
     assert readings[2].value == 4.0 and readings[4].value == 100.0
     # Looking down at the trunks of one row alone, of which the simplest trees have none.
     camera = Camera((4.0, 20.0, 10.0), (4.0, 0.6, -88.1))
-    down = replace(with_fov(PHENOMENON.start, 0.5 / 45.0), camera=camera)
+    down = replace(with_fov(start, 0.5 / 45.0), camera=camera)
     assert shown(down).readings[2].value == 2.0
     assert shown(down, detail=True).readings[2].value == 0.0
 
@@ -223,3 +224,22 @@ def test_settings_that_cannot_be_are_named(settings: dict[str, object], field: s
     with pytest.raises(Refusal) as error:
         PHENOMENON.checked(settings)
     assert error.value.field == field
+
+
+def test_l23_the_avenue_fills_the_picture_and_is_seen_to_end_before_it() -> None:
+    """The nearest trees reach its sides and nearly its top; the last are still seen as trees."""
+    start = PHENOMENON.start
+    width, height = start.image_size
+    seen = places()[trees_in_view(start)]
+    nearest, last = seen[seen[:, 2].argmax()], seen[seen[:, 2].argmin()]
+
+    def high(place: np.ndarray) -> float:
+        bottom, top = start.trace([place, np.add(place, (0.0, HEIGHT, 0.0))]).image
+        return float(bottom[1] - top[1])
+
+    across = start.trace([(x, HEIGHT / 2.0, nearest[2]) for x in ROWS]).image[:, 0]
+    assert across[1] - across[0] > 0.7 * width and high(nearest) > 0.8 * height
+    assert 0.05 * height < high(last) < 0.15 * height
+    beyond = (0.0, 0.0, 3.0 * SPACING)  # what is not drawn would be seen there
+    assert high(last - beyond) > 0.04 * height
+    assert len(seen) < len(places()) / 3

@@ -18,6 +18,7 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QWidget
 
 from app.drawings.frame import arrow_tips
+from app.drawings.style import LIGHT, rgb
 from app.lecture.camera_frame import (
     STEPS,
     most_turned_deg,
@@ -45,6 +46,7 @@ from widgets.panels.frame_panel import FramePanel
 from widgets.window.main_window import MainWindow
 
 START = load("letter-f").start
+START_ORIGIN = load("letter-f").origin
 
 
 @pytest.fixture
@@ -543,3 +545,38 @@ def test_the_view_matrix_s_formula_is_the_lecture_s(window: MainWindow) -> None:
     assert f"R = (u{ARROW}, v{ARROW}, n{ARROW})^T" in panel.formula.formula
     rotation = START.view_rotation[:3, :3]
     np.testing.assert_array_equal(rotation, np.column_stack(START.camera.frame).T)
+
+
+def test_l1_the_frame_is_seen_in_large_and_nothing_covers_the_look_arrow(
+    window: MainWindow,
+) -> None:
+    """A third of the pane, all of it in there, and with its letters; and back when it folds."""
+    drawing: Any = window.panes["world"].drawing
+    window.panels.open(window.matrices)
+    settle()
+    before = drawing.own.pane.eye.tolist()
+    window.panels.open(window.frame_panel)
+    window.frame_panel.go_to(len(STEPS) - 1)
+    settle()
+    array = pixels(window)
+    height, width, _ = array.shape
+    names, directions = drawing.camera.arrows
+    eye = np.array([window.store.document.projection.camera.eye]) - START_ORIGIN
+    spots = drawing.own.pane.seen(np.vstack([eye, eye + directions]))
+    places = np.array([(x, height - y) for x, y, _ in spots])
+    assert set(names) == {"look", "up", "n", "u", "v"}
+    assert (places > 0).all() and (places < (width, height)).all()
+    lengths = dict(zip(names, np.hypot(*(places[1:] - places[0]).T), strict=True))
+    assert max(lengths.values()) > 0.25 * min(width, height), lengths
+    # The arrow's own colour all along it, but where eye and label stand at its ends.
+    look = places[1 + names.index("look")]
+    own = np.round(255 * np.array(rgb(LIGHT.target)))
+    for share in np.linspace(0.3, 0.7, 9):
+        x, y = np.round(places[0] + share * (look - places[0])).astype(int)
+        around = array[y - 2 : y + 3, x - 2 : x + 3].reshape(-1, 3).astype(float)
+        assert (np.abs(around - own).max(axis=1) <= 24).any(), share
+    assert not {handle.name for handle, _ in drawing.handles.shown} & {"near", "far"}
+    window.panels.open(window.matrices)
+    settle()
+    assert drawing.own.pane.eye.tolist() == pytest.approx(before)
+    assert {"near", "far"} <= {handle.name for handle, _ in drawing.handles.shown}

@@ -271,7 +271,7 @@ def _planes(projection: Projection, focus: float, sharp: Sharpness, subject: Sub
         corners = section(projection, distance)
         faces.append(Face(corners, colour, opacity))
         lines.append(Line(outline(corners), colour, 1.0))
-        texts.append(Text(name, corners[2 if colour == "accent" else 3], colour))
+        texts.append(Text(name, corners[_NAMED_AT[name]], colour))
     # The frustum's edges, thick where what is between them is sharp.
     size = float(np.linalg.norm(np.subtract(subject.upper, subject.lower)))
     low, high = max(near, sharp.near), min(far, sharp.far, 4.0 * (focus + size))
@@ -279,6 +279,10 @@ def _planes(projection: Projection, focus: float, sharp: Sharpness, subject: Sub
         lines += [Line(np.array(pair), "v", 2.0) for pair in zip(
             section(projection, low), section(projection, high), strict=True)]  # fmt: skip
     return Marks(tuple(lines), tuple(faces), (), tuple(texts))
+
+
+_NAMED_AT = {SHARP_FROM: 0, IN_FOCUS: 2, SHARP_TO: 3}
+"""At which corner of its plane: the three lie close together, and each name points at its own."""
 
 
 def _crossing(

@@ -62,7 +62,7 @@ _SHAPES = (
     (0, 3, ((1.5, 1.2), (0.02, HEIGHT))),
 )
 _RADIUS = 1.5
-_START_Z = 10.0  # of the eye, where the position is 0
+_START_Z = 7.25  # of the eye, where the position is 0
 _RIGHT = 400.0  # of the diagram, where far is farther
 
 
@@ -339,7 +339,7 @@ PHENOMENON = Phenomenon(
     lectures=("001",),
     start=Projection(
         Camera((0.5, 2.2, _START_Z), (0.0, 2.0, -40.0)),
-        Perspective(fov_y_deg=45.0, near=6.0, far=100.0),
+        Perspective(fov_y_deg=45.0, near=5.0, far=60.0),
     ),
     geometry=_geometry,
     show=_show,
@@ -368,7 +368,7 @@ PHENOMENON = Phenomenon(
             "fog_start",
             QT_TRANSLATE_NOOP("phenomena", "Fog starts at"),
             QT_TRANSLATE_NOOP("phenomena", "Distance at which linear fog begins"),
-            20.0,
+            15.0,
             low=0.0,
             high=1e6,
             span=(0.0, 200.0),
@@ -378,7 +378,7 @@ PHENOMENON = Phenomenon(
             "fog_end",
             QT_TRANSLATE_NOOP("phenomena", "Fog ends at"),
             QT_TRANSLATE_NOOP("phenomena", "Distance at which linear fog leaves nothing"),
-            110.0,
+            66.0,
             low=1e-3,
             high=1e6,
             span=(1.0, 400.0),
@@ -388,7 +388,7 @@ PHENOMENON = Phenomenon(
             "fog_density",
             QT_TRANSLATE_NOOP("phenomena", "Fog density"),
             QT_TRANSLATE_NOOP("phenomena", "Of exponential fog: what is left is exp(-density w)"),
-            0.03,
+            0.05,
             low=1e-6,
             high=10.0,
             span=(1e-3, 1.0),
@@ -406,7 +406,7 @@ PHENOMENON = Phenomenon(
             "detail_1",
             QT_TRANSLATE_NOOP("phenomena", "Simpler from"),
             QT_TRANSLATE_NOOP("phenomena", "Distance from which trees have fewer vertices"),
-            30.0,
+            20.0,
             low=0.0,
             high=1e6,
             span=(0.0, 200.0),
@@ -416,7 +416,7 @@ PHENOMENON = Phenomenon(
             "detail_2",
             QT_TRANSLATE_NOOP("phenomena", "Simplest from"),
             QT_TRANSLATE_NOOP("phenomena", "Distance from which trees have fewest vertices"),
-            60.0,
+            40.0,
             low=1e-3,
             high=1e6,
             span=(1.0, 200.0),
