@@ -33,6 +33,7 @@ from app.drawings.side_by_side import cells
 from app.drawings.stage import StageDrawing
 from app.drawings.style import LIGHT, Style, rgb
 from app.drawings.world import WorldDrawing
+from app.lecture.notation import axis_letters
 from app.model.projection import LARGEST_IMAGE_PX, Projection
 from app.model.refusal import QT_TRANSLATE_NOOP, Cancelled, Refusal, format_value
 from app.precision.levels import DRAWING_TOLERANCE_PX
@@ -119,9 +120,9 @@ def render(
         Leave the background out.
     style : Style, optional
     words : mapping, optional
-        The words written into the drawings.
+        The words written into the drawings; if not given, English with the view's letters.
     view : View, optional
-        How it is looked at; its panel, its letters and its layout are none of a figure's.
+        How it is looked at; its panel and its layout are none of a figure's.
     progress : callable, optional
         Called before each pane with the fraction done; when it returns False, drawing stops.
     settings : mapping, optional
@@ -152,6 +153,8 @@ def render(
     width, height = checked_size(projection.image_size, panes, size, scale)
     text_pt = checked_text(projection.image_size, panes, size, text_pt)
     style = replace(style, margin=style.background, font_size=text_pt * DPI / 72.0).enlarged(scale)
+    if words is WORDS:
+        words = {**WORDS, **axis_letters(view.letters)}
     illustration = None
     if scene.phenomenon is not None:
         chosen = scene.phenomenon.checked(settings or {})

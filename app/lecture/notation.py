@@ -28,12 +28,12 @@ from app.model.projection import DEPTH_RANGES, Array, Projection, Rationals, Sta
 from app.model.refusal import format_value
 from app.model.tables import VIEWPORT, Step, evaluated
 
-Letters: TypeAlias = Literal["own", "000", "001", "002", "003"]
+Letters: TypeAlias = Literal["own", "000", "001", "002", "003", "004"]
 Numbers: TypeAlias = tuple[tuple[float, ...], ...]
 Formulas: TypeAlias = tuple[tuple[str, ...], ...]
 
-LETTERS: tuple[Letters, ...] = ("own", "000", "001", "002", "003")
-"""The program's own (axes as in lecture 004, planes as in 003), and those of four lectures."""
+LETTERS: tuple[Letters, ...] = ("own", "000", "001", "002", "003", "004")
+"""The program's own (axes as in lecture 004, planes as in 003), and those of five lectures."""
 
 _OURS = {
     "fov": "fov", "aspect": "aspect", "alpha": "\u03b1", "beta": "β",
@@ -57,6 +57,7 @@ _SYMBOLS: dict[str, dict[str, str]] = {
         **_OURS, "l": "x_l", "r": "x_r", "b": "y_b", "t": "y_t", "n": "z_n", "f": "z_f",
     },
     "003": {**_OURS, **_EYE_P},  # e is its focal length
+    "004": {**_OURS, "eye_x": "x_0", "eye_y": "y_0", "eye_z": "z_0", "up": f"V{ARROW}"},
 }  # fmt: skip
 
 
@@ -79,6 +80,30 @@ _QUANTITIES: dict[str, dict[str, Ratio]] = {
     }.items()
 }
 """What a lecture has in the place of our quantities."""
+
+
+_FRAME = {"e": "eye", "n": "axis_n", "u": "axis_u", "v": "axis_v", "up": "up"}
+
+
+def frame_letters(letters: Letters) -> dict[str, str]:
+    """What a lecture calls the vectors of the camera's frame, without their arrows.
+
+    Returns
+    -------
+    dict
+        By our own letters: ``e``, ``n``, ``u``, ``v``, ``up``.
+    """
+    symbols = _SYMBOLS[letters]
+    return {ours: symbols.get(name, ours).replace(ARROW, "") for ours, name in _FRAME.items()}
+
+
+def axis_letters(letters: Letters) -> dict[str, str]:
+    """What is written at the camera's arrows in a lecture's letters: ``u``, ``v``, ``n``, ``up``.
+
+    A lecture that has no letter for a direction calls it by its name.
+    """
+    found = frame_letters(letters)
+    return {name: found[name] for name in ("u", "v", "n", "up") if found[name] != "up"}
 
 
 class Matrix(NamedTuple):

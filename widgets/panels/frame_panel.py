@@ -12,6 +12,7 @@ while it is folded.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Iterable
 from dataclasses import replace
 from typing import NamedTuple
@@ -44,6 +45,7 @@ from app.lecture.camera_frame import (
     view_matrix,
 )
 from app.lecture.highlight import NOTHING, Highlight
+from app.lecture.notation import Letters, frame_letters
 from app.model.formula import ARROW, stacked_fraction
 from app.model.projection import Camera, Projection
 from app.model.refusal import Refusal, format_value
@@ -101,6 +103,7 @@ class FramePanel(Panel):
         self._projection = Projection()
         self._is_stale = True
         self._highlight = NOTHING
+        self._letters: Letters = "own"
         self._steps = self._make_steps()
         self._timer = QTimer(self)
         self._timer.setInterval(STEP_MS)
@@ -124,9 +127,24 @@ class FramePanel(Panel):
         self._show_playing()
         self._show_step()
 
+    def set_letters(self, letters: Letters) -> None:
+        """Write formulas and numbers in a lecture's letters."""
+        self._letters = letters
+        self._steps = self._make_steps()
+        self._is_stale = True
+        self._show_step()
+
+    def _lettered(self, text: str) -> str:
+        """A formula with a lecture's letters under its arrows."""
+        letters = frame_letters(self._letters)
+        return re.sub(
+            f"([a-z]+){ARROW}", lambda found: f"{letters.get(found[1], found[1])}{ARROW}", text
+        )
+
     # -- making
 
     def _make_steps(self) -> tuple[_Step, ...]:
+        u, v, n, up = (frame_letters(self._letters)[name] for name in ("u", "v", "n", "up"))
         return (
             _Step(
                 self.tr("eye"), _E,
@@ -142,27 +160,27 @@ class FramePanel(Panel):
                         " right angle to the view, and its length does not matter."),
             ),
             _Step(
-                self.tr("n"),
+                n,
                 f"{_N} = {stacked_fraction(f'{_E} − {_TARGET}', f'|{_E} − {_TARGET}|')}",
                 self.tr("Backwards, from the target to the eye, of length 1: the camera looks"
-                        " along −n."),
+                        " along −{0}.").format(n),
             ),
             _Step(
-                self.tr("u"),
+                u,
                 f"{_U} = {stacked_fraction(f'{_UP_VECTOR} × {_N}', f'|{_UP_VECTOR} × {_N}|')}",
-                self.tr("To the right in the picture: at right angles to up and to n, of"
-                        " length 1."),
+                self.tr("To the right in the picture: at right angles to {0} and to {1}, of"
+                        " length 1.").format(up, n),
             ),
             _Step(
-                self.tr("v"), f"{_V} = {_N} × {_U}",
-                self.tr("Upwards in the picture: at right angles to n and u. It is what is left"
-                        " of up across the view."),
+                v, f"{_V} = {_N} × {_U}",
+                self.tr("Upwards in the picture: at right angles to {0} and {1}. It is what is left"
+                        " of {2} across the view.").format(n, u, up),
             ),
             _Step(
                 self.tr("view matrix"),
                 f"M = R T,   R = ({_U}, {_V}, {_N})^T,   M ({_E} : 1) = (0 : 1)",
-                self.tr("The rows of the rotation R are u, v and n; T moves the eye to the"
-                        " origin, so that the last column is −R e."),
+                self.tr("The rows of the rotation R are {0}, {1} and {2}; T moves the eye to the"
+                        " origin, so that the last column is −R e.").format(u, v, n),
             ),
         )  # fmt: skip
 
@@ -297,7 +315,7 @@ class FramePanel(Panel):
         step = self._steps[self.step]
         place = self.tr("{0} of {1}: {2}")
         self.title.setText(place.format(self.step + 1, len(STEPS), step.name))
-        self.formula.set_formula(step.formula)
+        self.formula.set_formula(self._lettered(step.formula))
         self.sentence.setText(step.sentence)
         self._mark()
         self.back.setEnabled(self.step > 0)
@@ -343,8 +361,9 @@ class FramePanel(Panel):
     def _show_numbers(self) -> None:
         if self.isVisible():
             step, camera = STEPS[self.step], self._projection.camera
-            self.numbers.set_formula(_numbers(step, camera, read_text))
-            self.numbers.set_exact(in_line(_numbers(step, camera, format_value)))
+            self.numbers.set_formula(self._lettered(_numbers(step, camera, read_text)))
+            exact = self._lettered(_numbers(step, camera, format_value))
+            self.numbers.set_exact(in_line(exact))
 
     def _show_up(self, up: UpAndView) -> None:
         self.angle.setValue(tidy(up.angle_deg))
@@ -352,9 +371,12 @@ class FramePanel(Panel):
             self.angle.clear_error()
         self.figures.setText(
             self.tr(
-                "Angle of up and view direction: {0}°\n|up × n| = {1}\n"
-                "An error in up is {2} times as large in u and v."
-            ).format(*map(read_text, (up.angle_deg, up.length, up.magnified)))
+                "Angle of {3} and view direction: {0}°\n|{3} × {4}| = {1}\n"
+                "An error in {3} is {2} times as large in u and v."
+            ).format(
+                *map(read_text, (up.angle_deg, up.length, up.magnified)),
+                *(frame_letters(self._letters)[name] for name in ("up", "n")),
+            )
         )
         off_deg = min(up.angle_deg, 180.0 - up.angle_deg)
         text = ""

@@ -25,6 +25,7 @@ from PySide6.QtCore import (
     QPoint,
     QSize,
     Qt,
+    Signal,
 )
 from PySide6.QtGui import (
     QGuiApplication,
@@ -44,6 +45,7 @@ from PySide6.QtWidgets import (
 from app.drawings.style import LIGHT, Style
 from app.lecture.highlight import NOTHING, Highlight
 from app.lecture.notation import (
+    LETTERS,
     Letters,
     Matrix,
     as_latex,
@@ -142,6 +144,8 @@ class MatrixPanel(ReadablePanel):
     """Every matrix between the object and its picture."""
 
     concerns = PROJECTION
+    letters_changed = Signal(str)
+    """Whose letters are chosen: for panes and panels alike."""
 
     def __init__(self) -> None:
         super().__init__()
@@ -181,12 +185,18 @@ class MatrixPanel(ReadablePanel):
                     "002 has its own signs too"),
             (
                 ("own", self.tr("own: u v n, n f, fov")),
-                ("000", self.tr("z_min z_max (lecture 000)")),
-                ("001", self.tr("u v w, θ (lecture 001)")),
-                ("002", self.tr("z_n z_f and signs (lecture 002)")),
-                ("003", self.tr("e, n f (lecture 003)")),
+                ("000", self.tr("x_min … z_max")),
+                ("001", self.tr("u v w, θ")),
+                ("002", self.tr("z_n z_f, both negative")),
+                ("003", self.tr("e, n f")),
+                ("004", self.tr("x_0 y_0 z_0, V")),
             ),
         )  # fmt: skip
+        for place, letters in enumerate(LETTERS):
+            if letters != "own":
+                tip = self.tr("Those of lecture {0}").format(letters)
+                self.letters.setItemData(place, tip, Qt.ItemDataRole.ToolTipRole)
+        self.letters.currentIndexChanged.connect(lambda _: self.letters_changed.emit(self._letters))
         self.running = QCheckBox(self.tr("Running products"))
         self.running.setToolTip(
             self.tr("Also the product of all stages so far, and the view matrix's inverse, whose "

@@ -11,6 +11,7 @@ from PySide6.QtWidgets import QApplication, QWidget
 from app.document.store import Store
 from app.drawings import WORDS
 from app.drawings.style import Style
+from app.lecture.notation import Letters, axis_letters
 from app.model.projection import Camera
 from widgets.panes.adaptive import Adaptive
 from widgets.panes.pane import SCALES, Pane
@@ -167,6 +168,13 @@ class Look(QObject):
         return cameras(self._panes)
 
     # -- theme and text
+
+    def set_letters(self, letters: Letters) -> None:
+        """Write the axes in a lecture's letters."""
+        before = dict(self.words)
+        self.words |= {"up": self.tr("up")} | axis_letters(letters)
+        if self.words != before:
+            self.rebuild()
 
     def set_theme(self, theme: str) -> None:
         """Switch to ``"light"``, ``"dark"`` or ``"system"``."""

@@ -419,6 +419,8 @@ class MainWindow(QMainWindow):
         strip.moved.connect(ndc.show_stage)
         strip.named.connect(ndc.set_title)
         strip.moved.connect(self.matrices.show_stage)
+        self.matrices.letters_changed.connect(self.look.set_letters)
+        self.matrices.letters_changed.connect(self.frame_panel.set_letters)
         strip.gesture_started.connect(partial(self.look.refine, "ndc", False))
         strip.gesture_finished.connect(partial(self.look.refine, "ndc", True))
         self.history.rested.connect(self.look.rest)
