@@ -199,18 +199,17 @@ def test_the_held_side_is_only_looked_at_and_the_live_one_is_alive(window: MainW
     change(window, fov_y_deg=40.0)
     compare, pane = window.comparing.pictures, window.panes["image"]
     (other,) = compare.others
-    y = pane.surface.height() // 2
-    window_of_held = QPoint(other.width() - 30, y)
-    for act in (QTest.mouseClick, QTest.mouseDClick):
-        act(window.windowHandle(), LEFT, pos=other.mapTo(window, window_of_held))
-        settle()
-    assert window.probe_panel.probes == () and not window.slots.whole
     # On the F, right of the divider.
     ((x, y_px),) = pane.drawing.sight.seen([[1.5, 4.5, 0.5]]).tolist()
     QTest.mouseClick(window.windowHandle(), LEFT,
                      pos=pane.canvas.mapTo(window, QPoint(round(x), round(y_px))))  # fmt: skip
     settle()
     assert len(window.probe_panel.probes) == 1
+    place = other.mapTo(window, QPoint(other.width() - 30, pane.surface.height() // 2))
+    for act in (QTest.mouseClick, QTest.mouseDClick):
+        act(window.windowHandle(), LEFT, pos=place)
+        settle()
+    assert len(window.probe_panel.probes) == 1 and not window.slots.whole
     assert other.pane.probes == window.probe_panel.probes, "the same point in both"
     assert window.store.document.projection == replace(
         before.projection, lens=before.projection.lens.but(fov_y_deg=40.0)
