@@ -201,13 +201,17 @@ def test_lenses_of_two_kinds_differ_in_what_both_have() -> None:
 
 
 def test_l7_the_window_is_stretched_or_keeps_x_or_y() -> None:
-    """A window of 8 by 4.5 in an image as high as wide: lecture 000, variants X and Y."""
+    """A window of 8 by 4.5, its middle 1.5 to the left, in an image as high as wide.
+
+    Lecture 000, variants X and Y; the window is as far away as the target, and near is less far.
+    """
     stretch, keep_x, keep_y = (each.projection for each in compared("off-axis-window",
                                                                     "proportions"))  # fmt: skip
-    left, right, bottom, top = -1.375, 0.625, -0.5625, 0.5625
+    part = stretch.lens.near / stretch.camera.distance
+    left, right, bottom, top = -5.5 * part, 2.5 * part, -2.25 * part, 2.25 * part
     assert stretch.window == pytest.approx((left, right, bottom, top))
-    assert keep_x.window == pytest.approx((left, right, -1.0, 1.0)), "y fitted about its centre"
-    k = (1.125 - 2.0) / 2.0
+    assert keep_x.window == pytest.approx((left, right, -4.0 * part, 4.0 * part)), "y is fitted"
+    k = (4.5 - 8.0) / 2.0 * part
     assert keep_y.window == pytest.approx((left - k, right + k, bottom, top)), "x2 is x_max + k"
     for projection, square in ((stretch, False), (keep_x, True), (keep_y, True)):
         # One unit across and one up, in the plane of the window: circles stay round, or do not.
