@@ -149,9 +149,12 @@ def differences(states: Sequence[Held]) -> list[tuple[str, tuple[Any, ...]]]:
         if all(each.name in {other.name for other in fields(lens)} for lens in lenses):
             compared(f"lens.{each.name}", [getattr(lens, each.name) for lens in lenses])
     compared("image", [projection.image_size for projection in shown])
-    for each in fields(Projection):
-        if each.name not in ("camera", "lens", "image_size"):
-            compared(each.name, [getattr(projection, each.name) for projection in shown])
+    for each in fields(shown[0].placement):
+        compared(
+            f"object.{each.name}",
+            [getattr(projection.placement, each.name) for projection in shown],
+        )
+    compared("depth", [projection.depth for projection in shown])
     return found
 
 

@@ -188,6 +188,18 @@ def test_a_ride_towards_the_target_differs_in_its_distance_alone() -> None:
     assert {path for path, _ in differences([start.state, turned.state])} == {"camera.up"}
 
 
+def test_an_object_that_was_placed_differs_in_how() -> None:
+    start = of("letter-f")
+    moved = set_values(start, ["object.rotate_deg=0,30,0", "depth=reversed"])
+    assert differences([start.state, moved.state]) == [
+        ("object.rotate_deg", ((0.0, 0.0, 0.0), (0.0, 30.0, 0.0))),
+        ("depth", ("opengl", "reversed")),
+    ]
+    pictures = (Picture(held=moved.state), LIVE)
+    held = replace(start, view=View(compare=pictures))
+    assert parse(to_json(held)).view.compare == pictures
+
+
 def test_lenses_of_two_kinds_differ_in_what_both_have() -> None:
     start = of("letter-f").projection
     parallel = start.with_lens("orthographic")
