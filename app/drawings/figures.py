@@ -318,8 +318,8 @@ def _compared(
         name = document.name_of(picture)
         shown.append((of.projection, illustration, words.get(name, name)))
     width, height = size
-    if not dividers:
-        aspects = [projection.aspect for projection, _, _ in shown]
+    aspects = [projection.aspect for projection, _, _ in shown]
+    if not dividers or len(set(aspects)) > 1:
         places = cells(width, height, aspects, style.font_size)
         drawn = [
             draw(*each, (wide, high), framed=True, caption=name, bare=True)[0]

@@ -90,7 +90,7 @@ def test_what_differs_is_said_in_words(window: MainWindow) -> None:
     assert words(window) == "Held | Now:  field of view 45° → 60°, near 4 → 8"
     window.store.set_projection(seen(window, image_size=(720, 720)))
     settle()
-    assert words(window).endswith("image 1280 × 720 → 720 × 720")
+    assert "image 1280 × 720 → 720 × 720" in words(window)
     window.store.set_projection(window.store.document.projection.with_lens("orthographic"))
     settle()
     assert "lens perspective → orthographic" in words(window)
@@ -276,8 +276,11 @@ def test_pictures_of_two_sizes_are_fitted_and_a_pane_without_room_is_no_harm(
 ) -> None:
     compare = hold(window)
     window.store.set_projection(seen(window, image_size=(400, 800)))
-    compare.toggle_way()
     settle()
+    assert words(window).endswith(
+        "image 1280 × 720 → 400 × 800, of two shapes: side by side, of one height"
+    )
+    assert not compare.handles[0].isVisible() and not compare.way.isEnabled()
     heights = [
         pane.drawing.picture_rectangle_px.height
         for pane in (window.panes["image"], compare.others[0].pane)
@@ -288,9 +291,9 @@ def test_pictures_of_two_sizes_are_fitted_and_a_pane_without_room_is_no_harm(
     for size in (QSize(0, 0), QSize(3, 3), QSize(90, 40)):
         image.surface.resize(size)
         settle()
-    compare.toggle_way()
+    window.store.set_projection(seen(window, image_size=(640, 360)))
     settle()
-    assert window.comparing.is_on
+    assert compare.handles[0].isVisible() and compare.way.isEnabled(), "of one shape again"
 
 
 def test_presenting_keeps_it_and_esc_leaves_it_before_the_class(window: MainWindow) -> None:

@@ -296,6 +296,15 @@ class Compare(QObject):
         """Whether anything is compared."""
         return bool(self.pictures)
 
+    @property
+    def is_divided(self) -> bool:
+        """Whether they lie over each other, which pictures of two shapes never do."""
+        return bool(self.dividers) and not self._has_two_shapes
+
+    @property
+    def _has_two_shapes(self) -> bool:
+        return len({each.projection.aspect for each in self._seen if each is not None}) > 1
+
     # -- what is compared
 
     def show(self, pictures: Sequence[Picture], dividers: Sequence[float]) -> None:
@@ -322,11 +331,8 @@ class Compare(QObject):
             handle.left.connect(self.end_wanted)
             handle.stepped.connect(lambda part, number=number: self._step(number, part))
             self.handles.append(handle)
-        for number, handle in enumerate(self.handles):
-            handle.setVisible(number < len(dividers))
         self._pane.canvas.setMinimumSize(*((1, 1) if pictures else (120, 120)))
         self.bar.setVisible(self.is_on)
-        self._pane.set_bare(self.is_on and not dividers)
         self._name_way()
         self._laid_out = []
         self._lay_out()
@@ -397,6 +403,8 @@ class Compare(QObject):
         found = [each for each in found if each[0] not in named] or found
         texts = [self._difference(*each, shown) for each in found]
         texts = texts or [self.tr("nothing differs yet: change something")]
+        if self.dividers and not self.is_divided:
+            texts.append(self.tr("of two shapes: side by side, of one height"))
         parts = [f"{' | '.join(names)}:  ", *(f"{text}, " for text in texts[:-1]), texts[-1]]
         self.words.say([parts[0] + parts[1], *parts[2:]])
 
@@ -433,10 +441,13 @@ class Compare(QObject):
     def _lay_out(self) -> None:
         """Give the live picture and the others their places."""
         surface = self._pane.surface
-        whole = surface.rect()
-        if not self.is_on or self.dividers:
+        whole, divided = surface.rect(), self.is_divided
+        bare = self.is_on and not divided
+        self._pane.set_bare(bare)
+        self.way.setEnabled(not self._has_two_shapes)
+        if not bare:
             surface.set_room(None)
-        if self.dividers:
+        if divided:
             edges = [0, *self._edges_px(), whole.width()]
             cuts = [QRect(left, 0, right - left, whole.height()) for left, right in pairwise(edges)]
             wholes = [whole] * len(cuts)
@@ -446,13 +457,16 @@ class Compare(QObject):
         for picture, cut, own in zip(self.pictures, cuts, wholes, strict=True):
             if not picture.live:
                 other = next(others)
+                other.pane.set_bare(bare)
                 other.place(cut, own)
                 other.raise_()
-            elif not self.dividers:
+            elif bare:
                 surface.set_room(cut)
         for handle, x in zip(self.handles, self._edges_px(), strict=False):
             handle.setGeometry(x - GRASP_PX // 2, 0, GRASP_PX, whole.height())
             handle.raise_()
+        for number, handle in enumerate(self.handles):
+            handle.setVisible(divided and number < len(self.dividers))
         self._cuts = cuts
         self._place_captions()
 
@@ -466,7 +480,7 @@ class Compare(QObject):
         for picture, caption, cut in zip(self.pictures, self.captions, self._cuts, strict=False):
             pane = self._pane if picture.live else next(others).pane
             height, y, middle = caption.sizeHint().height(), row, cut.center().x()
-            if not self.dividers:
+            if not self.is_divided:
                 place = _picture_in(pane, cut)
                 y = max(cut.top() + row, round(place.top()) - height)
                 middle = round(place.center().x())

@@ -9,7 +9,7 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import QObject
+from PySide6.QtCore import QObject, Qt
 from PySide6.QtWidgets import QToolButton
 
 from app.document.compare import Picture
@@ -67,6 +67,8 @@ class Comparing(QObject):
         self.pictures = Compare(image, lambda: look.adaptive.smoothing(True))
         self.button = QToolButton()
         show_icon(self.button, "compare")
+        self.button.setText(self.tr("Compare"))
+        self.button.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
         self.button.setAutoRaise(True)
         self.button.setCheckable(True)
         self.button.setToolTip(menus.compare.toolTip())
