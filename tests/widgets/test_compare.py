@@ -280,6 +280,7 @@ def test_pictures_of_two_sizes_are_fitted_and_a_pane_without_room_is_no_harm(
     assert words(window).endswith(
         "image 1280 × 720 → 400 × 800, of two shapes: side by side, of one height"
     )
+    assert compare.words.text() == words(window), "two lines are enough for that"
     assert not compare.handles[0].isVisible() and not compare.way.isEnabled()
     heights = [
         pane.drawing.picture_rectangle_px.height

@@ -205,6 +205,10 @@ class _Words(QLabel):
         """Two lines high, whatever there is to say: the picture keeps its size."""
         return QSize(0, 2 * self.fontMetrics().lineSpacing() + 2)
 
+    def heightForWidth(self, _width: int) -> int:
+        """The same: a label that wraps has the height of its text otherwise."""
+        return self.sizeHint().height()
+
     def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)
         self._fit()
