@@ -364,9 +364,8 @@ class SceneCard(QWidget):
             button.setText(names)
             about = self.tr("Compare: {0}").format(names.replace(" | ", ", "))
             button.setAccessibleName(about)
-            button.setToolTip(
-                f"{about}\n{self.tr('Show these pictures beside each other, in large')}"
-            )
+            what = self.tr("Show these pictures beside each other, in large")
+            button.setToolTip(f"{about}\n{what}")
             button.setMinimumWidth(1)  # it widens no dock
             button.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
             show_icon(button, "compare")
