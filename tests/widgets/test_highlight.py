@@ -19,7 +19,7 @@ from app.lecture.stages import VIEW, WORLD
 from app.model.projection import DEPTH_RANGES, LENSES, Camera, Perspective, Projection
 from app.scenes.scene import load
 from tests.support.frustum import corners_world
-from tests.support.window import activate, counted_repaints, pixels, settle
+from tests.support.window import activate, counted_repaints, pixels, rgb_of, settle
 from widgets.panels.matrix_view import MatrixView
 from widgets.parts.highlight import Highlighter
 from widgets.window.main_window import MainWindow
@@ -557,9 +557,14 @@ def test_l5_the_matrix_lights_up_with_d_and_the_plane_with_the_matrix(window: Ma
     matrix = card.readout.lines[0][1]
     lit = [value for _, value, _ in card.readout.lines if value.is_marked]
     assert not lit and "-0.25" in matrix.exact
+    plain = rgb_of(matrix.grab().toImage())
     hover(window, card.rows["distance"].name_label)
     assert window.highlighter.now == {"settings.distance"}
-    assert matrix.is_marked and not card.readout.lines[3][1].is_marked  # y_p is no cell of it
+    assert matrix.is_marked and not card.readout.lines[3][1].is_marked
+    # Of the matrix the one cell: row 4, column 3.
+    lit_px = np.argwhere((plain != rgb_of(matrix.grab().toImage())).any(axis=2))
+    rows, columns = (np.array((matrix.height(), matrix.width())) / 4.0).tolist()
+    assert len(lit_px) and lit_px[:, 0].min() > 2.8 * rows and lit_px[:, 1].min() > 2.0 * columns
     assert "world" in changed(before, pictures(window))
     hover(window, matrix)
     assert window.highlighter.now == {"settings.distance"} and card.rows["distance"].is_marked

@@ -852,7 +852,7 @@ def test_the_eye_is_beside_the_middle_that_the_window_has(window: MainWindow) ->
     assert shown(window, "shift") == [1.5]
     lens = start.lens
     assert isinstance(lens, Frustum)
-    moved = replace(lens, left=lens.left - 0.25, right=lens.right - 0.25)
+    moved = replace(lens, left=lens.left - 0.5, right=lens.right - 0.5)
     store.set_projection(replace(start, lens=moved))  # the window, 1 to the left at the distance 8
     assert shown(window, "shift") == [pytest.approx(2.5)]
     number_row(window.controls.card, "shift").edited.emit(1.5)

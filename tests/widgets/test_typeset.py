@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+from itertools import combinations
 from typing import Any
 
 import numpy as np
 import pytest
+from PySide6.QtCore import QPointF
 from PySide6.QtGui import QFont, QFontMetricsF, QPalette
 from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
@@ -141,3 +143,16 @@ def test_a_formula_has_the_colour_of_text(label: TypesetLabel, colour: str) -> N
     drawn = rgb_of(label.grab().toImage()).astype(int) - 128
     assert abs(drawn).max() > 100
     assert (drawn.max() > 100) == (colour == "#ffffff")
+
+
+def test_a_matrix_says_where_its_cells_are(font: QFont) -> None:
+    """Row by row, none over another, each round what is written in it."""
+    laid_out = typeset("S = [1&−0.25&3;44&5&666]", font)
+    texts = [run for run in laid_out.runs if run[2] != "S = "]
+    assert [text for _, _, text, _ in texts] == ["1", "−0.25", "3", "44", "5", "666"]
+    assert len(laid_out.cells) == 6
+    for cell, (x, base, _, _) in zip(laid_out.cells, texts, strict=True):
+        assert cell.contains(QPointF(x + 1.0, base - 2.0))
+    for one, other in combinations(laid_out.cells, 2):
+        assert not one.intersects(other)
+    assert typeset("1/3", font).cells == ()

@@ -1411,10 +1411,10 @@ def test_a_setting_is_changed_from_its_row_and_undone_into_it(window: MainWindow
     distance = row.value()
     assert window.store.document.settings["distance"] == distance < 0.0
     assert window.isWindowModified()
-    assert window.controls.card.readout.lines[4][1].text() == "upside down and left for right"
+    assert window.controls.card.readout.lines[6][1].text() == "upside down and left for right"
     window.store.undo()
     assert row.value() == 4.0 and window.store.document == on_triangles()
-    assert window.controls.card.readout.lines[4][1].text() == "upright"
+    assert window.controls.card.readout.lines[6][1].text() == "upright"
     assert not window.isWindowModified()
     window.store.redo()
     assert len(list(window.store.documents)) == steps + 1, "a drag is one step"

@@ -832,6 +832,7 @@ class Readout(QWidget):
 
     def _write(self, line: tuple[QLabel, _Value, QLabel], reading: Reading, name: str) -> None:
         label, value, unit = line
+        value.cell = reading.cell
         exact = in_line(value_text(reading.value, number_text))
         text = value_text(reading.value, read_text)
         is_word = isinstance(reading.value, str)

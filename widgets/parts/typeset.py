@@ -27,7 +27,7 @@ from PySide6.QtGui import (
 )
 
 from app.model.formula import ARROW, CLOSE, OPEN, OVER
-from widgets.parts.highlight import MarkedLabel
+from widgets.parts.highlight import MarkedLabel, paint_highlight
 
 SMALLER = 0.8
 """Of the letters of a fraction, against those of the line that it stands in."""
@@ -61,6 +61,8 @@ class Typeset:
     runs : tuple of (float, float, str, QFont)
         Texts: from where, how far below the line, and in which font.
     rules : tuple of QLineF
+    cells : tuple of QRectF
+        Of a matrix, row by row.
     """
 
     width: float
@@ -68,6 +70,7 @@ class Typeset:
     descent: float
     runs: tuple[tuple[float, float, str, QFont], ...] = ()
     rules: tuple[QLineF, ...] = ()
+    cells: tuple[QRectF, ...] = ()
 
     @property
     def height(self) -> float:
@@ -84,6 +87,7 @@ class Typeset:
             self.width, self.ascent - y, self.descent + y,
             tuple((left + x, base + y, text, font) for left, base, text, font in self.runs),
             tuple(rule.translated(x, y) for rule in self.rules),
+            tuple(cell.translated(x, y) for cell in self.cells),
         )  # fmt: skip
 
     def paint(self, painter: QPainter, x: float, y: float) -> None:
@@ -126,6 +130,7 @@ def _together(parts: Sequence[Typeset], width: float, *rules: QLineF) -> Typeset
         max(part.descent for part in parts),
         tuple(run for part in parts for run in part.runs),
         (*(rule for part in parts for rule in part.rules), *rules),
+        tuple(cell for part in parts for cell in part.cells),
     )
 
 
@@ -217,14 +222,16 @@ class _Reader:
         height = QFontMetricsF(font).height()
         inside, gap = FOOT_PX + ROOM_PX, BETWEEN_COLUMNS * height
         columns = [max(cell.width for cell in column) for column in zip(*rows, strict=True)]
-        placed, y = [], 0.0
+        placed, cells, y = [], [], 0.0
         for row in rows:
-            y += max(cell.ascent for cell in row)
+            above = max(cell.ascent for cell in row)
+            below = max(cell.descent for cell in row)
             right = inside - gap
             for cell, width in zip(row, columns, strict=True):
                 right += gap + width
-                placed.append(cell.at(right - cell.width, y))
-            y += max(cell.descent for cell in row) + BETWEEN_ROWS * height
+                placed.append(cell.at(right - cell.width, y + above))
+                cells.append(QRectF(right - width, y, width, above + below))
+            y += above + below + BETWEEN_ROWS * height
         y -= BETWEEN_ROWS * height
         width = sum(columns) + gap * (len(columns) - 1) + 2.0 * inside
         brackets = (
@@ -234,7 +241,7 @@ class _Reader:
         )
         whole = _together(placed, width, *brackets)
         room = Typeset(width, RULE_PX, y + RULE_PX)  # for the brackets' own lines
-        whole = _together([whole, room], width)
+        whole = replace(_together([whole, room], width), cells=tuple(cells))
         return whole.at(0.0, -_axis(font) - y / 2.0)
 
 
@@ -303,11 +310,14 @@ class TypesetLabel(MarkedLabel):
         What is copied, if anything: by the keyboard or the right mouse button.
     shrinks : bool
         Whether a formula that is wider than the room for it is drawn smaller.
+    cell : int or None
+        Of a matrix, which of its cells, counted row by row, is all that is marked.
     """
 
     def __init__(self) -> None:
         super().__init__()
         self.formula, self.exact, self.shrinks = "", "", False
+        self.cell: int | None = None
         self._copy = QAction(self.tr("Copy, with all digits"), self)
         self._copy.triggered.connect(self._to_clipboard)
 
@@ -376,7 +386,12 @@ class TypesetLabel(MarkedLabel):
         painter.translate(room.right() if is_right else room.left(), room.center().y())
         if self.shrinks and wanted > room.width():
             painter.scale(room.width() / wanted, room.width() / wanted)
-        laid_out.paint(painter, 1.0 - wanted if is_right else 1.0, laid_out.below_middle)
+        x = 1.0 - wanted if is_right else 1.0
+        laid_out.paint(painter, x, laid_out.below_middle)
+        if self.cell is not None and self.is_marked:
+            cell = laid_out.cells[self.cell].translated(x, laid_out.below_middle)
+            paint_highlight(self, painter, cell.adjusted(-ROOM_PX, 0.0, ROOM_PX, 0.0))
         painter.restore()
-        self.paint_mark(painter)
+        if self.cell is None:
+            self.paint_mark(painter)
         painter.end()

@@ -182,6 +182,8 @@ class Reading:
     note : Phrase, optional
     about : tuple of str
         What it speaks of, by the names of `app.lecture.highlight`: it stands out with that.
+    cell : int, optional
+        Of a matrix, which of its cells, counted row by row, speaks of that; without it all do.
     counted : bool
         Whether the value is not computed but counted in the picture's pixels, by somebody who can
         draw; until then it is None. `note` says why, if there turns out to be nothing to count.
@@ -193,6 +195,7 @@ class Reading:
     note: Phrase | None = None
     counted: bool = False
     about: tuple[str, ...] = ()
+    cell: int | None = None
 
 
 @dataclass(frozen=True, eq=False)

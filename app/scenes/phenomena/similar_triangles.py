@@ -50,6 +50,7 @@ _PARALLEL = QT_TRANSLATE_NOOP(
     "a parallel lens has no eye that projectors meet in: choose a perspective lens to see them",
 )
 
+_MINUS_ONE_OVER_D = 4 * 3 + 2  # the cell that d is in: row 4, column 3
 # What numbers and lines speak of, by the names of `app.lecture.highlight`.
 _OF_D, _OF_POINT, _OF_W = ("settings.distance",), ("settings.point",), ("w",)
 _OF_X_P, _OF_Y_P = ("x_p",), ("y_p",)
@@ -181,6 +182,7 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Illus
             QT_TRANSLATE_NOOP("phenomena", "projection, with −1/d"),
             tuple(matrix.reshape(-1).tolist()),
             about=_OF_D,
+            cell=_MINUS_ONE_OVER_D,
         ),
         Reading(
             QT_TRANSLATE_NOOP("phenomena", "of P: (x, y, z, −z/d)"),
