@@ -497,7 +497,8 @@ def trace_homogeneous(
     """
     given = np.asarray(points, dtype=np.float64)
     finite = given[:, 3] != 0.0
-    traced = trace(projection, given[:, :3], precision, space=space)
+    points = np.where(finite[:, None], given[:, :3], 0.0)
+    traced = trace(projection, points, precision, space=space)
     ones = np.ones((len(given), 1))
     world, view = (np.hstack([part, ones]) for part in (traced.world, traced.view))
     found = traced._replace(world=world, view=view)

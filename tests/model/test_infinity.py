@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 
 from app.model.infinity import homogeneous, trace_at_infinity
+from app.model.object_transform import ObjectTransform
 from app.model.projection import (
     LARGEST,
     Camera,
@@ -145,3 +146,14 @@ def test_l13_points_and_directions_go_together(precision: Any) -> None:
     assert found.image[::2] == pytest.approx(
         projection.trace([(1.0, 2.0, 3.0), (0.0, 1.0, 0.0)]).image, rel=1e-5
     )
+
+
+def test_l13_a_direction_of_the_object_is_turned_and_scaled_but_not_moved() -> None:
+    """Turned by 90 degrees about y, x of the object runs along -z; twice as long, however long."""
+    placement = ObjectTransform((7.0, -3.0, 1e9), (0.0, 90.0, 0.0), (2.0, 1.0, 1.0))
+    projection = Projection(CAMERA, CENTRAL[0], placement=placement)
+    for size in (1.0, LARGEST):
+        found = trace_homogeneous(projection, [(size, 0.0, 0.0, 0.0)], space="object")
+        assert found.world[0] == pytest.approx([0.0, 0.0, -2.0 * size, 0.0], abs=1e-30 * size)
+        seen = trace_at_infinity(projection, (0.0, 0.0, -1.0)).image
+        assert found.image[0] == pytest.approx(seen, rel=1e-15)

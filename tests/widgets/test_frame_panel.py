@@ -580,3 +580,18 @@ def test_l1_the_frame_is_seen_in_large_and_nothing_covers_the_look_arrow(
     settle()
     assert drawing.own.pane.eye.tolist() == pytest.approx(before)
     assert {"near", "far"} <= {handle.name for handle, _ in drawing.handles.shown}
+
+
+def test_l1_lecture_004_names_what_is_brought_to_length_1(window: MainWindow) -> None:
+    """N = T0 - T1, n = N/|N|; U = V x n, u = U/|U|: its matrix of the view."""
+    panel, letters = window.frame_panel, window.matrices.letters
+    window.panels.open(panel)
+    letters.setCurrentIndex(letters.findData("004"))
+    found = []
+    for step in ("n", "u", "v"):
+        panel.go_to(STEPS.index(step))
+        found.append(panel.formula.text())
+    assert found == ["N = e − target,   n = N/|N|", "U = V × n,   u = U/|U|", "v = n × u"]
+    letters.setCurrentIndex(letters.findData("own"))
+    panel.go_to(STEPS.index("u"))
+    assert panel.formula.text() == "u = up × n/|up × n|"

@@ -143,6 +143,12 @@ class FramePanel(Panel):
 
     # -- making
 
+    def _of_length_1(self, unit: str, whole: str, vector: str) -> str:
+        """How a vector is brought to length 1; lecture 004 has a name for it as it is before."""
+        if self._letters == "004":
+            return f"{whole} = {vector},   {unit} = {stacked_fraction(whole, f'|{whole}|')}"
+        return f"{unit} = {stacked_fraction(vector, f'|{vector}|')}"
+
     def _make_steps(self) -> tuple[_Step, ...]:
         u, v, n, up = (frame_letters(self._letters)[name] for name in ("u", "v", "n", "up"))
         return (
@@ -160,14 +166,12 @@ class FramePanel(Panel):
                         " right angle to the view, and its length does not matter."),
             ),
             _Step(
-                n,
-                f"{_N} = {stacked_fraction(f'{_E} − {_TARGET}', f'|{_E} − {_TARGET}|')}",
+                n, self._of_length_1(_N, f"N{ARROW}", f"{_E} − {_TARGET}"),
                 self.tr("Backwards, from the target to the eye, of length 1: the camera looks"
                         " along −{0}.").format(n),
             ),
             _Step(
-                u,
-                f"{_U} = {stacked_fraction(f'{_UP_VECTOR} × {_N}', f'|{_UP_VECTOR} × {_N}|')}",
+                u, self._of_length_1(_U, f"U{ARROW}", f"{_UP_VECTOR} × {_N}"),
                 self.tr("To the right in the picture: at right angles to {0} and to {1}, of"
                         " length 1.").format(up, n),
             ),
