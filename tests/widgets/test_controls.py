@@ -45,6 +45,7 @@ from app.model.projection import (
     Camera,
     FreeMatrix,
     Frustum,
+    ObjectTransform,
     Oblique,
     Orbit,
     Orthographic,
@@ -323,7 +324,28 @@ NUMBERS: dict[str, tuple[str, Any, Projection, str]] = {
     },
 }
 
+
+def _placed(**fields: Any) -> Projection:
+    return replace(START, placement=ObjectTransform(**fields))
+
+
+for _axis, _letter in enumerate("xyz"):
+    for _vector, _typed, _text in (
+        ("translate", "2.5", "-1.25"),
+        ("rotate_deg", "30", "-45.5"),
+        ("scale", "0.5", "2"),
+    ):
+        _other = list(getattr(ObjectTransform(), _vector))
+        _other[_axis] = float(_text)
+        NUMBERS[f"{_vector}_{_letter}"] = (
+            _typed,
+            lambda p, v=_vector, i=_axis, t=_typed: getattr(p.placement, v)[i] == float(t),
+            _placed(**{_vector: tuple(_other)}),
+            _text,
+        )
+
 CHOICES: dict[str, tuple[str, Any, Projection]] = {
+    "order": ("rts", lambda p: p.placement.order == "rts", _placed(order="rts")),
     "kind": ("orthographic", lambda p: p.lens.kind == "orthographic", BOX),
     "keep": ("x", lambda p: p.lens.keep == "x", replace(BOX, lens=replace(BOX.lens, keep="x"))),
     "preset": (
@@ -1317,7 +1339,8 @@ def test_a_double_click_on_the_name_resets(controls: Controls, reader: Controls)
     camera = Camera((1.0, 2.5, 3.0), (-1.0, 0.5, -3.0), (0.5, 0.6, 0.7))
     for key, record in each(controls, NUMBERS):
         kind = controls.projection.lens.kind
-        show(controls, Projection(camera, lenses[kind], (99, 88)))
+        placement = ObjectTransform((1.0, 2.0, 3.0), (10.0, 20.0, 30.0), (2.0, 3.0, 4.0))
+        show(controls, Projection(camera, lenses[kind], (99, 88), placement=placement))
         row = number(controls, key)
         QTest.mouseDClick(row.name_label, Qt.MouseButton.LeftButton)
         assert record.events == ["start", "edit", "finish"], key

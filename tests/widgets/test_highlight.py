@@ -13,7 +13,7 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QWidget
 
 from app.drawings.pointing import pointed_at, volume_edges
-from app.lecture.highlight import CORNERS, NOTHING, corner_at, made_of
+from app.lecture.highlight import CORNERS, NOTHING, OBJECT_AXES, corner_at, made_of
 from app.lecture.notation import letters_in, matrices
 from app.lecture.stages import VIEW, WORLD
 from app.model.projection import DEPTH_RANGES, LENSES, Camera, Perspective, Projection
@@ -108,6 +108,7 @@ def test_every_control_has_its_letters(kind: str, depth: str, rows: bool) -> Non
     """Whatever the lens, near and far are spoken of somewhere, and only known things are."""
     projection = replace(START.with_lens(kind), depth=depth)
     known = {*"uvn", *PLANES, "eye", "fov", "image", "depth", "keep", "alpha_deg", "beta_deg"}
+    known |= {*OBJECT_AXES, "translate", "rotate_deg", "scale"}
     spoken: set[str] = set()
     for matrix in matrices(projection, rows=rows, running=True):
         for i in range(4):

@@ -868,10 +868,10 @@ def test_the_eye_is_beside_the_middle_that_the_window_has(window: MainWindow) ->
 def test_the_drive_is_as_far_as_the_camera_is(window: MainWindow) -> None:
     store, window = opened(window, "far-plane-popping")
     start = store.document.projection
-    for z, position in ((-20.0, 30.0), (-400.0, 410.0)):
+    for z in (-20.0, -400.0):
         there = replace(start.camera, eye=(0.5, 2.2, z), target=(0.0, 2.0, z - 50.0))
         store.set_projection(replace(start, camera=there))
-        assert shown(window, "position") == [position]
+        assert shown(window, "position") == [start.camera.eye[2] - z]
         window.controls.card.settings_edited.emit({"detail": z == -20.0})
         assert store.document.projection.camera == there  # nobody has asked for another place
     number_row(window.controls.card, "position").edited.emit(0.0)
@@ -908,4 +908,4 @@ def test_a_bound_is_written_as_all_numbers_are(window: MainWindow) -> None:
     store.set_settings({"fog": "linear"})
     row = number_row(window.controls.card, "fog_end")
     enter(row.field, "10")
-    assert row.error.endswith("Fog ends at = 10: must be greater than 20.")
+    assert row.error.endswith("Fog ends at = 10: must be greater than 15.")

@@ -11,6 +11,7 @@ from PySide6.QtCore import QLocale, QTimer
 from pytestqt.qtbot import QtBot
 
 from app.document.document import Document
+from app.drawings.scene_bounds import predictions
 from app.model.projection import Camera, Perspective, Projection
 from app.precision.levels import drawing_bound_px, predict
 from app.precision.quality import Quality
@@ -50,17 +51,17 @@ def test_precisions_are_predicted_when_the_hand_rests(
     qtbot: QtBot, line: StatusLine, scene: Scene
 ) -> None:
     rested(qtbot, line, EVERYDAY, scene)
-    predictions = predict(EVERYDAY, scene.sample, scene.origin)
-    assert predictions is not None
+    found = predict(EVERYDAY, scene.sample, scene.origin)
+    assert found is not None
     drawn = drawing_bound_px(EVERYDAY, scene.boxes.together, scene.origin)
-    read = predictions["float64"].px
+    read = found["float64"].px
     assert line.precision.text() == f"drawn float32 ±{drawn:.1g} px, read float64 ±{read:.1g} px"
     assert line.health.text() == "" and line.health.toolTip() == ""
     line.precision.menu().aboutToShow.emit()
     texts = [action.text() for action in line.precision.menu().actions()]
     assert [text.split(":")[0] for text in texts[:3]] == ["float32", "float64", "exact"]
     assert texts[0].endswith("(drawn)") and texts[1].endswith("(read)")
-    assert f"{predictions['float32'].px:.2g} px" in texts[0]
+    assert f"{found['float32'].px:.2g} px" in texts[0]
     assert texts[-1] == "Drawing tolerance 0.01 px…"
     # Whatever computes it, a rasteriser is handed float32: 1280 px in 24 bits.
     line.show_quality(Quality(rung="float64"), [])
@@ -88,9 +89,9 @@ def test_while_it_moves_nothing_is_predicted(
 
     def counting(projection: Projection, *rest: Any) -> Any:
         calls.append(projection)
-        return predict(projection, *rest)
+        return predictions(projection, *rest)
 
-    monkeypatch.setattr(status_line, "predict", counting)
+    monkeypatch.setattr(status_line, "predictions", counting)
     moved = [replace(EVERYDAY, lens=Perspective(45.0 + i, 1.0, 30.0)) for i in range(20)]
     for projection in moved:
         show(line, projection, scene)

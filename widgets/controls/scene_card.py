@@ -81,7 +81,7 @@ WORD = 16
 """Characters of a file's name that find room in the narrowest dock."""
 TITLE, LARGE = 1.25, 1.15
 """Size of the scene's name, and of a reading's number, against ordinary text."""
-BESIDE, ON_A_LINE = 14, 30
+BESIDE, ON_A_LINE = 13, 30
 """Longest text of a value beside its label, and of numbers that is not broken in two."""
 LABEL_EM, WORDS_EM = 6, 7
 """Widths in heights of a line, beyond which labels, and words as values, may wrap."""

@@ -7,14 +7,18 @@ from __future__ import annotations
 from functools import partial
 from typing import cast
 
-from PySide6.QtCore import Qt, Signal
-from PySide6.QtGui import QKeyEvent
+from PySide6.QtCore import QSize, Qt, Signal
+from PySide6.QtGui import QKeyEvent, QPaintEvent
 from PySide6.QtWidgets import (
     QFrame,
     QHBoxLayout,
     QScrollArea,
+    QSizePolicy,
     QSplitter,
     QStackedWidget,
+    QStyle,
+    QStyleOptionToolButton,
+    QStylePainter,
     QToolButton,
     QVBoxLayout,
     QWidget,
@@ -24,7 +28,26 @@ from widgets.parts.panel import Panel, Shown
 
 
 class _Name(QToolButton):
-    """Opens and folds a panel: by a click, Space or Enter."""
+    """Opens and folds a panel: by a click, Space or Enter. Where there is no room it is elided."""
+
+    def minimumSizeHint(self) -> QSize:
+        return QSize(LEAST_EM * self.fontMetrics().height(), super().minimumSizeHint().height())
+
+    def paintEvent(self, _event: QPaintEvent) -> None:
+        option = QStyleOptionToolButton()
+        self.initStyleOption(option)
+        room = self.style().subControlRect(
+            QStyle.ComplexControl.CC_ToolButton,
+            option,
+            QStyle.SubControl.SC_ToolButton,
+            self,
+        )
+        beside = max(0, self.sizeHint().width() - self.fontMetrics().horizontalAdvance(self.text()))
+        width = room.width() - beside
+        option.text = self.fontMetrics().elidedText(
+            self.text(), Qt.TextElideMode.ElideRight, max(width, 0)
+        )
+        QStylePainter(self).drawComplexControl(QStyle.ComplexControl.CC_ToolButton, option)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         if event.key() in (Qt.Key.Key_Return, Qt.Key.Key_Enter):
@@ -33,6 +56,7 @@ class _Name(QToolButton):
             super().keyPressEvent(event)
 
 
+LEAST_EM = 4
 LARGEST_SHARE = 1 / 3
 """Of the window's height, for the open panel."""
 
@@ -83,6 +107,7 @@ class Panels(QWidget):
         button.setToolTip(tip)
         button.setCheckable(True)
         button.setAutoRaise(True)
+        button.setSizePolicy(QSizePolicy.Policy.Maximum, QSizePolicy.Policy.Fixed)
         button.clicked.connect(partial(self._clicked, panel))
         self._row.addWidget(button)
         self._buttons.append(button)

@@ -348,7 +348,7 @@ PHENOMENON = Phenomenon(
     start=Projection(
         Camera((1.5, 2.4, 8.0), (1.5, 2.4, 0.0)),
         # The window is 8 by 4.5 in the plane z = 0, 8 units away; its middle is 1.5 to the left.
-        Frustum(-2.75, 1.25, -1.125, 1.125, 4.0, 17.0, "y"),
+        Frustum(-2.2, 1.0, -0.9, 0.9, 3.2, 19.0, "y"),
     ),
     geometry=_geometry,
     show=_show,
