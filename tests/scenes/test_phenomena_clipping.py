@@ -109,10 +109,10 @@ def test_l15_each_plane_gives_the_triangle_one_corner_more_up_to_nine() -> None:
 
 
 def test_l15_new_corners_stand_in_the_world_where_they_do_by_hand() -> None:
-    """Near is z = 8 - 3 and far z = 8 - 13: a thirteenth of AB and two of AC, then of AB and BC."""
+    """Near is z = 8 - 3, at 1/17 of AB and 3/25 of AC; far z = 8 - 13, at 43/51 and 4/13 of BC."""
     by_hand = {
-        1: [(2 - 18 / 13, 2.5, 5.0), (2 + 2 / 13, 2.5 + 8.5 / 13, 5.0)],
-        2: [(2 + 22 / 13, 2.5 + 93.5 / 13, -5.0), (4 - 44 / 13, 11 - 34 / 13, -5.0)],
+        1: [(1.02, 2.88, 5.0), (2.25 + 1.75 / 17, 3 + 8 / 17, 5.0)],
+        2: [(2.25 + 1.75 * 43 / 51, 3 + 8 * 43 / 51, -5.0), (4 - 48 / 13, 11 - 36 / 13, -5.0)],
     }
     for step, places in by_hand.items():
         found = np.array([dot.point for dot in show(step=float(step)).world.dots])

@@ -40,7 +40,7 @@ from app.scenes.phenomena.illustration import (
 from app.scenes.phenomena.picture import SIDES, image_from_ndc, outline, section
 from app.scenes.shapes import Coloured, flat, ground_grid
 
-TRIANGLE = np.array([(2.0, 2.5, 6.0), (4.0, 11.0, -7.0), (-7.0, 2.5, -0.5)])
+TRIANGLE = np.array([(2.25, 3.0, 5.75), (4.0, 11.0, -7.0), (-8.0, 2.0, -0.5)])
 """World corners A, B, C of the polygon that is cut: each of the six planes adds one corner."""
 
 _UNCUT = QT_TRANSLATE_NOOP("phenomena", "none yet")
@@ -205,21 +205,20 @@ def sorted_out(projection: Projection, faces: Array) -> tuple[list[int], list[in
 
 
 def _shares(corners_clip: Array, points_clip: Array) -> Array:
-    """Barycentric coordinates, in a polygon's first three corners, of points of its plane, (n, 3).
+    """What of a polygon's first three corners its cut corners are made of, (n, 3).
 
-    With the corners' clip coordinates as columns ``C s = p``; a matrix takes corners and points
-    alike, so in the world, too, the point is ``sum s_i c_i / sum s_i``. Scaled row by row, for
-    coordinates as different as a lens makes them.
+    With the corners' clip coordinates as columns ``C s = p``. A cut is a sum of ends, with parts
+    that add up to 1, and so is it in the world, as a matrix takes sums to sums: ``sum s_i c_i``.
+    Scaled row by row, for coordinates as different as a lens makes them.
     """
     rows = corners_clip[:3].T
     size = np.maximum(np.abs(rows).max(axis=1, keepdims=True), 5e-324)
-    with np.errstate(over="ignore", invalid="ignore", divide="ignore"):
+    with np.errstate(over="ignore", invalid="ignore"):
         scaled = rows / size, points_clip.T / size
-        if not all(np.isfinite(part).all() for part in scaled):
-            return np.full((len(points_clip), 3), np.nan)
-        shares = np.linalg.lstsq(*scaled, rcond=None)[0].T
-        normed: Array = shares / shares.sum(axis=1, keepdims=True)
-    return normed
+    if not all(np.isfinite(part).all() for part in scaled):
+        return np.full((len(points_clip), 3), np.nan)
+    shares: Array = np.linalg.lstsq(*scaled, rcond=None)[0].T
+    return shares
 
 
 # --------------------------------------------------------------------------- what is shown
