@@ -404,7 +404,7 @@ PHENOMENON = Phenomenon(
     ),
     tries=(
         QT_TRANSLATE_NOOP("phenomena", "Step on: which plane adds a corner?"),
-        QT_TRANSLATE_NOOP("phenomena", "Which planes leave it as it is, farther back?"),
+        QT_TRANSLATE_NOOP("phenomena", "Go back: which planes leave it as it is?"),
         QT_TRANSLATE_NOOP("phenomena", "Move near and far: which cards cross?"),
     ),
     lectures=("001", "004"),
