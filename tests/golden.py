@@ -69,6 +69,7 @@ SCENES: dict[str, dict[str, Any]] = {
         "t": (0.0, 2.0),
     },
     "eye-plane": {"start": ((-8.0, 8.0),), "end": ((-8.0, 8.0),)},
+    "clipping": {"step": (0, 6)},
     "affine-depth": {"start": ((-12.0, 12.0),), "end": ((-12.0, 12.0),)},
     "depth-buffer": {
         "gap": (1e-3, 1.0),

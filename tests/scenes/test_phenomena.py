@@ -26,7 +26,7 @@ from tests.oracles.illustrations import assert_sound, projections, subject_of
 EVERY = pytest.mark.parametrize("phenomenon", PHENOMENA.values(), ids=list(PHENOMENA))
 LEAST_SEEN = {
     "view-volumes": 0.3, "off-axis-window": 0.75, "eye-plane": 0.4, "far-plane-popping": 0.14,
-    "focus": 0.9,
+    "focus": 0.9, "clipping": 0.4,
 }  # fmt: skip
 """But for what a scene is there to leave out."""
 FOLLOWED = {
@@ -215,6 +215,7 @@ def test_where_a_parallel_lens_makes_the_explanation_untrue_that_is_said(
         "oblique-drawing",
         "planar-shadow",
         "far-plane-popping",
+        "clipping",
     }
     for kind in ("orthographic", "oblique"):
         projection = phenomenon.start.with_lens(kind)

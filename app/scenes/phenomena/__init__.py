@@ -11,6 +11,7 @@ from types import MappingProxyType
 from app.scenes.phenomena import (
     affine_depth,
     camera_obscura,
+    clipping,
     depth_buffer,
     eye_plane,
     field_of_view,
@@ -38,6 +39,7 @@ PHENOMENA = MappingProxyType(
             oblique_drawing.PHENOMENON,
             vanishing_points.PHENOMENON,
             eye_plane.PHENOMENON,
+            clipping.PHENOMENON,
             affine_depth.PHENOMENON,
             depth_buffer.PHENOMENON,
             interpolation.PHENOMENON,

@@ -1,0 +1,433 @@
+"""Clipping: whole, outside, crossing; and a polygon cut by one plane after the other.
+
+What lies inside all six planes of the view volume is drawn as it is, what lies beyond one of them
+not at all. Only what crosses must be cut (lectures 001, 004), here after Sutherland & Hodgman: each
+plane takes the polygon that the plane before has left, keeps what is on its own side, and puts a
+new corner where an edge crosses. The cuts are `app.model.clipping`'s, in clip space; what they are
+in the world follows from the polygon's own corners, so that no inverse matrix is asked.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Sequence
+from typing import NamedTuple, TypeVar
+
+import numpy as np
+from numpy.typing import NDArray
+
+from app.model.clipping import clip_polygon
+from app.model.limits import PLANES
+from app.model.projection import Array, Camera, Perspective, Projection
+from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
+from app.scenes.phenomena.illustration import (
+    Curve,
+    Diagram,
+    Dot,
+    Face,
+    Illustration,
+    Line,
+    Marks,
+    Phenomenon,
+    Phrase,
+    Reading,
+    Setting,
+    Settings,
+    Subject,
+    Text,
+    number,
+)
+from app.scenes.phenomena.picture import SIDES, image_from_ndc, outline, section
+from app.scenes.shapes import Coloured, flat, ground_grid
+
+TRIANGLE = np.array([(2.25, 3.0, 5.75), (4.0, 11.0, -7.0), (-8.0, 2.0, -0.5)])
+"""World corners A, B, C of the polygon that is cut: each of the six planes adds one corner."""
+
+_UNCUT = QT_TRANSLATE_NOOP("phenomena", "none yet")
+_TOO_LARGE = QT_TRANSLATE_NOOP(
+    "phenomena", "clip coordinates are too large for float64 numbers, or lie on one ray of the eye"
+)
+_BEHIND = QT_TRANSLATE_NOOP(
+    "phenomena", "a corner is behind the eye: until near has cut, there is nothing to draw in NDC"
+)
+_NAMES = (
+    QT_TRANSLATE_NOOP("phenomena", "near"),
+    QT_TRANSLATE_NOOP("phenomena", "far"),
+    QT_TRANSLATE_NOOP("phenomena", "left"),
+    QT_TRANSLATE_NOOP("phenomena", "right"),
+    QT_TRANSLATE_NOOP("phenomena", "bottom"),
+    QT_TRANSLATE_NOOP("phenomena", "top"),
+)
+# Corners of each plane's face: of the near section 0 to 3, of the far one 4 to 7, and in the NDC
+# cube likewise.
+_FACES = ((0, 1, 2, 3), (4, 5, 6, 7), (3, 0, 4, 7), (1, 2, 6, 5), (0, 1, 5, 4), (2, 3, 7, 6))
+_WINDOW = np.array([(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)])
+_PALE = 0.72  # opacity of the background before what is outside
+
+# Middles of the cards, which of the world's axes they are level with, and half their sides.
+_CARDS = (
+    ((1.6, 3.2, 0.0), "xy", 0.9), ((3.4, 5.6, -2.5), "xy", 0.9), ((-1.8, 2.8, 1.5), "xy", 0.6),
+    ((6.0, 3.6, -1.0), "xy", 0.9), ((1.6, 7.9, -3.0), "xy", 0.9), ((4.6, 0.0, -3.2), "xy", 0.9),
+    ((3.0, 3.2, -5.0), "xz", 0.9), ((0.2, 3.4, 5.0), "xz", 0.6),
+    ((5.6, 3.4, 3.5), "xy", 0.9), ((1.0, 5.0, -8.0), "xy", 0.9), ((-8.0, 3.0, -1.0), "xy", 0.9),
+)  # fmt: skip
+_HUES = ((230, 159, 0), (86, 180, 233), (0, 158, 115), (240, 228, 66), (0, 114, 178), (213, 94, 0))
+
+
+def _cards() -> Array:
+    """Corners of the cards, (11, 4, 3)."""
+    quads = []
+    for middle, level, half in _CARDS:
+        along, across = ("xyz".index(axis) for axis in level)
+        offsets = np.zeros((4, 3))
+        offsets[:, along], offsets[:, across] = half * _WINDOW.T
+        quads.append(np.array(middle) + offsets)
+    return np.array(quads)
+
+
+CARDS = _cards()
+"""World corners of the scene's faces, (11, 4, 3)."""
+
+
+def _geometry() -> tuple[Coloured, Coloured]:
+    rgb = np.concatenate([flat(_HUES[i % len(_HUES)], 1) for i in range(len(CARDS))])
+    return (CARDS, rgb), ground_grid((-8.0, -10.0), (8.0, 8.0), (2.0, 2.0), 0.0)
+
+
+# --------------------------------------------------------------------------- the steps
+
+
+class Cut(NamedTuple):
+    """A polygon after one more plane; all in clip coordinates.
+
+    Attributes
+    ----------
+    corners : (m, 4) array
+        What is left; m is 0 where nothing is.
+    new : (k, 4) array
+        Those of them that the plane has made: 2 where it crosses the polygon, or fewer where it
+        goes through an old corner.
+    off : (j, 4) array
+        What it has cut off; j is 0 where that is nothing.
+    """
+
+    corners: Array
+    new: Array
+    off: Array
+
+
+_NONE = np.empty((0, 4))
+
+
+def cut_by(points_clip: Array, plane: str, depth: str = "opengl") -> Cut:
+    """Cut a convex polygon by one plane, and keep both parts.
+
+    Parameters
+    ----------
+    points_clip : (n, 4) array
+        Its corners in order; none, or at least 3.
+    plane : one of `PLANES`
+    depth : {"opengl", "direct3d", "reversed"}
+
+    Raises
+    ------
+    Refusal
+        As `app.model.clipping.clip_polygon`.
+    """
+    if not len(points_clip):
+        return Cut(_NONE, _NONE, _NONE)
+    left, edges = clip_polygon(points_clip, depth, (plane,))
+    if not len(left):
+        return Cut(left, _NONE, points_clip)
+    if plane not in edges:
+        return Cut(left, _NONE, _NONE)
+    leaves = edges.index(plane)  # the polygon goes out here, and comes in again at the next
+    gap = left[[leaves, (leaves + 1) % len(left)]]
+    is_new = ~_among(gap, points_clip)
+    gone = ~_among(points_clip, left)
+    first = next(i for i in range(len(gone)) if gone[i] and not gone[i - 1])
+    outer = np.roll(points_clip, -first, axis=0)[: int(gone.sum())]
+    return Cut(left, gap[is_new], np.concatenate([gap[:1], outer, gap[1:]]))
+
+
+def steps(points_clip: Array, depth: str = "opengl") -> list[Cut]:
+    """The polygon uncut, and after each of the six planes in the order of `PLANES`, 7 cuts.
+
+    Raises
+    ------
+    Refusal
+        As `app.model.clipping.clip_polygon`.
+    """
+    cuts = [Cut(points_clip, _NONE, _NONE)]
+    for plane in PLANES:
+        cuts.append(cut_by(cuts[-1].corners, plane, depth))
+    return cuts
+
+
+def _among(points: Array, others: Array) -> NDArray[np.bool_]:
+    """Which of some points (n, 4) are, to the last bit, also among others."""
+    same: NDArray[np.bool_] = (points[:, None] == others).all(axis=2).any(axis=1)
+    return same
+
+
+def sorted_out(projection: Projection, faces: Array) -> tuple[list[int], list[int], list[int]]:
+    """Which faces are whole inside, outside, and crossing.
+
+    Parameters
+    ----------
+    projection : Projection
+    faces : (n, k, 3) array
+        World corners of flat convex faces.
+
+    Returns
+    -------
+    whole, outside, crossing : lists of int
+        Whole: no corner is beyond a plane. Outside: all corners are beyond one and the same, or
+        the face goes past an edge of the volume.
+
+    Raises
+    ------
+    Refusal
+        As `app.model.clipping.clip_polygon`.
+    """
+    trace = projection.trace(faces)
+    whole: list[int] = []
+    outside: list[int] = []
+    crossing: list[int] = []
+    for i, (clip, beyond) in enumerate(zip(trace.clip, trace.outside, strict=True)):
+        if not beyond.any():
+            whole.append(i)
+        elif beyond.all(axis=0).any() or not len(clip_polygon(clip, projection.depth).points_clip):
+            outside.append(i)
+        else:
+            crossing.append(i)
+    return whole, outside, crossing
+
+
+def _shares(corners_clip: Array, points_clip: Array) -> Array:
+    """What of a polygon's first three corners its cut corners are made of, (n, 3).
+
+    With the corners' clip coordinates as columns ``C s = p``. A cut is a sum of ends, with parts
+    that add up to 1, and so is it in the world, as a matrix takes sums to sums: ``sum s_i c_i``.
+    Scaled row by row, for coordinates as different as a lens makes them.
+    """
+    rows = corners_clip[:3].T
+    size = np.maximum(np.abs(rows).max(axis=1, keepdims=True), 5e-324)
+    with np.errstate(over="ignore", invalid="ignore"):
+        scaled = rows / size, points_clip.T / size
+    if not all(np.isfinite(part).all() for part in scaled):
+        return np.full((len(points_clip), 3), np.nan)
+    shares: Array = np.linalg.lstsq(*scaled, rcond=None)[0].T
+    return shares
+
+
+# --------------------------------------------------------------------------- what is shown
+
+_Mark = TypeVar("_Mark", Line, Face, Dot, Text)
+
+
+def _finite(marks: Iterable[_Mark]) -> tuple[_Mark, ...]:
+    """Those marks that are somewhere: of none whose numbers overflow anything is drawn."""
+    return tuple(
+        mark
+        for mark in marks
+        if np.isfinite(mark.points if isinstance(mark, Line | Face) else mark.point).all()
+    )
+
+
+def _to_ndc(points_clip: Array) -> Array:
+    """NDC of clip points (n, 4); NaN where w is not positive, as there is none."""
+    w = np.where(points_clip[:, 3:] > 0.0, points_clip[:, 3:], np.nan)
+    with np.errstate(over="ignore", invalid="ignore"):
+        ndc: Array = points_clip[:, :3] / w
+    return ndc
+
+
+def _colour(step: int) -> str:
+    """Of the step's plane."""
+    return ("near", "far")[step - 1] if step < 3 else "v"
+
+
+def _pieces(parts: Sequence[Array], step: int) -> Marks:
+    """The polygon after a step, its new corners, and, pale, all that was cut off until then."""
+    now, new, *off = parts
+    lines = [Line(outline(piece), "muted", 1.0) for piece in off]
+    faces = [Face(piece, "muted", 0.12) for piece in off]
+    if len(now):
+        lines.append(Line(outline(now), "accent", 2.5))
+        faces.append(Face(now, "accent", 0.45))
+    return Marks(tuple(lines), tuple(faces), tuple(Dot(each, _colour(step), 1.8) for each in new))
+
+
+def _lit(box: Array, step: int) -> Marks:
+    """The plane of a step: a face of a box (8, 3). Near and far have their names without it."""
+    if not step:
+        return Marks()
+    face, colour = box[list(_FACES[step - 1])], _colour(step)
+    with np.errstate(over="ignore", invalid="ignore"):
+        middle = (face[2] + face[3]) / 2.0
+    return Marks(
+        (Line(outline(face), colour, 2.5),),
+        (Face(face, colour, 0.2),),
+        texts=() if step < 3 else (Text(_NAMES[step - 1], middle, colour),),
+    )
+
+
+def _together(*parts: Marks) -> Marks:
+    """All marks of some, but for those that are nowhere."""
+    return Marks(
+        _finite(line for part in parts for line in part.lines),
+        _finite(face for part in parts for face in part.faces),
+        _finite(dot for part in parts for dot in part.dots),
+        _finite(text for part in parts for text in part.texts),
+    )
+
+
+def _box(projection: Projection) -> Array:
+    """Corners of the view volume, (8, 3); of an infinite one as far as things are."""
+    lens = projection.lens
+    far = lens.far
+    if math.isinf(far):
+        far = max(3.0 * projection.camera.distance, 4.0 * lens.near)
+    return np.concatenate([section(projection, lens.near), section(projection, far)])
+
+
+def _paled(projection: Projection, outside: Sequence[int], crossing: Sequence[int]) -> Marks:
+    """A veil before the cards, or the parts of them, that are outside."""
+    pieces = [CARDS[i] for i in outside]
+    for i in crossing:
+        clip = projection.trace(CARDS[i]).clip
+        off = [cut.off for cut in steps(clip, projection.depth)]
+        pieces += [_shares(clip, piece) @ CARDS[i][:3] for piece in off if len(piece)]
+    return Marks(
+        tuple(Line(outline(piece), "muted", 1.0) for piece in pieces),
+        tuple(Face(piece, "background", _PALE) for piece in pieces),
+    )
+
+
+def _image(projection: Projection, clip: Array, step: int, new: Array) -> Marks:
+    """What of the polygon after a step is before the eye and in the frame, in pixels."""
+    planes = {*PLANES[:step], *SIDES}
+    left = _to_ndc(clip_polygon(clip, projection.depth, planes).points_clip)
+    pixels = image_from_ndc(projection, left)
+    if not len(pixels) or not np.isfinite(pixels).all():
+        return Marks()
+    corners = _to_ndc(new)
+    inside = corners[(np.abs(corners[:, :2]) <= 1.0).all(axis=1)]
+    dots = (Dot(each, _colour(step), 1.8) for each in image_from_ndc(projection, inside))
+    return Marks((Line(outline(pixels), "accent", 2.5),), (Face(pixels, "accent", 0.35),), (*dots,))
+
+
+def _show(projection: Projection, settings: Settings, _subject: Subject) -> Illustration:
+    step = int(number(settings, "step"))
+    clip = projection.trace(TRIANGLE).clip
+    try:
+        cuts = steps(clip, projection.depth)
+        whole, outside, crossing = sorted_out(projection, CARDS)
+        veil = _paled(projection, outside, crossing)
+        image = _image(projection, clip, step, cuts[step].new)
+    except Refusal:  # said in the illustration, where it belongs to the camera
+        return Illustration((), warning=Phrase(_TOO_LARGE))
+    now, off = cuts[step], [cut.off for cut in cuts[1 : step + 1] if len(cut.off)]
+    before, after = len(cuts[max(step - 1, 0)].corners), len(now.corners)
+    parts = [now.corners, now.new, *off]
+    shares = [_shares(clip, part) for part in parts]
+    z_near, z_far = projection.depth_range
+    cube = np.concatenate([np.column_stack([_WINDOW, [z] * 4]) for z in (z_near, z_far)])
+    in_world = [part @ TRIANGLE for part in shares]
+    in_ndc = [_to_ndc(part) for part in parts]
+    names = Marks(texts=tuple(map(Text, "ABC", TRIANGLE, ["accent"] * 3)))
+    return Illustration(
+        _readings(step, before, after, (len(whole), len(outside), len(crossing))),
+        world=_together(veil, _lit(_box(projection), step), _pieces(in_world, step), names),
+        ndc=_together(_lit(cube, step), _pieces(in_ndc, step)),
+        image=image,
+        diagrams=(_diagram(shares[0], shares[1], step),),
+        warning=Phrase(_BEHIND) if not step and not (clip[:, 3] > 0.0).all() else None,
+    )
+
+
+def _readings(step: int, before: int, after: int, cards: tuple[int, ...]) -> tuple[Reading, ...]:
+    whole, outside, crossing = map(float, cards)
+    plane = _NAMES[step - 1] if step else _UNCUT
+    return (
+        Reading(QT_TRANSLATE_NOOP("phenomena", "plane of this step"), plane),
+        Reading(QT_TRANSLATE_NOOP("phenomena", "corners before it"), float(before)),
+        Reading(QT_TRANSLATE_NOOP("phenomena", "corners after it"), float(after)),
+        Reading(QT_TRANSLATE_NOOP("phenomena", "cards whole inside"), whole),
+        Reading(QT_TRANSLATE_NOOP("phenomena", "cards outside"), outside),
+        Reading(QT_TRANSLATE_NOOP("phenomena", "cards crossing: to be cut"), crossing),
+    )
+
+
+def _flat() -> Array:
+    """The triangle in its own plane, A to B along x, (3, 2)."""
+    along, up = TRIANGLE[1] - TRIANGLE[0], TRIANGLE[2] - TRIANGLE[0]
+    length = np.linalg.norm(along)
+    x = up @ along / length
+    return np.array([(0.0, 0.0), (length, 0.0), (x, -math.sqrt(up @ up - x * x))])
+
+
+_FLAT = _flat()
+
+
+def _diagram(now: Array, new: Array, step: int) -> Diagram:
+    """The polygon in its own plane: uncut, after this step, and the new edge."""
+    now, new = (part[np.isfinite(part).all(axis=1)] @ _FLAT for part in (now, new))
+    curves = [Curve(_FLAT, "muted", width=1.0, closed=True)]
+    if len(now):
+        curves.append(Curve(now, "accent", width=2.5, closed=True))
+    if len(new):
+        curves.append(Curve(new, _colour(step), _NAMES[step - 1], 2.5))
+        curves.append(Curve(new, _colour(step), dots=True))
+    curves += [Curve(_FLAT[i : i + 1], "ink", "ABC"[i], dots=True) for i in range(3)]
+    (left, bottom), (right, top) = _FLAT.min(axis=0), _FLAT.max(axis=0)
+    margin = 0.12 * (right - left)
+    return Diagram(
+        QT_TRANSLATE_NOOP("phenomena", "in its own plane"),
+        tuple(curves),
+        *(left - margin, right + margin, bottom - margin, top + margin),
+        equal=True,
+    )
+
+
+PHENOMENON = Phenomenon(
+    name="clipping",
+    title=QT_TRANSLATE_NOOP("phenomena", "Clipping, plane by plane"),
+    explanation=QT_TRANSLATE_NOOP(
+        "phenomena",
+        "What is whole inside the view volume is drawn, what is outside is not; what crosses is cut"
+        " by each plane in turn, with a new corner where an edge goes through it. Near keeps away"
+        " what is at the eye or behind it, where w ≤ 0 and the divide fails, and far bounds the"
+        " depths. It is done in the canonical volume, before the divide, because there the planes"
+        " are the same for every lens: −w ≤ x, y, z ≤ w in OpenGL's.",
+    ),
+    tries=(
+        QT_TRANSLATE_NOOP("phenomena", "Step on: which plane adds a corner?"),
+        QT_TRANSLATE_NOOP("phenomena", "Go back: which planes leave it as it is?"),
+        QT_TRANSLATE_NOOP("phenomena", "Move near and far: which cards cross?"),
+    ),
+    lectures=("001", "004"),
+    start=Projection(
+        Camera((0.0, 4.0, 8.0), (0.0, 4.0, 0.0)), Perspective(fov_y_deg=40.0, near=3.0, far=13.0)
+    ),
+    geometry=_geometry,
+    show=_show,
+    settings=(
+        Setting(
+            "step",
+            QT_TRANSLATE_NOOP("phenomena", "Planes that have cut"),
+            QT_TRANSLATE_NOOP(
+                "phenomena", "0: uncut; then near, far, left, right, bottom and top, one by one"
+            ),
+            1.0,
+            low=0.0,
+            high=6.0,
+            whole=True,
+            per_second=0.8,
+        ),
+    ),
+    controls=("lens.near", "lens.far", "camera.distance"),
+    numbers=6,
+    leading="ndc",
+)

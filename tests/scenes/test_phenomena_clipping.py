@@ -1,0 +1,196 @@
+"""Clipping: corners by hand, six steps against the clipper, parts that make up the whole."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from app.model.clipping import clip_polygon
+from app.model.limits import PLANES
+from app.model.projection import Array, Camera, FreeMatrix, Frustum, Projection
+from app.model.refusal import Refusal
+from app.scenes.phenomena.clipping import (
+    CARDS,
+    PHENOMENON,
+    TRIANGLE,
+    cut_by,
+    sorted_out,
+    steps,
+)
+from app.scenes.phenomena.illustration import Illustration
+from tests.oracles.illustrations import reading, showing, subject_of, value
+
+START, SUBJECT = PHENOMENON.start, subject_of(PHENOMENON)
+show = showing(PHENOMENON, SUBJECT)
+# Planes x = ±w, y = ±w, w = 1 and w = 3, where w = -z.
+SIMPLE = Projection(
+    Camera((0, 0, 0), (0, 0, -1)), Frustum(-1.0, 1.0, -1.0, 1.0, 1.0, 3.0), (100, 100)
+)
+
+
+def xyw(points_clip: Array) -> Array:
+    return points_clip[:, [0, 1, 3]]
+
+
+def area(points: Array) -> float:
+    """Of a flat convex polygon (n, 3)."""
+    parts = np.cross(points[1:-1] - points[0], points[2:] - points[0])
+    return float(np.linalg.norm(parts.sum(axis=0))) / 2.0
+
+
+def faces(illustration: Illustration, colour: str) -> list[Array]:
+    return [face.points for face in illustration.world.faces if face.colour == colour]
+
+
+def counts(illustration: Illustration) -> tuple[float, ...]:
+    return tuple(value(illustration, f"cards {what}") for what in ("whole", "outside", "crossing"))
+
+
+def test_l15_the_corners_of_a_cut_by_hand() -> None:
+    """A = (0, 0) at w = 1/2 is before near, B = (4, 0) at w = 5/2 right of x = w; C is inside.
+
+    near: 1/4 of AB and of AC has w = 1; on AB that is x = 1 = w, on the right plane already.
+    right: 3/8 of BC has x = 5/2 = w. All of them are numbers of few bits.
+    """
+    cuts = steps(SIMPLE.trace([(0.0, 0.0, -0.5), (4.0, 0.0, -2.5), (0.0, 1.0, -2.5)]).clip)
+    near = [(1, 0, 1), (4, 0, 2.5), (0, 1, 2.5), (0, 0.25, 1)]
+    right = [(1, 0, 1), (2.5, 0.375, 2.5), (0, 1, 2.5), (0, 0.25, 1)]
+    assert [len(cut.corners) for cut in cuts] == [3, 4, 4, 4, 4, 4, 4]
+    assert xyw(cuts[1].corners).tolist() == [list(corner) for corner in near]
+    assert xyw(cuts[6].corners).tolist() == [list(corner) for corner in right]
+    assert xyw(cuts[1].new).tolist() == [[0, 0.25, 1], [1, 0, 1]]
+    assert xyw(cuts[4].new).tolist() == [[2.5, 0.375, 2.5]]
+    assert xyw(cuts[1].off).tolist() == [[0, 0.25, 1], [0, 0, 0.5], [1, 0, 1]]
+    assert xyw(cuts[4].off).tolist() == [[1, 0, 1], [4, 0, 2.5], [2.5, 0.375, 2.5]]
+    assert [len(cut.off) for cut in cuts] == [0, 3, 0, 0, 3, 0, 0]
+
+
+def test_l15_a_corner_behind_the_eye_is_cut_off_before_the_divide() -> None:
+    """From w = -1 to 2, two thirds of the way have w = 1."""
+    behind = SIMPLE.trace([(0.0, 0.0, 1.0), (1.5, 0.0, -2.0), (0.0, 1.5, -2.0)]).clip
+    cut = cut_by(behind, "near")
+    assert xyw(cut.new) == pytest.approx(np.array([(0, 1, 1), (1, 0, 1)]), abs=1e-15)
+    assert len(cut.corners) == 4 and (cut.corners[:, 3] > 0.0).all()
+
+
+def test_l15_nothing_is_left_of_what_is_all_beyond_a_plane_and_none_follows() -> None:
+    clip = SIMPLE.trace([(0.0, 0.0, -4.0), (1.0, 0.0, -5.0), (0.0, 1.0, -4.0)]).clip
+    cuts = steps(clip)
+    assert [len(cut.corners) for cut in cuts] == [3, 3, 0, 0, 0, 0, 0]
+    assert (cuts[2].off == clip).all() and not any(len(cut.off) for cut in cuts[3:])
+
+
+@pytest.mark.parametrize("depth", ["opengl", "direct3d", "reversed"])
+@pytest.mark.parametrize("kind", ["perspective", "frustum", "orthographic", "oblique"])
+def test_l15_after_six_steps_it_is_the_clipped_polygon(kind: str, depth: str) -> None:
+    seen = replace(START.with_lens(kind), depth=depth)  # type: ignore[arg-type]
+    for polygon in (TRIANGLE, *CARDS):
+        clip = seen.trace(polygon).clip
+        cuts = steps(clip, depth)
+        for count, cut in enumerate(cuts):
+            one_go = clip_polygon(clip, depth, PLANES[:count])
+            assert (cut.corners == one_go.points_clip).all()
+
+
+def test_l15_each_plane_gives_the_triangle_one_corner_more_up_to_nine() -> None:
+    for step in range(7):
+        illustration = show(step=float(step))
+        plane = reading(illustration, "plane of").value
+        assert plane == (PLANES[step - 1] if step else "none yet")
+        assert value(illustration, "corners after") == 3.0 + step
+        assert value(illustration, "corners before") == max(2.0 + step, 3.0)
+        assert [text.text for text in illustration.world.texts if text.text in PLANES] == (
+            [plane] if step > 2 else []  # near and far have their names in the panes anyhow
+        )
+        assert len(illustration.world.dots) == len(illustration.ndc.dots) == (2 if step else 0)
+
+
+def test_l15_new_corners_stand_in_the_world_where_they_do_by_hand() -> None:
+    """Near is z = 8 - 3, at 1/17 of AB and 3/25 of AC; far z = 8 - 13, at 43/51 and 4/13 of BC."""
+    by_hand = {
+        1: [(1.02, 2.88, 5.0), (2.25 + 1.75 / 17, 3 + 8 / 17, 5.0)],
+        2: [(2.25 + 1.75 * 43 / 51, 3 + 8 * 43 / 51, -5.0), (4 - 48 / 13, 11 - 36 / 13, -5.0)],
+    }
+    for step, places in by_hand.items():
+        found = np.array([dot.point for dot in show(step=float(step)).world.dots])
+        assert found == pytest.approx(np.array(places), abs=1e-12)
+    with_x_at_the_side = np.array([dot.point for dot in show(step=4.0).ndc.dots])
+    assert (with_x_at_the_side[:, 0] == 1.0).all()
+
+
+@pytest.mark.parametrize("step", range(7))
+def test_l15_what_is_left_and_what_is_cut_off_make_up_the_triangle(step: int) -> None:
+    illustration = show(step=float(step))
+    (left,) = faces(illustration, "accent")
+    pale = faces(illustration, "muted")
+    assert len(pale) == step
+    assert area(left) + sum(map(area, pale)) == pytest.approx(area(TRIANGLE), rel=1e-12)
+    for piece, plane in zip(pale, range(step), strict=True):
+        assert START.trace(piece.mean(axis=0)).outside[plane]
+
+
+def test_l15_cards_are_counted_as_their_corners_say() -> None:
+    """No card here goes past an edge of the volume, where corners alone do not tell."""
+    for seen in (START, START.between(2.0, 20.0), START.between(6.0, 9.0)):
+        outside = seen.trace(CARDS).outside
+        whole = ~outside.any(axis=(1, 2))
+        beyond = outside.all(axis=1).any(axis=1)
+        expected = (whole.sum(), beyond.sum(), (~whole & ~beyond).sum())
+        assert counts(show(seen)) == expected
+    assert counts(show()) == (3.0, 3.0, 5.0)
+
+
+def test_l15_a_face_past_an_edge_of_the_volume_is_outside() -> None:
+    """From right of it to above it: 3 + 0 and 0 + 3 at w = 2 pass (2, 2) by; and through it."""
+    past = [(4.5, 0.0, -2.0), (0.0, 4.5, -2.0), (4.5, 4.5, -2.0)]
+    through = [(3.0, 0.0, -2.0), (0.0, 3.0, -2.0), (3.0, 3.0, -2.0)]
+    assert not SIMPLE.trace(past).outside.all(axis=0).any()
+    assert sorted_out(SIMPLE, np.array([past, through])) == ([], [0], [1])
+
+
+def test_l15_cards_are_pale_where_they_are_outside_and_nowhere_else() -> None:
+    veil = faces(show(), "background")
+    _, outside, crossing = sorted_out(START, CARDS)
+    for piece in veil:
+        assert START.trace(piece.mean(axis=0)).outside.any()
+    inside = 0.0
+    for i in crossing:
+        kept = clip_polygon(START.trace(CARDS[i]).clip).points_clip @ START.world_from_clip.T
+        inside += area(kept[:, :3] / kept[:, 3:])
+    cards = sum(area(CARDS[i]) for i in (*outside, *crossing))
+    assert sum(map(area, veil)) + inside == pytest.approx(cards, rel=1e-9)
+
+
+def test_l15_before_near_has_cut_a_corner_behind_the_eye_has_no_ndc() -> None:
+    nearer = replace(START, camera=Camera((0.0, 4.0, 5.0), (0.0, 4.0, 0.0)))
+    uncut = show(nearer, step=0.0)
+    assert uncut.warning is not None and "behind the eye" in uncut.warning.template
+    assert not uncut.ndc.faces and faces(uncut, "accent")
+    assert show(nearer, step=1.0).warning is None
+    assert [face for face in show(nearer, step=1.0).ndc.faces if face.colour == "accent"]
+
+
+def test_l15_an_infinite_far_plane_cuts_nothing() -> None:
+    endless = START.between(3.0, math.inf)
+    cut = show(endless, step=2.0)
+    assert value(cut, "corners before") == value(cut, "corners after") == 4.0
+    assert not cut.world.dots
+    assert counts(cut)[1] < counts(show())[1]  # that behind the far plane is whole now
+    assert value(show(endless, step=6.0), "corners after") == 8.0
+
+
+def test_l15_a_free_matrix_rests_and_a_parallel_lens_clips() -> None:
+    free = replace(START, lens=FreeMatrix(np.eye(4).tolist()))
+    shown = PHENOMENON.illustration(free, PHENOMENON.defaults, SUBJECT)
+    assert shown.idle and shown.warning is not None and not shown.world.faces
+    parallel = show(START.with_lens("orthographic"), step=6.0)
+    assert parallel.warning is None and value(parallel, "corners after") > 3.0
+
+
+@pytest.mark.parametrize("bad", [-1.0, 7.0, 1.5, "near", True, math.nan])
+def test_l15_a_step_that_is_none_is_refused_by_name(bad: object) -> None:
+    with pytest.raises(Refusal, match=r"^settings\.step = "):
+        PHENOMENON.checked({"step": bad})
