@@ -52,9 +52,9 @@ def test_halves_that_do_not_join_are_found_out() -> None:
     left, right = halves(PHENOMENON.start)
     lens = right.lens
     assert isinstance(lens, Frustum)
-    # 0.001 of a window 2 wide is shown on 640 pixels: a gap of 0.32 px at its edge.
+    # 0.001 of a window 1.6 wide is shown on 640 pixels: a gap of 0.4 px at its edge.
     apart = replace(right, lens=replace(lens, left=lens.left + 0.001))
-    assert join_error_px((left, apart)) == pytest.approx(0.001 / 1.999 * 640, rel=1e-9)
+    assert join_error_px((left, apart)) == pytest.approx(0.001 / 1.599 * 640, rel=1e-9)
 
 
 def test_a_point_of_the_join_is_on_both_edges() -> None:
@@ -176,32 +176,32 @@ def written(projection: Projection) -> dict[str, tuple[str, list[float]]]:
 
 
 START_WRITTEN = {
-    "left": ("l = −2.75", [-1.25, 2.4, 4.0]),
-    "right": ("r = 1.25", [2.75, 2.4, 4.0]),
-    "bottom": ("b = −1.125", [0.75, 1.275, 4.0]),
-    "top": ("t = 1.125", [0.75, 3.525, 4.0]),
+    "left": ("l = −2.2", [-0.7, 2.4, 4.8]),
+    "right": ("r = 1", [2.5, 2.4, 4.8]),
+    "bottom": ("b = −0.9", [0.9, 1.5, 4.8]),
+    "top": ("t = 0.9", [0.9, 3.3, 4.8]),
 }
-"""By hand: a window 8 by 4.5, 8 before the eye at (1.5, 2.4, 8), its middle 1.5 to the left; half
-as far away it is half as large."""
+"""By hand: a window 8 by 4.5, 8 before the eye at (1.5, 2.4, 8), its middle 1.5 to the left; at
+0.4 of the distance it is 0.4 times as large."""
 
 
 def test_l6_the_near_rectangle_has_the_four_numbers_of_glfrustum() -> None:
     assert written(PHENOMENON.start) == START_WRITTEN
     # And they are those of the lecture's matrix: 2n/(r - l) and (r + l)/(r - l) (003).
     matrix = PHENOMENON.start.clip_from_view
-    assert matrix[0, 0] == pytest.approx(2 * 4 / (1.25 + 2.75))
-    assert matrix[0, 2] == pytest.approx((1.25 - 2.75) / (1.25 + 2.75))
-    assert matrix[1, 1] == pytest.approx(2 * 4 / 2.25) and matrix[1, 2] == 0.0
+    assert matrix[0, 0] == pytest.approx(2 * 3.2 / (1.0 + 2.2))
+    assert matrix[0, 2] == pytest.approx((1.0 - 2.2) / (1.0 + 2.2))
+    assert matrix[1, 1] == pytest.approx(2 * 3.2 / 1.8) and matrix[1, 2] == 0.0
 
 
 @pytest.mark.parametrize(
     ("name", "value", "text", "step", "along"),
     [
-        ("left", -0.75, "l = −0.75", (2.0, 0.0, 0.0), ("bottom", "top")),
-        ("right", 2.25, "r = 2.25", (1.0, 0.0, 0.0), ("bottom", "top")),
-        ("bottom", -2.125, "b = −2.125", (0.0, -1.0, 0.0), ("left", "right")),
-        ("top", 2.125, "t = 2.125", (0.0, 1.0, 0.0), ("left", "right")),
-        ("near", 2.0, "", (0.0, 0.0, 2.0), ()),  # all four, and their numbers stay
+        ("left", -0.75, "l = −0.75", (1.45, 0.0, 0.0), ("bottom", "top")),
+        ("right", 2.25, "r = 2.25", (1.25, 0.0, 0.0), ("bottom", "top")),
+        ("bottom", -2.125, "b = −2.125", (0.0, -1.225, 0.0), ("left", "right")),
+        ("top", 2.125, "t = 2.125", (0.0, 1.225, 0.0), ("left", "right")),
+        ("near", 2.0, "", (0.0, 0.0, 1.2), ()),  # all four, and their numbers stay
         ("far", 30.0, "", (0.0, 0.0, 0.0), ()),
     ],
 )
@@ -220,7 +220,7 @@ def test_l6_each_of_the_six_moves_its_own_edge(
 def test_l6_the_side_that_is_spoken_of_has_a_line_of_its_own() -> None:
     lines = {line.about: line.points for line in shown(PHENOMENON.start).world.lines if line.about}
     assert sorted(lines) == [("bottom",), ("left",), ("right",), ("top",)]
-    assert np.ptp(lines["left",], axis=0) == pytest.approx([0.0, 2.25, 0.0])
-    assert lines["left",][:, 0] == pytest.approx(-1.25)
-    assert np.ptp(lines["top",], axis=0) == pytest.approx([4.0, 0.0, 0.0])
-    assert lines["top",][:, 1] == pytest.approx(3.525)
+    assert np.ptp(lines["left",], axis=0) == pytest.approx([0.0, 1.8, 0.0])
+    assert lines["left",][:, 0] == pytest.approx(-0.7)
+    assert np.ptp(lines["top",], axis=0) == pytest.approx([3.2, 0.0, 0.0])
+    assert lines["top",][:, 1] == pytest.approx(3.3)

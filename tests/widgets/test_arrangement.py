@@ -102,7 +102,7 @@ def test_what_was_prepared_by_hand_comes_back_from_its_file(
     for _ in range(3):
         click(window.frame_panel.next)
     click(window.strip.stops[2])
-    window.probe_panel.follow(point=(0.5, 2.5, 0.5))
+    window.probe_panel.follow(point=(0.5, 2.7, 0.5))
     click(window.probe_panel.pin)
     window.probe_panel.follow(point=(-0.5, 1.0, 0.5))
     turn(window, "world")
@@ -247,7 +247,7 @@ def test_a_scene_that_is_chosen_keeps_what_was_prepared_and_forgets_what_was_the
     window: MainWindow,
 ) -> None:
     click(window.strip.stops[2])
-    window.probe_panel.follow(point=(0.5, 2.5, 0.5))
+    window.probe_panel.follow(point=(0.5, 2.7, 0.5))
     turn(window, "world")
     view = window.store.seen.view
     window.guide.choose("cube")
@@ -294,7 +294,7 @@ def as_figure(window: MainWindow, pane: str, view: View) -> np.ndarray:
 
 @pytest.mark.parametrize("stage", [0.0, 1.0, 1.5, 2.0, 3.0, 4.0, 5.0])
 def test_a_figure_is_the_pane_at_every_stage(window: MainWindow, stage: float) -> None:
-    window.probe_panel.follow(point=(0.5, 2.5, 0.5))
+    window.probe_panel.follow(point=(0.5, 2.7, 0.5))
     window.strip.go_to(stage)
     settle()
     view, there = window.store.seen.view, pixels(window, "ndc")

@@ -853,11 +853,11 @@ def test_the_eye_is_beside_the_middle_that_the_window_has(window: MainWindow) ->
     lens = start.lens
     assert isinstance(lens, Frustum)
     moved = replace(lens, left=lens.left - 0.5, right=lens.right - 0.5)
-    store.set_projection(replace(start, lens=moved))  # the window, 1 to the left at the distance 8
-    assert shown(window, "shift") == [pytest.approx(2.5)]
+    store.set_projection(replace(start, lens=moved))  # 1.25 to the left at the distance 8
+    assert shown(window, "shift") == [pytest.approx(2.75)]
     number_row(window.controls.card, "shift").edited.emit(1.5)
     now = store.document.projection
-    assert now.camera.eye == pytest.approx((0.5, 2.4, 8.0))
+    assert now.camera.eye == pytest.approx((0.25, 2.4, 8.0))
     assert now.window == pytest.approx(start.window) and shown(window, "shift") == [1.5]
     store.set_projection(now.with_lens("perspective"))
     assert shown(window, "shift") == [0.0]
