@@ -13,6 +13,10 @@ ARROW = 0.8
 high."""
 
 
+BESIDE = 0.3
+"""Room between the text and the arrow, in heights of a line."""
+
+
 class Combo(QComboBox):
     """A combo box; the application's style sheet leaves its arrow to it."""
 
@@ -24,6 +28,17 @@ class Combo(QComboBox):
         super().changeEvent(event)
         if event.type() == QEvent.Type.FontChange:
             self._fit()
+
+    def sizeHint(self) -> QSize:
+        return super().sizeHint() + self._more
+
+    def minimumSizeHint(self) -> QSize:
+        return super().minimumSizeHint() + self._more
+
+    @property
+    def _more(self) -> QSize:
+        """Between the text and its arrow, which a style sheet leaves no room."""
+        return QSize(round(BESIDE * self.fontMetrics().height()), 0)
 
     def _fit(self) -> None:
         side = self.fontMetrics().height()
