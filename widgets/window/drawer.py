@@ -33,20 +33,15 @@ class _Name(QToolButton):
     def minimumSizeHint(self) -> QSize:
         return QSize(LEAST_EM * self.fontMetrics().height(), super().minimumSizeHint().height())
 
-    def paintEvent(self, _event: QPaintEvent) -> None:
+    def paintEvent(self, event: QPaintEvent) -> None:
+        if self.width() >= self.sizeHint().width():
+            super().paintEvent(event)
+            return
         option = QStyleOptionToolButton()
         self.initStyleOption(option)
-        room = self.style().subControlRect(
-            QStyle.ComplexControl.CC_ToolButton,
-            option,
-            QStyle.SubControl.SC_ToolButton,
-            self,
-        )
-        beside = max(0, self.sizeHint().width() - self.fontMetrics().horizontalAdvance(self.text()))
-        width = room.width() - beside
-        option.text = self.fontMetrics().elidedText(
-            self.text(), Qt.TextElideMode.ElideRight, max(width, 0)
-        )
+        beside = self.sizeHint().width() - self.fontMetrics().horizontalAdvance(self.text())
+        width = max(0, self.width() - beside)
+        option.text = self.fontMetrics().elidedText(self.text(), Qt.TextElideMode.ElideRight, width)
         QStylePainter(self).drawComplexControl(QStyle.ComplexControl.CC_ToolButton, option)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
