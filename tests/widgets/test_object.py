@@ -56,7 +56,10 @@ def test_l2_a_column_lights_its_axis_and_an_axis_its_column(window: MainWindow) 
     x, y, _ = drawing._spots(axes.origin + 0.8 * axes.ways)[0]
     assert "object_x" in drawing.highlight_at(x, y)
     before = pixels(window, "world")
+    shaft = axes.shafts["object_x"].GetProperty()
+    thin = shaft.GetLineWidth()
     assert drawing.show_highlight(frozenset({"object_x"}))
+    assert shaft.GetLineWidth() > 1.2 * thin, "the axis itself, and not only its letter"
     window.panes["world"].request_repaint()
     settle()
     assert (pixels(window, "world") != before).any()
