@@ -172,6 +172,7 @@ SYSTEM = (
 
 #: Distributions whose import name is not simply their own name.
 _IMPORT_NAME = {
+    "markdown-it-py": "markdown_it",
     "pillow": "PIL",
     "vtk": "vtkmodules",
     "pyside6-essentials": "PySide6",

@@ -25,7 +25,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from app import bootstrap
-from app.commands import doctor
+from app.commands import doctor, lessons
 from app.commands.arguments import (
     cannot_import,
     check_out,
@@ -672,6 +672,7 @@ COMMANDS: dict[str, Callable[[Sequence[str]], int]] = {
     "project": _project,
     "matrices": _matrices,
     "measure": _measure,
+    "lesson": lessons.lesson,
     "doctor": doctor.command,
 }
 """The words that the command line may begin with; each takes the arguments after it."""

@@ -29,6 +29,7 @@ SUMMARIES = {
     "project": "follow points through every stage of the projection",
     "matrices": "print every stage's matrix",
     "measure": "measure what speed costs in accuracy, here, for a scene and a camera",
+    "lesson": "check or list lessons and talks",
     "doctor": "say what this machine has, what is missing and how to get it",
 }
 """The words that the command line may begin with, and what each is for."""
@@ -148,7 +149,9 @@ class Parser(argparse.ArgumentParser):
         if "" in words:
             raise CliError(f"{command} was given an empty name.")
         most = len(self._names.split())
-        if not most - self._names.count("[") <= len(words) <= most:
+        if self._names.endswith("...]"):
+            most = max(most, len(words))
+        if not len(self._names.split()) - self._names.count("[") <= len(words) <= most:
             takes = self._names or "no names"
             raise CliError(f"{command} takes {takes}, and {len(words)} names were given.")
         return found, words
@@ -355,6 +358,14 @@ def _measure() -> Parser:
     return parser
 
 
+def _lesson() -> Parser:
+    text = (
+        "check: try all states, keys and samples of lessons and talks (of all that come with the"
+        " program); list: say what there is"
+    )
+    return Parser("lesson", "check|list [FILE...]", text)
+
+
 def _doctor() -> Parser:
     return Parser("doctor", "", argparse.SUPPRESS)
 
@@ -365,6 +376,7 @@ _PARSERS: dict[str, Callable[[], Parser]] = {
     "project": _project,
     "matrices": _matrices,
     "measure": _measure,
+    "lesson": _lesson,
     "doctor": _doctor,
 }
 

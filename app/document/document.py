@@ -1156,7 +1156,7 @@ def read(path: Path) -> Document:
     Refusal
         If there is no such file, it cannot be read, or it is not a valid document.
     """
-    with _blamed_on(path, UNREADABLE):
+    with blamed_on(path, UNREADABLE):
         content = _read_bytes(path)
         if content.startswith(_PNG):
             text = extract(content)
@@ -1187,7 +1187,7 @@ def holds_document(path: Path) -> bool:
 
 
 @contextlib.contextmanager
-def _blamed_on(path: Path, bound: Bound) -> Iterator[None]:
+def blamed_on(path: Path, bound: Bound) -> Iterator[None]:
     """Name the file in what is raised, and turn the system's complaints into a sentence."""
     file = os.fspath(path)
     if "\0" in file:
@@ -1240,7 +1240,7 @@ def write(document: Document, path: Path) -> None:
     Refusal
         If it cannot be written; the file that was there is as it was.
     """
-    with _blamed_on(path, UNWRITABLE):
+    with blamed_on(path, UNWRITABLE):
         folder = os.path.dirname(os.path.realpath(path))
     write_bytes_atomically(path, to_json(document, folder).encode())
 
@@ -1264,7 +1264,7 @@ def write_bytes_atomically(path: Path, content: bytes) -> None:
     The content goes to a new file in the same folder, which takes the old one's name when it is
     safely on the disk. What a killed program left behind of this is removed by the next one.
     """
-    with _blamed_on(path, UNWRITABLE):
+    with blamed_on(path, UNWRITABLE):
         target = os.path.realpath(path)
         mode = _mode_to_keep(target)
         if mode is None or stat.S_ISREG(mode):

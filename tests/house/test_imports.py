@@ -50,6 +50,7 @@ AT_ONCE: dict[str, tuple[str, ...]] = {
 #: And late.
 LATE: dict[str, tuple[str, ...]] = {
     "app.scenes": VTK,
+    "app.lessons": ("markdown_it", "matplotlib"),
     "app.measure": ("matplotlib", "PIL", "mpmath"),
     "widgets.panes": VTK,
     "widgets.program": VTK,

@@ -1,0 +1,55 @@
+"""The command ``lesson``: lessons and talks, checked and listed."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from pathlib import Path
+
+from app.commands.options import one_of, parser_of, write_out
+from app.lessons.checking import Report
+from app.lessons.course import contained, ideas
+from app.lessons.lesson import read
+from app.model.refusal import Refusal
+
+
+def lesson(arguments: Sequence[str]) -> int:
+    """Check or list lessons and talks.
+
+    Returns
+    -------
+    int
+        1 if something is wrong with one of them.
+    """
+    _, (what, *names) = parser_of("lesson").read(arguments)
+    one_of("lesson", what, ("check", "list"))
+    files = [Path(name) for name in names] or list(contained())
+    if what == "list":
+        write_out(map(_line, files))
+        return 0
+    report = Report()
+    write_out(_checked(report, files, own=not names))
+    return 1 if report.wrong else 0
+
+
+def _line(file: Path) -> str:
+    found = read(file)
+    steps = len(found.steps)
+    kind = "talk" if found.is_talk else "lesson"
+    topics = ", ".join(found.topics) or found.lecture
+    return f"{kind:<7}{topics:<8}{steps:>3} steps  {found.title}  ({file.name})\n"
+
+
+def _checked(report: Report, files: Sequence[Path], own: bool) -> Iterator[str]:
+    """What is wrong, a line each, and the sum of it all."""
+    if own:
+        ideas_report = Report()
+        ideas_report.take(ideas().lesson)
+        report.wrong += ideas_report.wrong
+    for file in files:
+        said = len(report.wrong)
+        try:
+            report.take(read(file))
+        except Refusal as error:
+            report.wrong.append(error)
+        yield from (f"{error}\n" for error in report.wrong[said:])
+    yield f"{report}\n"

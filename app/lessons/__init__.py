@@ -1,0 +1,1 @@
+"""Lessons and talks: their files, what they ask of the model, and what is answered."""

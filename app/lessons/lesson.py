@@ -1,0 +1,780 @@
+"""The file of a lesson or of a talk: Markdown with blocks, read once and checked as it is read.
+
+`docs/lessons.md` explains the format to a teacher. A file comes from a stranger: it is bounded, and
+what is wrong with it is refused with its line and what was expected there. What its states and
+formulas are worth is `app.lessons.course`'s.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import difflib
+import re
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from functools import cache
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, NamedTuple, TypeAlias
+
+from app.document.document import NOT_TEXT, TOO_LARGE, UNREADABLE, blamed_on
+from app.document.document import Path as AnyPath
+from app.lecture.notation import LETTERS, Letters
+from app.lessons.quantities import Condition
+from app.model.formula import Formula, parse
+from app.model.limits import ONE_OF
+from app.model.refusal import QT_TRANSLATE_NOOP, Bound, Refusal
+from app.strangers import open_regular
+
+if TYPE_CHECKING:
+    from markdown_it import MarkdownIt
+    from markdown_it.rules_inline import StateInline
+    from markdown_it.token import Token
+
+ENDINGS = (".md", ".markdown")
+"""Of files that are lessons."""
+VERSION = 1
+"""Of the format; a file may say the one that it needs (``version: 1``)."""
+LARGEST = 2 * 2**20
+"""Most bytes of a file."""
+MOST_STEPS = 500
+"""Of a talk."""
+
+TOP = QT_TRANSLATE_NOOP(
+    "Refusal", "must begin the lesson: ---, then lines as “title: ...”, then --- again"
+)
+TOP_KEY = QT_TRANSLATE_NOOP("Refusal", "must be one of {0}, a colon, and its value")
+NO_TITLE = QT_TRANSLATE_NOOP("Refusal", "lacks a line “title: ...”")
+NEWER = QT_TRANSLATE_NOOP(
+    "Refusal",
+    "was written for a newer Frustum Lab, which reads version {0}; this one reads up to {1}",
+)
+NO_BLOCK = QT_TRANSLATE_NOOP("Refusal", "has a block that there is not, {0}; the nearest is {1}")
+NO_HEADING = QT_TRANSLATE_NOOP("Refusal", "must begin a step with its title, as “# Title”")
+NO_STEPS = QT_TRANSLATE_NOOP("Refusal", "has no steps")
+TOO_MANY_STEPS = QT_TRANSLATE_NOOP("Refusal", "has more than {0} steps")
+TWICE = QT_TRANSLATE_NOOP("Refusal", "has the name of line {0} again; every one needs its own")
+BAD_NAME = QT_TRANSLATE_NOOP("Refusal", "must be a name of letters, digits and -")
+UNCLOSED = QT_TRANSLATE_NOOP("Refusal", "begins a block that is not closed: a line ``` must end it")
+UNEXPECTED = QT_TRANSLATE_NOOP("Refusal", "must be one of {0}, a colon, and its value")
+INDENTED = QT_TRANSLATE_NOOP(
+    "Refusal", "is indented, but there is nothing above that it belongs to"
+)
+LACKS = QT_TRANSLATE_NOOP("Refusal", "needs {0}")
+ONLY_ONCE = QT_TRANSLATE_NOOP("Refusal", "has {0} twice")
+ONE_RIGHT = QT_TRANSLATE_NOOP("Refusal", "needs at least two choices, just one of them right: [x]")
+EITHER = QT_TRANSLATE_NOOP("Refusal", "has choices and a value: only one of them can be")
+A_SAMPLE = QT_TRANSLATE_NOOP("Refusal", "must be a sample, as “NAME: SAMPLE -> VERDICT”")
+AN_ASSIGNMENT = QT_TRANSLATE_NOOP(
+    "Refusal", "must be written as NAME=VALUE, or document: FILE.json"
+)
+BESIDE = QT_TRANSLATE_NOOP("Refusal", "must be a file beside the lesson, or in a folder there")
+A_NUMBER = QT_TRANSLATE_NOOP("Refusal", "must be a number from {0} to {1}")
+
+
+# --------------------------------------------------------------------------- what it holds
+
+
+class State(NamedTuple):
+    """What the window is to show: assignments of ``--set``, or a document's file.
+
+    Attributes
+    ----------
+    line : int
+    values : tuple of (int, str)
+        ``NAME=VALUE``, each with its line.
+    document : str
+        Path of a document, from the lesson's folder; empty for none.
+    """
+
+    line: int
+    values: tuple[tuple[int, str], ...] = ()
+    document: str = ""
+
+    @property
+    def begins_anew(self) -> bool:
+        """Whether it names a scene or a document, and so has nothing of the step before."""
+        return bool(self.document) or any(
+            text.partition("=")[0].strip() == "scene" for _, text in self.values
+        )
+
+
+@dataclass(frozen=True)
+class Choice:
+    """One of several answers.
+
+    Attributes
+    ----------
+    text : str
+        Markdown.
+    right : bool
+    line : int
+    formula : Formula, optional
+        What its number comes from.
+    idea : str
+        Name of the wrong idea that leads there.
+    says : str
+        Markdown; what is said to it.
+    state : State, optional
+        That shows it.
+    """
+
+    text: str
+    right: bool
+    line: int
+    formula: Formula | None = None
+    idea: str = ""
+    says: str = ""
+    state: State | None = None
+
+
+@dataclass(frozen=True)
+class Wrong:
+    """A wrong value that an idea leads to; attributes as of `Choice`."""
+
+    formula: Formula
+    line: int
+    idea: str = ""
+    says: str = ""
+    state: State | None = None
+
+
+@dataclass(frozen=True)
+class Words:
+    """Text between the blocks, as Markdown."""
+
+    text: str
+    line: int
+
+
+@dataclass(frozen=True)
+class Question:
+    """What is asked: a prediction, to be committed before the step goes on, or an answer.
+
+    Attributes
+    ----------
+    name : str
+    line : int
+    text : str
+        Markdown.
+    predicts : bool
+    choices : tuple of Choice
+    value : Formula, optional
+        The right number, where there are no choices.
+    unit : str
+    wrong : tuple of Wrong
+    show : State, optional
+        Where a prediction's model goes.
+    checks : tuple of Condition
+        What makes the right choice right.
+    why : str
+        Markdown; what is said then.
+    hints : tuple of str
+    """
+
+    name: str
+    line: int
+    text: str
+    predicts: bool
+    choices: tuple[Choice, ...] = ()
+    value: Formula | None = None
+    unit: str = ""
+    wrong: tuple[Wrong, ...] = ()
+    show: State | None = None
+    checks: tuple[tuple[int, Condition], ...] = ()
+    why: str = ""
+    hints: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True)
+class Task:
+    """What is to be done in the window, by any way.
+
+    Attributes
+    ----------
+    until : tuple of (int, Condition)
+        Of the model as it stands; all must hold. Each with its line.
+    done : str
+        Markdown; said once they do.
+    """
+
+    name: str
+    line: int
+    text: str
+    until: tuple[tuple[int, Condition], ...]
+    done: str = ""
+    hints: tuple[str, ...] = ()
+
+
+Part: TypeAlias = Words | Question | Task
+
+
+class Note(NamedTuple):
+    """What only the speaker reads, and the minutes that are planned."""
+
+    text: str
+    line: int
+    minutes: float = 0.0
+
+
+class Sample(NamedTuple):
+    """A trial answer, or what is set in a task, and what it must get."""
+
+    block: str
+    text: str
+    verdict: str
+    line: int
+
+
+@dataclass(frozen=True)
+class Step:
+    """One step.
+
+    Attributes
+    ----------
+    name, title : str
+    line : int
+    parts : tuple of Words, Question and Task
+        What the student reads and does, in order.
+    state : State, optional
+        None where it shows what the step before did.
+    note : Note, optional
+    samples : tuple of Sample
+    """
+
+    name: str
+    title: str
+    line: int
+    parts: tuple[Part, ...] = ()
+    state: State | None = None
+    note: Note | None = None
+    samples: tuple[Sample, ...] = ()
+
+    @property
+    def asked(self) -> tuple[Question | Task, ...]:
+        """What the student has to do."""
+        return tuple(part for part in self.parts if not isinstance(part, Words))
+
+
+@dataclass(frozen=True)
+class Lesson:
+    """A lesson, or a talk.
+
+    Attributes
+    ----------
+    path : Path
+    title, lecture, language : str
+    topics : tuple of str
+        ``L1`` to ``L24``.
+    letters : str
+        Whose letters formulas are written in; empty for those that the window has.
+    minutes : float
+        Planned for all of it.
+    steps : tuple of Step
+    """
+
+    path: Path
+    title: str
+    steps: tuple[Step, ...]
+    lecture: str = ""
+    topics: tuple[str, ...] = ()
+    language: str = "en"
+    letters: Letters | None = None
+    minutes: float = 0.0
+
+    @property
+    def is_talk(self) -> bool:
+        """Whether somebody speaks to it: it has notes."""
+        return any(step.note is not None for step in self.steps)
+
+
+# --------------------------------------------------------------------------- reading
+
+
+def is_lesson(path: str) -> bool:
+    """Tell by its name whether a file is a lesson or a talk."""
+    return path.lower().endswith(ENDINGS)
+
+
+def read(path: AnyPath) -> Lesson:
+    """Read a lesson from its file.
+
+    Raises
+    ------
+    Refusal
+        If there is no such file, or something is wrong with it: then with its line.
+    """
+    with blamed_on(path, UNREADABLE):
+        with open_regular(path) as file:
+            content = file.read(LARGEST + 1)
+        if len(content) > LARGEST:
+            raise Refusal.in_document(TOO_LARGE, LARGEST // 2**20)
+        try:
+            text = content.decode("utf-8-sig")
+        except UnicodeDecodeError as error:
+            raise Refusal.in_document(NOT_TEXT) from error
+        return parse_lesson(text, Path(path))
+
+
+def parse_lesson(text: str, path: Path) -> Lesson:
+    """Read a lesson from its text; `path` is where it is, or is going to be.
+
+    Raises
+    ------
+    Refusal
+        If something is wrong with it, with its line.
+    """
+    text = text.replace("\r\n", "\n").replace("\r", "\n").replace("\0", "\ufffd")
+    lines = text.split("\n")
+    top, first = _top(lines)
+    return Lesson(path, steps=_steps(lines, first), **top)
+
+
+def refused(line: int, bound: Bound, *limits: object, value: object = ...) -> Refusal:
+    """What is wrong with a line of a lesson, counted from 1."""
+    return Refusal.in_document(bound, *limits, field=f"line {line}", value=value)
+
+
+@contextlib.contextmanager
+def on_line(line: int, what: str = "") -> Iterator[None]:
+    """Say of a refusal of a value or of a formula in which line of the lesson it stands."""
+    try:
+        yield
+    except Refusal as error:
+        if error.field.startswith("line ") or (error.file is not None and error.file != ""):
+            raise
+        name = what if error.field in ("formula", "condition") and what else error.field
+        raise Refusal.in_document(
+            error.bound,
+            *error.limits,
+            field=f"line {line}, {name}" if name else f"line {line}",
+            value=error.value,
+        ) from error
+
+
+_TOP_KEYS = ("title", "lecture", "topic", "language", "letters", "minutes", "version")
+
+
+def _top(lines: Sequence[str]) -> tuple[dict[str, Any], int]:
+    """The front matter, and the number of lines that it takes."""
+    if not lines or lines[0].strip() != "---":
+        raise refused(1, TOP, value=lines[0][:60] if lines else "")
+    found: dict[str, str] = {}
+    for number, line in enumerate(lines[1:], 2):
+        if line.strip() == "---":
+            break
+        key, colon, value = (part.strip() for part in line.partition(":"))
+        if not line.strip():
+            continue
+        if not colon or key not in _TOP_KEYS:
+            raise refused(number, TOP_KEY, ", ".join(_TOP_KEYS), value=line)
+        found[key] = value
+        if key == "version":
+            wanted = _number(value, number, 1, 1e6)
+            if wanted > VERSION:
+                raise refused(number, NEWER, f"{wanted:g}", VERSION)
+        elif key == "minutes":
+            _number(value, number, 0, 1000)
+        elif key == "letters" and value not in LETTERS:
+            raise refused(number, ONE_OF, ", ".join(LETTERS), value=value)
+    else:
+        raise refused(len(lines), TOP)
+    if not found.get("title"):
+        raise refused(1, NO_TITLE)
+    top: dict[str, Any] = {"title": found["title"], "lecture": found.get("lecture", "")}
+    top["topics"] = tuple(
+        part.strip() for part in found.get("topic", "").split(",") if part.strip()
+    )
+    top["language"] = found.get("language", "en")
+    top["letters"] = found.get("letters")
+    top["minutes"] = float(found.get("minutes", 0.0))
+    return top, number
+
+
+def _number(text: str, line: int, low: float, high: float) -> float:
+    try:
+        number = float(text)
+    except ValueError:
+        number = -1.0
+    if not low <= number <= high:
+        raise refused(line, A_NUMBER, low, high, value=text)
+    return number
+
+
+@cache
+def markdown() -> MarkdownIt:
+    """The reader of Markdown: what could reach outside (links, pictures, HTML) is plain text.
+
+    A line ``---`` is always a rule, never the line under a title. Formulas between dollars are
+    tokens ``math`` (``markup`` is ``$`` or ``$$``), whose content nothing else reads.
+    """
+    from markdown_it import MarkdownIt
+
+    reader = MarkdownIt("commonmark", {"html": False}).enable("table")
+    reader.disable(["lheading", "html_block", "html_inline", "image", "link", "autolink"])
+    reader.disable("reference")
+    reader.inline.ruler.before("escape", "math", _math)
+    return reader
+
+
+_MATH = re.compile(r"(\$\$?)(?=\S)([^$\n]{1,400}?)(?<=\S)\1")
+
+
+def _math(state: StateInline, silent: bool) -> bool:
+    found = _MATH.match(state.src, state.pos)
+    if found is None:
+        return False
+    if not silent:
+        token = state.push("math", "", 0)
+        token.content, token.markup = found[2], found[1]
+    state.pos = found.end()
+    return True
+
+
+def formulas_in(text: str) -> list[str]:
+    """The TeX of every formula in a text."""
+    tokens = markdown().parse(text)
+    return [
+        part.content for token in tokens for part in token.children or () if part.type == "math"
+    ]
+
+
+# --------------------------------------------------------------------------- steps
+
+_NAME = re.compile(r"[^\W_][\w-]*")
+_HEADING = re.compile(r"#\s+(.*?)(?:\s*\{#([^{}]*)\})?\s*#*\s*")
+_KINDS = ("state", "predict", "task", "answer", "note", "test")
+
+
+def _steps(lines: Sequence[str], first: int) -> tuple[Step, ...]:
+    body = "\n".join(lines[first:])
+    tokens = [token for token in markdown().parse(body) if token.level == 0 and token.map]
+    steps: list[Step] = []
+    names: dict[str, int] = {}
+    groups: list[list[Token]] = [[]]
+    for token in tokens:
+        if token.type == "hr":
+            groups.append([])
+            if len(groups) > MOST_STEPS + 1:
+                raise refused(_line(token, first), TOO_MANY_STEPS, MOST_STEPS)
+        else:
+            groups[-1].append(token)
+    for group in groups:
+        if group:
+            step = _Reader(lines, first, group).step()
+            if step.name in names:
+                raise refused(step.line, TWICE, names[step.name], value=step.name)
+            names[step.name] = step.line
+            steps.append(step)
+    if not steps:
+        raise refused(first, NO_STEPS)
+    return tuple(steps)
+
+
+def _line(token: Token, first: int) -> int:
+    assert token.map is not None
+    return token.map[0] + first + 1
+
+
+class _Item(NamedTuple):
+    """A line of a block that begins with a key or is a choice, with what is indented below it."""
+
+    key: str
+    about: str
+    text: str
+    line: int
+    below: list[_Item]
+
+
+class _Reader:
+    """Reads one step from its tokens."""
+
+    def __init__(self, lines: Sequence[str], first: int, tokens: Sequence[Token]) -> None:
+        self._lines, self._first, self._tokens = lines, first, tokens
+        self._names: dict[str, int] = {}
+
+    def step(self) -> Step:
+        heading = self._tokens[0]
+        line = _line(heading, self._first)
+        found = _HEADING.fullmatch(self._lines[line - 1].strip())
+        if heading.type != "heading_open" or heading.tag != "h1" or found is None or not found[1]:
+            raise refused(line, NO_HEADING, value=self._lines[line - 1][:60])
+        title = found[1]
+        name = found[2].strip() if found[2] is not None else _slug(title)
+        if not _NAME.fullmatch(name):
+            raise refused(line, BAD_NAME, value=name)
+        parts: list[Part] = []
+        state: State | None = None
+        note: Note | None = None
+        samples: list[Sample] = []
+        words: list[Token] = []
+
+        def flush() -> None:
+            if words:
+                begin, end = words[0].map[0], words[-1].map[1]  # type: ignore[index]
+                text = "\n".join(self._lines[self._first + begin : self._first + end])
+                parts.append(Words(text, self._first + begin + 1))
+                words.clear()
+
+        for token in self._tokens[1:]:
+            kind, _, block_name = token.info.strip().partition(" ")
+            if token.type != "fence" or not kind:
+                if token.nesting >= 0:
+                    words.append(token)
+                continue
+            flush()
+            line = _line(token, self._first)
+            self._check_fence(token, line, kind)
+            items = self._body(token)
+            if kind in ("predict", "task", "answer"):
+                named = self._name(block_name.strip(), kind, line)
+                question, found_items = self._items(items, kind, line)
+                if kind == "task":
+                    parts.append(_task(named, line, question, found_items))
+                else:
+                    parts.append(_question(named, line, question, found_items, kind == "predict"))
+            elif kind == "state":
+                if state is not None:
+                    raise refused(line, ONLY_ONCE, "state")
+                state = _state(items, line)
+            elif kind == "note":
+                if note is not None:
+                    raise refused(line, ONLY_ONCE, "note")
+                note = _note(items, line)
+            else:
+                samples += [_sample(text, number) for number, text in items if text.strip()]
+        flush()
+        step = Step(name, title, self._line_of_step, tuple(parts), state, note, tuple(samples))
+        known = {part.name for part in step.asked}
+        for sample in step.samples:
+            if sample.block not in known:
+                raise refused(sample.line, ONE_OF, ", ".join(known) or "none", value=sample.block)
+        return step
+
+    @property
+    def _line_of_step(self) -> int:
+        return _line(self._tokens[0], self._first)
+
+    def _check_fence(self, token: Token, line: int, kind: str) -> None:
+        if kind not in _KINDS:
+            near = difflib.get_close_matches(kind, _KINDS, n=1, cutoff=0.0)[0]
+            raise refused(line, NO_BLOCK, kind, near)
+        assert token.map is not None
+        last = self._lines[self._first + token.map[1] - 1].strip()
+        closed = token.map[1] - token.map[0] >= 2 and set(last) == {token.markup[0]}
+        if not closed:
+            raise refused(line, UNCLOSED)
+
+    def _body(self, token: Token) -> list[tuple[int, str]]:
+        assert token.map is not None
+        begin = self._first + token.map[0] + 1
+        end = self._first + token.map[1] - 1
+        return [(number + 1, self._lines[number]) for number in range(begin, end)]
+
+    def _name(self, given: str, kind: str, line: int) -> str:
+        name = given
+        if not given:
+            count = 1
+            name = kind
+            while name in self._names:
+                count += 1
+                name = f"{kind}-{count}"
+        if not _NAME.fullmatch(name):
+            raise refused(line, BAD_NAME, value=name)
+        if name in self._names:
+            raise refused(line, TWICE, self._names[name], value=name)
+        self._names[name] = line
+        return name
+
+    def _items(
+        self, body: Sequence[tuple[int, str]], kind: str, line: int
+    ) -> tuple[str, list[_Item]]:
+        """The question, and what follows it."""
+        question: list[str] = []
+        items: list[_Item] = []
+        for number, text in body:
+            indented = text[:1] in (" ", "\t")
+            choice = None if indented else _CHOICE.fullmatch(text.rstrip())
+            key = _KEY.fullmatch(text.strip())
+            if choice and "choices" in _KEYS[kind]:
+                mark = "right" if choice[1] in "xX" else "false"
+                items.append(_Item("choice", mark, choice[2].strip(), number, []))
+            elif indented and items:
+                self._below(items, key, text.strip(), number)
+            elif key and not indented and key[1] in _KEYS[kind]:
+                items.append(_Item(key[1], (key[2] or "").strip(), key[3].strip(), number, []))
+            elif not items:
+                question.append(text)
+            elif text.strip():
+                bound = INDENTED if indented else UNEXPECTED
+                raise refused(number, bound, ", ".join(_KEYS[kind]), value=text.strip()[:60])
+        asked = "\n".join(question).strip()
+        if not asked:
+            raise refused(line, LACKS, "a question or what is to be done")
+        return asked, items
+
+    @staticmethod
+    def _below(items: list[_Item], key: re.Match[str] | None, text: str, number: int) -> None:
+        last = items[-1]
+        if last.key in ("choice", "wrong") and key and key[1] in _BELOW:
+            last.below.append(_Item(key[1], "", key[3].strip(), number, []))
+        elif last.below:
+            further = last.below[-1]
+            last.below[-1] = further._replace(text=f"{further.text} {text}".strip())
+        else:
+            items[-1] = last._replace(text=f"{last.text} {text}".strip())
+
+
+_CHOICE = re.compile(r"[-*]\s+\[([ xX])\]\s+(.*)")
+_KEY = re.compile(r"([a-z]+)(\s+[\w-]+)?:(.*)")
+_KEYS = {
+    "predict": ("choices", "show", "check", "why", "hint"),
+    "answer": ("choices", "value", "unit", "wrong", "check", "why", "hint"),
+    "task": ("until", "done", "hint"),
+}
+_BELOW = ("says", "state")
+_CHOICE_PARTS = re.compile(r"(.*?)(?:\s+:=\s+(.*?))?(?:\s+\{([a-z][\w-]*)\})?")
+
+
+def _slug(title: str) -> str:
+    return "-".join(re.findall(r"[^\W_]+", title.lower()))[:60] or "step"
+
+
+def _state(body: Sequence[tuple[int, str]], line: int) -> State:
+    values: list[tuple[int, str]] = []
+    document = ""
+    for number, text in body:
+        text = text.strip()
+        if not text:
+            continue
+        if text.startswith("document:"):
+            document = _beside(text.removeprefix("document:").strip(), number)
+        elif "=" in text:
+            values.append((number, _mesh_beside(text, number)))
+        else:
+            raise refused(number, AN_ASSIGNMENT, value=text[:60])
+    if not values and not document:
+        raise refused(line, LACKS, "NAME=VALUE")
+    return State(line, tuple(values), document)
+
+
+def _short_state(item: _Item) -> State:
+    """A state in one line, its values parted by semicolons."""
+    parts = [(item.line, part) for part in item.text.split(";")]
+    return _state(parts, item.line)
+
+
+def _mesh_beside(text: str, line: int) -> str:
+    """An assignment, whose file must be beside the lesson if it has one."""
+    path, _, value = (part.strip() for part in text.partition("="))
+    if path in ("scene", "mesh") and (set(value) & set("/\\:") or value.startswith("~")):
+        _beside(value, line)
+    return text
+
+
+def _beside(path: str, line: int) -> str:
+    """The path of a file that is in the lesson's folder or below it."""
+    parts = re.split(r"[/\\]", path)
+    if not path or path[0] in "/\\~" or ".." in parts or ":" in path:
+        raise refused(line, BESIDE, value=path[:60])
+    return path
+
+
+def _note(body: Sequence[tuple[int, str]], line: int) -> Note:
+    minutes, lines = 0.0, []
+    for number, text in body:
+        if text.strip().startswith("minutes:") and not minutes:
+            minutes = _number(text.partition(":")[2].strip(), number, 0, 1000)
+        else:
+            lines.append(text)
+    return Note("\n".join(lines).strip(), line, minutes)
+
+
+def _sample(text: str, line: int) -> Sample:
+    name, colon, rest = text.partition(":")
+    sample, arrow, verdict = rest.rpartition("->")
+    if not colon or not arrow or not verdict.strip():
+        raise refused(line, A_SAMPLE, value=text.strip()[:60])
+    return Sample(name.strip(), sample.strip(), verdict.strip(), line)
+
+
+def _single(items: Sequence[_Item], key: str) -> _Item | None:
+    found = [item for item in items if item.key == key]
+    if len(found) > 1:
+        raise refused(found[1].line, ONLY_ONCE, key)
+    return found[0] if found else None
+
+
+def _texts(items: Sequence[_Item], key: str) -> tuple[str, ...]:
+    return tuple(item.text for item in items if item.key == key)
+
+
+def _formula(text: str, line: int, what: str) -> Formula:
+    with on_line(line, what):
+        return parse(text)
+
+
+def _conditions(items: Sequence[_Item], key: str) -> tuple[tuple[int, Condition], ...]:
+    found = []
+    for item in items:
+        if item.key == key:
+            with on_line(item.line, key):
+                found.append((item.line, Condition.read(item.text)))
+    return tuple(found)
+
+
+def _said(item: _Item) -> Mapping[str, object]:
+    """What stands indented below a choice or a wrong value."""
+    says, state = _single(item.below, "says"), _single(item.below, "state")
+    return {
+        "says": says.text if says else "",
+        "state": _short_state(state) if state else None,
+    }
+
+
+def _choice(item: _Item) -> Choice:
+    parts = _CHOICE_PARTS.fullmatch(item.text)
+    assert parts is not None
+    formula = _formula(parts[2], item.line, ":=") if parts[2] else None
+    if not parts[1]:
+        raise refused(item.line, LACKS, "a text")
+    said = _said(item)
+    return Choice(parts[1], item.about == "right", item.line, formula, parts[3] or "", **said)  # type: ignore[arg-type]
+
+
+def _question(name: str, line: int, text: str, items: list[_Item], predicts: bool) -> Question:
+    choices = tuple(_choice(item) for item in items if item.key == "choice")
+    value, show, unit = (_single(items, key) for key in ("value", "show", "unit"))
+    why = _single(items, "why")
+    if choices and value is not None:
+        raise refused(value.line, EITHER)
+    if (choices or predicts) and (len(choices) < 2 or sum(each.right for each in choices) != 1):
+        raise refused(line, ONE_RIGHT)
+    if not choices and value is None:
+        raise refused(line, LACKS, "“value: FORMULA”, or choices")
+    wrong = tuple(
+        Wrong(_formula(item.text, item.line, "wrong"), item.line, item.about, **_said(item))  # type: ignore[arg-type]
+        for item in items
+        if item.key == "wrong"
+    )
+    return Question(
+        name,
+        line,
+        text,
+        predicts,
+        choices,
+        _formula(value.text, value.line, "value") if value else None,
+        unit.text if unit else "",
+        wrong,
+        _short_state(show) if show else None,
+        _conditions(items, "check"),
+        why.text if why else "",
+        _texts(items, "hint"),
+    )
+
+
+def _task(name: str, line: int, text: str, items: list[_Item]) -> Task:
+    until = _conditions(items, "until")
+    if not until:
+        raise refused(line, LACKS, "“until: CONDITION”")
+    done = _single(items, "done")
+    return Task(name, line, text, until, done.text if done else "", _texts(items, "hint"))

@@ -1,0 +1,131 @@
+"""What a student types, and whether it is right: numbers as people write them.
+
+What is exactly the value counts however short it is (1/2, 0.5, -1, 0). Any other number needs three
+significant digits and may be one off in its last one: a value is read off a screen, and rounded by
+hand. A fraction stands for a number of three digits.
+"""
+
+from __future__ import annotations
+
+import math
+import re
+from fractions import Fraction
+from typing import NamedTuple
+
+from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
+
+DIGITS = 3
+"""Significant digits that a number needs which is not exact."""
+_EXACT = 1e-9
+"""Of the value: nearer, it is the value, which was computed in float64."""
+_LARGEST_EXPONENT = 300
+_LONGEST = 60
+
+EMPTY = QT_TRANSLATE_NOOP("Refusal", "must be a number; nothing is typed yet")
+NO_NUMBER = QT_TRANSLATE_NOOP(
+    "Refusal", "must be a number, as 0.5, 0,5, 1/2, -3 or 2e-3; {0} is none"
+)
+OVER_ZERO = QT_TRANSLATE_NOOP("Refusal", "must be a number: nothing can be divided by 0")
+TOO_LARGE = QT_TRANSLATE_NOOP("Refusal", "must be a number from -1e{0} to 1e{0}")
+TOO_LONG = QT_TRANSLATE_NOOP("Refusal", "must be a number of at most {0} characters")
+
+_DECIMAL = r"[0-9]+(?:[.,][0-9]*)?|[.,][0-9]+"
+_NUMBER = re.compile(
+    rf"(?P<minus>[-+]?)(?P<number>{_DECIMAL})(?:(?:e|·10\^|\*10\^|x10\^)(?P<power>[-+]?[0-9]+))?"
+    rf"(?:/(?P<under>-?(?:{_DECIMAL})))?",
+    re.IGNORECASE,
+)
+_UNITS = ("°", "deg", "degrees", "px", "%", "×", "mm", "m")
+
+
+class Typed(NamedTuple):
+    """A number as it was typed.
+
+    Attributes
+    ----------
+    value : Fraction
+    digits : int
+        Significant ones; of a fraction as many as are needed.
+    unit : Fraction
+        Of the last digit.
+    """
+
+    value: Fraction
+    digits: int
+    unit: Fraction
+
+
+def read(text: str, unit: str = "") -> Typed:
+    """Read a number as people write it.
+
+    Parameters
+    ----------
+    text : str
+        With comma or point; a fraction; a unit may stand behind it.
+    unit : str
+        The answer's own.
+
+    Raises
+    ------
+    Refusal
+        For what is no number, or one beyond bounds.
+    """
+    if len(text) > _LONGEST:
+        raise Refusal("answer", text, TOO_LONG, _LONGEST)
+    plain = "".join(text.split()).replace("−", "-").replace("\u2044", "/")
+    for ending in (unit, *_UNITS):
+        if ending and plain.lower().endswith(ending.lower()):
+            plain = plain[: -len(ending)]
+            break
+    if not plain:
+        raise Refusal("answer", text, EMPTY)
+    found = _NUMBER.fullmatch(plain)
+    if found is None:
+        raise Refusal("answer", text, NO_NUMBER, text.strip() or plain)
+    power = int((found["power"] or "0")[:6])
+    if abs(power) > _LARGEST_EXPONENT:
+        raise Refusal("answer", text, TOO_LARGE, _LARGEST_EXPONENT)
+    written = found["number"].replace(",", ".")
+    places = len(written.partition(".")[2])
+    scale = Fraction(10) ** power
+    value = Fraction(written if written != "." else "0") * scale
+    if found["minus"] == "-":
+        value = -value
+    if abs(value) > Fraction(10) ** _LARGEST_EXPONENT:
+        raise Refusal("answer", text, TOO_LARGE, _LARGEST_EXPONENT)
+    if found["under"]:
+        under = Fraction(found["under"].replace(",", "."))
+        if not under:
+            raise Refusal("answer", text, OVER_ZERO)
+        value /= under
+        return Typed(value, DIGITS, _unit_of(value))
+    digits = written.replace(".", "").lstrip("0")
+    return Typed(value, len(digits), scale / 10**places)
+
+
+def _unit_of(value: Fraction) -> Fraction:
+    """Of the third significant digit."""
+    if not value:
+        return Fraction(0)
+    return Fraction(10) ** (math.floor(math.log10(abs(float(value)))) - DIGITS + 1)
+
+
+def equals(typed: Typed, value: float) -> bool:
+    """Whether what was typed counts as a value.
+
+    Parameters
+    ----------
+    typed : Typed
+    value : float
+        Finite.
+    """
+    away = abs(typed.value - Fraction(value))
+    if away <= Fraction(_EXACT) * abs(Fraction(value)) or (not typed.value and abs(value) < 1e-12):
+        return True
+    return typed.digits >= DIGITS and away <= typed.unit
+
+
+def is_too_short(typed: Typed, value: float) -> bool:
+    """Whether it would be right to the digits that it has, but has not the three it needs."""
+    away = abs(typed.value - Fraction(value))
+    return 0 < typed.digits < DIGITS and away <= typed.unit

@@ -1,0 +1,477 @@
+"""The names that formulas of a lesson have: every number of the model, by what it is called.
+
+A formula of a lesson (`app.model.formula`, the program's one language) is over a document: the
+camera, the lens, the picture, the object, the scene's settings and readout, the probes at every
+stage, and every matrix' cells. Angles are in degrees, and so are the functions of angles.
+"""
+
+from __future__ import annotations
+
+import difflib
+import math
+import operator
+import re
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from app.document.document import Document
+from app.document.view import View
+from app.model import formula
+from app.model.formula import Arithmetic, Formula
+from app.model.infinity import trace_at_infinity
+from app.model.limits import Row
+from app.model.projection import Array, Projection, Trace, focal_length_35mm
+from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
+from app.scenes.phenomena.illustration import Reading, Value
+from app.scenes.scene import Scene
+
+NO_NAME = QT_TRANSLATE_NOOP("Refusal", "has no such name, {0}; the nearest is {1}")
+NO_FUNCTION = QT_TRANSLATE_NOOP(
+    "Refusal", "has no such function or matrix, {0}; the nearest is {1}"
+)
+NO_CELL = QT_TRANSLATE_NOOP("Refusal", "asks {0} for something that it does not have")
+NOT_THERE = QT_TRANSLATE_NOOP("Refusal", "has no value here: there is no {0}")
+DIVIDES_BY_ZERO = QT_TRANSLATE_NOOP("Refusal", "divides by zero")
+TOO_LARGE = QT_TRANSLATE_NOOP("Refusal", "has a value that is too large")
+NOT_DEFINED = QT_TRANSLATE_NOOP("Refusal", "has a function of a value that it is not defined for")
+NO_CONDITION = QT_TRANSLATE_NOOP(
+    "Refusal", "must be a condition: two formulas with =, <, >, <= or >= between them"
+)
+
+WITHIN = 0.01
+"""What counts as equal in a condition: of the larger of the two, or of 1 beside 0."""
+
+XYZ = ("x", "y", "z")
+_SPACES = {
+    "object": XYZ,
+    "world": XYZ,
+    "view": XYZ,
+    "clip": (*XYZ, "w"),
+    "ndc": XYZ,
+    "image": ("x", "y", "depth"),
+}
+"""Where a probe is followed, and the coordinates that it has there."""
+
+
+class NotThere(LookupError):
+    """A quantity that there is, but not just now: the second probe, a parallel lens' angle."""
+
+
+def _in_degrees(function: Callable[[float], float]) -> Callable[[float], float]:
+    return lambda angle: function(math.radians(angle))
+
+
+def _to_degrees(function: Callable[[float], float]) -> Callable[[float], float]:
+    return lambda value: math.degrees(function(value))
+
+
+def _sine(angle: float) -> float:
+    """Of an angle in degrees, exactly 0 and 1 where it is."""
+    turned = math.remainder(angle, 360.0)
+    if abs(turned) > 90.0:  # to the quarter in which it keeps its digits
+        turned = math.copysign(180.0, turned) - turned
+    return math.sin(math.radians(turned))
+
+
+def _cosine(angle: float) -> float:
+    return _sine(90.0 - abs(math.remainder(angle, 360.0)))
+
+
+_FUNCTIONS: dict[str, Callable[..., float]] = {
+    "sin": _sine,
+    "cos": _cosine,
+    "tan": lambda angle: _sine(angle) / _cosine(angle),
+    "cot": lambda angle: _cosine(angle) / _sine(angle),
+    "asin": _to_degrees(math.asin),
+    "acos": _to_degrees(math.acos),
+    "atan": _to_degrees(math.atan),
+    "sqrt": math.sqrt,
+    "abs": abs,
+    "min": min,
+    "max": max,
+}
+
+
+class Quantities:
+    """Every number of a document, by its name.
+
+    Parameters
+    ----------
+    document : Document
+    scene : callable
+        The document's scene, when its readout is asked for.
+    view : View, optional
+        How it is looked at just now; as the document has it by default.
+    before : Quantities, optional
+        Those of another state, whose names begin with ``was_``.
+    """
+
+    def __init__(
+        self,
+        document: Document,
+        scene: Callable[[], Scene],
+        view: View | None = None,
+        before: Quantities | None = None,
+    ) -> None:
+        self.document = document
+        self._scene = scene
+        self._view = document.view if view is None else view
+        self._before = before
+        self._traces: dict[int, Trace] = {}
+        self._readings: dict[str, Any] | None = None
+
+    # -- as a formula asks
+
+    def __contains__(self, _text: object) -> bool:
+        return False  # no term is known as a whole
+
+    def __getitem__(self, name: str) -> float:
+        return self._number(name, ())
+
+    def _call(self, name: str, arguments: Sequence[float]) -> float:
+        function = _FUNCTIONS.get(name)
+        if function is not None:
+            try:
+                return function(*arguments)
+            except (ValueError, TypeError):  # outside its domain, or too many arguments
+                raise Refusal("formula", name, NOT_DEFINED) from None
+        return self._number(name, tuple(arguments))
+
+    def value(self, asked: Formula) -> float:
+        """A formula's value.
+
+        Raises
+        ------
+        Refusal
+            For a name or function that there is not, a division by zero, a value beyond float64.
+        NotThere
+            If a quantity of it is not there just now.
+        """
+        try:
+            found = float(asked.evaluate(self, Arithmetic(float, self._call)))  # type: ignore[arg-type]
+        except ZeroDivisionError:
+            raise _refused(asked, DIVIDES_BY_ZERO) from None
+        except OverflowError:
+            raise _refused(asked, TOO_LARGE) from None
+        if not math.isfinite(found) and "infinity" not in asked.letters:
+            raise _refused(asked, TOO_LARGE)
+        return found
+
+    # -- by name
+
+    def _number(self, name: str, places: tuple[float, ...]) -> float:
+        if name.startswith("was_") and self._before is not None:
+            return self._before._number(name.removeprefix("was_"), places)
+        found = self._looked_up(name, places)
+        if found is None:
+            known = [*self.names, *(() if places == () else _FUNCTIONS)]
+            near = difflib.get_close_matches(name, known, n=1, cutoff=0.0)
+            bound = NO_FUNCTION if places else NO_NAME
+            raise Refusal("formula", name, bound, name, near[0])
+        return _part(name, found(), places)
+
+    def _looked_up(self, name: str, places: tuple[float, ...]) -> Callable[[], Any] | None:
+        simple = _SIMPLE.get(name)
+        if simple is not None:
+            return lambda: simple(self)
+        if name.startswith("reading_"):
+            return lambda: self._reading(name.removeprefix("reading_"))
+        if name.startswith("settings_"):
+            return self._setting(name.removeprefix("settings_"))
+        if name in self._matrices:
+            return lambda: self._matrices[name]
+        space, _, part = name.partition("_")
+        if part in _SPACES.get(space, ()):
+            return lambda: self._probe(space, part)
+        return None
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """Every name that there is, in this document's scene and lens."""
+        settings = [f"settings_{name}" for name in self.document.settings]
+        probes = [f"{space}_{part}" for space, parts in _SPACES.items() for part in parts]
+        readings = [f"reading_{name}" for name in self._all_readings]
+        return (*_SIMPLE, *probes, *self._matrices, *settings, *readings)
+
+    @property
+    def projection(self) -> Projection:
+        """The document's."""
+        return self.document.projection
+
+    @property
+    def _matrices(self) -> dict[str, Array]:
+        projection = self.projection
+        return {
+            stage.name: stage.matrix for stage in (*projection.stages, *projection.direct_stages)
+        }
+
+    def _setting(self, name: str) -> Callable[[], Any] | None:
+        settings: Mapping[str, Value] = self.document.settings
+        if name in settings:
+            return lambda: _numeric(f"settings.{name}", settings[name])
+        head, _, axis = name.rpartition("_")
+        if axis in XYZ and isinstance(settings.get(head), tuple):
+            vector: Any = settings[head]
+            return lambda: vector[XYZ.index(axis)]
+        return None
+
+    @property
+    def _all_readings(self) -> dict[str, Any]:
+        if self._readings is None:
+            phenomenon = self._scene().phenomenon
+            readings: tuple[Reading, ...] = ()
+            if phenomenon is not None:
+                shown = phenomenon.show(
+                    self.projection, self.document.settings, self._scene().subject
+                )
+                readings = shown.readings
+            self._readings = {reading_name(each.label): each.value for each in readings}
+        return self._readings
+
+    def _reading(self, name: str) -> Any:
+        readings = self._all_readings
+        if name not in readings:
+            near = difflib.get_close_matches(name, readings, n=1, cutoff=0.0) or ["none"]
+            raise Refusal("formula", f"reading_{name}", NO_NAME, name, f"reading_{near[0]}")
+        return _numeric(f"reading_{name}", readings[name])
+
+    def _probe(self, space: str, part: str) -> _ByProbe:
+        return _ByProbe(lambda number: self._coordinate(number, space, part))
+
+    def _coordinate(self, number: int, space: str, part: str) -> float:
+        row = self._row(number)
+        if space == "object":
+            return self.projection.placement.object_from_world(row)[XYZ.index(part)]
+        if number not in self._traces:
+            *place, w = row
+            self._traces[number] = (
+                self.projection.trace(place) if w else trace_at_infinity(self.projection, place)
+            )
+        trace = self._traces[number]
+        of_space: Array = trace.depth if part == "depth" else getattr(trace, space)
+        found = float(of_space if part == "depth" else of_space[(*XYZ, "w").index(part)])
+        if math.isnan(found):
+            raise NotThere(f"{space}_{part}")
+        return found
+
+    def _row(self, number: int) -> Row:
+        """Homogeneous coordinates of a probe."""
+        probes = {probe.number: probe for probe in self._view.probes}
+        row = probes[number].row if number in probes else None
+        if row is None:
+            raise NotThere(f"probe {number}")
+        return row
+
+
+class _ByProbe:
+    """A coordinate of the first probe, or of the one whose number is asked for."""
+
+    def __init__(self, of: Callable[[int], float]) -> None:
+        self._of = of
+
+    def of(self, number: int = 1) -> float:
+        """Of that probe."""
+        return self._of(number)
+
+
+def _part(name: str, value: Any, places: tuple[float, ...]) -> float:
+    """What of a value is asked for: a number, one of a row, a matrix' cell, a probe's number."""
+    if any(place != int(place) or place < 0 for place in places):
+        raise Refusal("formula", name, NO_CELL, name)
+    indices = [int(place) for place in places]
+    if isinstance(value, _ByProbe) and len(indices) < 2:
+        return value.of(*indices)
+    if isinstance(value, tuple):
+        if not indices:
+            indices = [0]
+        if len(indices) == 2:  # a matrix, row after row
+            value = np.reshape(value, (math.isqrt(len(value)), -1))
+    shape = np.shape(value)
+    if len(shape) != len(indices) or any(i >= n for i, n in zip(indices, shape, strict=True)):
+        raise Refusal("formula", name, NO_CELL, name)
+    return float(np.asarray(value)[tuple(indices)])
+
+
+def _numeric(name: str, value: Any) -> Any:
+    """A setting or a reading as a number, or as several."""
+    if value is None:
+        raise NotThere(name)
+    if isinstance(value, str):
+        raise Refusal("formula", name, NO_CELL, name)
+    return value
+
+
+def _refused(asked: Formula, bound: Any) -> Refusal:
+    return Refusal("formula", asked.text, bound)
+
+
+_WORD = re.compile(r"[^\W_]+")
+
+
+def reading_name(label: str) -> str:
+    """What formulas call a line of a scene's readout: its words up to its formula or remark."""
+    head = re.split(r"[=:;]", label)[0]
+    return "_".join(_WORD.findall(head))
+
+
+# --------------------------------------------------------------------------- the simple ones
+
+
+def _window(side: int) -> Callable[[Quantities], float]:
+    return lambda known: _lens_number(known, "near") and known.projection.window[side]
+
+
+def _lens_number(known: Quantities, name: str) -> float:
+    found = getattr(known.projection.lens, name, None)
+    if found is None:
+        raise NotThere(name)
+    return float(found)
+
+
+def _angle_of_view(first: int, last: int) -> Callable[[Quantities], float]:
+    def angle(known: Quantities) -> float:
+        lens = known.projection.lens
+        if lens.parallel:
+            raise NotThere("fov")
+        near, window = _lens_number(known, "near"), known.projection.window
+        return math.degrees(math.atan(window[last] / near) - math.atan(window[first] / near))
+
+    return angle
+
+
+def _fov(known: Quantities) -> float:
+    typed = getattr(known.projection.lens, "fov_y_deg", None)
+    if typed is not None and getattr(known.projection.lens, "keep", "y") in (None, "y"):
+        return float(typed)
+    return _angle_of_view(2, 3)(known)
+
+
+def _orbit(name: str) -> Callable[[Quantities], float]:
+    return lambda known: float(getattr(known.projection.camera.orbit, name))
+
+
+def _vector(of: Callable[[Projection], Any], place: int) -> Callable[[Quantities], float]:
+    return lambda known: float(of(known.projection)[place])
+
+
+_SIMPLE: dict[str, Callable[[Quantities], Any]] = {
+    "pi": lambda known: math.pi,
+    "infinity": lambda known: math.inf,
+    "near": lambda known: _lens_number(known, "near"),
+    "far": lambda known: _lens_number(known, "far"),
+    "left": _window(0),
+    "right": _window(1),
+    "bottom": _window(2),
+    "top": _window(3),
+    "fov": _fov,
+    "fov_x": _angle_of_view(0, 1),
+    "aspect": lambda known: known.projection.aspect,
+    "alpha": lambda known: _lens_number(known, "alpha_deg"),
+    "beta": lambda known: _lens_number(known, "beta_deg"),
+    "focal_e": lambda known: 1.0 / math.tan(math.radians(_angle_of_view(0, 1)(known) / 2.0)),
+    "focal_35mm": lambda known: focal_length_35mm(_fov(known), known.projection.aspect),
+    "width": lambda known: known.projection.image_size[0],
+    "height": lambda known: known.projection.image_size[1],
+    "distance": _orbit("distance"),
+    "azimuth": _orbit("azimuth_deg"),
+    "elevation": _orbit("elevation_deg"),
+    "stage": lambda known: known._view.stage,
+    "turned": lambda known: float("world" in known._view.panes),
+}
+for _place, _axis in enumerate(XYZ):
+    for _name, _of in (
+        ("eye", lambda projection: projection.camera.eye),
+        ("target", lambda projection: projection.camera.target),
+        ("up", lambda projection: projection.camera.up),
+        ("u", lambda projection: projection.camera.frame[0]),
+        ("v", lambda projection: projection.camera.frame[1]),
+        ("n", lambda projection: projection.camera.frame[2]),
+        ("move", lambda projection: projection.placement.translate),
+        ("turn", lambda projection: projection.placement.rotate_deg),
+        ("size", lambda projection: projection.placement.scale),
+    ):
+        _SIMPLE[f"{_name}_{_axis}"] = _vector(_of, _place)
+
+
+# --------------------------------------------------------------------------- conditions
+
+_SIGN = re.compile(r"<=|>=|≤|≥|=|<|>")
+_PATH = re.compile(r"(scene|mesh|depth|[a-z]+\.[a-z_]+)")
+_COMPARED: dict[str, Callable[[float, float], bool]] = {
+    "<": operator.lt,
+    ">": operator.gt,
+    "<=": operator.le,
+    ">=": operator.ge,
+    "≤": operator.le,
+    "≥": operator.ge,
+}
+
+
+@dataclass(frozen=True)
+class Condition:
+    """What must hold of the model: two formulas and a sign, or a word of ``--set``.
+
+    Attributes
+    ----------
+    text : str
+    sign : str
+    left, right : Formula, optional
+    path, word : str
+        Instead of the formulas: ``lens.kind``, ``orthographic``.
+    """
+
+    text: str
+    sign: str
+    left: Formula | None = None
+    right: Formula | None = None
+    path: str = ""
+    word: str = ""
+
+    @classmethod
+    def read(cls, text: str) -> Condition:
+        """Read a condition.
+
+        Raises
+        ------
+        Refusal
+            If it is none, or a formula of it is none.
+        """
+        signs = list(_SIGN.finditer(text))
+        if len(signs) != 1:
+            raise Refusal("condition", text, NO_CONDITION)
+        sign = signs[0].group()
+        left, right = text[: signs[0].start()].strip(), text[signs[0].end() :].strip()
+        if sign == "=" and _PATH.fullmatch(left):
+            return cls(text, sign, path=left, word=right)
+        return cls(text, sign, formula.parse(left), formula.parse(right))
+
+    def holds(self, known: Quantities, words: Callable[[str], str]) -> bool:
+        """Whether it holds; not where a quantity of it is not there.
+
+        Parameters
+        ----------
+        known : Quantities
+        words : callable
+            The word that the document has for a path of ``--set``.
+
+        Raises
+        ------
+        Refusal
+            If a formula of it has no value, for any other reason.
+        """
+        if self.left is None or self.right is None:
+            return words(self.path) == self.word
+        try:
+            left, right = known.value(self.left), known.value(self.right)
+        except NotThere:
+            return False
+        if self.sign == "=":
+            if left == right:  # infinite ones too
+                return True
+            return abs(left - right) <= WITHIN * (
+                max(abs(left), abs(right)) if left and right else 1.0
+            )
+        return _COMPARED[self.sign](left, right)
