@@ -30,11 +30,14 @@ class Origin:
         Where it is saved.
     written : object
         How that file was when it was read or written here last.
+    is_work : bool
+        Whether it may be lost: what is tried out beside a lesson's step is not.
     """
 
     saved: Document | None
     path: Path | None = None
     written: object = None
+    is_work: bool = True
 
 
 class _Step(NamedTuple):
@@ -106,8 +109,8 @@ class Store(QObject):
 
     @property
     def modified(self) -> bool:
-        """Whether it differs from what was last opened or saved."""
-        return self._document != self.origin.saved
+        """Whether it differs from what was last opened or saved, and can be lost."""
+        return self.origin.is_work and self._document != self.origin.saved
 
     @property
     def seen(self) -> Document:
@@ -140,7 +143,14 @@ class Store(QObject):
     def _gesture_moved(self) -> bool:
         return self._gesture_start is not None and self._gesture_start != self._document
 
-    def open(self, document: Document, *, saved: bool = True, path: Path | None = None) -> None:
+    def open(
+        self,
+        document: Document,
+        *,
+        saved: bool = True,
+        path: Path | None = None,
+        is_work: bool = True,
+    ) -> None:
         """Change to a document from elsewhere: one step, whatever becomes of the one before.
 
         Parameters
@@ -150,8 +160,10 @@ class Store(QObject):
             False for a recovered document, which is not in any file of the user's.
         path : Path, optional
             Where it is saved.
+        is_work : bool
+            Whether what is changed of it can be lost.
         """
-        origin = Origin(document if saved else None, path)
+        origin = Origin(document if saved else None, path, is_work=is_work)
         self._put_aside(document, origin)
         opened = list(dict.fromkeys(step.origin for step in self._undo))[-OPENED_LIMIT:]
         self._undo = [step for step in self._undo if step.origin in opened]
@@ -217,6 +229,10 @@ class Store(QObject):
         if document != self._document:
             self._put_aside(document, self.origin)
             self._show(document)
+
+    def go_on(self, document: Document) -> None:
+        """Go on with the change that `set_document` or `open` began: no step of its own."""
+        self._show(document)
 
     def set_projection(self, projection: Projection) -> None:
         """Make an edit of the projection; equal is silent."""

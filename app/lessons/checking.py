@@ -75,11 +75,11 @@ class Report:
             f"{_counted(self.checks, 'check')}, {len(self.wrong)} wrong"
         )
 
-    def take(self, lesson: Lesson) -> Course:
+    def take(self, lesson: Lesson, most_steps: int = MOST_STEPS) -> Course:
         """Try a lesson, and add what was found."""
         self.lessons += not lesson.is_talk
         self.talks += lesson.is_talk
-        checker = _Checker(lesson)
+        checker = _Checker(lesson, most_steps)
         checker.run()
         self.checks += checker.checks
         self.wrong += checker.wrong
@@ -93,15 +93,16 @@ def _counted(count: int, word: str) -> str:
 class _Checker:
     """Tries one lesson."""
 
-    def __init__(self, lesson: Lesson) -> None:
+    def __init__(self, lesson: Lesson, most_steps: int) -> None:
         self.lesson, self.course = lesson, Course(lesson)
+        self._most_steps = most_steps
         self.checks = 0
         self.wrong: list[Refusal] = []
 
     def run(self) -> None:
         for place, step in enumerate(self.lesson.steps):
-            if place == MOST_STEPS and not self.lesson.is_talk:
-                self._complain(refused(step.line, TOO_MANY, place + 1, MOST_STEPS))
+            if place == self._most_steps and not self.lesson.is_talk:
+                self._complain(refused(step.line, TOO_MANY, place + 1, place))
             before = len(self.wrong)
             with self._kept():
                 self.course.shown(place)

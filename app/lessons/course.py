@@ -124,8 +124,13 @@ class Course:
                     fields.add(rest.partition("=")[0].strip())
             if step.state and step.state.document:
                 fields |= set(FIELDS)
-        if "frame_step" in fields:
-            fields.add("panel")
+        for field, along in (
+            ("frame_step", "panel"),
+            ("probes", "pinned"),
+            ("compare", "dividers"),
+        ):
+            if field in fields:
+                fields.add(along)
         if self.lesson.letters:
             fields.add("letters")
         return frozenset(fields)

@@ -224,7 +224,7 @@ class Quantities:
             phenomenon = self._scene().phenomenon
             readings: tuple[Reading, ...] = ()
             if phenomenon is not None:
-                shown = phenomenon.show(
+                shown = phenomenon.illustration(
                     self.projection, self.document.settings, self._scene().subject
                 )
                 readings = shown.readings

@@ -13,6 +13,7 @@ from PySide6.QtWidgets import QFileDialog, QMainWindow, QMessageBox, QProgressDi
 
 from app.document.document import MESH_ENDINGS, Document, holds_document, is_mesh, read, write
 from app.document.store import Store
+from app.lessons.lesson import is_lesson
 from app.model.refusal import Cancelled, Refusal
 from app.scenes.scene import BUILT_IN, Scene, load
 from widgets.parts.message_bar import MessageBar
@@ -45,6 +46,8 @@ class Files(QObject):
 
     concerns = frozenset({"scene", "view"})
     recent_changed = Signal()
+    lesson_wanted = Signal(str)
+    """The file of a lesson or talk was opened."""
 
     def __init__(
         self,
@@ -113,9 +116,11 @@ class Files(QObject):
         meshes = " ".join(f"*{ending}" for ending in MESH_ENDINGS)
         path, _ = QFileDialog.getOpenFileName(
             self._window,
-            self.tr("Open a document, a mesh or an exported picture"),
+            self.tr("Open a document, a lesson, a mesh or an exported picture"),
             str(self.path.parent) if self.path else "",
-            self.tr("All that can be opened ({0});;All files (*)").format(f"*.json {meshes} *.png"),
+            self.tr("All that can be opened ({0});;All files (*)").format(
+                f"*.json {meshes} *.png *.md"
+            ),
         )
         if path:
             self.open(path)
@@ -131,6 +136,9 @@ class Files(QObject):
             False if it could not be opened.
         """
         path = os.path.abspath(path)
+        if is_lesson(path):
+            self.lesson_wanted.emit(path)
+            return True
 
         def opened() -> tuple[Document, Scene, Path | None]:
             if is_mesh(path):
@@ -148,10 +156,18 @@ class Files(QObject):
         self._remember(path)
         return True
 
-    def _change_to(self, document: Document, path: Path | None, *, saved: bool = True) -> None:
+    def open_step(self, document: Document, scene: Scene, lesson: Path) -> None:
+        """Show the first state of a lesson; what is tried out beside it is no work to be saved."""
+        self.keep(document, scene)
+        self._change_to(document, None, is_work=False)
+        self._remember(str(lesson))
+
+    def _change_to(
+        self, document: Document, path: Path | None, *, saved: bool = True, is_work: bool = True
+    ) -> None:
         """Show another document, and say where unsaved work is that it takes the place of."""
         left = self._name if self._store.modified else None
-        self._store.open(document, saved=saved, path=path)
+        self._store.open(document, saved=saved, path=path, is_work=is_work)
         self._set_path(path)
         held = {(each.scene, each.mesh) for each in self._store.documents}
         self._scenes = {names: scene for names, scene in self._scenes.items() if names in held}

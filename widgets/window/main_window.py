@@ -72,6 +72,7 @@ from widgets.window.drawer import Drawer, Panels
 from widgets.window.files import Files
 from widgets.window.help import Help
 from widgets.window.history import History
+from widgets.window.lessons import Lessons
 from widgets.window.look import Look, dress
 from widgets.window.pictures import Pictures
 from widgets.window.present import Present
@@ -380,6 +381,10 @@ class MainWindow(QMainWindow):
                 *(cursor.let_go for cursor in self.cursors.values()),
             ),
         )
+        self.lessons = Lessons(
+            self.store, self.files, self.messages, self.history.stand_still, self.strip.go_to
+        )
+        self.files.lesson_wanted.connect(self.lessons.open)
         self.recovery = Recovery(
             data_folder(),
             self.store,

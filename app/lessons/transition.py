@@ -1,0 +1,124 @@
+"""Between two steps: the model moves from one state to the next, so that the change is seen."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from dataclasses import fields, replace
+from typing import Any
+
+from app.document.document import Document
+from app.model.projection import Camera, Lens, ObjectTransform, Projection, Vector
+from app.model.refusal import Refusal
+from app.scenes.phenomena.illustration import Value
+
+
+def can_move(start: Document, end: Document) -> bool:
+    """Whether a model can move from one state to another: it is the same scene and kind of lens."""
+    lenses = start.projection.lens, end.projection.lens
+    return (
+        (start.scene, start.mesh) == (end.scene, end.mesh)
+        and start != end
+        and lenses[0].kind == lenses[1].kind
+        and lenses[0].own_view is None
+        and lenses[1].own_view is None
+    )
+
+
+def between(start: Document, end: Document, part: float) -> Document | None:
+    """A state on the way, of two for which `can_move` holds.
+
+    Parameters
+    ----------
+    start, end : Document
+    part : float
+        From 0 to 1.
+
+    Returns
+    -------
+    Document or None
+        With the end's words and switches, and its view; None where there is no such state.
+    """
+    one, other = start.projection, end.projection
+    try:
+        projection = Projection(
+            _camera(one.camera, other.camera, part),
+            _lens(one.lens, other.lens, part),
+            other.image_size,
+            other.depth,
+            _placement(one.placement, other.placement, part),
+        )
+        settings = _settings(start.settings, end.settings, part)
+        return replace(end, projection=projection, settings=settings)
+    except Refusal:  # the straight way leads through what cannot be
+        return None
+
+
+def _number(one: float, other: float, part: float) -> float:
+    """In proportion where both are lengths of one kind: as much larger at every moment."""
+    if one == other or not (math.isfinite(one) and math.isfinite(other)):
+        return other
+    if one > 0.0 and other > 0.0:
+        return math.exp((1.0 - part) * math.log(one) + part * math.log(other))
+    return (1.0 - part) * one + part * other
+
+
+def _vector(one: Vector, other: Vector, part: float) -> Vector:
+    x, y, z = ((1.0 - part) * a + part * b for a, b in zip(one, other, strict=True))
+    return x, y, z
+
+
+def _camera(one: Camera, other: Camera, part: float) -> Camera:
+    """The eye goes round its target, on the shorter way."""
+    target = _vector(one.target, other.target, part)
+    away = [
+        tuple(e - t for e, t in zip(camera.eye, camera.target, strict=True))
+        for camera in (one, other)
+    ]
+    lengths = [math.hypot(*each) for each in away]
+    units = [tuple(x / length for x in each) for each, length in zip(away, lengths, strict=True)]
+    angle = math.acos(max(-1.0, min(1.0, sum(a * b for a, b in zip(*units, strict=True)))))
+    length = _number(lengths[0], lengths[1], part)
+    if angle < 1e-9 or angle > math.pi - 1e-6:
+        weights = 1.0 - part, part
+    else:
+        weights = (
+            math.sin((1.0 - part) * angle) / math.sin(angle),
+            math.sin(part * angle) / math.sin(angle),
+        )
+    x, y, z = (
+        t + length * (weights[0] * a + weights[1] * b)
+        for t, a, b in zip(target, *units, strict=True)
+    )
+    return Camera((x, y, z), target, _vector(one.up, other.up, part))
+
+
+def _lens(one: Lens, other: Lens, part: float) -> Lens:
+    changed: dict[str, Any] = {}
+    for field in fields(other):
+        values = getattr(one, field.name), getattr(other, field.name)
+        if all(isinstance(value, float) for value in values):
+            changed[field.name] = _number(*values, part)
+    return replace(other, **changed)
+
+
+def _placement(one: ObjectTransform, other: ObjectTransform, part: float) -> ObjectTransform:
+    return ObjectTransform(
+        _vector(one.translate, other.translate, part),
+        _vector(one.rotate_deg, other.rotate_deg, part),
+        _vector(one.scale, other.scale, part),
+        other.order,
+    )
+
+
+def _settings(
+    one: Mapping[str, Value], other: Mapping[str, Value], part: float
+) -> dict[str, Value]:
+    found = dict(other)
+    for name, value in other.items():
+        before = one.get(name)
+        if isinstance(value, tuple) and isinstance(before, tuple):
+            found[name] = _vector(before, value, part)
+        elif type(value) is float and type(before) is float:
+            found[name] = _number(before, value, part)
+    return found

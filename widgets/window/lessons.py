@@ -1,0 +1,333 @@
+"""A lesson or a talk in the window: its steps shown, left by hand and come back to.
+
+::
+
+    file --Lessons.open--> Course --go(step)--> Store (one step of undo) --> the window
+    a saved change of the file --> the same step again, if it shows something else now
+
+Anything can be changed by hand at a step; what is tried out is no work, so that nobody is asked to
+save it, and `come_back` shows the step again as the file has it.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+from PySide6.QtCore import QFileSystemWatcher, QObject, QTimer, Signal
+
+from app.document.document import Document
+from app.document.store import Store
+from app.document.view import FIELDS, View
+from app.lessons import transition
+from app.lessons.course import Course, Shown, scene_of
+from app.lessons.lesson import Lesson, Step, read
+from app.model.projection import Camera
+from app.model.refusal import Refusal
+from widgets.parts.clock import Clock
+from widgets.parts.message_bar import MessageBar
+from widgets.parts.messages import sentence
+from widgets.window.files import Files
+
+TRANSITION_S = 0.4
+"""How long the model moves between two steps."""
+SETTLED_MS = 150
+"""A file that was just written may be written again: editors do it in two goes."""
+
+
+class Lessons(QObject):
+    """What lesson is open, and at which step it is.
+
+    Parameters
+    ----------
+    store : Store
+    files : Files
+    messages : MessageBar
+    stand_still : callable
+        Lets nothing move by itself: before another step is shown.
+    to_stage : callable
+        Moves the stage strip to a position.
+
+    Attributes
+    ----------
+    course : Course or None
+        The open one.
+    place : int
+        Of the step, from 0.
+    """
+
+    opened = Signal()
+    """A lesson was opened, read again, or closed: `course` is another one."""
+    stepped = Signal()
+    """Another step is shown, or this one again."""
+
+    def __init__(
+        self,
+        store: Store,
+        files: Files,
+        messages: MessageBar,
+        stand_still: Callable[[], None],
+        to_stage: Callable[[float], None],
+    ) -> None:
+        super().__init__(store)
+        self._store, self._files, self._messages = store, files, messages
+        self._stand_still, self._to_stage = stand_still, to_stage
+        self.course: Course | None = None
+        self.place = 0
+        self._views: dict[tuple[str, str], dict[str, Camera]] = {}
+        """From where panes were looked at, of the scenes that were left."""
+        self._clock = Clock(self)
+        self._clock.ticked.connect(self._move)
+        self._start = self._end = store.document
+        self._part = 1.0
+        self._stages = (0.0, 0.0)
+        self._moving = False
+        self._watcher = QFileSystemWatcher(self)
+        self._settled = QTimer(self)
+        self._settled.setSingleShot(True)
+        self._settled.setInterval(SETTLED_MS)
+        self._settled.timeout.connect(self._read_again)
+        self._watcher.fileChanged.connect(lambda _path: self._settled.start())
+        self._watcher.directoryChanged.connect(lambda _path: self._settled.start())
+        store.changed.connect(self._see)
+
+    # -- what is open
+
+    @property
+    def lesson(self) -> Lesson | None:
+        """The open lesson."""
+        return self.course.lesson if self.course is not None else None
+
+    @property
+    def step(self) -> Step | None:
+        """The step that is shown."""
+        return self.course.lesson.steps[self.place] if self.course is not None else None
+
+    @property
+    def is_away(self) -> bool:
+        """Whether the window shows something else than the step: somebody has tried something."""
+        if self.course is None:
+            return False
+        shown = self.course.shown(self.place)
+        look = self._store.look()
+        return self._store.document != shown.document or any(
+            getattr(look, name) != value for name, value in _asked(shown, look).items()
+        )
+
+    def open(self, path: str | Path, step: str = "") -> bool:
+        """Open a lesson, at its first step or at that of a name.
+
+        Returns
+        -------
+        bool
+            False if it could not be opened: it is said why, and what was there stays.
+        """
+        try:
+            course = Course(read(path))
+            names = [each.name for each in course.lesson.steps]
+            place = names.index(step) if step in names else 0
+            shown = course.shown(place)
+            scene = scene_of(shown.document)
+        except Refusal as error:
+            self._say(error, Path(path))
+            return False
+        self._messages.done()
+        self._finish()
+        self._stand_still()
+        self._views.clear()
+        self.course, self.place = course, place
+        document = replace(shown.document, view=self._view(shown, other_scene=True))
+        self._files.open_step(document, scene, course.lesson.path)
+        self._watch()
+        self.opened.emit()
+        self.stepped.emit()
+        return True
+
+    def close(self) -> None:
+        """Leave the lesson; the window stays as it is."""
+        if self.course is None:
+            return
+        self._finish()
+        self._unwatch()
+        self.course = None
+        self._store.origin.is_work = True
+        self._store.mark_saved()
+        self.opened.emit()
+
+    # -- going
+
+    def go(self, place: int, *, at_once: bool = False) -> bool:
+        """Show a step; False if there is none such, or its state cannot be: the last one stays."""
+        if self.course is None or not 0 <= place < len(self.course.lesson.steps):
+            return False
+        try:
+            shown = self.course.shown(place)
+            scene = scene_of(shown.document)
+        except Refusal as error:
+            self._say(error, self.course.lesson.path)
+            return False
+        self._finish()
+        self._stand_still()
+        self.place = place
+        self._show(shown, scene, at_once)
+        self.stepped.emit()
+        return True
+
+    def next(self) -> bool:
+        """Go to the next step; False at the last."""
+        return self.go(self.place + 1)
+
+    def previous(self) -> bool:
+        """Go to the step before; False at the first."""
+        return self.go(self.place - 1)
+
+    def come_back(self) -> bool:
+        """Show the step again, as its file has it, whatever was tried; it can be undone."""
+        return self.go(self.place)
+
+    def show(self, document: Document) -> None:
+        """Show another state beside the step: what refutes a wrong idea, what was predicted."""
+        self._finish()
+        self._stand_still()
+        look = self._store.look()
+        fields = {
+            name: getattr(document.view, name)
+            for name in ("stage", "large", "panel", "fixed", "compare", "dividers", "probes")
+        }
+        same = (document.scene, document.mesh) == (
+            self._store.document.scene,
+            self._store.document.mesh,
+        )
+        fields |= {"pinned": frozenset(), "panes": look.panes if same else {}}
+        self._move_to(replace(document, view=replace(look, **fields)), scene_of(document), False)
+
+    def _show(self, shown: Shown, scene: Any, at_once: bool) -> None:
+        here = self._store.document.scene, self._store.document.mesh
+        there = shown.document.scene, shown.document.mesh
+        if here != there:
+            self._views[here] = self._store.look().panes
+        view = self._view(shown, other_scene=here != there)
+        self._move_to(replace(shown.document, view=view), scene, at_once)
+
+    def _view(self, shown: Shown, *, other_scene: bool) -> View:
+        """How a step is looked at: as the step says, and else as it is."""
+        look = self._store.look()
+        if other_scene:  # what was about the scene before goes, what was prepared for a class stays
+            there = shown.document.scene, shown.document.mesh
+            look = replace(
+                look, large="", panel=None, probes=(), pinned=frozenset(), compare=(),
+                dividers=(), panes=self._views.get(there, {}),
+            )  # fmt: skip
+        return replace(look, **_asked(shown, look))
+
+    def _move_to(self, end: Document, scene: Any, at_once: bool) -> None:
+        """Change to a document in one step of undo; the model moves there, if it can."""
+        store = self._store
+        start, look = store.document, store.look()
+        self._files.keep(end, scene)
+        self._start, self._end = start, end
+        self._stages = look.stage, end.view.stage
+        first = None
+        if not at_once and transition.can_move(start, end):
+            first = transition.between(start, end, 0.02)
+        self._moving = True
+        if start == end:
+            changes = {
+                name: getattr(end.view, name)
+                for name in FIELDS
+                if getattr(end.view, name) != getattr(look, name)
+            }
+            store.set_view(**changes)
+        else:  # the step that undo goes back to; then on from it, frame by frame
+            store.set_document(end if first is None else first)
+        self._moving = False
+        moves = (start.scene, start.mesh) == (end.scene, end.mesh) and not at_once
+        if moves and (first is not None or self._stages[0] != self._stages[1]):
+            self._part = 0.0
+            self._to_stage(look.stage)
+            self._clock.start()
+
+    def _move(self, seconds: float) -> None:
+        self._part = min(1.0, self._part + seconds / TRANSITION_S)
+        eased = 0.5 - 0.5 * math.cos(math.pi * self._part)
+        at: Document | None = self._end
+        if self._part == 1.0:
+            self._clock.stop()
+        elif self._start != self._end:
+            at = transition.between(self._start, self._end, eased)
+        if at is not None and at != self._store.document:
+            self._moving = True
+            self._store.go_on(at)
+            self._moving = False
+        self._to_stage((1.0 - eased) * self._stages[0] + eased * self._stages[1])
+
+    def _finish(self) -> None:
+        """Be where the model is moving to."""
+        if self._clock.running:
+            self._part = 1.0
+            self._move(0.0)
+
+    def _see(self, _document: Document) -> None:
+        """Somebody else has changed the document: that counts, and nothing moves on."""
+        if not self._moving:
+            self._clock.stop()
+
+    # -- the file
+
+    def _watch(self) -> None:
+        assert self.course is not None
+        path = self.course.lesson.path
+        self._unwatch()
+        self._watcher.addPaths([str(path), str(path.parent)])
+
+    def _unwatch(self) -> None:
+        watched = [*self._watcher.files(), *self._watcher.directories()]
+        if watched:
+            self._watcher.removePaths(watched)
+        self._settled.stop()
+
+    def _read_again(self) -> None:
+        """Take a saved change of the file up, at the step that has the same name."""
+        if self.course is None:
+            return
+        before, step = self.course, self.step
+        assert step is not None
+        path = before.lesson.path
+        if str(path) not in self._watcher.files():  # editors put another file in its place
+            self._watcher.addPath(str(path))
+        try:
+            course = Course(read(path))
+            if course.lesson == before.lesson:
+                return
+            names = [each.name for each in course.lesson.steps]
+            place = min(self.place, len(names) - 1)
+            place = names.index(step.name) if step.name in names else place
+            shown = course.shown(place)
+        except Refusal as error:
+            self._say(error, path)
+            return
+        self._messages.done()
+        same = shown == before.shown(self.place)
+        self.course, self.place = course, place
+        self.opened.emit()
+        if same:
+            self.stepped.emit()
+        else:
+            self.go(place)
+
+    def _say(self, error: Refusal, path: Path) -> None:
+        text = sentence(error)
+        known = error.file is not None and str(path) in text
+        self._messages.say(text if known else f"{path.name}: {text}")
+
+
+def _asked(shown: Shown, look: View) -> dict[str, Any]:
+    """What of the view a step asks for; an empty panel is none, and None is as it is."""
+    return {
+        name: value
+        for name, value in shown.view.items()
+        if not (name == "panel" and value is None and look.panel is None)
+    }
