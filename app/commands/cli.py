@@ -25,7 +25,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from app import bootstrap
-from app.commands import doctor, lessons
+from app.commands import doctor
 from app.commands.arguments import (
     cannot_import,
     check_out,
@@ -667,12 +667,18 @@ def _measure(arguments: Sequence[str]) -> int:
     return command.run(arguments)
 
 
+def _lesson(arguments: Sequence[str]) -> int:
+    from app.commands import lessons
+
+    return lessons.lesson(arguments)
+
+
 COMMANDS: dict[str, Callable[[Sequence[str]], int]] = {
     "export": _export,
     "project": _project,
     "matrices": _matrices,
     "measure": _measure,
-    "lesson": lessons.lesson,
+    "lesson": _lesson,
     "doctor": doctor.command,
 }
 """The words that the command line may begin with; each takes the arguments after it."""

@@ -1,0 +1,217 @@
+"""The file of a lesson: what is read, and what is refused, with its line."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from app.bootstrap import ROOT
+from app.lessons.checking import Report
+from app.lessons.lesson import (
+    MOST_STEPS,
+    Question,
+    Task,
+    Words,
+    formulas_in,
+    is_lesson,
+    markdown,
+    parse_lesson,
+    read,
+)
+from app.model.refusal import Refusal
+
+TOP = "---\ntitle: T\n---\n"
+STEP = TOP + "# One {#one}\n"
+
+
+def parsed(text: str):  # type: ignore[no-untyped-def]
+    return parse_lesson(text, Path("lesson.md"))
+
+
+def refused(text: str) -> str:
+    with pytest.raises(Refusal) as caught:
+        parsed(text)
+    return str(caught.value)
+
+
+def of_the_page() -> str:
+    """The complete small lesson that `docs/lessons.md` shows a teacher."""
+    page = (ROOT / "docs" / "lessons.md").read_text(encoding="utf-8")
+    return page.partition("````markdown\n")[2].partition("````")[0]
+
+
+def test_the_lesson_of_the_teachers_page_is_whole_and_right(tmp_path: Path) -> None:
+    path = tmp_path / "small.md"
+    path.write_text(of_the_page(), encoding="utf-8")
+    report = Report()
+    report.take(read(path))
+    assert (str(report), report.wrong) == ("1 lesson, 0 talks, 6 checks, 0 wrong", [])
+
+
+def test_a_step_with_prediction_and_answer_takes_at_most_15_lines() -> None:
+    step = """---
+# How wide? {#wide}
+```state
+lens.fov_y_deg=60
+```
+```predict
+60° high, 16:9: how wide?
+- [x] 91.5° := fov_x
+- [ ] 106.7° := aspect*fov {angle-linear}
+```
+```answer
+And 90° high?
+value: 2*atan(aspect*tan(45))
+```
+"""
+    assert len(step.splitlines()) <= 15
+    report = Report()
+    report.take(parsed(STEP + "Hello.\n\n" + step))
+    assert (report.checks, report.wrong) == (2, [])
+
+
+def test_what_is_read_is_what_was_written() -> None:
+    lesson = parsed(of_the_page())
+    assert (lesson.title, lesson.lecture, lesson.letters) == (
+        "How wide is 60 degrees?",
+        "003",
+        "003",
+    )
+    first, second = lesson.steps
+    assert (first.name, first.title, first.line) == ("typed", "The angle that is typed", 6)
+    assert first.state is not None
+    assert first.state.values == ((10, "scene=letter-f"), (11, "lens.fov_y_deg=60"))
+    words, predict = first.parts
+    assert isinstance(words, Words)
+    assert formulas_in(words.text) == ["a = 9/16"]
+    assert isinstance(predict, Question)
+    assert predict.predicts
+    assert [(c.text, c.right, c.idea) for c in predict.choices] == [
+        ("106.7°", False, "angle-linear"), ("91.5°", True, ""),
+    ]  # fmt: skip
+    task, answer = second.asked
+    assert isinstance(task, Task)
+    assert (task.name, task.hints) == ("square", ("What decides how wide the picture is?",))
+    assert isinstance(answer, Question)
+    assert (answer.name, answer.unit, answer.wrong[0].idea) == ("answer", "°", "angle-linear")
+    assert [sample.verdict for sample in second.samples] == ["done", "right", "angle-linear"]
+    assert not lesson.is_talk
+
+
+def test_a_value_goes_on_in_indented_lines_and_says_has_its_own() -> None:
+    lesson = parsed(
+        STEP + "```answer x\nHow much?\nvalue: 1 +\n  2\nwrong mine: 4\n  says: No,\n    not so.\n"
+        "  state: lens.near=2; lens.far=9\nhint: First\n  line.\nhint: Second.\n```\n"
+    )
+    (question,) = lesson.steps[0].asked
+    assert isinstance(question, Question)
+    assert question.value is not None
+    assert question.value.text == "1 + 2"
+    (wrong,) = question.wrong
+    assert (wrong.idea, wrong.says) == ("mine", "No, not so.")
+    assert wrong.state is not None
+    assert [text for _, text in wrong.state.values] == ["lens.near=2", "lens.far=9"]
+    assert question.hints == ("First line.", "Second.")
+
+
+def test_names_are_given_by_themselves_and_stay_apart() -> None:
+    block = "```task\nDo.\nuntil: near > 1\n```\n"
+    lesson = parsed(TOP + "# Größe & Form\n" + block + block + "---\n# Two\n" + block)
+    assert [step.name for step in lesson.steps] == ["größe-form", "two"]
+    assert [part.name for part in lesson.steps[0].asked] == ["task", "task-2"]
+
+
+def test_a_rule_ends_a_step_right_below_a_text_and_in_no_block() -> None:
+    lesson = parsed(STEP + "Some text\n---\n# Two\n```note\nminutes: 2.5\n---\nSpeak.\n```\n")
+    assert [step.title for step in lesson.steps] == ["One", "Two"]
+    assert lesson.is_talk
+    note = lesson.steps[1].note
+    assert note is not None
+    assert (note.minutes, note.text) == (2.5, "---\nSpeak.")
+
+
+def test_html_scripts_links_and_pictures_are_text() -> None:
+    shown = markdown().render(
+        "<script>alert(1)</script> <b>x</b> [a](http://b) ![c](file:///etc/passwd) <http://d>\n\n"
+        "<div>block</div>\n"
+    )
+    assert "<script" not in shown
+    assert "<b>" not in shown
+    assert "<div" not in shown
+    assert "<a " not in shown
+    assert "<img" not in shown
+    assert "&lt;script&gt;alert(1)&lt;/script&gt;" in shown
+
+
+def test_formulas_are_left_alone_by_markdown_and_dollars_can_be_prices() -> None:
+    assert formulas_in(r"$a_1 * b_2 * \frac{x}{y}$ and $$\cot\alpha$$") == [
+        r"a_1 * b_2 * \frac{x}{y}", r"\cot\alpha",
+    ]  # fmt: skip
+    assert formulas_in("5 $ and 6 $") == []
+
+
+@pytest.mark.parametrize(
+    ("text", "said"),
+    [
+        ("", "line 1 = '': must begin the lesson"),
+        ("# Hello\n", "line 1 = '# Hello': must begin the lesson"),
+        ("---\ntitle: T\n", "line 3 must begin the lesson"),
+        ("---\nlecture: 001\n---\n# A\n", "line 1 lacks a line “title: ...”"),
+        ("---\ntitel: T\n---\n# A\n", "line 2 = 'titel: T': must be one of title,"),
+        ("---\ntitle: T\nletters: 009\n---\n# A\n", "line 3 = '009': must be one of own, 000"),
+        ("---\ntitle: T\nversion: 2\n---\n# A\n", "line 3 was written for a newer Frustum Lab"),
+        ("---\ntitle: T\nminutes: many\n---\n# A\n", "line 3 = 'many': must be a number from 0"),
+        (TOP, "line 3 has no steps"),
+        (TOP + "Text\n", "line 4 = 'Text': must begin a step with its title"),
+        (TOP + "## Two\n", "line 4 = '## Two': must begin a step with its title"),
+        (STEP + "---\n# Two {#one}\n", "line 6 = 'one': has the name of line 4 again"),
+        (TOP + "# One {#a b}\n", "line 4 = 'a b': must be a name"),
+        (
+            STEP + "```predct\nx\n```\n",
+            "line 5 has a block that there is not, predct; the nearest is",
+        ),
+        (STEP + "```state\nlens.near=1\n", "line 5 begins a block that is not closed"),
+        (STEP + "```state\n```\n", "line 5 needs NAME=VALUE"),
+        (STEP + "```state\nnear 1\n```\n", "line 6 = 'near 1': must be written as NAME=VALUE"),
+        (STEP + "```state\nscene=../x.obj\n```\n", "line 6 = '../x.obj': must be a file beside"),
+        (
+            STEP + "```state\nscene=/etc/x.obj\n```\n",
+            "line 6 = '/etc/x.obj': must be a file beside",
+        ),
+        (STEP + "```state\ndocument: C:\\x.json\n```\n", "must be a file beside the lesson"),
+        (STEP + "```predict\nQ?\n- [x] a\n```\n", "line 5 needs at least two choices"),
+        (STEP + "```predict\nQ?\n- [ ] a\n- [ ] b\n```\n", "line 5 needs at least two choices"),
+        (STEP + "```answer\nQ?\n```\n", "line 5 needs “value: FORMULA”, or choices"),
+        (STEP + "```answer\nvalue: 2\n```\n", "line 5 needs a question"),
+        (
+            STEP + "```answer\nQ?\nvalue: 2*\n```\n",
+            "line 7, value = '2*': needs a number, a letter",
+        ),
+        (STEP + "```answer\nQ?\nvalue: 2\nvalue: 3\n```\n", "line 8 has value twice"),
+        (STEP + "```answer\nQ?\nvalue: 2\nwrung: 3\n```\n", "line 8 = 'wrung: 3': must be one of"),
+        (STEP + "```task\nDo.\n```\n", "line 5 needs “until: CONDITION”"),
+        (STEP + "```task\nDo.\nuntil: near\n```\n", "line 7, until = 'near': must be a condition"),
+        (STEP + "```test\nx -> right\n```\n", "line 6 = 'x -> right': must be a sample"),
+        (STEP + "```test\nx: 1 -> right\n```\n", "line 6 = 'x': must be one of none"),
+        (STEP + "```note\nA\n```\n```note\nB\n```\n", "line 8 has note twice"),
+    ],
+)
+def test_a_mistake_is_said_with_its_line_and_what_was_expected(text: str, said: str) -> None:
+    assert said in refused(text)
+
+
+def test_too_many_steps_and_too_large_a_file_are_refused_at_once(tmp_path: Path) -> None:
+    many = TOP + "\n---\n".join(f"# Step {number}" for number in range(10_000))
+    assert f"has more than {MOST_STEPS} steps" in refused(many)
+    path = tmp_path / "large.md"
+    path.write_text(STEP + "x" * 3_000_000, encoding="utf-8")
+    with pytest.raises(Refusal, match=r"large\.md is larger than 2 MiB"):
+        read(path)
+    path.write_bytes(b"---\ntitle: \xff\xfe\n")
+    with pytest.raises(Refusal, match="not UTF-8"):
+        read(path)
+    with pytest.raises(Refusal, match="does not exist"):
+        read(tmp_path / "none.md")
+    assert is_lesson("A.MD")
+    assert not is_lesson("a.json")

@@ -1,0 +1,92 @@
+"""A typed number: what is read, what counts as right."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+
+import pytest
+
+from app.lessons import marking
+from app.model.refusal import Refusal
+
+
+@pytest.mark.parametrize(
+    ("text", "value", "digits"),
+    [
+        ("0.5", Fraction(1, 2), 1),
+        ("0,5", Fraction(1, 2), 1),
+        (",5", Fraction(1, 2), 1),
+        ("1/2", Fraction(1, 2), 3),
+        ("-3", Fraction(-3), 1),
+        ("−2.25", Fraction(-9, 4), 3),
+        ("91.5°", Fraction(183, 2), 3),
+        ("91,50 °", Fraction(183, 2), 4),
+        ("120 deg", Fraction(120), 3),
+        ("2e-3", Fraction(1, 500), 1),
+        ("1.20·10^2", Fraction(120), 3),
+        ("+4", Fraction(4), 1),
+        ("-1/-4", Fraction(1, 4), 3),
+        ("1 280 px", Fraction(1280), 4),
+        ("0", Fraction(0), 0),
+    ],
+)
+def test_numbers_are_read_as_people_write_them(text: str, value: Fraction, digits: int) -> None:
+    typed = marking.read(text)
+    assert (typed.value, typed.digits) == (value, digits)
+
+
+@pytest.mark.parametrize(
+    ("text", "said"),
+    [
+        ("", "nothing is typed yet"),
+        ("   ", "nothing is typed yet"),
+        ("°", "nothing is typed yet"),
+        ("1/0", "nothing can be divided by 0"),
+        ("1/0.0", "nothing can be divided by 0"),
+        ("1e400", "must be a number from -1e300 to 1e300"),
+        ("9e999999999", "must be a number from -1e300 to 1e300"),
+        ("abc", "abc is none"),
+        ("nan", "nan is none"),
+        ("inf", "inf is none"),
+        ("1.2.3", "1.2.3 is none"),
+        ("1_000", "1_000 is none"),
+        ("0x10", "0x10 is none"),
+        ("٣", "is none"),
+        ("__import__('os')", "is none"),
+        ("1" * 61, "at most 60 characters"),
+    ],
+)
+def test_what_is_no_number_gets_one_sentence(text: str, said: str) -> None:
+    with pytest.raises(Refusal) as caught:
+        marking.read(text)
+    assert said in str(caught.value)
+    assert str(caught.value).startswith("answer = ")
+
+
+@pytest.mark.parametrize(
+    ("text", "value", "right"),
+    [
+        # Exact values count however short.
+        ("0.5", 0.5, True), ("1/2", 0.5, True), ("-1", -1.0, True), ("0", 0.0, True),
+        ("0.8", 0.8, True), ("4/5", 0.8, True), ("0", 1e-17, True), ("2/3", 2.0 / 3.0, True),
+        # Others need three digits, and may be one off in the last.
+        ("91.5", 91.49284451967722, True), ("91.49", 91.49284451967722, True),
+        ("91.4", 91.49284451967722, True), ("91.6", 91.49284451967722, False),
+        ("91", 91.49284451967722, False), ("91.47", 91.49284451967722, False),
+        ("0.667", 2.0 / 3.0, True), ("0.67", 2.0 / 3.0, False), ("0.7", 2.0 / 3.0, False),
+        ("-0.1111", -1.0 / 9.0, True), ("0.1111", -1.0 / 9.0, False),
+        ("0.0588", 1.0 / 17.0, True), ("0.06", 1.0 / 17.0, False),
+        ("355/113", 3.141592653589793, True), ("22/7", 3.141592653589793, True),
+        ("3", 3.141592653589793, False), ("16/5", 3.141592653589793, False),
+        ("0", 0.001, False), ("0.000", 0.001, False),
+    ],
+)  # fmt: skip
+def test_what_counts_as_right(text: str, value: float, right: bool) -> None:
+    assert marking.equals(marking.read(text), value) is right
+
+
+def test_what_lacks_only_digits_is_told_apart_from_what_is_wrong() -> None:
+    value = 91.49284451967722
+    assert marking.is_too_short(marking.read("91"), value)
+    assert not marking.is_too_short(marking.read("90.1"), value)
+    assert not marking.is_too_short(marking.read("60"), value)
