@@ -8,7 +8,7 @@ from dataclasses import fields, replace
 from typing import Any
 
 from app.document.document import Document
-from app.model.projection import Camera, Lens, ObjectTransform, Projection, Vector
+from app.model.projection import Camera, Lens, ObjectTransform, Orbit, Projection, Vector
 from app.model.refusal import Refusal
 from app.scenes.phenomena.illustration import Value
 
@@ -70,27 +70,20 @@ def _vector(one: Vector, other: Vector, part: float) -> Vector:
 
 def _camera(one: Camera, other: Camera, part: float) -> Camera:
     """The eye goes round its target, on the shorter way."""
-    target = _vector(one.target, other.target, part)
-    away = [
-        tuple(e - t for e, t in zip(camera.eye, camera.target, strict=True))
-        for camera in (one, other)
-    ]
-    lengths = [math.hypot(*each) for each in away]
-    units = [tuple(x / length for x in each) for each, length in zip(away, lengths, strict=True)]
-    angle = math.acos(max(-1.0, min(1.0, sum(a * b for a, b in zip(*units, strict=True)))))
-    length = _number(lengths[0], lengths[1], part)
-    if angle < 1e-9 or angle > math.pi - 1e-6:
-        weights = 1.0 - part, part
-    else:
-        weights = (
-            math.sin((1.0 - part) * angle) / math.sin(angle),
-            math.sin(part * angle) / math.sin(angle),
-        )
-    x, y, z = (
-        t + length * (weights[0] * a + weights[1] * b)
-        for t, a, b in zip(target, *units, strict=True)
+    a, b = one.orbit, other.orbit
+    turn, roll = (
+        math.remainder(after - before, 360.0)
+        for before, after in ((a.azimuth_deg, b.azimuth_deg), (a.roll_deg, b.roll_deg))
     )
-    return Camera((x, y, z), target, _vector(one.up, other.up, part))
+    return Camera.from_orbit(
+        _vector(one.target, other.target, part),
+        Orbit(
+            a.azimuth_deg + part * turn,
+            (1.0 - part) * a.elevation_deg + part * b.elevation_deg,
+            _number(a.distance, b.distance, part),
+            a.roll_deg + part * roll,
+        ),
+    )
 
 
 def _lens(one: Lens, other: Lens, part: float) -> Lens:
