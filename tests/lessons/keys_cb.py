@@ -116,5 +116,19 @@ KEYS: dict[tuple[str, str, str], Callable[[], mpf]] = {
     # TEACHING eye-naive: B' = -d x/z of B (3, 0, 2); mirror: d x/z.
     ("l16-eye-plane", "at/image", "eye-naive"): lambda: -mpf(3) / 2,
     ("l16-eye-plane", "at/image", "mirror"): lambda: -(1 + 2 * mpf("0.4975")) / mpf("0.01"),
+    # Talk 002: as L10's and L11's first questions.
+    ("talk-002", "drop-z/far", "1"): lambda: mpf(1),
+    ("talk-002", "drop-z/far", "2"): lambda: 1 / mpf(2),
+    ("talk-002", "p-obl/slant", "1"): lambda: mpf(90) - 45 * mpf("0.5"),
+    ("talk-002", "p-obl/slant", "2"): lambda: degrees(atan(2)),
+    # Talk 004: v = n x u; eye (0, 9, 3), target 0, V (0, 1, 0): v_y = 3/sqrt(90). TEACHING up-v.
+    ("talk-004", "frame/up", "1"): lambda: mpf(1),
+    ("talk-004", "frame/up", "2"): lambda: 3 / sqrt(mpf(9 * 9 + 3 * 3)),
+    # 004: (R P)[2][3] = -n.T_0; T_0 = (6, 5, 9), N = (6, 2.8, 9). TEACHING order, inverse.
+    ("talk-004", "product/last", "1"): lambda: (
+        -(6 * mpf(6) + 5 * mpf("2.8") + 9 * mpf(9)) / sqrt(36 + mpf("2.8") ** 2 + 81)
+    ),
+    ("talk-004", "product/last", "2"): lambda: mpf(-9),
+    ("talk-004", "product/last", "3"): lambda: mpf(9),
 }
 """By file, step and block, and the right answer, the idea or the choice's number."""
