@@ -10,7 +10,7 @@ from __future__ import annotations
 import contextlib
 import difflib
 import re
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
@@ -632,7 +632,7 @@ _KEYS = {
     "task": ("until", "done", "hint"),
 }
 _BELOW = ("says", "state")
-_CHOICE_PARTS = re.compile(r"(.*?)(?:\s+:=\s+(.*?))?(?:\s+\{([a-z][\w-]*)\})?")
+_IDEA = re.compile(r"\s+\{([a-z][\w-]*)\}(?=\s*$|\s+:=\s)")
 
 
 def _slug(title: str) -> str:
@@ -722,7 +722,7 @@ def _conditions(items: Sequence[_Item], key: str) -> tuple[tuple[int, Condition]
     return tuple(found)
 
 
-def _said(item: _Item) -> Mapping[str, object]:
+def _said(item: _Item) -> dict[str, Any]:
     """What stands indented below a choice or a wrong value."""
     says, state = _single(item.below, "says"), _single(item.below, "state")
     return {
@@ -732,13 +732,16 @@ def _said(item: _Item) -> Mapping[str, object]:
 
 
 def _choice(item: _Item) -> Choice:
-    parts = _CHOICE_PARTS.fullmatch(item.text)
-    assert parts is not None
-    formula = _formula(parts[2], item.line, ":=") if parts[2] else None
-    if not parts[1]:
+    """A choice's text, then its formula and its idea in either order."""
+    idea = _IDEA.search(item.text)
+    text, _, behind = _IDEA.sub("", item.text).partition(" := ")
+    if not text.strip():
         raise refused(item.line, LACKS, "a text")
+    formula = _formula(behind.strip(), item.line, ":=") if behind.strip() else None
     said = _said(item)
-    return Choice(parts[1], item.about == "right", item.line, formula, parts[3] or "", **said)  # type: ignore[arg-type]
+    return Choice(
+        text.strip(), item.about == "right", item.line, formula, idea[1] if idea else "", **said
+    )
 
 
 def _question(name: str, line: int, text: str, items: list[_Item], predicts: bool) -> Question:
@@ -752,7 +755,7 @@ def _question(name: str, line: int, text: str, items: list[_Item], predicts: boo
     if not choices and value is None:
         raise refused(line, LACKS, "“value: FORMULA”, or choices")
     wrong = tuple(
-        Wrong(_formula(item.text, item.line, "wrong"), item.line, item.about, **_said(item))  # type: ignore[arg-type]
+        Wrong(_formula(item.text, item.line, "wrong"), item.line, item.about, **_said(item))
         for item in items
         if item.key == "wrong"
     )

@@ -115,6 +115,20 @@ def test_a_value_goes_on_in_indented_lines_and_says_has_its_own() -> None:
     assert question.hints == ("First line.", "Second.")
 
 
+def test_a_choice_has_its_formula_and_its_idea_in_either_order() -> None:
+    lesson = parsed(
+        STEP + "```predict\nQ?\n- [x] $\\frac{1}{2}$ := near\n- [ ] 1: up {up-v} := 1\n"
+        "- [ ] 2 := far {order}\n- [ ] none {look-n}\n```\n"
+    )
+    (question,) = lesson.steps[0].asked
+    assert isinstance(question, Question)
+    found = [(c.text, c.formula and c.formula.text, c.idea) for c in question.choices]
+    assert found == [
+        ("$\\frac{1}{2}$", "near", ""), ("1: up", "1", "up-v"), ("2", "far", "order"),
+        ("none", None, "look-n"),
+    ]  # fmt: skip
+
+
 def test_names_are_given_by_themselves_and_stay_apart() -> None:
     block = "```task\nDo.\nuntil: near > 1\n```\n"
     lesson = parsed(TOP + "# Größe & Form\n" + block + block + "---\n# Two\n" + block)
