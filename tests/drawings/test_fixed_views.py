@@ -615,3 +615,20 @@ def test_l5_both_triangles_are_measured_in_the_flat_views(
     screen.pixels()
     found = {text for text in texts(screen) if text.partition(" ")[0] in ("x", "y", "x_p", "y_p")}
     assert found == written
+
+
+@pytest.mark.parametrize("view", ["side", "top"])
+def test_l21_the_camera_obscura_is_measured_from_its_hole(
+    off_screen: MakeScreen, view: str
+) -> None:
+    """The film 4 from the hole, d of the scene and not the target's, and the arrow 9, its z."""
+    screen, scene = off_screen(*SIZE_PX), load("camera-obscura")
+    drawing = WorldDrawing(screen, scene, WORDS, LIGHT)
+    assert scene.phenomenon is not None
+    drawing.show_projection(
+        scene.start,
+        scene.phenomenon.illustration(scene.start, scene.phenomenon.defaults, scene.subject),
+    )
+    drawing.show_fixed(view)
+    screen.pixels()
+    assert {text for text in texts(screen) if text[:3] in ("d =", "z =")} == {"d = 4", "z = 9"}

@@ -139,7 +139,7 @@ def _show(projection: Projection, _settings: Settings, subject: Subject) -> Illu
         image=image,
         copies=(Copy(onto_plane(projection, -d, slab)),),
         diagrams=diagrams,
-        measured=(("z", z),),
+        measured=(("d", d), ("z", z)),
     )
 
 
