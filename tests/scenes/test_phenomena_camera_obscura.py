@@ -33,7 +33,7 @@ def test_l21_the_image_is_d_h_over_z_high_upside_down_and_upright(d: float, z: f
     assert heights_read(illustration) == pytest.approx((-true, true), rel=1e-14)
     assert value(illustration, "height h") == pytest.approx(5.0, rel=1e-15)
     assert value(illustration, "distance z") == z
-    assert illustration.measured == (("z", z),)
+    assert illustration.measured == (("d", d), ("z", z))
 
 
 def test_l21_it_holds_wherever_the_camera_stands_and_off_its_axis() -> None:
