@@ -11,7 +11,7 @@ that is changed in them.
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from functools import cache, lru_cache
 from typing import Literal, NamedTuple, TypeAlias
 
@@ -61,15 +61,35 @@ _SYMBOLS: dict[str, dict[str, str]] = {
 }  # fmt: skip
 
 
+SHEARED, FROM_SHEARED = "sheared_from_view", "clip_from_sheared"
+"""The steps of a lens that leans or is off the axis, as lecture 002 has them: H first."""
+
 _CHAINS: dict[str, dict[str, str]] = {
     "001": {
         "canonical_perspective_from_view": "M_persp",
         "canonical_parallel_from_canonical_perspective": "M_pp",
         "depth_range_from_canonical_parallel": "M_z",
+        "clip_from_depth_range": "",  # a common factor has no meaning there
     },
     "000": {"clip_from_view": "P"},
+    "002": {
+        FROM_OBJECT: "M",
+        "view_from_world": "V",
+        SHEARED: "H",
+        FROM_SHEARED: "P_{kind}",
+        "clip_from_view": "P_{kind}",
+    },
+    "003": {
+        FROM_OBJECT: "M_O\u2192W",
+        "view_from_world": "M_W\u2192E",
+        "clip_from_view": "M_projection",
+    },
+    "004": {"view_from_world/rotation": "R", "view_from_world/translation": "P"},
 }
-"""What a lecture calls the steps of its chain."""
+"""What a lecture calls its matrices and factors; lecture 002 its projections by their kind."""
+
+_ONE_MATRIX = ("000", "002", "003")
+"""The lectures that go from view to clip space in one matrix, or after a shear."""
 
 _QUANTITIES: dict[str, dict[str, Ratio]] = {
     lecture: {ours: ratio(parse(its)) for ours, its in terms.items()}
@@ -125,6 +145,9 @@ class Matrix(NamedTuple):
         Names of the stages that this one is the product of, in the order of the product.
     note : str
         As `Stage.note`.
+    called : str
+        What the letters' lecture calls it, and the chain that it is: ``P_obl = P_ort H``; empty
+        if it has no name for it.
     """
 
     name: str
@@ -134,12 +157,15 @@ class Matrix(NamedTuple):
     factors: tuple[Matrix, ...] = ()
     product: tuple[str, ...] = ()
     note: str = ""
+    called: str = ""
 
 
 def matrices(
     projection: Projection, letters: Letters = "own", *, rows: bool = False, running: bool = False
 ) -> tuple[Matrix, ...]:
     """Every stage's matrix, in the order of `python -m app matrices`.
+
+    In a lecture's letters they are those of its own chain, without identities between.
 
     Parameters
     ----------
@@ -152,56 +178,85 @@ def matrices(
         Also the products with the view matrix between `view_from_world` and `clip_from_world`,
         and `world_from_view`, whose columns are the camera's axes and the eye.
     """
-    *stages, last = projection.stages
-    shown: list[tuple[Stage, tuple[str, ...]]] = []
-    so_far: Rationals = []
-    source = ""
-    for stage in stages:
-        shown.append((stage, ()))
-        if stage.name == "view_from_world":
-            so_far, source = stage.exact, stage.name
-            if running and stage.factors:  # a view matrix of its own has no camera's axes
-                shown.append((_inverse_view(projection), ()))
-        elif so_far and running:
-            target, _, _ = stage.name.partition("_from_")
-            if target != "clip" and stage.factors:  # clip_from_world comes by itself
-                so_far = product(stage.exact, so_far)
-                name = f"{target}_from_world"
-                shown.append((Stage(name, so_far, (), ""), (stage.name, source)))
-                source = name
-    for stage in projection.direct_stages:
-        shown.append((stage, tuple(name for name, _ in stage.factors)))
-    shown.append((last, ()))
     lens = _written(projection)
+    steps = _steps(lens.table, letters)
+    first, view, *own, last = projection.stages
+    between = own
+    if steps is not lens.table.steps:  # shown whole, without the factors of ours
+        staged = [projection.staged(step) for step in steps]
+        between = [stage._replace(factors=stage.factors[:1]) for stage in staged]
+    shown: list[tuple[Stage, tuple[str, ...]]] = [(first, ())]
+    shown.append((view, ()))
+    so_far, source = view.exact, view.name
+    if running and view.factors:  # a view matrix of its own has no camera's axes
+        shown.append((_inverse_view(projection), ()))
+    for stage in between:
+        shown.append((stage, ()))
+        target, _, _ = stage.name.partition("_from_")
+        if running and target != "clip" and stage.factors:  # clip_from_world comes by itself
+            so_far = product(stage.exact, so_far)
+            name = f"{target}_from_world"
+            shown.append((Stage(name, so_far, (), ""), (stage.name, source)))
+            source = name
+    names = tuple(stage.name for stage in reversed(between))
+    to_clip, from_world = projection.direct_stages
+    shown.append((to_clip, names))
+    shown.append((from_world, (*(names or (to_clip.name,)), view.name)))
+    shown.append((last, ()))
     tables = _Tables(
         _formulas(lens, letters),
         # Numbers are the same in all letters; lecture 002's have signs of their own.
         _fields(lens, "002" if letters == "002" else "own", state_of(projection)),
     )
-    return tuple(_matrix(stage, names, projection, tables, letters, rows)
-                 for stage, names in shown)  # fmt: skip
+    whole = [_matrix(stage, parts, projection, tables, letters, rows) for stage, parts in shown]
+    return _chained(whole, _names(lens, letters)) if letters != "own" else tuple(whole)
 
 
-def lecture_name(letters: Letters, name: str, steps: Sequence[str]) -> str:
-    """What a lecture calls a stage, such as ``M_pp``; of `clip_from_view` its chain.
+def _steps(table: LensTable, letters: Letters) -> tuple[Step, ...]:
+    """A lecture's steps from view to clip space; none where it has one matrix for all of them."""
+    if letters not in _ONE_MATRIX:
+        return table.steps
+    factors = [factor for step in reversed(table.steps) for factor in step.factors]
+    if letters != "002" or not factors or factors[-1][0] != "shear":
+        return ()
+    return Step(SHEARED, (factors[-1],)), Step(FROM_SHEARED, tuple(factors[:-1]))
 
-    Parameters
-    ----------
-    letters : Letters
-    name : str
-        ``target_from_source``.
-    steps : sequence of str
-        Names of the stages that are no identity, in their order.
-    """
+
+def _names(lens: _Written, letters: Letters) -> dict[str, str]:
+    """What a lecture calls the matrices of a lens."""
     names = _CHAINS.get(letters, {})
-    if name == "clip_from_view" and name not in names:
-        return " ".join(names[step] for step in reversed(steps) if step in names)
-    return names.get(name, "")
+    kind = "persp" if lens.is_central else "ort"
+    found = {name: called.format(kind=kind) for name, called in names.items()}
+    if letters == "002" and not lens.table.steps:
+        found["clip_from_view"] = "P"
+    elif letters == "002" and _steps(lens.table, letters):
+        found["clip_from_view"] = "" if lens.is_central else "P_obl"
+    return found
 
 
-def is_identity(matrix: Matrix) -> bool:
-    """Whether a matrix is 1: a lecture's chain does without it."""
-    return matrix.formulas == _IDENTITY
+def _chained(whole: Sequence[Matrix], names: Mapping[str, str]) -> tuple[Matrix, ...]:
+    """A lecture's chain: its own names, and no identity but that of an object it has a name for."""
+    kept = {
+        matrix.name
+        for matrix in whole
+        if matrix.formulas != _IDENTITY or (matrix.name == FROM_OBJECT and FROM_OBJECT in names)
+    }
+    found = []
+    for matrix in whole:
+        if matrix.name not in kept:
+            continue
+        factors = tuple(
+            factor._replace(called=names.get(f"{matrix.name}/{factor.name}", ""))
+            for factor in matrix.factors
+        )
+        parts = tuple(name for name in matrix.product if name in kept)
+        chain = [names.get(name) for name in parts] or [factor.called for factor in factors]
+        is_named = None not in chain and any(chain)
+        called = names.get(matrix.name, ""), " ".join(filter(None, chain)) if is_named else ""
+        found.append(
+            matrix._replace(product=parts, factors=factors, called=" = ".join(filter(None, called)))
+        )
+    return tuple(found)
 
 
 def letters_in(matrix: Matrix, row: int, column: int) -> Highlight:
@@ -361,13 +416,12 @@ def _signs(lens: _Written, letters: Letters) -> Callable[[str, int, int], int]:
     if letters != "002" or not lens.table.steps:
         return lambda key, i, j: 1
     turned = -1 if lens.depth == "opengl" else 1
-    w_cell = lens.table.clip_from_view[3][2]
-    w = -1 if w_cell.text == "-1" else 1
+    w = -1 if lens.is_central else 1
 
     def sign(key: str, i: int, j: int) -> int:
         name = key.partition("/")[0]
         z_row = turned if i == 2 else 1
-        if name in ("clip_from_view", "clip_from_world"):
+        if name in ("clip_from_view", "clip_from_world", FROM_SHEARED):
             return w * z_row
         if name == "clip_from_depth_range":
             return w
@@ -408,6 +462,11 @@ class _Written(NamedTuple):
     has_own_view: bool
     depth: str
     order: str  # of the object's factors; empty where nothing is moved
+
+    @property
+    def is_central(self) -> bool:
+        """Whether w is the distance."""
+        return self.table.clip_from_view[3][2].text == "-1"
 
 
 def _written(projection: Projection) -> _Written:
@@ -462,21 +521,27 @@ def _formulas(lens: _Written, letters: Letters) -> _Table:
 
     view = _view_formulas(lens.has_own_view)
     table: _Table = {FROM_OBJECT: _IDENTITY, **view}
-    from_view = _ONES
-    own = [Step(FROM_OBJECT, FACTORS[lens.order])] if lens.order else []
-    for step in (*own, *steps, VIEWPORT):
-        whole = _ONES
-        for label, factor in step.factors:
-            cells = evaluated(factor, known, SYMBOLS)
-            table[f"{step.name}/{label}"] = formulas(f"{step.name}/{label}", cells)
-            whole = product(whole, cells)
-        table[step.name] = formulas(step.name, whole)
-        if step is not VIEWPORT and step.name != FROM_OBJECT:
+
+    def step_by_step(steps: Sequence[Step]) -> None:
+        from_view = _ONES
+        for step in steps:
+            whole = _ONES
+            for label, factor in step.factors:
+                cells = evaluated(factor, known, SYMBOLS)
+                table[f"{step.name}/{label}"] = formulas(f"{step.name}/{label}", cells)
+                whole = product(whole, cells)
+            table[step.name] = formulas(step.name, whole)
+            if step.name.endswith(("from_object", "from_ndc")):
+                continue
             from_view = product(whole, from_view)
             target, _, _ = step.name.partition("_from_")
             running = formulas(f"{target}_from_view", from_view)
             table[f"{target}_from_view"] = running
             table[f"{target}_from_world"] = _product(running, view["view_from_world"])
+
+    step_by_step(_steps(lens.table, letters))
+    own = [Step(FROM_OBJECT, FACTORS[lens.order])] if lens.order else []
+    step_by_step((*own, *steps, VIEWPORT))
     if steps:
         # The whole formula is too long for a cell: P is clip_from_view, p_ij its cells.
         lettered = tuple(
@@ -586,7 +651,8 @@ def as_numpy(matrix: Matrix) -> str:
     rows = ",\n".join(
         "    [" + ", ".join(repr(value) for value in row) + "]" for row in matrix.values
     )
-    return f"{matrix.name} = np.array([\n{rows},\n])\n"
+    called = f"  # {matrix.called}" if matrix.called else ""
+    return f"{matrix.name} = np.array([{called}\n{rows},\n])\n"
 
 
 def as_latex(matrix: Matrix, letters: Letters, *, formulas: bool = False) -> str:
@@ -597,11 +663,19 @@ def as_latex(matrix: Matrix, letters: Letters, *, formulas: bool = False) -> str
         else [[latex_number(value) for value in row] for row in matrix.values]
     )
     body = " \\\\\n".join(" & ".join(row) for row in cells)
-    equation = f"{latex_name(matrix.name)} = \\begin{{pmatrix}}\n{body}\n\\end{{pmatrix}}"
+    name = _latex_called(matrix.called) or latex_name(matrix.name)
+    equation = f"{name} = \\begin{{pmatrix}}\n{body}\n\\end{{pmatrix}}"
     return f"\\[\n{equation}\n\\]\n"
 
 
+def _latex_called(called: str) -> str:
+    """A lecture's name in mathematics: ``P_{\\mathrm{obl}} = P_{\\mathrm{ort}} H``."""
+    return re.sub(r"_(\S+)", r"_{\\mathrm{\1}}", called).replace("\u2192", r"\to ")
+
+
 def _title(matrix: Matrix) -> str:
+    if matrix.called:
+        return f"{matrix.name} = {matrix.called}"
     names = matrix.product or tuple(factor.name for factor in matrix.factors)
     return f"{matrix.name} = {' '.join(names)}" if names else matrix.name
 

@@ -495,11 +495,13 @@ class Projection:
 
         These are the matrices to be read: every number is computed in rationals and rounded once.
         """
-        first, *rest = (
-            _stage(step, self._exact_letters | self.placement.letters)
-            for step in (self.placement.step, *self.lens.table.steps, VIEWPORT)
-        )
+        steps = (self.placement.step, *self.lens.table.steps, VIEWPORT)
+        first, *rest = map(self.staged, steps)
         return (first, self._view_stage, *rest)
+
+    def staged(self, step: Step) -> Stage:
+        """A step of a table in this projection's numbers."""
+        return _stage(step, self._exact_letters | self.placement.letters)
 
     @property
     def _view_stage(self) -> Stage:

@@ -111,6 +111,17 @@ def test_a_letter_stands_for_one_thing(lens: str, letters: Letters) -> None:
     assert "w" not in written.values() and {written["W"], written["H"]} == {"W", "H"}
 
 
+def expected_count(lens: Lens, letters: Letters) -> int:
+    """How many matrices stand in a row with their running products."""
+    if letters in ("000", "003"):  # one of the lens; lecture 003 writes the object's as well
+        return 5 + (letters == "003")
+    if letters == "002":
+        return 6 + 3 * isinstance(lens, Frustum | Oblique)
+    if lens.parallel:  # M_pp and what makes w the distance are identities
+        return 12 if letters == "own" else 9
+    return 12 if letters != "own" else 13
+
+
 @pytest.mark.parametrize(("lens", "depth", "letters", "rows"), SAMPLE)
 def test_every_formula_is_its_number(lens: str, depth: str, letters: Letters, rows: bool) -> None:
     projection = projection_of(lens, depth)
@@ -119,7 +130,7 @@ def test_every_formula_is_its_number(lens: str, depth: str, letters: Letters, ro
     (lens_matrix,) = (m for m in shown if m.name == "clip_from_view")
     for i, row in enumerate(lens_matrix.values, 1):
         values |= {f"p_{i}{j}": value for j, value in enumerate(row, 1)}
-    assert len(shown) >= 13 - 2 * projection.lens.parallel
+    assert len(shown) == expected_count(projection.lens, letters)
     for matrix in shown:
         for part in (matrix, *matrix.factors):
             size = max(1.0, np.abs(part.values).max())
@@ -140,7 +151,8 @@ def test_products_are_products(lens: str, depth: str, letters: Letters, rows: bo
             multiplied = np.linalg.multi_dot(parts)
             assert np.allclose(multiplied, matrix.values, rtol=1e-12, atol=1e-12)
             checked += 1
-    assert checked >= 6
+    # The view, the viewport and the whole; of ours also M_z, and what runs on the way.
+    assert checked >= (3 if letters in ("000", "002", "003") else 6)
     inverse = by_name["world_from_view"] @ by_name["view_from_world"]
     assert np.allclose(inverse, np.eye(4), rtol=0.0, atol=1e-14)
 
@@ -191,13 +203,96 @@ def test_the_letters_of_each_lecture() -> None:
     assert lens_cell("002", "frustum", 3, 2) == "1"
     assert lens_cell("002", "orthographic", 2, 2) == "2/(z_n − z_f)"
     assert lens_cell("002", "orthographic", 2, 3) == "−(z_n + z_f)/(z_n − z_f)"
-    view = matrices(projection_of("frustum"), "001")[1]
+    view = one(matrices(projection_of("frustum"), "001"), "view_from_world")
     assert [notation.written(cell, "001") for cell in view.formulas[2]] == [
         "w_x", "w_y", "w_z", f"−w{notation.ARROW}·P{notation.ARROW}",
     ]  # fmt: skip
     # Lecture 001's M_persp, first factor.
-    scale = matrices(projection_of("perspective"), "001")[2].formulas
-    assert notation.written(scale[0][0], "001") == f"1/(f{thin}tan(θ_h/2))"
+    m_persp = one(matrices(projection_of("perspective"), "001"), "canonical_perspective_from_view")
+    assert notation.written(m_persp.formulas[0][0], "001") == f"1/(f{thin}tan(θ_h/2))"
+
+
+def one(shown: tuple[Matrix, ...], name: str) -> Matrix:
+    (matrix,) = (matrix for matrix in shown if matrix.name == name)
+    return matrix
+
+
+CALLED: dict[tuple[Letters, str], list[str]] = {
+    ("000", "frustum"): ["", "P", "", ""],
+    ("001", "perspective"): ["", "M_persp", "M_pp", "M_z", "", "M_z M_pp M_persp", "", ""],
+    ("001", "orthographic"): ["", "", "M_z", "", "", ""],
+    ("002", "perspective"): ["M", "V", "P_persp", "P_persp V", ""],
+    ("002", "frustum"): ["M", "V", "H", "P_persp", "P_persp H", "P_persp H V", ""],
+    ("002", "orthographic"): ["M", "V", "P_ort", "P_ort V", ""],
+    ("002", "oblique"): ["M", "V", "H", "P_ort", "P_obl = P_ort H", "P_ort H V", ""],
+    ("003", "frustum"): ["M_O→W", "M_W→E", "M_projection", "M_projection M_W→E", ""],
+    ("004", "orthographic"): ["R P", "", "", "", "", ""],
+}  # fmt: skip
+
+
+@pytest.mark.parametrize(("letters", "lens"), CALLED)
+def test_l9_a_lectures_chain_has_its_own_names_and_no_identity_between(
+    letters: Letters, lens: str
+) -> None:
+    shown = matrices(projection_of(lens), letters)
+    assert [matrix.called for matrix in shown] == CALLED[letters, lens]
+    identities = [m.name for m in shown if np.array_equal(m.values, np.eye(4))]
+    assert identities == (["world_from_object"] if letters in ("002", "003") else [])
+
+
+def test_l11_p_obl_is_p_ort_after_h() -> None:
+    """Lecture 002: x' = x - (z_n - z) cot alpha, then its box to the cube, near at z' = 1."""
+    left, right, bottom, top = BOX
+    z_n, z_f = -1.5, -40.0
+    cot_a, cot_b = 1.0 / math.tan(math.radians(60.0)), 1.0 / math.tan(math.radians(115.0))
+    h = [[1, 0, cot_a, -z_n * cot_a], [0, 1, cot_b, -z_n * cot_b], [0, 0, 1, 0], [0, 0, 0, 1]]
+    p_ort = [
+        [2 / (right - left), 0, 0, -(right + left) / (right - left)],
+        [0, 2 / (top - bottom), 0, -(top + bottom) / (top - bottom)],
+        [0, 0, 2 / (z_n - z_f), -(z_n + z_f) / (z_n - z_f)],
+        [0, 0, 0, 1],
+    ]
+    projection = replace(projection_of("oblique"), image_size=(750, 525))
+    shown = matrices(projection, "002")
+    for name, expected in (
+        ("sheared_from_view", h), ("clip_from_sheared", p_ort),
+        ("clip_from_view", np.matmul(p_ort, h)),
+    ):  # fmt: skip
+        assert np.allclose(one(shown, name).values, expected, rtol=1e-14, atol=1e-15)
+    texts = [notation.written(cell, "002") for cell in one(shown, "sheared_from_view").formulas[0]]
+    assert texts == ["1", "0", "cot(\u03b1)", "−z_n\u2009cot(\u03b1)"]
+    assert notation.as_latex(one(shown, "clip_from_view"), "002").startswith(
+        "\\[\n" r"P_{\mathrm{obl}} = P_{\mathrm{ort}} H = \begin{pmatrix}"
+    )
+    assert notation.as_text(one(shown, "sheared_from_view"), "002").startswith(
+        "sheared_from_view = H\n"
+    )
+
+
+def test_l6_off_the_axis_is_h_before_a_window_about_it() -> None:
+    """Lecture 002: H brings the window.s middle to the axis; P_persp has no third term."""
+    shown = matrices(projection_of("frustum"), "002")
+    p_persp, h = (one(shown, name) for name in ("clip_from_sheared", "sheared_from_view"))
+    middle = np.array([(-0.7 + 0.9) / 2.0, (-0.4 + 0.65) / 2.0, -1.5, 1.0])
+    assert np.allclose(h.values @ middle, [0.0, 0.0, -1.5, 1.0], rtol=0.0, atol=1e-15)
+    x, y, _, w = p_persp.formulas
+    assert [notation.written(cell, "002") for cell in x] == ["2z_n/(x_r − x_l)", "0", "0", "0"]
+    assert [notation.written(cell, "002") for cell in y] == ["0", "2z_n/(y_t − y_b)", "0", "0"]
+    assert w == ("0", "0", "1", "0")
+
+
+def test_l2_the_three_matrices_of_lecture_003() -> None:
+    projection = replace(
+        projection_of("frustum"), placement=ObjectTransform((1.0, 2.0, 3.0), (0.0, 90.0, 0.0))
+    )
+    object_, view, lens, *_ = matrices(projection, "003")
+    assert (object_.called, view.called, lens.called) == ("M_O→W", "M_W→E", "M_projection")
+    point = np.array([0.5, 1.0, -2.0, 1.0])  # turned by 90 degrees about y: (z, y, -x)
+    assert np.allclose(object_.values @ point, [-1.0, 3.0, 2.5, 1.0], rtol=0.0, atol=1e-15)
+    clip = np.array(lens.values) @ np.array(view.values) @ object_.values @ point
+    assert np.allclose(clip, projection.clip_from_world @ [-1.0, 3.0, 2.5, 1.0], atol=1e-13)
+    latex = notation.as_latex(object_, "003")
+    assert latex.startswith("\\[\n" r"M_{\mathrm{O\to W}} = ")
 
 
 def test_lecture_002_maps_near_to_one_and_has_z_for_w() -> None:
@@ -322,7 +417,7 @@ def test_a_cell_names_just_what_changes_it(lens: str, camera: str) -> None:
         if not as_ever and depth != "reversed":
             continue
         projection = Projection(CAMERAS[camera], chosen, (1280, 720), depth, PLACED[depth])
-        letters: Letters = "002" if depth == "opengl" else "003"
+        letters: Letters = {"opengl": "002", "direct3d": "003", "reversed": "own"}[depth]
         running = depth == "reversed"
         moved = {
             name: [

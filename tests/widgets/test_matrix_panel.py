@@ -272,13 +272,13 @@ def test_light_and_underline_reach_the_screen(panel: MatrixPanel, qtbot: QtBot) 
 
 def test_formulas_in_the_letters_of_a_lecture(panel: MatrixPanel) -> None:
     choose(panel.cells, "formulas")
-    view = panel.views["clip_from_view"]
     scale, shear = (stacked_fraction(above, "r − l") for above in ("2n", "r + l"))
-    assert view.texts[0] == [scale, "0", shear, "0"]
+    assert panel.views["clip_from_view"].texts[0] == [scale, "0", shear, "0"]
     choose(panel.letters, "000")
-    assert view.texts[0][0] == stacked_fraction("2z_min", "x_max − x_min")
+    texts = panel.views["clip_from_view"].texts
+    assert texts[0][0] == stacked_fraction("2z_min", "x_max − x_min")
     choose(panel.letters, "002")
-    assert view.texts[3] == ["0", "0", "1", "0"]
+    assert panel.views["clip_from_view"].texts[3] == ["0", "0", "1", "0"]
     assert "lecture 002" in notes(panel, "clip_from_view")
     choose(panel.letters, "001")
     assert panel.views["view_from_world"].texts[2] == ["w_x", "w_y", "w_z", f"−w{ARROW}·P{ARROW}"]

@@ -54,8 +54,6 @@ from app.lecture.notation import (
     cell_sign,
     cell_text,
     has_own_signs,
-    is_identity,
-    lecture_name,
     matrices,
     written,
 )
@@ -76,6 +74,11 @@ from widgets.parts.readable import ReadablePanel
 
 _NOTE_CHARACTERS = 36
 """Characters in a line of a note, which shall not be wider than its matrix."""
+
+
+def _named(matrix: Matrix) -> str:
+    """What a lecture calls a matrix, with its subscripts."""
+    return re.sub(r"_(\S+)", r"<sub>\1</sub>", matrix.called)
 
 
 class _Box(QWidget):
@@ -115,6 +118,7 @@ class _Box(QWidget):
         inner.setContentsMargins(0, 0, 0, 0)
         inner.setSpacing(4)
         self.factor_views: list[MatrixView] = []
+        self.factor_names: list[QLabel] = []
         for number, factor in enumerate(matrix.factors):
             inner.addWidget(QLabel("·" if number else "="))
             column = QVBoxLayout()
@@ -122,7 +126,8 @@ class _Box(QWidget):
             view = panel.new_view(factor.name)
             self.factor_views.append(view)
             column.addWidget(view)
-            column.addWidget(QLabel(stage_title(factor.name)))
+            self.factor_names.append(QLabel())
+            column.addWidget(self.factor_names[-1])
             column.addStretch(1)
             inner.addLayout(column)
         row.addWidget(self.factors)
@@ -402,7 +407,7 @@ class MatrixPanel(ReadablePanel):
     @property
     def shown(self) -> tuple[Matrix, ...]:
         """The matrices that are shown."""
-        return tuple(matrix for matrix in self._shown if self._is_written(matrix))
+        return self._shown
 
     @property
     def views(self) -> dict[str, MatrixView]:
@@ -437,14 +442,10 @@ class MatrixPanel(ReadablePanel):
             title = stage_title(matrix.name)
             if properties(self._projection, matrix.name):
                 title = self.tr("{0}, a free matrix").format(title)
-            steps = [each.name for each in self.shown if not each.product]
-            called = lecture_name(self._letters, matrix.name, steps)
-            called = re.sub(r"_([a-z]+)", r"<sub>\1</sub>", called)
-            box.title.setText(f"{title} = {called}" if called else title)
+            box.title.setText(f"{title} = {_named(matrix)}" if matrix.called else title)
             factors_of = (f"({stage_title(name)})" for name in matrix.product)
             box.title.setToolTip(" = ".join([stage_title(matrix.name), " · ".join(factors_of)])
                                  if matrix.product else stage_title(matrix.name))  # fmt: skip
-            box.setVisible(self._is_written(matrix))
             note = self._note(matrix)
             old = before.get(matrix.name)
             box.view.show_matrix(matrix, old, **settings)
@@ -458,9 +459,11 @@ class MatrixPanel(ReadablePanel):
             box.note.setVisible(bool(note))
             factors = old.factors if old and len(old.factors) == len(matrix.factors) else None
             for number, view in enumerate(box.factor_views):
-                view.show_matrix(
-                    matrix.factors[number], factors[number] if factors else None, **settings
-                )
+                factor = matrix.factors[number]
+                name = stage_title(factor.name)
+                named = f"{name} = {_named(factor)}" if factor.called else name
+                box.factor_names[number].setText(named)
+                view.show_matrix(factor, factors[number] if factors else None, **settings)
         self._light_reached(in_view=False)
         if anew and in_hand is not None and in_hand[0] in self.views:
             name, left_px, cell = in_hand
@@ -481,10 +484,6 @@ class MatrixPanel(ReadablePanel):
         return matrices(
             projection, self._letters, rows=self._rows, running=self.running.isChecked()
         )
-
-    def _is_written(self, matrix: Matrix) -> bool:
-        """Whether it is there in these letters: a lecture writes no identity into its chain."""
-        return self._letters == "own" or not is_identity(matrix)
 
     def show_stage(self, position: float) -> None:
         """Light the matrix by which the stage strip has come where it stands."""

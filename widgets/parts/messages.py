@@ -28,6 +28,7 @@ SPACES = {
     "object": QT_TRANSLATE_NOOP("Space", "object"),
     "world": QT_TRANSLATE_NOOP("Space", "world"),
     "view": QT_TRANSLATE_NOOP("Space", "view"),
+    "sheared": QT_TRANSLATE_NOOP("Space", "sheared"),
     "canonical_perspective": QT_TRANSLATE_NOOP("Space", "canonical perspective"),
     "canonical_parallel": QT_TRANSLATE_NOOP("Space", "canonical parallel"),
     "depth_range": QT_TRANSLATE_NOOP("Space", "depth range"),
