@@ -122,7 +122,9 @@ class StageDrawing:
 
         Marks and copies are those of NDC: at any other stop of the strip there are none.
         """
-        reshaped = projection.image_size != self._projection.image_size
+        before = self._projection
+        reshaped = projection.image_size != before.image_size
+        reshaped |= projection.lens.has_pyramid != before.lens.has_pyramid
         self._illustration = illustration
         self._take(projection)
         self._rasterise()
@@ -295,7 +297,7 @@ class StageDrawing:
 
     def reset_view(self) -> None:
         """Look at the stage from where it is seen best, all of it in the pane."""
-        self.own.reset(self._position, self._projection.image_size)
+        self.own.reset(self._position, self._projection)
         self.reset_clipping_range()
 
     def refit(self) -> bool:

@@ -28,7 +28,7 @@ from app.drawings.actors import (
 from app.drawings.frustum import CUBE
 from app.drawings.labels import Layout, Leader, Spot
 from app.drawings.pointing import FACES, FAR_FACE, NEAR_FACE, Emphasis
-from app.drawings.stage_view import AXES_LENGTH, OVERSHOOT
+from app.drawings.stage_view import AXES_LENGTH, CANONICAL_AXES, OVERSHOOT
 from app.drawings.style import rgb
 from app.lecture.highlight import AXES, SIDES
 from app.lecture.stages import (
@@ -43,7 +43,6 @@ from app.lecture.stages import (
 from app.model.projection import Array
 
 _TINT = 0.16
-_CANONICAL_TRIAD = 0.75  # of x and y in the canonical volumes, short of the sides' words
 _NUMBERS_FROM_EM = 8.0  # of the volume's width in the pane: in a smaller one there is no room
 
 # On which sides of their points words can be, best first: right and up, in half labels.
@@ -213,17 +212,15 @@ class StageBox:
             inner = start + np.abs(corner - start)[:, None] * axes
             starts, tips = np.tile(start, (3, 1)), inner + OVERSHOOT * axes
         else:
-            axes, lengths = np.eye(3), np.full(3, AXES_LENGTH)
+            start, *canonical = CANONICAL_AXES
+            tips = np.array(canonical)
             if stop <= VIEW:
                 start, axes = morph.axes_at(position)
                 away = math.hypot(*start)
                 if away > RADIUS:  # far from the scene: at the border toward it
                     start *= RADIUS / away
-            else:
-                start = np.array([0.0, 0.0, 0.5])
-                lengths[:2] = _CANONICAL_TRIAD
+                tips = start + AXES_LENGTH * axes
             starts = inner = np.tile(start, (3, 1))
-            tips = starts + lengths[:, None] * axes
         self.axes = np.stack([starts, inner, tips], axis=1)
         letters = "uvn" if stop == VIEW else "xyz"
         for i, (shaft_space, head_space, *arrow) in enumerate(self._arrows):

@@ -20,10 +20,12 @@ from app.lecture.stages import (
     VIEW,
     WORLD,
 )
-from app.model.projection import Array, Camera
+from app.model.projection import Array, Camera, Projection
 
 AXES_LENGTH = 0.35
 """Of the axes at the stops of world and view."""
+CANONICAL_AXES = np.array([[0.0, 0.0, 0.5], [0.75, 0.0, 0.5], [0.0, 0.75, 0.5], [0.0, 0.0, 0.85]])
+"""Start and tips of the axes in the canonical volumes: x and y short of the sides' words."""
 OVERSHOOT = 0.28
 """Of the axes beyond the cube, and beyond the picture."""
 
@@ -76,7 +78,7 @@ class StageView:
         """Right, up and toward the reader at a stop, the rows of a (3, 3)."""
         return _axes(*self._looked_from(stop))
 
-    def reset(self, position: float, image_size: tuple[int, int]) -> None:
+    def reset(self, position: float, projection: Projection) -> None:
         """Look from where a stop is seen best, with all of it in the pane.
 
         Between two stops of the strip, from between the places that suit them.
@@ -85,14 +87,14 @@ class StageView:
         ----------
         position : float
             Of the strip.
-        image_size : (int, int)
-            Width and height of the picture.
+        projection : Projection
+            Of its picture the size, of its lens whether it has a pyramid.
         """
         stop = min(int(position), IMAGE)
         part = position - stop
-        framing = self._framing(stop, image_size)
+        framing = self._framing(stop, projection)
         if part > 0.0:
-            framing = (1.0 - part) * framing + part * self._framing(stop + 1, image_size)
+            framing = (1.0 - part) * framing + part * self._framing(stop + 1, projection)
         centre, scale = framing[:3], float(framing[3])
         toward = _axes(*framing[4:])[2]
         camera = self._camera
@@ -103,7 +105,7 @@ class StageView:
         camera.SetParallelScale(scale)
         self._placed = self._now
 
-    def _framing(self, stop: int, image_size: tuple[int, int]) -> Array:
+    def _framing(self, stop: int, projection: Projection) -> Array:
         """Where a stop is seen from: centre x, y, z, parallel scale, azimuth, elevation."""
         width_px, height_px = self.size_px
         right, up, _ = self.axes(stop)
@@ -112,10 +114,14 @@ class StageView:
             if stop == VIEW:  # the eye is at the ball's border, and n points outwards
                 drawn = np.vstack([drawn, [0.0, 0.0, _FILLED * RADIUS + AXES_LENGTH]])
         elif stop == IMAGE:
-            sides = np.array([*image_size, 0.0])
+            sides = np.array([*projection.image_size, 0.0])
             across, down, _ = sides / sides.max()
             drawn = CUBE_CORNERS * (across, down, 0.0)
             drawn = np.vstack([drawn, [across + OVERSHOOT, -down - OVERSHOOT, 0.0]])
+        elif stop == CANONICAL_PERSPECTIVE and projection.lens.has_pyramid:
+            drawn = np.vstack([CUBE_CORNERS * (1.0, 1.0, 0.0) - (0.0, 0.0, 0.5), CANONICAL_AXES])
+        elif stop in (CANONICAL_PERSPECTIVE, CANONICAL_PARALLEL):
+            drawn = np.vstack([CUBE_CORNERS * (1.0, 1.0, 0.5), CANONICAL_AXES])
         else:
             ends = [(1.0 + OVERSHOOT, -1.0, 1.0), (-1.0, 1.0 + OVERSHOOT, 1.0)]
             ends += [(1.0, 1.0, sign * (1.0 + OVERSHOOT)) for sign in (-1.0, 1.0)]

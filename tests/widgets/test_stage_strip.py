@@ -125,6 +125,20 @@ def test_at_the_image_stop_the_cube_is_the_picture(shown: Callable[..., Shown]) 
         assert (around.max(axis=-1) - around.min(axis=-1) > 60).any(), (x, y)
 
 
+@pytest.mark.parametrize("position", [2.0, 3.0])
+@pytest.mark.parametrize("lens", [LENSES[0], LENSES[3]], ids=["perspective", "oblique"])
+def test_l9_a_canonical_volume_fills_its_pane(
+    position: float, lens: Lens, shown: Callable[..., Shown]
+) -> None:
+    """With the plates of near and far it is as high as the pane has room under its title."""
+    screen = shown((580, 600))
+    screen.pixels(position)
+    screen.drawing.show_projection(replace(screen.scene.start, lens=lens))
+    rows, columns = np.nonzero(lit(screen.pixels(), LIGHT.far) | lit(screen.pixels(), LIGHT.near))
+    assert 0.85 < (rows.max() - rows.min()) / 600 < 0.95
+    assert rows.min() > 20 and rows.max() < 580 and columns.min() > 10 and columns.max() < 570
+
+
 def test_the_scene_is_whole_until_the_volume_closes(shown: Callable[..., Shown]) -> None:
     """A frustum that holds nothing of the letter: all of it is seen, then none."""
     screen = shown((600, 600))
