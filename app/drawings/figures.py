@@ -33,7 +33,7 @@ from app.drawings.side_by_side import cells
 from app.drawings.stage import StageDrawing
 from app.drawings.style import LIGHT, Style, rgb
 from app.drawings.world import WorldDrawing
-from app.lecture.notation import axis_letters
+from app.lecture.notation import Letters, axis_letters, in_letters
 from app.model.projection import LARGEST_IMAGE_PX, Projection
 from app.model.refusal import QT_TRANSLATE_NOOP, Cancelled, Refusal, format_value
 from app.precision.levels import DRAWING_TOLERANCE_PX
@@ -86,6 +86,21 @@ TEXT = QT_TRANSLATE_NOOP(
     "Refusal", "text size = {0}: must be from {1} to {2} points in panes of this size."
 )
 _SIDES = {"width": (WIDTH, SCALED_WIDTH), "height": (HEIGHT, SCALED_HEIGHT)}
+
+
+class _Words(dict[str, str]):
+    """The drawings' words and a scene's own, in English with a lecture's letters."""
+
+    def __init__(self, letters: Letters) -> None:
+        super().__init__({**WORDS, **axis_letters(letters)})
+        self._letters = letters
+
+    def __missing__(self, word: str) -> str:
+        return in_letters(word, self._letters)
+
+    def get(self, word: str, default: object = None) -> str:
+        """The word; a scene's own is one itself."""
+        return self[word]
 
 
 def render(
@@ -154,7 +169,7 @@ def render(
     text_pt = checked_text(projection.image_size, panes, size, text_pt)
     style = replace(style, margin=style.background, font_size=text_pt * DPI / 72.0).enlarged(scale)
     if words is WORDS:
-        words = {**WORDS, **axis_letters(view.letters)}
+        words = _Words(view.letters)
     illustration = None
     if scene.phenomenon is not None:
         chosen = scene.phenomenon.checked(settings or {})

@@ -57,7 +57,10 @@ _SYMBOLS: dict[str, dict[str, str]] = {
         **_OURS, "l": "x_l", "r": "x_r", "b": "y_b", "t": "y_t", "n": "z_n", "f": "z_f",
     },
     "003": {**_OURS, **_EYE_P},  # e is its focal length
-    "004": {**_OURS, "eye_x": "x_0", "eye_y": "y_0", "eye_z": "z_0", "up": f"V{ARROW}"},
+    "004": {
+        **_OURS, "eye_x": "x_0", "eye_y": "y_0", "eye_z": "z_0", "up": f"V{ARROW}",
+        "eye_point": "T\u2080", "target_point": "T\u2081",
+    },
 }  # fmt: skip
 
 
@@ -118,12 +121,83 @@ def frame_letters(letters: Letters) -> dict[str, str]:
 
 
 def axis_letters(letters: Letters) -> dict[str, str]:
-    """What is written at the camera's arrows in a lecture's letters: ``u``, ``v``, ``n``, ``up``.
+    """What is written at the camera in a lecture's letters: ``u``, ``v``, ``n``, ``up``, ``eye``.
 
-    A lecture that has no letter for a direction calls it by its name.
+    A direction or point that a lecture has no letter for is called by its name.
     """
     found = frame_letters(letters)
-    return {name: found[name] for name in ("u", "v", "n", "up") if found[name] != "up"}
+    found |= {name: _SYMBOLS[letters].get(f"{name}_point", name) for name in ("eye", "target")}
+    return {
+        name: found[name]
+        for name in ("u", "v", "n", "up", "eye", "target")
+        if found[name] != name or len(name) == 1
+    }
+
+
+def in_letters(text: str, letters: Letters) -> str:
+    """A text in a lecture's letters.
+
+    Those that some lecture has other ones for stand in braces, by the names of the formulas:
+    ``{l}, {r}`` is ``x_min, x_max`` in lecture 000's, and ``{axis_n}`` is ``w`` in 001's.
+    """
+
+    def letter(found: re.Match[str]) -> str:
+        return _SYMBOLS[letters].get(found[1], found[1]).replace(ARROW, "")
+
+    return re.sub(r"\{([a-z]\w*)\}", letter, text)
+
+
+def clip_signs(projection: Projection, letters: Letters) -> tuple[int, ...]:
+    """What x, y, z and w of clip space are multiplied by to be those of the letters' lecture."""
+    sign = _signs(_written(projection), letters)
+    return tuple(sign("clip_from_view", row, row if row < 3 else 2) for row in range(4))
+
+
+def steps_of_a_point(
+    projection: Projection, letters: Letters, *, directions: bool = False
+) -> dict[str, str]:
+    """How a lecture writes what is done to a point p, by the name of the space it comes to.
+
+    Parameters
+    ----------
+    projection : Projection
+    letters : Letters
+    directions : bool
+        Whether some p have w = 0, from which no eye is subtracted.
+
+    Returns
+    -------
+    dict
+        ``world``, ``view``, ``clip``, the ``w`` in it, which depths are ``between`` near and far,
+        and the ``depth`` from z; with ``_`` before a subscript.
+    """
+    lens, placement = _written(projection), projection.placement
+    names, signs = _names(lens, letters), clip_signs(projection, letters)
+    table = _formulas(lens, letters)
+    moved = "I" if placement.is_identity else " ".join(placement.order.upper())
+    eye = written("eye", letters).replace(ARROW, "")
+    factors = () if lens.has_own_view else ("rotation", "translation")
+    view = names.get("view_from_world") or _chain(names, [f"view_from_world/{f}" for f in factors])
+    if not view:
+        view = "M" if lens.has_own_view else f"R (p \u2212 {'w ' if directions else ''}{eye})"
+    steps = [step.name for step in reversed(_steps(lens.table, letters))]
+    chain = _chain(names, [name for name in steps if table[name] != _IDENTITY])
+    clip = names.get("clip_from_view") or chain or "P"
+    minus = "\u2212" if signs[3] > 0 else ""
+    w = {"0 0 -1 0": f"{minus}z_view", "0 0 0 1": "1"}
+    w_row = " ".join(cell.text for cell in lens.table.clip_from_view[3])
+    near, far = (written(name, letters) for name in "nf")
+    between = f"{near} \u2264 \u2212z_view \u2264 {far}"
+    if letters == "002":  # whose planes are at negative z
+        between = f"{far} \u2264 z_view \u2264 {near}"
+    return {
+        "world": f"{names.get(FROM_OBJECT) or moved} p",
+        "view": view if view.endswith(")") else f"{view} p",
+        "clip": f"{clip} p_view",
+        "w": w.get(w_row, f"({clip} p_view)_4"),
+        "between": between,
+        "depth": "1 \u2212 z" if signs[2] * signs[3] < 0 else "z + 1",
+    }
 
 
 class Matrix(NamedTuple):
@@ -234,6 +308,12 @@ def _names(lens: _Written, letters: Letters) -> dict[str, str]:
     return found
 
 
+def _chain(names: Mapping[str, str], parts: Sequence[str]) -> str:
+    """A product in a lecture's names; empty if it has none for one of the parts."""
+    called = [names.get(name) for name in parts]
+    return "" if None in called else " ".join(filter(None, called))
+
+
 def _chained(whole: Sequence[Matrix], names: Mapping[str, str]) -> tuple[Matrix, ...]:
     """A lecture's chain: its own names, and no identity but that of an object it has a name for."""
     kept = {
@@ -250,9 +330,8 @@ def _chained(whole: Sequence[Matrix], names: Mapping[str, str]) -> tuple[Matrix,
             for factor in matrix.factors
         )
         parts = tuple(name for name in matrix.product if name in kept)
-        chain = [names.get(name) for name in parts] or [factor.called for factor in factors]
-        is_named = None not in chain and any(chain)
-        called = names.get(matrix.name, ""), " ".join(filter(None, chain)) if is_named else ""
+        of = parts or [f"{matrix.name}/{factor.name}" for factor in factors]
+        called = names.get(matrix.name, ""), _chain(names, of)
         found.append(
             matrix._replace(product=parts, factors=factors, called=" = ".join(filter(None, called)))
         )

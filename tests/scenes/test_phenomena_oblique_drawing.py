@@ -9,6 +9,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from app.lecture.notation import in_letters
 from app.model.projection import Camera, Oblique, Orbit, Projection
 from app.model.refusal import Refusal
 from app.scenes.phenomena.oblique_drawing import PHENOMENON, oblique
@@ -75,7 +76,7 @@ def test_a_stretched_picture_is_measured_in_its_pixels_and_said_to_be_stretched(
         assert (None if note is None else note.values) == (
             None if stretch == 1.0 else pytest.approx((stretch,))
         )
-        plates = {text.text for text in illustration.world.texts}
+        plates = {in_letters(text.text, "own") for text in illustration.world.texts}
         assert {
             "u: 1 \N{MULTIPLICATION SIGN}",
             f"v: {stretch:.3g} \N{MULTIPLICATION SIGN}",
@@ -192,11 +193,11 @@ def test_the_angle_is_named_for_what_it_is_in_every_quadrant() -> None:
 
 
 def test_no_scale_is_written_where_there_is_none() -> None:
-    written = {text.text for text in shown(PHENOMENON.start).image.texts}
+    written = {in_letters(text.text, "own") for text in shown(PHENOMENON.start).image.texts}
     assert "u: 1 \N{MULTIPLICATION SIGN}" in written
     illustration = shown(PHENOMENON.start.with_lens("perspective"))
     assert illustration.warning is not None
-    assert {text.text for text in illustration.world.texts} == {"u", "v", "n"}
+    assert {in_letters(text.text, "own") for text in illustration.world.texts} == {"u", "v", "n"}
     assert not any("1 " in text.text for text in illustration.image.texts)
 
 
@@ -205,8 +206,8 @@ def test_beside_the_edges_that_are_measured_is_room_for_their_names(angle_deg: f
     """Of v the one farthest to the right is marked, and u's name is at the end of its edge."""
     seen = followed(PHENOMENON.start, drawing="cabinet", angle_deg=angle_deg)
     # The middle of the marked edge, 2 units high, is at y = 1.
-    (place,) = (text.point for text in shown(seen).image.texts if text.text.startswith("v"))
+    (place,) = (text.point for text in shown(seen).image.texts if text.text.startswith("{axis_v}"))
     at_one = seen.trace([(x, 1.0, z) for x in (-1.0, 1.0) for z in (-1.0, 1.0)]).image
     assert place == pytest.approx(at_one[at_one[:, 0].argmax()])
-    (place,) = (text.point for text in shown(seen).image.texts if text.text.startswith("u"))
+    (place,) = (text.point for text in shown(seen).image.texts if text.text.startswith("{axis_u}"))
     assert place == pytest.approx(seen.trace((-1.0, 0.0, 1.0)).image)

@@ -9,6 +9,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from app.lecture.notation import in_letters
 from app.model.projection import Frustum, Projection
 from app.scenes.phenomena.off_axis_window import (
     PHENOMENON,
@@ -43,9 +44,9 @@ def test_the_halves_join_exactly_for_fifty_random_windows() -> None:
         assert left.window[2:] == right.window[2:] == seen.window[2:]
         assert (left.window[0], right.window[1]) == (seen.window[0], seen.window[1])
         assert left.image_size[0] + right.image_size[0] == seen.image_size[0]
-        assert reading(shown(seen), "l, r of the left screen").value == left.window[:2]
-        assert reading(shown(seen), "l, r of the right screen").value == right.window[:2]
-        assert reading(shown(seen), "b, t").value == seen.window[2:]
+        assert reading(shown(seen), "{l}, {r} of the left screen").value == left.window[:2]
+        assert reading(shown(seen), "{l}, {r} of the right screen").value == right.window[:2]
+        assert reading(shown(seen), "{b}, {t}").value == seen.window[2:]
 
 
 def test_halves_that_do_not_join_are_found_out() -> None:
@@ -143,7 +144,7 @@ def test_one_screen_has_no_join() -> None:
     illustration = shown(PHENOMENON.start, screens="1")
     found = reading(illustration, "error of the join")
     assert found.value is None and found.note is not None
-    assert reading(illustration, "l, r of the window").value == PHENOMENON.start.window[:2]
+    assert reading(illustration, "{l}, {r} of the window").value == PHENOMENON.start.window[:2]
     assert not illustration.ndc.lines
 
 
@@ -171,7 +172,9 @@ def written(projection: Projection) -> dict[str, tuple[str, list[float]]]:
     """What is written at each side of the near rectangle, and where."""
     texts = shown(projection).world.texts
     return {
-        text.about[0]: (text.text, text.point.round(9).tolist()) for text in texts if text.about
+        text.about[0]: (in_letters(text.text, "own"), text.point.round(9).tolist())
+        for text in texts
+        if text.about
     }
 
 

@@ -7,9 +7,10 @@ import pytest
 
 from app.document.view import View
 from app.drawings.figures import render
-from app.lecture.notation import LETTERS, Letters, axis_letters, frame_letters
+from app.lecture.notation import LETTERS, Letters, axis_letters, frame_letters, in_letters
 from app.scenes.scene import load
-from tests.support.window import pixels, settle
+from tests.support.window import pixels, settle, show_scene
+from widgets.panels.probe_panel import EXACT
 from widgets.window.main_window import MainWindow
 
 
@@ -18,7 +19,7 @@ from widgets.window.main_window import MainWindow
     [
         ("own", {"u": "u", "v": "v", "n": "n"}),
         ("001", {"u": "u", "v": "v", "n": "w"}),  # w = -look
-        ("004", {"u": "u", "v": "v", "n": "n", "up": "V"}),
+        ("004", {"u": "u", "v": "v", "n": "n", "up": "V", "eye": "T\u2080", "target": "T\u2081"}),
     ],
 )
 def test_l1_the_arrows_are_called_as_in_the_lecture(
@@ -63,6 +64,92 @@ def test_a_figure_is_written_in_the_views_letters() -> None:
     }
     assert (figures["own"] != figures["001"]).any()
     assert np.array_equal(figures["own"], figures["002"])
+
+
+def test_a_scenes_own_marks_are_written_in_the_views_letters() -> None:
+    scene = load("off-axis-window")
+    own, lecture_000, lecture_003 = (
+        render(
+            scene, scene.start, panes=("world",), size=(480, 360), view=View(letters=letters),
+            settings=scene.phenomenon and scene.phenomenon.defaults,
+        )
+        for letters in ("own", "000", "003")
+    )  # fmt: skip
+    assert (own != lecture_000).any() and np.array_equal(own, lecture_003)
+
+
+def test_a_text_has_the_letters_of_a_lecture_only_where_they_are_marked() -> None:
+    text = "{l}, {r} of the left window: near {n}, axis {axis_n} {0}"
+    assert in_letters(text, "own") == "l, r of the left window: near n, axis n {0}"
+    assert in_letters(text, "000").startswith("x_min, x_max of the left window: near z_min, axis n")
+    assert in_letters(text, "001").endswith("near n, axis w {0}")
+    assert in_letters(text, "002").startswith("x_l, x_r of the left window: near z_n")
+
+
+def test_the_readout_of_a_scene_has_the_letters_that_are_chosen(window: MainWindow) -> None:
+    show_scene(window, "off-axis-window")
+    settle()
+    readout = window.controls.card.readout
+
+    def labels() -> list[str]:
+        return [label.text() for label, _, _ in readout.lines if not label.isHidden()]
+
+    readout.more.setChecked(True)
+    assert "l, r of the left screen" in labels() and "off the axis, (r + l)/(r − l)" in labels()
+    choose(window, "000")
+    assert "x_min, x_max of the left screen" in labels() and "y_min, y_max" in labels()
+    choose(window, "002")
+    assert "off the axis, (x_r + x_l)/(x_r − x_l)" in labels()
+    assert not any("{" in text for text in labels())
+
+
+def test_the_stage_strip_names_axes_and_planes_in_the_letters(window: MainWindow) -> None:
+    said: list[str] = []
+    window.strip.named.connect(lambda _title, words: said.append(words))
+    window.strip.go_to(1.0)
+    choose(window, "001")
+    window.strip.go_to(2.0)
+    choose(window, "000")
+    assert said[0].startswith("u, v, n in") and said[1].startswith("u, v, w in")
+    assert said[2].startswith("x, y ±1, z −n/f = −0.222") and "z −z_min/z_max" in said[3]
+
+
+FORMULAS: dict[Letters, tuple[str, ...]] = {
+    "own": ("I p", "R (p − e)", "P p_view;  w = −z_view", "n ≤ −z_view ≤ f"),
+    "000": ("I p", "R (p − e)", "P p_view;  w = −z_view", "z_min ≤ −z_view ≤ z_max"),
+    "001": ("I p", "R (p − P)", "M_z M_pp M_persp p_view;  w = −z_view", "n ≤ −z_view ≤ f"),
+    "002": ("M p", "V p", "P_persp p_view;  w = z_view", "z_f ≤ z_view ≤ z_n"),
+    "003": ("M_O→W p", "M_W→E p", "M_projection p_view;  w = −z_view", "n ≤ −z_view ≤ f"),
+    "004": ("I p", "R P p", "P p_view;  w = −z_view", "n ≤ −z_view ≤ f"),
+}
+
+
+def test_l13_the_probes_formulas_and_numbers_are_the_lectures(window: MainWindow) -> None:
+    """Lecture 002 divides by w = z, and its z' is 1 at near: numbers and formulas together."""
+    panel = window.probe_panel
+    window.panels.open(panel)
+    panel.follow(point=(1.0, 2.0, 0.5))
+    settle()
+    model = panel.table.model()
+
+    def cells(row: int) -> list[float]:
+        texts = (model.index(row, column).data(EXACT) for column in range(1, 5))
+        return [float(text.replace("÷ ", "").replace("−", "-")) for text in texts if text]
+
+    own = [cells(row) for row in range(8)]
+    for letters, (world, view, clip, between) in FORMULAS.items():
+        choose(window, letters)
+        said = [model.index(row, 0).data() for row in range(model.rowCount())]
+        assert (said[1], said[2], said[3]) == (world, view, clip)
+        assert said[8].endswith(between)
+        sign = -1.0 if letters == "002" else 1.0
+        x, y, z, w = own[3]
+        assert cells(3) == [sign * x, sign * y, z, sign * w]
+        assert cells(4) == [sign * w] * 3
+        assert cells(5) == [own[5][0], own[5][1], sign * own[5][2]]
+        assert cells(6) == own[6] and cells(7) == own[7]
+    choose(window, "002")
+    assert "|w|" in model.index(8, 0).data() and cells(3)[3] == cells(2)[2]
 
 
 def test_every_choice_is_told_from_the_others_in_words(window: MainWindow) -> None:

@@ -64,6 +64,7 @@ from widgets.parts.fields import (
     VectorRow,
 )
 from widgets.parts.icons import WarningLabel, show_icon
+from widgets.parts.lettering import lettering
 from widgets.parts.messages import (
     breakable,
     limits_text,
@@ -761,6 +762,7 @@ class Readout(QWidget):
         column.addWidget(self.more)
         self.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Preferred)
         digits.changed.connect(self._show)
+        lettering.changed.connect(self._show)
 
     def begin(self, first: int) -> None:
         """Be the readout of another scene: so many of its readings are always seen."""

@@ -48,6 +48,7 @@ from PySide6.QtWidgets import (
 
 from app.document.view import MOST_PROBES
 from app.lecture.highlight import NOTHING, Highlight, made_of
+from app.lecture.notation import clip_signs, steps_of_a_point
 from app.model.formula import stacked_fraction
 from app.model.infinity import homogeneous
 from app.model.limits import finite
@@ -64,6 +65,7 @@ from widgets.parts.combo import Combo
 from widgets.parts.digits import digits, read_text
 from widgets.parts.fields import REFUSAL_SHEET, ShortField, refusal
 from widgets.parts.icons import WarningLabel, icon
+from widgets.parts.lettering import lettering
 from widgets.parts.messages import number_text, plane_name, sentence
 from widgets.parts.panel import PROJECTION, Changed, Shown
 from widgets.parts.readable import ReadablePanel
@@ -79,8 +81,6 @@ QPushButton:checked {
 
 _PARTS = 4  # columns of a probe: x, y, z, w
 _DIVIDE = 4  # the line in which what is divided by stands behind its sign
-_W: dict[tuple[str, ...], str] = {("0", "0", "-1", "0"): "−z_view", ("0", "0", "0", "1"): "1"}
-"""What the lens' table says that w is, by the cells of its last row."""
 _ROOT = QModelIndex()
 FORMULA = Qt.ItemDataRole.UserRole
 """Of a line's first cell: its formula, as of `widgets.parts.typeset`."""
@@ -158,6 +158,7 @@ class ProbePanel(ReadablePanel):
         rows.setSectionResizeMode(QHeaderView.ResizeMode.Fixed)
         rows.setMinimumSectionSize(0)
         digits.changed.connect(self._turn)
+        lettering.changed.connect(self._turn)
         self._lay_out()
         self._fit_rows()
         self._show_choice()
@@ -472,32 +473,32 @@ class ProbePanel(ReadablePanel):
 
     def _formulas(self, projection: Projection) -> list[tuple[str, str]]:
         """Name and formula of every line, as of `widgets.parts.typeset`."""
-        lens, placement = projection.lens, projection.placement
-        view = "R (p − e)" if lens.own_view is None else "M p"
-        if lens.own_view is None and any(probe.direction for probe in self.probes):
-            view = "R (p − w e)"  # of w = 0, a direction, no eye is subtracted
-        w = _W.get(tuple(cell.text for cell in lens.table.clip_from_view[3]), "(P p_view)_4")
-        inside = "n ≤ −z_view ≤ f"
-        if lens.planes is None:
+        directions = any(probe.direction for probe in self.probes)
+        steps = steps_of_a_point(projection, lettering.now, directions=directions)
+        inside = steps["between"]
+        if projection.lens.planes is None:
             low = "0" if min(projection.depth_range) == 0.0 else "−w"
             inside = f"{low} ≤ z ≤ w"
-        depth = stacked_fraction("z + 1", "2") if projection.depth == "opengl" else "z"
+        depth = stacked_fraction(steps["depth"], "2") if projection.depth == "opengl" else "z"
+        w = "w" if clip_signs(projection, lettering.now)[3] > 0 else "|w|"
         image = f"(x + 1) {stacked_fraction('W', '2')},  (1 − y) {stacked_fraction('H', '2')}"
         return [
             (self.tr("object"), "p"),
-            (self.tr("world"), _WORLD[placement.order] if not placement.is_identity else "I p"),
-            (self.tr("view"), view),
-            (self.tr("clip"), f"P p_view;  w = {w}"),
+            (self.tr("world"), steps["world"]),
+            (self.tr("view"), steps["view"]),
+            (self.tr("clip"), f"{steps['clip']};  w = {steps['w']}"),
             (self.tr("divide"), "÷ w"),
             (self.tr("NDC"), ",  ".join(stacked_fraction(part, "w") for part in "xyz")),
             (self.tr("image px"), image),
             (self.tr("depth"), depth),
-            (self.tr("inside"), f"|x|, |y| ≤ w;  {inside}"),
+            (self.tr("inside"), f"|x|, |y| ≤ {w};  {inside}"),
         ]
 
     def _of_point(self, projection: Projection, point: Trace) -> _Block:
         """What is in a point's lines."""
-        world, view, clip = _cells(point.world), _cells(point.view), _cells(point.clip)
+        signs = clip_signs(projection, lettering.now)
+        world, view = _cells(point.world), _cells(point.view)
+        clip = _cells(point.clip * signs)
         at_infinity = point.world[3] == 0.0
         outside_of = _outside_of(point)
         if outside_of:
@@ -507,7 +508,8 @@ class ProbePanel(ReadablePanel):
             inside = self.tr("inside")
         lines: _Block = [self._of_object(projection, point), world, view, clip]
         if point.in_front:
-            lines += [clip[3:] * 3, _cells(point.ndc), _cells(point.image), _cells(point.depth)]
+            ndc = _cells(point.ndc * signs[:3] * signs[3])
+            lines += [clip[3:] * 3, ndc, _cells(point.image), _cells(point.depth)]
             if at_infinity:
                 inside = self.tr("the vanishing point; {0}").format(inside)
         else:
@@ -563,7 +565,6 @@ def _outside_of(point: Trace) -> list[str]:
     return [plane for plane, is_out in zip(PLANES, point.outside.tolist(), strict=True) if is_out]
 
 
-_WORLD = {"trs": "T R S p", "rts": "R T S p"}
 _Line: TypeAlias = list[str | float]
 _Block: TypeAlias = list[_Line]
 """Of a probe, line by line: its numbers, or one text across them."""

@@ -20,6 +20,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from app.lecture.notation import in_letters
 from app.lecture.stages import (
     CANONICAL_PARALLEL,
     CANONICAL_PERSPECTIVE,
@@ -33,6 +34,7 @@ from app.model.projection import Projection
 from widgets.parts.clock import Clock, Playing
 from widgets.parts.escape import HeldSlider
 from widgets.parts.icons import show_icon
+from widgets.parts.lettering import lettering
 from widgets.parts.panel import PROJECTION, Changed, Shown
 
 STEPS = 240
@@ -159,6 +161,7 @@ class StageStrip(QWidget, Playing):
         self._name_stops()
         self._show_playing()
         self._check_stop()
+        lettering.changed.connect(self._say)
 
     # -- where it is
 
@@ -250,7 +253,7 @@ class StageStrip(QWidget, Playing):
         elif not lens.has_steps and stop == VIEW:
             text = self.tr("x, y, z of view space")
         elif stop == VIEW:
-            text = self.tr("u, v, n in world units")
+            text = self.tr("{axis_u}, {axis_v}, {axis_n} in world units")
         elif stop == NDC:
             z_near, z_far = projection.depth_range
             text = self.tr("x, y ±1, z {0} … {1}").format(f"{z_near:g}", f"{z_far:g}")
@@ -262,10 +265,11 @@ class StageStrip(QWidget, Playing):
         elif not lens.has_pyramid or stop == CANONICAL_PARALLEL:
             text = self.tr("x, y ±1, z 0 … -1")
         elif lens.far == math.inf:
-            text = self.tr("near z -1, far -∞ (scaled by 1/n)")
+            text = self.tr("near z -1, far -∞ (scaled by 1/{n})")
         else:
-            text = self.tr("x, y ±1, z -n/f = {0} … -1").format(f"{-lens.near / lens.far:.3g}")
-        return text.replace("-", "−")
+            value = f"{-lens.near / lens.far:.3g}"
+            text = self.tr("x, y ±1, z -{n}/{f} = {0} … -1").replace("{0}", value)
+        return in_letters(text, lettering.now).replace("-", "−")
 
     # -- playing
 

@@ -13,6 +13,7 @@ from pathlib import Path
 
 from PySide6.QtCore import QCoreApplication
 
+from app.lecture.notation import in_letters
 from app.model.limits import (
     AT_LEAST,
     AT_MOST,
@@ -23,6 +24,7 @@ from app.model.limits import (
     THREE_NUMBERS,
 )
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal, format_value
+from widgets.parts.lettering import lettering
 
 SPACES = {
     "object": QT_TRANSLATE_NOOP("Space", "object"),
@@ -158,8 +160,8 @@ def figure_text(value: float, digits: int = 6) -> str:
 
 
 def of_phenomena(text: str) -> str:
-    """A text of the phenomena in the window's language; numbers and letters stay."""
-    return QCoreApplication.translate("phenomena", text)
+    """A text of the phenomena in the window's language and letters; numbers stay."""
+    return in_letters(QCoreApplication.translate("phenomena", text), lettering.now)
 
 
 class Words(dict[str, str]):

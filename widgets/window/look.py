@@ -171,10 +171,9 @@ class Look(QObject):
 
     def set_letters(self, letters: Letters) -> None:
         """Write the axes in a lecture's letters."""
-        before = dict(self.words)
-        self.words |= {"up": self.tr("up")} | axis_letters(letters)
-        if self.words != before:
-            self.rebuild()
+        names = {"up": self.tr("up"), "eye": self.tr("eye"), "target": self.tr("target")}
+        self.words |= names | axis_letters(letters)
+        self.rebuild()
 
     def set_theme(self, theme: str) -> None:
         """Switch to ``"light"``, ``"dark"`` or ``"system"``."""

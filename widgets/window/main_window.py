@@ -63,6 +63,7 @@ from widgets.parts import palette
 from widgets.parts.digits import set_all_digits
 from widgets.parts.focus import focus_next
 from widgets.parts.highlight import Highlighter
+from widgets.parts.lettering import set_letters
 from widgets.parts.message_bar import MessageBar
 from widgets.parts.panel import EVERYTHING, Changed, Panel, Shown, Told
 from widgets.window.actions import Actions, take_typed
@@ -424,6 +425,8 @@ class MainWindow(QMainWindow):
         strip.moved.connect(ndc.show_stage)
         strip.named.connect(ndc.set_title)
         strip.moved.connect(self.matrices.show_stage)
+        set_letters("own")  # of another window before this one
+        self.matrices.letters_changed.connect(set_letters)
         self.matrices.letters_changed.connect(self.look.set_letters)
         self.matrices.letters_changed.connect(self.frame_panel.set_letters)
         strip.gesture_started.connect(partial(self.look.refine, "ndc", False))

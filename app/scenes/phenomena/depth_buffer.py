@@ -309,7 +309,7 @@ PHENOMENON = Phenomenon(
     title=QT_TRANSLATE_NOOP("phenomena", "Depth buffer"),
     explanation=QT_TRANSLATE_NOOP(
         "phenomena",
-        "Surface 2 lies behind surface 1 by the gap, along n. Where the depth buffer stores both"
+        "Surface 2 lies behind surface 1 by the gap. Where the depth buffer stores both"
         " as one code, the surface drawn last is seen: z-fighting. With a perspective lens and the"
         " standard range most codes lie just behind near, so near decides, far hardly: as the"
         " scene opens, with its ramp, 63 % of the pixels are wrong, 0 % with near 0.1, 62 % with"
@@ -331,7 +331,9 @@ PHENOMENON = Phenomenon(
         Setting(
             "gap",
             QT_TRANSLATE_NOOP("phenomena", "Gap"),
-            QT_TRANSLATE_NOOP("phenomena", "How far surface 2 lies behind surface 1, along n"),
+            QT_TRANSLATE_NOOP(
+                "phenomena", "How far surface 2 lies behind surface 1, along the view"
+            ),
             0.25,
             low=1e-9,
             high=1e6,

@@ -328,7 +328,7 @@ PHENOMENON = Phenomenon(
         "phenomena",
         "The wider the field of view, the nearer the camera must stand for a subject of the same"
         " size, and the more its near parts outgrow its far ones: the foreshortening is a matter"
-        " of the distance alone. Ride along n, and the field of view follows so that things at"
+        " of the distance alone. Ride to and fro, and the field of view follows so that things at"
         " the target's distance keep their size (a dolly zoom). One unit is 10 cm.",
     ),
     tries=(
@@ -363,7 +363,7 @@ PHENOMENON = Phenomenon(
             QT_TRANSLATE_NOOP("phenomena", "Distance, times the preset's"),
             QT_TRANSLATE_NOOP(
                 "phenomena",
-                "Moves the eye along n; the field of view holds sizes at the target's distance",
+                "Moves the eye to and fro; the field of view holds sizes at the target's distance",
             ),
             1.0,
             low=0.05,

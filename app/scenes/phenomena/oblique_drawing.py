@@ -46,14 +46,14 @@ from app.scenes.shapes import SIDE_RGB, Coloured, box_faces, edges_of, ground_gr
 _NOT_PARALLEL = QT_TRANSLATE_NOOP(
     "phenomena", "with a perspective lens equal edges are drawn unequal: choose the oblique lens"
 )
-_END_ON = QT_TRANSLATE_NOOP("phenomena", "edges along n are seen end on, as points")
+_END_ON = QT_TRANSLATE_NOOP("phenomena", "receding edges are seen end on, as points")
 _UNMEASURED = QT_TRANSLATE_NOOP(
     "phenomena", "the edge's pixels are too many or too few for float64 to measure"
 )
 
 _STRETCHED = QT_TRANSLATE_NOOP(
     "phenomena",
-    "the picture is stretched: v is drawn {0} times as long as u: faces do not keep their shape",
+    "the picture is stretched {0} times as much upwards as across: faces do not keep their shape",
 )
 _BEFORE = QT_TRANSLATE_NOOP(
     "phenomena",
@@ -241,13 +241,13 @@ def _show(projection: Projection, _settings: Settings, subject: Subject) -> Illu
             ),
             Reading("α, β", (lens.alpha_deg, lens.beta_deg), "°"),  # noqa: RUF001
         ]
-    labels: tuple[str, ...] = colours
+    labels: tuple[str, ...] = "{axis_u}", "{axis_v}", "{axis_n}"
     if drawn is not None:
-        label = f"n: {drawn.scale:.3g} ×"
+        label = f"{{axis_n}}: {drawn.scale:.3g} ×"
         up = 1.0 if note is None else drawn.up
         labels = (
-            "u: 1 ×",
-            f"v: {up:.3g} ×",
+            "{axis_u}: 1 ×",
+            f"{{axis_v}}: {up:.3g} ×",
             label + (f", {figure(drawn.angle_deg, 3)}°" if has_angle else ""),
         )
 
@@ -287,7 +287,7 @@ PHENOMENON = Phenomenon(
     explanation=QT_TRANSLATE_NOOP(
         "phenomena",
         "All projectors are parallel, but slant towards the image: faces parallel to it keep their"
-        " shape, and edges along n are drawn at one angle and one scale. With scale 1 it is a"
+        " shape, and receding edges are drawn at one angle and one scale. With scale 1 it is a"
         " cavalier drawing, with 1/2 a cabinet drawing, and with 0 the orthographic one.",
     ),
     tries=(
@@ -311,7 +311,7 @@ PHENOMENON = Phenomenon(
         Setting(
             "drawing",
             QT_TRANSLATE_NOOP("phenomena", "Drawing"),
-            QT_TRANSLATE_NOOP("phenomena", "How long edges along n are drawn"),
+            QT_TRANSLATE_NOOP("phenomena", "How long receding edges are drawn"),
             "cavalier",
             choices=(
                 ("cavalier", QT_TRANSLATE_NOOP("phenomena", "Cavalier: 1 ×")),
@@ -323,7 +323,7 @@ PHENOMENON = Phenomenon(
             "receding",
             QT_TRANSLATE_NOOP("phenomena", "Free receding scale"),
             QT_TRANSLATE_NOOP(
-                "phenomena", "Drawn length of edges along n per true length, of the free drawing"
+                "phenomena", "Drawn length of receding edges per true length, of the free drawing"
             ),
             0.7,
             low=0.0,

@@ -51,9 +51,9 @@ _UNMEASURED = QT_TRANSLATE_NOOP(
 _LEFT = QT_TRANSLATE_NOOP("phenomena", "left screen")
 _RIGHT = QT_TRANSLATE_NOOP("phenomena", "right screen")
 _WINDOW = QT_TRANSLATE_NOOP("phenomena", "window")
-_SIDES_LEFT = QT_TRANSLATE_NOOP("phenomena", "l, r of the left screen")
-_SIDES_RIGHT = QT_TRANSLATE_NOOP("phenomena", "l, r of the right screen")
-_SIDES_WINDOW = QT_TRANSLATE_NOOP("phenomena", "l, r of the window")
+_SIDES_LEFT = QT_TRANSLATE_NOOP("phenomena", "{l}, {r} of the left screen")
+_SIDES_RIGHT = QT_TRANSLATE_NOOP("phenomena", "{l}, {r} of the right screen")
+_SIDES_WINDOW = QT_TRANSLATE_NOOP("phenomena", "{l}, {r} of the window")
 _JOIN = QT_TRANSLATE_NOOP("phenomena", "join")
 
 _SAMPLE = 100  # about as many vertices are compared at every step
@@ -176,9 +176,9 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Illus
         readings.append(Reading(label, screen.window[:2], about=("left", "right")))
     left, right, bottom, top = projection.window
     readings += [
-        Reading(QT_TRANSLATE_NOOP("phenomena", "b, t"), (bottom, top), about=("bottom", "top")),
+        Reading(QT_TRANSLATE_NOOP("phenomena", "{b}, {t}"), (bottom, top), about=("bottom", "top")),
         Reading(
-            QT_TRANSLATE_NOOP("phenomena", "off the axis, (r + l)/(r − l)"),
+            QT_TRANSLATE_NOOP("phenomena", "off the axis, ({r} + {l})/({r} − {l})"),
             (left / 2.0 + right / 2.0) / (right / 2.0 - left / 2.0),
             about=("left", "right"),
         ),
@@ -261,7 +261,7 @@ def _near_rectangle(projection: Projection) -> tuple[list[Line], list[Text]]:
     middle = (left_bottom + right_top) / 2.0
     for (side, edge), value in zip(ends.items(), projection.window, strict=True):
         lines.append(Line(np.array(edge), "near", 1.5, (side,)))
-        text = f"{side[0]} = {figure(value, 4)}"
+        text = f"{{{side[0]}}} = {figure(value, 4)}"
         texts.append(Text(text, (edge[0] + edge[1]) / 2.0, "near", (side,), middle))
     return lines, texts
 
@@ -358,7 +358,7 @@ PHENOMENON = Phenomenon(
             QT_TRANSLATE_NOOP("phenomena", "Eye right of the middle"),
             QT_TRANSLATE_NOOP(
                 "phenomena",
-                "From the window's middle, along u; moves the eye: the window stays in the world",
+                "From the window's middle; moves the eye: the window stays in the world",
             ),
             1.5,
             low=-1e4,
