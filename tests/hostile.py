@@ -1,4 +1,6 @@
-"""Damaged and hostile meshes and documents, each opened by ``python3 -m app matrices FILE``.
+"""Damaged and hostile meshes, documents and lessons, each opened by ``python3 -m app``.
+
+Meshes and documents by ``matrices FILE``, lessons by ``lesson check FILE``.
 
 ``python3 -m tests.hostile --count 5000 --seed 1`` makes so many and tells what became of them. A
 file is sound, or refused in one sentence that begins with its name; anything else is a finding: a
@@ -53,6 +55,15 @@ VALUES: list[Any] = [
     *(0.5, 1e308, -1e308, 1e-320, 1e40, float("nan"), float("inf"), "", "0", "POSITION", "\x1b[2J"),
     *([], {}, [0], [[]], [1, 2, 3], [1e308] * 3, [1e200] * 16, {"a": 1}, "SCALAR", "VEC4", "MAT4"),
     *(5120, 5121, 5123, 5125, 5126, 5130, [0, 0, 0, 0], ["x"] * 3, [None] * 3, list(range(40))),
+]
+WORDS = [
+    *("```", "---", "\0", "$\\frac{", "$$", "{#", "}", "- [x] ", " := ", "value: ", "(" * 60, "|"),
+    *("1/0", "9^99", "9" * 400, "scene=../../etc/passwd.obj", "scene=cube", "lens.kind=matrix"),
+    *("document: /etc/passwd", "document: pipe.bin", "scene=pipe.obj", "view.probes=1,2,3,4"),
+    *("view.compare=lens.near=1|", "settings.distance=0", "camera.eye=0,0,0", "wrong x: 1/0"),
+    *("until: near = ", "until: 1 > 0", "-> right", "# ", "<script>", "^-99", "was_was_near"),
+    *("clip_from_view(99, 99)", "reading_", "infinity", "sqrt(", "image.width=99999999", "```note"),
+    *("\u202e", "\x1b[31m", "version: 99", "letters: 009", "minutes: -1", "title:", "hint:", "\t"),
 ]
 ADDRESSES = [
     *("/dev/zero", "/proc/self/environ", "/etc/passwd", "../out.bin", "pipe.bin", "link.bin", "."),
@@ -335,11 +346,36 @@ CONTENT: dict[str, Callable[[random.Random, Any], Any]] = {
 }  # fmt: skip
 
 
+def _lesson(rng: random.Random) -> bytes:
+    """One of the program's own lessons or talks, its lines changed, moved and mixed."""
+    files = sorted((ROOT / "app" / "lessons" / "content").glob("*.md"))
+    lines, others = (rng.choice(files).read_text(encoding="utf-8").split("\n") for _ in range(2))
+    for _ in range(rng.choice([1, 2, 3, 8])):
+        at, word, other = rng.randrange(len(lines)), rng.choice(WORDS), rng.randrange(len(others))
+        change = rng.randrange(5)
+        if change == 0:
+            lines[at] = word
+        elif change == 1:
+            column = rng.randrange(len(lines[at]) + 1)
+            lines[at] = lines[at][:column] + word + lines[at][column:]
+        elif change == 2:
+            lines[at : at + rng.randrange(2)] = [word]
+        elif change == 3:
+            lines[at] = re.sub(r"\d+", lambda _: rng.choice(NUMBERS), lines[at])
+        else:
+            lines[at:at] = others[other : other + rng.randrange(12)]
+    return "\n".join(lines).encode(errors="surrogatepass")
+
+
 def hostile(seed: int, number: int) -> tuple[str, str, bytes]:
     """Ending, kind of damage and content of a file."""
     rng = random.Random(f"{seed} {number}")
-    ending = (".obj", ".ply", ".stl", ".gltf", ".glb", ".json")[number % 6]
-    if ending == ".json":
+    ending = (".obj", ".ply", ".stl", ".gltf", ".glb", ".json", ".md")[number % 7]
+    if ending == ".md":
+        data = _lesson(rng)
+        if rng.random() < 0.7:
+            return ending, _lesson.__name__, data
+    elif ending == ".json":
         tree = _document(rng)
         what = rng.choice([_viewed, _viewed, _structure, None])
         if what is not None:
@@ -382,6 +418,12 @@ class Outcome(NamedTuple):
             return f"{self.seconds:.0f} s"
         if self.largest > LARGEST_BYTES:
             return f"{self.largest >> 20} MiB"
+        if path.suffix == ".md":
+            wrong = self.out.decode(errors="replace").splitlines()
+            named = all(line.startswith((f"{path}: ", f"{path} ")) for line in wrong[:-1])
+            printable = all(line.isprintable() for line in wrong)
+            right = self.status == (len(wrong) > 1) and wrong and named and printable and not lines
+            return "" if right else f"status {self.status}, or not a sentence about the file"
         if self.status == 0:
             return "" if self.out and not lines else "opened, but said something or nothing"
         if self.status != 2 or self.out or len(lines) != 1:
@@ -410,6 +452,10 @@ def _waited(started: float, pid: int, folder: Path) -> Outcome:
     )  # fmt: skip
 
 
+def _arguments(path: Path) -> list[str]:
+    return [*(["lesson", "check"] if path.suffix == ".md" else ["matrices"]), str(path)]
+
+
 def _forked(path: Path, folder: Path) -> Outcome:
     from app.commands import cli
 
@@ -421,7 +467,7 @@ def _forked(path: Path, folder: Path) -> Outcome:
             for descriptor, name in ((1, "out"), (2, "err")):
                 file = os.open(folder / name, os.O_WRONLY | os.O_CREAT | os.O_TRUNC)
                 os.dup2(file, descriptor)
-            status = cli.main(["matrices", str(path)])
+            status = cli.main(_arguments(path))
             sys.stdout.flush()
         except BaseException:
             import traceback
@@ -435,7 +481,7 @@ def _forked(path: Path, folder: Path) -> Outcome:
 
 def _commanded(path: Path) -> Outcome:
     started = time.perf_counter()
-    command = [sys.executable, "-m", "app", "matrices", str(path)]
+    command = [sys.executable, "-m", "app", *_arguments(path)]
     done = subprocess.run(command, cwd=ROOT, capture_output=True, check=False)
     return Outcome(done.returncode, done.stdout, done.stderr, time.perf_counter() - started, 0)
 

@@ -10,6 +10,7 @@ from app.lessons.checking import Report
 from app.lessons.course import contained, ideas
 from app.lessons.lesson import read
 from app.model.refusal import Refusal
+from app.strangers import printable
 
 
 def lesson(arguments: Sequence[str]) -> int:
@@ -51,5 +52,5 @@ def _checked(report: Report, files: Sequence[Path], own: bool) -> Iterator[str]:
             report.take(read(file))
         except Refusal as error:
             report.wrong.append(error)
-        yield from (f"{error}\n" for error in report.wrong[said:])
+        yield from (f"{printable(str(error))}\n" for error in report.wrong[said:])
     yield f"{report}\n"

@@ -133,7 +133,7 @@ class Course:
                 fields.add(along)
         if self.lesson.letters:
             fields.add("letters")
-        return frozenset(fields)
+        return frozenset(fields) & frozenset(FIELDS)  # of a mistyped one its own step complains
 
     def shown(self, place: int) -> Shown:
         """What a step shows, counted from 0.

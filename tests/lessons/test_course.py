@@ -234,3 +234,10 @@ def test_a_model_moves_from_state_to_state_and_ends_where_it_should() -> None:
     assert not transition.can_move(start, start)
     other = set_values(Document(), ["lens.kind=orthographic"])
     assert not transition.can_move(start, other)
+
+
+def test_a_mistyped_view_is_said_at_its_own_step_and_spoils_no_other() -> None:
+    of = course("# A\n```state\nlens.near=1\n```\n---\n# B\n```state\nview.lerge=ndc\n```\n")
+    assert of.shown(0).view == {"letters": "001"}
+    with pytest.raises(Refusal, match=r"line 12, view\.lerge is not known"):
+        of.shown(1)
