@@ -105,7 +105,9 @@ _QUANTITIES: dict[str, dict[str, Ratio]] = {
 """What a lecture has in the place of our quantities."""
 
 
-_FRAME = {"e": "eye", "n": "axis_n", "u": "axis_u", "v": "axis_v", "up": "up"}
+_FRAME = {
+    "e": "eye", "n": "axis_n", "u": "axis_u", "v": "axis_v", "up": "up", "target": "target",
+}  # fmt: skip
 
 
 def frame_letters(letters: Letters) -> dict[str, str]:
@@ -114,10 +116,16 @@ def frame_letters(letters: Letters) -> dict[str, str]:
     Returns
     -------
     dict
-        By our own letters: ``e``, ``n``, ``u``, ``v``, ``up``.
+        By our own letters: ``e``, ``n``, ``u``, ``v``, ``up``, ``target``; and of matrices ``M``,
+        the view's, and ``T`` in it, the translation.
     """
     symbols = _SYMBOLS[letters]
-    return {ours: symbols.get(name, ours).replace(ARROW, "") for ours, name in _FRAME.items()}
+    points = {name: symbols.get(f"{name}_point", symbols.get(name)) for name in ("eye", "target")}
+    symbols = {**symbols, **{name: symbol for name, symbol in points.items() if symbol}}
+    found = {ours: symbols.get(name, ours).replace(ARROW, "") for ours, name in _FRAME.items()}
+    names = _CHAINS.get(letters, {})
+    found["T"] = names.get("view_from_world/translation", "T")
+    return {**found, "M": names.get("view_from_world", "M")}
 
 
 def axis_letters(letters: Letters) -> dict[str, str]:

@@ -591,7 +591,7 @@ def test_l1_lecture_004_names_what_is_brought_to_length_1(window: MainWindow) ->
     for step in ("n", "u", "v"):
         panel.go_to(STEPS.index(step))
         found.append(panel.formula.text())
-    assert found == ["N = e − target,   n = N/|N|", "U = V × n,   u = U/|U|", "v = n × u"]
+    assert found == ["N = T\u2080 − T\u2081,   n = N/|N|", "U = V × n,   u = U/|U|", "v = n × u"]
     letters.setCurrentIndex(letters.findData("own"))
     panel.go_to(STEPS.index("u"))
     assert panel.formula.text() == "u = up × n/|up × n|"

@@ -54,6 +54,22 @@ def test_panes_and_panels_are_written_in_the_letters_that_are_chosen(window: Mai
     assert window.look.words["n"] == "n" and window.look.words["up"] == "up"
 
 
+def test_l1_the_numbers_of_the_frame_have_lecture_004s_names(window: MainWindow) -> None:
+    panel = window.frame_panel
+    window.panels.open(panel)
+    panel.go_to(3)
+    choose(window, "004")  # of a panel that is open already
+    lines = panel.numbers.exact.splitlines()
+    assert [line.partition(" = ")[0] for line in lines] == ["N", "|N|", "n"]
+    assert "V" in panel.figures.text() and "up" not in panel.figures.text()
+    panel.go_to(4)
+    assert panel.numbers.exact.startswith("U = ")
+    panel.go_to(6)
+    assert "R P" in panel.formula.formula and "P moves the eye" in panel.sentence.text()
+    choose(window, "003")
+    assert "M_W\u2192E = R T" in panel.formula.formula
+
+
 def test_a_figure_is_written_in_the_views_letters() -> None:
     scene = load("letter-f")
     figures = {

@@ -131,8 +131,8 @@ class FramePanel(Panel):
         """Write formulas and numbers in a lecture's letters."""
         self._letters = letters
         self._steps = self._make_steps()
-        self._is_stale = True
         self._show_step()
+        self._show_again()
 
     def _lettered(self, text: str) -> str:
         """A formula with a lecture's letters under its arrows."""
@@ -150,7 +150,8 @@ class FramePanel(Panel):
         return f"{unit} = {stacked_fraction(vector, f'|{vector}|')}"
 
     def _make_steps(self) -> tuple[_Step, ...]:
-        u, v, n, up = (frame_letters(self._letters)[name] for name in ("u", "v", "n", "up"))
+        letters = frame_letters(self._letters)
+        u, v, n, up, e, m, t = (letters[name] for name in ("u", "v", "n", "up", "e", "M", "T"))
         return (
             _Step(
                 self.tr("eye"), _E,
@@ -182,9 +183,9 @@ class FramePanel(Panel):
             ),
             _Step(
                 self.tr("view matrix"),
-                f"M = R T,   R = ({_U}, {_V}, {_N})^T,   M ({_E} : 1) = (0 : 1)",
-                self.tr("The rows of the rotation R are {0}, {1} and {2}; T moves the eye to the"
-                        " origin, so that the last column is −R e.").format(u, v, n),
+                f"{m} = R {t},   R = ({_U}, {_V}, {_N})^T,   {m} ({_E} : 1) = (0 : 1)",
+                self.tr("The rows of the rotation R are {0}, {1} and {2}; {3} moves the eye to the"
+                        " origin, so that the last column is −R {4}.").format(u, v, n, t, e),
             ),
         )  # fmt: skip
 
@@ -365,8 +366,9 @@ class FramePanel(Panel):
     def _show_numbers(self) -> None:
         if self.isVisible():
             step, camera = STEPS[self.step], self._projection.camera
-            self.numbers.set_formula(self._lettered(_numbers(step, camera, read_text)))
-            exact = self._lettered(_numbers(step, camera, format_value))
+            has_wholes = self._letters == "004"
+            self.numbers.set_formula(self._lettered(_numbers(step, camera, read_text, has_wholes)))
+            exact = self._lettered(_numbers(step, camera, format_value, has_wholes))
             self.numbers.set_exact(in_line(exact))
 
     def _show_up(self, up: UpAndView) -> None:
@@ -460,8 +462,13 @@ def _has_own_view(projection: Projection) -> bool:
     return lens.own_view is not None
 
 
-def _numbers(step: str, camera: Camera, write: Callable[[float], str]) -> str:
-    """What a step comes to, line by line, as of `widgets.parts.typeset`."""
+def _numbers(
+    step: str, camera: Camera, write: Callable[[float], str], has_wholes: bool = False
+) -> str:
+    """What a step comes to, line by line, as of `widgets.parts.typeset`.
+
+    With lecture 004's names N and U of what is yet to be brought to length 1, if it `has_wholes`.
+    """
 
     def vector(parts: Iterable[float]) -> str:
         return f"({', '.join(write(part + 0.0) for part in parts)})"
@@ -480,16 +487,18 @@ def _numbers(step: str, camera: Camera, write: Callable[[float], str]) -> str:
     elif step == "up":
         lines = [(_UP_VECTOR, vector(camera.up))]
     elif step == "n":
+        whole = f"N{ARROW}" if has_wholes else f"{_E} − {_TARGET}"
         lines = [
-            (f"{_E} − {_TARGET}", vector(backward)),
-            (f"|{_E} − {_TARGET}|", write(camera.distance)),
+            (whole, vector(backward)),
+            (f"|{whole}|", write(camera.distance)),
             (_N, vector(n)),
         ]
     elif step == "u":
         up = up_and_view(camera)
+        whole = f"U{ARROW}" if has_wholes else f"{_UP_VECTOR} × {_N}"
         lines = [
-            (f"{_UP_VECTOR} × {_N}", vector(up.cross)),
-            (f"|{_UP_VECTOR} × {_N}|", write(up.length)),
+            (whole, vector(up.cross)),
+            (f"|{whole}|", write(up.length)),
             (_U, vector(u)),
         ]
     elif step == "v":

@@ -46,7 +46,7 @@ LEAST_EM = 8
 
 _SIGNS = (OPEN, "[", "_", "^", ARROW, "\n")
 _PIECE = re.compile(
-    f"_(?P<below>[^\\W_]*)|\\^(?P<above>[-−]?[^\\W_]*)|(?P<vector>[^\\W\\d_]+){ARROW}|(?P<plain>.)"
+    f"_(?P<below>[^\\W_]*(?:\u2192[^\\W_]+)?)|\\^(?P<above>[-−]?[^\\W_]*)|(?P<vector>[^\\W\\d_]+){ARROW}|(?P<plain>.)"
 )
 
 
