@@ -11,6 +11,7 @@ u v n                          the axes of the camera's frame (lecture 004)
 eye target up                  what the frame is made of
 object_x ... object_origin     the object's axes and its origin, the columns of its matrix
 fov                            the field of view, by whatever number it is given
+clip_x ... clip_w              a coordinate of clip space: a row of the matrices to it
 near_left_bottom ...           a corner of the view volume, by its three planes
 image depth keep alpha_deg ... fields of the document that only controls and cells show
 settings.distance w y_p ...    a scene's settings, and letters of its own

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import replace
+from typing import Any
 
 import numpy as np
 import pytest
@@ -171,6 +172,33 @@ def test_l15_before_near_has_cut_a_corner_behind_the_eye_has_no_ndc() -> None:
     assert not uncut.ndc.faces and faces(uncut, "accent")
     assert show(nearer, step=1.0).warning is None
     assert [face for face in show(nearer, step=1.0).ndc.faces if face.colour == "accent"]
+
+
+CONDITIONS = {
+    "opengl": "w + z ≥ 0, w − z ≥ 0, w + x ≥ 0, w − x ≥ 0, w + y ≥ 0, w − y ≥ 0",
+    "direct3d": "z ≥ 0, w − z ≥ 0, w + x ≥ 0, w − x ≥ 0, w + y ≥ 0, w − y ≥ 0",
+    "reversed": "w − z ≥ 0, z ≥ 0, w + x ≥ 0, w − x ≥ 0, w + y ≥ 0, w − y ≥ 0",
+}
+
+
+@pytest.mark.parametrize("depth", CONDITIONS)
+def test_l15_each_step_says_its_plane_and_which_rows_make_it(depth: Any) -> None:
+    projection = PHENOMENON.start.with_depth(depth)
+    for step, condition in enumerate(CONDITIONS[depth].split(", "), 1):
+        plane = PLANES[step - 1]
+        illustration = show(projection, step=float(step))
+        assert reading(illustration, "plane of this step").value == plane
+        assert reading(illustration, "it keeps").value == condition
+        rows = {f"clip_{letter}" for letter in "xyzw" if letter in condition}
+        assert set(illustration.about) == {plane, *rows}
+        # It is true inside, and at a corner that the step cuts off it is not.
+        x, y, z, w = projection.trace((0.0, 4.0, 0.0)).clip.tolist()
+        python = condition.replace("−", "-").replace("≥", ">=")
+        assert eval(python, {}, {"x": x, "y": y, "z": z, "w": w})
+        off = steps(projection.trace(TRIANGLE).clip, depth)[step].off
+        letters = (dict(zip("xyzw", each, strict=True)) for each in off.tolist())
+        assert not all(eval(python, {}, each) for each in letters)
+    assert not show(projection, step=0.0).about
 
 
 def test_l15_an_infinite_far_plane_cuts_nothing() -> None:

@@ -19,7 +19,7 @@ from app.lecture.stages import VIEW, WORLD
 from app.model.projection import DEPTH_RANGES, LENSES, Camera, Perspective, Projection
 from app.scenes.scene import load
 from tests.support.frustum import corners_world
-from tests.support.window import activate, counted_repaints, pixels, rgb_of, settle
+from tests.support.window import activate, counted_repaints, pixels, rgb_of, settle, show_scene
 from widgets.panels.matrix_view import MatrixView
 from widgets.parts.highlight import Highlighter
 from widgets.window.main_window import MainWindow
@@ -587,3 +587,39 @@ def test_l6_each_number_of_the_window_lights_its_edge(window: MainWindow) -> Non
         assert lines[2][1].is_marked == (name in ("left", "right"))
     leave(window)
     assert not changed(before, pictures(window))
+
+
+def test_l15_the_plane_of_a_step_lights_the_rows_that_it_is_made_of(window: MainWindow) -> None:
+    """Left keeps w + x >= 0: rows 1 and 4 of the clip matrices, until something is pointed at."""
+    show_scene(window, "clipping")
+    window.panels.open(window.matrices)
+    card = window.controls.card
+
+    def rows() -> set[int]:
+        settle()
+        lit = set()
+        for name, view in window.matrices.views.items():
+            whole = {row for row in range(4) if all(view.is_marked(row, j) for j in range(4))}
+            lit |= whole if name in ("clip_from_view", "clip_from_world") else set()
+            assert name in ("clip_from_view", "clip_from_world") or not whole, name
+        return lit
+
+    for step, (plane, expected) in enumerate(
+        (("near", {2, 3}), ("far", {2, 3}), ("left", {0, 3}), ("right", {0, 3}),
+         ("bottom", {1, 3}), ("top", {1, 3})), 1,
+    ):  # fmt: skip
+        card.rows["step"].edited.emit(float(step))
+        assert rows() == expected and plane in window.highlighter.now
+    window.highlighter.mark("hand", frozenset(("fov",)))
+    assert rows() == set()
+    window.highlighter.mark("hand", NOTHING)
+    assert rows() == {1, 3}
+    window.matrices.vectors.setCurrentIndex(1)
+    settle()
+    view = window.matrices.views["clip_from_view"]
+    assert all(view.is_marked(i, 3) for i in range(4)) and not view.is_marked(0, 0)
+    card.rows["step"].edited.emit(0.0)
+    assert rows() == set() and window.highlighter.now == NOTHING
+    card.rows["step"].edited.emit(2.0)
+    show_scene(window, "letter-f")
+    assert window.highlighter.now == NOTHING

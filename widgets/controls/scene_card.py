@@ -125,6 +125,7 @@ class SceneCard(QWidget):
         self._phenomenon: Phenomenon | None = None
         self._settings: Settings = {}
         self._illustration: Illustration | None = None
+        self._about = NOTHING
         self._counted: tuple[Illustration, float] | None = None
         self._problem: Phrase | None = None
         self._projection: Projection | None = None
@@ -212,6 +213,7 @@ class SceneCard(QWidget):
                 row.finish_gesture()  # a burst of keys that has not gone quiet yet, and never would
             self._phenomenon, self._settings, self._illustration = phenomenon, {}, None
             self._problem = None
+            self._be_about(())
             self._make_rows(() if phenomenon is None else phenomenon.settings)
             self._offer_comparisons(() if phenomenon is None else phenomenon.comparisons)
             self.readout.begin(0 if phenomenon is None else phenomenon.numbers)
@@ -277,6 +279,7 @@ class SceneCard(QWidget):
         if illustration is self._illustration and settings == self._settings:
             return
         anew = self._illustration is None
+        self._be_about(() if illustration is None else illustration.about)
         self._illustration, self._settings = illustration, settings
         self._projection = projection
         for name, player in self.players.items():
@@ -286,6 +289,13 @@ class SceneCard(QWidget):
         self._readable.changed()
         if anew:  # of the scene before, nothing is to be seen
             self._readable.settle()
+
+    def _be_about(self, names: Iterable[str]) -> None:
+        """Let what the scene is about just now stand out."""
+        about = frozenset(names)
+        if about != self._about:
+            self._about = about
+            self.highlighted.emit("scene", about)
 
     def begin_gesture(self) -> None:
         """Until `end_gesture`, values run: a control is dragged, or something plays."""

@@ -25,10 +25,12 @@ from PySide6.QtCore import (
     QPoint,
     QSize,
     Qt,
+    QTimer,
     Signal,
 )
 from PySide6.QtGui import (
     QGuiApplication,
+    QShowEvent,
 )
 from PySide6.QtWidgets import (
     QCheckBox,
@@ -277,6 +279,14 @@ class MatrixPanel(ReadablePanel):
         for box in self._boxes:  # as they are drawn: the model may have gone on since
             for view in box.views:
                 view.show_highlight(highlighted)
+        self._show_rows()
+
+    def _show_rows(self) -> None:
+        """Let the matrix be seen whose rows are highlighted as coordinates of clip space."""
+        is_about_rows = any(name.startswith("clip_") for name in self._highlight)
+        view = self.views.get("clip_from_view")
+        if is_about_rows and view is not None and self.isVisible():
+            self._scroll.ensureWidgetVisible(view, 8, 0)
 
     def _edit_cell(self, name: str, row: int, column: int) -> None:
         """Go on in the view of now: another lens has other ones."""
@@ -505,6 +515,10 @@ class MatrixPanel(ReadablePanel):
                 box.title.style().polish(box.title)
             if is_reached and in_view and self.isVisible():
                 self._scroll.ensureWidgetVisible(box, 8, 0)
+
+    def showEvent(self, event: QShowEvent) -> None:
+        super().showEvent(event)
+        QTimer.singleShot(0, self, self._show_rows)  # the matrices are laid out then
 
     def _close_gap(self) -> None:
         if self._gap is not None:

@@ -60,6 +60,8 @@ from widgets.parts.typeset import typeset
 
 _AXES = ("u", "v", "n")
 VIEW = ("view_from_world", "rotation")
+TO_CLIP = ("clip_from_view", "clip_from_world")
+"""The matrices whose rows are the coordinates of clip space."""
 ROW_GAP_PX = 3.0
 
 
@@ -534,6 +536,8 @@ class MatrixView(QWidget):
             return False
         depends = set(self._matrix.fields[row][column]) & {"target", "up"}
         names = letters_in(self._matrix, row, column) | depends
+        if self._matrix.name in TO_CLIP:
+            names |= {f"clip_{'xyzw'[column if self._rows else row]}"}
         return bool(names & made_of(self._highlight))
 
     def mousePressEvent(self, event: QMouseEvent) -> None:

@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 
 from app.model.clipping import clip_polygon
 from app.model.limits import PLANES
-from app.model.projection import Array, Camera, Perspective, Projection
+from app.model.projection import DEPTH_RANGES, Array, Camera, Perspective, Projection
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
 from app.scenes.phenomena.illustration import (
     Curve,
@@ -44,6 +44,7 @@ TRIANGLE = np.array([(2.25, 3.0, 5.75), (4.0, 11.0, -7.0), (-8.0, 2.0, -0.5)])
 """World corners A, B, C of the polygon that is cut: each of the six planes adds one corner."""
 
 _UNCUT = QT_TRANSLATE_NOOP("phenomena", "none yet")
+_ALL = QT_TRANSLATE_NOOP("phenomena", "all")
 _TOO_LARGE = QT_TRANSLATE_NOOP(
     "phenomena", "clip coordinates are too large for float64 numbers, or lie on one ray of the eye"
 )
@@ -337,23 +338,54 @@ def _show(projection: Projection, settings: Settings, _subject: Subject) -> Illu
     in_world = [part @ TRIANGLE for part in shares]
     in_ndc = [_to_ndc(part) for part in parts]
     names = Marks(texts=tuple(map(Text, "ABC", TRIANGLE, ["accent"] * 3)))
+    about = _about(step, projection.depth)
     return Illustration(
-        _readings(step, before, after, (len(whole), len(outside), len(crossing))),
+        _readings(
+            about,
+            _condition(about, step, projection.depth),
+            (before, after),
+            (len(whole), len(outside), len(crossing)),
+        ),
         world=_together(veil, _lit(_box(projection), step), _pieces(in_world, step), names),
         ndc=_together(_lit(cube, step), _pieces(in_ndc, step)),
         image=image,
         diagrams=(_diagram(shares[0], shares[1], step),),
         warning=Phrase(_BEHIND) if not step and not (clip[:, 3] > 0.0).all() else None,
+        about=about,
     )
 
 
-def _readings(step: int, before: int, after: int, cards: tuple[int, ...]) -> tuple[Reading, ...]:
+def _about(step: int, depth: str) -> tuple[str, ...]:
+    """The plane of a step, and the rows of the clip matrix that its condition is made of."""
+    if not step:
+        return ()
+    end = {1: DEPTH_RANGES[depth][0], 2: DEPTH_RANGES[depth][1]}.get(step, 1.0)
+    row = "zzxxyy"[step - 1]
+    return (PLANES[step - 1], f"clip_{row}", *(("clip_w",) if end else ()))
+
+
+def _condition(about: tuple[str, ...], step: int, depth: str) -> str:
+    """What holds of a point that a step's plane keeps: ``w + x ≥ 0``."""
+    if not about:
+        return _ALL
+    _, row, *w = about
+    is_low = step % 2 == 1 if step > 2 else DEPTH_RANGES[depth][step - 1] < 0.0
+    row = row.removeprefix("clip_")
+    sign = "+" if is_low else "\u2212"
+    return f"w {sign} {row} \u2265 0" if w else f"{row} \u2265 0"
+
+
+def _readings(
+    about: tuple[str, ...], condition: str, corners: tuple[int, int], cards: tuple[int, ...]
+) -> tuple[Reading, ...]:
     whole, outside, crossing = map(float, cards)
-    plane = _NAMES[step - 1] if step else _UNCUT
+    before, after = map(float, corners)
+    plane = about[0] if about else _UNCUT
     return (
-        Reading(QT_TRANSLATE_NOOP("phenomena", "plane of this step"), plane),
-        Reading(QT_TRANSLATE_NOOP("phenomena", "corners before it"), float(before)),
-        Reading(QT_TRANSLATE_NOOP("phenomena", "corners after it"), float(after)),
+        Reading(QT_TRANSLATE_NOOP("phenomena", "plane of this step"), plane, about=about[:1]),
+        Reading(QT_TRANSLATE_NOOP("phenomena", "it keeps"), condition, about=about[1:]),
+        Reading(QT_TRANSLATE_NOOP("phenomena", "corners before it"), before),
+        Reading(QT_TRANSLATE_NOOP("phenomena", "corners after it"), after),
         Reading(QT_TRANSLATE_NOOP("phenomena", "cards whole inside"), whole),
         Reading(QT_TRANSLATE_NOOP("phenomena", "cards outside"), outside),
         Reading(QT_TRANSLATE_NOOP("phenomena", "cards crossing: to be cut"), crossing),
@@ -428,6 +460,6 @@ PHENOMENON = Phenomenon(
         ),
     ),
     controls=("lens.near", "lens.far", "camera.distance"),
-    numbers=6,
+    numbers=7,
     leading="ndc",
 )

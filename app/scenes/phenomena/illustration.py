@@ -526,6 +526,9 @@ class Illustration:
     lengths : tuple of Length
     idle : bool
         Whether nothing of the phenomenon is shown, whatever its settings; `warning` says why.
+    about : tuple of str
+        What it is about just now, by the names of `app.lecture.highlight`: it stands out in all
+        panes and panels, until somebody points at something else.
     """
 
     readings: tuple[Reading, ...]
@@ -540,6 +543,7 @@ class Illustration:
     measured: tuple[tuple[str, float], ...] = ()
     lengths: tuple[Length, ...] = ()
     idle: bool = False
+    about: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True, eq=False)
