@@ -82,6 +82,7 @@ class WorldDrawing:
         self._scene, self._words = scene, words
         self._origin = np.array(scene.origin, dtype=np.float64)
         self._axes: ObjectAxes | None = None
+        self._wants_axes = False
         self._placement: ObjectTransform | None = None
         self._place(scene.start.placement)
         self._canvas = canvas = Canvas(screen, style, self._lay_out)
@@ -165,6 +166,13 @@ class WorldDrawing:
             self._dimensions.hide()
         self.own.fix(view, self._framed())
         self.reset_clipping_range()
+
+    def show_object_axes(self, wanted: bool) -> None:
+        """Show the object's axes also where they are the world's, or not; draw nothing yet."""
+        if wanted != self._wants_axes:
+            self._wants_axes = wanted
+            self._show_axes()
+            self._follow_pane(afresh=True)
 
     def show_layers(self, hidden: frozenset[str]) -> None:
         """Switch these layers off, and no others; draw nothing yet.
@@ -339,9 +347,8 @@ class WorldDrawing:
         return True
 
     def _show_axes(self) -> None:
-        """The object's axes, as soon as they are not the world's."""
-        is_moved = self._actors.is_moved
-        if self._axes is None and is_moved:
+        """The object's axes, as soon as they are not the world's or somebody wants them."""
+        if self._axes is None and self.has_object_axes:
             self._axes = ObjectAxes(self._canvas, self._scene.size)
             for name, shaft in self._axes.shafts.items():
                 self._emphasis.line(shaft, name)
@@ -349,12 +356,17 @@ class WorldDrawing:
                 self._emphasis.label(label, name)
             self._emphasis.show(self._highlighted)
         if self._axes is not None:
-            self._axes.show(self._local_from_object, is_moved)
+            self._axes.show(self._local_from_object, self.has_object_axes)
+
+    @property
+    def has_object_axes(self) -> bool:
+        """Whether the object's axes are drawn."""
+        return self._actors.is_moved or self._wants_axes
 
     @property
     def _object_axes(self) -> ObjectAxes | None:
         """Those that are drawn."""
-        return self._axes if self._actors.is_moved else None
+        return self._axes if self.has_object_axes else None
 
     @property
     def _deepest_grip(self) -> float:

@@ -5,7 +5,10 @@ from __future__ import annotations
 from dataclasses import replace
 from pathlib import Path
 
+import numpy as np
 import pytest
+from PySide6.QtCore import QPoint, Qt
+from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QLabel
 
 from app.document.document import Document, write
@@ -143,3 +146,52 @@ def test_l2_a_probe_is_read_in_the_objects_coordinates_too(window: MainWindow) -
     window.controls.rows["scale_y"].edited.emit(0.0)  # type: ignore[attr-defined]
     settle()
     assert "flattened" in line(0)[0] and line(1)[0] == "2"
+
+
+def test_l2_axes_and_handles_are_there_before_anything_is_moved(window: MainWindow) -> None:
+    """While its numbers are unfolded; and nothing of them in the first picture."""
+    drawing, section = window.panes["world"].drawing, window.controls.sections["object"]
+
+    def held() -> dict[str, tuple[float, float]]:
+        shown = window.panes["world"].drawing.handles.shown
+        return {each.setting: at for each, at in dict(shown).items() if each.name == "object"}
+
+    first = pixels(window, "world")
+    assert not held() and not drawing.has_object_axes
+    section.set_open(True)
+    settle()
+    assert {"origin", "x", "y", "z"} <= {*held()}
+    assert (pixels(window, "world") != first).any()
+    section.set_open(False)
+    settle()
+    assert not held() and np.array_equal(pixels(window, "world"), first)
+    section.set_open(True)
+    settle()
+    # x, y and z as far from the origin as they are drawn, at the identity.
+    origin, *tips = drawing._spots(np.vstack([np.zeros(3), drawing._axes.reach * np.eye(3)]))
+    for name, (x, y, _) in zip(("x", "y", "z", "origin"), (*tips, origin), strict=True):
+        assert held()[name] == pytest.approx((x, y), abs=0.5)
+    x, y = (round(part) for part in held()["origin"])
+    canvas, handle = window.panes["world"].canvas, window.windowHandle()
+    at = canvas.mapTo(window, QPoint(x, y))
+    QTest.mouseMove(handle, at)
+    settle()
+    assert "Translation" in window.manipulation.said
+    QTest.mousePress(handle, Qt.MouseButton.LeftButton, pos=at)
+    QTest.mouseMove(handle, at + QPoint(30, 0))
+    QTest.mouseRelease(handle, Qt.MouseButton.LeftButton, pos=at + QPoint(30, 0))
+    settle()
+    assert not window.store.document.projection.placement.is_identity
+    window.store.undo()
+    section.set_open(False)
+    QTest.mouseMove(handle, QPoint(2, 2))
+    settle()
+    assert not held()
+    window.look.rebuild()
+    section.set_open(True)
+    settle()
+    assert held()
+    show_scene(window, "eye-plane")  # whose objects are fixed
+    assert not held() and not window.panes["world"].drawing.has_object_axes
+    show_scene(window, "cube")
+    assert held()

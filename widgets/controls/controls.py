@@ -93,6 +93,8 @@ class Controls(QScrollArea):
     gesture_started = Signal()
     gesture_finished = Signal()
     gesture_abandoned = Signal()
+    object_unfolded = Signal(bool)
+    """Whether the object's own numbers are unfolded, of an object that can be moved."""
     highlighted = Signal(str, object)
     """The name of a row that the user is at, and the `Highlight` it draws; `NOTHING` after it."""
 
@@ -152,6 +154,7 @@ class Controls(QScrollArea):
             self._bindings |= rows.bindings
         for section in self.sections.values():
             section.toggled.connect(partial(self._folded, section))
+        self.sections["object"].toggled.connect(self._tell_of_object)
         for key, binding in self._bindings.items():
             self._connect(binding)
             about = _about(binding)
@@ -179,6 +182,7 @@ class Controls(QScrollArea):
             self._has_fixed_objects = shown.scene.phenomenon is not None
             self._fixed.setVisible(self._has_fixed_objects)
             self.set_scene(shown.scene.size, shown.scene.start)
+            self._tell_of_object()
         self._show(shown.projection)
         if changed & {"illustration", "settings"}:
             self.card.take(shown, changed)
@@ -527,6 +531,12 @@ class Controls(QScrollArea):
         self.animation = AnimationBar()
         self.animation.edited.connect(self._walked)
         self.sections["animation"].add(self.animation)
+
+    def _tell_of_object(self) -> None:
+        """Tell whether the object's numbers are unfolded, of one that can be moved."""
+        if self._found is None:
+            is_open = self.sections["object"].is_open
+            self.object_unfolded.emit(is_open and not self._has_fixed_objects)
 
     def _folded(self, section: Section, is_open: bool) -> None:
         if is_open and self._found is None:

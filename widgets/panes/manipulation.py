@@ -182,7 +182,8 @@ class Manipulation(QObject):
             return "" if grip is None else f"{self._labels[grip.setting]} = {_shown(_value(grip))}"
         projection = self._projection
         if handle.name == "object":
-            is_gone = projection.placement.is_identity
+            drawing: WorldDrawing | None = self._world.drawing
+            is_gone = drawing is None or not drawing.has_object_axes
         else:
             is_gone = not has_camera(projection)
             if handle.face:

@@ -100,6 +100,13 @@ class Drawing(Protocol):
         """Take everything out of the screen again."""
 
 
+class PlacedDrawing(Drawing, Protocol):
+    """A drawing that shows where the object stands."""
+
+    def show_object_axes(self, wanted: bool) -> None:
+        """Show the object's axes also where they are the world's; draw nothing yet."""
+
+
 class StagedDrawing(Drawing, Protocol):
     """A drawing that can show other stages of the pipeline than its own."""
 
@@ -236,6 +243,7 @@ class Pane(QFrame):
         self._fixed_is_stale = False
         self._hidden: frozenset[str] = frozenset()
         self._layers_are_stale = False
+        self._has_object_axes = self._axes_are_stale = False
         self._is_bare = False
         self._probes: Sequence[Probe] = ()
         self._highlight = self._pointed_at = NOTHING
@@ -429,6 +437,13 @@ class Pane(QFrame):
             if self.isVisible():
                 self._refresh()
 
+    def show_object_axes(self, wanted: bool) -> None:
+        """Show the object's axes of a `PlacedDrawing`: at once if visible, or on appearing."""
+        if wanted != self._has_object_axes:
+            self._has_object_axes, self._axes_are_stale = wanted, True
+            if self.isVisible():
+                self._refresh()
+
     def show_layers(self, hidden: frozenset[str]) -> None:
         """Switch these layers off, and no others: at once if visible, or on appearing.
 
@@ -500,6 +515,7 @@ class Pane(QFrame):
             self._to_build = None
             self._step_is_stale = self._step is not None
             self._fixed_is_stale = bool(self._fixed)
+            self._axes_are_stale = self._has_object_axes
             self._layers_are_stale = False
             if self._switched_off:
                 self.drawing.show_layers(self._switched_off)
@@ -531,6 +547,9 @@ class Pane(QFrame):
         if self._fixed_is_stale and self.drawing is not None:
             cast(FixedDrawing, self.drawing).show_fixed(self._fixed)
             self._fixed_is_stale = False
+        if self._axes_are_stale and self.drawing is not None:
+            cast(PlacedDrawing, self.drawing).show_object_axes(self._has_object_axes)
+            self._axes_are_stale = False
         if self._highlight_is_stale and self.drawing is not None:
             self.drawing.show_highlight(self._highlight)
         self._stale = self._probes_stale = self._highlight_is_stale = False

@@ -423,6 +423,7 @@ class MainWindow(QMainWindow):
         self.manipulation.edited.connect(store.set_projection)
         self.frame_panel.step_changed.connect(self.panes["world"].show_step)
         strip.moved.connect(ndc.show_stage)
+        controls.object_unfolded.connect(self.panes["world"].show_object_axes)
         strip.named.connect(ndc.set_title)
         strip.moved.connect(self.matrices.show_stage)
         set_letters("own")  # of another window before this one
