@@ -1,0 +1,137 @@
+"""The lessons and talks that come with the program: all of them right, every key reckoned anew."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterator
+from importlib import import_module
+from pathlib import Path
+
+import pytest
+from mpmath import mp
+
+from app.lessons.checking import Report
+from app.lessons.course import CONTENT, Course, contained
+from app.lessons.lesson import Question, is_lesson, read
+from tests.support.commands import run_here
+
+mp.dps = 40
+Key = tuple[str, str, str]
+KEYS: dict[Key, Callable[[], object]] = {}
+for _path in sorted(Path(__file__).parent.glob("keys_*.py")):
+    KEYS |= import_module(f"tests.lessons.{_path.stem}").KEYS
+
+
+def keys_of(course: Course) -> Iterator[tuple[Key, float]]:
+    """Every number of a lesson that is right, or wrong in a way that has a name."""
+    stem = course.lesson.path.stem
+    for place, step in enumerate(course.lesson.steps):
+        for part in step.asked:
+            if not isinstance(part, Question):
+                continue
+            where = stem, f"{step.name}/{part.name}"
+            if part.value is not None:
+                yield (*where, "right"), course.value(place, part, part.value, part.line)
+            for wrong in part.wrong:
+                value = course.value(place, part, wrong.formula, wrong.line)
+                yield (*where, wrong.idea), value
+            for number, choice in enumerate(part.choices, 1):
+                if choice.formula is not None:
+                    value = course.value(place, part, choice.formula, choice.line)
+                    yield (*where, str(number)), value
+
+
+def test_every_key_agrees_with_the_lectures_formula_in_40_digits() -> None:
+    """None is missing, and none is left over."""
+    found: dict[Key, float] = {}
+    for path in contained():
+        found |= dict(keys_of(Course(read(path))))
+    assert sorted(set(found) - set(KEYS)) == []
+    assert sorted(set(KEYS) - set(found)) == []
+    for key, value in found.items():
+        truth = mp.mpf(KEYS[key]())  # type: ignore[arg-type]
+        assert math.isclose(value, float(truth), rel_tol=1e-9, abs_tol=1e-12), (key, value, truth)
+    assert len(found) >= 100
+
+
+def test_there_is_a_lesson_for_each_topic_and_a_talk_for_each_lecture() -> None:
+    lessons = [read(path) for path in contained()]
+    topics = [lesson.topics for lesson in lessons if not lesson.is_talk and lesson.topics]
+    assert sorted(topics) == sorted((f"L{number}",) for number in range(1, 25))
+    talks = [lesson.lecture for lesson in lessons if lesson.is_talk]
+    assert talks == ["000", "001", "002", "003", "004"]
+    for lesson in lessons:
+        assert lesson.language == "en"
+        names = [step.name for step in lesson.steps]
+        assert len(set(names)) == len(names)
+        if lesson.is_talk:
+            assert lesson.minutes > 0.0
+            assert lesson.letters == lesson.lecture
+            continue
+        assert 3 <= len(lesson.steps) <= 7, lesson.path
+        asked = [part for step in lesson.steps for part in step.asked]
+        predictions = [p for p in asked if isinstance(p, Question) and p.predicts]
+        if lesson.topics:  # the tour is six tasks
+            assert predictions, lesson.path
+            assert len(asked) > len(predictions), lesson.path
+
+
+def test_lesson_check_is_clean_and_says_what_it_has_tried() -> None:
+    done = run_here("lesson", "check")
+    last = done.stdout.splitlines()[-1]
+    assert (done.returncode, done.stdout) == (0, last + "\n")
+    assert last.startswith("25 lessons, 5 talks, ")
+    assert last.endswith(" checks, 0 wrong")
+
+
+def test_lesson_list_names_them_all() -> None:
+    done = run_here("lesson", "list")
+    assert done.returncode == 0
+    assert len(done.stdout.splitlines()) == len(contained()) == 30
+
+
+@pytest.mark.parametrize(
+    ("before", "after", "said"),
+    [
+        ("value: ", "value: 1 + ", "gets “"),
+        ("- [x]", "- [ ]", "just one of them right"),
+        (":= ", ":= 1 + ", "says another number than its formula"),
+        ("wrong ", "wrong nobody-", "names a wrong idea that the program does not know"),
+        ("until: ", "until: 1 > 0 \nuntil: 2 < 1\nuntil: ", "gets “open” instead of “done”"),
+        ("lens.near=", "lens.naer=", "lens.naer is not known"),
+        ("$", "$\\nosuch ", "has a formula that cannot be written"),
+        ("```answer", "```anwser", "has a block that there is not, anwser"),
+    ],
+)
+def test_a_planted_mistake_is_found_with_file_and_line(
+    tmp_path: Path, before: str, after: str, said: str
+) -> None:
+    """Each in whichever of the lessons has the place for it."""
+    text = next(
+        text
+        for path in contained()
+        if before in (text := path.read_text(encoding="utf-8")) and "```test" in text
+    )
+    line = text[: text.index(before)].count("\n") + 1
+    (tmp_path / "wrong.md").write_text(text.replace(before, after, 1), encoding="utf-8")
+    done = run_here("lesson", "check", tmp_path / "wrong.md")
+    assert done.returncode == 1
+    complaints = done.stdout.splitlines()[:-1]
+    assert any(said in each for each in complaints), complaints
+    assert all(each.startswith(f"{tmp_path / 'wrong.md'}: line ") for each in complaints)
+    assert line
+    assert not done.stdout.endswith(" 0 wrong\n")
+
+
+def test_a_file_that_is_none_is_said_and_the_others_are_checked(tmp_path: Path) -> None:
+    done = run_here("lesson", "check", tmp_path / "none.md", contained()[0])
+    assert done.returncode == 1
+    assert done.stdout.splitlines()[0] == f"{tmp_path / 'none.md'} does not exist."
+    assert done.stdout.splitlines()[-1].startswith("1 lesson, 0 talks, ")
+
+
+def test_only_lessons_are_among_the_lessons() -> None:
+    assert all(is_lesson(path.name) for path in CONTENT.iterdir())
+    report = Report()
+    report.take(read(CONTENT / "ideas.md"), 99)
+    assert report.wrong == []
