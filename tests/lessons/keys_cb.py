@@ -1,16 +1,14 @@
 """Right and wrong answers of the lessons on L9 to L16 and of talks 002 and 004, reckoned by hand.
 
-Each number is the lecture's formula with the numbers of its step written out, in 50 digits; nothing
-is asked of the program.
+Each number is the lecture's formula with the numbers of its step written out; nothing is asked of
+the program.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable
 
-from mpmath import atan, cot, degrees, mp, mpf, radians, sqrt, tan
-
-mp.dps = 50
+from mpmath import atan, cot, degrees, mpf, radians, sqrt, tan
 
 
 def _deg(value: str | int) -> mpf:
