@@ -1268,3 +1268,13 @@ def test_lines_on_faces_are_lifted_along_their_rays(make_view: MakeView, times: 
     eye, points = np.array((3.0, 2.0, 7.0)), np.random.default_rng(3).uniform(-4, 4, (20, 3))
     lifted = applied(own.lifted(times), points)
     np.testing.assert_allclose(lifted, points + times * 2e-3 * (eye - points), atol=1e-12)
+
+
+def test_a_view_that_was_turned_stays_while_the_frame_is_built(make_view: MakeView) -> None:
+    drawing = make_view(load("letter-f")).drawing
+    drawing.own.show(Camera((3.0, 4.0, 20.0), (0.0, 1.0, 0.0)))
+    turned = drawing.own.view
+    drawing.show_step(2)
+    assert drawing.own.view == turned
+    drawing.show_step(None)
+    assert drawing.own.view == turned
