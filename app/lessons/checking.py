@@ -7,7 +7,7 @@ which reckon it once more by themselves; here it is held against what the file i
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass, field
 from fractions import Fraction
@@ -28,6 +28,7 @@ from app.lessons.lesson import (
     refused,
 )
 from app.lessons.quantities import NotThere
+from app.lessons.text import outline
 from app.model.formula import Formula
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
 
@@ -271,11 +272,8 @@ def _texts_of(step: Step) -> Iterator[tuple[int, str]]:
 
 def _problem_of_tex(tex: str) -> str:
     """What of a formula cannot be drawn; empty if all of it can."""
-    from matplotlib.mathtext import MathTextParser
-
     try:
-        parser: Callable[..., object] = MathTextParser("path").parse
-        parser(f"${tex}$")
+        outline(tex)
     except ValueError as error:
         return str(error).strip().splitlines()[-1]
     return ""

@@ -1,0 +1,123 @@
+"""A lesson's text, ready to be set: Markdown as HTML that reaches nowhere, TeX as outlines."""
+
+from __future__ import annotations
+
+import re
+from functools import lru_cache
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from app.lessons.lesson import markdown
+from app.model.limits import Array
+
+FORMULA = "\ue000"
+"""Stands in the HTML where a formula is."""
+FONT = "stix"
+"""Of mathtext's, whose letters go with any text."""
+_EM = 100.0
+_BREAK = re.compile(r"(\\q?quad(?![a-zA-Z])|[{}])")
+_ALONE = re.compile(rf"<p>((?:{FORMULA}\s*)+)</p>")
+
+
+class Outline(NamedTuple):
+    """A formula's outlines, in em, from where it stands on its line.
+
+    Attributes
+    ----------
+    width, ascent, descent : float
+        What of it is above and below the line.
+    vertices : array, shape (n, 2)
+        x to the right, y upwards.
+    codes : array, shape (n,)
+        What each vertex is, as of `matplotlib.path.Path`: 1 move, 2 line, 3 two of a quadratic
+        curve, 4 three of a cubic one, 79 close.
+    """
+
+    width: float
+    ascent: float
+    descent: float
+    vertices: Array
+    codes: Array
+
+
+@lru_cache(maxsize=1024)
+def outline(tex: str) -> Outline:
+    """A formula's outlines.
+
+    Raises
+    ------
+    ValueError
+        If something in it cannot be set.
+    """
+    from matplotlib.font_manager import FontProperties
+    from matplotlib.textpath import TextToPath
+
+    reader: Any = TextToPath()
+    font: Any = FontProperties(size=_EM, math_fontfamily=FONT)
+    text = f"${tex}$"
+    width, height, descent = reader.get_text_width_height_descent(text, font, ismath=True)
+    vertices, codes = reader.get_text_path(font, text, ismath=True)
+    return Outline(
+        width / _EM,
+        (height - descent) / _EM,
+        descent / _EM,
+        np.reshape(np.asarray(vertices, dtype=np.float64), (-1, 2)) / _EM,
+        np.asarray(codes),
+    )
+
+
+def html_of(text: str) -> tuple[str, tuple[str, ...]]:
+    """A text as HTML, everything in it escaped, with `FORMULA` for each of its formulas.
+
+    A formula may be broken where it has a ``\\quad``, and is several then.
+
+    Returns
+    -------
+    html : str
+    formulas : tuple of str
+        TeX, in their order.
+    """
+    found: list[str] = []
+
+    def math(tokens: Any, place: int, _options: Any, _environment: Any) -> str:
+        pieces = _pieces(tokens[place].content, tokens[place].markup == "$$")
+        found.extend(pieces)
+        return "&nbsp; ".join(FORMULA for _ in pieces)
+
+    reader = markdown()
+    reader.add_render_rule("math", lambda _self, *given: math(*given))
+    html = str(reader.render(text.replace(FORMULA, "\ufffd")))
+    return _ALONE.sub(r'<p align="center">\1</p>', html.replace("&nbsp; ", " ")), tuple(found)
+
+
+def _pieces(tex: str, is_displayed: bool) -> list[str]:
+    """What stands between the wide spaces of a formula that are in no braces.
+
+    Of one that has lines of its own the fractions are large.
+    """
+    pieces, depth = [""], 0
+    for part in _BREAK.split(tex):
+        if part in ("\\quad", "\\qquad") and not depth:
+            pieces.append("")
+        else:
+            if is_displayed and not depth:
+                part = part.replace("\\frac", "\\dfrac")
+            depth += (part == "{") - (part == "}")
+            pieces[-1] += part
+    return [piece.strip() for piece in pieces if piece.strip()]
+
+
+def plain_of(text: str) -> str:
+    """A text for those who read or hear text only: without its marks, formulas as TeX."""
+    words = []
+    for token in markdown().parse(text):
+        inline = token.children or ()
+        words += [
+            " " if part.type in ("softbreak", "hardbreak") else part.content for part in inline
+        ]
+        if token.type in ("fence", "code_block"):
+            words.append(token.content)
+        if token.nesting < 0 and not token.hidden:
+            words.append(" ")
+    return " ".join("".join(words).split())

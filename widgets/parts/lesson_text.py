@@ -1,0 +1,250 @@
+"""A lesson's text as it is read: Markdown with formulas, of which nothing leads anywhere.
+
+`set_text` fills any `QTextDocument`, for a window as for paper; `LessonText` is as high as what it
+holds.
+"""
+
+from __future__ import annotations
+
+from functools import lru_cache
+from typing import Any, cast
+
+from PySide6.QtCore import QMimeData, QRect, QRectF, QSize, QSizeF, Qt
+from PySide6.QtGui import (
+    QBrush,
+    QFontMetrics,
+    QPainter,
+    QPainterPath,
+    QPalette,
+    QPyTextObject,
+    QResizeEvent,
+    QTextCharFormat,
+    QTextCursor,
+    QTextDocument,
+    QTextFormat,
+    QWheelEvent,
+)
+from PySide6.QtWidgets import QFrame, QSizePolicy, QTextEdit, QWidget
+
+from app.lessons.text import FORMULA, Outline, html_of, outline, plain_of
+
+_KIND = QTextFormat.ObjectTypes.UserObject + 1
+_TEX = QTextFormat.Property.UserProperty + 1
+LARGER = 1.12
+"""The formulas' letters, against those of the text, whose small ones are higher."""
+ROOM_EM = 0.06
+"""Free on both sides of a formula."""
+LIST_EM = 0.55
+"""How far a list is indented, for each of the two that Qt reckons with."""
+STYLE = """
+p, ul, ol, table { margin-top: 0px; margin-bottom: 6px; }
+li { margin-bottom: 4px; }
+td, th { padding: 2px 7px; border: 1px solid %s; }
+table { border-collapse: collapse; border: 1px solid %s; }
+h1, h2, h3, h4 { margin-top: 0px; margin-bottom: 4px; font-size: large; }
+"""
+
+
+def set_text(document: QTextDocument, text: str, *, title: bool = False, line: str = "") -> None:
+    """Let a document hold a lesson's text.
+
+    Parameters
+    ----------
+    document : QTextDocument
+        With its font.
+    text : str
+        Markdown.
+    title : bool
+        Whether it is a step's title.
+    line : str
+        Colour of a table's lines.
+    """
+    html, formulas = html_of(f"## {text}" if title else text)
+    line = line or "#888888"
+    document.setDefaultStyleSheet(STYLE % (line, line))
+    document.setDocumentMargin(0.0)
+    document.setIndentWidth(LIST_EM * 2.0 * _em(document, QTextCharFormat()))
+    document.setHtml(html)
+    layout = document.documentLayout()
+    if layout.handlerForObject(_KIND) is None:
+        layout.registerHandler(_KIND, _Formulas(document))
+    cursor = QTextCursor(document)
+    for tex in formulas:
+        cursor = document.find(FORMULA, cursor)
+        kept, plain = cursor.charFormat(), cursor.charFormat()
+        try:
+            outline(tex)
+        except ValueError:  # as it was typed
+            cursor.insertText(f"${tex}$", plain)
+            continue
+        kept.setObjectType(_KIND)
+        kept.setProperty(_TEX, tex)
+        kept.setVerticalAlignment(QTextCharFormat.VerticalAlignment.AlignMiddle)
+        cursor.insertText("\u200b", plain)  # a line of nothing else is as high as of letters
+        cursor.insertText("\ufffc", kept)
+    last = QTextCursor(document)
+    last.movePosition(QTextCursor.MoveOperation.End)
+    end = last.blockFormat()
+    end.setBottomMargin(0.0)
+    last.setBlockFormat(end)
+
+
+def _em(document: QTextDocument, character: QTextCharFormat) -> float:
+    """Pixels of an em, on the screen or on what the document is laid out for."""
+    font = character.font().resolve(document.defaultFont())
+    device = document.documentLayout().paintDevice()
+    if font.pixelSize() > 0:
+        return float(font.pixelSize())
+    dpi = device.logicalDpiY() if device is not None else _screen_dpi()
+    return font.pointSizeF() * dpi / 72.0
+
+
+@lru_cache(maxsize=1)
+def _screen_dpi() -> float:
+    from PySide6.QtGui import QGuiApplication
+
+    return QGuiApplication.primaryScreen().logicalDotsPerInchY()
+
+
+@lru_cache(maxsize=512)
+def _path(tex: str) -> QPainterPath:
+    """A formula's outlines in em, y downwards, its baseline at 0."""
+    found, path, place = outline(tex), QPainterPath(), 0
+    path.setFillRule(Qt.FillRule.WindingFill)
+    points = [(float(x), -float(y)) for x, y in found.vertices]
+    codes = [int(code) for code in found.codes]
+    while place < len(codes):
+        code, (x, y) = codes[place], points[place]
+        if code == 1:
+            path.moveTo(x, y)
+        elif code == 2:
+            path.lineTo(x, y)
+        elif code == 3:
+            path.quadTo(x, y, *points[place + 1])
+        elif code == 4:
+            path.cubicTo(x, y, *points[place + 1], *points[place + 2])
+        else:
+            path.closeSubpath()
+        place += code if code in (3, 4) and code == 4 else 2 if code == 3 else 1
+    return path
+
+
+class _Formulas(QPyTextObject):
+    """Sets and draws the formulas of one document, in the colour of the text round them."""
+
+    def _set(self, document: QTextDocument, form: QTextFormat) -> tuple[str, Outline, float, float]:
+        """TeX, outline, em in pixels, and how high it is, as Qt wants to have it."""
+        character = form.toCharFormat()
+        tex = str(form.property(_TEX))
+        found = outline(tex)
+        em = LARGER * _em(document, character)
+        widest = document.textWidth() - 2.0 * ROOM_EM * em
+        if 0.0 < widest < found.width * em:
+            em = widest / found.width
+        # Of an object in the middle, Qt has a quarter of the letters' x-height more over the line.
+        half = QFontMetrics(character.font()).xHeight() / 2.0
+        height = max(2.0 * found.ascent * em - half, 2.0 * found.descent * em + half)
+        return tex, found, em, height
+
+    def intrinsicSize(self, document: QTextDocument, _at: int, form: QTextFormat) -> QSizeF:
+        _, found, em, height = self._set(document, form)
+        return QSizeF((found.width + 2.0 * ROOM_EM) * em, height)
+
+    def drawObject(
+        self,
+        painter: QPainter,
+        rect: QRectF | QRect,
+        document: QTextDocument,
+        at: int,
+        form: QTextFormat,
+    ) -> None:
+        tex, _, em, _ = self._set(document, form)
+        block = document.findBlock(at)
+        line = block.layout().lineForTextPosition(at - block.position())
+        top = document.documentLayout().blockBoundingRect(block).top()
+        painter.save()
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        painter.translate(rect.left() + ROOM_EM * em, top + line.y() + line.ascent())
+        painter.scale(em, em)
+        own = form.toCharFormat().foreground()
+        brush = own if own.style() != Qt.BrushStyle.NoBrush else QBrush(painter.pen().color())
+        painter.fillPath(_path(tex), brush)
+        painter.restore()
+
+
+class LessonText(QTextEdit):
+    """A text that is read, as high as it is; its formulas are copied as TeX.
+
+    Parameters
+    ----------
+    text : str
+        Markdown.
+    title : bool
+        Whether it is a step's title.
+    """
+
+    def __init__(self, text: str = "", *, title: bool = False, parent: QWidget | None = None):
+        super().__init__(parent)
+        self._text, self._is_title = "", title
+        self.setReadOnly(True)
+        self.setFrameShape(QFrame.Shape.NoFrame)
+        self.setVerticalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        self.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
+        self.setFocusPolicy(Qt.FocusPolicy.ClickFocus)
+        self.viewport().setAutoFillBackground(False)
+        policy = QSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
+        policy.setHeightForWidth(True)
+        self.setSizePolicy(policy)
+        self.say(text)
+
+    @property
+    def text(self) -> str:
+        """The Markdown that is read."""
+        return self._text
+
+    def say(self, text: str) -> None:
+        """Show another text."""
+        self._text = text
+        line = self.palette().color(QPalette.ColorRole.Mid).name()
+        set_text(self.document(), text, title=self._is_title, line=line)
+        self.setAccessibleName(plain_of(text))
+        self.updateGeometry()
+
+    def hasHeightForWidth(self) -> bool:
+        return True
+
+    def heightForWidth(self, width: int) -> int:
+        document = self.document()
+        before = document.textWidth()
+        document.setTextWidth(width)
+        height = document.size().height()
+        if before > 0.0:
+            document.setTextWidth(before)
+        return -int(-height // 1)
+
+    def sizeHint(self) -> QSize:
+        width = max(self.width(), 120)
+        return QSize(width, self.heightForWidth(width))
+
+    def minimumSizeHint(self) -> QSize:
+        return QSize(60, self.fontMetrics().height())
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        super().resizeEvent(event)
+        if event.size().width() != event.oldSize().width():
+            self.updateGeometry()
+
+    def wheelEvent(self, event: QWheelEvent) -> None:
+        event.ignore()  # what it stands in scrolls
+
+    def createMimeDataFromSelection(self) -> QMimeData:
+        cursor, data, words = self.textCursor(), QMimeData(), ""
+        at = QTextCursor(self.document())
+        for place in range(cursor.selectionStart(), cursor.selectionEnd()):
+            at.setPosition(place + 1)
+            tex = at.charFormat().property(_TEX)
+            letter = cast(Any, self.document()).characterAt(place)
+            words += f"${tex}$" if letter == "\ufffc" and tex else letter
+        data.setText(words.replace("\u2029", "\n").replace("\u200b", ""))
+        return data
