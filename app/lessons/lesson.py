@@ -315,6 +315,31 @@ def read(path: AnyPath) -> Lesson:
         return parse_lesson(text, Path(path))
 
 
+class Head(NamedTuple):
+    """What a list of lessons says of one; attributes as of `Lesson`."""
+
+    path: Path
+    title: str
+    topics: tuple[str, ...]
+    is_talk: bool
+
+
+def head_of(path: Path) -> Head:
+    """Read of a lesson only what a list of lessons says of it.
+
+    Raises
+    ------
+    Refusal
+        If there is no such file, or its top is wrong.
+    """
+    with blamed_on(path, UNREADABLE):
+        with open_regular(path) as file:
+            text = file.read(LARGEST).decode("utf-8-sig", "replace")
+        top, _ = _top(text.split("\n"))
+        is_talk = re.search(r"^(```+|~~~+)\s*note\b", text, re.MULTILINE) is not None
+        return Head(path, top["title"], top["topics"], is_talk)
+
+
 def parse_lesson(text: str, path: Path) -> Lesson:
     """Read a lesson from its text; `path` is where it is, or is going to be.
 

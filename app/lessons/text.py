@@ -121,3 +121,8 @@ def plain_of(text: str) -> str:
         if token.nesting < 0 and not token.hidden:
             words.append(" ")
     return " ".join("".join(words).split())
+
+
+def escaped(text: str) -> str:
+    """A text as it stands, with nothing in it that Markdown would read."""
+    return re.sub(r"([\\`*_{}\[\]<>#$|])", r"\\\1", text)

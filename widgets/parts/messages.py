@@ -91,6 +91,7 @@ FIELDS = {
     "width": QT_TRANSLATE_NOOP("Field", "Width"),
     "height": QT_TRANSLATE_NOOP("Field", "Height"),
     "depth": QT_TRANSLATE_NOOP("Field", "Depth range"),
+    "answer": QT_TRANSLATE_NOOP("Field", "Answer"),
 }
 """The name by which the window calls each field of the model."""
 

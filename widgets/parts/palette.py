@@ -36,7 +36,15 @@ _STYLE_SHEET = """
 #paneTitle[reached="true"] {{ color: {on_accent}; background: {accent}; border-radius: 3px; }}
 #cardTitle {{ font-size: {large:.0f}px; font-weight: 600; }}
 #startCard {{ background: {veil}; }}
-#card, #firstSteps {{ background: {window}; border: 1px solid {line}; border-radius: 6px; }}
+#card {{ background: {window}; border: 1px solid {line}; border-radius: 6px; }}
+#lesson {{ border: 1px solid {line}; border-radius: 4px; }}
+#asked {{ background: {base}; border: 1px solid {line}; border-left: 3px solid {accent};
+    border-radius: 4px; }}
+#notice {{ background: {bar}; border: 1px solid {edge}; border-radius: 4px; padding: 4px; }}
+#stepMarks QToolButton {{ border: 1px solid {line}; border-radius: 4px; padding: 2px 6px; }}
+#stepMarks QToolButton:hover {{ background: {line}; }}
+#stepMarks QToolButton:checked {{ color: {on_accent}; background: {accent}; }}
+QPushButton#nextStep {{ font-weight: 600; }}
 #paneNote {{ color: {muted}; }}
 #quietTitle {{ color: {muted}; font-weight: 600; }}
 #messageBar {{ background: {bar}; border: 1px solid {edge}; border-radius: 4px; }}

@@ -33,6 +33,7 @@ from widgets.parts.icons import show_icon
 from widgets.parts.messages import file_title, of_phenomena
 from widgets.window.files import Files
 from widgets.window.help import FULL_SCREEN_KEY, PLAY_KEY, Help
+from widgets.window.lesson_menu import LessonMenu
 from widgets.window.pictures import Pictures
 from widgets.window.slots import Slots
 
@@ -96,7 +97,7 @@ class Actions(QObject):
         keys = QKeySequence.StandardKey
         self.open = self._action(
             self.tr("&Open…"), self._with_typed(files.open_dialog), keys.Open,
-            self.tr("Open a document, a mesh or an exported picture"),
+            self.tr("Open a document, a lesson, a mesh or an exported picture"),
         )  # fmt: skip
         self.save = self._action(self.tr("&Save"), self._with_typed(files.save), keys.Save)
         self._save_as = self._action(
@@ -130,6 +131,8 @@ class Actions(QObject):
         self._make_edit_menu()
         self.scene_group = QActionGroup(window)
         self._make_scenes_menu()
+        self.lesson_menu = LessonMenu(self.tr("&Lessons"), window, self._action)
+        window.menuBar().addMenu(self.lesson_menu)
         self.present = self._action(
             self.tr("&Present"), None, "F5",
             self.tr("Fill the screen with the panes and the controls that matter, for a class"),
@@ -322,7 +325,7 @@ class Actions(QObject):
         menu = self._window.menuBar().addMenu(self.tr("&Help"))
         self.start_card = self._action(
             self.tr("&Start card"), None, None,
-            self.tr("The scenes as pictures, recent files, and three things to try"),
+            self.tr("The scenes as pictures, lessons, talks, and recent files"),
         )  # fmt: skip
         menu.addActions([self.start_card, self.help])
         menu.addAction(self._action(self.tr("&Conventions"), self._help.show_conventions))

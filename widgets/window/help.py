@@ -57,7 +57,10 @@ class Help(QObject):
                 (self.tr("Esc"), self.tr("Leave what is on top; put back what is being dragged")),
                 (
                     self.tr("Drop a file"),
-                    self.tr("Open a document, a mesh (OBJ, STL, PLY, glTF) or an exported picture"),
+                    self.tr(
+                        "Open a document, a lesson, a mesh (OBJ, STL, PLY, glTF) or an exported"
+                        " picture"
+                    ),
                 ),
             ),
             self.tr("Where the panes stand"): (
@@ -155,6 +158,18 @@ class Help(QObject):
                     self.tr("Type another number into view ← world or clip ← view"),
                 ),
                 (self.tr("Tab"), self.tr("The next number; Esc leaves it")),
+            ),
+            self.tr("Lessons"): (
+                (
+                    _key("Alt+Right"),
+                    self.tr("The next step; {0} the one before").format(_key("Alt+Left")),
+                ),
+                (_key("F7"), self.tr("Show the step again, whatever was tried")),
+                (_key("Alt+I"), self.tr("A hint; Alt+W shows what refutes a wrong answer")),
+                (
+                    self.tr("Arrows, Enter"),
+                    self.tr("Choose, and commit it; Enter checks what is typed as well"),
+                ),
             ),
             self.tr("Presenting"): (
                 (

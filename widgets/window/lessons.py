@@ -107,6 +107,11 @@ class Lessons(QObject):
         return self.course.lesson.steps[self.place] if self.course is not None else None
 
     @property
+    def is_moving(self) -> bool:
+        """Whether the model is on its way to a step."""
+        return self._clock.running
+
+    @property
     def is_away(self) -> bool:
         """Whether the window shows something else than the step: somebody has tried something."""
         if self.course is None:

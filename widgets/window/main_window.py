@@ -73,6 +73,7 @@ from widgets.window.drawer import Drawer, Panels
 from widgets.window.files import Files
 from widgets.window.help import Help
 from widgets.window.history import History
+from widgets.window.lesson_card import LessonCard, Side
 from widgets.window.lessons import Lessons
 from widgets.window.look import Look, dress
 from widgets.window.pictures import Pictures
@@ -83,7 +84,7 @@ from widgets.window.recovery import Recovery
 from widgets.window.scene_guide import SceneGuide
 from widgets.window.settings import data_folder
 from widgets.window.slots import Slots
-from widgets.window.start_card import FirstSteps, StartCard
+from widgets.window.start_card import StartCard
 from widgets.window.status_line import StatusLine
 from widgets.window.world_look import WorldLook
 
@@ -225,6 +226,7 @@ class MainWindow(QMainWindow):
         self.present = Present(self, self.menus.tools, self.bottom)
         self._make_rooms()
         self._wire()
+        self._wire_lesson()
         self._wire_gestures()
         self._wire_highlight()
         self._tell(EVERYTHING)
@@ -315,7 +317,8 @@ class MainWindow(QMainWindow):
         self.slots = Slots(self.panes, self.strip)
         self.drawer = Drawer(self.slots, self.panels)
         split.addWidget(self.drawer)
-        split.addWidget(self.controls)
+        self.side = Side(self.controls)
+        split.addWidget(self.side)
         split.setStretchFactor(0, 1)
         split.setStretchFactor(1, 0)
         split.setSizes(PICTURES_AND_DOCK)
@@ -336,7 +339,6 @@ class MainWindow(QMainWindow):
             self.store,
             self.files.choose_scene,
         )
-        self.first_steps = FirstSteps(self, self.slots)
         self.comparing = Comparing(
             self.panes["image"],
             self.look,
@@ -385,7 +387,9 @@ class MainWindow(QMainWindow):
         self.lessons = Lessons(
             self.store, self.files, self.messages, self.history.stand_still, self.strip.go_to
         )
-        self.files.lesson_wanted.connect(self.lessons.open)
+        self.lesson_card = LessonCard(self.lessons, self.store, self.settings)
+        self.side.take_card(self.lesson_card)
+        self.files.lesson_wanted.connect(self.lesson_card.open)
         self.recovery = Recovery(
             data_folder(),
             self.store,
@@ -400,7 +404,6 @@ class MainWindow(QMainWindow):
             self.guide,  # which tells the controls what scene it is
             self.controls,
             self.slots,
-            self.first_steps,
             self.arrangement,  # which takes back what a scene has opened or forgotten by itself
             self.cost,
             self.look,
@@ -446,10 +449,6 @@ class MainWindow(QMainWindow):
         menus.pointer.toggled.connect(self.probing.set_pointing)
         self.present.switched.connect(self._show_presenting)
         self.slots.rearranged.connect(self._show_beside)
-        self.slots.rearranged.connect(
-            lambda: self.first_steps.tick("cube") if self.slots.large == "ndc" else None
-        )
-        self.panes["world"].hand.moved.connect(partial(self.first_steps.tick, "turn"))
         menus.start_card.triggered.connect(self.show_start_card)
         menus.controls_shown.connect(self._show_beside)
         menus.cost_shown.connect(self.cost.measure)
@@ -474,6 +473,29 @@ class MainWindow(QMainWindow):
         self.counting.counted.connect(card.show_count)
         card.mesh_wanted.connect(self.files.mesh_dialog)
         card.mesh_removed.connect(partial(self.files.use_mesh, ""))
+
+    def _wire_lesson(self) -> None:
+        """Join the lesson's card to its keys, and to all that a task may ask for."""
+        card, menus = self.lesson_card, self.menus
+        menus.lesson_menu.wire(card, self.settings)
+        card.toggled.connect(self._show_beside)
+        card.toggled.connect(self.side.make_room)
+        looked = (*menus.fixed.values(), *menus.layers.values())
+        for signal in (
+            self.store.changed,
+            self.store.view_changed,
+            self.strip.moved,
+            self.slots.rearranged,
+            self.panels.opened,
+            self.probe_panel.changed,
+            self.frame_panel.step_changed,
+            self.matrices.letters_changed,
+            self.comparing.pictures.changed,
+            *(pane.hand.moved for pane in self.panes.values()),
+            *(action.triggered for action in looked),
+        ):
+            signal.connect(card.look_again)
+        self._show_beside()
 
     def _wire_gestures(self) -> None:
         """Let everyone know when values run: the store makes one step of them."""
@@ -555,13 +577,14 @@ class MainWindow(QMainWindow):
         self.status.showMessage(text, 5000)
 
     def show_start_card(self) -> None:
-        """Offer the scenes as pictures, and three things to try."""
+        """Offer the scenes as pictures, lessons, talks and files."""
         if self.start_card is not None:
             return
         self.start_card = card = StartCard(
             self,
             self.menus.scene_titles,
             self.files.recent,
+            self.settings.progress,
             at_every_start=self.settings.start_card,
             dark=palette.is_dark(self.settings.theme),
         )
@@ -571,7 +594,6 @@ class MainWindow(QMainWindow):
         card.always_set.connect(partial(setattr, self.settings, "start_card"))
         card.left.connect(self._forget_start_card)
         card.open()
-        self.first_steps.show()
 
     def _forget_start_card(self) -> None:
         self.start_card = None
@@ -607,7 +629,10 @@ class MainWindow(QMainWindow):
     def _show_beside(self) -> None:
         """Show what stands beside the panes, as far as it is for a class, or nothing is whole."""
         alone, presents = bool(self.slots.whole), self.present.is_on
-        self.controls.setVisible(self.menus.controls.isChecked() and not alone)
+        self.side.show_parts(
+            card=self.lesson_card.is_on and not alone,
+            controls=self.menus.controls.isChecked() and not alone,
+        )
         self.bottom.setVisible(not alone and not presents)
         if (alone or presents) and self.panels.open_panel is not None:
             self._folded = self.panels.open_panel

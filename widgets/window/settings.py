@@ -8,7 +8,8 @@ import json
 import logging
 import os
 import re
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
+from dataclasses import asdict, dataclass, field, replace
 from pathlib import Path
 from typing import Generic, TypeVar
 
@@ -111,6 +112,54 @@ def _paths(text: str) -> list[str]:
     return paths
 
 
+MOST_LESSONS, MOST_ANSWERS, LONGEST_ANSWER = 200, 200, 80
+"""What is kept of lessons that were begun: the newest, and of each so much."""
+
+
+@dataclass(frozen=True)
+class Progress:
+    """How far somebody has come in a lesson.
+
+    Attributes
+    ----------
+    step : str
+        Name of the step to go on at; empty for the first.
+    answers : mapping of str to str
+        By ``step/block``: the number of a choice, from 1, what was typed, or how a task went.
+    done, of : int
+        Steps that are done, and that there are.
+    """
+
+    step: str = ""
+    answers: Mapping[str, str] = field(default_factory=dict)
+    done: int = 0
+    of: int = 0
+
+
+def _all_progress(text: str) -> dict[str, Progress]:
+    try:
+        found = json.loads(text)
+    except RecursionError as error:
+        raise ValueError from error
+    if not isinstance(found, dict):
+        raise ValueError
+    return {str(name): _one_progress(kept) for name, kept in found.items()}
+
+
+def _one_progress(kept: object) -> Progress:
+    if not isinstance(kept, dict):
+        raise ValueError
+    step, answers = kept.get("step", ""), kept.get("answers", {})
+    counts = kept.get("done", 0), kept.get("of", 0)
+    if not isinstance(step, str) or not isinstance(answers, dict):
+        raise ValueError
+    if not all(isinstance(text, str) for text in answers.values()):
+        raise ValueError
+    if not all(type(count) is int and 0 <= count < 10_000 for count in counts):
+        raise ValueError
+    return Progress(step, answers, *counts)
+
+
 class _Kept(Generic[_T]):
     """One setting: its name in the file, how its text is read and written, and its default."""
 
@@ -182,6 +231,26 @@ class Settings:
     @recent.setter
     def recent(self, recent: list[str]) -> None:
         self.write("recent", json.dumps(recent))
+
+    @property
+    def progress(self) -> dict[str, Progress]:
+        """Of the lessons that were begun, by their names or paths, the newest last; as of now."""
+        if self._file is not None:
+            self._file.sync()
+            self._values["progress"] = self._file.value("progress")
+        nothing: dict[str, Progress] = {}
+        return dict(self.read("progress", _all_progress, nothing))
+
+    def keep_progress(self, name: str, progress: Progress | None) -> None:
+        """Keep how far somebody has come in a lesson; None forgets it."""
+        kept = self.progress
+        kept.pop(name, None)
+        if progress is not None:
+            answers = list(progress.answers.items())[-MOST_ANSWERS:]
+            short = {key: text for key, text in answers if len(text) <= LONGEST_ANSWER}
+            kept[name] = replace(progress, answers=short)
+        newest = dict(list(kept.items())[-MOST_LESSONS:])
+        self.write("progress", json.dumps({key: asdict(each) for key, each in newest.items()}))
 
     def override(self, key: str, text: str) -> None:
         """Use another value until it is set again; it is not saved."""

@@ -1,7 +1,7 @@
-"""The first minute: a card with the scenes as pictures, and three things to try by hand.
+"""The first minute: a card with the scenes as pictures, the lessons, and a tour of two minutes.
 
-The card lies over the window until a scene or a file is chosen, or Esc or a click beside it sends
-it away; then the three things are left in a corner, tick themselves off as they are done, and go.
+The card lies over the window until a scene, a lesson or a file is chosen, or Esc or a click beside
+it sends it away.
 """
 
 from __future__ import annotations
@@ -13,14 +13,15 @@ from functools import partial
 from pathlib import Path
 
 import numpy as np
-from PySide6.QtCore import QEvent, QObject, QPoint, QSize, Qt, QTimer, Signal
-from PySide6.QtGui import QCloseEvent, QIcon, QImage, QMouseEvent, QPixmap, QShowEvent
+from PySide6.QtCore import QEvent, QObject, QSize, Qt, QTimer, Signal
+from PySide6.QtGui import QCloseEvent, QIcon, QImage, QMouseEvent, QPixmap
 from PySide6.QtWidgets import (
     QCheckBox,
     QFrame,
     QGridLayout,
     QHBoxLayout,
     QLabel,
+    QMenu,
     QToolButton,
     QVBoxLayout,
     QWidget,
@@ -31,7 +32,9 @@ from app.scenes.scene import BUILT_IN, load
 from widgets.parts import palette
 from widgets.parts.icons import show_icon
 from widgets.parts.messages import file_title
-from widgets.parts.panel import Changed, Shown
+from widgets.window.lesson_card import TOUR
+from widgets.window.lesson_menu import fill
+from widgets.window.settings import Progress
 
 log = logging.getLogger(__name__)
 
@@ -40,10 +43,6 @@ THUMBNAIL_PX = (144, 81)
 MOST_RECENT = 6
 DRAWN_FINER = 2.0
 """A thumbnail is drawn so many times as large, or the letters in it would hide it."""
-ABOVE_STAGES_PX = 64
-"""The stage bar is at the bottom of the cube, and the cube may be the pane in the corner."""
-SEEN_DONE_MS = 4000
-"""How long the three things are still seen when all are done."""
 
 
 BARE = View(layers=frozenset({"labels"}))
@@ -51,7 +50,7 @@ BARE = View(layers=frozenset({"labels"}))
 
 
 class StartCard(QWidget):
-    """The scenes and the recent files, over the whole window.
+    """The scenes, the lessons and the recent files, over the whole window.
 
     Parameters
     ----------
@@ -61,6 +60,8 @@ class StartCard(QWidget):
         Of the built-in scenes, by their names.
     recent : sequence of str
         Paths of files.
+    progress : mapping of str to Progress
+        Of the lessons that were begun.
     at_every_start : bool
     dark : bool
     """
@@ -78,6 +79,7 @@ class StartCard(QWidget):
         window: QWidget,
         titles: Mapping[str, str],
         recent: Sequence[str],
+        progress: Mapping[str, Progress],
         *,
         at_every_start: bool,
         dark: bool,
@@ -109,7 +111,12 @@ class StartCard(QWidget):
         both = QHBoxLayout()
         both.setSpacing(16)
         both.addLayout(grid)
-        both.addLayout(self._files(recent))
+        column_beside = QVBoxLayout()
+        column_beside.setSpacing(2)
+        self._lessons(column_beside, progress)
+        column_beside.addSpacing(12)
+        self._files(column_beside, recent)
+        both.addLayout(column_beside)
         column.addLayout(both)
         always = QCheckBox(self.tr("Show this at every start"))
         always.setToolTip(self.tr("Help > Start card shows it at any time"))
@@ -156,16 +163,51 @@ class StartCard(QWidget):
         tile.clicked.connect(partial(self._choose, self.scene_chosen.emit, name))
         return tile
 
-    def _files(self, recent: Sequence[str]) -> QVBoxLayout:
-        column = QVBoxLayout()
-        column.setSpacing(2)
+    def _lessons(self, column: QVBoxLayout, progress: Mapping[str, Progress]) -> None:
+        heading = QLabel(self.tr("Learn"))
+        heading.setObjectName("paneTitle")
+        column.addWidget(heading)
+        tour = QToolButton()
+        tour.setText(self.tr("Two-minute tour"))
+        show_icon(tour, "play")
+        tour.setToolTip(self.tr("Six things to try, one after the other"))
+        tour.clicked.connect(partial(self._choose, self.file_chosen.emit, str(TOUR)))
+        buttons = [tour]
+        for text, tip, talks in (
+            (
+                self.tr("Lessons"),
+                self.tr("24 topics of the lectures, to work through alone"),
+                False,
+            ),
+            (self.tr("Talks"), self.tr("The five lectures, to step through for a class"), True),
+        ):
+            button = QToolButton()
+            button.setText(text)
+            show_icon(button, "lesson" if not talks else "present")
+            button.setToolTip(tip)
+            menu = QMenu(button)
+            choose = partial(self._choose, self.file_chosen.emit)
+            menu.aboutToShow.connect(partial(fill, menu, progress, choose, talks=talks))
+            button.setMenu(menu)
+            button.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
+            buttons.append(button)
+        self._add(column, buttons)
+
+    @staticmethod
+    def _add(column: QVBoxLayout, buttons: Sequence[QToolButton]) -> None:
+        for button in buttons:
+            button.setAutoRaise(True)
+            button.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
+            column.addWidget(button)
+
+    def _files(self, column: QVBoxLayout, recent: Sequence[str]) -> None:
         heading = QLabel(self.tr("Files"))
         heading.setObjectName("paneTitle")
         column.addWidget(heading)
         opens = QToolButton()
         opens.setText(self.tr("Open a file…"))
         show_icon(opens, "open")
-        opens.setToolTip(self.tr("Open a document, a mesh or an exported picture"))
+        opens.setToolTip(self.tr("Open a document, a lesson, a mesh or an exported picture"))
         opens.clicked.connect(self._open)
         buttons = [opens]
         for path in recent[:MOST_RECENT]:
@@ -177,12 +219,8 @@ class StartCard(QWidget):
             button.setAccessibleName(Path(path).name)
             button.clicked.connect(partial(self._choose, self.file_chosen.emit, path))
             buttons.append(button)
-        for button in buttons:
-            button.setAutoRaise(True)
-            button.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
-            column.addWidget(button)
+        self._add(column, buttons)
         column.addStretch(1)
-        return column
 
     def _choose(self, tell: Callable[[str], object], what: str) -> None:
         self.close()
@@ -245,83 +283,3 @@ class StartCard(QWidget):
     def mousePressEvent(self, event: QMouseEvent) -> None:
         event.accept()  # beside the card: those on it have been taken by what is there
         self.close()
-
-
-class FirstSteps(QFrame):
-    """Three things to try by hand, in a corner of the panes until they are done.
-
-    Parameters
-    ----------
-    window : QWidget
-        What it lies over.
-    panes : QWidget
-        In whose lower left corner it lies.
-    """
-
-    concerns = frozenset({"lens"})
-
-    def __init__(self, window: QWidget, panes: QWidget) -> None:
-        super().__init__(window)
-        self._panes = panes
-        self.setObjectName("firstSteps")
-        self.setAutoFillBackground(True)
-        self.setFrameShape(QFrame.Shape.StyledPanel)
-        self.setAccessibleName(self.tr("Three things to try"))
-        heading = QLabel(self.tr("Try by hand"))
-        heading.setObjectName("paneTitle")
-        leave = QToolButton()
-        leave.setAutoRaise(True)
-        show_icon(leave, "close")
-        leave.setToolTip(self.tr("Try nothing"))
-        leave.setAccessibleName(self.tr("Close"))
-        leave.clicked.connect(self.close)
-        head = QHBoxLayout()
-        head.addWidget(heading, 1)
-        head.addWidget(leave)
-        column = QVBoxLayout(self)
-        column.setContentsMargins(10, 4, 10, 8)
-        column.setSpacing(2)
-        column.addLayout(head)
-        self.steps = {
-            "near": QCheckBox(self.tr("Drag the near plane, or its slider")),
-            "turn": QCheckBox(self.tr("Turn the world: drag beside the frustum")),
-            "cube": QCheckBox(self.tr("Double-click the cube's title to make it large")),
-        }
-        for step in self.steps.values():
-            step.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
-            step.setFocusPolicy(Qt.FocusPolicy.NoFocus)
-            column.addWidget(step)
-        self._near: float | None = None
-        panes.installEventFilter(self)
-        self.hide()
-
-    def tick(self, name: str) -> None:
-        """One of the three is done."""
-        if self.isHidden() or self.steps[name].isChecked():
-            return
-        self.steps[name].setChecked(True)
-        if all(step.isChecked() for step in self.steps.values()):
-            QTimer.singleShot(SEEN_DONE_MS, self, self.close)
-
-    def take(self, shown: Shown, changed: Changed) -> None:
-        """Another lens: its near plane may have been dragged."""
-        planes = shown.projection.lens.planes
-        near = None if planes is None else planes[0]
-        if None not in (near, self._near) and near != self._near:
-            self.tick("near")
-        self._near = near
-
-    def place(self) -> None:
-        """Lie in the corner."""
-        self.adjustSize()
-        corner = self._panes.mapTo(self.window(), self._panes.rect().bottomLeft())
-        self.move(corner + QPoint(12, -ABOVE_STAGES_PX - self.height()))
-
-    def showEvent(self, event: QShowEvent) -> None:
-        super().showEvent(event)
-        self.place()
-
-    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        if event.type() == QEvent.Type.Resize and self.isVisible():
-            self.place()
-        return super().eventFilter(watched, event)

@@ -1,0 +1,571 @@
+"""A lesson beside the pictures: one step at a time, what it asks, and the way through it.
+
+::
+
+    Lessons.opened, stepped -> LessonCard: the step's page anew
+    a block is settled -> Settings: how far one has come
+    the window changes -> LessonCard.look_again -> at the next turn of the event loop: tasks
+"""
+
+from __future__ import annotations
+
+import os
+from dataclasses import replace
+from functools import partial
+from pathlib import Path
+
+from PySide6.QtCore import Qt, QTimer, Signal
+from PySide6.QtGui import (
+    QAccessible,
+    QAccessibleAnnouncementEvent,
+    QFontInfo,
+    QIcon,
+    QKeySequence,
+)
+from PySide6.QtWidgets import (
+    QApplication,
+    QFrame,
+    QHBoxLayout,
+    QLabel,
+    QLineEdit,
+    QPushButton,
+    QScrollArea,
+    QSplitter,
+    QToolButton,
+    QVBoxLayout,
+    QWidget,
+)
+
+from app.document.document import Document
+from app.document.store import Store
+from app.document.view import View
+from app.lessons.course import CONTENT, Course, contained
+from app.lessons.lesson import Head, Lesson, Part, Step, Words, head_of
+from app.lessons.text import escaped, plain_of
+from widgets.controls.controls import Controls
+from widgets.parts.icons import show_icon
+from widgets.parts.lesson_text import LessonText
+from widgets.window.lesson_blocks import DONE, Asked, Chooses, Tries, block_of
+from widgets.window.lessons import Lessons
+from widgets.window.settings import Progress, Settings
+
+AGAIN_KEY, BACK_KEY, NEXT_KEY = "F7", "Alt+Left", "Alt+Right"
+WIDTH_EM = 31.0
+"""Of the column while a lesson is open."""
+SHARE = 0.58
+"""Of the column's height, for the card."""
+MOST_MARKS = 10
+"""Of more steps there is no mark for each."""
+WHILE_MOVING_MS = 50
+"""So soon it is looked again for what is done, while the model is on its way."""
+
+
+def name_of(path: Path) -> str:
+    """By what the progress of a lesson is kept: its name, or the path of one from elsewhere."""
+    return path.stem if path.parent == CONTENT else os.path.abspath(path)
+
+
+def heads(*, talks: bool) -> tuple[Head, ...]:
+    """The lessons that come with the program, or the talks, in their order; not the tour."""
+    found = []
+    for path in contained():
+        head = head_of(path)
+        if head.is_talk == talks and path != TOUR:
+            found.append(head)
+    return tuple(found)
+
+
+TOUR = CONTENT / "tour.md"
+"""The first two minutes with the program."""
+
+
+class LessonCard(QFrame):
+    """The open lesson, at its step; hidden where there is none.
+
+    Parameters
+    ----------
+    lessons : Lessons
+    store : Store
+    settings : Settings
+        Keep how far one has come.
+
+    Attributes
+    ----------
+    blocks : list of Asked
+        What the step asks, as far as it is seen.
+    """
+
+    toggled = Signal(bool)
+    """It came to be seen, or has gone."""
+    went_on = Signal()
+    """What can be done may be something else now: another step, or something was answered."""
+
+    def __init__(self, lessons: Lessons, store: Store, settings: Settings) -> None:
+        super().__init__()
+        self.setObjectName("lesson")
+        self.setAccessibleName(self.tr("Lesson"))
+        self._lessons, self._store, self._settings = lessons, store, settings
+        self._progress = Progress()
+        self._rest: list[Part] = []
+        """What of the step is not seen yet."""
+        self._shown: tuple[Course, int] | None = None
+        """What the page is of."""
+        self._aside: tuple[Document, View | None] | None = None
+        """What is shown to refute something, and how it is looked at: nobody has done that."""
+        self.is_on = False
+        """Whether there is something to read: a lesson, or that it is done."""
+        self.blocks: list[Asked] = []
+        self._title = QLabel()
+        self._title.setObjectName("paneTitle")
+        self._title.setWordWrap(True)
+        self._title.setTextFormat(Qt.TextFormat.PlainText)
+        self.anew = _tool("reset", self.tr("Begin again: forget what was answered here"))
+        self.anew.clicked.connect(self.begin_again)
+        self._leave = _tool("close", self.tr("Close the lesson"))
+        self._leave.clicked.connect(self.leave)
+        head = QHBoxLayout()
+        head.addWidget(self._title, 1)
+        for button in (self.anew, self._leave):
+            head.addWidget(button, 0, Qt.AlignmentFlag.AlignTop)
+        self._marks = QWidget()
+        self._marks.setObjectName("stepMarks")
+        row = QHBoxLayout(self._marks)
+        row.setContentsMargins(0, 0, 0, 0)
+        row.setSpacing(2)
+        self._area = QScrollArea()
+        self._area.setWidgetResizable(True)
+        self._area.setFrameShape(QFrame.Shape.NoFrame)
+        self._area.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        self._area.setAccessibleName(self.tr("Step"))
+        self._notice = QLabel()
+        self._notice.setWordWrap(True)
+        self._notice.setObjectName("notice")
+        self._notice.hide()
+        column = QVBoxLayout(self)
+        column.setContentsMargins(9, 6, 6, 6)
+        column.setSpacing(5)
+        column.addLayout(head)
+        column.addWidget(self._marks)
+        column.addWidget(self._area, 1)
+        column.addWidget(self._notice)
+        column.addLayout(self._foot())
+        self._looking = QTimer(self)
+        self._looking.setSingleShot(True)
+        self._looking.timeout.connect(self._look)
+        lessons.opened.connect(self._open)
+        lessons.stepped.connect(self._step)
+        self.hide()
+
+    def _foot(self) -> QHBoxLayout:
+        back_key, again_key, next_key = (
+            QKeySequence(key).toString(QKeySequence.SequenceFormat.NativeText)
+            for key in (BACK_KEY, AGAIN_KEY, NEXT_KEY)
+        )
+        self.back = _push(self.tr("&Back"), self.tr("The step before ({0})").format(back_key))
+        self.again = _push(
+            self.tr("Show again"),
+            self.tr("Show the step again, whatever was tried ({0})").format(again_key),
+        )
+        self.again.setAccessibleName(self.tr("Show the step again"))
+        self.hint = _push(self.tr("H&int"), self.tr("A hint, one after the other (Alt+I)"))
+        self.next = _push(self.tr("&Next"), self.tr("The next step ({0})").format(next_key))
+        self.next.setObjectName("nextStep")
+        self.back.clicked.connect(self.go_back)
+        self.again.clicked.connect(self.show_again)
+        self.hint.clicked.connect(self.give_hint)
+        self.next.clicked.connect(self.go_on)
+        row = QHBoxLayout()
+        row.setSpacing(4)
+        row.addWidget(self.back)
+        row.addWidget(self.again)
+        row.addStretch(1)
+        row.addWidget(self.hint)
+        row.addWidget(self.next)
+        return row
+
+    # -- what is open
+
+    @property
+    def _lesson(self) -> Lesson | None:
+        return self._lessons.lesson
+
+    def open(self, path: str | Path) -> bool:
+        """Open a lesson where it was left; False if it cannot be opened."""
+        kept = self._settings.progress.get(name_of(Path(path)), Progress())
+        return self._lessons.open(path, kept.step)
+
+    def leave(self) -> None:
+        """Close the lesson; it goes on there the next time."""
+        self._clear()
+        self._shown = None
+        self._lessons.close()
+        self.is_on = False
+        self.toggled.emit(False)
+        self.went_on.emit()
+
+    def begin_again(self) -> None:
+        """Forget what was answered in the lesson, and go to its first step."""
+        if self._lesson is not None:
+            self._progress = Progress()
+            self._keep()
+            self._shown = None
+            self._lessons.go(0)
+
+    def _open(self) -> None:
+        lesson = self._lesson
+        if lesson is None:
+            return
+        self._progress = self._settings.progress.get(name_of(lesson.path), Progress())
+        self._shown = None
+        self._title.setText(lesson.title)
+        self._make_marks(lesson)
+        if not self.is_on:
+            self.is_on = True
+            self.toggled.emit(True)
+
+    def _step(self) -> None:
+        """Show the page of the step, unless it is there."""
+        course = self._lessons.course
+        assert course is not None
+        if self._shown != (course, self._lessons.place):
+            self._shown = course, self._lessons.place
+            self._progress = replace(self._progress, step=self._here.name)
+            self._keep()
+            takes = self._may_take_focus
+            self._make_page()
+            if takes:
+                self._take_focus()
+        self._aside = None
+        self._notice.hide()
+        self.look_again()
+
+    @property
+    def _here(self) -> Step:
+        step = self._lessons.step
+        assert step is not None
+        return step
+
+    # -- the page
+
+    def _make_marks(self, lesson: Lesson) -> None:
+        row = self._marks.layout()
+        assert isinstance(row, QHBoxLayout)
+        while (item := row.takeAt(0)) is not None:
+            widget = item.widget()
+            if widget is not None:
+                widget.hide()
+                widget.deleteLater()
+        self._numbers: list[QToolButton] = []
+        if len(lesson.steps) <= MOST_MARKS:
+            for place, step in enumerate(lesson.steps):
+                mark = QToolButton()
+                mark.setText(str(place + 1))
+                mark.setCheckable(True)
+                mark.setAutoRaise(True)
+                mark.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
+                mark.setToolTip(plain_of(step.title))
+                mark.clicked.connect(partial(self.go_to, place))
+                self._numbers.append(mark)
+                row.addWidget(mark)
+        row.addStretch(1)
+        self._counted = QLabel()
+        self._counted.setObjectName("paneNote")
+        row.addWidget(self._counted)
+
+    def _show_marks(self) -> None:
+        lesson = self._lesson
+        assert lesson is not None
+        place, count = self._lessons.place, len(lesson.steps)
+        self._counted.setText(self.tr("Step {0} of {1}").format(place + 1, count))
+        for number, (mark, step) in enumerate(zip(self._numbers, lesson.steps, strict=False)):
+            is_done = self._is_done(step)
+            mark.setChecked(number == place)
+            show_icon(mark, "check") if is_done else mark.setIcon(QIcon())
+            name = self.tr("Step {0}: {1}").format(number + 1, plain_of(step.title))
+            mark.setAccessibleName(f"{name}, {self.tr('done')}" if is_done else name)
+        self.back.setEnabled(place > 0)
+        self.next.setText(self.tr("&Next") if place + 1 < count else self.tr("Do&ne"))
+        self.hint.setEnabled(self._hinting is not None)
+        self.went_on.emit()
+
+    def _clear(self) -> None:
+        self.blocks = []
+        page = self._area.takeWidget()
+        if page is not None:
+            page.deleteLater()
+
+    def _make_page(self) -> None:
+        """The step's title, then its text and what it asks, in their order."""
+        self._clear()
+        page = QWidget()
+        column = QVBoxLayout(page)
+        column.setContentsMargins(0, 0, 6, 4)
+        self._column = QVBoxLayout()
+        self._column.setSpacing(8)
+        column.addLayout(self._column)
+        column.addStretch(1)
+        self._column.addWidget(LessonText(self._here.title, title=True))
+        self._rest = [*self._here.parts]
+        self._unfold()
+        self._area.setWidget(page)
+        self._area.verticalScrollBar().setValue(0)
+        self._show_marks()
+
+    def _unfold(self) -> None:
+        """Show the parts up to a prediction that is to be made first: what follows tells of it."""
+        assert self._shown is not None
+        while self._rest and self._uncommitted is None:
+            part = self._rest.pop(0)
+            if isinstance(part, Words):
+                self._column.addWidget(LessonText(part.text))
+                continue
+            answer = self._progress.answers.get(self._key(part.name), "")
+            block = block_of(*self._shown, part, answer)
+            block.settled.connect(partial(self._settled, block))
+            block.show_wanted.connect(self._show_aside)
+            self.blocks.append(block)
+            self._column.addWidget(block)
+
+    def _key(self, block: str) -> str:
+        return f"{self._here.name}/{block}"
+
+    @property
+    def _uncommitted(self) -> Asked | None:
+        """The prediction that must be made before the step goes on."""
+        return next((b for b in self.blocks if isinstance(b, Chooses) and b.holds), None)
+
+    @property
+    def _hinting(self) -> Asked | None:
+        """What the next hint is about."""
+        return next((block for block in self.blocks if block.is_open and block.hints), None)
+
+    def _is_done(self, step: Step) -> bool:
+        """Whether all that a step asks is answered; one that asks nothing has been gone on from."""
+        names = [part.name for part in step.asked] or [""]
+        return all(f"{step.name}/{name}" in self._progress.answers for name in names)
+
+    def _settled(self, block: Asked, answer: str) -> None:
+        self._note(block.part.name, answer)
+        self._notice.hide()
+        had_focus = self._has_focus
+        self._unfold()
+        self._show_marks()
+        if had_focus:
+            self._take_focus()
+        self.look_again()
+
+    def _note(self, block: str, answer: str) -> None:
+        """Keep an answer."""
+        answers = {**self._progress.answers, self._key(block): answer}
+        self._progress = replace(self._progress, answers=answers)
+        self._keep()
+
+    def _keep(self) -> None:
+        lesson = self._lesson
+        assert lesson is not None
+        done = sum(self._is_done(step) for step in lesson.steps)
+        self._progress = replace(self._progress, done=done, of=len(lesson.steps))
+        self._settings.keep_progress(name_of(lesson.path), self._progress)
+
+    def _show_aside(self, document: Document) -> None:
+        self._aside = document, None
+        self._lessons.show(document)
+
+    # -- the way through it
+
+    def go_to(self, place: int) -> None:
+        """Go to a step, from 0; not on from one with a prediction that is to be made."""
+        held = self._uncommitted
+        if held is not None and place > self._lessons.place:
+            self._say(
+                self.tr("Make your prediction first: choose one, and Commit. Then it goes on.")
+            )
+            if held.first is not None:
+                held.first.setFocus(Qt.FocusReason.OtherFocusReason)
+                self._area.ensureWidgetVisible(held)
+            self._show_marks()
+            return
+        if place > self._lessons.place and not self._here.asked:
+            self._note("", DONE)
+        if not self._lessons.go(place):
+            self._show_marks()
+
+    def go_on(self) -> None:
+        """Go to the next step, or from the last one out of the lesson."""
+        lesson = self._lesson
+        if lesson is None:
+            return
+        if self._lessons.place + 1 < len(lesson.steps):
+            self.go_to(self._lessons.place + 1)
+        elif self._uncommitted is not None:
+            self.go_to(len(lesson.steps))
+        else:
+            self._finish(lesson)
+
+    def go_back(self) -> None:
+        """Go to the step before."""
+        self._lessons.previous()
+
+    def show_again(self) -> None:
+        """Show the step as its file has it, whatever was tried."""
+        self._lessons.come_back()
+
+    def give_hint(self) -> None:
+        """Say the next hint to what is open."""
+        block = self._hinting
+        if block is not None:
+            block.give_hint()
+            self._area.ensureWidgetVisible(block)
+            self.hint.setEnabled(self._hinting is not None)
+            self.went_on.emit()
+
+    def _finish(self, lesson: Lesson) -> None:
+        """Close the lesson; what is left of it says so, and names the next one."""
+        if not self._here.asked:
+            self._note("", DONE)
+        self._progress = replace(self._progress, step="")
+        self._keep()
+        said = self.tr("Done: “{0}”.").format(lesson.title)
+        left = self._progress.of - self._progress.done
+        if left:
+            said += " " + self.tr("Steps with something left to do: {0}.").format(left)
+        following = _after(lesson.path)
+        self._clear()
+        self._shown = None
+        self._lessons.close()
+        page = QWidget()
+        column = QVBoxLayout(page)
+        column.addWidget(LessonText(escaped(said)))
+        first = None
+        if following is not None:
+            first = _push(
+                self.tr("Next lesson: {0}").format(following.title.replace("&", "&&")),
+                self.tr("Open it"),
+            )
+            first.clicked.connect(partial(self.open, following.path))
+            column.addWidget(first)
+        close = _push(self.tr("&Close"), self.tr("Close the lesson"))
+        close.clicked.connect(self.leave)
+        column.addWidget(close)
+        column.addStretch(1)
+        self._area.setWidget(page)
+        for mark in self._numbers:
+            mark.setEnabled(False)
+        for button in (self.back, self.again, self.hint, self.next, self.anew):
+            button.setEnabled(False)
+        (first or close).setFocus(Qt.FocusReason.OtherFocusReason)
+        self.went_on.emit()
+
+    def _say(self, text: str) -> None:
+        self._notice.setText(text)
+        self._notice.show()
+        QAccessible.updateAccessibility(QAccessibleAnnouncementEvent(self, text))
+
+    @property
+    def _has_focus(self) -> bool:
+        focus = QApplication.focusWidget()
+        return focus is not None and self.isAncestorOf(focus)
+
+    @property
+    def _may_take_focus(self) -> bool:
+        """Whether nobody types elsewhere."""
+        return self._has_focus or not isinstance(QApplication.focusWidget(), QLineEdit)
+
+    def _take_focus(self) -> None:
+        """Let the keyboard begin with what is to be done first."""
+        first = next((b.first for b in self.blocks if b.is_open and b.first is not None), None)
+        (first or self.next).setFocus(Qt.FocusReason.OtherFocusReason)
+
+    # -- what is done in the window
+
+    def look_again(self, *_changed: object) -> None:
+        """Something of the window is another: see what of it is done, once all has changed."""
+        if self._lesson is not None:
+            self._looking.start(WHILE_MOVING_MS if self._lessons.is_moving else 0)
+
+    def _look(self) -> None:
+        if self._lesson is None:
+            return
+        if self._lessons.is_moving:
+            self.look_again()
+            return
+        self.again.setEnabled(self._lessons.is_away)
+        self.went_on.emit()
+        document, look = self._store.document, self._store.look()
+        if self._aside is not None:
+            aside, looked = self._aside
+            if document == aside and looked in (None, look):
+                self._aside = aside, look
+                return
+            self._aside = None
+        for block in [b for b in self.blocks if isinstance(b, Tries) and b.is_open]:
+            block.look(document, look)
+
+
+def _after(path: Path) -> Head | None:
+    """The lesson that comes next: after the tour the first."""
+    lessons = heads(talks=False)
+    places = [place for place, head in enumerate(lessons) if head.path == path]
+    if not places and path != TOUR:
+        return None
+    place = places[0] + 1 if places else 0
+    return lessons[place] if place < len(lessons) else None
+
+
+def _tool(icon: str, name: str) -> QToolButton:
+    button = QToolButton()
+    button.setAutoRaise(True)
+    show_icon(button, icon)
+    button.setToolTip(name)
+    button.setAccessibleName(name)
+    return button
+
+
+def _push(text: str, tip: str) -> QPushButton:
+    button = QPushButton(text)
+    button.setToolTip(tip)
+    button.setAutoDefault(True)  # Enter presses it
+    return button
+
+
+class Side(QSplitter):
+    """The column beside the pictures: the lesson's card above the controls.
+
+    Parameters
+    ----------
+    controls : Controls
+    """
+
+    def __init__(self, controls: Controls) -> None:
+        super().__init__(Qt.Orientation.Vertical)
+        self._controls = controls
+        self._card: LessonCard | None = None
+        self._before: list[int] = []
+        """How wide pictures and column were without a lesson."""
+        self.setChildrenCollapsible(False)
+        self.addWidget(controls)
+
+    def take_card(self, card: LessonCard) -> None:
+        """Have the lesson's card above the controls."""
+        self._card = card
+        self.insertWidget(0, card)
+
+    def show_parts(self, *, card: bool, controls: bool) -> None:
+        """Show some of it."""
+        assert self._card is not None
+        self._card.setVisible(card)
+        self._controls.setVisible(controls)
+        self.setVisible(card or controls)
+
+    def make_room(self, on: bool) -> None:
+        """Be wider while there is a lesson."""
+        around = self.parentWidget()
+        assert isinstance(around, QSplitter)
+        if on:
+            self._before = around.sizes()
+            em = QFontInfo(self.font()).pixelSize()
+            wide = max(self._before[-1], round(WIDTH_EM * em))
+            around.setSizes([sum(self._before) - wide, wide])
+            self.setSizes([round(SHARE * 1000), round((1.0 - SHARE) * 1000)])
+        elif self._before and self._before[-1]:
+            around.setSizes(self._before)

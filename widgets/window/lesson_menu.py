@@ -1,0 +1,130 @@
+"""Lessons and talks to choose from, and the keys of the way through the one that is open."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from functools import partial
+from pathlib import Path
+
+from PySide6.QtCore import QCoreApplication
+from PySide6.QtGui import QAction
+from PySide6.QtWidgets import QFileDialog, QMenu, QWidget
+
+from widgets.window.lesson_card import (
+    AGAIN_KEY,
+    BACK_KEY,
+    NEXT_KEY,
+    TOUR,
+    LessonCard,
+    heads,
+    name_of,
+)
+from widgets.window.settings import Progress, Settings
+
+
+def fill(
+    menu: QMenu,
+    progress: Mapping[str, Progress],
+    choose: Callable[[str], object],
+    *,
+    talks: bool,
+) -> None:
+    """List the lessons that come with the program, or the talks, and how far one has come.
+
+    Parameters
+    ----------
+    menu : QMenu
+    progress : mapping of str to Progress
+    choose : callable
+        Gets the path of the one that is chosen.
+    talks : bool
+    """
+    menu.clear()
+    for head in heads(talks=talks):
+        kept = progress.get(name_of(head.path), Progress())
+        text = " ".join((*head.topics[:1], head.title)).replace("&", "&&")
+        if kept.of and kept.done == kept.of:
+            text += "\t" + QCoreApplication.translate("LessonMenu", "done")
+        elif kept.done:
+            text += f"\t{kept.done}/{kept.of}"
+        action = menu.addAction(text)
+        action.triggered.connect(lambda _on=False, path=head.path: choose(str(path)))
+
+
+class LessonMenu(QMenu):
+    """The menu bar's: what can be opened, and where to go in what is open.
+
+    Parameters
+    ----------
+    title : str
+    window : QWidget
+    make : callable
+        Makes an action of the window, from its text, nothing, its key, and its tip.
+    """
+
+    def __init__(self, title: str, window: QWidget, make: Callable[..., QAction]) -> None:
+        super().__init__(title, window)
+        self._window = window
+        self.tour = make(self.tr("Two-minute &tour"))
+        self.addAction(self.tour)
+        self.lessons = self.addMenu(self.tr("&Lessons"))
+        self.talks = self.addMenu(self.tr("T&alks"))
+        self.open = make(
+            self.tr("&Open a lesson…"), None, None, self.tr("Open a lesson or a talk from its file")
+        )
+        self.addAction(self.open)
+        self.addSeparator()
+        self.again = make(
+            self.tr("&Show the step again"), None, AGAIN_KEY,
+            self.tr("Show the lesson's step as its file has it, whatever was tried"),
+        )  # fmt: skip
+        self.next = make(self.tr("&Next step"), None, NEXT_KEY)
+        self.back = make(self.tr("Step &before"), None, BACK_KEY)
+        self.hint = make(self.tr("&Hint"))
+        self.anew = make(self.tr("Begin the lesson a&gain"))
+        self.leave = make(self.tr("&Close the lesson"))
+        self.addActions([self.again, self.next, self.back, self.hint])
+        self.addSeparator()
+        self.addActions([self.anew, self.leave])
+
+    def wire(self, card: LessonCard, settings: Settings) -> None:
+        """Let the card do what is chosen."""
+        for menu, talks in ((self.lessons, False), (self.talks, True)):
+            menu.aboutToShow.connect(
+                lambda menu=menu, talks=talks: fill(menu, settings.progress, card.open, talks=talks)
+            )
+        for action, act in (
+            (self.tour, partial(card.open, TOUR)),
+            (self.open, partial(self._ask, card)),
+            (self.again, card.show_again),
+            (self.next, card.go_on),
+            (self.back, card.go_back),
+            (self.hint, card.give_hint),
+            (self.anew, card.begin_again),
+            (self.leave, card.leave),
+        ):
+            action.triggered.connect(lambda _on=False, act=act: act())
+        card.went_on.connect(partial(self._show, card))
+        self._show(card)
+
+    def _show(self, card: LessonCard) -> None:
+        """Offer what can be done just now."""
+        for action, button in (
+            (self.again, card.again),
+            (self.next, card.next),
+            (self.back, card.back),
+            (self.hint, card.hint),
+            (self.anew, card.anew),
+        ):
+            action.setEnabled(card.is_on and button.isEnabled())
+        self.leave.setEnabled(card.is_on)
+
+    def _ask(self, card: LessonCard) -> None:
+        path, _ = QFileDialog.getOpenFileName(
+            self._window,
+            self.tr("Open a lesson or a talk"),
+            "",
+            self.tr("Lessons and talks (*.md);;All files (*)"),
+        )
+        if path:
+            card.open(Path(path))
