@@ -31,6 +31,14 @@ def document_of(file: str | None, assignments: Sequence[str]) -> Document:
     return with_values(document_before(file, assignments), assignments)
 
 
+def first_state(lesson: str) -> Document:
+    """What a lesson or a talk begins with."""
+    from app.lessons.course import Course
+    from app.lessons.lesson import read as read_lesson
+
+    return Course(read_lesson(os.path.abspath(lesson))).shown(0).document
+
+
 def document_before(file: str | None, assignments: Sequence[str]) -> Document:
     """The document that a FILE is, holds, or opens with, before the values set by ``--set``.
 

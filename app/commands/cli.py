@@ -31,6 +31,7 @@ from app.commands.arguments import (
     check_out,
     document_before,
     document_of,
+    first_state,
     load_scene,
     with_values,
 )
@@ -47,6 +48,7 @@ from app.commands.options import (
 from app.document.document import MESH_ENDINGS, is_mesh, picture_json
 from app.lecture.notation import latex_name, latex_number
 from app.lecture.typed_matrix import properties
+from app.lessons.lesson import is_lesson
 from app.model.infinity import homogeneous
 from app.model.limits import Row
 from app.model.projection import (
@@ -115,7 +117,10 @@ def _window(arguments: Sequence[str]) -> int:
         if not 1 <= side <= LARGEST_IMAGE_PX:
             raise CliError(f"--size {name} = {side}: {WHOLE_PIXELS.format(LARGEST_IMAGE_PX)}.")
     file = words[0] if words else None
-    saved = document_before(file, found.set)
+    lesson = file is not None and is_lesson(file)
+    if lesson and found.set:
+        raise CliError(f"--set {found.set[0]}: {file} is a lesson, whose steps set what is shown.")
+    saved = first_state(file) if file and lesson else document_before(file, found.set)
     document = with_values(saved, found.set)
     from_file = is_mesh(document.scene) or document.mesh
     scene = load_scene(document.scene, document.mesh, file) if from_file else None
@@ -135,6 +140,8 @@ def _window(arguments: Sequence[str]) -> int:
     screenshot = None if found.screenshot is None else Path(found.screenshot)
     options = application.Options(found.theme, found.size, screenshot, found.canvas)
     try:
+        if lesson:
+            return application.run_window(document, saved, None, options, scene, lesson=path)
         return application.run_window(document, saved, path, options, scene)
     except DisplayError as error:
         raise CliError(str(error), CANNOT_DRAW) from error

@@ -255,7 +255,7 @@ def _window() -> Parser:
     parser = Parser(
         "",
         "[FILE]",
-        "a document, an exported PNG picture or a mesh (the letter F)",
+        "a document, an exported PNG picture, a mesh, a lesson or a talk (the letter F)",
         f"commands, each with its own --help:\n{lines}",
     )
     parser.add_set()

@@ -178,6 +178,7 @@ def run_window(
     path: Path | None,
     options: Options,
     scene: Scene | None = None,
+    lesson: Path | None = None,
 ) -> int:
     """Open the window on a document and stay until it is closed.
 
@@ -191,6 +192,8 @@ def run_window(
     options : Options
     scene : Scene, optional
         The document's scene, if it is loaded already.
+    lesson : Path, optional
+        A lesson or a talk that shall be open.
 
     Returns
     -------
@@ -244,13 +247,16 @@ def run_window(
             window.resize(*options.size)
         elif settings.geometry is None and not options.screenshot:
             window.setWindowState(Qt.WindowState.WindowMaximized)  # the first time
+        if lesson is not None:
+            window.lesson_card.open(lesson)
         window.first_painted.connect(partial(_open_panes, window))
         if found is opengl.NO_OPENGL:
             said = QCoreApplication.translate(
                 "Program", "Qt has no OpenGL here: VTK draws the panes off the screen."
             )
             window.filled.connect(partial(window.status.showMessage, said, SAID_MS))
-        if path is None and document == saved and settings.start_card and not options.screenshot:
+        begins_empty = path is None and lesson is None and document == saved
+        if begins_empty and settings.start_card and not options.screenshot:
             window.filled.connect(window.show_start_card)
         failed: list[bool] = []
         window.filled.connect(lambda: failed.append(bool(watch.caught)))

@@ -97,6 +97,8 @@ class Asked(QFrame):
     """It is answered: so."""
     show_wanted = Signal(object)
     """A `Document` that shows something of it."""
+    spoke = Signal()
+    """Something was said to it."""
 
     def __init__(self, course: Course, place: int, part: Question | Task) -> None:
         super().__init__()
@@ -178,7 +180,15 @@ class Asked(QFrame):
         )
         self._announce(f"{head} {verdict.says}")
 
+    @property
+    def said(self) -> list[QWidget]:
+        """What is said to it, from above."""
+        items = (self._said.itemAt(place) for place in range(self._said.count()))
+        widgets = (item.widget() for item in items if item is not None)
+        return [widget for widget in widgets if widget is not None]
+
     def _announce(self, text: str) -> None:
+        self.spoke.emit()
         QAccessible.updateAccessibility(QAccessibleAnnouncementEvent(self, plain_of(text)))
 
 
@@ -306,7 +316,8 @@ class Chooses(Asked):
             step = _ARROWS.get(event.key(), 0)
             if step:  # Qt would only move the focus while none is chosen
                 buttons = self._group.buttons()
-                there = buttons[(buttons.index(watched) + step) % len(buttons)]
+                at = next(at for at, button in enumerate(buttons) if button is watched)
+                there = buttons[(at + step) % len(buttons)]
                 there.setChecked(True)
                 there.setFocus(Qt.FocusReason.OtherFocusReason)
                 return True
@@ -323,7 +334,9 @@ class Chooses(Asked):
         number = self._group.checkedId()
         if number < 0:
             self._hush()
-            self._say("warning", "", self.tr("Choose one first: with the arrow keys, or a click."))
+            text = self.tr("Choose one first: with the arrow keys, or a click.")
+            self._say("warning", "", text)
+            self._announce(text)
             return
         right = self.question.choices[number].right
         settles = right or self.question.predicts

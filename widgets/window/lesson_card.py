@@ -52,7 +52,7 @@ from widgets.window.settings import Progress, Settings
 AGAIN_KEY, BACK_KEY, NEXT_KEY = "F7", "Alt+Left", "Alt+Right"
 WIDTH_EM = 31.0
 """Of the column while a lesson is open."""
-SHARE = 0.58
+SHARE = 0.6
 """Of the column's height, for the card."""
 MOST_MARKS = 10
 """Of more steps there is no mark for each."""
@@ -323,8 +323,15 @@ class LessonCard(QFrame):
             block = block_of(*self._shown, part, answer)
             block.settled.connect(partial(self._settled, block))
             block.show_wanted.connect(self._show_aside)
+            block.spoke.connect(partial(QTimer.singleShot, 0, self, partial(self._reveal, block)))
             self.blocks.append(block)
             self._column.addWidget(block)
+
+    def _reveal(self, block: Asked) -> None:
+        """Scroll to what is said, once there is room for it: all of it, or else its beginning."""
+        said = block.said if block in self.blocks else []
+        for widget in (*said[-1:], *said[:1]):
+            self._area.ensureWidgetVisible(widget, 0, 10)
 
     def _key(self, block: str) -> str:
         return f"{self._here.name}/{block}"
