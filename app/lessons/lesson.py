@@ -348,10 +348,14 @@ def parse_lesson(text: str, path: Path) -> Lesson:
     Refusal
         If something is wrong with it, with its line.
     """
-    text = text.replace("\r\n", "\n").replace("\r", "\n").replace("\0", "\ufffd")
-    lines = text.split("\n")
+    lines = _lines(text)
     top, first = _top(lines)
     return Lesson(path, steps=_steps(lines, first), **top)
+
+
+def _lines(text: str) -> list[str]:
+    text = text.replace("\r\n", "\n").replace("\r", "\n").replace("\0", "\ufffd")
+    return text.removeprefix("\ufeff").split("\n")
 
 
 def refused(line: int, bound: Bound, *limits: object, value: object = ...) -> Refusal:
@@ -471,19 +475,9 @@ _KINDS = ("state", "predict", "task", "answer", "note", "test")
 
 
 def _steps(lines: Sequence[str], first: int) -> tuple[Step, ...]:
-    body = "\n".join(lines[first:])
-    tokens = [token for token in markdown().parse(body) if token.level == 0 and token.map]
     steps: list[Step] = []
     names: dict[str, int] = {}
-    groups: list[list[Token]] = [[]]
-    for token in tokens:
-        if token.type == "hr":
-            groups.append([])
-            if len(groups) > MOST_STEPS + 1:
-                raise refused(_line(token, first), TOO_MANY_STEPS, MOST_STEPS)
-        else:
-            groups[-1].append(token)
-    for group in groups:
+    for group, _ in _groups(lines, first):
         if group:
             step = _Reader(lines, first, group).step()
             if step.name in names:
@@ -493,6 +487,31 @@ def _steps(lines: Sequence[str], first: int) -> tuple[Step, ...]:
     if not steps:
         raise refused(first, NO_STEPS)
     return tuple(steps)
+
+
+def _groups(lines: Sequence[str], first: int) -> list[tuple[list[Token], int]]:
+    """What stands between the lines ``---``, and the number of lines up to its end."""
+    body = "\n".join(lines[first:])
+    groups: list[tuple[list[Token], int]] = []
+    group: list[Token] = []
+    for token in markdown().parse(body):
+        if token.level > 0 or not token.map:
+            continue
+        if token.type == "hr":
+            groups.append((group, _line(token, first) - 1))
+            group = []
+            if len(groups) > MOST_STEPS:
+                raise refused(_line(token, first), TOO_MANY_STEPS, MOST_STEPS)
+        else:
+            group.append(token)
+    return [*groups, (group, len(lines))]
+
+
+def ends(text: str) -> list[int]:
+    """After how many of its lines each step of a lesson ends: there another can be put."""
+    lines = _lines(text)
+    _, first = _top(lines)
+    return [end for group, end in _groups(lines, first) if group]
 
 
 def _line(token: Token, first: int) -> int:
@@ -524,7 +543,7 @@ class _Reader:
         if heading.type != "heading_open" or heading.tag != "h1" or found is None or not found[1]:
             raise refused(line, NO_HEADING, value=self._lines[line - 1][:60])
         title = found[1]
-        name = found[2].strip() if found[2] is not None else _slug(title)
+        name = found[2].strip() if found[2] is not None else slug(title)
         if not _NAME.fullmatch(name):
             raise refused(line, BAD_NAME, value=name)
         parts: list[Part] = []
@@ -660,7 +679,8 @@ _BELOW = ("says", "state")
 _IDEA = re.compile(r"\s+\{([a-z][\w-]*)\}(?=\s*$|\s+:=\s)")
 
 
-def _slug(title: str) -> str:
+def slug(title: str) -> str:
+    """The name of a step whose title has none."""
     return "-".join(re.findall(r"[^\W_]+", title.lower()))[:60] or "step"
 
 

@@ -1,0 +1,344 @@
+"""A state written into a lesson's file: the shortest assignments that give it, as one more step.
+
+What a teacher wrote stays as it is, byte for byte: a step is put between two others, and only where
+all other steps go on showing what they showed.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import json
+import os
+import re
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
+from pathlib import Path
+from typing import NamedTuple
+
+from app.document.document import (
+    UNREADABLE,
+    Document,
+    blamed_on,
+    is_mesh,
+    set_values,
+    to_json,
+    write,
+    write_bytes_atomically,
+)
+from app.document.document import Path as AnyPath
+from app.document.view import AS_EVER
+from app.lecture.notation import Letters
+from app.lessons.course import CONTENT, Course, scene_of
+from app.lessons.lesson import BESIDE, Lesson, ends, parse_lesson, read, slug
+from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
+from app.scenes.phenomena import PHENOMENA
+
+NOT_IN_WORDS = QT_TRANSLATE_NOOP("Refusal", "cannot be said by NAME=VALUE alone")
+OURS = QT_TRANSLATE_NOOP(
+    "Refusal", "comes with the program and stays as it is: copy it, and open the copy"
+)
+A_TITLE = QT_TRANSLATE_NOOP("Refusal", "must be some words on one line")
+NEW_TALK_MINUTES = 2
+"""Planned for the first step of a talk, until its teacher says otherwise."""
+
+
+# --------------------------------------------------------------------------- a state in words
+
+
+def assignments(document: Document, letters: Letters | None = None) -> list[str]:
+    """The shortest list of ``NAME=VALUE`` that makes a document of its scene as it opens.
+
+    Parameters
+    ----------
+    document : Document
+        The cameras of its panes and its pins are how somebody looked at it, and none of a state's.
+    letters : str, optional
+        Those of the lesson that it is written for, which need not be said.
+
+    Returns
+    -------
+    list of str
+        ``scene=`` first, then ``mesh=`` if it has one, then what `set_values` is to be given.
+
+    Raises
+    ------
+    Refusal
+        If there are none that give it back to the last bit.
+    """
+    wanted = _said(document)
+    view = replace(AS_EVER, letters=letters or AS_EVER.letters)
+    start = Document(document.scene, scene_of(document).start, view=view, mesh=document.mesh)
+    lists = [texts for texts in _lists(start, wanted) if _gives(start, texts, wanted)]
+    if not lists:
+        raise Refusal.in_document(NOT_IN_WORDS, field="state")
+    for place, texts in enumerate(lists):
+        for path in [*texts]:
+            fewer = {name: text for name, text in texts.items() if name != path}
+            if _gives(start, fewer, wanted):
+                texts = fewer
+        lists[place] = texts
+    texts = min(lists, key=len)
+    first = {"scene": document.scene} | ({"mesh": document.mesh} if document.mesh else {})
+    return [f"{path}={text}" for path, text in (first | texts).items()]
+
+
+def _said(document: Document) -> Document:
+    """With what of its view a state has to do with."""
+    view = replace(document.view, panes={}, pinned=frozenset())
+    if view.panel != "frame":  # how far it is built is not seen
+        view = replace(view, frame_step=AS_EVER.frame_step)
+    return replace(document, view=view)
+
+
+def _texts(document: Document) -> dict[str, str]:
+    """What ``--set`` can be given of a document, by its paths."""
+    tree = json.loads(to_json(document))
+    found = {"depth": str(tree["depth"])}
+    for section in ("lens", "camera", "object", "image", "quality", "settings"):
+        for key, value in tree.get(section, {}).items():
+            found[f"{section}.{key}"] = _text(value)
+    ever = {"layout": "pictures", "large": "", "stage": "ndc", "letters": "own", "layers": "",
+            "fixed": ""}  # fmt: skip
+    found |= {f"view.{key}": text for key, text in ever.items()}
+    found |= {f"view.{key}": _text(value) for key, value in tree.get("view", {}).items()}
+    pictures = document.view.compare
+    if pictures:
+        phenomenon = PHENOMENA.get(document.scene)
+        names = [picture.name for picture in pictures]
+        ready = [
+            each.name
+            for each in (phenomenon.comparisons if phenomenon else ())
+            if [picture[0] for picture in each.pictures] == names
+        ]
+        others = [";".join(each.changes) for each in pictures if not each.live]
+        found["view.compare"] = ready[0] if ready else "|".join(others)
+    return found
+
+
+def _text(value: object) -> str:
+    """A value of JSON as ``--set`` has it; what has no such text comes back as something else."""
+    if isinstance(value, bool):
+        return str(value).lower()
+    if isinstance(value, list):
+        return ",".join(map(_text, value))
+    return value if isinstance(value, str) else repr(value)
+
+
+def _lists(start: Document, wanted: Document) -> Iterator[dict[str, str]]:
+    """Lists that may give a document: what differs behind its settings, and all that there is.
+
+    Camera and lens may follow the settings, and a setting the lens: then only one of them will do.
+    """
+    texts = _texts(wanted)
+    settings = {
+        path: text
+        for path, text in texts.items()
+        if path.startswith("settings.") and _texts(start)[path] != text
+    }
+    with contextlib.suppress(Refusal):  # a scene may refuse some of them without the others
+        after = _texts(set_values(start, (f"{path}={text}" for path, text in settings.items())))
+        yield settings | {path: text for path, text in texts.items() if after.get(path) != text}
+    yield texts
+
+
+def _gives(start: Document, texts: Mapping[str, str], wanted: Document) -> bool:
+    try:
+        made = set_values(start, (f"{path}={text}" for path, text in texts.items()))
+    except Refusal:  # among these values there is none for that state
+        return False
+    return to_json(made) == to_json(wanted)  # as text: also a zero's sign
+
+
+# --------------------------------------------------------------------------- into a file
+
+
+class Added(NamedTuple):
+    """Where a step was put.
+
+    Attributes
+    ----------
+    name : str
+    place : int
+        From 0.
+    """
+
+    name: str
+    place: int
+
+
+def add_step(
+    path: AnyPath, after: str, title: str, document: Document, *, panes: bool = False
+) -> Added:
+    """Put a state into a lesson's file as one more step; into the file as it is now.
+
+    Parameters
+    ----------
+    path : path
+    after : str
+        Name of the step that it comes after, or after those that go on from that one, where these
+        would show something else behind it; one that is not there any more is the last.
+    title : str
+    document : Document
+    panes : bool
+        Whether the panes are to be looked at as they are, which only a document beside the file
+        can say.
+
+    Raises
+    ------
+    Refusal
+        If it cannot be: the file is as it was.
+    """
+    _check_own(path)
+    before = read(path)
+    with blamed_on(path, UNREADABLE):
+        text = Path(path).read_bytes().decode()
+        names = [step.name for step in before.steps]
+        name = _free(slug(title), names)
+        step = _step(before, title, name, document, panes)
+        place = names.index(after) if after in names else len(names) - 1
+        while True:
+            added = _with_lines(text, ends(text)[place], ["---", *step.lines])
+            lesson = parse_lesson(added, before.path)
+            place += 1
+            if _following(before, place) == _following(lesson, place + 1):
+                break
+        step.keep(document)
+        write_bytes_atomically(path, added.encode())
+    return Added(name, place)
+
+
+def begin_talk(path: AnyPath, title: str, document: Document, *, panes: bool = False) -> None:
+    """Begin a talk with a state, in a file of its own.
+
+    Parameters
+    ----------
+    path : path
+        A file that is there gives way to it.
+    title : str
+        Of the talk and of its first step.
+    document : Document
+    panes : bool
+        As of `add_step`.
+
+    Raises
+    ------
+    Refusal
+        If it cannot be: nothing is written.
+    """
+    _check_own(path)
+    with blamed_on(path, UNREADABLE):
+        letters = document.view.letters
+        top = ["---", f"title: {_one_line(title)}", f"letters: {letters}", "---"]
+        lesson = Lesson(Path(path), title, (), letters=letters)
+        step = _step(lesson, title, slug(title), document, panes)
+        note = ["", "```note", f"minutes: {NEW_TALK_MINUTES}", "```"]
+        text = "\n".join([*top, *step.lines, *note, ""])
+        parse_lesson(text, Path(path))
+        step.keep(document)
+        write_bytes_atomically(path, text.encode())
+
+
+def is_ours(path: AnyPath) -> bool:
+    """Whether a file is one of the lessons that come with the program."""
+    return Path(os.path.realpath(path)).is_relative_to(os.path.realpath(CONTENT))
+
+
+def _check_own(path: AnyPath) -> None:
+    if is_ours(path):
+        error = Refusal.in_document(OURS)
+        error.file = os.fspath(path)
+        raise error
+
+
+class _Written(NamedTuple):
+    """A step as it is going to be written, and the document that it needs beside the file."""
+
+    lines: list[str]
+    beside: Path | None
+
+    def keep(self, document: Document) -> None:
+        if self.beside is not None:
+            write(document, self.beside)
+
+
+def _step(lesson: Lesson, title: str, name: str, document: Document, panes: bool) -> _Written:
+    folder = Path(os.path.realpath(lesson.path)).parent
+    for key in ("scene", "mesh"):
+        file = getattr(document, key)
+        if is_mesh(file):
+            _beside(file, folder, key)
+    beside = None
+    try:
+        if panes and document.view.panes:
+            raise Refusal.in_document(NOT_IN_WORDS, field="view.panes")
+        values = [_named(text, folder) for text in assignments(document, lesson.letters)]
+    except Refusal as error:
+        if error.bound != NOT_IN_WORDS:
+            raise
+        beside = _unused(folder, f"{lesson.path.stem}-{name}")
+        values = [f"document: {beside.name}"]
+    return _Written([f"# {_one_line(title)} {{#{name}}}", "```state", *values, "```"], beside)
+
+
+def _one_line(title: str) -> str:
+    words = " ".join(title.split())
+    if not words or not words.isprintable():
+        raise Refusal.in_document(A_TITLE, field="title", value=title[:60])
+    return words
+
+
+def _named(assignment: str, folder: Path) -> str:
+    """With a mesh named as it is called from the lesson's folder."""
+    path, _, value = assignment.partition("=")
+    if path in ("scene", "mesh") and is_mesh(value):
+        return f"{path}={_beside(value, folder, path)}"
+    return assignment
+
+
+def _beside(file: str, folder: Path, field: str) -> str:
+    real = Path(os.path.realpath(file))
+    if not real.is_relative_to(folder):
+        raise Refusal.in_document(BESIDE, field=field, value=os.path.basename(file))
+    return real.relative_to(folder).as_posix()
+
+
+def _unused(folder: Path, stem: str) -> Path:
+    number, path = 1, folder / f"{stem}.json"
+    while path.exists():
+        number += 1
+        path = folder / f"{stem}-{number}.json"
+    return path
+
+
+def _free(name: str, names: Sequence[str]) -> str:
+    number, found = 1, name
+    while found in names:
+        number += 1
+        found = f"{name}-{number}"
+    return found
+
+
+def _with_lines(text: str, end: int, step: Sequence[str]) -> str:
+    """A text with lines more behind so many of its own, all of which stay as they are."""
+    line_end = "\r\n" if "\r\n" in text else "\n"
+    lines = re.split(r"(?<=\n)|(?<=\r)(?!\n)", text)
+    head, tail = "".join(lines[:end]), "".join(lines[end:])
+    if not head.endswith(("\n", "\r")):
+        head += line_end
+    blank = not lines[end - 1].strip() and bool(tail)
+    added = [*([] if blank else [""]), *step, *([""] if tail else [])]
+    return head + "".join(line + line_end for line in added) + tail
+
+
+def _following(lesson: Lesson, place: int) -> list[Document | str]:
+    """What the steps show that go on from the one before a place."""
+    course = Course(lesson)
+    found: list[Document | str] = []
+    for number, step in enumerate(lesson.steps[place:], place):
+        if step.state is not None and step.state.begins_anew:
+            break
+        try:
+            found.append(course.shown(number).document)
+        except Refusal as error:
+            found.append(str(error.bound))  # it is wrong before and after
+    return found
