@@ -680,12 +680,19 @@ def _lesson(arguments: Sequence[str]) -> int:
     return lessons.lesson(arguments)
 
 
+def _talk(arguments: Sequence[str]) -> int:
+    from app.commands import talk
+
+    return talk.talk(arguments)
+
+
 COMMANDS: dict[str, Callable[[Sequence[str]], int]] = {
     "export": _export,
     "project": _project,
     "matrices": _matrices,
     "measure": _measure,
     "lesson": _lesson,
+    "talk": _talk,
     "doctor": doctor.command,
 }
 """The words that the command line may begin with; each takes the arguments after it."""

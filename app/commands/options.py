@@ -30,6 +30,7 @@ SUMMARIES = {
     "matrices": "print every stage's matrix",
     "measure": "measure what speed costs in accuracy, here, for a scene and a camera",
     "lesson": "check or list lessons and talks",
+    "talk": "draw every step of a talk, or print it with its notes",
     "doctor": "say what this machine has, what is missing and how to get it",
 }
 """The words that the command line may begin with, and what each is for."""
@@ -366,6 +367,21 @@ def _lesson() -> Parser:
     return Parser("lesson", "check|list [FILE...]", text)
 
 
+def _talk() -> Parser:
+    parser = Parser("talk", "FILE", "a talk, or a lesson")
+    parser.add_argument(
+        "--check", action="store_true",
+        help="draw every step without a display, try all that lesson check tries, and say what is"
+        " wrong with file and line",
+    )  # fmt: skip
+    parser.add_argument(
+        "--handout", metavar="OUT.pdf",
+        help="write figures, words and notes of every step on A4; a file that is there is"
+        " overwritten",
+    )  # fmt: skip
+    return parser
+
+
 def _doctor() -> Parser:
     return Parser("doctor", "", argparse.SUPPRESS)
 
@@ -377,6 +393,7 @@ _PARSERS: dict[str, Callable[[], Parser]] = {
     "matrices": _matrices,
     "measure": _measure,
     "lesson": _lesson,
+    "talk": _talk,
     "doctor": _doctor,
 }
 

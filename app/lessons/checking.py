@@ -72,8 +72,8 @@ class Report:
 
     def __str__(self) -> str:
         return (
-            f"{_counted(self.lessons, 'lesson')}, {_counted(self.talks, 'talk')}, "
-            f"{_counted(self.checks, 'check')}, {len(self.wrong)} wrong"
+            f"{counted(self.lessons, 'lesson')}, {counted(self.talks, 'talk')}, "
+            f"{counted(self.checks, 'check')}, {len(self.wrong)} wrong"
         )
 
     def take(self, lesson: Lesson, most_steps: int = MOST_STEPS) -> Course:
@@ -87,7 +87,8 @@ class Report:
         return checker.course
 
 
-def _counted(count: int, word: str) -> str:
+def counted(count: int, word: str) -> str:
+    """Some of a thing, as English has it."""
     return f"{count} {word}{'' if count == 1 else 's'}"
 
 
@@ -133,7 +134,8 @@ class _Checker:
 
     def _complain(self, error: Refusal) -> None:
         error.file = str(self.lesson.path)
-        self.wrong.append(error)
+        if str(error) not in map(str, self.wrong):  # of all steps that go on from a wrong one
+            self.wrong.append(error)
 
     # -- texts
 

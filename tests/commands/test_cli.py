@@ -948,7 +948,7 @@ def test_a_mistyped_command_is_told_before_what_follows_it(rest: list[str]) -> N
 def test_a_word_like_no_command_is_answered_with_all() -> None:
     said = (
         "is neither a file nor a command; the commands are export, project, matrices, measure,"
-        " lesson, doctor.\n"
+        " lesson, talk, doctor.\n"
     )
     assert refused("frobnicate") == f"'frobnicate' {said}"
     assert refused("letter-f", "out.png") == f"'letter-f' {said}"
@@ -988,7 +988,7 @@ def test_help_names_every_command_and_none_that_is_not_there() -> None:
     done = run("--help")
     assert (done.returncode, done.stderr) == (0, "")
     assert re.findall(r"^  ([a-z]+) ", done.stdout.partition("commands,")[2], re.MULTILINE) == [
-        "export", "project", "matrices", "measure", "lesson", "doctor",
+        "export", "project", "matrices", "measure", "lesson", "talk", "doctor",
     ]  # fmt: skip
 
 

@@ -1,0 +1,242 @@
+"""A talk on paper: A4, each step with its figure, what is said to the class, and the notes.
+
+It needs a `QGuiApplication`, and no display: `handout` makes one that has none, where there is none
+yet.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from PySide6.QtCore import QBuffer, QCoreApplication, QMarginsF, QPointF, QRectF, Qt
+from PySide6.QtGui import (
+    QColor,
+    QFont,
+    QGuiApplication,
+    QImage,
+    QPageLayout,
+    QPageSize,
+    QPainter,
+    QPdfWriter,
+    QTextDocument,
+)
+
+from app.document.document import Document
+from app.document.view import PANES
+from app.drawings.figures import render
+from app.drawings.style import LIGHT
+from app.lessons.course import Course, scene_of
+from app.lessons.lesson import Question, Step
+from widgets.parts.lesson_text import set_text
+
+MARGIN_MM = 18.0
+TEXT_PT, TITLE_PT, NOTE_PT, FOOT_PT = 10.5, 15.0, 9.5, 8.0
+BETWEEN_PT, BETWEEN_STEPS_PT = 6.0, 20.0
+NOTE_INDENT_PT = 12.0
+FIGURE_PX = (1400, 500)
+"""Of two panes across the page, about 200 to an inch."""
+DPI = 1200
+"""Of the page: Qt places lines and letters on whole pixels."""
+CHOICES = "ABCDEFGHIJ"
+
+
+def handout(course: Course) -> bytes:
+    """A talk as the content of a PDF file.
+
+    Raises
+    ------
+    Refusal
+        If one of its states cannot be.
+    """
+    application = QCoreApplication.instance() or QGuiApplication(["app", "-platform", "offscreen"])
+    assert isinstance(application, QGuiApplication)
+    buffer = QBuffer()
+    buffer.open(QBuffer.OpenModeFlag.WriteOnly)
+    writer = QPdfWriter(buffer)
+    writer.setTitle(course.lesson.title)
+    writer.setCreator("Frustum Lab")
+    writer.setResolution(DPI)
+    margins = QMarginsF(MARGIN_MM, MARGIN_MM, MARGIN_MM, MARGIN_MM)
+    a4 = QPageSize(QPageSize.PageSizeId.A4)
+    writer.setPageLayout(
+        QPageLayout(a4, QPageLayout.Orientation.Portrait, margins, QPageLayout.Unit.Millimeter)
+    )
+    painter = QPainter(writer)
+    painter.setRenderHint(QPainter.RenderHint.LosslessImageRendering)
+    painter.scale(DPI / 72.0, DPI / 72.0)
+    page = QRectF(writer.pageLayout().paintRect(QPageLayout.Unit.Point))
+    pages = _Pages(painter, writer, page.width(), page.height(), course.lesson.title)
+    try:
+        pages.head(course)
+        for place, step in enumerate(course.lesson.steps):
+            pages.put(list(_blocks(course, place, step, page.width())))
+        pages.foot()
+    finally:
+        painter.end()
+    return bytes(buffer.data().data())
+
+
+@dataclass
+class _Block:
+    """Something that stands on a page from its left to its right side.
+
+    Attributes
+    ----------
+    height : float
+        Points.
+    what : QTextDocument or QImage
+    left : float
+        How far it is indented; a line stands there then.
+    kept : bool
+        Whether what follows stays on its page.
+    """
+
+    height: float
+    what: QTextDocument | QImage
+    left: float = 0.0
+    kept: bool = False
+
+
+def _text(
+    text: str, width: float, size: float, *, title: bool = False, left: float = 0.0
+) -> _Block:
+    document = QTextDocument()
+    font = QFont("DejaVu Sans")
+    font.setStyleHint(QFont.StyleHint.SansSerif)
+    screen = QGuiApplication.primaryScreen()  # whose pixels a document is laid out in
+    font.setPointSizeF(size * 72.0 / screen.logicalDotsPerInchY())
+    font.setHintingPreference(QFont.HintingPreference.PreferNoHinting)
+    document.setDefaultFont(font)
+    document.setUseDesignMetrics(True)
+    set_text(document, text, title=title)
+    document.setTextWidth(width - left)
+    return _Block(document.size().height(), document, left, kept=title)
+
+
+def _blocks(course: Course, place: int, step: Step, width: float) -> Iterator[_Block]:
+    """A step's title, figure, words, and notes with the minutes that are planned."""
+    count = len(course.lesson.steps)
+    number = f"{place + 1}. " if count > 1 else ""
+    yield _text(number + step.title, width, TITLE_PT, title=True)
+    yield _figure(course.shown(place).document, width)
+    for part in step.parts:
+        if isinstance(part, Question):
+            yield from _question(course, place, part, width)
+        else:
+            yield _text(part.text, width, TEXT_PT)
+    if step.note is not None:
+        minutes = f"*{step.note.minutes:g} min.* " if step.note.minutes else ""
+        if minutes or step.note.text:
+            yield _text(minutes + step.note.text, width, NOTE_PT, left=NOTE_INDENT_PT)
+
+
+def _question(course: Course, place: int, part: Question, width: float) -> Iterator[_Block]:
+    choices = (
+        f"**{letter}** {choice.text}{' ✓' if choice.right else ''}"
+        for letter, choice in zip(CHOICES, part.choices, strict=False)
+    )
+    yield _text("  \n".join([part.text, *choices]), width, TEXT_PT)
+    if part.show is not None:
+        yield _figure(course.shown_by(place, part.show), width)
+    if part.why:
+        yield _text(part.why, width, TEXT_PT)
+
+
+def _figure(document: Document, width: float) -> _Block:
+    """The world, and the pane that leads; the image, where that is the world."""
+    scene = scene_of(document)
+    leading = document.view.large or scene.leading
+    pixels = render(
+        scene,
+        document.projection,
+        panes=(PANES[0], leading if leading != PANES[0] else PANES[2]),
+        size=FIGURE_PX,
+        style=LIGHT,
+        view=document.view,
+        settings=document.settings,
+        quality=document.quality,
+    )
+    high, wide, _ = pixels.shape
+    image = QImage(pixels.tobytes(), wide, high, 3 * wide, QImage.Format.Format_RGB888).copy()
+    return _Block(width * high / wide, image)
+
+
+class _Pages:
+    """Puts blocks under each other, and begins a page where one has no room."""
+
+    def __init__(
+        self, painter: QPainter, writer: QPdfWriter, width: float, height: float, title: str
+    ) -> None:
+        self._painter, self._writer, self._title = painter, writer, title
+        self._width, self._height = width, height - 2.0 * FOOT_PT
+        self._y, self._number = 0.0, 1
+
+    def head(self, course: Course) -> None:
+        """The talk's own title, and how long it takes."""
+        minutes = course.lesson.minutes or sum(
+            step.note.minutes for step in course.lesson.steps if step.note is not None
+        )
+        self._draw(_text(course.lesson.title, self._width, 1.4 * TITLE_PT, title=True))
+        if minutes:
+            self._draw(_text(f"{minutes:g} min", self._width, TEXT_PT))
+
+    def put(self, blocks: list[_Block]) -> None:
+        """Put a step: on a page of its own, if it has room there and none here."""
+        if self._y > 0.0:
+            self._y += BETWEEN_STEPS_PT
+        whole = sum(block.height + BETWEEN_PT for block in blocks)
+        if self._y + whole > self._height and whole <= self._height and self._y > 0.0:
+            self._turn()
+        for number, block in enumerate(blocks):
+            needed = block.height
+            if block.kept and number + 1 < len(blocks):
+                needed += BETWEEN_PT + blocks[number + 1].height
+            if self._y > 0.0 and self._y + needed > self._height:
+                self._turn()
+            self._draw(block)
+
+    def foot(self) -> None:
+        """End the page with its number."""
+        painter = self._painter
+        painter.save()
+        font = QFont("DejaVu Sans")
+        font.setPointSizeF(FOOT_PT * 72.0 / DPI)
+        painter.setFont(font)
+        painter.setPen(QColor(LIGHT.muted))
+        place = QRectF(0.0, self._height + 0.7 * FOOT_PT, self._width, 1.3 * FOOT_PT)
+        painter.drawText(place, Qt.AlignmentFlag.AlignLeft, self._title)
+        painter.drawText(place, Qt.AlignmentFlag.AlignRight, str(self._number))
+        painter.restore()
+
+    def _turn(self) -> None:
+        self.foot()
+        self._writer.newPage()
+        self._number += 1
+        self._y = 0.0
+
+    def _draw(self, block: _Block) -> None:
+        """Draw a block; one that is longer than a page goes on on the next."""
+        done = 0.0
+        while True:
+            part = min(block.height - done, self._height - self._y)
+            self._paint(block, done, part)
+            self._y += part + BETWEEN_PT
+            done += part
+            if done >= block.height - 0.5:
+                return
+            self._turn()
+
+    def _paint(self, block: _Block, begin: float, part: float) -> None:
+        painter, left = self._painter, block.left
+        painter.save()
+        if left:
+            line = QRectF(0.25 * left, self._y, 1.5, part)
+            painter.fillRect(line, QColor(LIGHT.near))
+        painter.translate(QPointF(left, self._y - begin))
+        clip = QRectF(0.0, begin, self._width - left, part)
+        if isinstance(block.what, QImage):
+            painter.drawImage(QRectF(0.0, 0.0, self._width, block.height), block.what)
+        else:
+            block.what.drawContents(painter, clip)
+        painter.restore()
