@@ -621,5 +621,8 @@ def test_l15_the_plane_of_a_step_lights_the_rows_that_it_is_made_of(window: Main
     card.rows["step"].edited.emit(0.0)
     assert rows() == set() and window.highlighter.now == NOTHING
     card.rows["step"].edited.emit(2.0)
+    show_scene(window, "view-volumes")  # whose rows are others
+    assert window.highlighter.now == NOTHING
+    show_scene(window, "clipping")
     show_scene(window, "letter-f")
     assert window.highlighter.now == NOTHING

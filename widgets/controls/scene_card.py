@@ -213,8 +213,8 @@ class SceneCard(QWidget):
                 row.finish_gesture()  # a burst of keys that has not gone quiet yet, and never would
             self._phenomenon, self._settings, self._illustration = phenomenon, {}, None
             self._problem = None
-            self._be_about(())
             self._make_rows(() if phenomenon is None else phenomenon.settings)
+            self._be_about(())  # which marks these rows
             self._offer_comparisons(() if phenomenon is None else phenomenon.comparisons)
             self.readout.begin(0 if phenomenon is None else phenomenon.numbers)
             self.readout.show_readings(())
