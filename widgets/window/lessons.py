@@ -119,7 +119,9 @@ class Lessons(QObject):
         shown = self.course.shown(self.place)
         look = self._store.look()
         return self._store.document != shown.document or any(
-            getattr(look, name) != value for name, value in _asked(shown, look).items()
+            getattr(look, name) != value
+            for name, value in _asked(shown, look).items()
+            if (name, value) != ("panel", None)  # which stays as it is
         )
 
     def open(self, path: str | Path, step: str = "") -> bool:
