@@ -89,7 +89,7 @@ class Lessons(QObject):
         self._settled = QTimer(self)
         self._settled.setSingleShot(True)
         self._settled.setInterval(SETTLED_MS)
-        self._settled.timeout.connect(self._read_again)
+        self._settled.timeout.connect(self.read_again)
         self._watcher.fileChanged.connect(lambda _path: self._settled.start())
         self._watcher.directoryChanged.connect(lambda _path: self._settled.start())
         store.changed.connect(self._see)
@@ -296,8 +296,8 @@ class Lessons(QObject):
             self._watcher.removePaths(watched)
         self._settled.stop()
 
-    def _read_again(self) -> None:
-        """Take a saved change of the file up, at the step that has the same name."""
+    def read_again(self, name: str = "") -> None:
+        """Take a saved change of the file up, at the step that has the same name, or at another."""
         if self.course is None:
             return
         before, step = self.course, self.step
@@ -311,7 +311,8 @@ class Lessons(QObject):
                 return
             names = [each.name for each in course.lesson.steps]
             place = min(self.place, len(names) - 1)
-            place = names.index(step.name) if step.name in names else place
+            name = name or step.name
+            place = names.index(name) if name in names else place
             shown = course.shown(place)
         except Refusal as error:
             self._say(error, path)

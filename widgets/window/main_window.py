@@ -86,6 +86,8 @@ from widgets.window.settings import data_folder
 from widgets.window.slots import Slots
 from widgets.window.start_card import StartCard
 from widgets.window.status_line import StatusLine
+from widgets.window.talk_band import TalkBand
+from widgets.window.talks import TalkActions, Talks
 from widgets.window.world_look import WorldLook
 
 
@@ -310,6 +312,8 @@ class MainWindow(QMainWindow):
         layout.setContentsMargins(4, 4, 4, 0)
         layout.setSpacing(2)
         layout.addWidget(self.messages)
+        self.band = TalkBand()
+        layout.addWidget(self.band)
         self.split = split = QSplitter(Qt.Orientation.Horizontal)
         layout.addWidget(split, 1)
         self.bottom = QWidget()
@@ -390,6 +394,13 @@ class MainWindow(QMainWindow):
         self.lesson_card = LessonCard(self.lessons, self.store, self.settings)
         self.side.take_card(self.lesson_card)
         self.files.lesson_wanted.connect(self.lesson_card.open)
+        self.talks = Talks(
+            self, self.lessons, self.present, self.store, self.messages, self.settings, self.band
+        )
+        self.talk_actions = TalkActions(self.talks, self, self.settings)
+        self.menus.lesson_menu.addSeparator()
+        self.menus.lesson_menu.addActions(self.talk_actions.all)
+        self.lessons.opened.connect(self.talk_actions.show_lesson)
         self.recovery = Recovery(
             data_folder(),
             self.store,
@@ -630,7 +641,7 @@ class MainWindow(QMainWindow):
         """Show what stands beside the panes, as far as it is for a class, or nothing is whole."""
         alone, presents = bool(self.slots.whole), self.present.is_on
         self.side.show_parts(
-            card=self.lesson_card.is_on and not alone,
+            card=self.lesson_card.is_on and not alone and not self.talks.is_on,
             controls=self.menus.controls.isChecked() and not alone,
         )
         self.bottom.setVisible(not alone and not presents)

@@ -57,6 +57,7 @@ def settings_path() -> Path:
 
 
 # --------------------------------------------------------------------------- settings
+LEAST_NOTES_PX, LARGEST_NOTES_PX = 10, 72
 
 
 def _theme(text: str) -> str:
@@ -74,6 +75,16 @@ def _flag(text: str) -> bool:
 def _number_in(low: float, high: float) -> Callable[[str], float]:
     def read(text: str) -> float:
         number = float(text)
+        if not low <= number <= high:
+            raise ValueError
+        return number
+
+    return read
+
+
+def _whole_in(low: int, high: int) -> Callable[[str], int]:
+    def read(text: str) -> int:
+        number = int(text)
         if not low <= number <= high:
             raise ValueError
         return number
@@ -216,6 +227,10 @@ class Settings:
     """Longest frame that is wanted while a control is dragged, in ms; 0 for any."""
     start_card = _Kept("start_card", _flag, True, lambda on: "true" if on else "false")
     """Whether the program begins with its scenes as pictures."""
+    speaker_window = _Kept("speaker-window", _flag, True, lambda on: "true" if on else "false")
+    """Whether the speaker's window opens when a talk is presented."""
+    notes_px = _Kept("notes", _whole_in(LEAST_NOTES_PX, LARGEST_NOTES_PX), 22)
+    """Height of the letters in the speaker's notes."""
     geometry = _Kept[bytes | None]("geometry", _bytes, None, _base64)
     """The window's place as Qt wrote it, None before the first time."""
 

@@ -1,0 +1,351 @@
+"""The speaker's window: this step's notes, what comes next, and the time."""
+
+from __future__ import annotations
+
+import time
+from collections import OrderedDict
+from collections.abc import Callable
+
+from PySide6.QtCore import QSize, Qt, QTime, QTimer, Signal
+from PySide6.QtGui import (
+    QCloseEvent,
+    QFont,
+    QImage,
+    QKeySequence,
+    QOpenGLContext,
+    QPalette,
+    QPixmap,
+    QResizeEvent,
+    QShortcut,
+)
+from PySide6.QtWidgets import (
+    QFrame,
+    QGridLayout,
+    QHBoxLayout,
+    QLabel,
+    QListWidget,
+    QPushButton,
+    QSizePolicy,
+    QTextEdit,
+    QVBoxLayout,
+    QWidget,
+)
+
+from app.document.document import Document
+from app.lessons.course import Course, scene_of
+from app.lessons.lesson import Step
+from app.lessons.text import plain_of
+from app.model.refusal import Refusal
+from widgets.parts import palette
+from widgets.parts.lesson_text import set_text
+from widgets.window.settings import LARGEST_NOTES_PX, LEAST_NOTES_PX, Settings
+
+PICTURE_PX = (400, 250)
+"""In which the next step's pane is drawn; it is shown as large as there is room for."""
+MOST_PICTURES = 12
+"""That are kept, of steps that were drawn before."""
+TEXT_PX = 15
+STEP_PX = 2
+"""By which Ctrl and + or - change the notes' letters."""
+
+
+class TalkClock:
+    """How long somebody has spoken; it can be paused, and begun anew.
+
+    Parameters
+    ----------
+    now : callable
+        Seconds of a clock that only goes forwards.
+    """
+
+    def __init__(self, now: Callable[[], float] = time.monotonic) -> None:
+        self._now = now
+        self._before = 0.0
+        self._since: float | None = None
+
+    @property
+    def is_running(self) -> bool:
+        """Whether it counts."""
+        return self._since is not None
+
+    @property
+    def seconds(self) -> float:
+        """What it has counted."""
+        return self._before + (self._now() - self._since if self._since is not None else 0.0)
+
+    def begin(self) -> None:
+        """Count from here, unless it counts already or was paused."""
+        if self._since is None and self._before == 0.0:
+            self._since = self._now()
+
+    def toggle(self) -> None:
+        """Pause, or go on."""
+        if self._since is None:
+            self._since = self._now()
+        else:
+            self._before, self._since = self.seconds, None
+
+    def reset(self) -> None:
+        """Begin at 0; it goes on if it was going."""
+        self._before = 0.0
+        if self._since is not None:
+            self._since = self._now()
+
+
+def planned(course: Course, place: int) -> tuple[float, float]:
+    """Minutes that the notes plan up to a step, and for it."""
+    minutes = [step.note.minutes if step.note else 0.0 for step in course.lesson.steps]
+    return sum(minutes[:place]), minutes[place]
+
+
+class SpeakerWindow(QWidget):
+    """What only the speaker sees.
+
+    Parameters
+    ----------
+    settings : Settings
+        Keep how large the notes are.
+    parent : QWidget
+        The main window, with which it closes.
+    """
+
+    left = Signal()
+    next_wanted = Signal()
+    previous_wanted = Signal()
+    blank_wanted = Signal()
+    jump_wanted = Signal(int)
+    """The number of a step, from 1."""
+
+    def __init__(self, settings: Settings, parent: QWidget) -> None:
+        super().__init__(parent, Qt.WindowType.Window)
+        self.setWindowTitle(self.tr("Speaker's window – Frustum Lab"))
+        self.setObjectName("speaker")
+        self._settings = settings
+        self.clock = TalkClock()
+        self._course: Course | None = None
+        self._place = 0
+        self._pictures: OrderedDict[tuple[Course, int], QImage] = OrderedDict()
+        self._make()
+        self._tick = QTimer(self)
+        self._tick.setInterval(500)
+        self._tick.timeout.connect(self._show_time)
+        self._tick.start()
+        for keys, step in (
+            (QKeySequence.StandardKey.ZoomIn, STEP_PX),
+            ("Ctrl+=", STEP_PX),
+            (QKeySequence.StandardKey.ZoomOut, -STEP_PX),
+        ):
+            shortcut = QShortcut(QKeySequence(keys), self)
+            shortcut.activated.connect(lambda step=step: self.enlarge(step))
+
+    def _make(self) -> None:
+        self._number = QLabel()
+        self._title = QLabel()
+        self._title.setWordWrap(True)
+        self._title.setTextFormat(Qt.TextFormat.PlainText)
+        self._said = QLabel()
+        self._clock = QLabel()
+        self._elapsed = QLabel()
+        self._plan = QLabel()
+        self.notes = QTextEdit()
+        self.notes.setReadOnly(True)
+        self.notes.setFrameShape(QFrame.Shape.StyledPanel)
+        self.notes.setAccessibleName(self.tr("Notes"))
+        self._next_title = QLabel()
+        self._next_title.setWordWrap(True)
+        self._next_title.setTextFormat(Qt.TextFormat.PlainText)
+        self.picture = QLabel()
+        self.picture.setAlignment(Qt.AlignmentFlag.AlignCenter)
+        self.picture.setMinimumSize(160, 100)
+        self.picture.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Expanding)
+        self.steps = QListWidget()
+        self.steps.setAccessibleName(self.tr("Steps"))
+        self.steps.itemActivated.connect(
+            lambda item: self.jump_wanted.emit(self.steps.row(item) + 1)
+        )
+        self.steps.itemClicked.connect(lambda item: self.jump_wanted.emit(self.steps.row(item) + 1))
+        self.pause = self._button("", self.clock.toggle)
+        self.reset = self._button(self.tr("&Reset"), self.clock.reset)
+        back = self._button(self.tr("◀ &Back"), self.previous_wanted.emit)
+        forward = self._button(self.tr("&Next ▶"), self.next_wanted.emit)
+        blank = self._button(self.tr("B&lank"), self.blank_wanted.emit)
+        times = QHBoxLayout()
+        for widget in (self._clock, self._elapsed, self.pause, self.reset):
+            times.addWidget(widget)
+            times.addSpacing(8)
+        times.addWidget(self._plan, 1)
+        below = QHBoxLayout()
+        for widget in (back, forward, blank):
+            below.addWidget(widget)
+        below.addWidget(self._said, 1)
+        beside = QVBoxLayout()
+        beside.addWidget(self._next_title)
+        beside.addWidget(self.picture, 3)
+        beside.addWidget(self.steps, 2)
+        layout = QGridLayout(self)
+        layout.addLayout(times, 0, 0, 1, 2)
+        heading = QHBoxLayout()
+        heading.addWidget(self._title, 1)
+        heading.addWidget(self._number, 0, Qt.AlignmentFlag.AlignTop)
+        layout.addLayout(heading, 1, 0)
+        layout.addWidget(self.notes, 2, 0)
+        layout.addLayout(beside, 1, 1, 2, 1)
+        layout.addLayout(below, 3, 0, 1, 2)
+        layout.setColumnStretch(0, 3)
+        layout.setColumnStretch(1, 2)
+        layout.setRowStretch(2, 1)
+        layout.setHorizontalSpacing(TEXT_PX)
+        large = {self._title: 1.5, self._clock: 1.6, self._elapsed: 1.6}
+        for widget in self.findChildren(QWidget):  # whatever letters the class is shown
+            font = QFont(self.font())
+            font.setPixelSize(round(large.get(widget, 1.0) * TEXT_PX))
+            font.setBold(widget is self._title)
+            widget.setFont(font)
+        self._show_time()
+
+    def _button(self, text: str, act: Callable[[], object]) -> QPushButton:
+        button = QPushButton(text)
+        button.setFocusPolicy(Qt.FocusPolicy.TabFocus)
+        button.clicked.connect(lambda: act())
+        button.clicked.connect(self._show_time)
+        return button
+
+    # -- the step
+
+    def show_step(self, course: Course, place: int) -> None:
+        """Show a step's notes and what comes after it; its picture comes by `draw_next`."""
+        steps = course.lesson.steps
+        if course is not self._course:
+            self._pictures.clear()
+            self.steps.clear()
+            self.steps.addItems(
+                [f"{number}  {plain_of(step.title)}" for number, step in enumerate(steps, 1)]
+            )
+        self._course, self._place = course, place
+        step = steps[place]
+        self._title.setText(plain_of(step.title))
+        self._number.setText(self.tr("step {0} of {1}").format(place + 1, len(steps)))
+        self._show_notes(step)
+        self.steps.setCurrentRow(place)
+        following = steps[place + 1] if place + 1 < len(steps) else None
+        self._next_title.setText(
+            self.tr("Next: {0}").format(plain_of(following.title))
+            if following is not None
+            else self.tr("This is the last step.")
+        )
+        self._show_picture()
+        self._show_time()
+
+    def _show_notes(self, step: Step) -> None:
+        font = QFont(self.font())
+        font.setPixelSize(self._settings.notes_px)
+        document = self.notes.document()
+        document.setDefaultFont(font)
+        line = self.palette().color(QPalette.ColorRole.Mid).name()
+        set_text(document, step.note.text if step.note is not None else "", line=line)
+        document.setDocumentMargin(8.0)
+
+    def enlarge(self, by_px: int) -> None:
+        """Write the notes larger, or smaller."""
+        size = self._settings.notes_px + by_px
+        self._settings.notes_px = max(LEAST_NOTES_PX, min(LARGEST_NOTES_PX, size))
+        if self._course is not None:
+            self._show_notes(self._course.lesson.steps[self._place])
+
+    def say(self, text: str) -> None:
+        """Say something short; nothing says no more."""
+        self._said.setText(text)
+
+    # -- the next step's picture
+
+    def draw_next(self) -> None:
+        """Draw what comes next, unless it is known."""
+        course, place = self._course, self._place + 1
+        if course is None or place >= len(course.lesson.steps):
+            return
+        if (course, place) not in self._pictures:
+            try:
+                image = _drawn(course.shown(place).document, self._settings.theme)
+            except Refusal:  # it is said when the step is to be shown
+                image = QImage()
+            self._pictures[course, place] = image
+            while len(self._pictures) > MOST_PICTURES:
+                self._pictures.popitem(last=False)
+        self._show_picture()
+
+    def _show_picture(self) -> None:
+        image = None
+        if self._course is not None:
+            image = self._pictures.get((self._course, self._place + 1))
+        if image is None or image.isNull():
+            self.picture.setPixmap(QPixmap())
+            return
+        ratio = self.devicePixelRatioF()
+        size = self.picture.size() * ratio
+        pixmap = QPixmap.fromImage(
+            image.scaled(
+                size,
+                Qt.AspectRatioMode.KeepAspectRatio,
+                Qt.TransformationMode.SmoothTransformation,
+            )
+        )
+        pixmap.setDevicePixelRatio(ratio)
+        self.picture.setPixmap(pixmap)
+
+    # -- the time
+
+    def _show_time(self) -> None:
+        self._clock.setText(QTime.currentTime().toString("HH:mm"))
+        seconds = int(self.clock.seconds)
+        self._elapsed.setText(f"{seconds // 60}:{seconds % 60:02}")
+        self._elapsed.setAccessibleName(self.tr("Elapsed"))
+        self._elapsed.setToolTip(self.tr("Elapsed"))
+        self.pause.setText(self.tr("&Pause") if self.clock.is_running else self.tr("&Start"))
+        if self._course is None:
+            return
+        before, here = planned(self._course, self._place)
+        text = ""
+        if before + here > 0.0:
+            text = self.tr("planned {0} to {1} min").format(f"{before:g}", f"{before + here:g}")
+            late = seconds / 60.0 - (before + here)
+            if late >= 1.0:
+                text += "  –  " + self.tr("{0} min late").format(int(late))
+        self._plan.setText(text)
+
+    # -- events
+
+    def sizeHint(self) -> QSize:
+        return QSize(900, 600)
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        super().resizeEvent(event)
+        self._show_picture()
+
+    def closeEvent(self, event: QCloseEvent) -> None:
+        super().closeEvent(event)
+        self.left.emit()
+
+
+def _drawn(document: Document, theme: str) -> QImage:
+    """The pane that a state leads with."""
+    from app.drawings.figures import render
+
+    current = QOpenGLContext.currentContext()
+    if current is not None:  # or VTK may take Qt's context for its own
+        current.doneCurrent()
+    scene = scene_of(document)
+    style = palette.drawing_style(
+        dark=palette.is_dark(theme), screen_px=0.0, device_pixel_ratio=1.0
+    )
+    pixels = render(
+        scene,
+        document.projection,
+        panes=(document.view.large or scene.leading,),
+        size=PICTURE_PX,
+        style=style,
+        view=document.view,
+        settings=document.settings,
+        quality=document.quality,
+    )
+    high, wide, _ = pixels.shape
+    return QImage(pixels.tobytes(), wide, high, 3 * wide, QImage.Format.Format_RGB888).copy()
