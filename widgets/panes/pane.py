@@ -235,6 +235,7 @@ class Pane(QFrame):
         self._to_build: tuple[object, ...] | None = None
         self._built_with: tuple[object, ...] | None = None
         self._view: Camera | None = None
+        self._view_is_stale = False
         self._stage: float | None = None
         self._stage_is_stale = False
         self._step: int | None = None
@@ -349,6 +350,16 @@ class Pane(QFrame):
         if self.isVisible():
             self._refresh()
 
+    def look_from(self, view: Camera | None) -> None:
+        """Look at the drawing from elsewhere; None from where everything is in view.
+
+        Like `build`, with the drawing that there is: of the same scene.
+        """
+        if view != self.view or view is None:
+            self._view, self._view_is_stale = view, True
+            if self.isVisible():
+                self._refresh()
+
     def another(self, title: str) -> Pane:
         """A pane that draws the same in another place, off the screen, and lets nobody turn it."""
         return Pane(title, self._make_drawing, orbits=False, make_canvas=RasterCanvas)
@@ -388,7 +399,7 @@ class Pane(QFrame):
     @property
     def view(self) -> Camera | None:
         """Where the user moved the pane's own camera to; None if it was not moved."""
-        if self._to_build is not None or self.drawing is None:
+        if self._to_build is not None or self.drawing is None or self._view_is_stale:
             return self._view
         view: Camera | None = self.drawing.view
         return view
@@ -523,9 +534,7 @@ class Pane(QFrame):
             self._apply_smoothing()
             self.drawing.show_projection(shown.projection, shown.illustration)
             self._take_stage(self.drawing)
-            self.drawing.reset_view()
-            if self._view is not None:
-                self.drawing.show_view(self._view)
+            self._look_from(self.drawing)
             self.drawing.show_probes(self._probes)
             self._fewer, self._detail_is_stale = None, False
         elif self.drawing is not None:
@@ -537,6 +546,8 @@ class Pane(QFrame):
                 began = time.perf_counter()
                 self.drawing.show_projection(shown.projection, shown.illustration)
                 self._matrices_ms = 1e3 * (time.perf_counter() - began)
+            if self._view_is_stale:
+                self._look_from(self.drawing)
             if self._probes_stale:
                 self.drawing.show_probes(self._probes)
         if self._stage_is_stale and self.drawing is not None:
@@ -555,6 +566,12 @@ class Pane(QFrame):
         self._stale = self._probes_stale = self._highlight_is_stale = False
         self._detail_is_stale = self._layers_are_stale = False
         self.request_repaint()
+
+    def _look_from(self, drawing: Drawing) -> None:
+        drawing.reset_view()
+        if self._view is not None:
+            drawing.show_view(self._view)
+        self._view_is_stale = False
 
     def _take_stage(self, drawing: Drawing) -> None:
         if self._stage is not None:

@@ -108,7 +108,7 @@ class Look(QObject):
     def take(self, shown: Shown, changed: Changed) -> None:
         """Let the panes show it: by other drawings, where it cannot be in those that they have."""
         self._shown, quality = shown, shown.document.quality
-        anew = bool(changed & {"scene", "view"})
+        anew = "scene" in changed
         built = anew or quality != self.adaptive.quality
         if built:
             self.adaptive.show(shown.scene, quality)
@@ -123,6 +123,9 @@ class Look(QObject):
             for pane in self._panes.values():
                 if changed & pane.concerns:
                     pane.take(shown, changed)
+            if "view" in changed:
+                for name, pane in self._panes.items():
+                    pane.look_from(shown.document.view.panes.get(name))
         if "image_size" in changed:
             width, height = shown.projection.image_size
             self._panes["image"].note.setText(f"{width} × {height}")
