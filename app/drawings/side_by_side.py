@@ -1,7 +1,8 @@
-"""Where pictures stand that are compared: beside or above each other."""
+"""Where pictures stand that are compared: beside and above each other."""
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from itertools import accumulate
 
@@ -15,7 +16,7 @@ _LEAST_PX = 24.0
 def cells(
     width_px: int, height_px: int, aspects: Sequence[float], em: float
 ) -> list[tuple[int, int, int, int]]:
-    """Parts of a rectangle for pictures of one height: in a row or a column, as they are larger.
+    """Parts of a rectangle for pictures of one height, in as many rows as they are largest in.
 
     Parameters
     ----------
@@ -29,16 +30,31 @@ def cells(
     Returns
     -------
     list of (left, top, width, height)
-        In whole pixels; what is left over is at the right, or at the bottom.
+        In whole pixels; what is left over is at the right, or at the bottom. A last row of fewer
+        pictures is in the middle.
     """
-    count = len(aspects)
     across, down = 2.0 * BARE_EM * em, (2.0 * BARE_EM + TITLE_EM) * em
-    in_row = min(height_px - down, (width_px - count * across) / sum(aspects))
-    in_column = min(height_px / count - down, (width_px - across) / max(aspects))
-    if in_row < in_column:
-        high = height_px // count
-        return [(0, place * high, width_px, high) for place in range(count)]
-    wanted = [across + max(in_row, _LEAST_PX) * aspect for aspect in aspects]
-    widths = [int(width_px * each / sum(wanted)) for each in wanted]
-    lefts = accumulate(widths, initial=0)
-    return [(left, 0, width, height_px) for left, width in zip(lefts, widths, strict=False)]
+
+    def rows_of(count: int) -> list[Sequence[float]]:
+        each = math.ceil(len(aspects) / count)
+        return [aspects[start : start + each] for start in range(0, len(aspects), each)]
+
+    def high(rows: Sequence[Sequence[float]]) -> float:
+        widest = min((width_px - len(row) * across) / sum(row) for row in rows)
+        return min(height_px / len(rows) - down, widest)
+
+    rows = max(map(rows_of, range(1, len(aspects) + 1)), key=high)
+    picture = max(high(rows), _LEAST_PX)
+    wanted = [[across + picture * aspect for aspect in row] for row in rows]
+    fullest = max(map(sum, wanted))
+    found, height = [], height_px // len(rows)
+    for top, row in enumerate(wanted):
+        # Alone in it, a picture has all of a row that no other one fills.
+        room = width_px / (sum(row) if len(rows) == len(aspects) else fullest)
+        widths = [int(room * each) for each in row]
+        first = int((width_px - room * sum(row)) / 2.0)
+        lefts = accumulate(widths, initial=first)
+        found += [
+            (left, top * height, width, height) for left, width in zip(lefts, widths, strict=False)
+        ]
+    return found

@@ -92,7 +92,7 @@ def test_a_picture_that_there_is_not_is_refused_in_one_sentence() -> None:
     [
         ((1000, 300), [16 / 9, 16 / 9], True),
         ((600, 700), [16 / 9, 16 / 9], False),
-        ((600, 700), [1.0, 1.0, 1.0], False),
+        ((300, 1000), [1.0, 1.0, 1.0], False),
         ((900, 320), [1.0, 16 / 9, 0.5], True),
     ],
 )
@@ -110,6 +110,27 @@ def test_pictures_side_by_side_are_as_large_as_they_can_be(
     if in_row and len(set(aspects)) > 1:  # of one height: the wider picture has the wider place
         assert sorted(aspects) == [a for _, a in sorted(zip((c[2] for c in found), aspects,
                                                             strict=True))]  # fmt: skip
+
+
+@pytest.mark.parametrize(
+    ("size", "count", "across"), [((600, 620), 3, 2), ((600, 600), 4, 2), ((620, 400), 5, 3)]
+)
+def test_squares_are_largest_in_rows_of_several(
+    size: tuple[int, int], count: int, across: int
+) -> None:
+    """Three squares in a square: two above one, which is in the middle and no larger."""
+    width, height = size
+    found = cells(*size, [1.0] * count, 13.0)
+    first, rows = found[0], -(-count // across)
+    assert [left for left, top, *_ in found if top == 0] == [
+        place * first[2] for place in range(across)
+    ]
+    assert {(wide, high) for _, _, wide, high in found} == {(first[2], height // rows)}
+    left, top, wide, _ = found[-1]
+    last = count - (rows - 1) * across
+    assert top == (rows - 1) * (height // rows)
+    assert abs(left + wide - (width + last * wide) / 2.0) <= last
+    assert first[2] > 1.2 * max(width / count, min(width, height / count))
 
 
 @pytest.mark.parametrize("size", [(0, 0), (1, 1), (5, 300)])

@@ -18,6 +18,7 @@ from typing import Any
 
 from PySide6.QtCore import QEvent, QObject, QPoint, QPointF, QRect, QRectF, QSize, Qt, Signal
 from PySide6.QtGui import (
+    QColor,
     QKeyEvent,
     QMouseEvent,
     QPainter,
@@ -30,6 +31,7 @@ from PySide6.QtWidgets import QHBoxLayout, QLabel, QSizePolicy, QToolButton, QWi
 
 from app.document.compare import Picture, differences
 from app.drawings.side_by_side import cells
+from app.drawings.style import Style
 from app.model.refusal import Refusal
 from app.scenes.phenomena import PHENOMENA
 from widgets.panes.canvas import ARROWS
@@ -384,6 +386,11 @@ class Compare(QObject):
         if any(not other.pane.canvas.is_open for other in self.others):
             self._laid_out = []
             self.refresh()
+
+    def set_style(self, style: Style) -> None:
+        """Fill what lies beside the pictures with the colour of their margins."""
+        self._pane.surface.beside = QColor(style.margin)
+        self._pane.surface.update()
 
     def close_canvases(self) -> None:
         """Release VTK's hold of the other pictures, before the window's own close."""

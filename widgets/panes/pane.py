@@ -17,9 +17,12 @@ from typing import Any, Protocol, cast
 from PySide6.QtCore import QEvent, QPoint, QPointF, QRect, Qt, Signal
 from PySide6.QtGui import (
     QCloseEvent,
+    QColor,
     QKeyEvent,
     QMouseEvent,
     QMoveEvent,
+    QPainter,
+    QPaintEvent,
     QResizeEvent,
     QShowEvent,
 )
@@ -137,6 +140,11 @@ class Surface(QWidget):
 
     Where the screen's scale is 1.5, say, they are not everywhere: Qt then leaves a black line at
     an edge, and stretches the picture by the rest of a pixel.
+
+    Attributes
+    ----------
+    beside : QColor or None
+        Of what the canvas leaves free; the window's if None.
     """
 
     def __init__(self, canvas: QWidget) -> None:
@@ -145,6 +153,13 @@ class Surface(QWidget):
         self._margins.setContentsMargins(0, 0, 0, 0)
         self._margins.addWidget(canvas)
         self._room: QRect | None = None
+        self.beside: QColor | None = None
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        if self._room is not None and self.beside is not None:
+            painter = QPainter(self)
+            painter.fillRect(event.rect(), self.beside)
+            painter.end()
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)

@@ -450,6 +450,7 @@ class MainWindow(QMainWindow):
         self.history.rested.connect(self.comparing.pictures.refresh)
         self.look.built.connect(self.manipulation.leave)
         self.look.built.connect(controls.set_style)
+        self.look.built.connect(self.comparing.pictures.set_style)
         set_all_digits(self.settings.all_digits)
         menus.all_digits_set.connect(self._set_all_digits)
         menus.find.triggered.connect(self._find_control)
