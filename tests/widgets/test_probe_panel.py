@@ -14,7 +14,7 @@ import pytest
 from PySide6.QtCore import QPoint, QPointF, Qt
 from PySide6.QtGui import QGuiApplication
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication
+from PySide6.QtWidgets import QApplication, QToolButton
 from pytestqt.qtbot import QtBot
 
 from app.commands import cli
@@ -883,3 +883,24 @@ def test_letters_are_those_of_the_other_panels(panel: ProbePanel) -> None:
         shown = {matrix.name: matrix for matrix in matrices(Projection(), "own")}
         w_2, h_2 = (stacked(shown["image_from_ndc"].formulas[i][3], "own") for i in (0, 1))
         assert formulas["image px"] == f"(x + 1) {w_2},  (1 − y) {h_2}"
+
+
+def test_l13_the_panel_that_is_opened_by_hand_follows_a_vertex_at_once(window: MainWindow) -> None:
+    """One click from the letter F to the rows of a point; a probe that there is stays."""
+    panel = window.probe_panel
+    (name,) = (b for b in window.panels.names.findChildren(QToolButton) if b.text() == "Probe")
+    name.click()
+    settle()
+    (probe,) = panel.probes
+    vertices = np.asarray(window.shown.scene.surface.points) + window.shown.scene.origin
+    assert (np.abs(vertices - probe.point).max(axis=1) < 1e-6).any()
+    inside = window.store.document.projection.trace(np.array(probe.point))
+    assert inside.in_front and not inside.outside.any() and panel.table.isVisible()
+    panel.put(1, (1.0, 2.0, 0.5))
+    name.click()
+    name.click()
+    assert panel.probes[0].point == (1.0, 2.0, 0.5) and len(panel.probes) == 1
+    panel.clear()
+    name.click()
+    window.panels.open(panel)  # as a document does that was saved so
+    assert not panel.probes

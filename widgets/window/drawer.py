@@ -65,9 +65,12 @@ class Panels(QWidget):
     ----------
     opened : Signal()
         One was opened, or the last one folded.
+    chosen : Signal(Panel)
+        The user has opened this one by its name.
     """
 
     opened = Signal()
+    chosen = Signal(object)
 
     def __init__(self) -> None:
         super().__init__()
@@ -151,7 +154,10 @@ class Panels(QWidget):
         self.opened.emit()
 
     def _clicked(self, panel: Panel) -> None:
-        self.open(None if panel is self.open_panel else panel)
+        is_open = panel is self.open_panel
+        self.open(None if is_open else panel)
+        if not is_open:
+            self.chosen.emit(panel)
 
 
 class Drawer(QSplitter):

@@ -474,6 +474,7 @@ class MainWindow(QMainWindow):
             panel.copy_wanted.connect(self.pictures.copy_diagram)
             panel.export_wanted.connect(self.pictures.export_diagram)
             self.look.built.connect(panel.set_style)
+        self.panels.chosen.connect(self.probing.begin)
         probe, measure, card = self.probe_panel, self.measure_panel, controls.card
         menus.remove_probe.triggered.connect(probe.remove)
         probe.changed.connect(lambda: menus.remove_probe.setEnabled(bool(probe.probes)))

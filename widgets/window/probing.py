@@ -19,7 +19,7 @@ from widgets.panels.probe_panel import ProbePanel
 from widgets.panes.manipulation import HOLD_WITHIN_PX, Manipulation
 from widgets.panes.pane import Pane
 from widgets.parts.escape import EscapeKey
-from widgets.parts.panel import Changed, Shown
+from widgets.parts.panel import Changed, Panel, Shown
 
 if TYPE_CHECKING:
     from app.drawings.image import ImageDrawing
@@ -150,6 +150,19 @@ class Probing(QObject):
         self._before_click = self._panel.probes, chosen.number if chosen else 0
         for found in self._found(name, place):
             self._panel.follow(point=found.point, pixel=found.pixel)
+
+    def begin(self, panel: Panel) -> None:
+        """Follow the first vertex of the picture, if somebody opens a panel that has no probe."""
+        drawing: ImageDrawing | None = self._panes["image"].drawing
+        if panel is not self._panel or self._panel.probes or drawing is None:
+            return
+        from app.drawings.probes import next_vertex, vertex_of
+
+        shown, ratio = self._shown(), self._panes["image"].canvas.pixel_ratio
+        scene, projection, room = shown.scene, shown.projection, drawing.picture_rectangle_px
+        number = next_vertex(scene, projection, drawing.sight, room, ratio, None, forwards=True)
+        if number is not None:
+            self._panel.follow(point=vertex_of(scene, projection, number))
 
     def _unfollow(self) -> None:
         """Forget the click that was the first half of a double-click."""
