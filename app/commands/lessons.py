@@ -44,7 +44,7 @@ def _checked(report: Report, files: Sequence[Path], own: bool) -> Iterator[str]:
     """What is wrong, a line each, and the sum of it all."""
     if own:
         ideas_report = Report()
-        ideas_report.take(ideas().lesson, len(ideas().lesson.steps))
+        ideas_report.take(ideas().lesson)
         report.wrong += ideas_report.wrong
     for file in files:
         said = len(report.wrong)

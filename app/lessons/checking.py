@@ -11,10 +11,11 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass, field
 from fractions import Fraction
+from functools import partial
 
 from app.document.document import set_values
 from app.lessons import marking
-from app.lessons.course import Course, idea_named
+from app.lessons.course import Course, idea_named, word_of
 from app.lessons.lesson import (
     Choice,
     Lesson,
@@ -76,11 +77,11 @@ class Report:
             f"{counted(self.checks, 'check')}, {len(self.wrong)} wrong"
         )
 
-    def take(self, lesson: Lesson, most_steps: int = MOST_STEPS) -> Course:
+    def take(self, lesson: Lesson) -> Course:
         """Try a lesson, and add what was found."""
         self.lessons += not lesson.is_talk
         self.talks += lesson.is_talk
-        checker = _Checker(lesson, most_steps)
+        checker = _Checker(lesson)
         checker.run()
         self.checks += checker.checks
         self.wrong += checker.wrong
@@ -95,15 +96,15 @@ def counted(count: int, word: str) -> str:
 class _Checker:
     """Tries one lesson."""
 
-    def __init__(self, lesson: Lesson, most_steps: int) -> None:
+    def __init__(self, lesson: Lesson) -> None:
         self.lesson, self.course = lesson, Course(lesson)
-        self._most_steps = most_steps
         self.checks = 0
         self.wrong: list[Refusal] = []
 
     def run(self) -> None:
+        is_lesson = not self.lesson.is_talk and any(step.asked for step in self.lesson.steps)
         for place, step in enumerate(self.lesson.steps):
-            if place == self._most_steps and not self.lesson.is_talk:
+            if place == MOST_STEPS and is_lesson:  # a collection of ideas may have more
                 self._complain(refused(step.line, TOO_MANY, place + 1, place))
             before = len(self.wrong)
             with self._kept():
@@ -169,7 +170,7 @@ class _Checker:
             self.course.shown_by(place, question.show)
         known = self.course.asked_over(place, question)
         for line, condition in question.checks:
-            if not condition.holds(known, lambda path: ""):
+            if not condition.holds(known, partial(word_of, known.document)):
                 self._complain(refused(line, NOT_SO, value=condition.text))
         said: tuple[Choice | Wrong, ...] = (*question.choices, *question.wrong)
         for each in said:

@@ -133,5 +133,5 @@ def test_a_file_that_is_none_is_said_and_the_others_are_checked(tmp_path: Path) 
 def test_only_lessons_are_among_the_lessons() -> None:
     assert all(is_lesson(path.name) for path in CONTENT.iterdir())
     report = Report()
-    report.take(read(CONTENT / "ideas.md"), 99)
+    report.take(read(CONTENT / "ideas.md"))
     assert report.wrong == []

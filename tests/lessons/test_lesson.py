@@ -229,3 +229,16 @@ def test_too_many_steps_and_too_large_a_file_are_refused_at_once(tmp_path: Path)
         read(tmp_path / "none.md")
     assert is_lesson("A.MD")
     assert not is_lesson("a.json")
+
+
+def test_a_predictions_check_can_be_a_word_of_the_state_that_it_shows() -> None:
+    text = STEP + (
+        "```state\nscene=planar-shadow\n```\n```predict\nWhich?\n- [x] a\n- [ ] b\n"
+        "show: settings.kind=sun\ncheck: settings.kind = WORD\n```\n"
+    )
+    for word, wrong in (("sun", 0), ("point", 1)):
+        report = Report()
+        report.take(parsed(text.replace("WORD", word)))
+        assert [str(error) for error in report.wrong] == wrong * [
+            "lesson.md: line 13 = 'settings.kind = point': does not hold."
+        ]
