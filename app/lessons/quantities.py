@@ -13,7 +13,7 @@ import operator
 import re
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -26,7 +26,9 @@ from app.model.limits import Row
 from app.model.projection import Array, Projection, Trace, focal_length_35mm
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
 from app.scenes.phenomena.illustration import Reading, Value
-from app.scenes.scene import Scene
+
+if TYPE_CHECKING:
+    from app.scenes.scene import Scene
 
 NO_NAME = QT_TRANSLATE_NOOP("Refusal", "has no such name, {0}; the nearest is {1}")
 NO_FUNCTION = QT_TRANSLATE_NOOP(
