@@ -219,6 +219,8 @@ class LessonCard(QFrame):
         self._shown = None
         self._title.setText(lesson.title)
         self._make_marks(lesson)
+        for button in (self.next, self.anew):
+            button.setEnabled(True)
         if not self.is_on:
             self.is_on = True
             self.toggled.emit(True)

@@ -1,0 +1,424 @@
+"""A student's way through a lesson: the card beside the pictures, by hand and by keyboard alone."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import pytest
+from PySide6.QtCore import QPoint, Qt
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication, QLabel, QLineEdit, QPushButton, QRadioButton, QWidget
+
+from app.document.document import set_values
+from app.lessons.course import CONTENT, Course, contained, idea_named
+from app.lessons.lesson import Question, Step, Task, read
+from app.model.projection import Perspective
+from tests import PATIENCE_MS
+from tests.support.window import MakeWindow, activate, enter, seen, settle
+from widgets.parts.lesson_text import LessonText
+from widgets.window.lesson_blocks import Asked, Chooses
+from widgets.window.lesson_card import TOUR
+from widgets.window.main_window import MainWindow
+from widgets.window.settings import Settings
+
+KEY = Qt.Key
+ALT = Qt.KeyboardModifier.AltModifier
+LESSON = """---
+title: How wide?
+---
+# The angle {#angle}
+It is *vertical*, <script>alert(1)</script> $a = 9/16$.
+
+```state
+scene=letter-f
+lens.fov_y_deg=45
+```
+
+```predict wide
+60°, 16:9. How wide?
+- [ ] 106.7° := aspect*fov {angle-linear}
+- [x] 91.5° := fov_x
+- [ ] 12°
+show: lens.fov_y_deg=60
+why: The tangent grows faster.
+```
+
+What comes of it.
+
+---
+# By hand {#hand}
+```task near
+Bring the near plane closer.
+until: near < was_near
+done: It is closer.
+```
+
+```task cube
+Bring the cube into the large place.
+until: view.large = ndc
+```
+
+---
+# Numbers {#numbers}
+```answer wide
+60° high, 2:1. How wide?
+value: 2*atan(2*tan(60/2))
+unit: °
+wrong angle-linear: 2*60
+hint: Take the tangent.
+hint: Of half the angle.
+why: It is 98.2.
+```
+
+```answer half
+Half of it all?
+value: 1/2
+```
+
+```answer which
+Which is it?
+- [x] this
+- [ ] that
+  says: That is another.
+```
+"""
+
+
+@pytest.fixture
+def lesson(tmp_path: Path) -> Path:
+    path = tmp_path / "wide.md"
+    path.write_text(LESSON, encoding="utf-8")
+    return path
+
+
+def texts(widget: QWidget) -> str:
+    """All that can be read in it."""
+    found = [text.accessibleName() for text in widget.findChildren(LessonText) if text.isVisible()]
+    found += [label.text() for label in widget.findChildren(QLabel) if label.isVisible()]
+    return "\n".join(found)
+
+
+def buttons(widget: QWidget) -> dict[str, QPushButton]:
+    return {
+        button.text().replace("&", ""): button
+        for button in widget.findChildren(QPushButton)
+        if button.isVisible()
+    }
+
+
+def press(key: Qt.Key, modifier: Qt.KeyboardModifier = Qt.KeyboardModifier.NoModifier) -> None:
+    """A key, to whatever has the focus."""
+    QTest.keyClick(QApplication.focusWidget(), key, modifier)
+    QApplication.processEvents()
+    while any(button.isDown() for button in QApplication.activeWindow().findChildren(QPushButton)):
+        QTest.qWait(10)  # which Qt shows pressed for a moment
+    settle()
+
+
+def arrive(window: MainWindow) -> None:
+    """Let the model be where it is moving to."""
+    for _ in range(PATIENCE_MS):
+        settle()
+        if not window.lessons.is_moving:
+            break
+        QTest.qWait(5)
+    QTest.qWait(60)
+
+
+def fov(window: MainWindow) -> float:
+    return float(window.store.document.projection.lens.fov_y_deg)  # type: ignore[union-attr]
+
+
+def test_a_prediction_is_made_before_the_step_goes_on(window: MainWindow, lesson: Path) -> None:
+    window.resize(1366, 768)
+    activate(window)
+    window.files.open(lesson)
+    settle()
+    card = window.lesson_card
+    assert card.isVisible() and window.controls.isVisible()
+    assert "<script>alert(1)</script>" in texts(card) and "What comes" not in texts(card)
+    assert isinstance(QApplication.focusWidget(), QRadioButton)
+    press(KEY.Key_Right, ALT)
+    assert window.lessons.place == 0 and "prediction first" in texts(card)
+    press(KEY.Key_Return)
+    assert "Choose one first" in texts(card) and fov(window) == 45.0
+    press(KEY.Key_Down)
+    press(KEY.Key_Up)
+    press(KEY.Key_Return)
+    arrive(window)
+    said = texts(card)
+    assert "You said 106.7°; the model says 91.5°." in said and "What comes" in said
+    idea = idea_named("angle-linear")
+    assert idea is not None and idea.title.rstrip(".") in said and "grows faster" in said
+    assert fov(window) == 60.0
+    (block,) = card.blocks
+    assert not any(each.isEnabled() for each in block.findChildren(QRadioButton))
+    marked = [each.accessibleDescription() for each in block.findChildren(QRadioButton)]
+    assert marked == ["You said so", "The model says so", ""]
+    press(KEY.Key_W, ALT)
+    arrive(window)
+    assert window.store.document == idea.state
+    assert card.again.isEnabled()
+    press(KEY.Key_F7)
+    arrive(window)
+    assert fov(window) == 45.0 and not card.again.isEnabled() and window.lessons.place == 0
+    assert "You said" in texts(card), "the step's page is as it was left"
+    press(KEY.Key_Right, ALT)
+    assert window.lessons.place == 1
+    press(KEY.Key_Left, ALT)
+    assert window.lessons.place == 0 and "You said" in texts(card)
+
+
+def test_a_task_ticks_itself_whatever_way_it_is_done(window: MainWindow, lesson: Path) -> None:
+    activate(window)
+    card = window.lesson_card
+    card.open(lesson)
+    arrive(window)
+    window.lessons.go(1)
+    arrive(window)
+    near, cube = card.blocks
+    assert (near.is_open, cube.is_open) == (True, True)
+    lens = window.store.document.projection.lens
+    near.show_wanted.emit(set_values(window.store.document, ["lens.near=2"]))
+    arrive(window)
+    assert near.is_open, "what the lesson shows by itself, nobody has done"
+    window.store.set_projection(seen(window, lens=Perspective(50.0, lens.near * 3.0, lens.far)))
+    arrive(window)
+    assert near.is_open, "only a nearer one ticks"
+    field = window.controls.rows["near"].field
+    enter(field, "1.5")
+    arrive(window)
+    assert not near.is_open and "It is closer." in texts(card) and cube.is_open
+    assert QApplication.focusWidget() is field, "the hand stays where it is"
+    QTest.mouseDClick(
+        window.panes["ndc"].header, Qt.MouseButton.LeftButton, pos=QPoint(5, 5)
+    )
+    arrive(window)
+    assert not cube.is_open
+    window.lessons.come_back()
+    arrive(window)
+    assert not near.is_open and not cube.is_open, "it stays ticked"
+
+
+def answered(window: MainWindow, typed: str) -> str:
+    """What is said to a number that is typed into the first field of the step."""
+    block = window.lesson_card.blocks[0]
+    field = block.findChild(QLineEdit)
+    field.setFocus()
+    field.selectAll()
+    QTest.keyClick(field, KEY.Key_Delete)
+    QTest.keyClicks(field, typed)
+    QTest.keyClick(field, KEY.Key_Return)
+    settle()
+    return texts(block)
+
+
+def test_answers_are_read_as_people_write_them(window: MainWindow, lesson: Path) -> None:
+    activate(window)
+    card = window.lesson_card
+    card.open(lesson)
+    arrive(window)
+    before = window.store.document
+    for typed in ("98.2", "98,2", "98.2°", " 98.3 ", "982/10"):
+        card.begin_again()
+        window.lessons.go(2, at_once=True)
+        assert "It is 98.2." in answered(window, typed) and not card.blocks[0].is_open, typed
+        assert isinstance(QApplication.focusWidget(), QLineEdit)  # of the next
+        assert card.blocks[1].isAncestorOf(QApplication.focusWidget())
+    for typed in ("1/2", "0,5", ".5"):
+        card.begin_again()
+        window.lessons.go(2, at_once=True)
+        card.blocks.reverse()
+        card.blocks.insert(0, card.blocks.pop(1))
+        answered(window, typed)
+        assert not card.blocks[0].is_open, typed
+    card.begin_again()
+    window.lessons.go(2, at_once=True)
+    for typed, said in (
+        ("", "nothing is typed yet"),
+        ("wide", "must be a number"),
+        ("1/0", "divided by 0"),
+        ("1e400", "from -1e300 to 1e300"),
+        ("98", "three significant digits"),
+        ("77", "That is not it."),
+    ):
+        assert said in answered(window, typed) and card.blocks[0].is_open, typed
+    assert window.store.document == before
+    press(KEY.Key_I, ALT)
+    press(KEY.Key_I, ALT)
+    assert "Take the tangent." in texts(card) and "Of half the angle." in texts(card)
+    assert not card.hint.isEnabled()
+    idea = idea_named("angle-linear")
+    assert idea is not None and idea.title.rstrip(".") in answered(window, "120")
+    assert "Show the answer" not in buttons(card)
+    press(KEY.Key_W, ALT)
+    arrive(window)
+    assert window.store.document == idea.state
+    answered(window, "55")
+    press(KEY.Key_A, ALT)
+    assert "The answer is 98.21°. It is 98.2." in texts(card)
+    assert not card.blocks[0].is_open
+    which = card.blocks[2]
+    first, second = which.findChildren(QRadioButton)
+    second.click()
+    buttons(which)["Check"].click()
+    settle()
+    assert "That is another." in texts(which) and which.is_open
+    first.click()
+    buttons(which)["Check"].click()
+    settle()
+    assert "Right." in texts(which) and not which.is_open
+
+
+def test_progress_is_kept_for_another_window(
+    make_window: MakeWindow, lesson: Path, own_home: Path
+) -> None:
+    path = own_home / "own.ini"
+    window = make_window(settings=Settings(path), shown=False)
+    card = window.lesson_card
+    card.open(lesson)
+    block = card.blocks[0]
+    block.findChildren(QRadioButton)[0].click()
+    buttons_of(block)["Commit"].click()
+    card.go_on()
+    card.go_on()
+    field = card.blocks[0].findChild(QLineEdit)
+    field.setText("98,2")
+    field.returnPressed.emit()
+    other = make_window(settings=Settings(path), shown=False)
+    other.lesson_card.open(lesson)
+    assert other.lessons.place == 2
+    wide, half, which = other.lesson_card.blocks
+    assert not wide.is_open and half.is_open and which.is_open
+    assert wide.findChild(QLineEdit).text() == "98,2"
+    other.lesson_card.go_back()
+    other.lesson_card.go_back()
+    assert [b.isChecked() for b in other.lesson_card.findChildren(QRadioButton)][0]
+    assert not other.lesson_card.blocks[0].is_open
+    other.lesson_card.begin_again()
+    assert other.lessons.place == 0 and other.lesson_card.blocks[0].is_open
+    other.lesson_card.leave()
+    assert not other.lesson_card.is_on
+    third = make_window(settings=Settings(path), shown=False)
+    third.lesson_card.open(lesson)
+    assert third.lessons.place == 0 and third.lesson_card.blocks[0].is_open
+    settings = Settings(None)
+    for text in ("[1]", '{"a": 1}', '{"a": {"step": 2}}', '{"a": {"done": -1}}', "{"):
+        settings.write("progress", text)
+        assert settings.progress == {}, text
+
+
+def buttons_of(widget: QWidget) -> dict[str, QPushButton]:
+    return {b.text().replace("&", ""): b for b in widget.findChildren(QPushButton)}
+
+
+def test_the_tour_ticks_itself_off_by_hand(window: MainWindow) -> None:
+    activate(window)
+    window.menus.lesson_menu.tour.trigger()
+    card = window.lesson_card
+    arrive(window)
+
+    def is_done() -> bool:
+        arrive(window)
+        return not any(block.is_open for block in card.blocks)
+
+    lens = window.store.document.projection.lens
+    window.store.set_projection(seen(window, lens=Perspective(50.0, lens.near, lens.far)))
+    assert not is_done(), "only a nearer near plane ticks"
+    window.store.set_projection(seen(window, lens=Perspective(50.0, 2.0, lens.far)))
+    assert is_done()
+    press(KEY.Key_Right, ALT)
+    arrive(window)
+    QTest.keyClick(window.panes["world"].canvas, KEY.Key_Left)
+    assert is_done()
+    press(KEY.Key_Right, ALT)
+    assert not is_done()
+    QTest.mouseDClick(window.panes["ndc"].header, Qt.MouseButton.LeftButton, pos=QPoint(5, 5))
+    assert is_done()
+    press(KEY.Key_Right, ALT)
+    arrive(window)
+    window.strip.go_to(2.0)
+    assert is_done()
+    for _ in range(3):
+        press(KEY.Key_Right, ALT)
+    arrive(window)
+    assert window.lessons.course is None
+    first = read(contained()[0])
+    assert f"Next lesson: {first.title}" in buttons(card)
+    press(KEY.Key_Return)
+    assert window.lessons.lesson == first
+
+
+def test_who_types_in_the_dock_keeps_the_keyboard(window: MainWindow, lesson: Path) -> None:
+    activate(window)
+    window.lesson_card.open(lesson)
+    arrive(window)
+    field = window.controls.rows["near"].field
+    field.setFocus()
+    window.lessons.go(2)
+    settle()
+    assert QApplication.focusWidget() is field
+
+
+# --------------------------------------------------------------------------- the keyboard alone
+
+
+def solved(window: MainWindow, block: Asked, step: Step, course: Course, place: int) -> None:
+    """Do what is asked, with the focus where it has come to by itself."""
+    part = block.part
+    if isinstance(part, Task):
+        sample = next(s for s in step.samples if s.block == part.name and s.verdict == "done")
+        store = window.store
+        own = course.shown(place).document
+        wanted = set_values(own, sample.text.split())
+        if wanted == store.document:
+            store.set_view(**{
+                name.removeprefix("view."): getattr(wanted.view, name.removeprefix("view."))
+                for name in (text.partition("=")[0] for text in sample.text.split())
+                if name.startswith("view.")
+            })
+        else:
+            store.set_document(wanted)
+        return
+    assert block.isAncestorOf(QApplication.focusWidget()), f"{step.name}/{part.name}: the focus"
+    if isinstance(block, Chooses):
+        right = next(number for number, choice in enumerate(part.choices) if choice.right)
+        for _ in range(right):
+            press(KEY.Key_Down)
+        if right == 0:
+            press(KEY.Key_Space)
+    else:
+        assert part.value is not None
+        value = course.value(place, part, part.value, part.line)
+        QTest.keyClicks(QApplication.focusWidget(), f"{value:.4g}".replace(".", ","))
+    press(KEY.Key_Return)
+
+
+def test_every_lesson_can_be_done_with_the_keyboard_alone(window: MainWindow) -> None:
+    window.resize(1366, 768)
+    activate(window)
+    card, lessons = window.lesson_card, window.lessons
+    paths = [path for path in contained() if not read(path).is_talk]
+    assert len(paths) == 25
+    for path in paths:
+        card.open(path)
+        course = lessons.course
+        assert course is not None
+        for place, step in enumerate(course.lesson.steps):
+            assert lessons.place == place, f"{path.name}: {step.name}"
+            for number in range(len(step.asked)):
+                block = card.blocks[number]
+                if block.is_open:
+                    solved(window, block, step, course, place)
+                    QTest.qWait(0)
+                for _ in range(100):
+                    if not block.is_open:
+                        break
+                    QTest.qWait(10)
+                assert not block.is_open, f"{path.name}: {step.name}/{block.part.name}"
+            press(KEY.Key_Right, ALT)
+        assert lessons.course is None, path.name
+        kept = window.settings.progress[path.stem]
+        assert (kept.done, kept.of, kept.step) == (len(course.lesson.steps),) * 2 + ("",)
