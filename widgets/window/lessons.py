@@ -266,6 +266,9 @@ class Lessons(QObject):
         elif self._start != self._end:
             at = transition.between(self._start, self._end, eased)
         if at is not None and at != self._store.document:
+            view = self._store.document.view
+            if at.view is not view:  # somebody looks at it otherwise since it began to move
+                at = replace(at, view=view)
             self._moving = True
             self._store.go_on(at)
             self._moving = False

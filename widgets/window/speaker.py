@@ -195,12 +195,12 @@ class SpeakerWindow(QWidget):
         layout.setColumnStretch(1, 2)
         layout.setRowStretch(2, 1)
         layout.setHorizontalSpacing(TEXT_PX)
-        large = {self._title: 1.5, self._clock: 1.6, self._elapsed: 1.6}
-        for widget in self.findChildren(QWidget):  # whatever letters the class is shown
+        large: dict[QWidget, float] = {self._title: 1.5, self._clock: 1.6, self._elapsed: 1.6}
+        for child in self.findChildren(QWidget):  # whatever letters the class is shown
             font = QFont(self.font())
-            font.setPixelSize(round(large.get(widget, 1.0) * TEXT_PX))
-            font.setBold(widget is self._title)
-            widget.setFont(font)
+            font.setPixelSize(round(large.get(child, 1.0) * TEXT_PX))
+            font.setBold(child is self._title)
+            child.setFont(font)
         self._show_time()
 
     def _button(self, text: str, act: Callable[[], object]) -> QPushButton:

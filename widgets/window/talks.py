@@ -523,20 +523,21 @@ def _texts_of(step: Step) -> Iterator[str]:
     yield from (part.text for part in step.parts if isinstance(part, (Words, Question)))
 
 
-class TalkActions:
+class TalkActions(QObject):
     """The entries of the menu that are about talks."""
 
     def __init__(self, talks: Talks, window: QMainWindow, settings: Settings) -> None:
+        super().__init__(window)
         self._talks = talks
-        self.speaker = QAction(talks.tr("Speaker's &window"), window)
+        self.speaker = QAction(self.tr("Speaker's &window"), window)
         self.speaker.triggered.connect(talks.open_speaker)
-        self.with_talk = QAction(talks.tr("Open it when a talk is &presented"), window)
+        self.with_talk = QAction(self.tr("Open it when a talk is &presented"), window)
         self.with_talk.setCheckable(True)
         self.with_talk.setChecked(settings.speaker_window)
         self.with_talk.toggled.connect(partial(setattr, settings, "speaker_window"))
-        self.add = QAction(talks.tr("Add th&is state as a step…"), window)
+        self.add = QAction(self.tr("Add th&is state as a step…"), window)
         self.add.triggered.connect(talks.add_state)
-        self.begin = QAction(talks.tr("A new talk f&rom here…"), window)
+        self.begin = QAction(self.tr("A new talk f&rom here…"), window)
         self.begin.triggered.connect(talks.begin_new)
         self.all = (self.speaker, self.with_talk, self.add, self.begin)
         self.show_lesson()
