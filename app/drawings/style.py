@@ -35,7 +35,7 @@ class Style:
     eye, target, frustum, accent : str
         The camera, the point it looks at, the edges of the view volume, what is pointed out.
     shadow : str
-        Of a thing, on a ground that is tinted with `muted`: darker than that.
+        Of a thing, on the background or on a ground that is tinted with `muted`.
     line_width : float
         Of ordinary lines. Thin ones have half of it and thick ones one and a half, so that at a
         whole scale all are whole pixels: OpenGL would round them, each way of drawing in its own.
@@ -116,5 +116,5 @@ DARK = Style(
     target="#f0e442",
     frustum="#a4abb3",
     accent="#cc79a7",
-    shadow="#000000",
+    shadow="#7c838c",
 )

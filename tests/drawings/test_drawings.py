@@ -712,6 +712,10 @@ def test_words_can_be_read_and_lines_be_seen(style: Style) -> None:
     for colour in concepts.values():
         assert contrast(style.text_on(colour), colour) >= 4.5
         assert contrast(colour, style.background) >= 3.0
+    parts = zip(rgb(style.background), rgb(style.muted), strict=True)
+    tinted = "".join(f"{round(255 * (0.8 * below + 0.2 * tint)):02x}" for below, tint in parts)
+    for ground in (style.background, f"#{tinted}"):
+        assert contrast(style.shadow, ground) >= 3.0
 
 
 def test_contrast_is_that_of_the_standard() -> None:
