@@ -16,7 +16,7 @@ from PySide6.QtWidgets import QWidget
 from app.drawings import WORDS
 from app.drawings.image import ImageDrawing
 from app.drawings.stage import StageDrawing
-from app.drawings.style import DARK, LIGHT, Style, contrast
+from app.drawings.style import DARK, LIGHT, Style, contrast, rgb
 from app.lecture.typed_matrix import shown, with_cell
 from app.model.projection import (
     DEPTH_RANGES,
