@@ -177,7 +177,7 @@ class Course:
             with on_line(line, "scene"):
                 before = self._opened(name, mesh, line)
             values = [(line, text) for line, text in values if _path(text) not in ("scene", "mesh")]
-            before = replace(before, view=replace(AS_EVER, letters=letters))
+            before = replace(before, view=replace(AS_EVER, letters=letters, panel=""))
         elif state is not None and state.document and self.lesson.letters:
             before = replace(before, view=replace(before.view, letters=letters))
         if not values:

@@ -21,7 +21,7 @@ from PySide6.QtCore import QFileSystemWatcher, QObject, QTimer, Signal
 
 from app.document.document import Document
 from app.document.store import Store
-from app.document.view import FIELDS, View
+from app.document.view import AS_EVER, FIELDS, View
 from app.lessons import transition
 from app.lessons.course import Course, Shown, scene_of
 from app.lessons.lesson import Lesson, Step, read
@@ -118,10 +118,11 @@ class Lessons(QObject):
             return False
         shown = self.course.shown(self.place)
         look = self._store.look()
+        leading = scene_of(shown.document).leading
         return self._store.document != shown.document or any(
-            getattr(look, name) != value
-            for name, value in _asked(shown, look).items()
-            if (name, value) != ("panel", None)  # which stays as it is
+            (getattr(look, name) or leading if name == "large" else getattr(look, name))
+            != (value or leading if name == "large" else value)
+            for name, value in shown.view.items()
         )
 
     def open(self, path: str | Path, step: str = "") -> bool:
@@ -146,7 +147,10 @@ class Lessons(QObject):
         self._stand_still()
         self._views.clear()
         self.course, self.place = course, place
-        document = replace(shown.document, view=self._view(shown, other_scene=True))
+        look = self._store.look()
+        # Whatever was looked at before: a lesson begins as the program does.
+        view = replace(AS_EVER, layout=look.layout, letters=look.letters, panel="")
+        document = replace(shown.document, view=replace(view, **shown.view))
         self._files.open_step(document, scene, course.lesson.path)
         self._watch()
         self.opened.emit()
@@ -228,7 +232,7 @@ class Lessons(QObject):
                 look, large="", panel=None, probes=(), pinned=frozenset(), compare=(),
                 dividers=(), panes=self._views.get(there, {}),
             )  # fmt: skip
-        return replace(look, **_asked(shown, look))
+        return replace(look, **shown.view)
 
     def _move_to(self, end: Document, scene: Any, at_once: bool) -> None:
         """Change to a document in one step of undo; the model moves there, if it can."""
@@ -333,12 +337,3 @@ class Lessons(QObject):
         text = sentence(error)
         known = error.file is not None and str(path) in text
         self._messages.say(text if known else f"{path.name}: {text}")
-
-
-def _asked(shown: Shown, look: View) -> dict[str, Any]:
-    """What of the view a step asks for; an empty panel is none, and None is as it is."""
-    return {
-        name: value
-        for name, value in shown.view.items()
-        if not (name == "panel" and value is None and look.panel is None)
-    }
