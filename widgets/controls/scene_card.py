@@ -394,7 +394,8 @@ class SceneCard(QWidget):
     def show_highlight(self, highlighted: Highlight) -> None:
         """Mark the rows and the readings that are about what is highlighted."""
         for setting in () if self._phenomenon is None else self._phenomenon.settings:
-            self.rows[setting.name].set_marked(setting.path in highlighted)
+            if setting.name in self.rows:  # one that loses the focus goes before others come
+                self.rows[setting.name].set_marked(setting.path in highlighted)
         self.readout.show_highlight(highlighted)
 
     def _add_player(self, setting: Setting, row: NumberRow) -> None:

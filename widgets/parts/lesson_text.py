@@ -6,10 +6,11 @@ holds.
 
 from __future__ import annotations
 
+import math
 from functools import lru_cache
 from typing import Any, cast
 
-from PySide6.QtCore import QMimeData, QRect, QRectF, QSize, QSizeF, Qt
+from PySide6.QtCore import QEvent, QMimeData, QRect, QRectF, QSize, QSizeF, Qt
 from PySide6.QtGui import (
     QBrush,
     QFontMetrics,
@@ -186,6 +187,8 @@ class LessonText(QTextEdit):
     def __init__(self, text: str = "", *, title: bool = False, parent: QWidget | None = None):
         super().__init__(parent)
         self._text, self._is_title = "", title
+        self._heights: dict[int, int] = {}
+        """By widths: a layout asks often."""
         self.setReadOnly(True)
         self.setFrameShape(QFrame.Shape.NoFrame)
         self.setVerticalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
@@ -206,6 +209,7 @@ class LessonText(QTextEdit):
     def say(self, text: str) -> None:
         """Show another text."""
         self._text = text
+        self._heights.clear()
         line = self.palette().color(QPalette.ColorRole.Mid).name()
         set_text(self.document(), text, title=self._is_title, line=line)
         self.setAccessibleName(plain_of(text))
@@ -215,13 +219,20 @@ class LessonText(QTextEdit):
         return True
 
     def heightForWidth(self, width: int) -> int:
-        document = self.document()
-        before = document.textWidth()
-        document.setTextWidth(width)
-        height = document.size().height()
-        if before > 0.0:
-            document.setTextWidth(before)
-        return -int(-height // 1)
+        if width not in self._heights:
+            document = self.document()
+            before = document.textWidth()
+            document.setTextWidth(width)
+            self._heights[width] = math.ceil(document.size().height())
+            if before > 0.0:
+                document.setTextWidth(before)
+        return self._heights[width]
+
+    def changeEvent(self, event: QEvent) -> None:
+        super().changeEvent(event)
+        if event.type() in (QEvent.Type.FontChange, QEvent.Type.StyleChange):
+            self._heights.clear()
+            self.updateGeometry()
 
     def sizeHint(self) -> QSize:
         width = max(self.width(), 120)

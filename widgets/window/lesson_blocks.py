@@ -138,7 +138,7 @@ class Asked(QFrame):
     # -- what is said to it
 
     def _hold_focus(self) -> None:
-        """Keep the keyboard here, if it is: what has it is about to go, and anything would follow."""
+        """Keep the keyboard here, if it is: what has it is about to go, and Qt would go on."""
         focus = QApplication.focusWidget()
         if focus is not None and self.isAncestorOf(focus):
             self.setFocus(Qt.FocusReason.OtherFocusReason)

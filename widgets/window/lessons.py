@@ -244,6 +244,8 @@ class Lessons(QObject):
         first = None
         if not at_once and transition.can_move(start, end):
             first = transition.between(start, end, 0.02)
+        else:  # it is there at once, and only the strip may be on its way
+            self._start = end
         self._moving = True
         if start == end:
             changes = {
