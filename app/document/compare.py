@@ -7,14 +7,14 @@ in everything but some values of its own (the same camera, another interpolation
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field, fields
 from types import MappingProxyType
 from typing import Any
 
 from app.model.projection import Camera, Projection
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
-from app.scenes.phenomena.illustration import Settings
+from app.scenes.phenomena.illustration import Setting, Settings
 
 MOST_PICTURES = 3
 """As many as the lectures set side by side: stretch, keep x, keep y; naive, cut, clipped."""
@@ -33,6 +33,7 @@ ONLY_OF_THE_PICTURE = QT_TRANSLATE_NOOP(
 HELD_ELSEWHERE = QT_TRANSLATE_NOOP("Refusal", "must be the document's own, {0}")
 PARTS = ("settings", "camera", "lens", "image", "object", "depth")
 """What of a document a picture shows, and can have for itself."""
+ON, OFF = QT_TRANSLATE_NOOP("phenomena", "on"), QT_TRANSLATE_NOOP("phenomena", "off")
 _ALONG = 1e-9  # sine between two camera axes that are one
 
 
@@ -156,6 +157,79 @@ def differences(states: Sequence[Held]) -> list[tuple[str, tuple[Any, ...]]]:
         )
     compared("depth", [projection.depth for projection in shown])
     return found
+
+
+@dataclass(frozen=True)
+class Written:
+    """How a difference is written, in some language.
+
+    Attributes
+    ----------
+    field : callable
+        The name of a field of the model.
+    text : callable
+        A text of the phenomena: a setting's name, unit, or choice; ``on`` and ``off``.
+    number : callable
+    """
+
+    field: Callable[[str], str]
+    text: Callable[[str], str]
+    number: Callable[[float], str]
+
+
+def in_words(
+    pictures: Sequence[Picture],
+    states: Sequence[Held],
+    settings: Sequence[Setting],
+    written: Written,
+) -> list[str]:
+    """In what pictures differ, one text for each difference: ``near 4 \u2192 8``.
+
+    What the pictures have their names from is said by these, unless nothing else differs.
+
+    Parameters
+    ----------
+    pictures : sequence of Picture
+    states : sequence of Held
+        What they show.
+    settings : sequence of Setting
+        Those of the scene's phenomenon.
+    written : Written
+    """
+    found = differences(states)
+    named = {change.partition("=")[0] for each in pictures for change in each.changes}
+    found = [each for each in found if each[0] not in named] or found
+    by_path = {setting.path: setting for setting in settings}
+    return [_in_words(path, values, by_path.get(path), written) for path, values in found]
+
+
+def _in_words(path: str, values: Sequence[Any], setting: Setting | None, written: Written) -> str:
+    _, _, name = path.rpartition(".")
+    label, unit = written.field(name), "\u00b0" if name.endswith("_deg") else ""
+    texts = [_value(value, written) for value in values]
+    if setting is not None:
+        label, unit = written.text(setting.label), written.text(setting.unit)
+        words = {key: written.text(text) for key, text in setting.choices}
+        texts = [words.get(text, text) for text in texts]
+    elif name == "image":
+        texts = [f"{width} \u00d7 {height}" for width, height in values]
+    if "" in texts:  # a matrix
+        return label
+    if label[1:2].islower():  # in the middle of a sentence
+        label = label[0].lower() + label[1:]
+    arrow = " \u2192 "
+    return f"{label} {arrow.join(f'{text}{unit}' for text in texts)}"
+
+
+def _value(value: Any, written: Written) -> str:
+    """Of a number, a point, a word; of what is larger nothing."""
+    if isinstance(value, bool):
+        return written.text(ON if value else OFF)
+    if isinstance(value, (int, float)):
+        return written.number(float(value))
+    if isinstance(value, tuple) and all(isinstance(part, float) for part in value):
+        return f"({', '.join(map(written.number, value))})"
+    return value if isinstance(value, str) else ""
 
 
 def _same_axis(cameras: Sequence[Camera]) -> bool:

@@ -26,7 +26,9 @@ from __future__ import annotations
 from collections.abc import Mapping
 from types import MappingProxyType
 
-WORDS: Mapping[str, str] = MappingProxyType(
+from app.lecture.notation import Letters, axis_letters, in_letters
+
+_OWN: Mapping[str, str] = MappingProxyType(
     {
         "near": "near",
         "far": "far",
@@ -55,7 +57,27 @@ WORDS: Mapping[str, str] = MappingProxyType(
         "no half angle": "This window is off the axis, which does not halve its angle.",
     }
 )
-"""The words written into the drawings; a mapping with the same keys translates them."""
+
+
+class Words(dict[str, str]):
+    """The words written into the drawings, and a scene's own, in English with a lecture's letters.
+
+    A mapping with the same keys translates them.
+    """
+
+    def __init__(self, letters: Letters = "own") -> None:
+        super().__init__({**_OWN, **axis_letters(letters)})
+        self._letters = letters
+
+    def __missing__(self, word: str) -> str:
+        return in_letters(word, self._letters)
+
+    def get(self, word: str, default: object = None) -> str:
+        """The word; a scene's own is one itself."""
+        return self[word]
+
+
+WORDS: Mapping[str, str] = Words()
 
 AXES = "axes"
 """A layer that no document names: the pixel axes, which pictures beside each other do without."""

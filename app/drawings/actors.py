@@ -265,7 +265,7 @@ class Label:
         offset.SetValue(offset_em[0] * self._font_px, offset_em[1] * self._font_px, 0.0)
         self.property = self.actor.GetTextProperty()
         self.property.SetFontFamily(_VTK_FONT_FILE)
-        self.property.SetFontFile(_font_file(bold))
+        self.property.SetFontFile(font_file(bold))
         self.property.SetJustification(anchor[0] + 1)
         self.property.SetVerticalJustification(anchor[1] + 1)
         self.property.SetColor(*rgb(style.ink))
@@ -348,7 +348,7 @@ class Label:
 
 
 @cache
-def _font_file(bold: bool) -> str:
+def font_file(bold: bool) -> str:
     """DejaVu Sans, which comes with pyvista's matplotlib.
 
     VTK's built-in font has no Cyrillic, and a font of the system would make a figure look

@@ -19,27 +19,29 @@ from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
-from PIL import Image
+from PIL import Image, ImageDraw, ImageFont
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkUnsignedCharArray
 from vtkmodules.vtkRenderingCore import vtkTextActor
 
+from app.document.compare import Written, in_words
 from app.document.document import Document, embed, write_bytes_atomically
+from app.document.field_names import FIELDS
 from app.document.view import AS_EVER, PANES, View
-from app.drawings import AXES, WORDS
+from app.drawings import AXES, WORDS, Words
+from app.drawings.actors import font_file
 from app.drawings.image import ImageDrawing
 from app.drawings.off_screen import off_screen
-from app.drawings.side_by_side import cells
+from app.drawings.side_by_side import BARE_EM, cells
 from app.drawings.stage import StageDrawing
 from app.drawings.style import LIGHT, Style, rgb
 from app.drawings.world import WorldDrawing
-from app.lecture.notation import Letters, axis_letters, in_letters
-from app.model.projection import LARGEST_IMAGE_PX, Projection
+from app.model.projection import LARGEST_IMAGE_PX, Array, Projection
 from app.model.refusal import QT_TRANSLATE_NOOP, Cancelled, Refusal, format_value
 from app.precision.levels import DRAWING_TOLERANCE_PX
 from app.precision.quality import AUTOMATIC, Quality
 from app.scenes.fewer_triangles import reduced
-from app.scenes.phenomena.illustration import Illustration
+from app.scenes.phenomena.illustration import Illustration, figure
 from app.scenes.scene import Scene
 
 Pixels = NDArray[np.uint8]
@@ -85,22 +87,9 @@ SCALED_HEIGHT = QT_TRANSLATE_NOOP(
 TEXT = QT_TRANSLATE_NOOP(
     "Refusal", "text size = {0}: must be from {1} to {2} points in panes of this size."
 )
+LINE_EM = 1.5
+_MOST_WORDS = 0.25  # of a figure's height, to say in what pictures differ
 _SIDES = {"width": (WIDTH, SCALED_WIDTH), "height": (HEIGHT, SCALED_HEIGHT)}
-
-
-class _Words(dict[str, str]):
-    """The drawings' words and a scene's own, in English with a lecture's letters."""
-
-    def __init__(self, letters: Letters) -> None:
-        super().__init__({**WORDS, **axis_letters(letters)})
-        self._letters = letters
-
-    def __missing__(self, word: str) -> str:
-        return in_letters(word, self._letters)
-
-    def get(self, word: str, default: object = None) -> str:
-        """The word; a scene's own is one itself."""
-        return self[word]
 
 
 def render(
@@ -169,7 +158,7 @@ def render(
     text_pt = checked_text(projection.image_size, panes, size, text_pt)
     style = replace(style, margin=style.background, font_size=text_pt * DPI / 72.0).enlarged(scale)
     if words is WORDS:
-        words = _Words(view.letters)
+        words = Words(view.letters)
     illustration = None
     if scene.phenomenon is not None:
         chosen = scene.phenomenon.checked(settings or {})
@@ -332,9 +321,12 @@ def _compared(
             illustration = phenomenon.illustration(of.projection, of.settings, scene.subject)
         name = document.name_of(picture)
         shown.append((of.projection, illustration, words.get(name, name)))
-    width, height = size
     aspects = [projection.aspect for projection, _, _ in shown]
-    if not dividers or len(set(aspects)) > 1:
+    is_divided = bool(dividers) and len(set(aspects)) == 1
+    # A picture that is divided and has no frame has no names either: it is only itself.
+    ink = _in_words(document, scene, words, size, style) if framed or not is_divided else None
+    width, height = size[0], size[1] - (0 if ink is None else len(ink))
+    if not is_divided:
         places = cells(width, height, aspects, style.font_size)
         drawn = [
             draw(*each, (wide, high), framed=True, caption=name, bare=True)[0]
@@ -344,10 +336,10 @@ def _compared(
         whole[:] = drawn[0][0, 0]  # beside the pictures
         for part, (left, top, wide, high) in zip(drawn, places, strict=True):
             whole[top : top + high, left : left + wide] = part
-        return whole
+        return _with_words(whole, ink, style)
     middles = [sum(ends) / 2.0 for ends in pairwise((0.0, *dividers, 1.0))]
     layers = [
-        draw(projection, illustration, size, framed=framed, caption=name, middle=middle)
+        draw(projection, illustration, (width, height), framed=framed, caption=name, middle=middle)
         for (projection, illustration, name), middle in zip(shown, middles, strict=True)
     ]
     live = next(place for place, picture in enumerate(pictures) if picture.live)
@@ -360,7 +352,58 @@ def _compared(
     for x in edges[1:-1]:
         whole[:, max(0, x - half) : x + half, :3] = np.array(rgb(style.ink)) * 255.0
         whole[:, max(0, x - half) : x + half, 3:] = 255
-    return whole
+    return _with_words(whole, ink, style)
+
+
+def _with_words(pixels: Pixels, ink: Array | None, style: Style) -> Pixels:
+    """A picture with what is written below it, on what lies beside it."""
+    if ink is None or not len(ink):
+        return pixels
+    beside = pixels[0, 0].astype(float)
+    colour = np.array([*(255.0 * part for part in rgb(style.ink)), 255.0])[: len(beside)]
+    words = np.round(beside + ink[..., None] * (colour - beside)).astype(np.uint8)
+    return np.concatenate([pixels, words])
+
+
+def _in_words(
+    document: Document,
+    scene: Scene,
+    words: Mapping[str, str],
+    size: tuple[int, int],
+    style: Style,
+) -> Array:
+    """In what the pictures differ, to be written below them: how much ink there is, 0 to 1.
+
+    Returns
+    -------
+    (n, width) array
+        Of whole lines, at most a quarter of the height; what has no room in them is left out.
+        Empty where nothing differs.
+    """
+    phenomenon, (width, height) = scene.phenomenon, size
+    written = Written(
+        lambda name: words.get(FIELDS.get(name, name), FIELDS.get(name, name)),
+        lambda text: words.get(text, text),
+        lambda value: figure(value, 4),
+    )
+    states = [document.pictured(picture).state for picture in document.view.compare]
+    settings = () if phenomenon is None else phenomenon.settings
+    font = ImageFont.truetype(font_file(bold=False), style.font_size)
+    room = width - 2.0 * BARE_EM * style.font_size
+    lines: list[str] = []
+    for word in ", ".join(in_words(document.view.compare, states, settings, written)).split():
+        if lines and font.getlength(f"{lines[-1]} {word}") <= room:
+            lines[-1] += f" {word}"
+        else:
+            lines.append(word)
+    line_px = round(LINE_EM * style.font_size)
+    lines = lines[: int(_MOST_WORDS * height / line_px)]
+    band = Image.new("L", (width, line_px * len(lines)))
+    for place, line in enumerate(lines):
+        middle = width / 2.0, (place + 0.5) * line_px
+        ImageDraw.Draw(band).text(middle, line, fill=255, font=font, anchor="mm")
+    ink: Array = np.asarray(band, dtype=np.float64).reshape(-1, width) / 255.0
+    return ink
 
 
 def _render_pane(

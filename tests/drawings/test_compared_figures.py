@@ -8,8 +8,10 @@ from itertools import pairwise
 import numpy as np
 import pytest
 
+from app.document.compare import Written, in_words
 from app.document.document import Document, set_values
-from app.drawings.figures import Pixels, render
+from app.document.field_names import FIELDS
+from app.drawings.figures import DPI, LINE_EM, Pixels, render, usual_text_pt
 from app.drawings.side_by_side import cells
 from app.drawings.style import LIGHT, rgb
 from app.model.refusal import Refusal
@@ -18,7 +20,9 @@ from app.scenes.scene import load
 SIZE = 320, 180
 
 
-def figure(document: Document, *panes: str, size: tuple[int, int] = SIZE) -> Pixels:
+def figure(
+    document: Document, *panes: str, size: tuple[int, int] = SIZE, text_pt: float | None = None
+) -> Pixels:
     return render(
         load(document.scene),
         document.projection,
@@ -26,6 +30,7 @@ def figure(document: Document, *panes: str, size: tuple[int, int] = SIZE) -> Pix
         size,
         view=document.view,
         settings=document.settings,
+        text_pt=text_pt,
     )
 
 
@@ -44,9 +49,14 @@ def test_left_of_the_divider_is_the_one_picture_and_right_of_it_the_other(
         ["view.compare=lens.near=8;camera.up=0.2,1,0", "view.dividers=0.5"],
     )
     size = 320 * len(panes), 180
-    both, other, own = (
-        figure(each, *panes, size=size)[:, :320]
-        for each in (document, alone(document, 0), alone(document, 1))
+    both = figure(document, *panes, size=size)[:, :320]
+    text_pt = usual_text_pt(document.projection.image_size, panes, size)
+    low = 180 - (round(LINE_EM * text_pt * DPI / 72.0) if len(panes) > 1 else 0)
+    assert (both[low:] != both[0, 0]).any() == (low < 180), "in what they differ is below them"
+    both = both[:low]
+    other, own = (
+        figure(alone(document, place), *panes, size=(size[0], low), text_pt=text_pt)[:, :320]
+        for place in (0, 1)
     )
     title = 60 if len(panes) > 1 else 0  # where the pictures' names are
     assert (both[title:, :156] == other[title:, :156]).all()
@@ -72,6 +82,42 @@ def test_l20_the_measured_subject_is_as_high_in_both_photographs() -> None:
     one, other = bar_px(pixels[:, :400]), bar_px(pixels[:, 400:])
     assert one > 100 and abs(one - other) <= 1
     assert np.abs(pixels[:, :400].astype(int) - pixels[:, 400:]).max() > 100
+
+
+def written_rows(pixels: Pixels) -> int:
+    """How many rows at the bottom belong to words: up to the last that is all background."""
+    is_empty = (pixels == pixels[0, 0]).all(axis=(1, 2))
+    last = int(np.flatnonzero(~is_empty)[-1])
+    return last - int(np.flatnonzero(is_empty[:last])[-1])
+
+
+def test_what_differs_is_written_below_pictures_side_by_side() -> None:
+    document = Document("field-of-view", load("field-of-view").start).compared("photographs")
+    first, second = (
+        figure(document, size=(800, height), text_pt=12.0 * 72.0 / DPI) for height in (300, 320)
+    )
+    # The same words, whatever is above them: letters of 12 pixels, a line high.
+    assert (first[-18:] == second[-18:]).all() and 8 <= written_rows(first) <= 12
+    start = load("letter-f").start
+    nothing = set_values(Document("letter-f", start), ["view.compare=lens.near=4"])
+    one = set_values(Document("letter-f", start), ["view.compare=lens.near=6"])
+    two = set_values(Document("letter-f", start), ["view.compare=lens.near=6;lens.fov_y_deg=30"])
+    figures = (figure(each, size=(800, 300))[-18:] for each in (nothing, one, two))
+    rows = [(pixels != 255).any(axis=2) for pixels in figures]
+    assert not rows[0].any() and 0 < rows[1].sum() < rows[2].sum()
+
+
+def test_in_what_pictures_differ_in_words() -> None:
+    start = load("letter-f").start
+    document = set_values(
+        Document("letter-f", start), ["view.compare=lens.near=6;lens.fov_y_deg=30;camera.up=0,2,1"]
+    )
+    states = [document.pictured(picture).state for picture in document.view.compare]
+    plain = Written(lambda name: FIELDS[name], str, "{:g}".format)
+    unnamed = [replace(picture, changes=()) for picture in document.view.compare]
+    assert in_words(unnamed, states, (), plain) == [
+        "up (0, 2, 1) → (0, 1, 0)", "field of view 30° → 45°", "near 6 → 4",
+    ]  # fmt: skip
 
 
 def test_a_picture_that_there_is_not_is_refused_in_one_sentence() -> None:

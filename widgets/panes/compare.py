@@ -14,7 +14,6 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from itertools import pairwise
-from typing import Any
 
 from PySide6.QtCore import QEvent, QObject, QPoint, QPointF, QRect, QRectF, QSize, Qt, Signal
 from PySide6.QtGui import (
@@ -29,7 +28,7 @@ from PySide6.QtGui import (
 )
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QSizePolicy, QToolButton, QWidget
 
-from app.document.compare import Picture, differences
+from app.document.compare import Picture, Written, in_words
 from app.drawings.side_by_side import cells
 from app.drawings.style import Style
 from app.model.refusal import Refusal
@@ -408,44 +407,15 @@ class Compare(QObject):
             for caption, name in zip(self.captions, names, strict=True):
                 caption.setText(name)
             self._place_captions()
-        found = differences(states)
-        named = {change.partition("=")[0] for each in self.pictures for change in each.changes}
-        # What the pictures have their names from is said by these.
-        found = [each for each in found if each[0] not in named] or found
-        texts = [self._difference(*each, shown) for each in found]
+        phenomenon = PHENOMENA.get(shown.document.scene)
+        settings = () if phenomenon is None else phenomenon.settings
+        written = Written(field_name, of_phenomena, read_text)
+        texts = in_words(self.pictures, states, settings, written)
         texts = texts or [self.tr("nothing differs yet: change something")]
         if self.dividers and not self.is_divided:
             texts.append(self.tr("of two shapes: side by side, of one height"))
         parts = [f"{' | '.join(names)}:  ", *(f"{text}, " for text in texts[:-1]), texts[-1]]
         self.words.say([parts[0] + parts[1], *parts[2:]])
-
-    def _difference(self, path: str, values: Sequence[Any], shown: Shown) -> str:
-        section, _, name = path.rpartition(".")
-        label, unit = field_name(name), "°" if name.endswith("_deg") else ""
-        texts = [self._value(value) for value in values]
-        phenomenon = PHENOMENA.get(shown.document.scene)
-        if section == "settings" and phenomenon is not None:
-            setting = next(each for each in phenomenon.settings if each.name == name)
-            label, unit = of_phenomena(setting.label), of_phenomena(setting.unit)
-            words = {key: of_phenomena(text) for key, text in setting.choices}
-            texts = [words.get(text, text) for text in texts]
-        elif name == "image":
-            texts = [f"{width} × {height}" for width, height in values]
-        if "" in texts:  # a matrix
-            return label
-        if label[1:2].islower():  # in the middle of a sentence
-            label = label[0].lower() + label[1:]
-        return f"{label} {' → '.join(f'{text}{unit}' for text in texts)}"
-
-    def _value(self, value: Any) -> str:
-        """Of a number, a point, a word; of what is larger nothing."""
-        if isinstance(value, bool):
-            return self.tr("on") if value else self.tr("off")
-        if isinstance(value, (int, float)):
-            return read_text(float(value))
-        if isinstance(value, tuple) and all(isinstance(part, float) for part in value):
-            return f"({', '.join(map(read_text, value))})"
-        return value if isinstance(value, str) else ""
 
     # -- where they are
 

@@ -13,6 +13,7 @@ from pathlib import Path
 
 from PySide6.QtCore import QCoreApplication
 
+from app.document.field_names import FIELDS
 from app.lecture.notation import in_letters
 from app.model.limits import (
     AT_LEAST,
@@ -55,45 +56,6 @@ FACTORS = {
 A_NUMBER = QT_TRANSLATE_NOOP("Refusal", "must be a number, such as 0.5 or 2e-3")
 A_NUMBER_LIKE = QT_TRANSLATE_NOOP("Refusal", "must be a number, such as {0}")
 A_NUMBER_OR_INFINITY = QT_TRANSLATE_NOOP("Refusal", "must be a number, or inf for ∞")
-
-FIELDS = {
-    "near": QT_TRANSLATE_NOOP("Field", "Near"),
-    "far": QT_TRANSLATE_NOOP("Field", "Far"),
-    "fov_y_deg": QT_TRANSLATE_NOOP("Field", "Field of view"),
-    "fov_x_deg": QT_TRANSLATE_NOOP("Field", "Horizontal fov"),
-    "focal_length_mm": QT_TRANSLATE_NOOP("Field", "Focal length"),
-    "e": QT_TRANSLATE_NOOP("Field", "Focal length e"),
-    "window_right": QT_TRANSLATE_NOOP("Field", "Half-width"),
-    "window_top": QT_TRANSLATE_NOOP("Field", "Half-height"),
-    "preset": QT_TRANSLATE_NOOP("Field", "Drawing"),
-    "alpha_deg": QT_TRANSLATE_NOOP("Field", "Alpha"),
-    "beta_deg": QT_TRANSLATE_NOOP("Field", "Beta"),
-    "receding": QT_TRANSLATE_NOOP("Field", "Receding"),
-    "receding_deg": QT_TRANSLATE_NOOP("Field", "Direction"),
-    "left": QT_TRANSLATE_NOOP("Field", "Left"),
-    "right": QT_TRANSLATE_NOOP("Field", "Right"),
-    "bottom": QT_TRANSLATE_NOOP("Field", "Bottom"),
-    "top": QT_TRANSLATE_NOOP("Field", "Top"),
-    "keep": QT_TRANSLATE_NOOP("Field", "Proportions"),
-    "kind": QT_TRANSLATE_NOOP("Field", "Lens"),
-    "eye": QT_TRANSLATE_NOOP("Field", "Eye"),
-    "target": QT_TRANSLATE_NOOP("Field", "Target"),
-    "up": QT_TRANSLATE_NOOP("Field", "Up"),
-    "azimuth_deg": QT_TRANSLATE_NOOP("Field", "Azimuth"),
-    "elevation_deg": QT_TRANSLATE_NOOP("Field", "Elevation"),
-    "distance": QT_TRANSLATE_NOOP("Field", "Distance"),
-    "roll_deg": QT_TRANSLATE_NOOP("Field", "Roll"),
-    "translate": QT_TRANSLATE_NOOP("Field", "Translation"),
-    "rotate_deg": QT_TRANSLATE_NOOP("Field", "Rotation"),
-    "scale": QT_TRANSLATE_NOOP("Field", "Scale"),
-    "order": QT_TRANSLATE_NOOP("Field", "Order"),
-    "image": QT_TRANSLATE_NOOP("Field", "Image"),
-    "width": QT_TRANSLATE_NOOP("Field", "Width"),
-    "height": QT_TRANSLATE_NOOP("Field", "Height"),
-    "depth": QT_TRANSLATE_NOOP("Field", "Depth range"),
-    "answer": QT_TRANSLATE_NOOP("Field", "Answer"),
-}
-"""The name by which the window calls each field of the model."""
 
 
 def breakable(text: str, longest: int = 40) -> str:

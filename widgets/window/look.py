@@ -8,6 +8,7 @@ from PySide6.QtCore import QObject, Signal
 from PySide6.QtGui import QGuiApplication
 from PySide6.QtWidgets import QApplication, QWidget
 
+from app.document.field_names import FIELDS
 from app.document.store import Store
 from app.drawings import WORDS
 from app.drawings.style import Style
@@ -16,7 +17,7 @@ from app.model.projection import Camera
 from widgets.panes.adaptive import Adaptive
 from widgets.panes.pane import SCALES, Pane
 from widgets.parts import icons, palette
-from widgets.parts.messages import Words
+from widgets.parts.messages import Words, field_name
 from widgets.parts.panel import EVERYTHING, Changed, Shown
 from widgets.window.arrangement import cameras
 from widgets.window.settings import Settings
@@ -71,6 +72,7 @@ class Look(QObject):
         self.words = Words(
             {
                 **WORDS,
+                **{english: field_name(name) for name, english in FIELDS.items()},
                 "near": self.tr("near"),
                 "far": self.tr("far"),
                 "eye": self.tr("eye"),
