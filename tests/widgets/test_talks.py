@@ -21,7 +21,6 @@ from app.lessons.course import Course, scene_of
 from app.lessons.lesson import MOST_STEPS, parse_lesson
 from app.model.projection import Camera
 from app.scenes.scene import BUILT_IN, Scene
-from tests import PATIENCE_MS
 from tests.support.edits import a_view, edited
 from tests.support.window import activate, present, settle
 from widgets.parts.message_bar import MessageBar
@@ -200,3 +199,435 @@ def test_a_view_of_a_pane_is_there_again_at_the_next_step_of_its_scene(
         ("view-volumes", False),
         ("letter-f", True),
     ]
+
+
+# --------------------------------------------------------------------------- in the window
+
+TALK = """---
+title: A talk
+letters: 001
+---
+# Fields of $\\alpha$ {#one}
+The class reads **this**, and $\\frac{1}{2}$.
+
+```state
+scene=letter-f
+lens.fov_y_deg=60
+```
+```note
+minutes: 2
+Only *the speaker* reads this.
+```
+---
+# A vote {#two}
+```predict wide
+How wide is it?
+- [ ] 106.7° {angle-linear}
+- [x] 91.5°
+show: lens.near=2
+why: The tangents are in proportion.
+```
+```note
+minutes: 1.5
+```
+---
+# The cube {#three}
+```state
+view.large=ndc
+view.stage=pyramid
+```
+"""
+PAGE_DOWN, PAGE_UP = Qt.Key.Key_PageDown, Qt.Key.Key_PageUp
+
+
+@pytest.fixture
+def talk(tmp_path: Path) -> Path:
+    path = tmp_path / "talk.md"
+    path.write_text(TALK)
+    return path
+
+
+@pytest.fixture
+def window(window: MainWindow, talk: Path) -> Iterator[MainWindow]:
+    """Presenting a talk, without the speaker's window, and with the keyboard."""
+    window.settings.speaker_window = False
+    assert window.lessons.open(talk)
+    activate(window)
+    press(window, Qt.Key.Key_F5)
+    present(window)
+    yield window
+    if window.talks.speaker is not None:
+        window.talks.speaker.close()
+    window.present.end()
+    window.lessons.close()
+    settle()
+
+
+def press(window: Any, *keys: Qt.Key) -> None:
+    """Press keys where the window has the keyboard."""
+    for key in keys:
+        QTest.keyClick(QApplication.focusWidget() or window, key)
+        settle()
+
+
+def type_number(window: MainWindow, number: int) -> None:
+    press(window, *(Qt.Key(Qt.Key.Key_0.value + int(digit)) for digit in str(number)))
+
+
+def test_the_keys_of_a_clicker(window: MainWindow) -> None:
+    lessons = window.lessons
+    assert window.present.is_on and lessons.place == 0
+    press(window, PAGE_DOWN)
+    assert lessons.place == 1
+    press(window, PAGE_DOWN)  # what is asked is answered first
+    assert (lessons.place, window.talks.revealed) == (1, 1)
+    press(window, PAGE_DOWN)
+    assert lessons.place == 2
+    press(window, PAGE_DOWN)
+    assert lessons.place == 2 and window.band.note == "This is the last step."
+    press(window, PAGE_UP)
+    assert (lessons.place, window.talks.revealed) == (1, 0)
+    press(window, Qt.Key.Key_Period)
+    assert window.present.is_blank
+    press(window, Qt.Key.Key_Period)
+    assert not window.present.is_blank
+    press(window, Qt.Key.Key_B)
+    assert window.present.is_blank
+    press(window, PAGE_UP)  # nobody goes on in the dark
+    assert lessons.place == 0 and not window.present.is_blank
+    press(window, Qt.Key.Key_Escape)
+    assert not window.present.is_on
+
+
+def test_digits_and_enter_jump(window: MainWindow) -> None:
+    type_number(window, 3)
+    assert window.band.note == "To step 3…" and window.lessons.place == 0
+    press(window, Qt.Key.Key_Return)
+    assert (window.lessons.place, window.band.note) == (2, "")
+    type_number(window, 999)
+    press(window, Qt.Key.Key_Enter)
+    assert window.lessons.place == 2
+    assert window.band.note == "There is no step 999: the talk has 3."
+    type_number(window, 1)
+    press(window, Qt.Key.Key_Escape)
+    assert window.band.note == "" and window.present.is_on
+    type_number(window, 1)
+    window.talks._typed.timeout.emit()  # a pause
+    press(window, Qt.Key.Key_Return)
+    assert window.lessons.place == 2
+
+
+def test_a_field_takes_what_is_typed(window: MainWindow) -> None:
+    field = window.controls.rows["near"].field
+    field.setFocus()
+    field.selectAll()
+    QTest.keyClicks(field, "3.5")
+    press(window, Qt.Key.Key_Return)
+    assert window.store.document.projection.lens.near == 3.5
+    assert window.lessons.place == 0 and not window.present.is_blank
+    press(window, PAGE_DOWN)  # which is nobody's there
+    assert window.lessons.place == 1
+    window.setFocus()
+
+
+def test_the_keys_are_a_panes_when_nothing_is_presented(window: MainWindow) -> None:
+    press(window, Qt.Key.Key_Escape)
+    window.panes["image"].canvas.setFocus()
+    press(window, PAGE_DOWN)
+    assert window.lessons.place == 0
+    press(window, Qt.Key.Key_F5)
+    window.panes["image"].canvas.setFocus()
+    press(window, PAGE_DOWN)
+    assert window.lessons.place == 1
+    window.setFocus()
+
+
+def test_without_a_talk_presenting_is_as_ever(window: MainWindow) -> None:
+    window.lessons.close()
+    settle()
+    assert window.present.is_on and window.band.isHidden()
+    window.panes["image"].canvas.setFocus()
+    press(window, PAGE_DOWN, Qt.Key.Key_3, Qt.Key.Key_Return)
+    assert window.lessons.course is None
+    window.setFocus()
+
+
+def test_the_prediction_comes_to_what_it_shows(window: MainWindow) -> None:
+    window.lessons.go(1, at_once=True)
+    assert window.store.document.projection.lens.near != 2.0
+    before = "How wide is it? A 106.7° B 91.5°"
+    assert before in window.band.accessibleName()
+    press(window, Qt.Key.Key_V)
+    arrive(window.lessons)
+    assert window.store.document.projection.lens.near == 2.0
+    assert "B 91.5° ✓" in window.band.accessibleName()
+    assert "106.7" not in window.band.accessibleName()
+    assert "The tangents are in proportion." in window.band.accessibleName()
+    press(window, Qt.Key.Key_V)  # there is no other
+    assert window.lessons.place == 1
+    window.store.undo()
+    assert window.store.document.projection.lens.near != 2.0
+
+
+def test_what_was_tried_is_left_by_one_key_and_undone(window: MainWindow) -> None:
+    shown = window.store.document
+    tried = replace(shown.projection, lens=replace(shown.projection.lens, near=1.0))
+    window.store.set_projection(tried)
+    assert window.lessons.is_away
+    press(window, Qt.Key.Key_F7)
+    arrive(window.lessons)
+    assert window.store.document == shown and not window.lessons.is_away
+    window.store.undo()
+    assert window.store.document.projection == tried
+    window.store.undo()
+    assert window.store.document == shown
+    assert not window.store.modified
+
+
+def test_the_band_is_above_the_panes_and_never_moves_them(window: MainWindow) -> None:
+    band = window.band
+    assert band.isVisible()
+    assert "The class reads this" in band.accessibleName()
+    assert "Only the speaker" not in band.accessibleName()
+    places = []
+    for place in range(3):
+        window.lessons.go(place, at_once=True)
+        settle()
+        below = band.mapToGlobal(band.rect().bottomLeft()).y()
+        for pane in window.panes.values():
+            assert pane.mapToGlobal(pane.rect().topLeft()).y() >= below
+        places.append(window.slots.geometry())
+    assert len(set(map(repr, places))) == 1
+    assert not window.lesson_card.isVisible()  # which would say it again
+    window.present.end()
+    settle()
+    assert band.isHidden()
+
+
+def test_letters_of_the_band_shrink_until_all_has_room(window: MainWindow, talk: Path) -> None:
+    assert window.band._fit > 1.0
+    talk.write_text(TALK.replace("The class reads", " ".join(["The class reads"] * 40)))
+    window.lessons.read_again()
+    settle()
+    assert window.band._fit < 1.0
+    assert window.band._fits()
+
+
+# --------------------------------------------------------------------------- the speaker's window
+
+
+def test_the_speakers_window(window: MainWindow) -> None:
+    window.talks.open_speaker()
+    speaker = window.talks.speaker
+    assert speaker is not None and speaker.isVisible() and speaker.isWindow()
+    assert "Only the speaker reads this." in speaker.notes.toPlainText()
+    assert speaker._next_title.text() == "Next: A vote"
+    assert speaker._number.text() == "step 1 of 3"
+    assert speaker._plan.text() == "planned 0 to 2 min"
+    assert speaker.steps.count() == 3
+    speaker.draw_next()
+    assert not speaker.picture.pixmap().isNull()
+    first = speaker.picture.pixmap().toImage()
+    speaker.activateWindow()
+    speaker.notes.setFocus()
+    for key, place in ((PAGE_DOWN, 1), (PAGE_UP, 0)):
+        QTest.keyClick(speaker.notes, key)
+        settle()
+        assert window.lessons.place == place
+    QTest.keyClick(speaker.notes, Qt.Key.Key_Period)
+    assert window.present.is_blank
+    QTest.keyClick(speaker, Qt.Key.Key_B)
+    assert not window.present.is_blank
+    speaker.jump_wanted.emit(2)
+    settle()
+    assert window.lessons.place == 1
+    assert speaker._plan.text() == "planned 2 to 3.5 min"
+    assert speaker.notes.toPlainText() == ""
+    speaker.draw_next()
+    assert speaker.picture.pixmap().toImage() != first  # the cube: another pane leads
+    window.lessons.go(2, at_once=True)
+    assert speaker._next_title.text() == "This is the last step."
+    assert speaker.picture.pixmap().isNull()
+    QTest.keyClick(speaker, Qt.Key.Key_Escape)
+    assert not window.present.is_on
+    QTest.keyClick(speaker, PAGE_UP)  # it goes on without presenting
+    assert window.lessons.place == 1
+    speaker.close()
+    assert window.talks.speaker is None
+    assert not window.talks._listens
+
+
+def test_the_notes_are_made_larger_and_stay_so(window: MainWindow) -> None:
+    window.talks.open_speaker()
+    speaker = window.talks.speaker
+    assert speaker is not None
+    before = window.settings.notes_px
+    for _ in range(40):
+        QTest.keyClick(speaker, Qt.Key.Key_Plus, Qt.KeyboardModifier.ControlModifier)
+    assert window.settings.notes_px == 72
+    assert speaker.notes.document().defaultFont().pixelSize() == 72
+    for _ in range(25):
+        QTest.keyClick(speaker, Qt.Key.Key_Minus, Qt.KeyboardModifier.ControlModifier)
+    assert window.settings.notes_px == 22 == before
+
+
+def test_it_opens_with_a_talk_if_that_is_wanted(window: MainWindow) -> None:
+    window.present.end()
+    settle()
+    assert window.talks.speaker is None
+    window.settings.speaker_window = True
+    window.present.begin()
+    settle()
+    speaker = window.talks.speaker
+    assert speaker is not None and speaker.clock.is_running
+    window.lessons.close()
+    settle()
+    assert window.talks.speaker is None
+
+
+def test_a_screen_goes_away_and_both_windows_stay(window: MainWindow) -> None:
+    window.talks.open_speaker()
+    speaker = window.talks.speaker
+    assert speaker is not None
+    speaker.move(9000, 9000)  # as on a screen that is not there any more
+    application = QApplication.instance()
+    assert isinstance(application, QGuiApplication)
+
+    class Gone:
+        """A screen that was taken away."""
+
+    window.talks._screen_gone(Gone())  # type: ignore[arg-type]
+    settle()
+    room = window.screen().availableGeometry()
+    assert room.contains(speaker.geometry())
+    assert window.isVisible() and window.present.is_on
+    press(window, PAGE_DOWN)
+    assert window.lessons.place == 1
+    assert speaker._number.text() == "step 2 of 3"
+
+
+def test_the_clock_of_a_talk() -> None:
+    now = [100.0]
+    clock = TalkClock(lambda: now[0])
+    assert (clock.seconds, clock.is_running) == (0.0, False)
+    clock.begin()
+    now[0] += 65.0
+    assert clock.seconds == 65.0
+    clock.toggle()
+    now[0] += 30.0
+    assert (clock.seconds, clock.is_running) == (65.0, False)
+    clock.begin()  # the talk is presented again: it was paused on purpose
+    assert not clock.is_running
+    clock.toggle()
+    now[0] += 5.0
+    assert clock.seconds == 70.0
+    clock.reset()
+    now[0] += 2.0
+    assert (clock.seconds, clock.is_running) == (2.0, True)
+
+
+def test_the_time_that_is_planned(talk: Path) -> None:
+    course = Course(parse_lesson(TALK, talk))
+    assert [planned(course, place) for place in range(3)] == [(0.0, 2.0), (2.0, 1.5), (3.5, 0.0)]
+
+
+# --------------------------------------------------------------------------- files
+
+
+def test_a_state_is_added_and_shown_as_a_step(window: MainWindow, talk: Path) -> None:
+    tried = replace(window.store.document.projection.lens, near=1.25)
+    window.store.set_projection(replace(window.store.document.projection, lens=tried))
+    assert window.talks.write_step("By hand", panes=False)
+    settle()
+    # Behind the steps that go on from the first.
+    assert [step.name for step in window.lessons.lesson.steps] == ["one", "two", "three", "by-hand"]  # type: ignore[union-attr]
+    assert window.lessons.place == 3
+    assert window.store.document.projection.lens.near == 1.25
+    assert not window.lessons.is_away
+    assert talk.read_text().startswith(TALK.rstrip("\n"))
+    assert window.band.accessibleName() == "By hand"
+    assert not window.talks.write_step("", panes=False)
+    assert "must be some words on one line" in window.messages.text
+    window.messages.done()
+
+
+def test_a_new_talk_begins_with_what_is_seen(window: MainWindow, tmp_path: Path) -> None:
+    document = window.store.document
+    path = tmp_path / "new.md"
+    assert window.talks.write_talk(path, "New", panes=False)
+    settle()
+    assert window.lessons.lesson is not None and window.lessons.lesson.path == path
+    assert window.store.document == document
+    assert not window.talks.write_talk(tmp_path / "nowhere" / "new.md", "New", panes=False)
+    assert "nowhere" in window.messages.text
+    assert window.lessons.lesson.path == path
+    window.messages.done()
+
+
+def test_a_file_that_changes_or_vanishes_leaves_the_last_good_one(
+    window: MainWindow, talk: Path
+) -> None:
+    press(window, PAGE_DOWN)
+    course, document = window.lessons.course, window.store.document
+    wrong: list[tuple[Callable[[], object], str]] = [
+        (lambda: talk.write_text("---\n"), "line"),
+        (
+            lambda: talk.write_text(TALK.replace("fov_y_deg=60", "fov_y_deg=600")),
+            "talk.md: line 10",
+        ),
+        (lambda: talk.write_text(TALK + "---\n# x\n" * MOST_STEPS * 20), "steps"),
+        (talk.unlink, "does not exist"),
+    ]
+    for act, said in wrong:
+        act()
+        window.lessons.read_again()
+        settle()
+        assert said in window.messages.text, window.messages.text
+        assert window.lessons.course is course and window.store.document == document
+        window.messages.done()
+    press(window, PAGE_DOWN, PAGE_DOWN)
+    assert window.lessons.place == 2
+    talk.write_text(TALK.replace("The cube", "Its cube"))
+    window.lessons.read_again()
+    settle()
+    assert window.band.accessibleName() == "Its cube"
+
+
+def test_a_step_that_cannot_be_leaves_the_one_before(window: MainWindow, talk: Path) -> None:
+    talk.write_text(TALK.replace("view.stage=pyramid", "view.stage=pyramid\nlens.near=99"))
+    window.lessons.read_again()
+    window.lessons.go(1, at_once=True)
+    document = window.store.document
+    press(window, PAGE_DOWN, PAGE_DOWN)
+    assert window.lessons.place == 1
+    line = talk.read_text().splitlines().index("lens.near=99") + 1
+    assert f"talk.md: line {line}, lens.near = 99" in window.messages.text
+    window.messages.done()
+    window.talks._work = window.talks._ahead()
+    while window.talks._work is not None and next(window.talks._work, "done") != "done":
+        pass  # what is made ahead says nothing
+    assert not window.messages.text
+    assert window.lessons.go(1) and document.scene == window.store.document.scene
+
+
+def test_ten_thousand_steps_are_refused_as_they_are_opened(
+    window: MainWindow, tmp_path: Path
+) -> None:
+    path = tmp_path / "long.md"
+    path.write_text("---\ntitle: Long\n---\n" + "\n---\n".join("# x" for _ in range(10_000)))
+    course = window.lessons.course
+    assert not window.lessons.open(path)
+    assert f"has more than {MOST_STEPS} steps" in window.messages.text
+    assert window.lessons.course is course
+    window.messages.done()
+
+
+def test_the_band_shows_a_step_within_its_height(display: Any, talk: Path) -> None:
+    band = TalkBand()
+    band.resize(1366, 10)
+    band.set_screen(768.0)
+    for step in parse_lesson(TALK, talk).steps:
+        for revealed in (0, 1):
+            band.show_step(step, "1 / 3", revealed)
+            assert band._fits()
+    assert band.height() == round(0.135 * 768)

@@ -11,12 +11,10 @@ from PySide6.QtGui import (
     QCloseEvent,
     QFont,
     QImage,
-    QKeySequence,
     QOpenGLContext,
     QPalette,
     QPixmap,
     QResizeEvent,
-    QShortcut,
 )
 from PySide6.QtWidgets import (
     QFrame,
@@ -45,7 +43,7 @@ PICTURE_PX = (400, 250)
 MOST_PICTURES = 12
 """That are kept, of steps that were drawn before."""
 TEXT_PX = 15
-STEP_PX = 2
+NOTES_STEP_PX = 2
 """By which Ctrl and + or - change the notes' letters."""
 
 
@@ -130,13 +128,6 @@ class SpeakerWindow(QWidget):
         self._tick.setInterval(500)
         self._tick.timeout.connect(self._show_time)
         self._tick.start()
-        for keys, step in (
-            (QKeySequence.StandardKey.ZoomIn, STEP_PX),
-            ("Ctrl+=", STEP_PX),
-            (QKeySequence.StandardKey.ZoomOut, -STEP_PX),
-        ):
-            shortcut = QShortcut(QKeySequence(keys), self)
-            shortcut.activated.connect(lambda step=step: self.enlarge(step))
 
     def _make(self) -> None:
         self._number = QLabel()

@@ -45,7 +45,7 @@ from widgets.parts.messages import sentence
 from widgets.window.lessons import TRANSITION_S, Lessons
 from widgets.window.present import Present
 from widgets.window.settings import Settings
-from widgets.window.speaker import SpeakerWindow
+from widgets.window.speaker import NOTES_STEP_PX, SpeakerWindow
 from widgets.window.talk_band import TalkBand
 
 TYPED_MS = 3000
@@ -57,6 +57,8 @@ AGAIN_KEY = Qt.Key.Key_F7
 _KEYS = Qt.Key
 _DIGITS = {Qt.Key(_KEYS.Key_0.value + digit): str(digit) for digit in range(10)}
 _ENTER = (_KEYS.Key_Return, _KEYS.Key_Enter)
+_LARGER = {_KEYS.Key_Plus: 1, _KEYS.Key_Equal: 1, _KEYS.Key_Minus: -1}
+"""With Ctrl, of the speaker's notes."""
 _IN_FIELDS = (_KEYS.Key_PageDown, _KEYS.Key_PageUp, AGAIN_KEY)
 """Those that are the talk's also while something is typed."""
 
@@ -251,9 +253,12 @@ class Talks(QObject):
         """What a key does for the talk; None for what is none of the talk's."""
         if not self._is_of_ours(watched) or QApplication.activePopupWidget() is not None:
             return None
-        if event.modifiers() & ~Qt.KeyboardModifier.KeypadModifier:
+        key, held = Qt.Key(event.key()), event.modifiers() & ~Qt.KeyboardModifier.KeypadModifier
+        is_of_speaker = self._is_of_speaker(watched)
+        if is_of_speaker and held & Qt.KeyboardModifier.ControlModifier and key in _LARGER:
+            return partial(self._enlarge, _LARGER[key])
+        if held:
             return None
-        key = Qt.Key(event.key())
         if self._is_typed_in() and key not in _IN_FIELDS:
             return None
         if key in _DIGITS:
@@ -262,7 +267,7 @@ class Talks(QObject):
             return self._enter
         if key == _KEYS.Key_Escape and self._digits:
             return self._forget_typed
-        if key == _KEYS.Key_Escape and self._is_of_speaker(watched) and self._present.is_on:
+        if key == _KEYS.Key_Escape and is_of_speaker and self._present.is_on:
             return self._present.leave
         if key in (_KEYS.Key_Period, _KEYS.Key_B) and self._present.is_on:
             return self.blank
@@ -295,7 +300,8 @@ class Talks(QObject):
         if not isinstance(watched, QWidget):
             return None
         top = watched.window()
-        return self._window if top.parentWidget() is self._window else top
+        is_afloat = top is not self.speaker and top.parentWidget() is self._window
+        return self._window if is_afloat else top
 
     @staticmethod
     def _is_typed_in() -> bool:
@@ -303,6 +309,10 @@ class Talks(QObject):
         if isinstance(field, (QTextEdit, QPlainTextEdit)):
             return not field.isReadOnly()
         return isinstance(field, (QLineEdit, QAbstractSpinBox))
+
+    def _enlarge(self, steps: int) -> None:
+        if self.speaker is not None:
+            self.speaker.enlarge(steps * NOTES_STEP_PX)
 
     def _type(self, digit: str) -> None:
         self._digits = (self._digits + digit)[-MOST_DIGITS:]
