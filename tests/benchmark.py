@@ -972,6 +972,92 @@ while True:
 """
 
 
+def a_talk(steps: int) -> Path:
+    """A talk of so many steps, over several scenes, two after the other in the same one."""
+    scenes = ("letter-f", "posts", "view-volumes", "affine-depth", "cube")
+    lines = ["---", "title: A long talk", "---"]
+    for number in range(steps):
+        scene, near = scenes[number // 2 % len(scenes)], 2.0 + 0.05 * (number % 7)
+        lines += [
+            *(["---"] if number else []),
+            f"# Step {number} {{#s{number}}}",
+            f"The window is $2 n \\tan(\\alpha/2)$ high, and $\\frac{{{number}}}{{7}}$.",
+            "```state",
+            f"scene={scene}",
+            f"lens.near={near:g}",
+            f"view.stage={('ndc', 'pyramid')[number % 2]}",
+            "```",
+            "```note",
+            "minutes: 0.5",
+            "What is said.",
+            "```",
+        ]
+    path = Path(os.environ["HOME"]) / "long.md"
+    path.write_text("\n".join(lines) + "\n", encoding="utf-8")
+    return path
+
+
+def talks(scale: float) -> dict[str, Any]:
+    """A talk of 200 steps opened, and its steps: what they take beyond the transition.
+
+    A step's own part is until the model begins to move; the frame that is drawn then is one of the
+    transition's, and stands beside it against the bare repaint of the same panes.
+    """
+    app = application()
+    window = open_window(size=(1366, 768))
+    window.settings.speaker_window = False
+    path = a_talk(200)
+    opening = []
+    for _ in range(5):
+        began = time.perf_counter()
+        assert window.lessons.open(path)
+        app.processEvents()
+        opening.append(time.perf_counter() - began)
+    window.present.begin()
+    settle(app)
+
+    def rest() -> None:
+        until = time.perf_counter() + 1.2  # what is made ahead is made then
+        while time.perf_counter() < until:
+            app.processEvents()
+            time.sleep(0.002)
+
+    own: dict[str, list[float]] = {"the same scene": [], "another scene": []}
+    frame: dict[str, list[float]] = {"the same scene": [], "another scene": []}
+    bare = []
+    for turn in range(max(8, round(40 * scale))):
+        rest()
+        kind = "the same scene" if turn % 2 == 0 else "another scene"
+        began = time.perf_counter()
+        window.lessons.next()
+        middle = time.perf_counter()
+        app.processEvents()
+        own[kind].append(middle - began)
+        frame[kind].append(time.perf_counter() - middle)
+        rest()
+        began = time.perf_counter()
+        for pane in window.panes.values():
+            pane.request_repaint()
+        app.processEvents()
+        bare.append(time.perf_counter() - began)
+    figures: dict[str, Any] = {
+        "200 steps: opened (ms, median)": rounded(statistics.median(opening)),
+        "bare repaint of the panes (ms, median)": rounded(statistics.median(bare)),
+    }
+    for kind in own:
+        figures[f"step to {kind}: own part; first frame (ms, medians)"] = [
+            rounded(statistics.median(times)) for times in (own[kind], frame[kind])
+        ]
+        figures[f"step to {kind}: own part, first frame / bare repaint"] = [
+            round(statistics.median(times) / statistics.median(bare), 2)
+            for times in (own[kind], frame[kind])
+        ]
+    window.present.end()
+    window.lessons.close()
+    close_window(window)
+    return figures
+
+
 PARTS: dict[str, Callable[[float], dict[str, Any]]] = {
     "step": step_over_repaint,
     "canvases": canvases,
@@ -979,6 +1065,7 @@ PARTS: dict[str, Callable[[float], dict[str, Any]]] = {
     "scenes": scene_steps,
     "panels": panel_steps,
     "strip": strip_step,
+    "talks": talks,
     "adaptive": adaptive,
     "measuring": measuring,
     "repaints": repaints,
