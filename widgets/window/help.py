@@ -180,6 +180,17 @@ class Help(QObject):
                 (_key("P"), self.tr("Mark in all panes what the mouse is over")),
                 (self.tr("Mouse at the top"), self.tr("The tool bar comes")),
             ),
+            self.tr("Presenting a talk, and in the speaker's window"): (
+                (
+                    self.tr("Page Down, Page Up"),
+                    self.tr("The answer to what is asked, then the next step; the step before"),
+                ),
+                (self.tr("Digits, then Enter"), self.tr("To the step of that number")),
+                (_key("V"), self.tr("The answer to what the class has voted on")),
+                (_key("F7"), self.tr("The step again, whatever was tried")),
+                (self.tr(". or B"), self.tr("A black screen, and back")),
+                (_key("Ctrl++") + ", " + _key("Ctrl+-"), self.tr("The speaker's notes larger")),
+            ),
             self.tr("Pointing"): (
                 (
                     self.tr("Rest on anything"),
