@@ -320,7 +320,7 @@ def _free(name: str, names: Sequence[str]) -> str:
 
 def _with_lines(text: str, end: int, step: Sequence[str]) -> str:
     """A text with lines more behind so many of its own, all of which stay as they are."""
-    line_end = "\r\n" if "\r\n" in text else "\n"
+    line_end = next((each for each in ("\r\n", "\n", "\r") if each in text), "\n")
     lines = re.split(r"(?<=\n)|(?<=\r)(?!\n)", text)
     head, tail = "".join(lines[:end]), "".join(lines[end:])
     if not head.endswith(("\n", "\r")):

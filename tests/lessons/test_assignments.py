@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import os
 import random
+import re
 from dataclasses import replace
 from pathlib import Path
 
@@ -153,6 +154,7 @@ def test_a_step_more_leaves_every_other_byte_as_it_was(talk: Path, newline: str,
     added = add_step(talk, "two", "New: a $x$", a_state())
     after = talk.read_bytes()
     assert added == ("new-a-x", 2)
+    assert {*re.findall("\r\n|\r|\n", after.decode())} == {newline}
     begin = next(i for i in range(len(before)) if before[i] != after[i])
     rest = len(after) - len(before)
     cuts = [i for i in range(begin + 1) if after[:i] + after[i + rest :] == before]

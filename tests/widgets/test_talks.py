@@ -331,10 +331,12 @@ def test_a_field_takes_what_is_typed(window: MainWindow) -> None:
 
 
 def test_the_keys_are_a_panes_when_nothing_is_presented(window: MainWindow) -> None:
+    window.talks.open_speaker()  # where they are the talk's all the same
+    activate(window)
     press(window, Qt.Key.Key_Escape)
     window.panes["image"].canvas.setFocus()
     press(window, PAGE_DOWN)
-    assert window.lessons.place == 0
+    assert window.lessons.place == 0 and window.cursors["image"].text
     press(window, Qt.Key.Key_F5)
     window.panes["image"].canvas.setFocus()
     press(window, PAGE_DOWN)
