@@ -15,16 +15,19 @@ from tests import PATIENCE_MS
 from widgets.window.main_window import MainWindow
 
 
-def opened(document: Document, *, shown: bool = True, **options: Any) -> MainWindow:
-    """A window, with all panes drawn if it is shown."""
+def opened(
+    document: Document, *, shown: bool = True, drawn: bool = True, **options: Any
+) -> MainWindow:
+    """A window, with all panes drawn if it is shown; or with none, for what needs no pictures."""
     options.setdefault("software_rendering", True)
     window = MainWindow(document, **options)
-    for pane in window.panes.values():
-        pane.open()
+    if drawn:
+        for pane in window.panes.values():
+            pane.open()
     if shown:
         window.show()
         assert QTest.qWaitForWindowExposed(window, PATIENCE_MS)
-        views = [pane.canvas.render_window for pane in window.panes.values()]
+        views = [pane.canvas.render_window for pane in window.panes.values()] if drawn else []
         for _ in range(PATIENCE_MS):
             if not any(view.GetNeverRendered() for view in views):
                 break

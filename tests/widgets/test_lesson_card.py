@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
@@ -19,13 +18,11 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from app.document.document import Document, set_values
+from app.document.document import set_values
 from app.lessons.course import Course, contained, idea_named
 from app.lessons.lesson import Step, Task, read
 from app.model.projection import Perspective
-from app.scenes.scene import load
 from tests import PATIENCE_MS
-from tests.support.opened import close
 from tests.support.window import NO_KEY, MakeWindow, activate, enter, seen, settle
 from widgets.parts.lesson_text import LessonText
 from widgets.window.lesson_blocks import Asked, Chooses
@@ -427,19 +424,8 @@ def solved(window: MainWindow, block: Asked, step: Step, course: Course, place: 
     press(KEY.Key_Return)
 
 
-@pytest.fixture
-def bare_window(request: pytest.FixtureRequest, display: Any) -> Iterator[MainWindow]:
-    """A window whose panes draw nothing."""
-    document = Document("letter-f", load("letter-f").start)
-    windows = [MainWindow(document, settings=Settings(None), software_rendering=True)]
-    windows[0].show()
-    yield windows[0]
-    request.node.funcargs.clear()  # pytest's hold on it
-    close(windows)
-
-
-def test_every_lesson_can_be_done_with_the_keyboard_alone(bare_window: MainWindow) -> None:
-    window = bare_window
+def test_every_lesson_can_be_done_with_the_keyboard_alone(make_window: MakeWindow) -> None:
+    window = make_window(drawn=False)
     window.resize(1366, 768)
     activate(window)
     card, lessons = window.lesson_card, window.lessons

@@ -1,4 +1,4 @@
-"""The first minute: the card over the window, and the three things to try."""
+"""The first minute: the card over the window, with scenes, lessons and files."""
 
 from __future__ import annotations
 
@@ -11,14 +11,15 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QCheckBox, QToolButton
 
 from app.document.document import Document, write
-from app.model.projection import Perspective
+from app.lessons.course import contained
+from app.lessons.lesson import read
 from app.scenes.scene import BUILT_IN, load
 from tests import PATIENCE_MS
 from tests.support.layout import cut, overlapping
-from tests.support.window import MakeWindow, seen, settle
+from tests.support.window import MakeWindow, settle
 from widgets.window import start_card
 from widgets.window.main_window import MainWindow
-from widgets.window.settings import Settings
+from widgets.window.settings import Progress, Settings
 from widgets.window.start_card import StartCard
 
 
@@ -129,24 +130,24 @@ def test_a_scene_that_cannot_be_drawn_is_there_by_its_name(
     assert window.store.document.scene == "cube"
 
 
-def test_the_three_things_tick_themselves_off_and_go(
-    window: MainWindow, qtbot: Any, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    monkeypatch.setattr(start_card, "SEEN_DONE_MS", 0)
-    steps = window.first_steps
-    opened(window)
-    QTest.keyClick(window, Qt.Key.Key_Escape)
-    settle()
-    assert steps.isVisible() and window.rect().contains(steps.geometry())
-    done = lambda: [step.isChecked() for step in steps.steps.values()]  # noqa: E731
-    assert done() == [False] * 3
-    lens = window.store.document.projection.lens
-    window.store.set_projection(seen(window, lens=Perspective(50.0, lens.near, lens.far)))
-    assert done() == [False] * 3, "only another near ticks"
-    window.store.set_projection(seen(window, lens=Perspective(50.0, 2.0, lens.far)))
-    assert done() == [True, False, False]
-    QTest.keyClick(window.panes["world"].canvas, Qt.Key.Key_Left)
-    assert done() == [True, True, False]
-    QTest.mouseDClick(window.panes["ndc"].header, Qt.MouseButton.LeftButton, pos=QPoint(5, 5))
-    assert done() == [True, True, True]
-    qtbot.waitUntil(lambda: not steps.isVisible(), timeout=PATIENCE_MS)
+def test_lessons_talks_and_the_tour_open_from_it(window: MainWindow) -> None:
+    kept = Progress(step="", answers={}, done=2, of=7)
+    window.settings.keep_progress("l03-field-of-view", kept)
+    window.settings.keep_progress("l04-view-volumes", Progress(done=6, of=6))
+    card = opened(window)
+    for text, count in (("Lessons", 24), ("Talks", 5)):
+        menu = button(card, text).menu()
+        menu.aboutToShow.emit()
+        assert len(menu.actions()) == count
+    lessons = button(card, "Lessons").menu().actions()
+    heads = [read(path) for path in contained()[:24]]
+    assert [action.text().partition("\t")[0] for action in lessons] == [
+        f"{head.topics[0]} {head.title}" for head in heads
+    ]
+    marks = [action.text().partition("\t")[2] for action in lessons]
+    assert marks == ["", "", "2/7", "done", *[""] * 20]
+    lessons[4].trigger()
+    assert is_gone(window) and window.lessons.lesson == heads[4]
+    QTest.mouseClick(button(opened(window), "Two-minute tour"), Qt.MouseButton.LeftButton)
+    assert is_gone(window)
+    assert window.lessons.lesson is not None and len(window.lessons.lesson.steps) == 6
