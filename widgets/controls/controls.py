@@ -19,7 +19,6 @@ from typing import Any
 from PySide6.QtCore import QEvent, QObject, QPoint, QSize, Qt, QTimer, Signal
 from PySide6.QtGui import QColor, QFontInfo, QPalette, QResizeEvent
 from PySide6.QtWidgets import (
-    QApplication,
     QFrame,
     QLabel,
     QScrollArea,
@@ -36,7 +35,7 @@ from widgets.controls.finder import Known, SearchBox, find
 from widgets.controls.lens_controls import LensControls
 from widgets.controls.scene_card import SceneCard
 from widgets.parts.fields import Choice, Linear, Log, NumberRow, Row, Scale, short_text
-from widgets.parts.focus import FocusRing
+from widgets.parts.focus import FocusRing, lay_out
 from widgets.parts.messages import field_name, seen_from, sentence, translated
 from widgets.parts.panel import EVERYTHING, Changed, Shown
 from widgets.parts.section import GAP_PX, PARTS, Binding, Of, Part, Rows, Section, Typed
@@ -547,7 +546,7 @@ class Controls(QScrollArea):
     def _bring_into_view(self, *parts: QWidget) -> None:
         """Scroll so that the last of these is seen, and as much of the others as there is room."""
         if all(part.isVisible() for part in parts):
-            _lay_out()
+            lay_out()
             for part in parts:
                 self.ensureWidgetVisible(part, 0, 0)
 
@@ -591,7 +590,7 @@ class Controls(QScrollArea):
     def _hold(self, row: Row, place: QPoint) -> None:
         """Scroll a row back to its place, after the rows of another lens have moved it."""
         if row.isVisible():
-            _lay_out()
+            lay_out()
             moved = row.mapTo(self.viewport(), QPoint()) - place
             bar = self.verticalScrollBar()
             bar.setValue(bar.value() + moved.y())
@@ -714,12 +713,6 @@ class Controls(QScrollArea):
 
 def _about(binding: Binding) -> Highlight:
     return frozenset(_ABOUT.get(binding.field, (binding.field,)))
-
-
-def _lay_out() -> None:
-    """Let all layouts take their new sizes now: rows, sections, column, scroll area."""
-    for _ in range(4):  # each tells only the one around it
-        QApplication.sendPostedEvents(None, QEvent.Type.LayoutRequest)
 
 
 def _as_shown(error: Refusal, value: Any) -> Refusal:

@@ -81,6 +81,12 @@ def _of_layout(layout: QLayout, widgets: list[QWidget]) -> list[QWidget]:
     return [widget for _, found in sorted(placed, key=lambda part: part[0]) for widget in found]
 
 
+def lay_out() -> None:
+    """Let all layouts take their new sizes now, before what has the focus is scrolled to."""
+    for _ in range(4):  # row, section, column, scroll area: each tells only the one around it
+        QApplication.sendPostedEvents(None, QEvent.Type.LayoutRequest)
+
+
 class FocusRing(QWidget):
     """A frame round what Qt shows no focus of: it lies over the widget while that has the focus."""
 

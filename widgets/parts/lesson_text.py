@@ -35,6 +35,8 @@ LARGER = 1.12
 """The formulas' letters, against those of the text, whose small ones are higher."""
 ROOM_EM = 0.06
 """Free on both sides of a formula."""
+MAY_BREAK, NO_BREAK = "\u200b", "\u2060"
+"""Signs without width, for where a line may end and where it may not."""
 LIST_EM = 0.55
 """How far a list is indented, for each of the two that Qt reckons with."""
 STYLE = """
@@ -81,13 +83,22 @@ def set_text(document: QTextDocument, text: str, *, title: bool = False, line: s
         kept.setObjectType(_KIND)
         kept.setProperty(_TEX, tex)
         kept.setVerticalAlignment(QTextCharFormat.VerticalAlignment.AlignMiddle)
-        cursor.insertText("\u200b", plain)  # a line of nothing else is as high as of letters
+        # A line of nothing else is as high as of letters, and no line ends beside one.
+        begins = cursor.positionInBlock() == 0 or _before(document, cursor).isspace()
+        cursor.insertText(MAY_BREAK if begins else NO_BREAK, plain)
         cursor.insertText("\ufffc", kept)
+        if not document.characterAt(cursor.position()).isspace():
+            cursor.insertText(NO_BREAK, plain)
     last = QTextCursor(document)
     last.movePosition(QTextCursor.MoveOperation.End)
     end = last.blockFormat()
     end.setBottomMargin(0.0)
     last.setBlockFormat(end)
+
+
+def _before(document: QTextDocument, cursor: QTextCursor) -> str:
+    """The letter before a place."""
+    return str(cast(Any, document).characterAt(cursor.position() - 1))
 
 
 def _em(document: QTextDocument, character: QTextCharFormat) -> float:
@@ -257,5 +268,7 @@ class LessonText(QTextEdit):
             tex = at.charFormat().property(_TEX)
             letter = cast(Any, self.document()).characterAt(place)
             words += f"${tex}$" if letter == "\ufffc" and tex else letter
-        data.setText(words.replace("\u2029", "\n").replace("\u200b", ""))
+        data.setText(
+            words.replace("\u2029", "\n").translate(dict.fromkeys(map(ord, MAY_BREAK + NO_BREAK)))
+        )
         return data

@@ -19,7 +19,6 @@ from PySide6.QtGui import (
     QAccessible,
     QAccessibleAnnouncementEvent,
     QFontInfo,
-    QIcon,
     QKeySequence,
 )
 from PySide6.QtWidgets import (
@@ -43,6 +42,7 @@ from app.lessons.course import CONTENT, Course, contained
 from app.lessons.lesson import Head, Lesson, Part, Step, Words, head_of
 from app.lessons.text import escaped, plain_of
 from widgets.controls.controls import Controls
+from widgets.parts.focus import lay_out
 from widgets.parts.icons import show_icon
 from widgets.parts.lesson_text import LessonText
 from widgets.window.lesson_blocks import DONE, Asked, Chooses, Tries, block_of
@@ -264,7 +264,6 @@ class LessonCard(QFrame):
                 mark.setText(str(place + 1))
                 mark.setCheckable(True)
                 mark.setAutoRaise(True)
-                mark.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
                 mark.setToolTip(plain_of(step.title))
                 mark.clicked.connect(partial(self.go_to, place))
                 self._numbers.append(mark)
@@ -282,7 +281,7 @@ class LessonCard(QFrame):
         for number, (mark, step) in enumerate(zip(self._numbers, lesson.steps, strict=False)):
             is_done = self._is_done(step)
             mark.setChecked(number == place)
-            show_icon(mark, "check") if is_done else mark.setIcon(QIcon())
+            mark.setText(f"✓ {number + 1}" if is_done else str(number + 1))
             name = self.tr("Step {0}: {1}").format(number + 1, plain_of(step.title))
             mark.setAccessibleName(f"{name}, {self.tr('done')}" if is_done else name)
         self.back.setEnabled(place > 0)
@@ -331,6 +330,7 @@ class LessonCard(QFrame):
 
     def _reveal(self, block: Asked) -> None:
         """Scroll to what is said, once there is room for it: all of it, or else its beginning."""
+        lay_out()
         said = block.said if block in self.blocks else []
         for widget in (*said[-1:], *said[:1]):
             self._area.ensureWidgetVisible(widget, 0, 10)
