@@ -219,8 +219,7 @@ class LessonCard(QFrame):
         self._shown = None
         self._title.setText(lesson.title)
         self._make_marks(lesson)
-        for button in (self.next, self.anew):
-            button.setEnabled(True)
+        self._show_way(True)
         if not self.is_on:
             self.is_on = True
             self.toggled.emit(True)
@@ -458,12 +457,15 @@ class LessonCard(QFrame):
         column.addWidget(close)
         column.addStretch(1)
         self._area.setWidget(page)
-        for mark in self._numbers:
-            mark.setEnabled(False)
-        for button in (self.back, self.again, self.hint, self.next, self.anew):
-            button.setEnabled(False)
+        self._show_way(False)
         (first or close).setFocus(Qt.FocusReason.OtherFocusReason)
         self.went_on.emit()
+
+    def _show_way(self, on: bool) -> None:
+        """Show what goes through a lesson, while there is one."""
+        for part in (self._marks, self.back, self.again, self.hint, self.next, self.anew):
+            part.setVisible(on)
+            part.setEnabled(on)
 
     def _say(self, text: str) -> None:
         self._notice.setText(text)
