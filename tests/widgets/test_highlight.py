@@ -614,6 +614,9 @@ def test_l15_the_plane_of_a_step_lights_the_rows_that_it_is_made_of(window: Main
     assert rows() == set()
     window.highlighter.mark("hand", NOTHING)
     assert rows() == {1, 3}
+    window.store.set_projection(window.store.document.projection.with_lens("orthographic"))
+    assert {1, 3} <= rows(), "the other lens' matrices are marked as well"
+    window.store.undo()
     window.matrices.vectors.setCurrentIndex(1)
     settle()
     view = window.matrices.views["clip_from_view"]

@@ -88,6 +88,7 @@ class _Box(QWidget):
 
     def __init__(self, panel: MatrixPanel, matrix: Matrix, unfolded: bool) -> None:
         super().__init__()
+        self.name = matrix.name
         layout = QVBoxLayout(self)
         layout.setContentsMargins(0, 0, 6, 0)
         layout.setSpacing(1)
@@ -283,10 +284,10 @@ class MatrixPanel(ReadablePanel):
 
     def _show_rows(self) -> None:
         """Let the matrix be seen whose rows are highlighted as coordinates of clip space."""
-        is_about_rows = any(name.startswith("clip_") for name in self._highlight)
-        view = self.views.get("clip_from_view")
-        if is_about_rows and view is not None and self.isVisible():
-            self._scroll.ensureWidgetVisible(view, 8, 0)
+        if self.isVisible() and any(name.startswith("clip_") for name in self._highlight):
+            for box in self._boxes:  # as they are drawn: the model may have gone on since
+                if box.name == "clip_from_view":
+                    self._scroll.ensureWidgetVisible(box.view, 8, 0)
 
     def _edit_cell(self, name: str, row: int, column: int) -> None:
         """Go on in the view of now: another lens has other ones."""
