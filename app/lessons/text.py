@@ -55,7 +55,8 @@ def outline(tex: str) -> Outline:
 
     reader: Any = TextToPath()
     font: Any = FontProperties(size=_EM, math_fontfamily=FONT)
-    text = "$" + tex.replace("'", "′") + "$"  # as a sign of its own: it is high enough
+    # A prime as a sign of its own is high enough.
+    text = "$" + tex.replace("'", "\u2032") + "$"
     width, height, descent = reader.get_text_width_height_descent(text, font, ismath=True)
     vertices, codes = reader.get_text_path(font, text, ismath=True)
     return Outline(
