@@ -55,8 +55,7 @@ def outline(tex: str) -> Outline:
 
     reader: Any = TextToPath()
     font: Any = FontProperties(size=_EM, math_fontfamily=FONT)
-    # A prime as a sign of its own is high enough.
-    text = "$" + tex.replace("'", "\u2032") + "$"
+    text = "$" + tex.replace("'", "\u2032") + "$"  # as a sign of its own: it is high enough
     width, height, descent = reader.get_text_width_height_descent(text, font, ismath=True)
     vertices, codes = reader.get_text_path(font, text, ismath=True)
     return Outline(
@@ -84,12 +83,12 @@ def html_of(text: str) -> tuple[str, tuple[str, ...]]:
     def math(tokens: Any, place: int, _options: Any, _environment: Any) -> str:
         pieces = _pieces(tokens[place].content, tokens[place].markup == "$$")
         found.extend(pieces)
-        return "&nbsp; ".join(FORMULA for _ in pieces)
+        return " ".join(FORMULA for _ in pieces)
 
     reader = markdown()
     reader.add_render_rule("math", lambda _self, *given: math(*given))
     html = str(reader.render(text.replace(FORMULA, "\ufffd")))
-    return _ALONE.sub(r'<p align="center">\1</p>', html.replace("&nbsp; ", " ")), tuple(found)
+    return _ALONE.sub(r'<p align="center">\1</p>', html.strip()), tuple(found)
 
 
 def _pieces(tex: str, is_displayed: bool) -> list[str]:

@@ -10,7 +10,7 @@ import math
 from functools import lru_cache
 from typing import Any, cast
 
-from PySide6.QtCore import QEvent, QMimeData, QRect, QRectF, QSize, QSizeF, Qt
+from PySide6.QtCore import QEvent, QMimeData, QRect, QRectF, QSignalBlocker, QSize, QSizeF, Qt
 from PySide6.QtGui import (
     QBrush,
     QFontMetrics,
@@ -232,11 +232,12 @@ class LessonText(QTextEdit):
     def heightForWidth(self, width: int) -> int:
         if width not in self._heights:
             document = self.document()
+            blocker = QSignalBlocker(document.documentLayout())  # or it has its own width again
             before = document.textWidth()
             document.setTextWidth(width)
             self._heights[width] = math.ceil(document.size().height())
-            if before > 0.0:
-                document.setTextWidth(before)
+            document.setTextWidth(before)
+            blocker.unblock()
         return self._heights[width]
 
     def changeEvent(self, event: QEvent) -> None:

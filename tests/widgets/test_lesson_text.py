@@ -1,0 +1,131 @@
+"""A lesson's text: formulas stand on the line of the words, and nothing in it leads anywhere."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+import pytest
+from PySide6.QtCore import QPoint, Qt
+from PySide6.QtGui import QColor, QFont, QImage, QPainter, QPalette, QRegion, QTextDocument
+from PySide6.QtWidgets import QApplication, QWidget
+
+from app.lessons.text import escaped, html_of, plain_of
+from tests.support.window import rgb_of
+from widgets.parts.lesson_text import LessonText, set_text
+
+
+def drawn(text: str, width: int = 900) -> np.ndarray:
+    """Where there is ink of a text in letters of 60 pixels, (height, width) of bool."""
+    document = QTextDocument()
+    font = QFont("DejaVu Sans")
+    font.setPixelSize(60)
+    document.setDefaultFont(font)
+    set_text(document, text)
+    document.setTextWidth(width)
+    image = QImage(width, 400, QImage.Format.Format_RGB32)
+    image.fill(Qt.GlobalColor.white)
+    painter = QPainter(image)
+    document.drawContents(painter)
+    painter.end()
+    return rgb_of(image).mean(axis=2) < 128
+
+
+def pieces(ink: np.ndarray) -> list[tuple[int, int]]:
+    """Top and bottom of what stands apart from what is beside it, from the left."""
+    columns = np.flatnonzero(ink.any(axis=0))
+    parts = np.split(columns, np.flatnonzero(np.diff(columns) > 2) + 1)
+    rows = [np.flatnonzero(ink[:, part].any(axis=1)) for part in parts]
+    return [(int(found[0]), int(found[-1])) for found in rows]
+
+
+@pytest.mark.parametrize("text", ["H $H$ H", r"H $H\,\frac{a}{b}$ H", "H $H$, H"])
+def test_a_formula_stands_on_the_line_of_the_words(qapp: Any, text: str) -> None:
+    found = pieces(drawn(text))
+    word, letter, last = found[0], found[1], found[-1]
+    assert abs(letter[1] - word[1]) <= 1 and last[1] == word[1]
+    assert 0.85 < (letter[1] - letter[0]) / (word[1] - word[0]) < 1.15, "letters of one size"
+
+
+def test_lines_make_room_for_fractions(qapp: Any) -> None:
+    """Nothing of a high formula reaches into the lines above and below it."""
+    ink = drawn("HHH\\\nHHH $\\dfrac{M}{M}$\\\nHHH")
+    words = np.flatnonzero(ink[:, :135].any(axis=1))
+    above, beside, below = np.split(words, np.flatnonzero(np.diff(words) > 2) + 1)
+    formula = np.flatnonzero(ink[:, 150:].any(axis=1))
+    assert above[-1] + 2 < formula[0] < beside[0] < beside[-1] < formula[-1] < below[0] - 2
+
+
+def test_formulas_have_the_colour_of_the_text(qtbot: Any) -> None:
+    text = LessonText("$xMx$")
+    qtbot.addWidget(text)
+    for colour in ("#ff0000", "#00ff00"):
+        palette = QPalette(text.palette())
+        palette.setColor(QPalette.ColorRole.Text, QColor(colour))
+        palette.setColor(QPalette.ColorRole.Base, QColor("black"))
+        text.setPalette(palette)
+        text.resize(200, 40)
+        image = QImage(200, 40, QImage.Format.Format_RGB32)
+        image.fill(Qt.GlobalColor.black)
+        text.viewport().render(
+            image,
+            QPoint(),
+            QRegion(),
+            QWidget.RenderFlag.DrawChildren,  # without what is behind
+        )
+        brightest = rgb_of(image).reshape(-1, 3).max(axis=0)
+        wanted = QColor(colour)
+        found = (wanted.red() > 0, wanted.green() > 0, False)
+        assert tuple(brightest > 150) == found, colour
+
+
+def test_nothing_in_it_leads_anywhere(qtbot: Any) -> None:
+    source = (
+        "<script>alert(1)</script> <img src=x> [a](http://x.y) ![b](file:///etc/passwd)"
+        " <http://z.w> \ue000 & <b>c</b>"
+    )
+    text = LessonText(source)
+    qtbot.addWidget(text)
+    said = text.toPlainText()
+    for part in ("<script>alert(1)</script>", "<img src=x>", "[a](http://x.y)", "<b>c</b>"):
+        assert part in said
+    formats = text.document().allFormats()
+    assert not any(form.isImageFormat() for form in formats)
+    assert not any(f.isCharFormat() and f.toCharFormat().isAnchor() for f in formats)
+    broken = LessonText(r"as $\nosuch{x}$ and $\frac{1}$ typed")
+    qtbot.addWidget(broken)
+    assert broken.toPlainText() == r"as $\nosuch{x}$ and $\frac{1}$ typed"
+    signs = r"a\b `c` *d* _e_ {f} [g](h) <i> # $j$ | k"
+    again = LessonText(escaped(signs))
+    qtbot.addWidget(again)
+    assert again.toPlainText() == signs
+
+
+def test_it_is_as_high_as_what_it_holds(qtbot: Any) -> None:
+    wide = r"$$x_{ndc} = 2\,\frac{x_p - l}{r - l} - 1 = \frac{2n\,x}{r-l} + \frac{r+l}{r-l}\,z$$"
+    text = LessonText(f"Some words that are wrapped in a column that is narrow. {wide}")
+    qtbot.addWidget(text)
+    assert text.heightForWidth(160) > text.heightForWidth(600) > 0
+    text.resize(160, text.heightForWidth(160))
+    text.show()
+    QApplication.processEvents()
+    document = text.document()
+    assert document.size().height() <= text.height() and document.idealWidth() <= 160
+    low = text.heightForWidth(160)
+    text.say("Short.")
+    assert text.heightForWidth(160) < low
+
+
+def test_formulas_are_copied_and_read_out_as_tex(qtbot: Any) -> None:
+    text = LessonText(r"See $x_p$, *and* $\frac{1}{2}$.")
+    qtbot.addWidget(text)
+    text.selectAll()
+    assert text.createMimeDataFromSelection().text() == r"See $x_p$, and $\frac{1}{2}$."
+    assert text.accessibleName() == r"See x_p, and \frac{1}{2}."
+    assert plain_of("- a\n- b\n\n| c | d |\n|---|---|\n| e | $f$ |") == "a b c d e f"
+
+
+def test_a_formula_may_be_broken_at_a_wide_space() -> None:
+    html, found = html_of(r"$$a = \frac{1}{2}, \qquad \text{so \quad b} = {c \quad d}$$")
+    assert found == (r"a = \dfrac{1}{2},", r"\text{so \quad b} = {c \quad d}")
+    assert html.count("\ue000") == 2 and "center" in html
