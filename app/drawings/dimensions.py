@@ -306,10 +306,11 @@ class Dimensions:
         size = written_distance(half.at_far)
         if half.angle_deg is None:
             return f"{self._words['half height' if axis else 'half width']} = {size}"
-        return f"f tan({self._angle(axis)}/2) = {size}"
+        far = self._words.get("{far_distance}", "f")
+        return f"{far} tan({self._angle(axis)}/2) = {size}"
 
     def _angle(self, axis: int) -> str:
-        return "fov" if axis else "fov_x"
+        return self._words.get("{fov}", "fov") if axis else self._words.get("{fov_x}", "fov_x")
 
     def _upright(self, x: float, start: float, end: float) -> None:
         tick = _TICK_EM * self._em

@@ -42,6 +42,7 @@ _OURS = {
     **{f"turn_{x}": f"φ_{x}" for x in "xyz"},
     **{f"size_{x}": f"s_{x}" for x in "xyz"},
     "eye_x": "e_x", "eye_y": "e_y", "eye_z": "e_z", "theta_h": "θ_h", "theta_v": "θ_v",
+    "far_distance": "f",
 }  # fmt: skip
 _EYE_P = {"eye": f"P{ARROW}", "eye_x": "x_p", "eye_y": "y_p", "eye_z": "z_p"}
 _SYMBOLS: dict[str, dict[str, str]] = {
@@ -49,12 +50,15 @@ _SYMBOLS: dict[str, dict[str, str]] = {
     "000": {
         **_OURS,
         "l": "x_min", "r": "x_max", "b": "y_min", "t": "y_max", "n": "z_min", "f": "z_max",
+        "far_distance": "z_max",
     },
     "001": {
         **_OURS, **_EYE_P, "axis_n": f"w{ARROW}", "n_x": "w_x", "n_y": "w_y", "n_z": "w_z",
+        "fov": "θ_v", "fov_x": "θ_h",
     },
     "002": {
         **_OURS, "l": "x_l", "r": "x_r", "b": "y_b", "t": "y_t", "n": "z_n", "f": "z_f",
+        "far_distance": "\u2212z_f",
     },
     "003": {**_OURS, **_EYE_P},  # e is its focal length
     "004": {

@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 from app.document.view import View
+from app.drawings import Words
 from app.drawings.figures import render
 from app.lecture.notation import LETTERS, Letters, axis_letters, frame_letters, in_letters
 from app.scenes.scene import load
@@ -92,6 +93,25 @@ def test_a_scenes_own_marks_are_written_in_the_views_letters() -> None:
         for letters in ("own", "000", "003")
     )  # fmt: skip
     assert (own != lecture_000).any() and np.array_equal(own, lecture_003)
+
+
+def test_the_blackboards_lengths_have_the_views_letters() -> None:
+    scene = load("letter-f")
+    own, lecture_000, lecture_003 = (
+        render(
+            scene, scene.start, panes=("world",), size=(480, 360),
+            view=View(letters=letters, fixed="side"),
+        )
+        for letters in ("own", "000", "003")
+    )  # fmt: skip
+    assert (own != lecture_000).any() and np.array_equal(own, lecture_003)
+    for letters, far, angles in (
+        ("own", "f", ("fov", "fov_x")), ("000", "z_max", ("fov", "fov_x")),
+        ("001", "f", ("θ_v", "θ_h")), ("002", "−z_f", ("fov", "fov_x")),
+    ):  # fmt: skip
+        words = Words(letters)
+        assert words.get("{far_distance}") == far
+        assert (words.get("{fov}"), words.get("{fov_x}")) == angles
 
 
 def test_a_text_has_the_letters_of_a_lecture_only_where_they_are_marked() -> None:

@@ -201,8 +201,8 @@ class FramePanel(Panel):
         self.figures.setTextFormat(Qt.TextFormat.PlainText)
         self.angle = NumberRow(
             self.tr("Up from view"),
-            self.tr("Turns up towards the view direction, in the plane of both: u, v and n stay,"
-                    " until no u can be told from another."),
+            self.tr("Turns up towards the view direction, in the plane of both: the frame"
+                    " stays, until no axis to the right can be told from another."),
             Log(1e-14, 180.0), "°", self.tr("degrees"),
         )  # fmt: skip
         self.angle.setDefault(90.0)
