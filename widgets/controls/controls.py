@@ -396,9 +396,7 @@ class Controls(QScrollArea):
             ),
             "distance": (self.tr("From the target to the eye."), Log(1.0, 10.0)),
             "roll_deg": (
-                self.tr(
-                    "Turns the camera about its view direction; clockwise for who holds it."
-                ),
+                self.tr("Turns the camera about its view direction; clockwise for who holds it."),
                 Linear(-180.0, 180.0, 1.0),
             ),
         }

@@ -282,7 +282,7 @@ class MainWindow(QMainWindow):
             ),
             self.frame_panel: (
                 self.tr("Camera frame"),
-                self.tr("The camera's axes, step by step: how eye, target and up make the view matrix"),
+                self.tr("The camera's axes, step by step: eye, target and up make the view matrix"),
             ),
             self.kinds_panel: (
                 self.tr("Kinds of projection"),
