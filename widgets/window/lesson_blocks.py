@@ -114,6 +114,8 @@ class Asked(QFrame):
         self._column.setSpacing(5)
         self._said = QVBoxLayout()
         self._said.setSpacing(4)
+        self.said: list[QWidget] = []
+        """What is said to it, from above."""
 
     @property
     def is_open(self) -> bool:
@@ -149,15 +151,19 @@ class Asked(QFrame):
 
     def _hush(self) -> None:
         """Take back what was said to the answer before."""
-        while (item := self._said.takeAt(0)) is not None:
-            widget = item.widget()
-            if widget is not None:
-                widget.hide()
-                widget.deleteLater()
+        while self.said:
+            widget = self.said.pop()
+            self._said.removeWidget(widget)
+            widget.hide()
+            widget.deleteLater()
 
     def _say(self, icon: str, sign: str, text: str) -> None:
         if text:
-            self._said.addWidget(_row(icon, sign, text))
+            self._add(_row(icon, sign, text))
+
+    def _add(self, widget: QWidget) -> None:
+        self.said.append(widget)
+        self._said.addWidget(widget)
 
     def _offer(self, name: str, tip: str, act: Callable[[], object]) -> QPushButton:
         button = _button(name, tip, act)
@@ -166,7 +172,7 @@ class Asked(QFrame):
         row.setContentsMargins(round(1.4 * self.fontMetrics().height()), 0, 0, 0)
         row.addWidget(button)
         row.addStretch(1)
-        self._said.addWidget(holder)
+        self._add(holder)
         return button
 
     def _offer_state(self, document: Document | None, name: str, tip: str) -> None:
@@ -186,13 +192,6 @@ class Asked(QFrame):
             verdict.state, self.tr("Sho&w it"), self.tr("Show a state in which it is seen (Alt+W)")
         )
         self._announce(f"{head} {verdict.says}")
-
-    @property
-    def said(self) -> list[QWidget]:
-        """What is said to it, from above."""
-        items = (self._said.itemAt(place) for place in range(self._said.count()))
-        widgets = (item.widget() for item in items if item is not None)
-        return [widget for widget in widgets if widget is not None]
 
     def _announce(self, text: str) -> None:
         self.spoke.emit()
