@@ -68,9 +68,8 @@ def set_text(document: QTextDocument, text: str, *, title: bool = False, line: s
     document.setDocumentMargin(0.0)
     document.setIndentWidth(LIST_EM * 2.0 * _em(document, QTextCharFormat()))
     document.setHtml(html)
-    layout = document.documentLayout()
-    if layout.handlerForObject(_KIND) is None:
-        layout.registerHandler(_KIND, _Formulas(document))
+    if document.findChild(_Formulas) is None:
+        document.documentLayout().registerHandler(_KIND, _Formulas(document))
     cursor = QTextCursor(document)
     for tex in formulas:
         cursor = document.find(FORMULA, cursor)

@@ -112,10 +112,10 @@ class Asked(QFrame):
         self._column = QVBoxLayout(self)
         self._column.setContentsMargins(9, 7, 9, 8)
         self._column.setSpacing(5)
-        self._said = QVBoxLayout()
-        self._said.setSpacing(4)
         self.said: list[QWidget] = []
         """What is said to it, from above."""
+        self._said = QVBoxLayout()
+        self._said.setSpacing(4)
 
     @property
     def is_open(self) -> bool:
@@ -151,11 +151,11 @@ class Asked(QFrame):
 
     def _hush(self) -> None:
         """Take back what was said to the answer before."""
-        while self.said:
-            widget = self.said.pop()
+        for widget in self.said:
             self._said.removeWidget(widget)
             widget.hide()
             widget.deleteLater()
+        self.said.clear()
 
     def _say(self, icon: str, sign: str, text: str) -> None:
         if text:

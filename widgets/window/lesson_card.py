@@ -129,9 +129,14 @@ class LessonCard(QFrame):
             head.addWidget(button, 0, Qt.AlignmentFlag.AlignTop)
         self._marks = QWidget()
         self._marks.setObjectName("stepMarks")
-        row = QHBoxLayout(self._marks)
+        self._numbers: list[QToolButton] = []
+        self._counted = QLabel()
+        self._counted.setObjectName("paneNote")
+        self._marks_row = row = QHBoxLayout(self._marks)
         row.setContentsMargins(0, 0, 0, 0)
         row.setSpacing(2)
+        row.addStretch(1)
+        row.addWidget(self._counted)
         self._area = QScrollArea()
         self._area.setWidgetResizable(True)
         self._area.setFrameShape(QFrame.Shape.NoFrame)
@@ -249,14 +254,12 @@ class LessonCard(QFrame):
     # -- the page
 
     def _make_marks(self, lesson: Lesson) -> None:
-        row = self._marks.layout()
-        assert isinstance(row, QHBoxLayout)
-        while (item := row.takeAt(0)) is not None:
-            widget = item.widget()
-            if widget is not None:
-                widget.hide()
-                widget.deleteLater()
-        self._numbers: list[QToolButton] = []
+        row = self._marks_row
+        for old in self._numbers:
+            row.removeWidget(old)
+            old.hide()
+            old.deleteLater()
+        self._numbers.clear()
         if len(lesson.steps) <= MOST_MARKS:
             for place, step in enumerate(lesson.steps):
                 mark = QToolButton()
@@ -266,11 +269,7 @@ class LessonCard(QFrame):
                 mark.setToolTip(plain_of(step.title))
                 mark.clicked.connect(partial(self.go_to, place))
                 self._numbers.append(mark)
-                row.addWidget(mark)
-        row.addStretch(1)
-        self._counted = QLabel()
-        self._counted.setObjectName("paneNote")
-        row.addWidget(self._counted)
+                row.insertWidget(place, mark)
 
     def _show_marks(self) -> None:
         lesson = self._lesson
@@ -330,6 +329,7 @@ class LessonCard(QFrame):
     def _reveal(self, block: Asked) -> None:
         """Scroll to what is said, once there is room for it: all of it, or else its beginning."""
         lay_out()
+        lay_out()  # what is narrower now, beside a scroll bar that has come
         said = block.said if block in self.blocks else []
         for widget in (*said[-1:], *said[:1]):
             self._area.ensureWidgetVisible(widget, 0, 10)
