@@ -438,6 +438,8 @@ def _render_pane(
         drawing = _DRAWINGS[pane](screen, scene, words, style.enlarged(factor), **options)
         drawing.show_layers(view.layers | {AXES} if bare else view.layers)
         drawing.show_projection(projection, illustration)
+        if illustration is not None:  # as in the window, while nobody points at anything
+            drawing.show_highlight(frozenset(illustration.about))
         if isinstance(drawing, StageDrawing):
             drawing.show_stage(view.stage)
         drawing.reset_view()

@@ -91,6 +91,8 @@ def test_both_show_the_pixels_of_every_scene_that_a_figure_averages(
             with off_screen(width, height) as screen:
                 figure = kind(screen, shown.scene, words, LIGHT)
                 figure.show_projection(shown.projection, shown.illustration)
+                about = shown.illustration.about if shown.illustration else ()
+                figure.show_highlight(frozenset(about))  # as figures do
                 figure.reset_view()
                 screen.render_window.Render()
                 drawn = figures.pixels_of(screen.render_window)[..., :3]
