@@ -9,7 +9,6 @@ from app.commands.options import one_of, parser_of, write_out
 from app.lessons.checking import Report
 from app.lessons.course import contained, ideas
 from app.lessons.lesson import read
-from app.model.refusal import Refusal
 from app.strangers import printable
 
 
@@ -36,7 +35,7 @@ def _line(file: Path) -> str:
     found = read(file)
     steps = len(found.steps)
     kind = "talk" if found.is_talk else "lesson"
-    topics = ", ".join(found.topics) or found.lecture
+    topics = found.lecture if found.is_talk else ", ".join(found.topics)
     return f"{kind:<7}{topics:<8}{steps:>3} steps  {found.title}  ({file.name})\n"
 
 
@@ -48,9 +47,6 @@ def _checked(report: Report, files: Sequence[Path], own: bool) -> Iterator[str]:
         report.wrong += ideas_report.wrong
     for file in files:
         said = len(report.wrong)
-        try:
-            report.take(read(file))
-        except Refusal as error:
-            report.wrong.append(error)
+        report.read(file)
         yield from (f"{printable(str(error))}\n" for error in report.wrong[said:])
     yield f"{report}\n"

@@ -6,16 +6,18 @@ which reckon it once more by themselves; here it is held against what the file i
 
 from __future__ import annotations
 
+import difflib
 import re
 from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass, field
 from fractions import Fraction
 from functools import partial
+from pathlib import Path
 
 from app.document.document import set_values
 from app.lessons import marking
-from app.lessons.course import Course, idea_named, word_of
+from app.lessons.course import Course, idea_named, ideas, word_of
 from app.lessons.lesson import (
     Choice,
     Lesson,
@@ -26,6 +28,8 @@ from app.lessons.lesson import (
     Words,
     Wrong,
     formulas_in,
+    on_line,
+    read,
     refused,
 )
 from app.lessons.quantities import NotThere
@@ -42,7 +46,9 @@ TOO_LONG = QT_TRANSLATE_NOOP("Refusal", "has {0} words in its step; at most {1} 
 LONG_NOTE = QT_TRANSLATE_NOOP("Refusal", "has a note of {0} words; at most {1} can be looked up")
 TOO_MANY = QT_TRANSLATE_NOOP("Refusal", "is step {0} of a lesson; it has at most {1}")
 NO_IDEA = QT_TRANSLATE_NOOP(
-    "Refusal", "names a wrong idea that the program does not know, and says nothing of its own"
+    "Refusal",
+    "names a wrong idea that the program does not know (the nearest is {0}), and has no “says:” of"
+    " its own",
 )
 OTHER_NUMBER = QT_TRANSLATE_NOOP("Refusal", "says another number than its formula, which gives {0}")
 ALSO_RIGHT = QT_TRANSLATE_NOOP("Refusal", "is wrong, but its formula gives the right value, {0}")
@@ -76,6 +82,15 @@ class Report:
             f"{counted(self.lessons, 'lesson')}, {counted(self.talks, 'talk')}, "
             f"{counted(self.checks, 'check')}, {len(self.wrong)} wrong"
         )
+
+    def read(self, path: Path) -> None:
+        """Read a lesson from its file and try it: all that is wrong with it is added."""
+        try:
+            lesson = read(path, self.wrong.append)
+        except Refusal as error:
+            self.wrong.append(error)
+        else:
+            self.take(lesson)
 
     def take(self, lesson: Lesson) -> Course:
         """Try a lesson, and add what was found."""
@@ -205,7 +220,9 @@ class _Checker:
 
     def _said(self, place: int, said: Choice | Wrong) -> None:
         if said.idea and idea_named(said.idea) is None and not said.says:
-            self._complain(refused(said.line, NO_IDEA, value=said.idea))
+            names = [step.name for step in ideas().lesson.steps]
+            near = difflib.get_close_matches(said.idea, names, n=1, cutoff=0.0)[0]
+            self._complain(refused(said.line, NO_IDEA, near, value=said.idea))
         if said.state is not None:
             self.course.shown_by(place, said.state)
 
@@ -228,7 +245,8 @@ class _Checker:
     def _verdict(self, place: int, part: Question | Task, sample: Sample) -> str:
         if isinstance(part, Task):
             own = self.course.shown(place).document
-            now = set_values(own, sample.text.split())
+            with on_line(sample.line):
+                now = set_values(own, sample.text.split())
             return "done" if self.course.is_done(place, part, now) else "open"
         if part.choices:
             number = int(sample.text) if sample.text.isdecimal() else 0

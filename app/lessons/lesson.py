@@ -10,7 +10,7 @@ from __future__ import annotations
 import contextlib
 import difflib
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
@@ -68,6 +68,7 @@ AN_ASSIGNMENT = QT_TRANSLATE_NOOP(
     "Refusal", "must be written as NAME=VALUE, or document: FILE.json"
 )
 BESIDE = QT_TRANSLATE_NOOP("Refusal", "must be a file beside the lesson, or in a folder there")
+CANNOT_BE = QT_TRANSLATE_NOOP("Refusal", "cannot be shown: {0}")
 A_NUMBER = QT_TRANSLATE_NOOP("Refusal", "must be a number from {0} to {1}")
 
 
@@ -205,6 +206,7 @@ class Task:
     hints: tuple[str, ...] = ()
 
 
+Complain: TypeAlias = Callable[[Refusal], object]
 Part: TypeAlias = Words | Question | Task
 
 
@@ -295,8 +297,15 @@ def is_lesson(path: str) -> bool:
     return path.lower().endswith(ENDINGS)
 
 
-def read(path: AnyPath) -> Lesson:
+def read(path: AnyPath, complain: Complain | None = None) -> Lesson:
     """Read a lesson from its file.
+
+    Parameters
+    ----------
+    path : path
+    complain : callable, optional
+        Is told of steps in which something is wrong, and they are left out: for who wants to know
+        all of it at once.
 
     Raises
     ------
@@ -312,7 +321,7 @@ def read(path: AnyPath) -> Lesson:
             text = content.decode("utf-8-sig")
         except UnicodeDecodeError as error:
             raise Refusal.in_document(NOT_TEXT) from error
-        return parse_lesson(text, Path(path))
+        return parse_lesson(text, Path(path), complain)
 
 
 class Head(NamedTuple):
@@ -337,10 +346,11 @@ def head_of(path: Path) -> Head:
             text = file.read(LARGEST).decode("utf-8-sig", "replace")
         top, _ = _top(text.split("\n"))
         is_talk = re.search(r"^(```+|~~~+)\s*note\b", text, re.MULTILINE) is not None
-        return Head(path, top["title"], top["topics"], is_talk)
+        about = (top["lecture"],) if is_talk else top["topics"]
+        return Head(path, top["title"], about, is_talk)
 
 
-def parse_lesson(text: str, path: Path) -> Lesson:
+def parse_lesson(text: str, path: Path, complain: Complain | None = None) -> Lesson:
     """Read a lesson from its text; `path` is where it is, or is going to be.
 
     Raises
@@ -350,7 +360,7 @@ def parse_lesson(text: str, path: Path) -> Lesson:
     """
     lines = _lines(text)
     top, first = _top(lines)
-    return Lesson(path, steps=_steps(lines, first), **top)
+    return Lesson(path, steps=_steps(lines, first, path, complain), **top)
 
 
 def _lines(text: str) -> list[str]:
@@ -371,6 +381,8 @@ def on_line(line: int, what: str = "") -> Iterator[None]:
     except Refusal as error:
         if error.field.startswith("line ") or (error.file is not None and error.file != ""):
             raise
+        if not error.field and error.value is ...:  # a whole sentence, of a scene or its file
+            raise refused(line, CANNOT_BE, str(error).rstrip(".?")) from error
         name = what if error.field in ("formula", "condition") and what else error.field
         raise Refusal.in_document(
             error.bound,
@@ -409,7 +421,10 @@ def _top(lines: Sequence[str]) -> tuple[dict[str, Any], int]:
         raise refused(len(lines), TOP)
     if not found.get("title"):
         raise refused(1, NO_TITLE)
-    top: dict[str, Any] = {"title": found["title"], "lecture": found.get("lecture", "")}
+    title = found["title"]
+    if len(title) > 2 and title[0] == title[-1] and title[0] in "\"'":  # as YAML has it
+        title = title[1:-1]
+    top: dict[str, Any] = {"title": title, "lecture": found.get("lecture", "")}
     top["topics"] = tuple(
         part.strip() for part in found.get("topic", "").split(",") if part.strip()
     )
@@ -474,17 +489,25 @@ _HEADING = re.compile(r"#\s+(.*?)(?:\s*\{#([^{}]*)\})?\s*#*\s*")
 _KINDS = ("state", "predict", "task", "answer", "note", "test")
 
 
-def _steps(lines: Sequence[str], first: int) -> tuple[Step, ...]:
+def _steps(
+    lines: Sequence[str], first: int, path: Path, complain: Complain | None
+) -> tuple[Step, ...]:
     steps: list[Step] = []
     names: dict[str, int] = {}
     for group, _ in _groups(lines, first):
-        if group:
-            step = _Reader(lines, first, group).step()
-            if step.name in names:
-                raise refused(step.line, TWICE, names[step.name], value=step.name)
-            names[step.name] = step.line
-            steps.append(step)
-    if not steps:
+        try:
+            if group:
+                step = _Reader(lines, first, group).step()
+                if step.name in names:
+                    raise refused(step.line, TWICE, names[step.name], value=step.name)
+                names[step.name] = step.line
+                steps.append(step)
+        except Refusal as error:
+            if complain is None:
+                raise
+            error.file = str(path)
+            complain(error)
+    if not steps and complain is None:
         raise refused(first, NO_STEPS)
     return tuple(steps)
 

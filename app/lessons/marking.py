@@ -26,7 +26,9 @@ NO_NUMBER = QT_TRANSLATE_NOOP(
     "Refusal", "must be a number, as 0.5, 0,5, 1/2, -3 or 2e-3; {0} is none"
 )
 OVER_ZERO = QT_TRANSLATE_NOOP("Refusal", "must be a number: nothing can be divided by 0")
-TOO_LARGE = QT_TRANSLATE_NOOP("Refusal", "must be a number from -1e{0} to 1e{0}")
+TOO_LARGE = QT_TRANSLATE_NOOP(
+    "Refusal", "must be a number whose power of ten is between -{0} and {0}"
+)
 TOO_LONG = QT_TRANSLATE_NOOP("Refusal", "must be a number of at most {0} characters")
 
 _DECIMAL = r"[0-9]+(?:[.,][0-9]*)?|[.,][0-9]+"
@@ -35,7 +37,7 @@ _NUMBER = re.compile(
     rf"(?:/(?P<under>-?(?:{_DECIMAL})))?",
     re.IGNORECASE,
 )
-_UNITS = ("°", "deg", "degrees", "px", "%", "×", "mm", "m")
+_UNITS = ("°", "degrees", "deg", "units", "unit", "px", "%", "×", "mm", "m")
 
 
 class Typed(NamedTuple):
@@ -126,6 +128,9 @@ def equals(typed: Typed, value: float) -> bool:
 
 
 def is_too_short(typed: Typed, value: float) -> bool:
-    """Whether it would be right to the digits that it has, but has not the three it needs."""
+    """Whether it is the value rounded to its digits, of which there are not enough.
+
+    One digit alone says too little: 1 would be so of 0.8.
+    """
     away = abs(typed.value - Fraction(value))
-    return 0 < typed.digits < DIGITS and away <= typed.unit
+    return 1 < typed.digits < DIGITS and 2 * away <= typed.unit

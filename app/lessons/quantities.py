@@ -40,7 +40,8 @@ DIVIDES_BY_ZERO = QT_TRANSLATE_NOOP("Refusal", "divides by zero")
 TOO_LARGE = QT_TRANSLATE_NOOP("Refusal", "has a value that is too large")
 NOT_DEFINED = QT_TRANSLATE_NOOP("Refusal", "has a function of a value that it is not defined for")
 NO_CONDITION = QT_TRANSLATE_NOOP(
-    "Refusal", "must be a condition: two formulas with =, <, >, <= or >= between them"
+    "Refusal",
+    "must be a condition: two formulas with =, <, >, <= or >= between them, or NAME = WORD",
 )
 
 WITHIN = 0.01

@@ -135,3 +135,22 @@ def test_only_lessons_are_among_the_lessons() -> None:
     report = Report()
     report.take(read(CONTENT / "ideas.md"))
     assert report.wrong == []
+
+
+def test_all_that_is_wrong_with_a_file_is_said_at_once(tmp_path: Path) -> None:
+    path = tmp_path / "wrong.md"
+    path.write_text(
+        '---\ntitle: "Quoted"\n---\n# One\n```state\nscene=letter-f\n```\n```task\nDo.\nuntil: near = 3\n'
+        "```\n```answer\nQ?\nvalue: 2\nwrong angle-liner: 3\n```\n```test\ntask: near=3 -> done\n```\n"
+        "---\n# Two\n```anser\n```\n---\n# Three\n```state\nscene=moon\n```\n",
+        encoding="utf-8",
+    )
+    done = run_here("lesson", "check", path)
+    said = [line.removeprefix(f"{path}: ") for line in done.stdout.splitlines()]
+    assert said[0].startswith("line 22 has a block that there is not, anser; the nearest is answer")
+    assert said[1].startswith("line 15 = 'angle-liner': names a wrong idea")
+    assert "the nearest is angle-linear" in said[1]
+    assert said[2] == "line 18, near is not known; the nearest name is lens.near."
+    assert said[3].startswith("line 27 cannot be shown: There is no scene “moon”, only ")
+    assert said[4:] == ["1 lesson, 0 talks, 3 checks, 4 wrong"]
+    assert run_here("lesson", "list", contained()[0]).stdout.startswith("lesson L1 ")

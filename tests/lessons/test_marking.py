@@ -27,6 +27,7 @@ from app.model.refusal import Refusal
         ("+4", Fraction(4), 1),
         ("-1/-4", Fraction(1, 4), 3),
         ("1 280 px", Fraction(1280), 4),
+        ("2.5 units", Fraction(5, 2), 2),
         ("0", Fraction(0), 0),
     ],
 )
@@ -43,8 +44,8 @@ def test_numbers_are_read_as_people_write_them(text: str, value: Fraction, digit
         ("°", "nothing is typed yet"),
         ("1/0", "nothing can be divided by 0"),
         ("1/0.0", "nothing can be divided by 0"),
-        ("1e400", "must be a number from -1e300 to 1e300"),
-        ("9e999999999", "must be a number from -1e300 to 1e300"),
+        ("1e400", "whose power of ten is between -300 and 300"),
+        ("9e999999999", "whose power of ten is between -300 and 300"),
         ("abc", "abc is none"),
         ("nan", "nan is none"),
         ("inf", "inf is none"),
@@ -90,3 +91,6 @@ def test_what_lacks_only_digits_is_told_apart_from_what_is_wrong() -> None:
     assert marking.is_too_short(marking.read("91"), value)
     assert not marking.is_too_short(marking.read("90.1"), value)
     assert not marking.is_too_short(marking.read("60"), value)
+    assert not marking.is_too_short(marking.read("92"), value)
+    assert not marking.is_too_short(marking.read("1"), 0.8333)  # it may be wrong as well
+    assert marking.is_too_short(marking.read("0.83"), 0.8333)

@@ -204,15 +204,17 @@ class Lessons(QObject):
         self._finish()
         self._stand_still()
         look = self._store.look()
+        asked = self.course.shown(self.place).view if self.course is not None else {}
         fields = {
             name: getattr(document.view, name)
-            for name in ("stage", "large", "panel", "fixed", "compare", "dividers", "probes")
+            for name in FIELDS
+            if name in asked or getattr(document.view, name) != getattr(AS_EVER, name)
         }
         same = (document.scene, document.mesh) == (
             self._store.document.scene,
             self._store.document.mesh,
         )
-        fields |= {"pinned": frozenset(), "panes": look.panes if same else {}}
+        fields |= {"panes": look.panes if same else {}}
         self._move_to(replace(document, view=replace(look, **fields)), scene_of(document), False)
 
     def _show(self, shown: Shown, scene: Any, at_once: bool) -> None:
