@@ -183,8 +183,8 @@ class Asked(QFrame):
         """Name the wrong idea, say what is against it, and offer what shows it."""
         idea = idea_named(verdict.idea)
         if idea is not None:
-            title = idea.title.rstrip(".")
-            head = f"{head} {self.tr('The idea behind it: “{0}”.').format(title)}".strip()
+            behind = self.tr("The idea behind it: “{0}”.").format(idea.title.rstrip("."))
+            head = f"{head} {behind}".strip()
         self._say("close", self.tr("Not so"), head or self.tr("That is not it."))
         if verdict.says:
             self._say("", "", verdict.says)
@@ -193,9 +193,10 @@ class Asked(QFrame):
         )
         self._announce(f"{head} {verdict.says}")
 
-    def _announce(self, text: str) -> None:
+    def _announce(self, *texts: str) -> None:
         self.spoke.emit()
-        QAccessible.updateAccessibility(QAccessibleAnnouncementEvent(self, plain_of(text)))
+        said = plain_of(" ".join(texts))
+        QAccessible.updateAccessibility(QAccessibleAnnouncementEvent(self, said))
 
 
 def _row(icon: str, sign: str, text: str) -> QWidget:
@@ -370,7 +371,7 @@ class Chooses(Asked):
             self._choices[right].mark("check", self.tr("The model says so"))
         if verdict.right:
             self._say("check", self.tr("Right"), verdict.says or self.tr("Right."))
-            self._announce(f"{self.tr('Right.')} {verdict.says}")
+            self._announce(self.tr("Right."), verdict.says)
             if show is None:
                 show = verdict.state
         elif question.predicts:
@@ -492,7 +493,7 @@ class Types(Asked):
         self.field.setReadOnly(True)
         self._check.hide()
         self._say("check", self.tr("Right"), verdict.says or self.tr("Right."))
-        self._announce(f"{self.tr('Right.')} {verdict.says}")
+        self._announce(self.tr("Right."), verdict.says)
 
     def _give_away(self) -> None:
         self._hold_focus()
@@ -547,7 +548,7 @@ class Tries(Asked):
         if is_done:
             self._hush()
             self._tick()
-            self._announce(f"{self.tr('Done.')} {self.task.done}")
+            self._announce(self.tr("Done."), self.task.done)
             self._settle(DONE)
 
     def _tick(self) -> None:
