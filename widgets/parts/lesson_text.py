@@ -14,6 +14,7 @@ from PySide6.QtCore import QEvent, QMimeData, QRect, QRectF, QSignalBlocker, QSi
 from PySide6.QtGui import (
     QBrush,
     QFontMetrics,
+    QGuiApplication,
     QPainter,
     QPainterPath,
     QPalette,
@@ -101,19 +102,17 @@ def _before(document: QTextDocument, cursor: QTextCursor) -> str:
 
 
 def _em(document: QTextDocument, character: QTextCharFormat) -> float:
-    """Pixels of an em, on the screen or on what the document is laid out for."""
+    """Pixels of an em on the screen, in which a document is laid out for paper too.
+
+    The layout's own paint device is not asked: it is no QObject, and when it has gone PySide takes
+    whatever comes to lie in its place for it.
+    """
     font = character.font().resolve(document.defaultFont())
-    device = document.documentLayout().paintDevice()
-    if font.pixelSize() > 0:
-        return float(font.pixelSize())
-    dpi = device.logicalDpiY() if device is not None else _screen_dpi()
-    return font.pointSizeF() * dpi / 72.0
+    return float(font.pixelSize()) if font.pixelSize() > 0 else font.pointSizeF() * _dpi() / 72.0
 
 
 @lru_cache(maxsize=1)
-def _screen_dpi() -> float:
-    from PySide6.QtGui import QGuiApplication
-
+def _dpi() -> float:
     return QGuiApplication.primaryScreen().logicalDotsPerInchY()
 
 
