@@ -412,7 +412,7 @@ def test_letters_of_the_band_shrink_until_all_has_room(window: MainWindow, talk:
     window.lessons.read_again()
     settle()
     assert window.band._fit < 1.0
-    assert window.band._fits()
+    assert window.band._fits(window.band._fit)
 
 
 # --------------------------------------------------------------------------- the speaker's window
@@ -627,9 +627,17 @@ def test_ten_thousand_steps_are_refused_as_they_are_opened(
 def test_the_band_shows_a_step_within_its_height(display: Any, talk: Path) -> None:
     band = TalkBand()
     band.resize(1366, 10)
-    band.set_screen(768.0)
-    for step in parse_lesson(TALK, talk).steps:
+    lesson = parse_lesson(TALK, talk)
+    band.set_talk(lesson, 768.0)
+    for step in lesson.steps:
         for revealed in (0, 1):
             band.show_step(step, "1 / 3", revealed)
-            assert band._fits()
+            assert band._fits(band._fit)
     assert band.height() == round(0.135 * 768)
+    table = "\n\n| a | b |\n| - | - |\n" + 4 * "| 1 | 2 |\n"
+    tall = parse_lesson(TALK.replace("reads **this**", f"reads **this**.{table}\nAnd"), talk)
+    band.set_talk(tall, 768.0)
+    assert band.height() == round(0.18 * 768)
+    band.show_step(tall.steps[0], "1 / 3", 0)
+    assert band._fits(band._fit) and not band._asked.isEmpty()  # beside the words, in large letters
+    assert band._fit >= 0.9

@@ -16,18 +16,20 @@ from PySide6.QtGui import (
 )
 from PySide6.QtWidgets import QFrame, QSizePolicy
 
-from app.lessons.lesson import Question, Step, Task, Words
+from app.lessons.lesson import Lesson, Question, Step, Task, Words
 from app.lessons.text import plain_of
 from widgets.parts.lesson_text import set_text
 
-SHARE = 0.135
-"""Of the screen's height, for the band: always the same, so that no pane moves at a step."""
+SHARE, TALL_SHARE = 0.135, 0.18
+"""Of the screen's height, for the band: the same all through a talk, so that no pane moves at a
+step; the latter where a step has a table, formulas on lines of their own, or many choices."""
 TITLE_EM = 1.3
 """Of the window's letters, which are a share of the screen's height already."""
-LARGEST, SMALLEST = 1.2, 0.6
+SIZES = (1.2, 1.12, 1.06, 1.0, 0.92, 0.84, 0.76, 0.68, 0.6)
 """Letters of a step that says little, and of one that says much, against the window's."""
-SIDE_SHARE = 0.46
-"""Of the band's width, for a question."""
+SIDE_SHARE = 0.48
+"""Of the band's width, for what stands beside the words."""
+MANY_CHOICES = 4
 CHOICES = "ABCDEFGHIJ"
 _GAP_PX = 10
 
@@ -47,19 +49,20 @@ class TalkBand(QFrame):
         self.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
         self._title, self._words, self._asked = (QTextDocument(self) for _ in range(3))
         self._number, self.note = "", ""
-        self._fit = LARGEST
+        self._ways: list[tuple[str, str]] = [("", "")]
+        """The words, and what stands beside them: as it may be shared out."""
+        self._fit = SIZES[0]
         self.hide()
 
-    def set_screen(self, height_px: float) -> None:
-        """Take a share of a screen of that height."""
-        self.setFixedHeight(round(SHARE * height_px))
+    def set_talk(self, lesson: Lesson, screen_px: float) -> None:
+        """Take a share of a screen of that height, for all of a talk."""
+        share = TALL_SHARE if any(map(_is_tall, lesson.steps)) else SHARE
+        self.setFixedHeight(round(share * screen_px))
 
     def show_step(self, step: Step, number: str, revealed: int) -> None:
         """Show a step, and so many of its predictions' answers."""
-        line = self.palette().color(QPalette.ColorRole.Mid).name()
-        set_text(self._title, step.title, title=True, line=line)
+        self._number = number
         words = [part.text for part in step.parts if isinstance(part, (Words, Task))]
-        set_text(self._words, "\n\n".join(words), line=line)
         questions = [part for part in step.parts if isinstance(part, Question)]
         open_ones = [part for part in questions if part.predicts]
         asked = [
@@ -67,10 +70,21 @@ class TalkBand(QFrame):
             for part in questions
             if part not in open_ones[revealed + 1 :]
         ]
-        set_text(self._asked, "\n\n".join(asked[-1:]), line=line)
-        self._number = number
         self.setAccessibleName(plain_of("\n\n".join([step.title, *words, *asked])))
+        self._set(self._title, step.title, title=True)
+        paragraphs = "\n\n".join(words).split("\n\n")
+        if asked:
+            self._ways = [("\n\n".join(paragraphs), asked[-1])]
+        else:  # under each other, or the last of them beside the others
+            cuts = range(len(paragraphs), 0, -1)
+            self._ways = [
+                ("\n\n".join(paragraphs[:cut]), "\n\n".join(paragraphs[cut:])) for cut in cuts
+            ]
         self._fit_all()
+
+    def _set(self, document: QTextDocument, text: str, *, title: bool = False) -> None:
+        line = self.palette().color(QPalette.ColorRole.Mid).name()
+        set_text(document, text, title=title, line=line)
 
     def say(self, note: str) -> None:
         """Say something beside the number of the step; nothing says no more."""
@@ -97,34 +111,46 @@ class TalkBand(QFrame):
         return left, right
 
     def _fit_all(self) -> None:
-        """Find the largest letters in which all of it has room."""
-        self._fit = LARGEST
-        while not self._fits() and self._fit > SMALLEST:
-            self._fit = max(SMALLEST, self._fit - 0.08)
+        """Find the way, and the largest letters, in which all of it has room."""
+        best, way = 0.0, self._ways[0]
+        for each in self._ways:
+            if self._share_out(*each) > best:
+                best, way = self._fit, each
+            if best >= 1.0:
+                break
+        if way is not each:
+            self._share_out(*way)
         self.update()
 
-    def _fits(self) -> bool:
+    def _share_out(self, words: str, beside: str) -> float:
+        self._set(self._words, words)
+        self._set(self._asked, beside)
+        low, high = 0, len(SIZES) - 1  # the last is taken where nothing has room
+        while low < high:
+            middle = (low + high) // 2
+            low, high = (low, middle) if self._fits(SIZES[middle]) else (middle + 1, high)
+        self._fit = SIZES[low]
+        self._fits(self._fit)
+        return self._fit
+
+    def _fits(self, size: float) -> bool:
+        """Set everything in letters of a size, and tell whether it has room."""
         left, right = self._columns()
         em = self.fontInfo().pixelSize()
-        free = self.fontMetrics().horizontalAdvance("000 / 000  ")
-        for document, size, width in (
-            (self._title, TITLE_EM, (left.width() - free) if right.isNull() else left.width()),
+        free = self.fontMetrics().horizontalAdvance(f"{self._number}  ")  # which stands there
+        for document, larger, width in (
+            (self._title, TITLE_EM, left.width() - free * right.isNull()),
             (self._words, 1.0, left.width()),
-            (self._asked, 1.0, right.width()),
+            (self._asked, 1.0, right.width() - free),
         ):
             font = QFont(self.font())
-            font.setPixelSize(max(8, round(self._fit * size * em)))
+            font.setPixelSize(max(8, round(size * larger * em)))
             document.setDefaultFont(font)
             document.setTextWidth(max(1.0, width))
         high = self._title.size().height() + self._words.size().height()
         return high <= left.height() and (
-            right.isNull() or self._asked.size().height() + self._line_px <= right.height()
+            right.isNull() or self._asked.size().height() <= right.height()
         )
-
-    @property
-    def _line_px(self) -> float:
-        """Height of the line with the number of the step."""
-        return float(self.fontMetrics().height())
 
     def paintEvent(self, event: QPaintEvent) -> None:
         super().paintEvent(event)
@@ -133,14 +159,19 @@ class TalkBand(QFrame):
         self._draw(painter, self._title, left.topLeft())
         self._draw(painter, self._words, left.topLeft() + QPointF(0.0, self._title.size().height()))
         if not right.isNull():
-            self._draw(painter, self._asked, right.topLeft() + QPointF(0.0, self._line_px))
+            self._draw(painter, self._asked, right.topLeft())
             painter.setPen(self.palette().color(QPalette.ColorRole.Mid))
             x = right.left() - 1.5 * _GAP_PX
             painter.drawLine(QPointF(x, right.top() + 2.0), QPointF(x, right.bottom() - 2.0))
         room = QRectF(self.rect()).adjusted(_GAP_PX, 2.0, -_GAP_PX, -2.0)
         painter.setPen(self.palette().color(QPalette.ColorRole.WindowText))
-        text = f"{self.note}    {self._number}" if self.note else self._number
-        painter.drawText(room, Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignTop, text)
+        right_of = Qt.AlignmentFlag.AlignRight
+        painter.drawText(room, right_of | Qt.AlignmentFlag.AlignTop, self._number)
+        if self.note:  # over what stands there, for a moment
+            below = right_of | Qt.AlignmentFlag.AlignBottom
+            place = painter.boundingRect(room, below, self.note)
+            painter.fillRect(place, self.palette().color(QPalette.ColorRole.Window))
+            painter.drawText(room, below, self.note)
         painter.end()
 
     def _draw(self, painter: QPainter, document: QTextDocument, place: QPointF) -> None:
@@ -151,6 +182,16 @@ class TalkBand(QFrame):
         context.palette = self.palette()
         document.documentLayout().draw(painter, context)
         painter.restore()
+
+
+def _is_tall(step: Step) -> bool:
+    """Whether a step has what needs many lines."""
+    return any(
+        len(part.choices) >= MANY_CHOICES
+        if isinstance(part, Question)
+        else "$$" in part.text or "\n|" in part.text
+        for part in step.parts
+    )
 
 
 def _asked(part: Question, is_revealed: bool) -> str:

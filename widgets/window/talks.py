@@ -160,7 +160,7 @@ class Talks(QObject):
             return
         step, count = course.lesson.steps[place], len(course.lesson.steps)
         if self.is_on:
-            self._band.set_screen(float(self._window.screen().size().height()))
+            self._band.set_talk(course.lesson, float(self._window.screen().size().height()))
             self._band.show_step(step, f"{place + 1} / {count}", self.revealed)
         if self.speaker is not None:
             self.speaker.show_step(course, place)
