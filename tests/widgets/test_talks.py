@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from PySide6.QtCore import Qt
+from PySide6.QtCore import QRect, Qt
 from PySide6.QtGui import QGuiApplication
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
@@ -491,18 +491,17 @@ def test_a_screen_goes_away_and_both_windows_stay(window: MainWindow) -> None:
     window.talks.open_speaker()
     speaker = window.talks.speaker
     assert speaker is not None
-    speaker.move(9000, 9000)  # as on a screen that is not there any more
+    for gone in (window, speaker):  # as on a screen that is not there any more
+        gone.windowHandle().setGeometry(QRect(9000, 9000, 800, 600))
+    settle()
     application = QApplication.instance()
     assert isinstance(application, QGuiApplication)
-
-    class Gone:
-        """A screen that was taken away."""
-
-    window.talks._screen_gone(Gone())  # type: ignore[arg-type]
+    application.screenRemoved.emit(application.primaryScreen())
     settle()
     room = window.screen().availableGeometry()
     assert room.contains(speaker.geometry())
     assert window.isVisible() and window.present.is_on
+    assert window.geometry() == window.screen().geometry()
     press(window, PAGE_DOWN)
     assert window.lessons.place == 1
     assert speaker._number.text() == "step 2 of 3"

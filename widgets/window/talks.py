@@ -15,8 +15,8 @@ from collections.abc import Callable, Iterator
 from functools import partial
 from pathlib import Path
 
-from PySide6.QtCore import QEvent, QObject, Qt, QTimer
-from PySide6.QtGui import QAction, QGuiApplication, QKeyEvent, QScreen, QTextDocument, QWindow
+from PySide6.QtCore import QEvent, QObject, QRect, Qt, QTimer
+from PySide6.QtGui import QAction, QGuiApplication, QKeyEvent, QTextDocument, QWindow
 from PySide6.QtWidgets import (
     QAbstractSpinBox,
     QApplication,
@@ -113,7 +113,8 @@ class Talks(QObject):
         lessons.stepped.connect(self._show)
         application = QApplication.instance()
         assert isinstance(application, QGuiApplication)
-        application.screenRemoved.connect(self._screen_gone)
+        # When Qt has done what it does itself.
+        application.screenRemoved.connect(self.bring_back, Qt.ConnectionType.QueuedConnection)
 
     def _timer(self, interval_ms: int, act: Callable[[], object]) -> QTimer:
         timer = QTimer(self)
@@ -387,18 +388,23 @@ class Talks(QObject):
             self.speaker = None
         self._listen()
 
-    def _screen_gone(self, gone: QScreen) -> None:
-        """A screen went away: what was on it comes to one that is there."""
-        left = [each for each in QGuiApplication.screens() if each is not gone]
-        if self.speaker is None or not left:
-            return
-        room = left[0].availableGeometry()
-        if not room.contains(self.speaker.geometry().center()):
-            self.speaker.setWindowState(Qt.WindowState.WindowNoState)
-            size = self.speaker.size().boundedTo(room.size() * 0.8)
-            self.speaker.resize(size)
-            self.speaker.move(room.topLeft())
-        self.speaker.raise_()
+    def bring_back(self) -> None:
+        """Let both windows be on a screen that is there, as one has gone."""
+        screens = [each.geometry() for each in QGuiApplication.screens()]
+        for window in (self._window, self.speaker):
+            handle = window.windowHandle() if window is not None else None
+            if window is None or handle is None or not screens:
+                continue
+            if not any(each.contains(window.geometry().center()) for each in screens):
+                room = QGuiApplication.primaryScreen().availableGeometry()
+                size = window.size().boundedTo(room.size())
+                handle.setGeometry(
+                    QGuiApplication.primaryScreen().geometry()
+                    if window.isFullScreen()
+                    else QRect(room.topLeft(), size)
+                )
+        if self.speaker is not None:
+            self.speaker.raise_()
 
     # -- ahead
 
