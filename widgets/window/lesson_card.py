@@ -56,6 +56,8 @@ SHARE = 0.6
 """Of the column's height, for the card."""
 MOST_MARKS = 10
 """Of more steps there is no mark for each."""
+LATE_MS = 1000
+"""So long after a step it is kept where one is: writing a file takes as long as a frame."""
 WHILE_MOVING_MS = 50
 """So soon it is looked again for what is done, while the model is on its way."""
 
@@ -106,6 +108,10 @@ class LessonCard(QFrame):
         self.setAccessibleName(self.tr("Lesson"))
         self._lessons, self._store, self._settings = lessons, store, settings
         self._progress = Progress()
+        self._late = QTimer(self)
+        self._late.setSingleShot(True)
+        self._late.setInterval(LATE_MS)
+        self._late.timeout.connect(self._keep)
         self._rest: list[Part] = []
         """What of the step is not seen yet."""
         self._shown: tuple[Course, int] | None = None
@@ -201,6 +207,7 @@ class LessonCard(QFrame):
 
     def leave(self) -> None:
         """Close the lesson; it goes on there the next time."""
+        self.keep_now()
         self._clear()
         self._shown = None
         self._lessons.close()
@@ -218,6 +225,7 @@ class LessonCard(QFrame):
 
     def _open(self) -> None:
         lesson = self._lesson
+        self.keep_now()
         if lesson is None:
             return
         self._progress = self._settings.progress.get(name_of(lesson.path), Progress())
@@ -236,7 +244,7 @@ class LessonCard(QFrame):
         if self._shown != (course, self._lessons.place):
             self._shown = course, self._lessons.place
             self._progress = replace(self._progress, step=self._here.name)
-            self._keep()
+            self._late.start()
             takes = self._may_take_focus
             self._make_page()
             if takes:
@@ -369,8 +377,14 @@ class LessonCard(QFrame):
         self._progress = replace(self._progress, answers=answers)
         self._keep()
 
+    def keep_now(self) -> None:
+        """Keep the step that is shown, before something else is, or nothing any more."""
+        if self._late.isActive():
+            self._keep()
+
     def _keep(self) -> None:
-        lesson = self._lesson
+        self._late.stop()
+        lesson = self._lesson if self._shown is None else self._shown[0].lesson
         assert lesson is not None
         done = sum(self._is_done(step) for step in lesson.steps)
         self._progress = replace(self._progress, done=done, of=len(lesson.steps))

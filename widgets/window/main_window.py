@@ -698,6 +698,7 @@ class MainWindow(QMainWindow):
         self.counting.stop()
         self.measure_panel.close_process()
         self.settings.geometry = bytes(geometry.data())
+        self.lesson_card.keep_now()
         self.recovery.close()
         self.store.blockSignals(True)  # a wheel may still be turning, and end its gesture
         self.comparing.pictures.close_canvases()
