@@ -26,6 +26,7 @@ from tests.support.window import activate, present, settle
 from widgets.parts.message_bar import MessageBar
 from widgets.window.lessons import TRANSITION_S, Lessons
 from widgets.window.main_window import MainWindow
+from widgets.window.settings import Settings
 from widgets.window.speaker import TalkClock, planned
 from widgets.window.talk_band import TalkBand
 
@@ -471,6 +472,16 @@ def test_the_notes_are_made_larger_and_stay_so(window: MainWindow) -> None:
     for _ in range(25):
         QTest.keyClick(speaker, Qt.Key.Key_Minus, Qt.KeyboardModifier.ControlModifier)
     assert window.settings.notes_px == 22 == before
+
+
+def test_what_is_chosen_is_there_the_next_time(tmp_path: Path) -> None:
+    """Also "All digits", whose name in the file has a hyphen: it made the file a broken one."""
+    path = tmp_path / "settings.ini"
+    settings = Settings(path)
+    settings.speaker_window, settings.notes_px, settings.all_digits = False, 30, True
+    again = Settings(path)
+    assert (again.speaker_window, again.notes_px, again.all_digits) == (False, 30, True)
+    assert [file.name for file in tmp_path.iterdir()] == ["settings.ini"]
 
 
 def test_it_opens_with_a_talk_if_that_is_wanted(window: MainWindow) -> None:

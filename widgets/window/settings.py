@@ -227,7 +227,7 @@ class Settings:
     """Longest frame that is wanted while a control is dragged, in ms; 0 for any."""
     start_card = _Kept("start_card", _flag, True, lambda on: "true" if on else "false")
     """Whether the program begins with its scenes as pictures."""
-    speaker_window = _Kept("speaker-window", _flag, True, lambda on: "true" if on else "false")
+    speaker_window = _Kept("speaker_window", _flag, True, lambda on: "true" if on else "false")
     """Whether the speaker's window opens when a talk is presented."""
     notes_px = _Kept("notes", _whole_in(LEAST_NOTES_PX, LARGEST_NOTES_PX), 22)
     """Height of the letters in the speaker's notes."""
@@ -328,7 +328,7 @@ def _is_ini(content: bytes) -> bool:
     except UnicodeDecodeError:
         return False
     # A value that begins with @ would be unpacked into any type of Qt's; ours are texts.
-    line_of_ini = re.compile(r'\s*|\s*;.*|\[[\w%]+\]\s*|[\w%\\]+\s*=\s*(?!"?@[^@])[^\0]*')
+    line_of_ini = re.compile(r'\s*|\s*;.*|\[[\w%]+\]\s*|[\w%\\-]+\s*=\s*(?!"?@[^@])[^\0]*')
     return all(line_of_ini.fullmatch(line) for line in lines)
 
 
