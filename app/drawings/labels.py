@@ -404,6 +404,7 @@ class Layout:
         self._size_px, self.em, self._kept, self._subject = size_px, em, kept, subject
         self._taken: list[_Box] = []
         self._discs: list[_Box] = []
+        self._bodies: list[_Box] = []
         self.settled: dict[Label, _Candidate] = {}
         """Which labels were put right next to their points, and where."""
 
@@ -422,7 +423,8 @@ class Layout:
         """Let no label hide what is drawn between these points."""
         x, y, depth = zip(*points, strict=True)
         if min(depth) > 0.0:
-            self._taken.append(_Box(min(x), min(y), max(x), max(y)))
+            self._bodies.append(_Box(min(x), min(y), max(x), max(y)))
+            self._taken.append(self._bodies[-1])
 
     def place(
         self,
@@ -593,13 +595,19 @@ class Layout:
         return None
 
     def _crosses(self, anchor: Spot, box: _Box) -> bool:
-        """Whether a line from a point to a label would seem to be another label's."""
+        """Whether a line from a point to a label would seem to be another label's.
+
+        It does not where it runs out of the body that the point itself is in: the eye's camera.
+        """
         x, y, _ = anchor
         end_x, end_y = box.nearest((x, y))
+        own = [body for body in self._bodies if body.left <= x <= body.right
+               and body.bottom <= y <= body.top]  # fmt: skip
         for part in (0.4, 0.7):
             on_x, on_y = x + part * (end_x - x), y + part * (end_y - y)
-            for left, bottom, right, top in self._taken:
-                if left < on_x < right and bottom < on_y < top:
+            for taken in self._taken:
+                left, bottom, right, top = taken
+                if left < on_x < right and bottom < on_y < top and taken not in own:
                     return True
         return False
 

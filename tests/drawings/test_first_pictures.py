@@ -243,3 +243,17 @@ def test_a_handle_is_set_off_from_what_lies_under_it(off_screen: MakeScreen) -> 
     ]
     expected = [tuple(to_bytes(colour)) for colour in (LIGHT.near, LIGHT.ink, LIGHT.background)]
     assert [run for run in runs if run in expected][:3] == expected
+
+
+@pytest.mark.parametrize("name", BUILT_IN)
+def test_the_eye_is_named_beside_its_camera(off_screen: MakeScreen, name: str) -> None:
+    """Its leader may run out of the camera's body, which it is a part of."""
+    screen = off_screen(*LARGE)
+    drawing = opened(screen, name)
+    if "eye" not in boxes_of(screen):
+        return
+    left, bottom, right, top = boxes_of(screen)["eye"]
+    x, y, _ = drawing._spots(np.array([drawing._stands.eye]))[0]
+    y = LARGE[1] - y
+    away = math.hypot(max(left - x, 0.0, x - right), max(bottom - y, 0.0, y - top))
+    assert away < 3.5 * LIGHT.font_size
