@@ -140,8 +140,10 @@ def test_only_lessons_are_among_the_lessons() -> None:
 def test_all_that_is_wrong_with_a_file_is_said_at_once(tmp_path: Path) -> None:
     path = tmp_path / "wrong.md"
     path.write_text(
-        '---\ntitle: "Quoted"\n---\n# One\n```state\nscene=letter-f\n```\n```task\nDo.\nuntil: near = 3\n'
-        "```\n```answer\nQ?\nvalue: 2\nwrong angle-liner: 3\n```\n```test\ntask: near=3 -> done\n```\n"
+        '---\ntitle: "Quoted"\n---\n# One\n```state\nscene=letter-f\n```\n'
+        "```task\nDo.\nuntil: near = 3\n```\n"
+        "```answer\nQ?\nvalue: 2\nwrong angle-liner: 3\n```\n"
+        "```test\ntask: near=3 -> done\n```\n"
         "---\n# Two\n```anser\n```\n---\n# Three\n```state\nscene=moon\n```\n",
         encoding="utf-8",
     )
