@@ -498,6 +498,15 @@ def test_it_opens_with_a_talk_if_that_is_wanted(window: MainWindow) -> None:
     assert window.talks.speaker is None
 
 
+def test_it_is_closed_with_the_window(make_window: Callable[..., MainWindow], talk: Path) -> None:
+    window = make_window()
+    window.lessons.open(talk)
+    window.talks.open_speaker()
+    window.close()
+    assert window.talks.speaker is None
+    assert not [top for top in QApplication.topLevelWidgets() if top.isVisible()]
+
+
 def test_a_screen_goes_away_and_both_windows_stay(window: MainWindow) -> None:
     window.talks.open_speaker()
     speaker = window.talks.speaker

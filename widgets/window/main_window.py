@@ -693,6 +693,7 @@ class MainWindow(QMainWindow):
         self._is_closed = True
         geometry = self.present.geometry_before or self.saveGeometry()
         self.present.end()
+        self.talks.close_speaker()
         self.history.stand_still()
         self.strip.pause()
         self.counting.stop()

@@ -156,8 +156,7 @@ class Talks(QObject):
         self._band.setVisible(self.is_on)
         self._forget_typed()
         if course is None:
-            if self.speaker is not None:
-                self.speaker.close()
+            self.close_speaker()
             return
         step, count = course.lesson.steps[place], len(course.lesson.steps)
         if self.is_on:
@@ -361,6 +360,11 @@ class Talks(QObject):
         self.speaker.show()
         self.speaker.raise_()
         self._show()
+
+    def close_speaker(self) -> None:
+        """Close the speaker's window, if it is open."""
+        if self.speaker is not None:
+            self.speaker.close()
 
     def _place_speaker(self) -> None:
         """On another screen than the window, if there is one."""
