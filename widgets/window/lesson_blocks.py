@@ -23,7 +23,6 @@ from PySide6.QtGui import (
     QPen,
 )
 from PySide6.QtWidgets import (
-    QApplication,
     QButtonGroup,
     QFrame,
     QHBoxLayout,
@@ -138,12 +137,6 @@ class Asked(QFrame):
             self._announce(text)
 
     # -- what is said to it
-
-    def _hold_focus(self) -> None:
-        """Keep the keyboard here, if it is: what has it is about to go, and Qt would go on."""
-        focus = QApplication.focusWidget()
-        if focus is not None and self.isAncestorOf(focus):
-            self.setFocus(Qt.FocusReason.OtherFocusReason)
 
     def _settle(self, answer: str) -> None:
         self.answer = answer
@@ -348,7 +341,6 @@ class Chooses(Asked):
         right = self.question.choices[number].right
         settles = right or self.question.predicts
         if settles:
-            self._hold_focus()
             self.answer = str(number + 1)
         self._show_verdict(number, shows=True)
         if settles:
@@ -465,7 +457,6 @@ class Types(Asked):
             self._announce(sentence(error))
             return
         if verdict.right:
-            self._hold_focus()
             self.answer = typed
             self._say_right(verdict)
             self.settled.emit(typed)
@@ -496,7 +487,6 @@ class Types(Asked):
         self._announce(self.tr("Right."), verdict.says)
 
     def _give_away(self) -> None:
-        self._hold_focus()
         self._hush()
         try:
             self._tell()
