@@ -165,6 +165,7 @@ def test_a_prediction_is_made_before_the_step_goes_on(window: MainWindow, lesson
     press(KEY.Key_Up)
     press(KEY.Key_Return)
     arrive(window)
+    assert keyboard() is card.next, "which comes next, whatever has gone with the choices"
     said = texts(card)
     assert "You said 106.7°; the model says 91.5°." in said and "What comes" in said
     idea = idea_named("angle-linear")
