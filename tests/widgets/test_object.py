@@ -15,7 +15,7 @@ from app.document.document import Document, write
 from app.model.projection import ObjectTransform
 from app.scenes.scene import load
 from tests.support.controls import enter, number
-from tests.support.window import pixels, settle, show_scene
+from tests.support.window import move_mouse, pixels, settle, show_scene
 from widgets.window.main_window import MainWindow
 
 KEYS = [f"{vector}_{x}" for vector in ("translate", "rotate_deg", "scale") for x in "xyz"]
@@ -172,19 +172,18 @@ def test_l2_axes_and_handles_are_there_before_anything_is_moved(window: MainWind
     for name, (x, y, _) in zip(("x", "y", "z", "origin"), (*tips, origin), strict=True):
         assert held()[name] == pytest.approx((x, y), abs=0.5)
     x, y = (round(part) for part in held()["origin"])
-    canvas, handle = window.panes["world"].canvas, window.windowHandle()
-    at = canvas.mapTo(window, QPoint(x, y))
-    QTest.mouseMove(handle, at)
+    canvas, at, none = window.panes["world"].canvas, QPoint(x, y), Qt.MouseButton.NoButton
+    move_mouse(canvas, at, none)
     settle()
     assert "Translation" in window.manipulation.said
-    QTest.mousePress(handle, Qt.MouseButton.LeftButton, pos=at)
-    QTest.mouseMove(handle, at + QPoint(30, 0))
-    QTest.mouseRelease(handle, Qt.MouseButton.LeftButton, pos=at + QPoint(30, 0))
+    QTest.mousePress(canvas, Qt.MouseButton.LeftButton, pos=at)
+    move_mouse(canvas, at + QPoint(30, 0))
+    QTest.mouseRelease(canvas, Qt.MouseButton.LeftButton, pos=at + QPoint(30, 0))
     settle()
     assert not window.store.document.projection.placement.is_identity
     window.store.undo()
     section.set_open(False)
-    QTest.mouseMove(handle, QPoint(2, 2))
+    move_mouse(canvas, QPoint(2, 2), none)
     settle()
     assert not held()
     window.look.rebuild()
