@@ -127,9 +127,11 @@ def keyboard() -> QWidget:
 
 def press(key: Qt.Key, modifier: Qt.KeyboardModifier = Qt.KeyboardModifier.NoModifier) -> None:
     """A key, to whatever has the focus."""
-    QTest.keyClick(keyboard(), key, modifier)
+    focus = keyboard()
+    window = focus.window()
+    QTest.keyClick(focus, key, modifier)
     QApplication.processEvents()
-    while any(w.isDown() for w in QApplication.allWidgets() if isinstance(w, QPushButton)):
+    while any(button.isDown() for button in window.findChildren(QPushButton)):
         QTest.qWait(10)  # which Qt shows pressed for a moment
     settle()
 

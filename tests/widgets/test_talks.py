@@ -140,7 +140,12 @@ def test_a_thousand_walks_come_back_to_the_file_bit_for_bit(display: Any, tmp_pa
     expected = Course(parse_lesson(WALKED, path))  # another one: not what the window has
     store, messages = Store(Document("cube", scene_of(Document("cube")).start)), MessageBar()
     files: Any = StubFiles(store)
-    lessons = Lessons(store, files, messages, lambda: None, lambda _stage: None)
+    lessons = Lessons(
+        store, files, messages, lambda: None, lambda _stage: None,
+        lambda cameras: store.set_view(panes=dict(cameras)),
+    )  # fmt: skip
+    arrived: list[dict[str, Camera]] = []
+    lessons.stepped.connect(lambda: arrived.append(store.look().panes))
     assert lessons.open(path)
     rng = random.Random(7)
     moved = 0
@@ -152,18 +157,22 @@ def test_a_thousand_walks_come_back_to_the_file_bit_for_bit(display: Any, tmp_pa
         assert lessons.is_away == (
             store.document != shown.document
             or any(getattr(store.look(), name) != value for name, value in shown.view.items())
+            or store.look().panes != arrived[-1]
         )
+        turned = arrived[-1]
         assert lessons.come_back()
         moved += lessons.is_moving
         arrive(lessons)
         now = store.seen
         assert to_json(replace(now, view=AS_EVER)) == to_json(replace(shown.document, view=AS_EVER))
         assert {name: getattr(now.view, name) for name in shown.view} == shown.view
+        assert now.view.panes == turned == arrived[-1]
         assert not lessons.is_away
         assert not store.modified  # nobody is asked to save it
         if (before.scene, before.mesh) == (now.scene, now.mesh):
             free = {*vars(now.view)} - {*shown.view}
-            assert {"panes", "layers", "layout"} <= free
+            free.remove("panes")
+            assert {"layers", "layout"} <= free
             assert {name: getattr(now.view, name) for name in free} == {
                 name: getattr(before.view, name) for name in free
             }
@@ -185,7 +194,9 @@ def test_a_view_of_a_pane_is_there_again_at_the_next_step_of_its_scene(
     path.write_text(WALKED)
     store = Store(Document("cube", scene_of(Document("cube")).start))
     files: Any = StubFiles(store)
-    lessons = Lessons(store, files, MessageBar(), lambda: None, lambda _stage: None)
+    lessons = Lessons(
+        store, files, MessageBar(), lambda: None, lambda _stage: None, lambda _from: None
+    )
     lessons.open(path)
     turned = {"world": Camera((1.0, 2.0, 3.0), (0.0, 0.0, 0.0), (0.0, 1.0, 0.0))}
     store.set_view(panes=turned)

@@ -287,7 +287,7 @@ class LessonCard(QFrame):
         for number, (mark, step) in enumerate(zip(self._numbers, lesson.steps, strict=False)):
             is_done = self._is_done(step)
             mark.setChecked(number == place)
-            mark.setText(f"✓ {number + 1}" if is_done else str(number + 1))
+            mark.setText("✓" if is_done and number != place else str(number + 1))
             name = self.tr("Step {0}: {1}").format(number + 1, plain_of(step.title))
             mark.setAccessibleName(name)
             mark.setAccessibleDescription(self.tr("done") if is_done else "")
@@ -449,9 +449,11 @@ class LessonCard(QFrame):
         self._progress = replace(self._progress, step="")
         self._keep()
         said = self.tr("Done: “{0}”.").format(lesson.title)
-        left = self._progress.of - self._progress.done
+        left = [place for place, step in enumerate(lesson.steps) if not self._is_done(step)]
         if left:
-            said += " " + self.tr("Steps with something left to do: {0}.").format(left)
+            said += " " + self.tr("Something is left to do in step {0}.").format(
+                ", ".join(str(place + 1) for place in left)
+            )
         following = _after(lesson.path)
         self._clear()
         self._shown = None
@@ -467,6 +469,11 @@ class LessonCard(QFrame):
             )
             first.clicked.connect(partial(self.open, following.path))
             column.addWidget(first)
+        if left:
+            name = lesson.steps[left[0]].name
+            rest = _push(self.tr("Back to step {0}").format(left[0] + 1), self.tr("Go on there"))
+            rest.clicked.connect(partial(self._lessons.open, lesson.path, name))
+            column.addWidget(rest)
         close = _push(self.tr("&Close"), self.tr("Close the lesson"))
         close.clicked.connect(self.leave)
         column.addWidget(close)

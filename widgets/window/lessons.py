@@ -12,7 +12,7 @@ save it, and `come_back` shows the step again as the file has it.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -50,6 +50,8 @@ class Lessons(QObject):
         Lets nothing move by itself: before another step is shown.
     to_stage : callable
         Moves the stage strip to a position.
+    look_from : callable
+        Lets the panes be looked at from where they were; those that are not named, as ever.
 
     Attributes
     ----------
@@ -71,10 +73,16 @@ class Lessons(QObject):
         messages: MessageBar,
         stand_still: Callable[[], None],
         to_stage: Callable[[float], None],
+        look_from: Callable[[Mapping[str, Camera]], None],
     ) -> None:
         super().__init__(store)
         self._store, self._files, self._messages = store, files, messages
         self._stand_still, self._to_stage = stand_still, to_stage
+        self._look_from = look_from
+        self._arrived: dict[str, Camera] = {}
+        """From where the panes were looked at when the step was come to."""
+        self._complaint = ""
+        """What was said of the file when it was read again."""
         self.course: Course | None = None
         self.place = 0
         self._views: dict[tuple[str, str], dict[str, Camera]] = {}
@@ -119,6 +127,8 @@ class Lessons(QObject):
         shown = self.course.shown(self.place)
         look = self._store.look()
         leading = scene_of(shown.document).leading
+        if look.panes != self._arrived:
+            return True
         return self._store.document != shown.document or any(
             (getattr(look, name) or leading if name == "large" else getattr(look, name))
             != (value or leading if name == "large" else value)
@@ -152,6 +162,7 @@ class Lessons(QObject):
         view = replace(AS_EVER, layout=look.layout, letters=look.letters, panel="")
         document = replace(shown.document, view=replace(view, **shown.view))
         self._files.open_step(document, scene, course.lesson.path)
+        self._arrived = {}
         self._watch()
         self.opened.emit()
         self.stepped.emit()
@@ -182,8 +193,12 @@ class Lessons(QObject):
             return False
         self._finish()
         self._stand_still()
-        self.place = place
+        again, self.place = place == self.place, place
         self._show(shown, scene, at_once)
+        if not again:
+            self._arrived = self._store.look().panes
+        elif self._store.look().panes != self._arrived:
+            self._look_from(self._arrived)
         self.stepped.emit()
         return True
 
@@ -196,7 +211,10 @@ class Lessons(QObject):
         return self.go(self.place - 1)
 
     def come_back(self) -> bool:
-        """Show the step again, as its file has it, whatever was tried; it can be undone."""
+        """Show the step again, as its file has it, and looked at as it was come to.
+
+        What was tried can be brought back by undo, but for how a pane was turned.
+        """
         return self.go(self.place)
 
     def show(self, document: Document) -> None:
@@ -319,6 +337,7 @@ class Lessons(QObject):
         try:
             course = Course(read(path))
             if course.lesson == before.lesson:
+                self._messages.take_back(self._complaint)
                 return
             names = [each.name for each in course.lesson.steps]
             place = min(self.place, len(names) - 1)
@@ -326,7 +345,7 @@ class Lessons(QObject):
             place = names.index(name) if name in names else place
             shown = course.shown(place)
         except Refusal as error:
-            self._say(error, path)
+            self._complaint = self._say(error, path)
             return
         self._messages.done()
         same = shown == before.shown(self.place)
@@ -337,7 +356,9 @@ class Lessons(QObject):
         else:
             self.go(place)
 
-    def _say(self, error: Refusal, path: Path) -> None:
+    def _say(self, error: Refusal, path: Path) -> str:
         text = sentence(error)
         known = error.file is not None and str(path) in text
-        self._messages.say(text if known else f"{path.name}: {text}")
+        text = text if known else f"{path.name}: {text}"
+        self._messages.say(text)
+        return text

@@ -11,7 +11,7 @@ What it does is done in the rooms beside this one; here they are made and joined
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import replace
 from functools import partial
 from pathlib import Path
@@ -44,6 +44,7 @@ from PySide6.QtWidgets import (
 from app.document.document import Document
 from app.document.store import Store
 from app.document.view import PANELS
+from app.model.projection import Camera
 from app.scenes.scene import Scene
 from widgets.controls.animation import AnimationBar
 from widgets.controls.controls import Controls
@@ -389,7 +390,12 @@ class MainWindow(QMainWindow):
             ),
         )
         self.lessons = Lessons(
-            self.store, self.files, self.messages, self.history.stand_still, self.strip.go_to
+            self.store,
+            self.files,
+            self.messages,
+            self.history.stand_still,
+            self.strip.go_to,
+            self._look_from,
         )
         self.lesson_card = LessonCard(self.lessons, self.store, self.settings)
         self.side.take_card(self.lesson_card)
@@ -544,6 +550,11 @@ class MainWindow(QMainWindow):
         self.settings.all_digits = all_digits
         set_all_digits(all_digits)
 
+    def _look_from(self, cameras: Mapping[str, Camera]) -> None:
+        """Look at the panes from there; at those that are not named as ever."""
+        for name, pane in self.panes.items():
+            pane.look_from(cameras.get(name))
+
     def _find_control(self) -> None:
         if self.controls.isHidden():
             self.menus.controls.trigger()
@@ -642,15 +653,19 @@ class MainWindow(QMainWindow):
     def _show_beside(self) -> None:
         """Show what stands beside the panes, as far as it is for a class, or nothing is whole."""
         alone, presents = bool(self.slots.whole), self.present.is_on
-        self.side.show_parts(
-            card=self.lesson_card.is_on and not alone and not self.talks.is_on,
-            controls=self.menus.controls.isChecked() and not alone,
-        )
+        card = self.lesson_card.is_on and not alone and not self.talks.is_on
+        # Below a lesson's card they take no width: a lesson never locks the controls.
+        wanted = self.menus.controls.isChecked() or (card and self._is_narrow)
+        self.side.show_parts(card=card, controls=wanted and not alone)
         self.bottom.setVisible(not alone and not presents)
-        if (alone or presents) and self.panels.open_panel is not None:
+        course = self.lessons.course if self.talks.is_on else None
+        # A class reads no panel but that of the talk's step.
+        asked = course is not None and course.shown(self.lessons.place).view.get("panel")
+        folds = alone or (presents and not asked)
+        if folds and self.panels.open_panel is not None:
             self._folded = self.panels.open_panel
             self.panels.open(None)
-        elif not (alone or presents) and self._folded is not None:
+        elif not folds and self._folded is not None:
             self.panels.open(self._folded)
             self._folded = None
 
