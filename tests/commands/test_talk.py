@@ -106,11 +106,11 @@ def test_a_handout_is_written_whole_or_not_at_all(talk: Path, tmp_path: Path) ->
     out = tmp_path / "out.pdf"
     out.write_bytes(b"of before")
     talk.write_text(TALK.replace("show: lens.near=3", "show: lens.near=99"))
-    done = run_here("talk", talk, "--handout", out)
+    done = run("talk", talk, "--handout", out)
     assert "line 26" in one_sentence(done, 2)
     assert out.read_bytes() == b"of before"
     talk.unlink()
-    assert "small.md does not exist" in one_sentence(run_here("talk", talk, "--handout", out), 2)
+    assert "small.md does not exist" in one_sentence(run("talk", talk, "--handout", out), 2)
     assert sorted(path.name for path in tmp_path.iterdir()) == ["out.pdf"]
 
 

@@ -176,6 +176,9 @@ def test_it_is_read(letters: Any) -> None:
     assert written(clip.formulas[1][2], letters) == ("−rise" if letters == "002" else "rise")
     assert clip.fields[1][2] == ("rise",) and clip.fields[1][1] == ("fov_y_deg",)
     assert letters_in(clip, 1, 2) == frozenset({"rise"})
+    if letters in ("000", "002", "003"):  # whose chains have no canonical volumes
+        assert "canonical_perspective_from_view" not in shown
+        return
     first = shown["canonical_perspective_from_view"]
     assert [factor.name for factor in first.factors] == ["scale", "rise"]
     assert first.values[1][2] == pytest.approx(0.4 / 40.0)
