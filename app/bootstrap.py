@@ -44,6 +44,9 @@ from typing import IO, Literal, NoReturn
 ROOT = Path(__file__).resolve().parent.parent
 EXIT_NOT_SET_UP = 3
 
+#: How often it is said again what is being done: on a terminal, in one line, and elsewhere.
+TICK_S, TICK_ELSEWHERE_S = 0.5, 10.0
+
 #: What a command asks of the machine: no graphics at all, pictures without a window, a window, or
 #: a window on a virtual display of its own.
 Need = Literal["numbers", "picture", "window", "tests"]
@@ -675,8 +678,6 @@ class _Progress:
     On a terminal the line counts the seconds; elsewhere there is a new line now and then.
     """
 
-    EVERY_S, EVERY_S_ELSEWHERE = 0.5, 10.0
-
     def __init__(self) -> None:
         self._live = sys.stderr is not None and sys.stderr.isatty()
         self._lock = threading.Lock()
@@ -706,7 +707,7 @@ class _Progress:
             self._write() if self._live else _say(text)
 
     def _tick(self) -> None:
-        while not self._over.wait(self.EVERY_S if self._live else self.EVERY_S_ELSEWHERE):
+        while not self._over.wait(TICK_S if self._live else TICK_ELSEWHERE_S):
             with self._lock:
                 if self._text:
                     self._write()

@@ -120,13 +120,24 @@ def display(qapp: Any) -> Any:
 
 
 @pytest.fixture
-def make_window(display: Any, own_home: Path) -> Iterator[Callable[..., Any]]:
-    """Open main windows; after the test all are closed and no interactor survives."""
+def make_window(
+    request: pytest.FixtureRequest,
+    display: Any,
+    own_home: Path,
+    monkeypatch: pytest.MonkeyPatch,
+) -> Iterator[Callable[..., Any]]:
+    """Open main windows; after the test all are closed and no interactor survives.
+
+    Edges stay as they are while one drags, unless a test is marked as `smooth`.
+    """
     from app.document.document import Document
     from app.scenes.scene import load
     from tests.support.opened import close, opened
+    from widgets.panes import adaptive
     from widgets.window.settings import Settings
 
+    if request.node.get_closest_marker("smooth") is None:
+        monkeypatch.setattr(adaptive, "AT_REST", "none")
     windows: list[Any] = []
 
     def make(document: Document | None = None, **options: Any) -> Any:

@@ -137,8 +137,8 @@ def a_tree(rng: random.Random) -> dict[str, Any]:
 def assert_whole(projection: Projection, points: np.ndarray) -> None:
     """Every number that a projection gives is one, but for what it says has no picture."""
     arrays = [
-        projection.window, projection.stretch,
-        projection.clip_from_world, projection.world_from_clip, projection.view_from_clip,
+        projection.window, projection.stretch, projection.clip_from_world,
+        projection.world_from_clip_at((0.0, 0.0, 0.0)), projection.view_from_clip,
     ]  # fmt: skip
     for stage in projection.stages:
         arrays += [stage.matrix, *(factor for _, factor in stage.factors)]

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from fractions import Fraction
 from typing import Any, NamedTuple, TypeAlias
@@ -28,6 +29,19 @@ class Elimination(NamedTuple):
 def rationals(matrix: Sequence[Sequence[float | Fraction]]) -> Rationals:
     """The same matrix in rationals; every float64 is one."""
     return [[Fraction(part) for part in row] for row in matrix]
+
+
+def dot(a: Sequence[Fraction], b: Sequence[Fraction]) -> Fraction:
+    """The sum of the products of two rows' parts."""
+    return sum((x * y for x, y in zip(a, b, strict=True)), Fraction(0))
+
+
+def nearest(number: Any) -> float:
+    """The nearest float64; infinite if it is beyond them all."""
+    try:
+        return float(number)
+    except OverflowError:
+        return math.copysign(math.inf, number)
 
 
 def product(left: list[list[Any]], right: list[list[Any]]) -> list[list[Any]]:

@@ -204,8 +204,7 @@ def _try(command: list[str], environment: dict[str, str]) -> tuple[dict[str, Any
 def _draw_off_screen() -> None:
     """Draw a red square without a window, make sure that it is there, print by what."""
     from app.drawings.actors import face_actor, identity_camera
-    from app.drawings.figures import pixels_of
-    from app.drawings.off_screen import check_off_screen, off_screen
+    from app.drawings.off_screen import check_off_screen, off_screen, pixels_of
 
     try:
         check_off_screen()

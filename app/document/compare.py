@@ -14,7 +14,7 @@ from typing import Any
 
 from app.model.projection import Camera, Projection
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
-from app.scenes.phenomena.illustration import Setting, Settings
+from app.scenes.phenomena.settings import Setting, Settings
 
 MOST_PICTURES = 3
 """As many as the lectures set side by side: stretch, keep x, keep y; naive, cut, clipped."""

@@ -55,7 +55,7 @@ from app.model.projection import (
 from app.model.refusal import QT_TRANSLATE_NOOP, Bound, Refusal, format_value, shown_name
 from app.precision.quality import AUTOMATIC, Quality
 from app.scenes.phenomena import PHENOMENA
-from app.scenes.phenomena.illustration import YES_OR_NO, Setting, Settings
+from app.scenes.phenomena.settings import YES_OR_NO, Setting, Settings
 from app.scenes.shapes import LETTER_F
 from app.strangers import open_regular
 

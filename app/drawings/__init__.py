@@ -24,39 +24,23 @@ camera by: ``hold(handle)``, ``held``, ``handle_at(pixel, within_px)``; a figure
 from __future__ import annotations
 
 from collections.abc import Mapping
-from types import MappingProxyType
 
 from app.lecture.notation import Letters, axis_letters, in_letters
 
-_OWN: Mapping[str, str] = MappingProxyType(
-    {
-        "near": "near",
-        "far": "far",
-        "eye": "eye",
-        "target": "target",
-        "look": "look",
-        "up": "up",
-        "u": "u",
-        "v": "v",
-        "n": "n",
-        "object_x": "x",
-        "object_y": "y",
-        "object_z": "z",
-        "x": "x",
-        "y": "y",
-        "z": "z",
-        "d": "d",
-        "held": "held",
-        "now": "now",
-        "other": "other",
-        "half width": "half width",
-        "half height": "half height",
-        "no planes": "A typed matrix has no near, no far and no angle.",
-        "no angle": "A parallel lens has no angle: it is as wide at every distance.",
-        "no eye": "A parallel lens has no eye: this is the view along its axis.",
-        "no half angle": "This window is off the axis, which does not halve its angle.",
-    }
-)
+_OWN: Mapping[str, str] = {
+    **{
+        word: word
+        for word in (
+            *("near", "far", "eye", "target", "look", "up", "u", "v", "n", "x", "y", "z", "d"),
+            *("held", "now", "other", "half width", "half height"),
+        )
+    },
+    **{f"object_{axis}": axis for axis in "xyz"},
+    "no planes": "A typed matrix has no near, no far and no angle.",
+    "no angle": "A parallel lens has no angle: it is as wide at every distance.",
+    "no eye": "A parallel lens has no eye: this is the view along its axis.",
+    "no half angle": "This window is off the axis, which does not halve its angle.",
+}
 
 
 class Words(dict[str, str]):

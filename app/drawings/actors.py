@@ -26,20 +26,22 @@ import numpy as np
 import pyvista as pv
 import vtkmodules.vtkRenderingFreeType
 import vtkmodules.vtkRenderingOpenGL2  # noqa: F401  both register what renders, on import
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 from vtkmodules.vtkCommonDataModel import vtkPlane, vtkPolyData
 from vtkmodules.vtkCommonMath import vtkMatrix4x4
 from vtkmodules.vtkRenderingCore import (
     vtkActor,
+    vtkActor2D,
     vtkCamera,
     vtkCoordinate,
     vtkPolyDataMapper,
+    vtkPolyDataMapper2D,
     vtkProp,
     vtkTextActor,
 )
 
 from app.drawings.style import Style, rgb
-from app.model.projection import Projection
+from app.model.projection import Array, Projection
 from app.scenes.scene import Scene
 
 CUBE_CORNERS = np.array(
@@ -89,18 +91,18 @@ class Space:
         for actor in actors:
             actor.SetUserMatrix(self.matrix)
 
-    def set(self, matrix: NDArray[np.float64]) -> None:
+    def set(self, matrix: Array) -> None:
         """Write another matrix, (4, 4) for column vectors, in place."""
         self.matrix.DeepCopy(matrix.ravel().tolist())
 
-    def place(self, scale: float, position: NDArray[np.float64]) -> None:
+    def place(self, scale: float, position: Array) -> None:
         """Scale by a factor, then move the origin to a position, (3,)."""
         x, y, z = position.tolist()
         self.matrix.DeepCopy(
             (scale, 0.0, 0.0, x, 0.0, scale, 0.0, y, 0.0, 0.0, scale, z, 0.0, 0.0, 0.0, 1.0)
         )
 
-    def set_projective(self, matrix: NDArray[np.float64]) -> None:
+    def set_projective(self, matrix: Array) -> None:
         """Write a matrix of homogeneous coordinates, where a common factor changes nothing.
 
         It is taken out as far as it could keep the matrix from fitting into float32.
@@ -401,11 +403,37 @@ def unlit_actor(mesh: pv.PolyData) -> vtkActor:
     return actor
 
 
+def colour_by_points(actor: vtkActor, name: str) -> None:
+    """Take each point's colour from an array of uint8."""
+    mapper = actor.GetMapper()
+    mapper.SetScalarModeToUsePointFieldData()
+    mapper.SelectColorArray(name)
+    mapper.SetColorModeToDirectScalars()
+    mapper.ScalarVisibilityOn()
+
+
+def actor_2d(mesh: vtkPolyData) -> vtkActor2D:
+    """An actor in the plane of the screen, in pixels from the renderer's left and bottom."""
+    mapper = vtkPolyDataMapper2D()
+    mapper.SetInputData(mesh)
+    actor = vtkActor2D()
+    actor.SetMapper(mapper)
+    return actor
+
+
+def axes_of(camera: vtkCamera) -> Array:
+    """Right, up and toward what a pane's camera looks at, the rows of a (3, 3)."""
+    toward = np.array(camera.GetDirectionOfProjection())
+    right = np.cross(toward, camera.GetViewUp())
+    right /= np.linalg.norm(right)
+    return np.stack([right, np.cross(right, toward), toward])
+
+
 class SceneActors:
     """The scene's faces and its lines, in scene-local coordinates (origin taken off).
 
     The ground's lines are among the lines as long as nothing is moved. Then they are another
-    actor's, which stays where it is.
+    actor's, which stays where it is. Each actor stands under a 4x4 of its own.
 
     Parameters
     ----------
@@ -417,6 +445,8 @@ class SceneActors:
     Attributes
     ----------
     surface, lines, ground : vtkActor or None
+    spaces : tuple of 3 Space
+        What these stand under.
     is_moved : bool
         Whether the ground stays behind.
     """
@@ -426,6 +456,9 @@ class SceneActors:
         self.surface = None if scene.surface is None else _faces_actor(scene, scene.surface)
         self.lines = None if scene.lines is None else unlit_actor(scene.lines)
         self.ground = None if scene.lines is None else unlit_actor(scene.lines)
+        self.spaces = Space(), Space(), Space()
+        for actor, space in self.placed:
+            space.add(actor)
         planes = list(clip)
         for lines in (self.lines, self.ground):
             if lines is not None:
@@ -440,7 +473,13 @@ class SceneActors:
 
     def __iter__(self) -> Iterator[vtkActor]:
         """Those that there are."""
-        return (a for a in (self.surface, self.lines, self.ground) if a is not None)
+        return (actor for actor, _ in self.placed)
+
+    @property
+    def placed(self) -> list[tuple[vtkActor, Space]]:
+        """Those that there are, and what each stands under."""
+        pairs = zip((self.surface, self.lines, self.ground), self.spaces, strict=True)
+        return [(actor, space) for actor, space in pairs if actor is not None]
 
     def show_grid(self, shown: bool) -> None:
         """Draw the ground's lines, or leave them out."""
@@ -477,11 +516,7 @@ def _faces_actor(scene: Scene, surface: pv.PolyData) -> vtkActor:
         mesh = _provoking[scene] = _with_provoking_corners(surface)
     actor = unlit_actor(mesh)
     if "rgb" in mesh.point_data:
-        mapper = actor.GetMapper()
-        mapper.SetScalarModeToUsePointFieldData()
-        mapper.SelectColorArray("rgb")
-        mapper.SetColorModeToDirectScalars()
-        mapper.ScalarVisibilityOn()
+        colour_by_points(actor, "rgb")
         shader = actor.GetShaderProperty()
         varying = "vec4 vertexColorVSOutput;"
         shader.AddVertexShaderReplacement(f"out {varying}", False, f"flat out {varying}", True)
@@ -657,9 +692,7 @@ def _after_position(actor: vtkActor, statement: str) -> None:
     )
 
 
-def lifted(
-    clip_from_local: NDArray[np.float64], projection: Projection, scene: Scene
-) -> NDArray[np.float64]:
+def lifted(clip_from_local: Array, projection: Projection, scene: Scene) -> Array:
     """A `Projection.clip_from_world_at` for lines: the same picture, a little nearer in depth.
 
     Every point keeps its pixel and gets the depth of a point `_LIFT` of the way nearer to the
@@ -687,8 +720,8 @@ def lifted(
     return matrix
 
 
-def applied(matrix: NDArray[np.float64], points: NDArray[np.float64]) -> NDArray[np.float64]:
+def applied(matrix: Array, points: Array) -> Array:
     """Points, (n, 3), under a projective matrix."""
     homogeneous = np.column_stack([points, np.ones(len(points))]) @ matrix.T
-    result: NDArray[np.float64] = homogeneous[:, :3] / homogeneous[:, 3:]
+    result: Array = homogeneous[:, :3] / homogeneous[:, 3:]
     return result

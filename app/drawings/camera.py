@@ -21,7 +21,7 @@ from app.lecture.highlight import SIDES
 from app.model.projection import Array, Camera
 
 _PART_OF_PANE = 1.0 / 12.0  # that the camera's body takes, of the shorter side
-_SIX_WAYS = np.vstack([np.eye(3), -np.eye(3)])
+SIX_WAYS = np.vstack([np.eye(3), -np.eye(3)])
 
 # The corners of a box round the camera's body, in view space and sizes of the body.
 _BODY_BOX = actors.CUBE_CORNERS * (0.6, 0.58, 0.7) + (0.0, 0.16, 0.7)
@@ -136,7 +136,7 @@ class CameraDrawing:
         """Build the frame up to a step of `app.lecture.camera_frame.STEPS`; None for all of it."""
         self.step = step
         if self.steps is None:
-            self.steps = FrameSteps(self._canvas, self._canvas.style)
+            self.steps = FrameSteps(self._canvas)
         self.steps.show(step)
         for axis, shaft in self.shafts.items():
             for actor in (shaft, self._heads[axis]):
@@ -172,7 +172,7 @@ class CameraDrawing:
     @property
     def around(self) -> Array:
         """What the body and its axes lie between, (6, 3)."""
-        return self._standing.eye + _AROUND * self.axes_size * _SIX_WAYS
+        return self._standing.eye + _AROUND * self.axes_size * SIX_WAYS
 
     def depths(self, pane: PaneView) -> tuple[float, float, float]:
         """How far from the pane's camera eye, target and axes are."""

@@ -24,9 +24,8 @@ import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
-from vtkmodules.vtkRenderingCore import vtkActor2D, vtkPolyDataMapper2D
 
-from app.drawings.actors import Canvas
+from app.drawings.actors import Canvas, actor_2d
 from app.drawings.labels import Layout, Spot, written_distance
 from app.drawings.style import rgb
 from app.model.projection import Array, Projection
@@ -150,10 +149,7 @@ class Dimensions:
         lines = vtkPolyData()
         lines.SetPoints(self._points)
         lines.SetLines(cells)
-        mapper = vtkPolyDataMapper2D()
-        mapper.SetInputData(lines)
-        actor = vtkActor2D()
-        actor.SetMapper(mapper)
+        actor = actor_2d(lines)
         actor.GetProperty().SetColor(*rgb(canvas.style.ink))
         actor.GetProperty().SetLineWidth(canvas.style.line_width / 2.0)
         canvas.add(actor, layer="labels")

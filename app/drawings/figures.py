@@ -18,10 +18,7 @@ from itertools import pairwise, starmap
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 from PIL import Image, ImageDraw, ImageFont
-from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkCommonCore import vtkUnsignedCharArray
 from vtkmodules.vtkRenderingCore import vtkTextActor
 
 from app.document.compare import Written, in_words
@@ -31,7 +28,7 @@ from app.document.view import AS_EVER, PANES, View
 from app.drawings import AXES, WORDS, Words
 from app.drawings.actors import font_file
 from app.drawings.image import ImageDrawing
-from app.drawings.off_screen import off_screen
+from app.drawings.off_screen import Pixels, off_screen, pixels_of
 from app.drawings.side_by_side import BARE_EM, cells
 from app.drawings.stage import StageDrawing
 from app.drawings.style import LIGHT, Style, rgb
@@ -41,10 +38,9 @@ from app.model.refusal import QT_TRANSLATE_NOOP, Cancelled, Refusal, format_valu
 from app.precision.levels import DRAWING_TOLERANCE_PX
 from app.precision.quality import AUTOMATIC, Quality
 from app.scenes.fewer_triangles import reduced
-from app.scenes.phenomena.illustration import Illustration, figure
+from app.scenes.phenomena.illustration import Illustration
+from app.scenes.phenomena.readout import figure
 from app.scenes.scene import Scene
-
-Pixels = NDArray[np.uint8]
 
 LARGEST_PX = LARGEST_IMAGE_PX
 """Largest side of a figure."""
@@ -210,14 +206,7 @@ def write_png(
 
 
 def png_bytes(pixels: Pixels, document_json: str | None = None, scale: float = 1.0) -> bytes:
-    """The file that `write_png` writes, for a clipboard.
-
-    Parameters
-    ----------
-    pixels : (height, width, 3 or 4) uint8 array
-    document_json : str, optional
-    scale : float, optional
-    """
+    """The file that `write_png` writes, for a clipboard; parameters as there."""
     buffer = io.BytesIO()
     dpi = max(1.0, DPI * scale)
     Image.fromarray(pixels).save(buffer, "PNG", dpi=(dpi, dpi))
@@ -267,10 +256,7 @@ def _own_size(image_size: tuple[int, int], panes: Sequence[str]) -> tuple[int, i
 
 
 def checked_size(
-    image_size: tuple[int, int],
-    panes: Sequence[str],
-    size: tuple[int, int] | None,
-    scale: float,
+    image_size: tuple[int, int], panes: Sequence[str], size: tuple[int, int] | None, scale: float
 ) -> tuple[int, int]:
     """The figure's width and height in pixels, for `render`'s parameters of these names.
 
@@ -366,11 +352,7 @@ def _with_words(pixels: Pixels, ink: Array | None, style: Style) -> Pixels:
 
 
 def _in_words(
-    document: Document,
-    scene: Scene,
-    words: Mapping[str, str],
-    size: tuple[int, int],
-    style: Style,
+    document: Document, scene: Scene, words: Mapping[str, str], size: tuple[int, int], style: Style
 ) -> Array:
     """In what the pictures differ, to be written below them: how much ink there is, 0 to 1.
 
@@ -473,15 +455,6 @@ def _clear_plates(renderer: Any) -> None:
             text = actor.GetTextProperty()
             if text.GetBackgroundColor() == renderer.GetBackground():
                 text.SetBackgroundOpacity(0.0)
-
-
-def pixels_of(window: Any) -> Pixels:
-    """What a render window shows, (height, width, 4), the first row at the top."""
-    width, height = window.GetSize()
-    buffer = vtkUnsignedCharArray()
-    window.GetRGBACharPixelData(0, 0, width - 1, height - 1, 0, buffer)
-    pixels: Pixels = vtk_to_numpy(buffer).reshape(height, width, 4)[::-1]  # type: ignore[no-untyped-call]
-    return pixels
 
 
 def _oversampling(size: tuple[int, int]) -> int:

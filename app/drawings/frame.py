@@ -15,7 +15,6 @@ from vtkmodules.vtkRenderingCore import vtkActor
 
 from app.drawings import actors
 from app.drawings.actors import Canvas, Space
-from app.drawings.style import Style
 from app.lecture.camera_frame import STEPS, up_and_view
 from app.model.projection import Array, Camera
 
@@ -36,8 +35,8 @@ _SQUARE = 0.55  # side of a right angle's mark
 class FrameSteps:
     """The arrows and marks that the ordinary drawing has not."""
 
-    def __init__(self, canvas: Canvas, style: Style) -> None:
-        self._canvas = canvas
+    def __init__(self, canvas: Canvas) -> None:
+        self._canvas, style = canvas, canvas.style
         self._space, self._up_space = Space(), Space()
         width = style.line_width
         up, look = np.array([0.0, _UP, 0.0]), np.array(_LOOK)
@@ -50,10 +49,7 @@ class FrameSteps:
             "v-n": _right_angle(v, n, style.ink, width),
             "v-u": _right_angle(v, u, style.ink, width),
         }
-        self._shown_from = {
-            "look": [self.look, look_head],
-            "up": [self.up, up_head],
-        }
+        self._shown_from = {"look": [self.look, look_head], "up": [self.up, up_head]}
         self._up_space.add(self.up, up_head, self._squares["up-u"])
         self._space.add(self.look, look_head, *(self._squares[n] for n in _RIGHT_ANGLES["view"]))
         for made in (*self._shown_from.values(), self._squares.values()):

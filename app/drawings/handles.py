@@ -16,10 +16,9 @@ from numpy.typing import NDArray
 from vtkmodules.util.numpy_support import numpy_to_vtk
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
-from vtkmodules.vtkRenderingCore import vtkActor2D, vtkPolyDataMapper2D
 
-from app.drawings.actors import Canvas
-from app.drawings.style import Style, rgb
+from app.drawings.actors import Canvas, actor_2d
+from app.drawings.style import rgb
 from app.picking.handles import Handle, Spot
 
 APART_EM = 1.15
@@ -55,14 +54,13 @@ class HandleMarks:
         Those that have room, in pixels from the pane's top left.
     """
 
-    def __init__(self, canvas: Canvas, style: Style) -> None:
+    def __init__(self, canvas: Canvas) -> None:
         self.held: Handle | None = None
         self.shown: list[tuple[Handle, Spot]] = []
-        fills = {"eye": style.background, "corner": style.background}
-        fills |= {"grip": style.background}
+        style = canvas.style
+        fills = dict.fromkeys(("eye", "corner", "grip", "turn"), style.background)
         fills |= {name: getattr(style, name) for name in ("target", "near", "far")}
-        fills |= {"origin": style.ink, "turn": style.background}
-        fills |= {"x": style.u, "y": style.v, "z": style.n}
+        fills |= {"origin": style.ink, "x": style.u, "y": style.v, "z": style.n}
         self._fills = {name: _bytes(colour) for name, colour in fills.items()}
         self._accent, self._ink = _bytes(style.accent), _bytes(style.ink)
         self._ring = _bytes(style.background)
@@ -85,11 +83,7 @@ class HandleMarks:
         marks.SetPoints(self._points)
         marks.SetPolys(cells)
         marks.GetCellData().SetScalars(self._scalars)
-        mapper = vtkPolyDataMapper2D()
-        mapper.SetInputData(marks)
-        actor = vtkActor2D()
-        actor.SetMapper(mapper)
-        canvas.add(actor, layer="handles")
+        canvas.add(actor_2d(marks), layer="handles")
 
     def show(self, handles: Sequence[tuple[Handle, Spot]], height_px: int) -> None:
         """Mark these handles, and no others; draw nothing yet.

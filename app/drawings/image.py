@@ -14,7 +14,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
-from vtkmodules.vtkRenderingCore import vtkActor, vtkRenderer
+from vtkmodules.vtkRenderingCore import vtkRenderer
 
 from app.drawings import AXES
 from app.drawings.actors import Canvas, Space, face_actor, identity_camera, lifted
@@ -32,7 +32,9 @@ from app.model.refusal import Refusal
 from app.picking.picking import Probe, Sight
 from app.precision.levels import DRAWING_TOLERANCE_PX, Precision
 from app.precision.quality import AUTOMATIC, Quality
-from app.scenes.phenomena.illustration import Illustration, Marks, Phrase, Rendering
+from app.scenes.phenomena.illustration import Illustration
+from app.scenes.phenomena.marks import Rendering
+from app.scenes.phenomena.readout import Phrase
 from app.scenes.scene import RASTERISED, Scene
 
 _SQUARE = ((0.0, 0.0, 0.0), (1.0, 0.0, 0.0), (1.0, 1.0, 0.0), (0.0, 1.0, 0.0))
@@ -94,11 +96,10 @@ class ImageDrawing:
         self._framed = framed
         self._canvas = Canvas(screen, style, self._layout)
         self._image_size = scene.start.image_size
-        self._surface_space, self._line_space, self._ground_space = Space(), Space(), Space()
         self._picture = vtkRenderer()
         self._projection = scene.start
         self._add_picture()
-        self._probes = Probes(self._canvas, style, self._picture)
+        self._probes = Probes(self._canvas, self._picture)
         self._marks: MarksDrawing | None = None
         self._homogeneous = np.empty((0, 4))
         """Points all over the scene's faces, (n, 4), which texts rather do not hide."""
@@ -145,11 +146,6 @@ class ImageDrawing:
         return pointed_at((x_px, y_px), self._style.font_size, points, segments)
 
     @property
-    def picture_renderer(self) -> vtkRenderer:
-        """What draws the picture alone; its viewport is `picture_rectangle_px`."""
-        return self._picture
-
-    @property
     def picture_rectangle_px(self) -> Rectangle:
         """Where the picture lies in the pane of its present size."""
         return self.rectangle_in(*self._canvas.window.GetSize())
@@ -168,10 +164,10 @@ class ImageDrawing:
             self._canvas.relayout()
         self._projection = projection
         seen = self._seen
-        surface, lines, ground = self._model.show_projection(seen)
-        self._surface_space.set_projective(surface)
-        self._line_space.set_projective(lifted(lines, seen, self._scene))
-        self._ground_space.set_projective(lifted(ground, seen, self._scene))
+        surface, *lines = self._model.show_projection(seen)
+        matrices = surface, *(lifted(matrix, seen, self._scene) for matrix in lines)
+        for space, matrix in zip(self._model.actors.spaces, matrices, strict=True):
+            space.set_projective(matrix)
         self._show_illustration(illustration)
         if self._probes.probes:
             self._place_probes()
@@ -203,8 +199,8 @@ class ImageDrawing:
         return self._projection.with_depth("opengl")
 
     def _show_illustration(self, illustration: Illustration | None) -> None:
-        rendering = None if illustration is None else illustration.rendering
-        self._rendering = rendering or Rendering()
+        shown = illustration or Illustration(())
+        self._rendering = shown.rendering or Rendering()
         if self._marks is None:
             if illustration is None:
                 if self._scene.phenomenon is None:  # else copies of its faces are still to come
@@ -215,7 +211,6 @@ class ImageDrawing:
             self._marks = MarksDrawing(
                 self._canvas,
                 self._scene,
-                self._style,
                 self._words,
                 renderer=self._picture,
                 over=True,
@@ -227,10 +222,8 @@ class ImageDrawing:
             np.array([-1.0, 1.0, _MARKS_DEPTH]),
             _FARTHEST_MARK,
         )
-        self._marks.show(Marks() if illustration is None else illustration.image, placing)
-        copies = (
-            [] if illustration is None else [c for c in illustration.copies if "image" in c.panes]
-        )
+        self._marks.show(shown.image, placing)
+        copies = [copy for copy in shown.copies if "image" in copy.panes]
         self._marks.show_copies(copies)
         if copies:
             seen, scene = self._seen, self._scene
@@ -250,15 +243,15 @@ class ImageDrawing:
         if not requires or model.surface is None:
             return
         if self._rasteriser is None:
-            others = [] if self._marks is None else self._marks.copied_faces
-            others += self._line_actors
+            copies = [] if self._marks is None else self._marks.copied_faces
+            faces, *lines = model.actors.placed
             self._rasteriser = Rasteriser(
                 self._scene,
                 self._style,
                 requires,
                 lambda actor: self._canvas.add(actor, renderer=self._picture),
-                (model.surface, self._surface_space),
-                others,
+                faces,
+                [*copies, *lines],
             )
         rendering = self._rendering
         self.refused_depth = None
@@ -360,17 +353,7 @@ class ImageDrawing:
         self._layers = self._canvas.window.GetNumberOfLayers()
         self._canvas.window.SetNumberOfLayers(max(2, self._layers))
         self._canvas.window.AddRenderer(picture)
-        if self._model.surface is not None:
-            self._surface_space.add(self._model.surface)
-        for actor, space in self._line_actors:
-            space.add(actor)
         self._canvas.add(*self._model.actors, renderer=picture)
-
-    @property
-    def _line_actors(self) -> list[tuple[vtkActor, Space]]:
-        actors = self._model.actors
-        pairs = (actors.lines, self._line_space), (actors.ground, self._ground_space)
-        return [(actor, space) for actor, space in pairs if actor is not None]
 
     def _add_axes(self, words: Mapping[str, str]) -> None:
         style = self._style

@@ -18,9 +18,8 @@ from typing import Any, NamedTuple, Protocol, TypeAlias
 import numpy as np
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
-from vtkmodules.vtkRenderingCore import vtkActor2D, vtkPolyDataMapper2D
 
-from app.drawings.actors import Canvas, Label
+from app.drawings.actors import Canvas, Label, actor_2d
 from app.drawings.style import TITLE_EM, rgb
 from app.model.projection import Array
 
@@ -232,11 +231,9 @@ class Labels:
         style, label = canvas.style, partial(canvas.label, in_pixels=True)
         # The leaders before all labels, whose plates hide the ends.
         self._leaders = {
-            name: Leader(getattr(style, name), style.line_width)
+            name: Leader(canvas, getattr(style, name), style.line_width)
             for name in ("eye", "target", "near", "far", *AXES)
         }
-        for leader in self._leaders.values():
-            leader.add_to(canvas)
         self._arrows = {a: label(words[a], plate=getattr(style, a), bold=True) for a in AXES}
         self._eye = label(words["eye"], plate=style.eye)
         self._target = label(words["target"], plate=style.target)
@@ -339,10 +336,7 @@ class Labels:
             layout.keep_free_box(spots[len(named.tips) : -16])
         layout.place(self._eye, words["eye"], at_eye, _BELOW, leaders["eye"])
         for i, (label, sides, leader) in enumerate(
-            (
-                (self._near, _BELOW_PLANE, leaders["near"]),
-                (self._far, _ABOVE_PLANE, leaders["far"]),
-            )
+            ((self._near, _BELOW_PLANE, leaders["near"]), (self._far, _ABOVE_PLANE, leaders["far"]))
         ):
             others = planes[1 - i][:4]
             if len(planes[i]) == 1:  # outwards from its handle
@@ -654,17 +648,21 @@ class _Box(NamedTuple):
 
 
 class Leader:
-    """A thin line in the plane of the screen, from a label to what it names.
+    """A thin line in the plane of the screen, from a label to what it names; hidden at first.
 
     Parameters
     ----------
+    canvas : Canvas
+        Where it is added.
     colour : str
         Of the label's plate.
     width : float
         Pixels.
+    renderer : vtkRenderer, optional
+        Where to draw; the pane's own if not given.
     """
 
-    def __init__(self, colour: str, width: float) -> None:
+    def __init__(self, canvas: Canvas, colour: str, width: float, renderer: Any = None) -> None:
         self._points = vtkPoints()
         self._points.SetNumberOfPoints(2)
         cells = vtkCellArray()
@@ -672,15 +670,9 @@ class Leader:
         line = vtkPolyData()
         line.SetPoints(self._points)
         line.SetLines(cells)
-        mapper = vtkPolyDataMapper2D()
-        mapper.SetInputData(line)
-        self.actor = vtkActor2D()
-        self.actor.SetMapper(mapper)
+        self.actor = actor_2d(line)
         self.set_colour(colour)
         self.actor.GetProperty().SetLineWidth(width)
-
-    def add_to(self, canvas: Canvas, renderer: Any = None) -> None:
-        """Be drawn there, hidden at first."""
         canvas.add(self.actor, renderer=renderer, layer="labels")
         self._canvas = weakref.proxy(canvas)
         self.set_visible(False)

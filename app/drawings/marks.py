@@ -37,16 +37,17 @@ from app.drawings.actors import (
     Label,
     SceneActors,
     Space,
+    colour_by_points,
     lift_lines,
     put_in_front,
     unlit_actor,
 )
 from app.drawings.labels import GAPS_EM, Layout, Leader, Spot
-from app.drawings.style import Style, rgb
+from app.drawings.style import rgb
 from app.lecture.highlight import NOTHING, Highlight
 from app.model.clipping import LARGEST_CLIP, clip_polygon, clip_segments
 from app.model.projection import Array
-from app.scenes.phenomena.illustration import Copy, Dot, Face, Line, Marks, Text
+from app.scenes.phenomena.marks import Copy, Dot, Face, Line, Marks, Text
 from app.scenes.scene import Scene
 
 DOT = 3.75
@@ -97,7 +98,6 @@ class MarksDrawing:
     canvas : Canvas
     scene : Scene
         What copies are copies of.
-    style : Style
     words : mapping
         Texts that there is a word for are written with it: of another language.
     renderer : vtkRenderer, optional
@@ -116,7 +116,6 @@ class MarksDrawing:
         self,
         canvas: Canvas,
         scene: Scene,
-        style: Style,
         words: Mapping[str, str],
         *,
         renderer: Any = None,
@@ -125,8 +124,8 @@ class MarksDrawing:
         lifts_copies: bool = False,
         leads: bool = False,
     ) -> None:
-        self._canvas, self._scene, self._style, self._renderer = canvas, scene, style, renderer
-        self._words = words
+        self._canvas, self._scene, self._renderer = canvas, scene, renderer
+        self._style, self._words = canvas.style, words
         self._clip, self._over, self._lifts_copies = tuple(clip), over, lifts_copies
         self._lines: list[_Batch] = []
         self._dots: list[_Batch] = []
@@ -281,9 +280,9 @@ class MarksDrawing:
                 "", renderer=self._renderer, plate=style.ink, in_pixels=True, bold=True
             )
             self._labels.append(label)
-            leader = Leader(style.ink, style.line_width / 2.0) if self._leads else None
-            if leader is not None:
-                leader.add_to(self._canvas, self._renderer)
+            leader = None
+            if self._leads:
+                leader = Leader(self._canvas, style.ink, style.line_width / 2.0, self._renderer)
             self._leaders.append(leader)
         for label, leader, i, word in zip(self._labels, self._leaders, near, words, strict=False):
             colour = texts[i].colour
@@ -298,10 +297,7 @@ class MarksDrawing:
                 leader.set_visible(False)
 
     def place_texts(
-        self,
-        layout: Layout,
-        seen: Callable[[Array], Sequence[Spot]],
-        subject: Array | None = None,
+        self, layout: Layout, seen: Callable[[Array], Sequence[Spot]], subject: Array | None = None
     ) -> None:
         """Put each text beside its point, where it hides no dot and no other label.
 
@@ -474,11 +470,7 @@ class _Batch:
         self._points: NDArray[np.float32] = np.empty((0, 3), np.float32)
         self._rgba: NDArray[np.uint8] = np.empty((0, 4), np.uint8)
         self.actor = unlit_actor(self._mesh)
-        mapper = self.actor.GetMapper()
-        mapper.SetScalarModeToUsePointFieldData()
-        mapper.SelectColorArray("rgba")
-        mapper.SetColorModeToDirectScalars()
-        mapper.ScalarVisibilityOn()
+        colour_by_points(self.actor, "rgba")
         self.actor.SetVisibility(False)
 
     def hide(self) -> None:

@@ -15,7 +15,7 @@ import numpy as np
 from vtkmodules.vtkCommonDataModel import vtkPlane
 
 from app.drawings import actors
-from app.drawings.actors import Canvas, Space
+from app.drawings.actors import Canvas
 from app.drawings.camera import Standing
 from app.drawings.frustum import FrustumDrawing, matrices_between, normalised
 from app.drawings.labels import PaneView
@@ -47,14 +47,7 @@ class NearPicture:
         self._planes = [vtkPlane() for _ in range(6)]
         self.actors = actors.SceneActors(scene, canvas.style, self._planes)
         self.faces = self.actors.surface
-        self.space, self._lines_space, self._ground_space = Space(), Space(), Space()
-        for actor, space in (
-            (self.faces, self.space),
-            (self.actors.lines, self._lines_space),
-            (self.actors.ground, self._ground_space),
-        ):
-            if actor is not None:
-                space.add(actor)
+        self.space, self._lines_space, self._ground_space = self.actors.spaces
         canvas.add(*self.actors, layer="near-picture")
 
     def show(

@@ -2,15 +2,21 @@
 
 from __future__ import annotations
 
+import functools
 import os
 import sys
 from collections.abc import Iterator
 from contextlib import contextmanager
-from typing import Any
+from typing import Any, TypeAlias
 
+import numpy as np
 import vtkmodules.vtkRenderingOpenGL2  # noqa: F401  (without it no window is one of OpenGL)
-from vtkmodules.vtkCommonCore import vtkLogger
+from numpy.typing import NDArray
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkLogger, vtkUnsignedCharArray
 from vtkmodules.vtkRenderingCore import vtkCamera, vtkRenderer, vtkRenderWindow
+
+Pixels: TypeAlias = NDArray[np.uint8]
 
 _WINDOW_CHOICE = "VTK_DEFAULT_OPENGL_WINDOW"
 
@@ -25,7 +31,7 @@ def check_off_screen() -> None:
     """
     # A search through X, EGL and Mesa that leads to a picture is nothing to warn of.
     vtkLogger.SetStderrVerbosity(vtkLogger.VERBOSITY_ERROR)
-    window: Any = vtkRenderWindow()
+    window: Any = _window_that_draws()()
     window.SetOffScreenRendering(1)
     # Its last resort, a library that is not there, says yes untested.
     if not window.SupportsOpenGL() or "Not tested" in window.GetOpenGLSupportMessage():
@@ -48,13 +54,13 @@ class OffScreen:
     """
 
     def __init__(self, width: int, height: int) -> None:
-        with _reachable_opengl():
-            self.render_window: Any = vtkRenderWindow()
+        self.render_window: Any = _window_that_draws()()
         self.render_window.SetOffScreenRendering(1)
         if sys.platform == "darwin":  # else there is a window after all, in the main thread only
             self.render_window.SetConnectContextToNSView(False)
         self.render_window.SetMultiSamples(0)
         self.render_window.SetSize(width, height)
+        self.render_window.Initialize()  # X's crashes if it is let go without
         self.renderer: Any = vtkRenderer()
         self.renderer.SetActiveCamera(vtkCamera())
         self.render_window.AddRenderer(self.renderer)
@@ -75,14 +81,23 @@ def off_screen(width: int, height: int) -> Iterator[OffScreen]:
         screen.close()
 
 
-@contextmanager
-def _reachable_opengl() -> Iterator[None]:
-    """Make VTK's next window where there is no display, without a try that ends in a warning."""
+@functools.cache
+def _window_that_draws() -> type:
+    """Which of VTK's windows draws here. Each one that VTK is left to choose is tried out first."""
     if sys.platform != "linux" or os.environ.get("DISPLAY") or _WINDOW_CHOICE in os.environ:
-        yield
-        return
+        return type(vtkRenderWindow())
+    # Without a display a try of X's would end in a warning.
     os.environ[_WINDOW_CHOICE] = "vtkEGLRenderWindow"
     try:
-        yield
+        return type(vtkRenderWindow())
     finally:
         del os.environ[_WINDOW_CHOICE]
+
+
+def pixels_of(window: Any) -> Pixels:
+    """What a render window shows, (height, width, 4), the first row at the top."""
+    width, height = window.GetSize()
+    buffer = vtkUnsignedCharArray()
+    window.GetRGBACharPixelData(0, 0, width - 1, height - 1, 0, buffer)
+    pixels: Pixels = vtk_to_numpy(buffer).reshape(height, width, 4)[::-1]  # type: ignore[no-untyped-call]
+    return pixels

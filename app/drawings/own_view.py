@@ -23,8 +23,8 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from app.drawings.actors import Canvas
-from app.drawings.camera import AROUND_PX
+from app.drawings.actors import Canvas, axes_of
+from app.drawings.camera import AROUND_PX, SIX_WAYS
 from app.drawings.labels import PaneView
 from app.drawings.pointing import FACES
 from app.drawings.style import TITLE_EM
@@ -39,7 +39,6 @@ _BEHIND_FAR = 1.4  # of far's distance: what is seen in a view from the side
 _SHRUNK = 0.4  # of the pane: what fills less of it is brought nearer by `refit`
 _NEAREST = 0.02  # of the distance to what is looked at: what is nearer is cut
 _LINES_LIFT = 2e-3  # of the distance: a face must not eat its own edges
-_SIX_WAYS = np.vstack([np.eye(3), -np.eye(3)])
 _STEEPEST_EYE = math.tan(math.radians(80.0))  # what a pane shows from the eye, at most
 _HIGHEST = math.sin(math.radians(80.0))  # that a view which was fixed looks down from, at most
 
@@ -144,14 +143,11 @@ class OwnView:
 
     def _take(self) -> None:
         camera = self._camera
-        toward = np.array(camera.GetDirectionOfProjection())
-        right = np.cross(toward, camera.GetViewUp())
-        right /= np.linalg.norm(right)
-        axes = np.stack([right, np.cross(right, toward), toward])
         slope, flat = math.tan(math.radians(camera.GetViewAngle()) / 2.0), 0.0
         if camera.GetParallelProjection():
             slope, flat = 0.0, camera.GetParallelScale()
-        self.pane = PaneView(np.array(camera.GetPosition()), axes, slope, self._size_px, flat)
+        eye = np.array(camera.GetPosition())
+        self.pane = PaneView(eye, axes_of(camera), slope, self._size_px, flat)
 
     @property
     def _size_px(self) -> tuple[int, int]:
@@ -289,7 +285,7 @@ class OwnView:
             unit = 2.0 * half / size_px[1] * float((position - eye) @ out)
             around = max(0.0, self.around * AROUND_PX * min(size_px) * unit)
             position = _stand_back(
-                axes, np.vstack([framed.points, eye + around * _SIX_WAYS]), slopes, lower
+                axes, np.vstack([framed.points, eye + around * SIX_WAYS]), slopes, lower
             )
         middle = float(self._middle @ out + eye @ out) / 2.0
         return position, position + (middle - float(position @ out)) * out

@@ -22,7 +22,6 @@ from app.drawings.actors import (
     line_actor,
     point_actor,
 )
-from app.drawings.style import Style
 from app.lecture.highlight import CORNERS, NOTHING, SIDES, Highlight
 from app.model.projection import Array
 
@@ -35,6 +34,7 @@ FACES = {
 """The corners of each plane's face, in the order of `highlight.CORNERS`."""
 
 _WIDER, _LARGER = 2.4, 1.7
+_CORNER = 4.5  # widths of a line
 _TINT = 0.22
 _POINT_EM, _LINE_EM = 0.65, 0.45  # so near is on it
 
@@ -75,7 +75,7 @@ class Emphasis:
         self._known((name,))
         self._labels.append((name, label))
 
-    def volume(self, space: Space, corners: Array, corner_size: float, style: Style) -> list[Any]:
+    def volume(self, space: Space, corners: Array) -> list[Any]:
         """Make faces, outlines and corners of a view volume that only show when highlighted.
 
         Parameters
@@ -84,16 +84,13 @@ class Emphasis:
             What the corners stand under.
         corners : (8, 3) array
             In the order of `highlight.CORNERS`.
-        corner_size : float
-            Pixels.
-        style : Style
 
         Returns
         -------
         list of vtkActor
             The faces, which may have to be put behind the scene.
         """
-        faces = []
+        faces, style = [], self._canvas.style
         for name, face in FACES.items():
             colour = getattr(style, name, style.accent)
             tint = face_actor(corners, [face], colour, _TINT)
@@ -104,7 +101,7 @@ class Emphasis:
                 self.hidden(actor, name)
             faces.append(tint)
         for name, corner in zip(CORNERS, corners, strict=True):
-            point = point_actor([corner], style.accent, corner_size)
+            point = point_actor([corner], style.accent, _CORNER * style.line_width)
             space.add(point)
             self._canvas.add(point)
             self.hidden(point, name)

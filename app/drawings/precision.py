@@ -50,7 +50,7 @@ from app.scenes.scene import Scene
 
 _GROUND = 2
 _WIDE = 2.0  # of the picture: beyond, wide lines and points do not reach into it
-_MANY_CELLS, _CLUSTERS = 1_000, 256  # of so many, clusters are made; about so many
+MANY_CELLS, _CLUSTERS = 1_000, 256  # of so many, clusters are made; about so many
 _LEAST_W = 1e-30  # under a free matrix: what is nearer to w = 0 cannot be divided by it
 _SHALLOW = 1.0 - 2.0**-22  # of the depth range: or the far plane takes what float32 rounds onto it
 
@@ -373,7 +373,7 @@ def _projected_part(made: _Made, projection: Projection, origin: Array, space: S
     """What a projection leaves of a mesh; clusters that lie beyond one plane are not looked at."""
     planes, cells, points = _planes(projection), made.cells, made.points
     beyond = np.zeros(0, dtype=np.bool_)
-    if len(cells) > _MANY_CELLS:
+    if len(cells) > MANY_CELLS:
         normals, offsets = planes
         rows = normals @ projection.clip_from_local(origin, space)
         rows[:, 3] += offsets

@@ -21,22 +21,13 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
-from vtkmodules.vtkRenderingCore import vtkActor2D, vtkPolyDataMapper2D
+from vtkmodules.vtkRenderingCore import vtkActor2D
 
-from app.drawings.actors import Canvas, Label, Space, lift_lines, line_actor
-from app.drawings.style import Style, rgb
+from app.drawings.actors import Canvas, Label, Space, actor_2d, lift_lines, line_actor
+from app.drawings.style import rgb
 from app.model.infinity import trace_at_infinity
 from app.model.projection import Array, Projection, Trace, Vector
-from app.picking.picking import (
-    Hit,
-    Lines,
-    Probe,
-    Sight,
-    Surface,
-    pick,
-    projector,
-    stops,
-)
+from app.picking.picking import Hit, Lines, Probe, Sight, Surface, pick, projector, stops
 from app.scenes.scene import Scene
 
 _RIM_EM, _FILL_EM, _CROSSING_EM = 0.44, 0.32, 0.24  # radii
@@ -74,13 +65,12 @@ class Probes:
     Parameters
     ----------
     canvas : Canvas
-    style : Style
     renderer : vtkRenderer, optional
         Where to draw; the pane's own if not given.
     """
 
-    def __init__(self, canvas: Canvas, style: Style, renderer: Any = None) -> None:
-        self._canvas, self._style, self._renderer = canvas, style, renderer
+    def __init__(self, canvas: Canvas, renderer: Any = None) -> None:
+        self._canvas, self._renderer = canvas, renderer
         self._slots: list[_Slot] = []
         self.probes: Sequence[Probe] = ()
 
@@ -94,7 +84,7 @@ class Probes:
             Of the renderer, whose pixels count from below.
         """
         while len(self._slots) < len(marks):
-            self._slots.append(_Slot(self._canvas, self._style, self._renderer))
+            self._slots.append(_Slot(self._canvas, self._renderer))
         for i, slot in enumerate(self._slots):
             slot.show(marks[i] if i < len(marks) else None, size_px)
 
@@ -118,30 +108,25 @@ class Probes:
         marks = []
         for probe, trace in zip(self.probes, self._traces(projection), strict=True):
             line = projector(projection, probe, (near, far, min(0.0, near)))
-            if probe.direction is not None and trace is not None:
-                # From the eye to where all lines that run so are seen: on the near plane.
-                if line is None:
-                    marks.append(Mark(probe.number, None))
-                    continue
-                crossing = sight.seen(line[:1])[0]
-                inside = not trace.outside.any()
-                marks.append(Mark(probe.number, crossing, inside, line[[2, 1]] - origin, crossing))
-                continue
             if probe.point is None or trace is None:
                 if line is None:  # under a free matrix that has no inverse, or it is all behind
                     marks.append(Mark(probe.number, None))
                     continue
                 crossing = sight.seen(line[:1])[0]
-                marks.append(Mark(probe.number, crossing, True, line[:2] - origin))
+                if trace is None:
+                    marks.append(Mark(probe.number, crossing, True, line[:2] - origin))
+                else:  # from the eye to where all lines that run so are seen: on the near plane
+                    inside, ends = not trace.outside.any(), line[[2, 1]] - origin
+                    marks.append(Mark(probe.number, crossing, inside, ends, crossing))
                 continue
             point = np.array(probe.point)
             start = np.array(projection.camera.eye) if line is None else line[2]
             crossing = sight.seen(line[:1])[0] if line is not None and has_near else None
             spot = sight.seen([point])[0]
-            ends: Array | None = np.stack([start, point]) - origin
+            way: Array | None = np.stack([start, point]) - origin
             if line is None and not projection.lens.central:  # no eye that it would start in
-                ends = None
-            marks.append(Mark(probe.number, spot, not trace.outside.any(), ends, crossing))
+                way = None
+            marks.append(Mark(probe.number, spot, not trace.outside.any(), way, crossing))
         return marks
 
     def in_ndc(self, projection: Projection, display_from_ndc: Array, sight: Sight) -> list[Mark]:
@@ -211,9 +196,9 @@ def _traced_at_infinity(projection: Projection, direction: Vector) -> Trace:
 class _Slot:
     """The actors of one probe."""
 
-    def __init__(self, canvas: Canvas, style: Style, renderer: Any) -> None:
-        em = style.font_size
-        self._canvas, self._style, self._number = canvas, style, 0
+    def __init__(self, canvas: Canvas, renderer: Any) -> None:
+        self._canvas, self._style = canvas, canvas.style
+        style, em = canvas.style, canvas.style.font_size
         self._space = Space()
         self._line = line_actor(
             [(0, 0, 0), (0, 0, 1)], [(0, 1)], style.accent, 1.5 * style.line_width
@@ -230,9 +215,7 @@ class _Slot:
             _disc(outer * em, colour, 48, inner * em)
             for (inner, outer), colour in zip(_RING_EM, (style.ink, style.accent), strict=True)
         )
-        self._label = Label(
-            "", style, plate=style.accent, in_pixels=True, bold=True
-        )  # fmt: skip
+        self._label = Label("", style, plate=style.accent, in_pixels=True, bold=True)
         canvas.add(
             self._line, *self._crossing, *self._ring, self._rim, self._fill, self._label.actor,
             renderer=renderer,
@@ -296,10 +279,7 @@ def _disc(radius_px: float, colour: str, corners: int = 24, hole_px: float = 0.0
     disc = vtkPolyData()
     disc.SetPoints(points)
     disc.SetPolys(cells)
-    mapper = vtkPolyDataMapper2D()
-    mapper.SetInputData(disc)
-    actor = vtkActor2D()
-    actor.SetMapper(mapper)
+    actor = actor_2d(disc)
     actor.GetPositionCoordinate().SetCoordinateSystemToViewport()
     actor.GetProperty().SetColor(*rgb(colour))
     return actor

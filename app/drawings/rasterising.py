@@ -32,18 +32,18 @@ from typing import Any, TypeAlias
 import numpy as np
 import pyvista as pv
 from numpy.typing import NDArray
-from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkCommonCore import vtkUnsignedCharArray
 from vtkmodules.vtkCommonDataModel import vtkDataObject
 from vtkmodules.vtkRenderingCore import vtkActor
 
-from app.drawings.actors import Canvas, Space, identity_camera, unlit_actor
+from app.drawings.actors import Canvas, Space, colour_by_points, identity_camera, unlit_actor
+from app.drawings.off_screen import pixels_of
 from app.drawings.style import LIGHT, Style, rgb
 from app.model.depth import FORMATS, DepthBuffer
 from app.model.projection import Array, Lens, Projection
 from app.model.refusal import QT_TRANSLATE_NOOP
 from app.scenes.phenomena.depth_buffer import FINEST
-from app.scenes.phenomena.illustration import Fog, Level, Phrase, Rendering, Texture
+from app.scenes.phenomena.marks import Fog, Level, Rendering, Texture
+from app.scenes.phenomena.readout import Phrase
 from app.scenes.scene import Scene
 
 REFUSED = QT_TRANSLATE_NOOP(
@@ -163,7 +163,7 @@ class Rasteriser:
         self._plain: Any = self._mapper.GetInput()
         self._divided: dict[int, pv.PolyData] = {}
         self._note: Phrase | None = None
-        self._shader_parts: list[tuple[vtkActor, Space, list[tuple[bool, str, str]]]] = []
+        self._shader_parts: list[tuple[vtkActor, Space, list[tuple[str, str, str]]]] = []
         self._levels: vtkActor | None = None
         self._levels_space = Space()
         self.refused = False
@@ -216,34 +216,30 @@ class Rasteriser:
     # -- the shaders, once
 
     def _prepare(self, actor: vtkActor, space: Space, *, textured: bool = False) -> None:
-        parts: list[tuple[bool, str, str]] = []
+        parts: list[tuple[str, str, str]] = []
         colour = ""
         if "depth" in self._requires:
-            parts.append((False, "//VTK::Depth::Impl", _DEPTH))
+            parts.append(("Fragment", "//VTK::Depth::Impl", _DEPTH))
         if textured:
             # What GLSL calls noperspective, which Mesa's software rasteriser loses where a face is
             # cut at the picture's border: two thirds of a board were black.
             varyings = "{0} vec2 flSpaceST;\n{0} vec3 flScreenST;\n"
             there = "vec2(dot(flS, vertexMC), dot(flT, vertexMC))"
             both = f"flSpaceST = {there};\n  flScreenST = vec3(flSpaceST, 1.0) * gl_Position.w;"
-            parts.append((True, _VARYINGS, varyings.format("out")))
-            parts.append((False, _VARYINGS, varyings.format("in")))
-            parts.append((True, _POSITION, f"  {both}\n"))
+            parts.append(("Vertex", _VARYINGS, varyings.format("out")))
+            parts.append(("Fragment", _VARYINGS, varyings.format("in")))
+            parts.append(("Vertex", _POSITION, f"  {both}\n"))
             colour += _CHECKS
         if actor is self._levels:
-            parts.append((True, _VARYINGS, "in vec4 flObject;\n"))
-            parts.append((True, _POSITION, _LEVEL))
+            parts.append(("Vertex", _VARYINGS, "in vec4 flObject;\n"))
+            parts.append(("Vertex", _POSITION, _LEVEL))
         if "fog" in self._requires:
             colour += _FOG
         if colour:
-            parts.append((False, _COLOUR, colour))
+            parts.append(("Fragment", _COLOUR, colour))
         shader = actor.GetShaderProperty()
-        for in_vertex, place, text in parts:
-            add = (
-                shader.AddVertexShaderReplacement
-                if in_vertex
-                else shader.AddFragmentShaderReplacement
-            )
+        for kind, place, text in parts:
+            add = getattr(shader, f"Add{kind}ShaderReplacement")
             add(place, True, f"{place}\n{text}", False)
         self._shader_parts.append((actor, space, parts))
         itself = weakref.ref(self)  # or mapper and rasteriser would keep each other alive
@@ -263,13 +259,8 @@ class Rasteriser:
         self.refused = True
         for actor, _, parts in self._shader_parts:
             shader = actor.GetShaderProperty()
-            for in_vertex, place, _ in parts:
-                clear = (
-                    shader.ClearVertexShaderReplacement
-                    if in_vertex
-                    else shader.ClearFragmentShaderReplacement
-                )
-                clear(place, True)
+            for kind, place, _ in parts:
+                getattr(shader, f"Clear{kind}ShaderReplacement")(place, True)
         self._choose_faces(in_levels=False)
 
     def _choose_faces(self, *, in_levels: bool) -> None:
@@ -279,11 +270,8 @@ class Rasteriser:
 
     def _build_levels(self, levels: tuple[Level, ...]) -> None:
         self._levels = unlit_actor(_mesh_of_levels(levels, self._scene.origin))
+        colour_by_points(self._levels, "rgb")
         mapper: Any = self._levels.GetMapper()
-        mapper.SetScalarModeToUsePointFieldData()
-        mapper.SelectColorArray("rgb")
-        mapper.SetColorModeToDirectScalars()
-        mapper.ScalarVisibilityOn()
         mapper.MapDataArrayToVertexAttribute(
             "flObject", "object", vtkDataObject.FIELD_ASSOCIATION_POINTS, -1
         )
@@ -384,6 +372,19 @@ class Rasteriser:
             self._divided[parts] = whole if parts == 1 else subdivided(whole, parts)
         if mapper.GetInput() is not self._divided[parts]:
             mapper.SetInputData(self._divided[parts])
+
+
+def textured(
+    scene: Scene, canvas: Canvas, *faces: tuple[vtkActor | None, Space]
+) -> list[Rasteriser]:
+    """What lays a scene's texture over faces that are not the picture; none without a texture."""
+    if "texture" not in scene.requires:
+        return []
+    return [
+        Rasteriser(scene, canvas.style, {"texture"}, canvas.add, (actor, space), picture=False)
+        for actor, space in faces
+        if actor is not None
+    ]
 
 
 def _set(uniforms: Any, name: str, value: float | int | tuple[float, ...]) -> None:
@@ -499,14 +500,10 @@ def counted_wrong_share(
         for (actor, _), shown in zip(actors, visible, strict=True):
             actor.SetVisibility(shown)
         window.Render()
-        width, height = window.GetSize()
-        pixels = vtkUnsignedCharArray()
-        window.GetRGBACharPixelData(0, 0, width - 1, height - 1, 0, pixels)
-        found: NDArray[np.bool_] = vtk_to_numpy(pixels)[:, [0, 2]] > 127  # type: ignore[no-untyped-call]
-        return found
+        return pixels_of(window)[..., [0, 2]] > 127
 
-    both = drawn(True, False)[:, 0] & drawn(False, True)[:, 1]
-    found = drawn(True, True)[:, 1]
+    both = drawn(True, False)[..., 0] & drawn(False, True)[..., 1]
+    found = drawn(True, True)[..., 1]
     # A gap too fine for this buffer as well is told by one that it can tell, in a buffer that can.
     if even:
         rasteriser.show(Rendering(), seen)
@@ -522,7 +519,7 @@ def counted_wrong_share(
         clip_from_local = _over_the_scene(clip_from_local, scene.corners - origin, apart)
     actors[0][1].set_projective(clip_from_local)
     actors[1][1].set_projective(clip_from_local @ apart)
-    wrong = found != drawn(True, True)[:, 1]
+    wrong = found != drawn(True, True)[..., 1]
     for actor, _ in actors:
         renderer.RemoveViewProp(actor)
     if rasteriser.refused:

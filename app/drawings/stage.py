@@ -25,14 +25,14 @@ from typing import Any
 import numpy as np
 from vtkmodules.vtkCommonDataModel import vtkPlane
 
-from app.drawings.actors import Canvas, Space, lift_lines
+from app.drawings.actors import Canvas, lift_lines
 from app.drawings.frustum import CUBE
 from app.drawings.labels import Layout
 from app.drawings.marks import MarksDrawing, Placing
 from app.drawings.pointing import Emphasis, Segment, Spot, pointed_at, volume_edges
 from app.drawings.precision import ModelActors, least_tolerance
 from app.drawings.probes import Mark, Probes
-from app.drawings.rasterising import Rasteriser
+from app.drawings.rasterising import textured
 from app.drawings.stage_box import StageBox
 from app.drawings.stage_view import StageView
 from app.drawings.style import Style
@@ -41,7 +41,8 @@ from app.lecture.stages import NDC, WORLD, Morph, morph_of
 from app.model.projection import Array, Camera, Projection
 from app.picking.picking import Probe, Sight
 from app.precision.levels import DRAWING_TOLERANCE_PX, Precision
-from app.scenes.phenomena.illustration import Illustration, Marks
+from app.scenes.phenomena.illustration import Illustration
+from app.scenes.phenomena.marks import Marks
 from app.scenes.scene import Scene
 
 _FARTHEST_MARK = 1e3  # where lines toward infinity end
@@ -78,7 +79,6 @@ class StageDrawing:
         self._scene, self._words, self._style = scene, words, style
         self._canvas = Canvas(screen, style, self._layout)
         self.own = StageView(self._canvas, scene.start.camera)
-        self._space, self._line_space, self._ground_space = Space(), Space(), Space()
         self._position = float(NDC)
         self._placed: tuple[float, object] | None = None
         """The position at which the box stands, and what else it depends on."""
@@ -89,21 +89,14 @@ class StageDrawing:
         for lines in (drawn.lines, drawn.ground):
             if lines is not None:
                 lift_lines(lines)
-        for actor, space in (
-            (drawn.surface, self._space),
-            (drawn.lines, self._line_space),
-            (drawn.ground, self._ground_space),
-        ):
-            if actor is not None:
-                space.add(actor)
         self._canvas.add(*drawn)
         self.box = StageBox(self._canvas, words)
         self._emphasis = Emphasis(self._canvas)
         self.box.make_emphasis(self._emphasis)
         self._highlighted = NOTHING
-        self._probes = Probes(self._canvas, style)
+        self._probes = Probes(self._canvas)
         self._marks: MarksDrawing | None = None
-        self._rasteriser: Rasteriser | None = None
+        self._rasterisers = textured(scene, self._canvas, (drawn.surface, drawn.spaces[0]))
         self._illustration: Illustration | None = None
         self._take(scene.start)
         self.reset_view()
@@ -196,8 +189,7 @@ class StageDrawing:
             display_from_local = self._morph.display_from_local(position)
             of_object = display_from_local @ self._model.show_placed(projection.placement)
             matrices = [of_object, of_object, display_from_local]
-        spaces = self._space, self._line_space, self._ground_space
-        for space, matrix in zip(spaces, matrices, strict=True):
+        for space, matrix in zip(self._model.actors.spaces, matrices, strict=True):
             space.set_projective(matrix)
         if self._probes.probes:
             self._place_probes()
@@ -217,32 +209,16 @@ class StageDrawing:
 
     def _rasterise(self) -> None:
         """Lay the texture over the faces, at every stop of the strip."""
-        rendering = None if self._illustration is None else self._illustration.rendering
-        surface = self._model.surface
-        if rendering is None or surface is None or "texture" not in self._scene.requires:
-            return
-        if self._rasteriser is None:
-            self._rasteriser = Rasteriser(
-                self._scene,
-                self._style,
-                {"texture"},
-                self._canvas.add,
-                (surface, self._space),
-                picture=False,
-            )
-        self._rasteriser.show(rendering, self._seen)
+        if self._illustration is not None and self._illustration.rendering is not None:
+            for rasteriser in self._rasterisers:
+                rasteriser.show(self._illustration.rendering, self._seen)
 
     def _show_marks(self) -> None:
         if self._marks is None:
             if self._illustration is None:
                 return
             self._marks = MarksDrawing(
-                self._canvas,
-                self._scene,
-                self._style,
-                self._words,
-                clip=self._planes,
-                lifts_copies=True,
+                self._canvas, self._scene, self._words, clip=self._planes, lifts_copies=True
             )
         marks, illustration = self._marks, self._illustration
         if illustration is None or self._position != NDC:

@@ -41,6 +41,7 @@ from app.lecture.stages import (
     Morph,
 )
 from app.model.projection import Array
+from app.scenes.phenomena.readout import figure
 
 _TINT = 0.16
 _NUMBERS_FROM_EM = 8.0  # of the volume's width in the pane: in a smaller one there is no room
@@ -151,10 +152,9 @@ class StageBox:
 
         # The leaders before all labels, whose plates hide the ends.
         self._leaders = {
-            name: Leader(getattr(style, name), style.line_width) for name in ("near", "far")
+            name: Leader(self._canvas, getattr(style, name), style.line_width)
+            for name in ("near", "far")
         }
-        for leader in self._leaders.values():
-            leader.add_to(self._canvas)
         self.near = label(words["near"], style.near)
         self.far = label(words["far"], style.far)
         # Without plates: they lie over what is drawn, and hide nothing of it.
@@ -163,8 +163,7 @@ class StageBox:
 
     def make_emphasis(self, emphasis: Emphasis) -> None:
         """Let faces, edges, corners, axes and words stand out while they are highlighted."""
-        style = self._canvas.style
-        for face in emphasis.volume(self._space, CUBE, 4.5 * style.line_width, style):
+        for face in emphasis.volume(self._space, CUBE):
             put_behind(face)
         for name, line in self._outlines.items():
             emphasis.line(line, name)
@@ -264,11 +263,11 @@ class StageBox:
             ends = (1.0, 1.0) if infinite else (0.0, 0.0)
             z = ("", "−∞" if infinite else "−1")
             at = -1.0 if infinite else -lens.near / lens.far
-            near_text = f"{near_text} {_number(at)}"
+            near_text = f"{near_text} {figure(at, 3)}"
             self._numbers["z"][0].set_visible(False)  # on the plate of near, which is small here
         elif stop == NDC:
             z_near, z_far = morph.projection.depth_range
-            z = (_number(z_near), _number(z_far))
+            z = (figure(z_near, 3), figure(z_far, 3))
         elif stop == IMAGE:
             width, height = morph.projection.image_size
             x, y = ("0", str(width)), (str(height), "0")
@@ -361,7 +360,3 @@ def _edge(box: Array, across: float, up: float, limit: float, z: float) -> Array
     inside = far[3] * leaves >= length  # the corner itself is
     shown: Array = start + along * (length / far[3] if inside else leaves)
     return shown
-
-
-def _number(value: float) -> str:
-    return f"{value:.3g}".replace("-", "−")

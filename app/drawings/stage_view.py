@@ -9,7 +9,7 @@ import math
 
 import numpy as np
 
-from app.drawings.actors import CUBE_CORNERS, Canvas
+from app.drawings.actors import CUBE_CORNERS, Canvas, axes_of
 from app.drawings.style import TITLE_EM
 from app.lecture.stages import (
     CANONICAL_PARALLEL,
@@ -186,10 +186,7 @@ class StageView:
         """From display space to pixels from the pane's top left, and depth, (4, 4)."""
         camera = self._camera
         width_px, height_px = self.size_px
-        toward = np.array(camera.GetDirectionOfProjection())
-        right = np.cross(toward, camera.GetViewUp())
-        right /= np.linalg.norm(right)
-        up = np.cross(right, toward)
+        right, up, toward = axes_of(camera)
         px = height_px / (2.0 * camera.GetParallelScale())
         position = np.array(camera.GetPosition())
         pane = np.zeros((4, 4))

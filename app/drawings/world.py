@@ -17,7 +17,7 @@ from typing import Any
 import numpy as np
 
 from app.drawings import actors
-from app.drawings.actors import Canvas, Space
+from app.drawings.actors import Canvas
 from app.drawings.camera import CameraDrawing, Standing, view_matrices
 from app.drawings.dimensions import Dimensions, Measured
 from app.drawings.frame import DIMMED, LARGER
@@ -30,14 +30,15 @@ from app.drawings.object_axes import ObjectAxes
 from app.drawings.own_view import Framed, OwnView
 from app.drawings.pointing import Emphasis, Segment, Spot, pointed_at, volume_edges
 from app.drawings.probes import Probes
-from app.drawings.rasterising import Rasteriser
+from app.drawings.rasterising import textured
 from app.drawings.silhouette import Mask, Silhouette
 from app.drawings.style import Style
 from app.lecture.highlight import CORNERS, OBJECT_AXES, Highlight
 from app.model.projection import Array, Camera, ObjectTransform, Projection
 from app.picking.handles import Handle, nearest, shown
 from app.picking.picking import Probe, Sight
-from app.scenes.phenomena.illustration import Illustration, Length, Marks, Rendering
+from app.scenes.phenomena.illustration import Illustration
+from app.scenes.phenomena.marks import Length
 from app.scenes.scene import Scene
 
 _WHOLE, _NEARBY = 3.0, 1.1  # of the extent: a frustum that is framed whole; else only so far
@@ -87,20 +88,17 @@ class WorldDrawing:
         self._place(scene.start.placement)
         self._canvas = canvas = Canvas(screen, style, self._lay_out)
         self._actors = drawn = actors.SceneActors(scene, style)
-        self._faces = drawn.surface
-        self._faces_space, self._lines_space, self._ground_space = Space(), Space(), Space()
-        for actor, space in (
-            (drawn.surface, self._faces_space),
-            (drawn.lines, self._lines_space),
-            (drawn.ground, self._ground_space),
-        ):
-            if actor is not None:
-                space.add(actor)
+        self._faces_space, self._lines_space, self._ground_space = drawn.spaces
         canvas.add(*drawn)
         self._hidden = canvas.hidden
         self.picture = NearPicture(canvas, scene)
-        self._detail = actors.Detail(self._faces, self.picture.faces)
-        self._rasterisers: list[Rasteriser] = []
+        self._detail = actors.Detail(drawn.surface, self.picture.faces)
+        self._rasterisers = textured(
+            scene,
+            canvas,
+            (drawn.surface, self._faces_space),
+            (self.picture.faces, self.picture.space),
+        )
         self.camera = CameraDrawing(canvas)
         self.frustum = FrustumDrawing(canvas, scene.size)
         self._dimmable = [
@@ -112,8 +110,8 @@ class WorldDrawing:
         for name, label in self.labels.named.items():
             self._emphasis.label(label, name)
         self._dimensions: Dimensions | None = None
-        self._probes = Probes(canvas, style)
-        self.handles = HandleMarks(canvas, style) if live else None
+        self._probes = Probes(canvas)
+        self.handles = HandleMarks(canvas) if live else None
         self._highlighted: Highlight = frozenset()
         self._marks: MarksDrawing | None = None
         self._marked = np.empty((0, 3))
@@ -129,9 +127,8 @@ class WorldDrawing:
         self.reset_view()
 
     def _make_emphasis(self) -> Emphasis:
-        style = self._canvas.style
         emphasis = Emphasis(self._canvas)
-        emphasis.volume(self.frustum.space, CUBE, 4.5 * style.line_width, style)
+        emphasis.volume(self.frustum.space, CUBE)
         for name, line in (*self.camera.shafts.items(), *self.frustum.outlines.items()):
             emphasis.line(line, name)
         emphasis.line(self.frustum.apex, "fov")
@@ -582,29 +579,6 @@ class WorldDrawing:
 
     # -- a phenomenon, probes, handles
 
-    def _rasterise(self, rendering: Rendering | None) -> None:
-        """Lay the texture over the faces, and over those in the picture on the near plane."""
-        if rendering is None or "texture" not in self._scene.requires:
-            return
-        if not self._rasterisers:
-            self._rasterisers = [
-                Rasteriser(
-                    self._scene,
-                    self._canvas.style,
-                    {"texture"},
-                    self._canvas.add,
-                    (actor, space),
-                    picture=False,
-                )
-                for actor, space in (
-                    (self._faces, self._faces_space),
-                    (self.picture.faces, self.picture.space),
-                )
-                if actor is not None
-            ]
-        for rasteriser in self._rasterisers:
-            rasteriser.show(rendering, self._projection)
-
     def show_probes(self, probes: Sequence[Probe]) -> None:
         """Mark these probes, and no others."""
         self._probes.probes = probes
@@ -612,26 +586,20 @@ class WorldDrawing:
 
     def _show_illustration(self, illustration: Illustration | None) -> None:
         """What a phenomenon shows, but for its texts."""
-        self._rasterise(None if illustration is None else illustration.rendering)
         if self._marks is None:
             if illustration is None:
                 return
-            self._marks = MarksDrawing(
-                self._canvas, self._scene, self._canvas.style, self._words, leads=True
-            )
+            self._marks = MarksDrawing(self._canvas, self._scene, self._words, leads=True)
             self._marks.show_highlight(self._highlighted)
         marks, limit = self._marks, _FARTHEST_MARK * self._stands.extent
-        self._measured = () if illustration is None else illustration.measured
-        self._lengths = () if illustration is None else illustration.lengths
-        self._grips = (
-            {} if illustration is None else {g.setting: g.point for g in illustration.grips}
-        )
-        copies = () if illustration is None else illustration.copies
-        marks.show(
-            Marks() if illustration is None else illustration.world,
-            Placing(np.ones(3), -self._origin, limit),
-        )
-        marks.show_copies([copy for copy in copies if "world" in copy.panes])
+        shown = illustration or Illustration(())
+        if shown.rendering is not None:
+            for rasteriser in self._rasterisers:
+                rasteriser.show(shown.rendering, self._projection)
+        self._measured, self._lengths = shown.measured, shown.lengths
+        self._grips = {grip.setting: grip.point for grip in shown.grips}
+        marks.show(shown.world, Placing(np.ones(3), -self._origin, limit))
+        marks.show_copies([copy for copy in shown.copies if "world" in copy.panes])
         marks.place_copies(self.own.lifted)
         x, y, z, w = marks.copied(self._objects).T
         w = np.where(w > 0.0, w, np.nan)  # behind a plane that goes to infinity: not drawn

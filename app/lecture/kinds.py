@@ -11,13 +11,7 @@ from dataclasses import replace
 from typing import Any, NamedTuple
 
 from app.model.infinity import trace_at_infinity
-from app.model.projection import (
-    Camera,
-    Orbit,
-    Projection,
-    Vector,
-    oblique_angles,
-)
+from app.model.projection import Camera, Orbit, Projection, Vector, oblique_angles
 from app.model.refusal import QT_TRANSLATE_NOOP
 
 TOLERANCE = 1e-4

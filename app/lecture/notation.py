@@ -12,6 +12,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Mapping, Sequence
+from fractions import Fraction
 from functools import cache, lru_cache
 from typing import Literal, NamedTuple, TypeAlias
 
@@ -24,7 +25,7 @@ from app.model import formula
 from app.model.formula import ARROW, Difference, Formula, Pair, Quotient, Sum, parse
 from app.model.lenses.lens import LensTable
 from app.model.object_transform import FACTORS, FROM_OBJECT
-from app.model.projection import DEPTH_RANGES, Array, Projection, Rationals, Stage
+from app.model.projection import DEPTH_RANGES, Array, Projection, Stage
 from app.model.refusal import format_value
 from app.model.tables import VIEWPORT, Step, evaluated
 
@@ -375,12 +376,9 @@ def letters_in(matrix: Matrix, row: int, column: int) -> Highlight:
 def _inverse_view(projection: Projection) -> Stage:
     """``world_from_view`` of the camera."""
     frame = projection.camera.exact_frame
-    exact: Rationals = [
-        [*(axis[i] for axis in frame), type(frame[0][0])(projection.camera.eye[i])]
-        for i in range(3)
-    ]
-    zero, one = frame[0][0] * 0, frame[0][0] * 0 + 1
-    return Stage("world_from_view", [*exact, [zero, zero, zero, one]], (), "")
+    eye = map(Fraction, projection.camera.eye)
+    exact = [[*parts, moved] for *parts, moved in zip(*frame, eye, strict=True)]
+    return Stage("world_from_view", [*exact, list(map(Fraction, (0, 0, 0, 1)))], (), "")
 
 
 _Table: TypeAlias = dict[str, Formulas]

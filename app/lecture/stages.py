@@ -100,12 +100,14 @@ class Morph:
             return np.eye(4)
         if stop >= NDC:
             clip_from_local = self.projection.clip_from_world_at(self.origin)
-            return clip_from_local if stop == NDC else self._image_from_clip @ clip_from_local
+            return (
+                clip_from_local if stop == NDC else self.projection.image_from_ndc @ clip_from_local
+            )
         matrix: Array = self._view_from_local
         if stop >= CANONICAL_PERSPECTIVE:
-            matrix = self._canonical_from_view @ matrix
+            matrix = self._canonical[0] @ matrix
         if stop == CANONICAL_PARALLEL:
-            matrix = self._m_pp @ matrix
+            matrix = self._canonical[1] @ matrix
         return matrix
 
     @cached_property
@@ -120,18 +122,6 @@ class Morph:
         """From view to the canonical volume of the lens' kind, and M_pp."""
         first, m_pp = self.projection.stages[2:4]
         return first.matrix, m_pp.matrix
-
-    @property
-    def _canonical_from_view(self) -> Array:
-        return self._canonical[0]
-
-    @property
-    def _m_pp(self) -> Array:
-        return self._canonical[1]
-
-    @property
-    def _image_from_clip(self) -> Array:
-        return self.projection.image_from_ndc
 
     # -- frames
 
@@ -210,7 +200,7 @@ class Morph:
     @cached_property
     def _view_from_canonical(self) -> Array:
         """The inverse of the (triangular) first canonical stage."""
-        (a, _, c, x), (_, b, d, y), (_, _, e, z), _ = self._canonical_from_view
+        (a, _, c, x), (_, b, d, y), (_, _, e, z), _ = self._canonical[0]
         inverse = np.diag([1.0 / a, 1.0 / b, 1.0 / e, 1.0])
         inverse[:2, 2] = -c / e / a, -d / e / b
         inverse[:3, 3] = (c * z / e - x) / a, (d * z / e - y) / b, -z / e
@@ -467,7 +457,8 @@ class FreeMorph(Morph):
             return matrix
         part = position - NDC
         cube = self.display_from_stage(NDC) @ self._clip_from_box
-        picture = self.display_from_stage(IMAGE) @ self._image_from_clip @ self._clip_from_box
+        picture = self.display_from_stage(IMAGE) @ self.projection.image_from_ndc
+        picture = picture @ self._clip_from_box
         shown: Array = (1.0 - part) * cube + part * picture
         return shown
 

@@ -14,21 +14,13 @@ from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
 from fractions import Fraction
 from functools import partial
-from typing import Any, NamedTuple, TypeAlias
+from typing import Any, NamedTuple
 
-from app.arithmetic.rationals import Rationals, eliminate, rationals
+from app.arithmetic.rationals import Rationals, dot, eliminate, rationals
 from app.model.lenses.lens import plane_letters
 from app.model.lenses.solving import DIGITS, MEANT, same, shortest
 from app.model.limits import Cells, finite_matrix
-from app.model.projection import (
-    LENSES,
-    ONE_OF,
-    Camera,
-    FreeMatrix,
-    Lens,
-    Projection,
-    Vector,
-)
+from app.model.projection import LENSES, ONE_OF, Camera, FreeMatrix, Lens, Projection, Vector
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
 from app.model.tables import evaluated
 
@@ -42,7 +34,6 @@ Each cell rounded once leaves 2^-52; 64 times that is what another program's ari
 leaves, and far less than six typed digits do: a matrix that shears by 1e-7 is no rotation.
 """
 _UNIT = Fraction(1, 2**52)
-Exact: TypeAlias = tuple[Fraction, ...]
 
 
 # --------------------------------------------------------------------------- editing
@@ -217,11 +208,11 @@ def recognised_camera(cells: Cells, in_hand: Camera) -> Camera | None:
     rows, shift = [row[:3] for row in exact[:3]], [row[3] for row in exact[:3]]
     for i, one in enumerate(rows):
         for j, other in enumerate(rows[: i + 1]):
-            if abs(_dot(one, other) - (i == j)) > Fraction(_RIGID):
+            if abs(dot(one, other) - (i == j)) > Fraction(_RIGID):
                 return None
-    if _determinant(rows) < 0:
+    if eliminate(rows).determinant < 0:
         return None
-    solved = [-_dot(column, shift) for column in zip(*rows, strict=True)]
+    solved = [-dot(column, shift) for column in zip(*rows, strict=True)]
     # Rows and shift rounded once are off by 3 2^-53 of the shift, an eye by as much.
     room = 2 * _UNIT * max(map(abs, shift))
     eye = _near(solved, in_hand.eye, room)
@@ -266,14 +257,6 @@ def _short(number: Fraction, room: Fraction) -> float:
         if abs(Fraction(rounded) - number) <= (8 if digits <= MEANT else 1) * room:
             return rounded
     return float(number)
-
-
-def _dot(a: Sequence[Fraction], b: Sequence[Fraction]) -> Fraction:
-    return sum((x * y for x, y in zip(a, b, strict=True)), Fraction(0))
-
-
-def _determinant(rows: Rationals) -> Fraction:
-    return eliminate(rows).determinant
 
 
 # --------------------------------------------------------------------------- properties
@@ -369,12 +352,12 @@ def _is_regular_view(projection: Projection) -> bool:
 
 def _of_view(matrix: Rationals, write: Callable[[float], str]) -> list[Property]:
     rank = eliminate(matrix).rank
-    turning = _determinant([row[:3] for row in matrix[:3]])
+    rows = [row[:3] for row in matrix[:3]]
+    turning = eliminate(rows).determinant
     found = [Property(SINGULAR, (str(rank),))] if rank < 4 else []
     if turning < 0:
         found.append(Property(MIRRORED_VIEW, (write(float(turning)),)))
-    rows = [row[:3] for row in matrix[:3]]
-    angles = [_dot(a, b) - (a is b) for i, a in enumerate(rows) for b in rows[: i + 1]]
+    angles = [dot(a, b) - (a is b) for i, a in enumerate(rows) for b in rows[: i + 1]]
     if max(map(abs, angles)) > Fraction(_RIGID):
         found.append(Property(NOT_RIGID))
     return found + _of_last_row(matrix[3], write)

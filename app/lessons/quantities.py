@@ -25,7 +25,8 @@ from app.model.infinity import trace_at_infinity
 from app.model.limits import Row
 from app.model.projection import Array, Projection, Trace, focal_length_35mm
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
-from app.scenes.phenomena.illustration import Reading, Value
+from app.scenes.phenomena.readout import Reading
+from app.scenes.phenomena.settings import Value
 
 if TYPE_CHECKING:
     from app.scenes.scene import Scene
@@ -35,7 +36,6 @@ NO_FUNCTION = QT_TRANSLATE_NOOP(
     "Refusal", "has no such function or matrix, {0}; the nearest is {1}"
 )
 NO_CELL = QT_TRANSLATE_NOOP("Refusal", "asks {0} for something that it does not have")
-NOT_THERE = QT_TRANSLATE_NOOP("Refusal", "has no value here: there is no {0}")
 DIVIDES_BY_ZERO = QT_TRANSLATE_NOOP("Refusal", "divides by zero")
 TOO_LARGE = QT_TRANSLATE_NOOP("Refusal", "has a value that is too large")
 NOT_DEFINED = QT_TRANSLATE_NOOP("Refusal", "has a function of a value that it is not defined for")
@@ -61,10 +61,6 @@ _SPACES = {
 
 class NotThere(LookupError):
     """A quantity that there is, but not just now: the second probe, a parallel lens' angle."""
-
-
-def _in_degrees(function: Callable[[float], float]) -> Callable[[float], float]:
-    return lambda angle: function(math.radians(angle))
 
 
 def _to_degrees(function: Callable[[float], float]) -> Callable[[float], float]:

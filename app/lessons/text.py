@@ -18,6 +18,7 @@ FONT = "stix"
 _EM = 100.0
 _BREAK = re.compile(r"(\\q?quad(?![a-zA-Z])|[{}])")
 _ALONE = re.compile(rf"<p>((?:{FORMULA}\s*)+)</p>")
+_NO_HEAD = re.compile(r"<thead>\s*<tr>(\s*<th[^>]*></th>)+\s*</tr>\s*</thead>\s*")
 
 
 class Outline(NamedTuple):
@@ -70,7 +71,8 @@ def outline(tex: str) -> Outline:
 def html_of(text: str) -> tuple[str, tuple[str, ...]]:
     """A text as HTML, everything in it escaped, with `FORMULA` for each of its formulas.
 
-    A formula may be broken where it has a ``\\quad``, and is several then.
+    A formula may be broken where it has a ``\\quad``, and is several then. A table without
+    headings, such as a matrix, is without their row.
 
     Returns
     -------
@@ -87,7 +89,7 @@ def html_of(text: str) -> tuple[str, tuple[str, ...]]:
 
     reader = markdown()
     reader.add_render_rule("math", lambda _self, *given: math(*given))
-    html = str(reader.render(text.replace(FORMULA, "\ufffd")))
+    html = _NO_HEAD.sub("", str(reader.render(text.replace(FORMULA, "\ufffd"))))
     return _ALONE.sub(r'<p align="center">\1</p>', html.strip()), tuple(found)
 
 

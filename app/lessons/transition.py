@@ -10,7 +10,7 @@ from typing import Any
 from app.document.document import Document
 from app.model.projection import Camera, Lens, ObjectTransform, Orbit, Projection, Vector
 from app.model.refusal import Refusal
-from app.scenes.phenomena.illustration import Value
+from app.scenes.phenomena.settings import Value
 
 
 def can_move(start: Document, end: Document) -> bool:

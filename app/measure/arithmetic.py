@@ -24,7 +24,7 @@ from vtkmodules.vtkRenderingCore import vtkCamera
 
 from app.measure.reference import SAMPLE, Truth, sample, truth
 from app.measure.results import Choice, Curve, Sweep, Trade
-from app.measure.run import Watch, in_turns, unwatched
+from app.measure.run import Watch, timed, unwatched
 from app.model.projection import Array, Camera, Frustum, Perspective, Projection, Vector
 from app.model.refusal import QT_TRANSLATE_NOOP, Cancelled, Refusal
 from app.precision.levels import Precision, Prediction, predict, trace
@@ -261,23 +261,17 @@ def measure(
             name: _largest(reference, np.asarray(way.rows(way.run()), dtype=np.float64).T[where])
             for name, way in all_ways.items()
         }
-        complete = True
-        try:
-            times = in_turns({name: way.run for name, way in all_ways.items()}, seconds, watch)
-        except Cancelled as cancelled:
-            times, complete = cancelled.partial, False
     choices = []
     for name, (errors, note) in found.items():
         prediction = predicted.get(_PRECISIONS[name]) if name in _PRECISIONS else None
         values = {} if errors is None else {"error_depth": errors.depth}
         if prediction is not None:
             values["predicted_depth"] = prediction.depth
-        per_point = 1e9 / len(world)
         choices.append(
             Choice(
                 name,
-                per_point * times[name].median if name in times else None,
-                per_point * times[name].p95 if name in times else None,
+                None,
+                None,
                 None if errors is None else errors.px,
                 None if prediction is None else prediction.px,
                 values,
@@ -286,11 +280,9 @@ def measure(
             )
         )
     choices += [Choice(name, None, None, None, note=note) for name, note in missing.items()]
-    rounds = min((times[name].rounds for name in times), default=0)
-    trade = Trade("arithmetic", "ns", "px", tuple(choices), rounds, complete)
-    if not complete:
-        raise Cancelled(trade)
-    return trade
+    trade, runs = Trade("arithmetic", "ns", "px", tuple(choices), 0), all_ways.items()
+    with np.errstate(all="ignore"):
+        return timed(trade, {name: way.run for name, way in runs}, seconds, 1e9 / len(world), watch)
 
 
 def _largest(reference: Truth, answers: Array) -> tuple[Prediction | None, str]:

@@ -13,6 +13,7 @@ import math
 import os
 import textwrap
 from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import replace
 from itertools import groupby
 from typing import TYPE_CHECKING, Any
 
@@ -23,7 +24,7 @@ from app.drawings.style import LIGHT
 from app.measure.meaning import meaning
 from app.measure.results import MEASURED_ONLY, Choice, Results, Sweep, Trade, named, plain
 from app.model.refusal import QT_TRANSLATE_NOOP
-from app.scenes.phenomena.illustration import Curve, Diagram, Spot
+from app.scenes.phenomena.diagram import Curve, Diagram, Spot
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -223,11 +224,8 @@ def _of_trade(
             )
         )  # fmt: skip
     if any(spot.marked for spot in spots):
-        first = spots[0]
         named_now = translate(CURRENT).format(_common(placed[:1], translate))  # not its neighbours
-        spots[0] = Spot(
-            first.x, first.y, named_now, first.key, first.tip, "n", first.faded, marked=True
-        )
+        spots[0] = replace(spots[0], name=named_now, marked=True)
     return (
         Diagram(
             title(trade, translate), tuple(curves), *across, *up,

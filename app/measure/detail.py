@@ -16,7 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from app.measure.results import Choice, Trade
-from app.measure.run import Watch, in_turns, part_of, unwatched
+from app.measure.run import Watch, part_of, timed, unwatched
 from app.measure.smoothing import SMOOTHINGS, pane, picture_size
 from app.model.projection import Projection
 from app.model.refusal import QT_TRANSLATE_NOOP, Cancelled
@@ -60,56 +60,43 @@ def measure(
         return Trade("detail", "ms", "px", (Choice("100 %", None, None, None, note=TOO_FEW),), 0)
     size = picture_size(projection)
     whole: NDArray[np.float64] | None = None
-    errors: dict[str, float | None] = {}
-    values: dict[str, dict[str, float]] = {}
     runs: dict[str, Callable[[], Any]] = {}
-    uses: dict[str, str] = {}
-    complete = True
+    trade = Trade("detail", "ms", "px", (), 0)
     with ExitStack() as stack:
-        try:
-            for done, share in enumerate((1.0, *SHARES)):
+        for done, share in enumerate((1.0, *SHARES)):
+            try:
                 part_of(watch, 0.0, 0.5)(done / (1 + len(SHARES)))
-                name = f"{100.0 * share:g} %"
-                began = time.perf_counter()
-                fewer = reduced(scene, share)
-                made = time.perf_counter() - began
-                line = outline(fewer, projection, size)
-                if whole is None:
-                    whole = line
-                errors[name] = _apart(whole, line)
-                assert fewer.surface is not None
-                began = time.perf_counter()
-                runs[name], _ = stack.enter_context(pane(fewer, projection, size))
-                runs[name]()
-                values[name] = {
-                    "triangles": float(fewer.surface.n_cells),
-                    "memory_mb": fewer.surface.actual_memory_size / 1024.0,
-                    "reduce_ms": 1e3 * made,
-                    "first_frame_ms": 1e3 * (time.perf_counter() - began),
-                }
-                uses[name] = f"{share:g}"
-            times = in_turns(runs, seconds, part_of(watch, 0.5, 1.0))
-        except Cancelled as cancelled:
-            times, complete = cancelled.partial or {}, False
-    choices = []
-    for name, run_values in values.items():
-        cost, p95, _ = times.get(name, (None, None, 0))
-        choices.append(
-            Choice(
+            except Cancelled as cancelled:
+                raise Cancelled(replace(trade, complete=False)) from cancelled
+            name = f"{100.0 * share:g} %"
+            began = time.perf_counter()
+            fewer = reduced(scene, share)
+            made = time.perf_counter() - began
+            line = outline(fewer, projection, size)
+            if whole is None:
+                whole = line
+            error = _apart(whole, line)
+            assert fewer.surface is not None
+            began = time.perf_counter()
+            runs[name], _ = stack.enter_context(pane(fewer, projection, size))
+            runs[name]()
+            values = {
+                "triangles": float(fewer.surface.n_cells),
+                "memory_mb": fewer.surface.actual_memory_size / 1024.0,
+                "reduce_ms": 1e3 * made,
+                "first_frame_ms": 1e3 * (time.perf_counter() - began),
+            }
+            choice = Choice(
                 name,
-                None if cost is None else 1e3 * cost,
-                None if p95 is None else 1e3 * p95,
-                errors[name],
-                values=run_values,
-                note=NOT_SEEN if errors[name] is None else "",
-                use={"detail": uses[name]},
+                None,
+                None,
+                error,
+                values=values,
+                note=NOT_SEEN if error is None else "",
+                use={"detail": f"{share:g}"},
             )
-        )
-    rounds = min((each.rounds for each in times.values()), default=0)
-    trade = Trade("detail", "ms", "px", tuple(choices), rounds, complete)
-    if not complete:
-        raise Cancelled(trade)
-    return trade
+            trade = replace(trade, choices=(*trade.choices, choice))
+        return timed(trade, runs, seconds, 1e3, part_of(watch, 0.5, 1.0))
 
 
 def outline(scene: Scene, projection: Projection, size: tuple[int, int]) -> NDArray[np.float64]:

@@ -22,14 +22,13 @@ from typing import NamedTuple
 import numpy as np
 
 from app.measure.results import Choice, Trade
-from app.measure.run import Watch, in_turns, unwatched
+from app.measure.run import Watch, timed, unwatched
 from app.model.clipping import clip_segments
 from app.model.projection import Array, Projection
-from app.model.refusal import QT_TRANSLATE_NOOP, Cancelled
+from app.model.refusal import QT_TRANSLATE_NOOP
+from app.scenes.phenomena.interpolation import TEXELS, edge_error
 
 SPLITS = (1, 2, 4, 8, 16, 32, 64)
-TEXELS = 256
-"""Of the texture along the edge."""
 SAMPLES_A_PIXEL = 16
 """So densely the edge is looked at: the largest error is between pixels' middles too."""
 
@@ -136,8 +135,7 @@ def bound(edge: Edge, splits: int) -> float:
     t = np.arange(splits + 1) / splits
     w = float(edge.start[3]) + t * float(edge.end[3] - edge.start[3])
     ratios = np.maximum(w[1:] / w[:-1], w[:-1] / w[1:])
-    root = np.sqrt(ratios)
-    return float(((root - 1.0) / (root + 1.0)).max()) / splits
+    return float(edge_error(ratios).max()) / splits
 
 
 def truth(edge: Edge, s: Array) -> Array:
@@ -184,21 +182,15 @@ def measure(
     for splits in SPLITS:
         name = f"affine, {splits} pieces" if splits > 1 else "affine"
         runs[name] = partial(affine, edge, s, splits)
-    complete = True
-    try:
-        times = in_turns(runs, seconds, watch)
-    except Cancelled as cancelled:
-        times, complete = cancelled.partial, False
     choices = []
     for (name, run), splits in zip(runs.items(), (0, *SPLITS), strict=True):
         error = TEXELS * float(np.abs(run() - right).max())
         predicted = TEXELS * bound(edge, splits) if splits else None
-        cost, p95, _ = times.get(name, (None, None, 0))
         choices.append(
             Choice(
                 name,
-                None if cost is None else 1e9 * cost / len(s),
-                None if p95 is None else 1e9 * p95 / len(s),
+                None,
+                None,
                 error,
                 predicted,
                 {"triangles": 2.0 * max(1, splits)},
@@ -210,8 +202,5 @@ def measure(
                 },
             )
         )
-    rounds = min((each.rounds for each in times.values()), default=0)
-    trade = Trade("interpolation", "ns", "texels", tuple(choices), rounds, complete)
-    if not complete:
-        raise Cancelled(trade)
-    return trade
+    trade = Trade("interpolation", "ns", "texels", tuple(choices), 0)
+    return timed(trade, runs, seconds, 1e9 / len(s), watch)

@@ -9,8 +9,10 @@ from __future__ import annotations
 import statistics
 import time
 from collections.abc import Callable, Mapping
+from dataclasses import replace
 from typing import Any, NamedTuple, TypeAlias
 
+from app.measure.results import Trade
 from app.model.refusal import Cancelled
 
 _SHORTEST = 1e-3
@@ -99,6 +101,50 @@ def in_turns(
     except Cancelled as cancelled:
         raise Cancelled(times()) from cancelled
     return times()
+
+
+def timed(
+    trade: Trade,
+    runs: Mapping[str, Callable[[], Any]],
+    seconds: float,
+    per_second: float,
+    watch: Watch = unwatched,
+) -> Trade:
+    """A trade with what its choices cost, timed in turns.
+
+    Parameters
+    ----------
+    trade : Trade
+        Without costs.
+    runs : mapping of str to callable
+        By the choices' names; what has no run gets no cost.
+    seconds : float
+        As for `in_turns`.
+    per_second : float
+        How many of the cost's units a second of one run is.
+    watch : Watch
+
+    Raises
+    ------
+    Cancelled
+        By `watch`; with the costs so far.
+    """
+    complete = True
+    try:
+        times = in_turns(runs, seconds, watch)
+    except Cancelled as cancelled:
+        times, complete = cancelled.partial, False
+    choices = []
+    for choice in trade.choices:
+        if choice.name in times:
+            median, p95, _ = times[choice.name]
+            choice = replace(choice, cost=per_second * median, cost_p95=per_second * p95)
+        choices.append(choice)
+    rounds = min((each.rounds for each in times.values()), default=0)
+    found = replace(trade, choices=tuple(choices), rounds=rounds, complete=complete)
+    if not complete:
+        raise Cancelled(found)
+    return found
 
 
 def percentile95(times: list[float]) -> float:

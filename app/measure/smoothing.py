@@ -15,14 +15,12 @@ from numpy.typing import NDArray
 
 from app.drawings import WORDS
 from app.drawings.actors import face_actor, identity_camera
-from app.drawings.figures import Pixels, pixels_of
 from app.drawings.image import ImageDrawing
-from app.drawings.off_screen import off_screen
+from app.drawings.off_screen import Pixels, off_screen, pixels_of
 from app.drawings.style import LIGHT, WHITE
 from app.measure.results import Choice, Trade
-from app.measure.run import Watch, in_turns, unwatched
+from app.measure.run import Watch, timed, unwatched
 from app.model.projection import Projection
-from app.model.refusal import Cancelled
 from app.scenes.scene import Scene
 
 REFERENCE = 4
@@ -98,7 +96,7 @@ def measure(
             draw()
             reference = shown(read(), REFERENCE, size)
         runs: dict[str, Callable[[], Any]] = {}
-        errors, notes = {}, {}
+        choices = []
         for smoothing, note in pictures():
             draw, read = stack.enter_context(pane(scene, projection, size, smoothing))
             draw()
@@ -114,30 +112,10 @@ def measure(
 
             runs[smoothing.name] = frame
             difference = shown(read(), smoothing.scale, size) - reference
-            errors[smoothing.name] = float(np.sqrt((difference**2).mean()))
-            notes[smoothing.name] = note
-        try:
-            times, complete = in_turns(runs, seconds, watch), True
-        except Cancelled as cancelled:
-            times, complete = cancelled.partial, False
-    choices = []
-    for name in runs:
-        cost, p95, _ = times.get(name, (None, None, 0))
-        choices.append(
-            Choice(
-                name,
-                None if cost is None else 1e3 * cost,
-                None if p95 is None else 1e3 * p95,
-                errors[name],
-                note=notes[name],
-                use={"smoothing": name},
-            )
-        )
-    rounds = min((each.rounds for each in times.values()), default=0)
-    trade = Trade("smoothing", "ms", "levels RMS", tuple(choices), rounds, complete)
-    if not complete:
-        raise Cancelled(trade)
-    return trade
+            error, name = float(np.sqrt((difference**2).mean())), smoothing.name
+            choices.append(Choice(name, None, None, error, note=note, use={"smoothing": name}))
+        trade = Trade("smoothing", "ms", "levels RMS", tuple(choices), 0)
+        return timed(trade, runs, seconds, 1e3, watch)
 
 
 def pictures() -> list[tuple[Smoothing, str]]:

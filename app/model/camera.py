@@ -17,7 +17,6 @@ import numpy as np
 from app.arithmetic import double_double as dd
 from app.arithmetic.double_double import DoubleDouble
 from app.model.limits import (
-    ABOVE,
     DISTINCT,
     NOT_PARALLEL,
     NOT_THE_EYE,
@@ -28,6 +27,7 @@ from app.model.limits import (
     cos_sin_deg,
     finite,
     finite_vector,
+    positive,
     read_only,
     within,
 )
@@ -224,8 +224,7 @@ class Camera:
         azimuth_deg, elevation_deg, distance, roll_deg = (
             finite(field, value) for field, value in zip(Orbit._fields, orbit, strict=True)
         )
-        if distance <= 0.0:
-            raise Refusal("distance", distance, ABOVE, 0)
+        positive("distance", distance)
         within("elevation_deg", elevation_deg, -90, 90)
         right, upward, backward = _orbit_axes(azimuth_deg, elevation_deg)
         offset = [distance * b for b in backward]

@@ -29,14 +29,7 @@ import numpy as np
 from numpy.typing import ArrayLike, DTypeLike, NDArray
 
 from app.model.limits import within
-from app.model.projection import (
-    DEPTH_RANGES,
-    FINITE_NUMBER,
-    ONE_OF,
-    Array,
-    Lens,
-    Perspective,
-)
+from app.model.projection import DEPTH_RANGES, FINITE_NUMBER, ONE_OF, Array, Lens, Perspective
 from app.model.refusal import Refusal
 
 Codes: TypeAlias = NDArray[np.uint8] | NDArray[np.uint16] | NDArray[np.uint32]
@@ -150,7 +143,7 @@ class DepthBuffer:
         Refusal
             For a distance that is not a number between near and far.
         """
-        return self._depth(self._distances("distance", distance))
+        return self._depth(self._distances(distance))
 
     def encode(self, distance: ArrayLike) -> Codes:
         """The code that is stored for a distance.
@@ -253,7 +246,7 @@ class DepthBuffer:
         A step s of the depth is ``w x/(1 - x)`` with ``x = s w (1/n - 1/f)``: for 24 bits and
         far >> near this is ``w^2/(n 2^24)`` and a little.
         """
-        w = self._distances("distance", distance)
+        w = self._distances(distance)
         depth = self._depth(w)
         mean, uneven = self._cells(depth)
         toward = -1.0 if self._is_reversed else 1.0
@@ -308,8 +301,7 @@ class DepthBuffer:
         Refusal
             As `depth`.
         """
-        one = self._depth(self._distances("distance", first))
-        other = self._depth(self._distances("distance", second))
+        one, other = self.depth(first), self.depth(second)
         apart = np.abs(one - other)
         mean, uneven = self._cells((one + other) / 2.0)
         share = np.maximum(mean + uneven - apart, 0.0) + np.maximum(mean - uneven - apart, 0.0)
@@ -326,20 +318,20 @@ class DepthBuffer:
         """``log(f/n)``, with its digits where near is close to far."""
         return math.log1p((self.far - self.near) / self.near)
 
-    def _distances(self, field: str, value: ArrayLike) -> Array:
+    def _distances(self, value: ArrayLike) -> Array:
         try:
             given = np.asarray(value)
         except ValueError:  # rows of different lengths
-            raise Refusal(field, value, FINITE_NUMBER) from None
+            raise Refusal("distance", value, FINITE_NUMBER) from None
         if given.dtype.kind not in "iuf":
-            raise Refusal(field, value, FINITE_NUMBER)
+            raise Refusal("distance", value, FINITE_NUMBER)
         distances = given.astype(np.float64)
         inside = (distances >= self.near) & (distances <= self.far)
         if not inside.all():
             wrong = float(distances[~inside][0])
             if math.isnan(wrong):
-                raise Refusal(field, wrong, FINITE_NUMBER)
-            within(field, wrong, self.near, self.far)
+                raise Refusal("distance", wrong, FINITE_NUMBER)
+            within("distance", wrong, self.near, self.far)
         return distances
 
     def _depth(self, w: Array) -> Array:

@@ -14,7 +14,7 @@ from fractions import Fraction
 
 import numpy as np
 
-from app.arithmetic.rationals import rationals
+from app.arithmetic.rationals import dot, nearest, rationals
 from app.model.limits import PLANES, Row, finite
 from app.model.projection import Projection, Trace
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
@@ -82,8 +82,8 @@ def trace_at_infinity(projection: Projection, direction: Sequence[float | Fracti
     if own_view is None:
         view = [*projection.camera.exact_along(world[:3]), Fraction(0)]
     else:
-        view = [_dot(row, world) for row in rationals(own_view)]
-    clip = [_dot(row, view) for row in projection.direct_stages[0].exact]
+        view = [dot(row, world) for row in rationals(own_view)]
+    clip = [dot(row, view) for row in projection.direct_stages[0].exact]
     x, y, z, w = clip
     z_near, z_far = map(Fraction, projection.depth_range)
     sign = 1 if z_far > z_near else -1
@@ -93,12 +93,12 @@ def trace_at_infinity(projection: Projection, direction: Sequence[float | Fracti
         viewport = projection.stages[-1].exact
         ndc = [x / w, y / w, z / w, Fraction(1)]
         pictured = [
-            _rounded(part) for part in [*ndc[:3], *(_dot(row, ndc) for row in viewport[:3])]
+            nearest(part) + 0.0 for part in [*ndc[:3], *(dot(row, ndc) for row in viewport[:3])]
         ]
     in_front = all(map(math.isfinite, pictured))
     numbers = np.array(pictured if in_front else [math.nan] * 6)
     world_4, view_4, clip_4 = (
-        np.array([_rounded(part) for part in each]) for each in (world, view, clip)
+        np.array([nearest(part) for part in each]) + 0.0 for each in (world, view, clip)
     )
     outside = np.array([part < 0 for part in inside])
     assert len(outside) == len(PLANES)
@@ -108,15 +108,3 @@ def trace_at_infinity(projection: Projection, direction: Sequence[float | Fracti
         np.array(in_front),
         outside,
     )
-
-
-def _dot(row: Sequence[Fraction], column: Sequence[Fraction]) -> Fraction:
-    return sum((a * b for a, b in zip(row, column, strict=True)), Fraction(0))
-
-
-def _rounded(number: Fraction) -> float:
-    """The nearest float64, infinite beyond them all; no minus zero."""
-    try:
-        return float(number) + 0.0
-    except OverflowError:
-        return math.inf if number > 0 else -math.inf

@@ -134,6 +134,14 @@ def finite(field: str, value: Any) -> float:
     return within(field, number, -LARGEST, LARGEST)
 
 
+def positive(field: str, value: Any) -> float:
+    """A finite number above 0 as a float, or a `Refusal`."""
+    number = finite(field, value)
+    if number <= 0.0:
+        raise Refusal(field, number, ABOVE, 0)
+    return number
+
+
 def within(field: str, number: float, low: float, high: float) -> float:
     """A number inside a closed interval, or a `Refusal` that names the end it is beyond."""
     if number < low:

@@ -41,10 +41,7 @@ from numpy.typing import ArrayLike
 from app.arithmetic import double_double as dd
 from app.arithmetic.double_double import DoubleDouble
 from app.arithmetic.rationals import Rationals, product, rationals
-from app.model.camera import (
-    Camera,
-    Orbit,
-)
+from app.model.camera import Camera, Orbit
 from app.model.formula import FLOAT64
 from app.model.lenses import (
     LENSES,
@@ -68,7 +65,6 @@ from app.model.lenses.perspective import (
 )
 from app.model.lenses.setup import Axis, ExactLens, Intrinsics, Trace
 from app.model.limits import (
-    ABOVE,
     AT_LEAST,
     AT_MOST,
     BETWEEN,
@@ -91,18 +87,13 @@ from app.model.limits import (
     Vector,
     finite,
     keep_checked,
+    positive,
     read_only,
     within,
 )
 from app.model.object_transform import NOT_MOVED, SPACES, ObjectTransform, Placed, Space
 from app.model.refusal import Refusal
-from app.model.tables import (
-    VIEWPORT,
-    Step,
-    evaluated,
-    inverse,
-    rounded,
-)
+from app.model.tables import VIEWPORT, Step, evaluated, inverse, rounded
 
 __all__ = [  # the model's one door: what its other rooms hold can be had here
     "AT_LEAST",
@@ -375,11 +366,6 @@ class Projection:
     def clip_from_world(self) -> Array:
         """`clip_from_view` times `view_from_world`, (4, 4)."""
         return read_only(self.clip_from_view @ self.view_from_world)
-
-    @cached_property
-    def world_from_clip(self) -> Array:
-        """The inverse of `clip_from_world`, (4, 4): it un-projects the NDC cube to the frustum."""
-        return self.world_from_clip_at((0.0, 0.0, 0.0))
 
     def clip_from_world_at(self, origin: ArrayLike) -> Array:
         """`clip_from_world` for points given relative to `origin`.
@@ -785,9 +771,8 @@ class Projection:
         fx, fy, cx, cy = (
             finite(name, value) for name, value in zip(Intrinsics._fields, intrinsics, strict=True)
         )
-        for name, value in (("fx", fx), ("fy", fy)):
-            if value <= 0.0:
-                raise Refusal(name, value, ABOVE, 0)
+        positive("fx", fx)
+        positive("fy", fy)
         width, height = self.image_size
         for name, value, side, centre in (("fx", fx, width, cx), ("fy", fy, height, cy)):
             least = (abs(centre) + side + 1.0) * SMALLEST_FIELD

@@ -26,16 +26,9 @@ from numpy.typing import ArrayLike
 
 from app.arithmetic import double_double as dd
 from app.arithmetic.double_double import DoubleDouble
+from app.arithmetic.rationals import nearest
 from app.model.infinity import trace_at_infinity
-from app.model.projection import (
-    ONE_OF,
-    Array,
-    Placed,
-    Projection,
-    Space,
-    Trace,
-    Vector,
-)
+from app.model.projection import ONE_OF, Array, Placed, Projection, Space, Trace, Vector
 from app.model.refusal import Refusal
 
 Precision: TypeAlias = Literal["float32", "float64", "exact"]
@@ -324,10 +317,7 @@ def _lost_single(sizes: Array, local: Array) -> Array:
 
 
 def drawing_bounds_px(
-    projection: Projection,
-    boxes: Array,
-    origin: Vector = (0.0, 0.0, 0.0),
-    space: Space = "world",
+    projection: Projection, boxes: Array, origin: Vector = (0.0, 0.0, 0.0), space: Space = "world"
 ) -> list[float]:
     """What `float32` can lose at most in what is seen of boxes, from their corners alone.
 
@@ -373,16 +363,6 @@ def drawing_bounds_px(
     return bounds
 
 
-def drawing_bound_px(
-    projection: Projection,
-    boxes: Array,
-    origin: Vector = (0.0, 0.0, 0.0),
-    space: Space = "world",
-) -> float:
-    """The largest of `drawing_bounds_px`, of boxes (n, 8, 3) or of one, (8, 3)."""
-    return max(drawing_bounds_px(projection, boxes.reshape(-1, 8, 3), origin, space), default=0.0)
-
-
 def _least_w_seen(clip: Array, sizes: Array) -> Array:
     """The least w of what is in view of boxes, or less, (n,); infinite if nothing is.
 
@@ -407,19 +387,6 @@ def _least_w_seen(clip: Array, sizes: Array) -> Array:
     cut = np.where((a >= 0.0) & (b < 0.0), cut, np.where(a >= 0.0, here, np.inf))
     least: Array = cut.min(axis=(2, 3)).max(axis=0)
     return least
-
-
-def precision_for_drawing(
-    projection: Projection,
-    boxes: Array,
-    origin: Vector = (0.0, 0.0, 0.0),
-    tolerance_px: float = DRAWING_TOLERANCE_PX,
-    space: Space = "world",
-) -> Precision:
-    """The cheaper of the two precisions that can be drawn, if what it can lose in boxes, (n, 8, 3)
-    or (8, 3), is below a tolerance."""
-    bound_px = drawing_bound_px(projection, boxes, origin, space)
-    return "float32" if bound_px <= tolerance_px else "float64"
 
 
 def precision_for_reading(predictions: Mapping[Precision, Prediction] | None) -> Precision:
@@ -657,17 +624,9 @@ def _trace_rational(
     first = lens.clipped(projection, *lens.exact_coordinates(projection, point))
     w = first[6]
     quotients = _divide(projection, first[3:7]) if w != 0 else [math.nan] * 6
-    numbers = [_rounded(number) for number in (*first[:7], *quotients)]
+    numbers = [nearest(number) for number in (*first[:7], *quotients)]
     rests = [
         float(true - Fraction(number)) if math.isfinite(number) else math.nan
         for true, number in zip(quotients[3:], numbers[10:], strict=True)
     ]
     return numbers, rests, [number < 0 for number in first[7:]]
-
-
-def _rounded(number: Any) -> float:
-    """The nearest float64; infinite if it is beyond them all."""
-    try:
-        return float(number)
-    except OverflowError:
-        return math.copysign(math.inf, number)

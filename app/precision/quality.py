@@ -11,8 +11,8 @@ import math
 from dataclasses import dataclass, fields
 
 from app.model.depth import FORMATS, MAPPINGS, DepthBuffer
-from app.model.limits import within
-from app.model.projection import FINITE_NUMBER, ONE_OF, Projection
+from app.model.limits import finite, keep_checked, within
+from app.model.projection import ONE_OF, Projection
 from app.model.refusal import Refusal
 
 AUTO = "auto"
@@ -67,13 +67,8 @@ class Quality:
             if not isinstance(value, str) or value not in known:
                 names = ", ".join(name or "''" for name in known)
                 raise Refusal(f"quality.{field}", value, ONE_OF, names)
-        detail = self.detail
-        if isinstance(detail, bool) or not isinstance(detail, (int, float)):
-            raise Refusal("quality.detail", detail, FINITE_NUMBER)
-        if not math.isfinite(detail):
-            raise Refusal("quality.detail", detail, FINITE_NUMBER)
-        within("quality.detail", detail, LEAST_DETAIL, 1)
-        object.__setattr__(self, "detail", float(detail))
+        detail = finite("quality.detail", self.detail)
+        keep_checked(self, detail=within("quality.detail", detail, LEAST_DETAIL, 1))
 
     @property
     def chosen(self) -> dict[str, str | float]:

@@ -91,7 +91,7 @@ def risks(
     drawn : {"float32", "float64"}
         The precision that the panes are drawn with.
     drawing_px : float
-        What float32 can lose in the picture, as `precision.drawing_bound_px` gives it.
+        What float32 can lose in the picture, the largest of `precision.drawing_bounds_px`.
     predictions : dict from precision to Prediction, or None
         As `precision.predict` gives them for the scene's vertices.
     """

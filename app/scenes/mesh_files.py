@@ -397,7 +397,7 @@ def _full_scale(kind: np.dtype[Any]) -> float:
     return 1.0 if kind.kind == "f" else float(np.iinfo(kind).max)
 
 
-_BLOCK = 1 << 24
+BLOCK = 1 << 24
 """Bytes of a text that are looked at together: progress is shown, and cancel asked, after each."""
 
 
@@ -449,7 +449,7 @@ def _obj_blocks(file: BinaryIO) -> Iterator[bytes]:
     """The text in whole lines, each with its end, without comments and what ends it otherwise."""
     rest = b""
     while True:
-        block = file.read(_BLOCK)
+        block = file.read(BLOCK)
         text = rest + block
         end = text.rfind(b"\n") + 1
         while block and text[max(0, end - 3) : end].rstrip(b"\r\n")[-1:] == b"\\":
@@ -585,7 +585,7 @@ def _stl_text(source: _Source) -> Floats:
     rest = b""
     blocks = [np.empty(0)]
     triangles = 0
-    while block := source.file.read(_BLOCK):
+    while block := source.file.read(BLOCK):
         text = (rest + block).lower()
         end = text.rfind(b"endloop") + len(b"endloop")
         if end < len(b"endloop"):

@@ -133,7 +133,8 @@ def _received(
 # --------------------------------------------------------------------------- in the other process
 
 
-def _main(path: Path) -> None:
+def main(path: Path) -> None:
+    """Read a mesh and write it to standard output, where `read` looks for it; or why not."""
     _limit_memory()
     out = sys.stdout.buffer
 
@@ -185,4 +186,4 @@ def _limit_memory() -> None:
 
 
 if __name__ == "__main__":
-    _main(Path(sys.argv[1]))
+    main(Path(sys.argv[1]))

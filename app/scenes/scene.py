@@ -20,7 +20,7 @@ from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property, partial
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, NamedTuple, TypeAlias, cast
+from typing import TYPE_CHECKING, Any, NamedTuple, cast
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -32,6 +32,7 @@ from app.model.projection import (
     Perspective,
     Projection,
     Space,
+    Vector,
 )
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
 from app.scenes.mesh_files import ENDINGS as ENDINGS
@@ -56,6 +57,7 @@ from app.scenes.shapes import (
     PLATE_RGB,
     SIDE_RGB,
     Coloured,
+    box_corners,
     box_faces,
     brightness,
     distinct_rows,
@@ -72,8 +74,6 @@ if TYPE_CHECKING:
     import pyvista as pv
     from vtkmodules.vtkCommonCore import vtkDataArray
     from vtkmodules.vtkCommonDataModel import vtkCellArray
-
-Vector: TypeAlias = tuple[float, float, float]
 
 WRONG_ENDING = QT_TRANSLATE_NOOP(
     "Refusal", "{0}: a mesh file must end in {1} or {2}; convert it to one of these."
@@ -294,8 +294,7 @@ class Scene:
     @cached_property
     def corners(self) -> Array:
         """World coordinates of the corners of a box round all that is drawn, (8, 3)."""
-        meshes = (self.__dict__[name] for name in ("surface", "lines"))
-        bounds = [mesh.bounds for mesh in meshes if mesh is not None]
+        bounds = [mesh.bounds for mesh in self._meshes]
         low, high = np.subtract((self.lower, self.upper), self.origin)  # where nothing is drawn
         if bounds:
             low = np.min([b[::2] for b in bounds], axis=0)
@@ -369,20 +368,23 @@ class Scene:
 
     def _box(self, low: ArrayLike, high: ArrayLike) -> Array:
         """World coordinates of a box' corners, (8, 3), from two of them relative to the origin."""
-        which = np.array([[i >> axis & 1 for axis in range(3)] for i in range(8)], dtype=bool)
-        corners: Array = np.where(which, high, low) + self.origin
-        return corners
+        return box_corners(low, high) + self.origin
+
+    @property
+    def _meshes(self) -> list[Any]:
+        """The faces and the lines that there are, made or to be made."""
+        held = (self.__dict__[name] for name in ("surface", "lines"))
+        return [mesh for mesh in held if mesh is not None]
 
     @property
     def has_vertices(self) -> bool:
         """Whether there is anything to draw: an empty ground has nothing."""
-        return any(self.__dict__[name] is not None for name in ("surface", "lines"))
+        return bool(self._meshes)
 
     @property
     def vertices(self) -> Array:
         """All vertices in world coordinates, (n, 3)."""
-        meshes = (self.__dict__[name] for name in ("surface", "lines"))
-        points = np.concatenate([mesh.points for mesh in meshes if mesh is not None])
+        points = np.concatenate([mesh.points for mesh in self._meshes])
         vertices: Array = points.astype(np.float64) + self.origin
         return vertices
 
@@ -464,7 +466,7 @@ def frame_camera(lower: Sequence[float], upper: Sequence[float]) -> Projection:
     aspect = Projection().aspect
     tan_y = math.tan(math.radians(lens.fov_y_deg / 2.0))
     margin = 0.8  # of the half picture that the box may fill
-    corners = _corners(lower, upper) - np.asarray(target)
+    corners = box_corners(lower, upper) - target
     radius = float(np.linalg.norm(corners / size, axis=1).max()) * size
     for_width = corners @ n + abs(corners @ u) / (margin * tan_y * aspect)
     for_height = corners @ n + abs(corners @ v) / (margin * tan_y)
@@ -496,11 +498,6 @@ def _by_size_and_place(points: Floats, offsets: Ints, corners: Ints) -> Floats:
     starts = np.flatnonzero(np.diff(kinds[order], prepend=-1))
     lower, upper = np.minimum.reduceat(low[order], starts), np.maximum.reduceat(high[order], starts)
     return np.stack([lower, upper], axis=1)
-
-
-def _corners(lower: Sequence[float], upper: Sequence[float]) -> Floats:
-    """The eight corners of a box, (8, 3)."""
-    return np.array(np.meshgrid(*zip(lower, upper, strict=True))).reshape(3, 8).T
 
 
 def _rounded(point: Sequence[float], decimals: int) -> Vector:
@@ -758,18 +755,18 @@ def _own_mesh(surface: pv.PolyData, origin: Vector, pixels: bool) -> OwnMesh:
         longest = edges[:1, [0, 0, 1]]
     whole = np.empty((0, 3, 3))
     if pixels:
-        whole = _coarser(points, triangles, SUBJECT_SURFACE) + origin
+        whole = _coarser(points, triangles) + origin
     return OwnMesh(
         edges + origin, len(starts), longest + origin, len(longest) < len(triangles), whole
     )
 
 
-def _coarser(points: NDArray[np.floating], triangles: Ints, most: int) -> Floats:
-    """Triangles (k, 3, 3), at most so many: vertices in the same cell of a grid become one."""
+def _coarser(points: NDArray[np.floating], triangles: Ints) -> Floats:
+    """Triangles (k, 3, 3), `SUBJECT_SURFACE` at most: vertices in a cell of a grid become one."""
     found: Floats = points[triangles].astype(np.float64)
     low, size = points.min(axis=0), float(np.ptp(points, axis=0).max())
     cells = 48
-    while len(found) > most:
+    while len(found) > SUBJECT_SURFACE:
         cell = np.floor((points - low) * (cells / size)).astype(np.int64)
         keys = (cell[:, 0] * (cells + 1) + cell[:, 1]) * (cells + 1) + cell[:, 2]
         _, where, count = np.unique(keys, return_inverse=True, return_counts=True)

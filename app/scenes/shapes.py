@@ -14,9 +14,8 @@ from typing import Any, TypeAlias
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from app.model.projection import Camera, Perspective, Projection
+from app.model.projection import Camera, Perspective, Projection, Vector
 
-Vector: TypeAlias = tuple[float, float, float]
 Floats: TypeAlias = NDArray[np.float64]
 Colours: TypeAlias = NDArray[np.uint8]
 Coloured: TypeAlias = tuple[Floats, Colours]
@@ -79,6 +78,12 @@ def box_faces(lower: Sequence[float], upper: Sequence[float]) -> Floats:
             face[:, up] = [lower[up], lower[up], upper[up], upper[up]]
             faces.append(face[::turn])
     return np.array(faces)
+
+
+def box_corners(lower: ArrayLike, upper: ArrayLike) -> Floats:
+    """The corners of a box, (8, 3): x changes first, then y, then z."""
+    which = np.array([[i >> axis & 1 for axis in range(3)] for i in range(8)], dtype=bool)
+    return np.where(which, upper, lower)
 
 
 def distinct_rows(rows: NDArray[Any]) -> tuple[NDArray[Any], NDArray[np.intp]]:

@@ -9,7 +9,6 @@ from __future__ import annotations
 import contextlib
 import gc
 import io
-import itertools
 import json
 import os
 import re
@@ -27,7 +26,6 @@ from dataclasses import dataclass, replace
 from importlib.util import module_from_spec, spec_from_file_location
 from pathlib import Path
 from types import SimpleNamespace
-from typing import cast
 
 import pytest
 from packaging.markers import Marker
@@ -36,6 +34,7 @@ from packaging.requirements import Requirement as Standard
 from app import __version__, bootstrap
 from app.__main__ import need_of
 from app.commands.options import SUMMARIES
+from tests import PATIENCE_MS
 
 PYTHON = getattr(sys, "_base_executable", sys.executable)  # outside every virtual environment
 COMMAND_LINE = """
@@ -274,11 +273,12 @@ def test_an_environment_is_not_trusted_from_its_first_change_on(
 
     monkeypatch.setattr(bootstrap.Held, "run", pip)
     program = made.stamp.read_text()
-    for extras in ((), ("test",)):
+    for extras, bounds in (((), ">=0,<2"), (("test",), ">=1,<2")):
         made.stamp.write_text(program)
+        made.ask_for(bounds, exactly="1.0")
         environment = bootstrap.Environment(made.root, extras)
-        with pytest.raises(bootstrap.SetupError), bootstrap._Progress() as progress:
-            environment._install(bootstrap.Held(io.BytesIO()), progress)
+        with pytest.raises(bootstrap.SetupError):
+            environment.make()
         assert not environment.can_be_kept()
     assert seen == [program, "setting up\n", program, f"{program}setting up\n"]
     assert made.assert_runs() == ""  # and the tests' part is made anew, with its program
@@ -346,14 +346,25 @@ def test_an_environment_that_lost_a_part_is_not_trusted(made: Checkout, lost: st
     assert lost == "python" or made.stamp.read_text() == "setting up\n"
 
 
-def test_windows_makes_no_environment_anew_that_is_running(monkeypatch: pytest.MonkeyPatch) -> None:
+@pytest.fixture
+def not_set_up(fresh: Checkout, monkeypatch: pytest.MonkeyPatch) -> None:
+    """The checkout that this process starts in is one that lacks its package, and not its own."""
+    monkeypatch.setattr(bootstrap, "ROOT", fresh.root)
+
+
+@pytest.mark.usefixtures("not_set_up")
+def test_windows_makes_no_environment_anew_that_is_running(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
     """Nobody can remove a program's file there while it runs, and it would wait for its heir."""
     monkeypatch.setattr(sys, "platform", "win32")
-    monkeypatch.setattr(bootstrap, "_is_met", lambda *_: False)
     monkeypatch.setattr(bootstrap.Environment, "is_running", lambda _: True)
     monkeypatch.setattr(bootstrap.Environment, "is_complete", lambda _: False)
-    with pytest.raises(bootstrap.SetupError, match=r"\.venv lacks .*; start again: .*python"):
-        bootstrap._start("numbers", ())
+    with pytest.raises(SystemExit) as end:
+        bootstrap.start("numbers")
+    assert end.value.code == 3
+    said = one_sentence(capsys.readouterr().err)
+    assert re.search(r"\.venv lacks frustum-probe; start again: .*python", said)
 
 
 def test_an_environment_that_cannot_be_removed_is_in_use(
@@ -371,14 +382,17 @@ def test_an_environment_that_cannot_be_removed_is_in_use(
 def test_a_package_that_is_in_use_is_not_the_networks_fault(
     made: Checkout, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    said = "ERROR: Could not install packages due to an OSError: [WinError 5] Access is denied\n"
-    monkeypatch.setattr(bootstrap.Environment, "_pip", lambda *_: (1, [said]))
+    def pip(_: object, _command: object, follow: Callable[[str], object]) -> int:
+        follow("ERROR: Could not install packages due to an OSError: [WinError 5] Access is denied")
+        return 1
+
+    monkeypatch.setattr(bootstrap.Held, "run", pip)
+    made.ask_for(">=0,<2", exactly="1.0")
     with pytest.raises(bootstrap.SetupError, match=r"close all windows of Frustum Lab and run ag"):
-        bootstrap.Environment(made.root)._install(
-            cast("bootstrap.Held", None), bootstrap._Progress()
-        )
+        bootstrap.Environment(made.root).make()
 
 
+@pytest.mark.usefixtures("not_set_up")
 def test_ctrl_c_is_left_to_the_program_that_windows_waits_for(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
@@ -402,8 +416,9 @@ def test_ctrl_c_is_left_to_the_program_that_windows_waits_for(
 
     monkeypatch.setattr(sys, "platform", "win32")
     monkeypatch.setattr("subprocess.Popen", Program)
+    monkeypatch.setattr(bootstrap.Environment, "is_complete", lambda _: True)
     with pytest.raises(SystemExit) as end:
-        bootstrap._again(Path("python"))
+        bootstrap.start("numbers")
     assert end.value.code == 7
 
 
@@ -609,31 +624,38 @@ class Terminal(io.StringIO):
 
 
 @pytest.mark.parametrize("live", [True, False])
-def test_what_takes_long_is_seen_to_go_on(live: bool, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_packages_are_counted_while_they_are_installed(
+    live: bool, made: Checkout, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Which is seen to go on, however long it takes."""
     out = Terminal() if live else io.StringIO()
     monkeypatch.setattr(sys, "stderr", out)
-    monkeypatch.setattr(bootstrap._Progress, "EVERY_S", 0.01)
-    monkeypatch.setattr(bootstrap._Progress, "EVERY_S_ELSEWHERE", 0.01)
-    counted = itertools.count()
-    with bootstrap._Progress() as progress:
-        progress.say("  installing 37 packages", lambda: f"{next(counted)} done")
-        while next(counted) < 5:
-            threading.Event().wait(0.01)
-        progress.say("over")
-    written = out.getvalue()
-    between = "\r" if live else "\n"
-    assert (
-        len(re.findall(rf"{between}frustum-lab:   installing 37 packages, \d+ done", written)) > 1
-    )
-    assert written.splitlines()[-1].strip() == "frustum-lab: over"
+    monkeypatch.setattr(bootstrap, "TICK_S", 0.01)
+    monkeypatch.setattr(bootstrap, "TICK_ELSEWHERE_S", 0.01)
+    (info,) = made.package.parent.glob("frustum_probe-*.dist-info")
 
+    def said(count: int) -> list[str]:
+        start = "\r" if live else "\n"
+        line = f"{start}frustum-lab:   installing 2 packages, {count} done"
+        return re.findall(line, out.getvalue())
 
-def test_packages_are_counted_while_they_are_installed(made: Checkout) -> None:
-    environment = bootstrap.Environment(made.root)
-    count = environment._installed()
-    (info,) = (made.root / ".venv").rglob("frustum_probe-*.dist-info")
-    shutil.rmtree(info)
-    assert environment._installed() == count - 1
+    def pip(_: object, _command: object, follow: Callable[[str], object]) -> int:
+        follow("Installing collected packages: frustum-extra, frustum-more")
+        more = info.with_name("frustum_more-1.dist-info")
+        for count, name in enumerate(("METADATA", "RECORD")):
+            more.mkdir(exist_ok=True)
+            (more / name).touch()
+            for _ in range(PATIENCE_MS // 10):
+                if len(said(count)) > 1:
+                    break
+                threading.Event().wait(0.01)
+        return 0
+
+    monkeypatch.setattr(bootstrap.Held, "run", pip)
+    made.ask_for(">=0,<2", exactly="1.0")
+    bootstrap.Environment(made.root).make()
+    assert len(said(0)) > 1 and len(said(1)) > 1
+    assert out.getvalue().splitlines()[-1].startswith("frustum-lab: set up in ")
 
 
 def test_a_folder_that_cannot_be_written_to_is_one_sentence(fresh: Checkout) -> None:
@@ -714,8 +736,8 @@ def test_one_command_brings_what_app_export_and_tests_lack(
 ) -> None:
     program(programs, "apt-get")
     monkeypatch.setenv("DISPLAY", ":0")
-    monkeypatch.setattr(bootstrap.System, "is_here", lambda _: False)
-    monkeypatch.setattr(bootstrap._Fonts, "is_here", lambda _: False)
+    for kind in {type(item) for item in bootstrap.SYSTEM}:
+        monkeypatch.setattr(kind, "is_here", lambda _: False)
     words = bootstrap.advice(bootstrap.missing_system("picture")).replace("'", "").split()
     named = {name for item in bootstrap.SYSTEM for name in item.packages.split()}
     assert {"xauth", "xvfb", "libgssapi-krb5-2", "fonts-dejavu-core"} < named <= set(words)
@@ -790,12 +812,9 @@ def test_an_installation_that_fails_or_brings_nothing_is_one_sentence(
 
 
 def test_each_need_asks_for_no_more_than_it_uses(programs: Path) -> None:
-    def absent(_: bootstrap.System) -> bool:
-        return False
-
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(bootstrap.System, "is_here", absent)
-        patch.setattr(bootstrap._Fonts, "is_here", absent)
+        for kind in {type(item) for item in bootstrap.SYSTEM}:
+            patch.setattr(kind, "is_here", lambda _: False)
         patch.delenv("DISPLAY", raising=False)
         numbers, picture, window, tests = (
             {item.name for item in bootstrap.missing_system(need)}

@@ -13,7 +13,7 @@ import subprocess
 import sys
 import zlib
 from collections.abc import Callable
-from dataclasses import replace
+from dataclasses import fields, replace
 from pathlib import Path
 from typing import Any
 
@@ -41,6 +41,7 @@ from app.model.projection import (
 )
 from app.picking.picking import Probe
 from app.precision.levels import PRECISIONS, Precision, predict, trace
+from app.precision.quality import Quality
 from app.scenes.phenomena import PHENOMENA
 from app.scenes.scene import load
 from tests import PATIENCE_S
@@ -491,7 +492,7 @@ def test_project_reads_a_file_whose_name_is_a_number(
     path.write_text("1,2,3\n")
     assert run_here("project", path).returncode == 0
     monkeypatch.chdir(tmp_path)
-    cli._check_typed_points(["1,2,3", "-", "--set", "lens.far=inf"])
+    assert cli.main(["project", "1,2,3"]) == 0
 
 
 def test_project_with_a_document_only_says_that_points_are_missing(by_hand: Path) -> None:
@@ -1053,15 +1054,17 @@ def test_the_names_in_the_help_are_those_that_there_are() -> None:
     from app.measure.arithmetic import SWEEPS
 
     paths = {"scene", "mesh", "depth", *document.model_paths().values()} - {"lens.former"}
-    paths |= {f"quality.{key}" for key in document._QUALITY}
+    paths |= {f"quality.{field.name}" for field in fields(Quality)}
     paths |= {f"view.{key}" for key in view.FIELDS if key not in ("panes", "pinned")}
     assert set(options.SETTABLE) == paths
     assert options.PRECISIONS == PRECISIONS
     assert options.SPACES == SPACES
     assert tuple(measuring.TRADES) == options.TRADES
     assert tuple(SWEEPS) == options.SWEEPS
-    assert tuple(cli._PROJECT_FORMATS) == options.PROJECT_FORMATS
-    assert tuple(cli._MATRIX_FORMATS) == options.MATRIX_FORMATS
+    for form in options.PROJECT_FORMATS:
+        assert run_here("project", "-", "--format", form, text="1,2,3\n").returncode == 0
+    for form in options.MATRIX_FORMATS:
+        assert run_here("matrices", "--format", form).returncode == 0
     assert tuple(cli.COMMANDS) == tuple(options.SUMMARIES)
 
 
@@ -1387,13 +1390,20 @@ def test_doctor_survives_a_driver_that_crashes() -> None:
     assert re.search(r"\n  Export: install Mesa", done.stdout)
 
 
+def with_driver(script: str, folder: Path, patch: pytest.MonkeyPatch) -> None:
+    """Let a script stand for the process that tries a driver."""
+    trial = folder / "trial"
+    trial.write_text(f"#!/bin/sh\n{script}\n")
+    trial.chmod(0o755)
+    patch.setattr(sys, "executable", str(trial))
+
+
 def test_doctor_names_a_package_of_the_wrong_version(
-    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     from app.commands import doctor
 
-    monkeypatch.setattr(doctor, "_display", lambda: iter(()))
-    monkeypatch.setattr(doctor, "_off_screen", lambda: doctor.Finding("Export", "ok"))
+    with_driver("exit 1", tmp_path, monkeypatch)
     version = doctor.metadata.version
     monkeypatch.setattr(
         doctor.metadata, "version", lambda name: "9.9" if name == "vtk" else version(name)
@@ -1403,35 +1413,35 @@ def test_doctor_names_a_package_of_the_wrong_version(
     assert re.search(r"This is missing:\n  vtk: change it: .* -m pip install 'vtk>=9", said)
 
 
-def test_doctor_tells_a_crash_and_a_silence_from_an_answer() -> None:
+@pytest.mark.parametrize(
+    ("script", "said"),
+    [
+        ("kill -SEGV $$", "the driver crashed (signal 11)"),
+        ("exec sleep 60", "does not answer within 0.2 s"),
+        # The keyboard is the terminal's.
+        ("read line || line=nothing; echo $line was typed >&2; exit 1", "nothing was typed"),
+    ],
+)
+def test_doctor_tells_what_became_of_a_driver(
+    script: str, said: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
     from app.commands import doctor
 
-    code = "import os, signal; os.kill(os.getpid(), signal.SIGSEGV)"
-    answer, problem = doctor._try([sys.executable, "-c", code], dict(os.environ))
-    assert (answer, problem) == (None, "the driver crashed (signal 11)")
-    answer, problem = doctor._try([sys.executable, "-c", "print('{\"a\": 1}')"], dict(os.environ))
-    assert (answer, problem) == ({"a": 1}, "")
-
-
-def test_doctor_does_not_wait_for_ever(monkeypatch: pytest.MonkeyPatch) -> None:
-    from app.commands import doctor
-
-    monkeypatch.setattr(doctor, "LONGEST_TRIAL_S", 0.2)
-    code = "import threading; threading.Event().wait(60)"
-    answer, problem = doctor._try([sys.executable, "-c", code], dict(os.environ))
-    assert answer is None and problem == "does not answer within 0.2 s"
-
-
-def test_doctor_does_not_take_the_keyboard_from_the_terminal() -> None:
-    code = (
-        "import os, sys; from app.commands import doctor; "
-        "print(doctor._try([sys.executable, '-c', 'print(repr(input()))'], dict(os.environ)))"
-    )
-    done = subprocess.run(
-        [sys.executable, "-c", code],
-        cwd=ROOT, input="typed\n", capture_output=True, text=True, check=True,
-    )  # fmt: skip
-    assert "EOF" in done.stdout and "typed" not in done.stdout
+    with_driver(script, tmp_path, monkeypatch)
+    if "sleep" in script:
+        monkeypatch.setattr(doctor, "LONGEST_TRIAL_S", 0.2)
+    keyboard, typing = os.pipe()
+    os.write(typing, b"a word\n")
+    os.close(typing)
+    kept = os.dup(0)
+    os.dup2(keyboard, 0)
+    try:
+        found = {finding.name: finding.text for finding in doctor.examine()}
+    finally:
+        os.dup2(kept, 0)
+        os.close(kept)
+        os.close(keyboard)
+    assert (found["OpenGL"], found["Export"]) == (said, said)
 
 
 def test_a_scene_alone_is_seen_with_its_own_camera_and_in_a_document_with_the_documents(

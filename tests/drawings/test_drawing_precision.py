@@ -26,10 +26,11 @@ from app.model.projection import (
     Perspective,
     Projection,
 )
-from app.precision.levels import DRAWING_TOLERANCE_PX, drawing_bound_px
+from app.precision.levels import DRAWING_TOLERANCE_PX
 from app.scenes.scene import Scene, load
 from tests.oracles.exact import dot as exact_dot
 from tests.oracles.exact import frame, minus, mp, vector
+from tests.support.bounds import drawing_bound_px
 from tests.support.drawings import OffScreen, drawn, off_screen, scene_of, to_bytes
 from widgets.window.main_window import MainWindow
 
@@ -431,18 +432,13 @@ def test_an_everyday_step_does_nothing_per_vertex(
     kind: Any, off_screen: Callable[[int, int], OffScreen], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     calls: list[str] = []
-    trace, cut = Projection.trace, precisions._cut
+    trace = Projection.trace
 
     def traced(*args: Any) -> Any:
         calls.append("trace")
         return trace(*args)
 
-    def was_cut(*args: Any) -> Any:
-        calls.append("cut")
-        return cut(*args)
-
     monkeypatch.setattr(Projection, "trace", traced)
-    monkeypatch.setattr(precisions, "_cut", was_cut)
     for name, projection in everyday():
         screen = off_screen(200, 150)
         scene = load(name)
@@ -455,7 +451,7 @@ def test_an_everyday_step_does_nothing_per_vertex(
     assert calls == []
     drawing.show_projection(replace(projection, lens=Perspective(1e-3, 1, 30)))
     assert drawing.precision == "float64"
-    assert calls == ["trace", "cut"] * 2  # faces and lines
+    assert calls == ["trace"] * 2  # faces and lines
 
 
 @pytest.mark.parametrize("kind", [ImageDrawing, StageDrawing])
@@ -484,6 +480,12 @@ def test_both_precisions_draw_the_same_everyday_picture(
         assert (pictures[0] != pictures[1]).any(axis=-1).sum() <= 100, (name, projection)
 
 
+def meshes(screen: OffScreen) -> dict[Any, Any]:
+    """What each actor of a drawing shows."""
+    actors = (actor for each in screen.window.GetRenderers() for actor in each.GetActors())
+    return {actor: actor.GetMapper().GetInput() for actor in actors}
+
+
 @pytest.mark.parametrize("kind", [ImageDrawing, StageDrawing])
 def test_there_and_back_is_the_picture_of_a_fresh_drawing(
     kind: Any, off_screen: Callable[[int, int], OffScreen]
@@ -498,11 +500,8 @@ def test_there_and_back_is_the_picture_of_a_fresh_drawing(
     drawing, beside = (kind(s, scene, WORDS, LIGHT) for s in screens[:2])
     beside.show_projection(near)
     other = screens[1].pixels()
-    actors = [
-        actor for renderer in screens[0].window.GetRenderers() for actor in renderer.GetActors()
-    ]
-    meshes = [actor.GetMapper().GetInput() for actor in actors]
-    times = [mesh.GetMTime() for mesh in meshes]
+    own = meshes(screens[0])
+    times = [mesh.GetMTime() for mesh in own.values()]
     pictures, used = {}, []
     for name, projection in (
         ("near", near), ("narrow", narrow), ("across", across), ("near", near), ("across", across),
@@ -513,20 +512,43 @@ def test_there_and_back_is_the_picture_of_a_fresh_drawing(
         picture = screens[0].pixels()
         assert (pictures.setdefault(name, picture) == picture).all()
     assert used == ["float32", "float64", "float64", "float32", "float64", "float64", "float32"]
-    assert [actor.GetMapper().GetInput() for actor in actors] == meshes
-    assert [mesh.GetMTime() for mesh in meshes] == times
+    assert meshes(screens[0]) == own
+    assert [mesh.GetMTime() for mesh in own.values()] == times
     fresh = kind(screens[2], scene, WORDS, LIGHT)
     for name, projection in (("near", near), ("across", across)):
         fresh.show_projection(projection)
         assert (screens[2].pixels() == pictures[name]).all()
     assert (screens[1].pixels() == other).all()
-    assert [
-        actor for renderer in screens[0].window.GetRenderers() for actor in renderer.GetActors()
-    ] == actors
+
+
+def projected(screen: OffScreen, own: dict[Any, Any]) -> list[str]:
+    """Instead of which of a drawing's own meshes its actors show others, projected here."""
+    shown = meshes(screen)
+    return [
+        "faces" if mesh.GetNumberOfPolys() else "lines"
+        for actor, mesh in own.items()
+        if shown[actor] is not mesh
+    ]
+
+
+def test_drawings_of_one_scene_draw_with_the_same_vertices_as_each_for_itself(
+    off_screen: Callable[[int, int], OffScreen],
+) -> None:
+    scene = load("letter-f")
+    narrow = replace(scene.start, lens=Perspective(0.01, 1, 30))
+    pictures: list[Any] = []
+    for apart in (False, True):
+        for kind in (ImageDrawing, StageDrawing):
+            screen = off_screen(300, 200)
+            drawing = kind(screen, replace(scene) if apart else scene, WORDS, LIGHT)
+            drawing.show_projection(narrow)
+            assert drawing.precision == "float64"
+            pictures.append(screen.pixels())
+    assert (pictures[0] == pictures[2]).all() and (pictures[1] == pictures[3]).all()
 
 
 def test_faces_and_lines_choose_for_themselves(
-    off_screen: Callable[[int, int], OffScreen], monkeypatch: pytest.MonkeyPatch
+    off_screen: Callable[[int, int], OffScreen],
 ) -> None:
     """An avenue whose trees float32 can draw, and not the lines of its ground."""
     scene = load("far-plane-popping")
@@ -534,52 +556,36 @@ def test_faces_and_lines_choose_for_themselves(
         drawing_bound_px(scene.start, boxes, scene.origin) for boxes in scene.boxes
     )
     assert faces_px < lines_px
-    cells: list[int] = []
-    cut = precisions._cut
-
-    def was_cut(clip: Any, given: Any, planes: Any) -> Any:
-        cells.append(given.shape[1])
-        return cut(clip, given, planes)
-
-    monkeypatch.setattr(precisions, "_cut", was_cut)
     pictures = []
-    for tolerance_px, projected in (
-        (lines_px, []), ((faces_px + lines_px) / 2.0, [2]), (faces_px / 2.0, [3, 2])
+    for tolerance_px, those in (
+        (lines_px, []), ((faces_px + lines_px) / 2.0, ["lines"]),
+        (faces_px / 2.0, ["faces", "lines"]),
     ):  # fmt: skip
         screen = off_screen(500, 400)
-        cells.clear()
-        precisions._projected.clear()
-        drawing = StageDrawing(screen, scene, WORDS, LIGHT, tolerance_px)
+        drawing = ImageDrawing(screen, scene, WORDS, LIGHT, tolerance_px)
+        own = meshes(screen)
         drawing.show_projection(scene.start)
-        assert cells == projected
-        assert drawing.precision == ("float64" if projected else "float32")
+        assert projected(screen, own) == those
+        assert drawing.precision == ("float64" if those else "float32")
         pictures.append(screen.pixels())
     for picture in pictures[1:]:
         assert (picture != pictures[0]).any(axis=-1).sum() <= 100
 
 
 def test_what_is_not_drawn_is_not_projected(
-    off_screen: Callable[[int, int], OffScreen], monkeypatch: pytest.MonkeyPatch
+    off_screen: Callable[[int, int], OffScreen],
 ) -> None:
     """Levels of detail stand in the place of the faces in the image."""
     scene = load("far-plane-popping")
     assert scene.phenomenon is not None
     screen = off_screen(200, 150)
     drawing = ImageDrawing(screen, scene, WORDS, LIGHT, 0.0)
-    cells: list[int] = []
-    cut = precisions._cut
-
-    def was_cut(clip: Any, given: Any, planes: Any) -> Any:
-        cells.append(given.shape[1])
-        return cut(clip, given, planes)
-
-    monkeypatch.setattr(precisions, "_cut", was_cut)
-    for near, projected in ((1.0, [3, 2]), (0.9, [2]), (0.8, [2])):  # the first builds the levels
+    own = meshes(screen)
+    for near, those in ((1.0, ["faces", "lines"]), (0.9, ["lines"]), (0.8, ["lines"])):
         projection = replace(scene.start, lens=replace(scene.start.lens, near=near))
         shown = scene.phenomenon.illustration(projection, scene.phenomenon.defaults, scene.subject)
         drawing.show_projection(projection, shown)
-        assert cells == projected and drawing.precision == "float64"
-        cells.clear()
+        assert projected(screen, own) == those and drawing.precision == "float64"
 
 
 @pytest.mark.parametrize("fov_y_deg", [45.0, 8.0, 0.5])
@@ -587,11 +593,11 @@ def test_what_float64_leaves_out_at_a_glance_is_not_seen(
     fov_y_deg: float, off_screen: Callable[[int, int], OffScreen], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """From outside, from the middle of a bumpy ball, and close over it: the same pixels."""
-    ball = pv.Sphere(theta_resolution=60, phi_resolution=60)
-    points = ball.points * (2.0 + 0.1 * np.sin(9.0 * ball.points)).astype(np.float32)
-    faces = ball.regular_faces
+    sphere = pv.Sphere(theta_resolution=60, phi_resolution=60)
+    points = sphere.points * (2.0 + 0.1 * np.sin(9.0 * sphere.points)).astype(np.float32)
+    faces = sphere.regular_faces
     colours = np.random.default_rng(3).integers(30, 230, (len(faces), 3))
-    scene = scene_of(points, faces.tolist(), colours.tolist(), (0.0, 0.0, 0.0))
+    ball = scene_of(points, faces.tolist(), colours.tolist(), (0.0, 0.0, 0.0))
     traced: list[int] = []
     trace = Projection.trace
 
@@ -605,10 +611,9 @@ def test_what_float64_leaves_out_at_a_glance_is_not_seen(
         )
         pictures, counts = [], []
         for many in (10**9, 1_000):
-            monkeypatch.setattr(precisions, "_MANY_CELLS", many)
-            precisions._projected.clear()
+            monkeypatch.setattr(precisions, "MANY_CELLS", many)
             screen = off_screen(*SIZE)
-            drawing = ImageDrawing(screen, scene, WORDS, LIGHT, 0.0, framed=False)
+            drawing = ImageDrawing(screen, replace(ball), WORDS, LIGHT, 0.0, framed=False)
             with monkeypatch.context() as patch:
                 patch.setattr(Projection, "trace", counted)
                 drawing.show_projection(projection)

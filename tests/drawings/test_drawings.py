@@ -94,8 +94,9 @@ def drawn_vertices(screen: OffScreen, tolerance_px: float) -> tuple[ImageDrawing
     # As the scene's lines, they go the way that everything goes: user matrix, identity camera.
     scene = replace(letter, surface=None, lines=vertices)
     drawing = ImageDrawing(screen, scene, WORDS, LIGHT, tolerance_px, framed=False)
-    for actor in drawing.picture_renderer.GetActors():
-        actor.GetProperty().SetPointSize(3.0)
+    for renderer in screen.window.GetRenderers():
+        for actor in renderer.GetActors():
+            actor.GetProperty().SetPointSize(3.0)
     return drawing, points
 
 

@@ -253,7 +253,7 @@ def test_the_eye_is_named_beside_its_camera(off_screen: MakeScreen, name: str) -
     if "eye" not in boxes_of(screen):
         return
     left, bottom, right, top = boxes_of(screen)["eye"]
-    x, y, _ = drawing._spots(np.array([drawing._stands.eye]))[0]
-    y = LARGE[1] - y
+    scene = load(name)
+    x, y, _ = drawing.own.pane.seen(np.array([scene.start.camera.eye]) - scene.origin)[0]
     away = math.hypot(max(left - x, 0.0, x - right), max(bottom - y, 0.0, y - top))
     assert away < 3.5 * LIGHT.font_size

@@ -21,7 +21,8 @@ from app.drawings.style import DARK, LIGHT, rgb
 from app.drawings.world import WorldDrawing
 from app.lecture.stages import IMAGE, NDC, VIEW
 from app.model.projection import DEPTH_RANGES, Camera, Orthographic, Perspective, Projection
-from app.scenes.phenomena.illustration import Copy, Dot, Face, Illustration, Line, Marks, Text
+from app.scenes.phenomena.illustration import Illustration
+from app.scenes.phenomena.marks import Copy, Dot, Face, Line, Marks, Text
 from app.scenes.scene import Scene, load
 from tests.support.drawings import Pixels, drawn, off_screen, scene_of, to_bytes
 from widgets.panes.canvas import RasterCanvas

@@ -51,18 +51,18 @@ class Picture:
         self.window = self.plotter.render_window
         self.window.SetMultiSamples(0)
         self.drawing = ImageDrawing(self.plotter, self.scene, WORDS, LIGHT, framed=False)
-        self.illustration = Illustration(())
+        self.projection, self.illustration = self.phenomenon.start, Illustration(())
 
     def show(self, projection: Projection | None = None, **settings: Any) -> Picture:
         """Take these over; draws nothing."""
-        projection = replace(projection or self.phenomenon.start, image_size=SIZE)
+        self.projection = replace(projection or self.phenomenon.start, image_size=SIZE)
         checked = self.phenomenon.checked(settings)
-        self.illustration = self.phenomenon.show(projection, checked, self.scene.subject)
+        self.illustration = self.phenomenon.show(self.projection, checked, self.scene.subject)
         # Texts and dots would cover what is looked at here.
         bare = replace(
             self.illustration, image=replace(self.illustration.image, lines=(), dots=(), texts=())
         )
-        self.drawing.show_projection(projection, bare)
+        self.drawing.show_projection(self.projection, bare)
         return self
 
     def pixels(self) -> Pixels:
@@ -72,8 +72,7 @@ class Picture:
     @property
     def actors(self) -> list[Any]:
         """All actors of the picture."""
-        found = self.drawing.picture_renderer.GetActors()
-        return [found.GetItemAsObject(i) for i in range(found.GetNumberOfItems())]
+        return [actor for each in self.window.GetRenderers() for actor in each.GetActors()]
 
 
 @pytest.fixture
@@ -257,7 +256,9 @@ def board_coordinates(
     The triangles are those of the mesh itself, each side cut in `parts`. Second: pixels whose
     triangle's border is too near to say which of two triangles has them.
     """
-    mesh = subdivided(pv.wrap(picture.drawing._rasteriser._plain), parts)
+    surface = picture.scene.surface
+    assert surface is not None
+    mesh = subdivided(surface.triangulate(), parts)
     corners = np.asarray(mesh.points, dtype=float)[mesh.regular_faces]
     trace = projection.trace(corners)
     width, height = SIZE
@@ -319,8 +320,7 @@ def test_the_largest_error_is_the_one_in_the_picture(make: Any) -> None:
         projection = looking(random, 0.5, 100.0)
         projection = replace(projection, lens=Perspective(75.0, 0.5, 100.0))
         parts = int(random.choice([1, 1, 2, 4]))
-        inside = projection.trace(interpolation._CORNERS).outside
-        if inside.any():
+        if projection.trace(picture.scene.surface.points).outside.any():
             continue
         settings = {"pattern": "coordinates", "subdivision": parts}
         affine = picture.show(projection, **settings).pixels().astype(float)
@@ -399,6 +399,12 @@ def test_too_many_triangles_are_named(make: Any, monkeypatch: pytest.MonkeyPatch
 # --------------------------------------------------------------------------- fog and levels
 
 
+def without_trees(picture: Picture) -> None:
+    """Draw the scene's own faces, whatever levels of detail stand there for them."""
+    rendering = replace(picture.illustration.rendering, levels=())
+    picture.drawing.show_projection(picture.projection, Illustration((), rendering=rendering))
+
+
 @pytest.mark.parametrize("kind", ["perspective", "orthographic"])
 @pytest.mark.parametrize("fog", ["linear", "exponential"])
 def test_fog_leaves_the_contrast_of_its_formula(make: Any, fog: str, kind: str) -> None:
@@ -414,7 +420,7 @@ def test_fog_leaves_the_contrast_of_its_formula(make: Any, fog: str, kind: str) 
         at = Projection(Camera((0.0, 0.0, w), (0.0, 0.0, 0.0), (0.0, 1.0, 0.0)))
         at = replace(at, lens=Perspective(40.0, 1.0, 100.0)).with_lens(kind)
         picture.show(at, fog=fog, fog_start=10.0, fog_end=80.0, fog_density=0.03)
-        picture.drawing._rasteriser._choose_faces(in_levels=False)  # the wall, not the trees
+        without_trees(picture)
         pixel = picture.pixels()[SIZE[1] // 2, SIZE[0] // 2]
         part = math.exp(-0.03 * w) if fog == "exponential" else min(1.0, max(0.0, (80 - w) / 70))
         assert pixel == pytest.approx(background * (1.0 - part) + 90.0 * part, abs=1.0), w
@@ -422,18 +428,21 @@ def test_fog_leaves_the_contrast_of_its_formula(make: Any, fog: str, kind: str) 
         behind = replace(at, camera=Camera((0.0, 0.0, -50.0), (0.0, 0.0, -90.0)))
         behind = replace(behind, lens=replace(behind.lens, near=-100.0))
         picture.show(behind, fog=fog, fog_start=10.0, fog_end=80.0, fog_density=0.03)
-        picture.drawing._rasteriser._choose_faces(in_levels=False)
+        without_trees(picture)
         assert picture.pixels()[SIZE[1] // 2, SIZE[0] // 2] == pytest.approx(90.0, abs=1.0)
 
 
 def tree_scene(level: int) -> Scene:
     """All trees at one level of detail, as an ordinary scene without requirements."""
-    quads, rgb_ = popping._levels()[level][0]
+    scene = load("far-plane-popping")
+    trees = popping.PHENOMENON
+    shown = trees.show(scene.start, trees.checked({}), scene.subject)
+    quads, rgb_ = shown.rendering.levels[level].faces  # type: ignore[union-attr]
     points = quads.reshape(-1, 3)
     first = 4 * np.arange(len(quads))[:, None]
     mesh = pv.PolyData.from_regular_faces(points, first + np.arange(4))
     mesh.cell_data["rgb"] = rgb_
-    return replace(load("far-plane-popping"), surface=mesh, phenomenon=None)
+    return replace(scene, surface=mesh, phenomenon=None)
 
 
 @pytest.mark.parametrize(

@@ -12,7 +12,6 @@ from typing import Any
 import numpy as np
 import pytest
 
-from app.commands import cli
 from app.lecture import notation
 from app.lecture.notation import LETTERS, Letters, Matrix, matrices
 from app.model.formula import parse
@@ -30,6 +29,7 @@ from app.model.projection import (
     focal_length_e,
     fov_x_from_fov_y,
 )
+from tests.support.commands import told_matrices
 from tests.support.samples import pairwise
 
 BOX = (-3.0, 4.5, -2.0, 3.25)
@@ -159,12 +159,10 @@ def test_products_are_products(lens: str, depth: str, letters: Letters, rows: bo
 
 @pytest.mark.parametrize("lens", LENSES)
 @pytest.mark.parametrize("depth", DEPTHS)
-def test_numbers_are_the_commands(
-    lens: str, depth: str, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_numbers_are_the_commands(lens: str, depth: str) -> None:
     projection = projection_of(lens, depth)
-    told = json.loads(cli._matrices_json(projection))
-    text = cli._matrices_text(projection)
+    told = json.loads(told_matrices(projection, "json"))
+    text = told_matrices(projection, "text")
     shown = matrices(projection)
     assert list(told) == [matrix.name for matrix in shown]
     for matrix in shown:

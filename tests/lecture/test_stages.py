@@ -314,7 +314,7 @@ def test_a_free_matrix_goes_from_view_to_ndc_in_one_step(cell: Any) -> None:
     corners = np.array([[-2.0, 0.0, -1.0], [2.0, 4.0, 1.0]])
     strip = FreeMorph(free, (0.0, 0.0, 0.0), corners)
     box = np.array([(x, y, z, 1.0) for z in (0.0, 1.0) for y in (-1.0, 1.0) for x in (-1.0, 1.0)])
-    local = box @ free.with_depth("reversed").world_from_clip.T
+    local = box @ free.with_depth("reversed").world_from_clip_at((0.0, 0.0, 0.0)).T
     for position in (0.0, 0.5, 1.0, 1.5, 2.2, 2.7, 3.5, 4.0, 4.5, 5.0):
         assert strip.has_volume(position)
         seen = local @ strip.display_from_local(position).T

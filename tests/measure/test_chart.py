@@ -31,7 +31,7 @@ from app.measure.results import (
     to_csv,
 )
 from app.model.projection import Projection
-from app.scenes.phenomena.illustration import Diagram, Spot
+from app.scenes.phenomena.diagram import Diagram, Spot
 from tests.support.commands import refused, run_here
 from tests.support.results import RESULTS, SWEEP, TRADE, choice, curve, sweep
 

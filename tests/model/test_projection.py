@@ -431,7 +431,7 @@ def test_world_from_clip_undoes_clip_from_world(projection: Projection) -> None:
     lens, lens_back = np.abs(projection.clip_from_view), np.abs(projection.view_from_clip)
     for there, back, offset in (
         (projection.clip_from_view, projection.view_from_clip, None),
-        (projection.clip_from_world, projection.world_from_clip, np.zeros(3)),
+        (projection.clip_from_world, projection.world_from_clip_at((0.0, 0.0, 0.0)), np.zeros(3)),
         (projection.clip_from_world_at(origin), projection.world_from_clip_at(origin), origin),
     ):
         # What rounding can do at most: the product of the factors' absolute values.
@@ -1362,7 +1362,10 @@ def test_what_can_be_made_works(depth: str) -> None:
                 for size in ((1, LARGEST_IMAGE_PX), (LARGEST_IMAGE_PX, 1)):
                     lens = Perspective(fov_y_deg, near, far)
                     projection = Projection(SLANTED, lens, size, depth)
-                    for matrix in (projection.clip_from_world, projection.world_from_clip):
+                    for matrix in (
+                        projection.clip_from_world,
+                        projection.world_from_clip_at((0.0, 0.0, 0.0)),
+                    ):
                         assert np.isfinite(matrix).all()
                     assert np.isfinite(projection.trace(SLANTED.target).image).all()
 
@@ -1573,7 +1576,8 @@ REFUSED: list[tuple[Callable[[], object], str]] = [
     (lambda: FreeMatrix(((1e-76, 0, 0, 0), *((0.0,) * 4,) * 3)),
      "clip_from_view[0, 0] = 1e-76: must be 0 or at least 1e-75 in size."),
     (lambda: Projection(lens=FreeMatrix(
-        ((1e-60, 1, 0, 0), (0, 1e-60, 1, 0), (0, 0, 1e-60, 1), (0, 0, 0, 1e-60)))).world_from_clip,
+        ((1e-60, 1, 0, 0), (0, 1e-60, 1, 0), (0, 0, 1e-60, 1), (0, 0, 0, 1e-60)))
+    ).world_from_clip_at((0, 0, 0)),
      "clip_from_view = ((1e-60, 1, 0, 0), (0, 1e-60, 1, 0), (0, 0, 1e-60, 1), (0, 0, 0,"
      " 1e-60)): must have an inverse that float64 can hold, and multiply."),
     # planes, focal lengths and intrinsics
@@ -1727,7 +1731,7 @@ def test_matrices_are_called_target_from_source() -> None:
         and isinstance(value := getattr(projection, name), np.ndarray)
         and value.shape == (4, 4)
     }
-    assert len(names) == 9
+    assert len(names) == 8
     for name in names - factors | {"clip_from_world_at", "world_from_clip_at"}:
         assert re.fullmatch(f"{space}_from_{space}(_at)?", name), name
         assert hasattr(projection, name)

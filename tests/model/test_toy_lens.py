@@ -139,8 +139,12 @@ def same(projection: Projection) -> Projection:
 def test_it_projects(depth: Any, far: float) -> None:
     projection = Projection(lens=replace(SHIFT, far=far), depth=depth)
     other = same(projection)
-    for name in ("clip_from_view", "view_from_clip", "world_from_clip"):
-        assert np.allclose(getattr(projection, name), getattr(other, name), rtol=1e-13, atol=1e-13)
+    for mine, its in (
+        (projection.clip_from_view, other.clip_from_view),
+        (projection.view_from_clip, other.view_from_clip),
+        (projection.world_from_clip_at((0.0, 0.0, 0.0)), other.world_from_clip_at((0.0, 0.0, 0.0))),
+    ):
+        assert np.allclose(mine, its, rtol=1e-13, atol=1e-13)
     for level in precision.PRECISIONS:
         mine, its = (precision.trace(p, POINTS, level) for p in (projection, other))
         assert np.allclose(

@@ -20,7 +20,9 @@ from app.model.projection import (
     Perspective,
     Projection,
 )
-from app.scenes.phenomena.illustration import Illustration, Marks, Phenomenon, Reading, Subject
+from app.scenes.phenomena.illustration import Illustration, Phenomenon, Subject
+from app.scenes.phenomena.marks import Marks
+from app.scenes.phenomena.readout import Reading
 
 
 def subject_of(phenomenon: Phenomenon) -> Subject:

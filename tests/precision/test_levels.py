@@ -15,6 +15,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from app.arithmetic import double_double as dd
+from app.model.lenses.closed_form import ClosedForm
 from app.model.limits import SMALLEST, SMALLEST_FIELD, SMALLEST_WINDOW
 from app.model.projection import (
     DEPTH_RANGES,
@@ -37,19 +38,19 @@ from app.model.projection import (
 from app.model.refusal import Refusal
 from app.precision import levels as precision
 from app.precision.levels import (
+    DRAWING_TOLERANCE_PX,
     PRECISIONS,
     READING_TOLERANCE_DEPTH,
     READING_TOLERANCE_PX,
     Precision,
-    drawing_bound_px,
     drawing_bounds_px,
-    precision_for_drawing,
     precision_for_reading,
     predict,
     trace,
 )
 from app.scenes.scene import BUILT_IN, load
 from tests.oracles import exact
+from tests.support.bounds import drawing_bound_px
 from tests.support.samples import pairwise
 
 HD = (1920, 1080)
@@ -283,13 +284,14 @@ def test_exact_is_rounded_once_where_double_double_overflows(
 def count_rationals(monkeypatch: pytest.MonkeyPatch) -> Callable[[], int]:
     """Count the points for which double-double does not tell how to round."""
     calls = []
-    rational = precision._trace_rational
+    for lens in (ClosedForm, FreeMatrix):
+        exactly = lens.exact_coordinates
 
-    def counted(*arguments: Any) -> Any:
-        calls.append(arguments)
-        return rational(*arguments)
+        def counted(*arguments: Any, exactly: Any = exactly) -> Any:
+            calls.append(arguments)
+            return exactly(*arguments)
 
-    monkeypatch.setattr(precision, "_trace_rational", counted)
+        monkeypatch.setattr(lens, "exact_coordinates", counted)
     return lambda: len(calls)
 
 
@@ -794,8 +796,8 @@ def test_predictions_of_the_readmes_documents_are_no_looser_than_it_says() -> No
     drawn = {
         name
         for name in BUILT_IN
-        if precision_for_drawing(load(name).start, load(name).boxes.together, load(name).origin)
-        == "float64"
+        if drawing_bound_px(load(name).start, load(name).boxes.together, load(name).origin)
+        > DRAWING_TOLERANCE_PX
     }
     assert drawn == DRAWN_IN_FLOAT64
 

@@ -30,6 +30,8 @@ from widgets.parts.number_dialog import NumberDialog
 from widgets.window.main_window import MainWindow
 from widgets.window.settings import Settings
 
+pytestmark = pytest.mark.smooth
+
 PANES = ("world", "ndc", "image")
 
 
@@ -568,12 +570,16 @@ def test_while_a_small_mesh_is_made_coarser_unseen_nothing_comes_between(
     """No dialog keeps the user from the window, so that neither a key nor a click may reach it."""
     path = tmp_path / "small.ply"
     pv.Sphere(theta_resolution=26, phi_resolution=26).save(path)
-    window, scene = make_window(), load(str(path))
+    window = make_window()
+    window.look.adaptive.set_target(0.0)
+    assert window.files.open(path)
+    scene = window.shown.scene
     shares = shares_for_dragging(scene)
-    assert len(shares) == 1
+    assert len(shares) == 1 and not is_made(scene, shares[0])
     found: list[bool] = []
+    window.look.adaptive.set_target(33.0)
     QTimer.singleShot(0, lambda: found.append(is_made(scene, shares[0])))
-    window.look.adaptive._make(scene, shares)
+    window.look.adaptive.findChild(QTimer).timeout.emit()  # nothing is asked for just now
     QApplication.processEvents()
     assert found == [True]
 

@@ -11,7 +11,7 @@ import pytest
 
 from app.model.projection import Camera, FreeMatrix, Lens, Orthographic, Perspective, Projection
 from app.precision import risks as health
-from app.precision.levels import drawing_bound_px, precision_for_drawing, predict
+from app.precision.levels import DRAWING_TOLERANCE_PX, Precision, predict
 from app.precision.risks import (
     FEW_DIGITS,
     LARGE_INVERSE,
@@ -28,20 +28,25 @@ from app.precision.risks import (
     risks,
 )
 from app.scenes.scene import BUILT_IN, load
+from tests.support.bounds import drawing_bound_px
 from tests.support.marked import marked
 
 EVERYDAY = Projection(Camera(), Perspective(45.0, 1.0, 30.0))
+
+
+def drawn_in(bound_px: float) -> Precision:
+    """The cheaper of the two precisions that can be drawn, if what it can lose is not seen."""
+    return "float32" if bound_px <= DRAWING_TOLERANCE_PX else "float64"
 
 
 def found(projection: Projection, size: float = 5.0) -> dict[str, tuple[str, ...]]:
     """The risks' figures by template, with letter F's vertices."""
     scene = load("letter-f")
     predictions = predict(projection, scene.sample, scene.origin)
-    drawn = precision_for_drawing(projection, scene.boxes.together, scene.origin)
     half = size / math.sqrt(12.0)  # of a cube of this diagonal round the target
     lower, upper = ((sign * half, 2.2 + sign * half, sign * half) for sign in (-1.0, 1.0))
     drawing_px = drawing_bound_px(projection, scene.boxes.together, scene.origin)
-    told = risks(projection, lower, upper, drawn, drawing_px, predictions)
+    told = risks(projection, lower, upper, drawn_in(drawing_px), drawing_px, predictions)
     assert {risk.template for risk in told} <= marked(health, context="Health")
     return {risk.template: risk.figures for risk in told}
 
@@ -50,9 +55,9 @@ def found(projection: Projection, size: float = 5.0) -> dict[str, tuple[str, ...
 def test_a_scene_as_it_opens_is_healthy(name: str) -> None:
     scene = load(name)
     predictions = predict(scene.start, scene.sample, scene.origin)
-    drawn = precision_for_drawing(scene.start, scene.boxes.together, scene.origin)
     drawing_px = drawing_bound_px(scene.start, scene.boxes.together, scene.origin)
-    assert risks(scene.start, scene.lower, scene.upper, drawn, drawing_px, predictions) == []
+    told = scene.lower, scene.upper, drawn_in(drawing_px), drawing_px, predictions
+    assert risks(scene.start, *told) == []
 
 
 def test_the_gap_at_the_target_is_that_of_a_24_bit_buffer() -> None:

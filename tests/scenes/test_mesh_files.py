@@ -76,7 +76,7 @@ def test_obj_larger_than_a_block_is_read_across_the_seams(
     obj_file(tmp_path / "m.obj", PYRAMID)
     whole = meshes.read(tmp_path / "m.obj")
     for block in (1, 7, 64):
-        monkeypatch.setattr(meshes, "_BLOCK", block)
+        monkeypatch.setattr(meshes, "BLOCK", block)
         mesh = meshes.read(tmp_path / "m.obj")
         assert (mesh.points == whole.points).all() and (mesh.corners == whole.corners).all()
 
@@ -171,11 +171,12 @@ def bomb(folder: Path, nodes: int, primitives: int) -> Path:
     return folder / "m.gltf"
 
 
-def test_what_would_grow_too_large_is_refused_by_its_counts(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    monkeypatch.setattr(meshes, "_gltf_buffers", None)  # nothing is read before
-    sentence = refused(bomb(tmp_path, 50_000, 100))
+def test_what_would_grow_too_large_is_refused_by_its_counts(tmp_path: Path) -> None:
+    path = bomb(tmp_path, 50_000, 100)
+    content = json.loads(path.read_text())
+    content["buffers"][0]["uri"] = "gone.bin"  # nothing is read before
+    path.write_text(json.dumps(content))
+    sentence = refused(path)
     assert "would grow to 30000000 triangles" in sentence and "at most 20000000" in sentence
 
 
@@ -266,7 +267,7 @@ def test_memory_that_is_not_there_is_a_sentence(tmp_path: Path) -> None:
         file.truncate(84 + 50 * 4_000_000)
     code = (
         "from pathlib import Path; from app.scenes import reading; reading.MEMORY = 600 * 2**20;"
-        f"reading._main(Path({str(tmp_path / 'm.stl')!r}))"
+        f"reading.main(Path({str(tmp_path / 'm.stl')!r}))"
     )
     done = subprocess.run([sys.executable, "-c", code], cwd=ROOT, capture_output=True, check=False)
     answer = json.loads(done.stdout.splitlines()[-1])
@@ -278,10 +279,10 @@ def test_what_a_reader_did_not_foresee_is_a_sentence(
 ) -> None:
     obj_file(tmp_path / "m.obj", PYRAMID)
 
-    def broken(_: object) -> Mesh:
+    def broken(*_: object) -> None:
         raise ZeroDivisionError
 
-    monkeypatch.setitem(meshes._READERS, ".obj", broken)
+    monkeypatch.setattr(meshes, "Mesh", broken)
     assert "it cannot be read (ZeroDivisionError)" in refused(tmp_path / "m.obj")
 
 

@@ -14,13 +14,9 @@ import pytest
 from app.bootstrap import ROOT
 from app.model.refusal import Refusal
 from app.scenes.phenomena import PHENOMENA
-from app.scenes.phenomena.illustration import (
-    Illustration,
-    Phenomenon,
-    Phrase,
-    Setting,
-    Settings,
-)
+from app.scenes.phenomena.illustration import Illustration, Phenomenon
+from app.scenes.phenomena.readout import Phrase
+from app.scenes.phenomena.settings import Setting, Settings
 from tests.oracles.illustrations import assert_sound, projections, subject_of
 
 EVERY = pytest.mark.parametrize("phenomenon", PHENOMENA.values(), ids=list(PHENOMENA))
@@ -202,6 +198,15 @@ def test_every_text_can_be_translated(phenomenon: Phenomenon) -> None:
     words = re.compile(r"(?!arctan|atan|cot|tan|sin|cos)\b[^\W\d_]{3,}")
     missing = {text for text in shown - marked_texts() if words.search(text)}
     assert not missing
+
+
+@EVERY
+def test_every_camera_and_lens_has_its_settings(phenomenon: Phenomenon) -> None:
+    """Also a parallel lens whose near plane goes through the eye."""
+    for projection in projections(phenomenon):
+        assert phenomenon.at_hand(projection, phenomenon.defaults).keys() == (
+            phenomenon.defaults.keys()
+        )
 
 
 @EVERY

@@ -159,7 +159,10 @@ def test_l15_cards_are_pale_where_they_are_outside_and_nowhere_else() -> None:
         assert START.trace(piece.mean(axis=0)).outside.any()
     inside = 0.0
     for i in crossing:
-        kept = clip_polygon(START.trace(CARDS[i]).clip).points_clip @ START.world_from_clip.T
+        kept = (
+            clip_polygon(START.trace(CARDS[i]).clip).points_clip
+            @ START.world_from_clip_at((0.0, 0.0, 0.0)).T
+        )
         inside += area(kept[:, :3] / kept[:, 3:])
     cards = sum(area(CARDS[i]) for i in (*outside, *crossing))
     assert sum(map(area, veil)) + inside == pytest.approx(cards, rel=1e-9)

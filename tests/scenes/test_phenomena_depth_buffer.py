@@ -18,7 +18,8 @@ from app.model.depth import DepthBuffer
 from app.model.projection import Array, Camera, Orthographic, Perspective, Projection
 from app.model.refusal import Refusal
 from app.scenes.phenomena.depth_buffer import PHENOMENON, buffer_of, distances, moved_behind
-from app.scenes.phenomena.illustration import Phrase, Subject
+from app.scenes.phenomena.illustration import Subject
+from app.scenes.phenomena.readout import Phrase
 from app.scenes.phenomena.sampling import seen_distances
 from app.scenes.scene import load
 from app.scenes.shapes import box_faces

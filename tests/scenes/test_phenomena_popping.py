@@ -19,7 +19,6 @@ from app.scenes.phenomena.popping import (
     SPEED,
     TREES,
     VERTICES,
-    _levels,
     places,
     popped_per_second,
     trees_in_view,
@@ -30,6 +29,7 @@ SUBJECT = Subject((0.0, 0.0, 0.0), (1.0, 1.0, 1.0), np.zeros((1, 3)))
 
 
 shown = showing(PHENOMENON, SUBJECT)
+LEVELS = shown().rendering.levels  # type: ignore[union-attr]
 
 
 def random_projection(random: np.random.Generator) -> Projection:
@@ -68,7 +68,7 @@ def test_l23_as_many_pop_in_as_a_drive_counts() -> None:
     and wider.
     """
     random = np.random.default_rng(11)
-    quads = _levels()[0][0][0]
+    quads, _ = LEVELS[0].faces
     quads = quads[: len(quads) // len(places())] - places()[0]
     part = np.linspace(0.0, 1.0, 4)
     a, b = (grid.reshape(-1, 1) for grid in np.meshgrid(part, part))
@@ -152,7 +152,7 @@ def test_looking_back_trees_pop_out() -> None:
 def test_the_vertices_drawn_are_those_of_the_trees_in_view() -> None:
     """50 cameras: each tree's own distance and level; in view are all with a vertex that is."""
     random = np.random.default_rng(31)
-    (quads, _), objects = _levels()[0]
+    (quads, _), objects = LEVELS[0].faces, LEVELS[0].objects
     per_tree = len(quads) // len(places())
     assert VERTICES[0] == 4 * per_tree
     corners = quads.reshape(len(places()), -1, 3)
@@ -175,9 +175,8 @@ def test_the_vertices_drawn_are_those_of_the_trees_in_view() -> None:
 
 
 def test_each_level_has_the_vertices_that_it_says() -> None:
-    for (quads, rgb), objects, count in (
-        (faces, objects, count) for (faces, objects), count in zip(_levels(), VERTICES, strict=True)
-    ):
+    for level, count in zip(LEVELS, VERTICES, strict=True):
+        (quads, rgb), objects = level.faces, level.objects
         assert len(quads) == len(rgb) == len(objects) == len(ROWS) * TREES * count // 4
         off = np.abs(quads - objects[:, None])
         assert off[..., [0, 2]].max() <= 1.5 + 1e-9 and off[..., 1].max() <= HEIGHT + 1e-9

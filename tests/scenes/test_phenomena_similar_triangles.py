@@ -19,7 +19,8 @@ from app.model.projection import (
     Projection,
 )
 from app.model.refusal import Refusal
-from app.scenes.phenomena.illustration import Illustration, Marks, Subject
+from app.scenes.phenomena.illustration import Illustration, Subject
+from app.scenes.phenomena.marks import Marks
 from app.scenes.phenomena.similar_triangles import PHENOMENON, onto_plane
 from tests.oracles.illustrations import showing
 

@@ -7,12 +7,15 @@ import io
 import os
 import subprocess
 import sys
+import tempfile
 from pathlib import Path
 
 import pytest
 
 from app.bootstrap import ROOT
 from app.commands import cli
+from app.document.document import Document, write
+from app.model.projection import Projection
 from tests import PATIENCE_S
 
 
@@ -51,6 +54,16 @@ def run_here(*arguments: str | Path, text: str | bytes = b"") -> subprocess.Comp
     for stream in (out, said):
         stream.seek(0)
     return subprocess.CompletedProcess(arguments, status, out.read(), said.read())
+
+
+def told_matrices(projection: Projection, form: str) -> str:
+    """What the command ``matrices`` says of a projection, in one of its formats."""
+    with tempfile.TemporaryDirectory() as folder:
+        path = Path(folder) / "document.json"
+        write(Document("letter-f", projection), path)
+        done = run_here("matrices", path, "--format", form)
+    assert (done.returncode, done.stderr) == (0, "")
+    return done.stdout
 
 
 def one_sentence(done: subprocess.CompletedProcess[str], status: int) -> str:

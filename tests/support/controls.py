@@ -7,6 +7,7 @@ from PySide6.QtGui import QInputMethodEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import (
     QApplication,
+    QComboBox,
     QSlider,
 )
 
@@ -44,6 +45,17 @@ def choice(controls: Controls, key: str) -> ChoiceRow:
     row = controls.rows[key]
     assert isinstance(row, ChoiceRow)
     return row
+
+
+def choose(row: ChoiceRow, key: str) -> None:
+    """Choose from a row's box, or by one of its buttons."""
+    index = row.keys.index(key)
+    box = row.widgets[0]
+    if isinstance(box, QComboBox):
+        box.setCurrentIndex(index)
+        box.activated.emit(index)
+    else:
+        row.widgets[index].click()
 
 
 def enter(row: NumberRow, text: str) -> None:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from contextlib import contextmanager
 
-from widgets.parts.digits import set_all_digits
+from widgets.parts.writing import all_digits
 
 _HIGH = str.maketrans("⁻⁰¹²³⁴⁵⁶⁷⁸⁹", "-0123456789")
 
@@ -13,11 +13,11 @@ _HIGH = str.maketrans("⁻⁰¹²³⁴⁵⁶⁷⁸⁹", "-0123456789")
 @contextmanager
 def all_digits_shown(on: bool = True) -> Iterator[None]:
     """While all digits are shown, as by View > All digits."""
-    set_all_digits(on)
+    all_digits.set(on)
     try:
         yield
     finally:
-        set_all_digits(False)
+        all_digits.set(False)
 
 
 def plain(text: str) -> str:

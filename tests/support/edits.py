@@ -12,7 +12,7 @@ from app.model.projection import DEPTH_RANGES, LENSES
 from app.model.refusal import Refusal
 from app.picking.picking import Probe
 from app.scenes.phenomena import PHENOMENA
-from app.scenes.phenomena.illustration import Setting
+from app.scenes.phenomena.settings import Setting
 
 
 def a_setting(rng: random.Random, setting: Setting) -> Any:

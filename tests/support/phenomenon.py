@@ -8,22 +8,11 @@ import numpy as np
 
 from app.model.projection import Camera, Projection
 from app.model.refusal import Refusal
-from app.scenes.phenomena.illustration import (
-    Curve,
-    Diagram,
-    Dot,
-    Illustration,
-    Marks,
-    Phenomenon,
-    Phrase,
-    Reading,
-    Setting,
-    Settings,
-    Subject,
-    Text,
-    number,
-    point,
-)
+from app.scenes.phenomena.diagram import Curve, Diagram
+from app.scenes.phenomena.illustration import Illustration, Phenomenon, Subject
+from app.scenes.phenomena.marks import Dot, Marks, Text
+from app.scenes.phenomena.readout import Phrase, Reading
+from app.scenes.phenomena.settings import Setting, Settings, number, point
 from app.scenes.phenomena.similar_triangles import PHENOMENON as SIMILAR_TRIANGLES
 
 BELOW_COUNT = "must be less than the count, which is {0}"

@@ -130,6 +130,12 @@ def move_mouse(widget: Any, to: QPoint | QPointF, button: Any = LEFT, key: Any =
     QApplication.sendEvent(widget, QMouseEvent(kind, at, widget.mapToGlobal(at), none, button, key))
 
 
+def named(parent: QWidget, kind: type[Any], name: str) -> Any:
+    """The one child of a kind that screen readers call so."""
+    (found,) = (child for child in parent.findChildren(kind) if child.accessibleName() == name)
+    return found
+
+
 def enter(field: QLineEdit, text: str) -> None:
     """Type a text over what a field has, and enter it."""
     field.setFocus()

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import threading
 from collections.abc import Iterator
 from dataclasses import replace
 from itertools import pairwise
@@ -11,16 +12,18 @@ from typing import Any
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-from PySide6.QtCore import Qt
+from PySide6.QtCore import Qt, QTimer
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QLabel
 
 from app.model.projection import Camera, Projection
 from app.model.refusal import Refusal
 from app.scenes.scene import load
+from tests.support.controls import choose
 from tests.support.shown import show
 from widgets.controls.animation import PERIOD_S, STEP_S, AnimationBar, Motion, camera_at
 from widgets.controls.controls import Controls
+from widgets.parts.clock import LONGEST_FRAME_S, Clock
 from widgets.parts.fields import NumberRow
 
 # 5 to the +z side of the target and 3 above it.
@@ -197,29 +200,22 @@ def test_the_timer_makes_one_frame_after_another(
 
 
 def test_no_frame_is_asked_for_while_one_is_handled(bar: AnimationBar, qtbot: Any) -> None:
-    waiting = []
-    bar.edited.connect(lambda _camera: waiting.append(bar._clock._timer.isActive()))
+    waiting, timer = [], bar.findChild(Clock).findChild(QTimer)
+    bar.edited.connect(lambda _camera: waiting.append(timer.isActive()))
     bar.play()
     qtbot.waitUntil(lambda: len(waiting) >= 2)
     assert waiting[:2] == [False, False]
 
 
 def test_a_stalled_window_does_not_jump(bar: AnimationBar, record: Record) -> None:
-    class Watch:
-        def nsecsElapsed(self) -> int:
-            return 3_600_000_000_000
-
-        def restart(self) -> int:
-            return 0
-
     bar.play()
-    bar._clock._watch = Watch()  # type: ignore[assignment]
-    bar._clock._frame()
-    assert record.cameras == [camera_at(START, 0.25, bar.motion)]
+    threading.Event().wait(1.5 * LONGEST_FRAME_S)
+    bar.findChild(Clock).findChild(QTimer).timeout.emit()
+    assert record.cameras == [camera_at(START, LONGEST_FRAME_S, bar.motion)]
 
 
 def test_playing_on_goes_on(bar: AnimationBar, record: Record) -> None:
-    bar.height_mode.choose("swing")
+    choose(bar.height_mode, "swing")
     bar.play()
     for _ in range(10):
         bar.advance(0.7)
@@ -234,7 +230,7 @@ def test_playing_on_goes_on(bar: AnimationBar, record: Record) -> None:
 
 
 def test_another_speed_does_not_jump(bar: AnimationBar, record: Record) -> None:
-    bar.height_mode.choose("swing")
+    choose(bar.height_mode, "swing")
     bar.play()
     bar.advance(4.0)  # over the top and falling
     before = record.cameras[-1]
@@ -252,7 +248,7 @@ def test_another_speed_does_not_jump(bar: AnimationBar, record: Record) -> None:
 def test_another_height_mode_does_not_jump(bar: AnimationBar, record: Record, mode: str) -> None:
     bar.play()
     bar.advance(1.0)
-    bar.height_mode.choose(mode)
+    choose(bar.height_mode, mode)
     bar.advance(1e-9)
     assert record.cameras[-1].eye[1] == pytest.approx(5.0, abs=1e-6)
     assert bar.lowest.isVisible()
@@ -261,13 +257,13 @@ def test_another_height_mode_does_not_jump(bar: AnimationBar, record: Record, mo
     heights = [camera.eye[1] for camera in record.cameras]
     assert min(heights) == pytest.approx(1.0, abs=0.01)
     assert max(heights) == pytest.approx(6.0, abs=0.01)
-    bar.height_mode.choose("fixed")
+    choose(bar.height_mode, "fixed")
     bar.advance(1.0)
     assert record.cameras[-1].eye[1] == heights[-1] and not bar.lowest.isVisible()
 
 
 def test_other_limits_do_not_jump(bar: AnimationBar, record: Record) -> None:
-    bar.height_mode.choose("swing")
+    choose(bar.height_mode, "swing")
     bar.play()
     bar.advance(1.0)
     before = record.cameras[-1].eye[1]
@@ -293,7 +289,7 @@ def test_a_moved_target_is_what_the_walk_goes_round(bar: AnimationBar, record: R
 
 
 def test_a_raised_camera_swings_on_from_there(bar: AnimationBar, record: Record) -> None:
-    bar.height_mode.choose("swing")
+    choose(bar.height_mode, "swing")
     bar.play()
     bar.advance(4.0)
     assert record.cameras[-1].eye[1] < 6.0
@@ -320,26 +316,26 @@ def test_its_own_camera_coming_back_is_no_edit(bar: AnimationBar, record: Record
 
 
 def test_looking_level_remembers_what_to_look_at(bar: AnimationBar, record: Record) -> None:
-    bar.look.choose("level")
+    choose(bar.look, "level")
     bar.play()
     bar.advance(1.0)
     assert record.cameras[-1].target == (0.0, 5.0, 0.0)
     level = record.cameras[-1]
     bar.show_camera(replace(level, eye=(level.eye[0] + 1.0, *level.eye[1:])))  # a step aside
     bar.pause()
-    bar.look.choose("target")
+    choose(bar.look, "target")
     bar.play()
     bar.advance(1.0)
     assert record.cameras[-1].target == (0.0, 2.0, 0.0)
 
 
 def test_undo_of_a_level_walk_brings_the_aim_back(bar: AnimationBar, record: Record) -> None:
-    bar.look.choose("level")
+    choose(bar.look, "level")
     bar.play()
     bar.advance(1.0)
     bar.pause()
     bar.show_camera(START)
-    bar.look.choose("target")
+    choose(bar.look, "target")
     bar.play()
     bar.advance(1.0)
     assert record.cameras[-1].target == START.target
@@ -347,7 +343,7 @@ def test_undo_of_a_level_walk_brings_the_aim_back(bar: AnimationBar, record: Rec
 
 def test_a_walk_that_cannot_be_stops_and_says_why(bar: AnimationBar, record: Record) -> None:
     bar.show_camera(Camera((0.0, 9.0, 0.0), (0.0, 2.0, 0.0), (0.0, 0.0, -1.0)))
-    bar.look.choose("level")
+    choose(bar.look, "level")
     bar.play()
     bar.advance(1.0)
     assert not bar.playing and record.events[-2:] == ["finish", False] and not record.cameras
@@ -367,7 +363,7 @@ def refusal(bar: AnimationBar) -> str:
 
 def stop(bar: AnimationBar) -> None:
     bar.show_camera(Camera((0.0, 9.0, 0.0), (0.0, 2.0, 0.0), (0.0, 0.0, -1.0)))
-    bar.look.choose("level")
+    choose(bar.look, "level")
     bar.play()
     bar.advance(1.0)
     assert refusal(bar)
@@ -381,7 +377,7 @@ def test_why_the_walk_stopped_is_forgotten_when_it_is_no_longer_so(bar: Animatio
     bar.set_scene(4.0, AFAR)
     assert not refusal(bar)
     stop(bar)
-    bar.look.choose("target")
+    choose(bar.look, "target")
     assert not refusal(bar)
     stop(bar)
     bar.show_camera(replace(START))
@@ -391,7 +387,7 @@ def test_why_the_walk_stopped_is_forgotten_when_it_is_no_longer_so(bar: Animatio
 
 
 def test_a_walk_through_the_target_or_along_up_says_so(bar: AnimationBar) -> None:
-    bar.height_mode.choose("steps")
+    choose(bar.height_mode, "steps")
     type_into(bar.lowest, "2")
     type_into(bar.highest, "2")
     bar.show_camera(Camera((0.0, 9.0, 0.0), (0.0, 2.0, 0.0), (0.0, 0.0, -1.0)))
@@ -487,7 +483,7 @@ def type_into(row: NumberRow, text: str) -> None:
 def test_what_no_walk_can_have_is_refused_and_the_walk_goes_on(
     bar: AnimationBar, record: Record, name: str, text: str, said: str
 ) -> None:
-    bar.height_mode.choose("swing")
+    choose(bar.height_mode, "swing")
     row = getattr(bar, name)
     bar.play()
     before, motion = row.value(), bar.motion
@@ -496,9 +492,9 @@ def test_what_no_walk_can_have_is_refused_and_the_walk_goes_on(
     assert row.value() == before and bar.motion == motion
     bar.advance(1.0)
     assert bar.playing and record.cameras
-    bar.look.choose("level")
+    choose(bar.look, "level")
     bar.height_mode.widgets[0].setFocus()
-    bar.look.choose("target")
+    choose(bar.look, "target")
     assert row.error == "", "it goes when anything else is accepted"
 
 
@@ -506,11 +502,11 @@ def test_what_no_walk_can_have_is_refused_and_the_walk_goes_on(
 def test_the_fastest_walk_between_the_farthest_limits_goes_on_or_says_why_not(
     bar: AnimationBar, record: Record, height: str
 ) -> None:
-    bar.height_mode.choose("swing")
+    choose(bar.height_mode, "swing")
     for row, text in ((bar.speed, "3600"), (bar.lowest, "-1e100"), (bar.highest, "1e100")):
         type_into(row, text)
         assert row.error == "" and row.value() == float(text)
-    bar.height_mode.choose(height)
+    choose(bar.height_mode, height)
     bar.play()
     for _ in range(5):
         bar.advance(0.01)

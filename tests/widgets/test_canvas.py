@@ -47,6 +47,8 @@ from widgets.panes.canvas import CANVASES
 from widgets.panes.pane import SCALES
 from widgets.window.main_window import MainWindow
 
+pytestmark = pytest.mark.smooth
+
 CANVAS = sorted(CANVASES)
 FIGURES: dict[str, Any] = {
     "world": partial(WorldDrawing, live=True),

@@ -35,8 +35,7 @@ from PySide6.QtWidgets import (
 
 from app.document import document
 from app.drawings import figures
-from app.model import projection
-from app.model.limits import DISTINCT
+from app.model.limits import ABOVE, DISTINCT
 from app.model.projection import (
     AT_LEAST,
     AT_MOST,
@@ -62,6 +61,7 @@ from tests.support.controls import (
     NONSENSE,
     Record,
     choice,
+    choose,
     drag,
     enter,
     number,
@@ -71,7 +71,6 @@ from tests.support.controls import (
 from tests.support.shown import show
 from widgets.controls.controls import Controls
 from widgets.parts import messages
-from widgets.parts.digits import set_all_digits
 from widgets.parts.fields import (
     QUIET_MS,
     Doubling,
@@ -82,6 +81,7 @@ from widgets.parts.fields import (
     short_text,
 )
 from widgets.parts.messages import sentence
+from widgets.parts.writing import all_digits
 
 START = Projection(Camera((6.0, 5.0, 9.0), (0.0, 2.0, 0.0)), Perspective(45.0, 1.0, 30.0))
 BOX = replace(START, lens=Orthographic(-4.0, 4.0, -3.0, 3.0, 1.0, 30.0))
@@ -840,7 +840,7 @@ def test_linear_values_are_decimal_to_the_eye() -> None:
     values = [scale.value_at(position) for position in range(scale.last + 1)]
     assert max(len(repr(value)) for value in values) <= len("-0.9995")
     assert 0.3 in values  # not 0.30000000000000004
-    assert max(len(repr(value)) for value in values[:: scale.key]) <= len("-0.995")
+    assert max(len(repr(value)) for value in values[:: scale.stops.key]) <= len("-0.995")
 
 
 # -- orbit
@@ -1488,7 +1488,7 @@ def test_the_lens_shows_only_its_own_rows(controls: Controls) -> None:
     more = controls.sections["more_lens"]
     more.set_open(True)
     for kind in (*OWN_ROWS, *reversed(OWN_ROWS)):
-        choice(controls, "kind").choose(kind)
+        choose(choice(controls, "kind"), kind)
         assert controls.projection.lens.kind == kind
         assert {key for key in others if controls.rows[key].isVisible()} == OWN_ROWS[kind]
         has_k = kind in ("perspective", "frustum")
@@ -1586,7 +1586,7 @@ def test_nothing_is_cut_in_the_narrowest_dock_with_any_lens(
     larger_text(font)
     unfold(controls)
     for kind in OWN_ROWS:
-        choice(controls, "kind").choose(kind)
+        choose(choice(controls, "kind"), kind)
         QApplication.processEvents()
         controls.resize(controls.minimumSizeHint().width(), 690)
         QApplication.processEvents()
@@ -1730,7 +1730,7 @@ def test_sentences_are_translated_before_they_are_filled_in(qapp: QApplication) 
         assert sentence(caught.value) == "Bliža ravnina = 3: mora biti manja od dalje, koja je 2.5."
         missing = Refusal.in_document(document.NO_FILE, file="a.json")
         assert sentence(missing) == "a.json ne postoji."
-        wrong = Refusal.in_document(projection.ABOVE, 0, field="lens.near", value=-1)
+        wrong = Refusal.in_document(ABOVE, 0, field="lens.near", value=-1)
         assert sentence(wrong) == "lens.near = -1: mora biti veće od 0."
         with pytest.raises(Refusal) as unknown:
             scene.load("kube")
@@ -1917,13 +1917,13 @@ def test_all_digits_are_shown_where_they_are_asked_for(controls: Controls, recor
     exact = repr(row.value())
     assert len(exact) > 10 and row.field.text() == short_text(row.value(), None, 4)
     width = controls.minimumSizeHint().width()
-    set_all_digits(True)
+    all_digits.set(True)
     try:
         assert row.field.text() == exact
         QApplication.processEvents()
         assert cut(controls) == [] and controls.minimumSizeHint().width() == width
     finally:
-        set_all_digits(False)
+        all_digits.set(False)
     assert row.field.text() == short_text(row.value(), None, 4)
     row.field.setFocus()
     assert row.field.text() == exact

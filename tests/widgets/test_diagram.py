@@ -16,7 +16,7 @@ from PySide6.QtGui import QColor
 from pytestqt.qtbot import QtBot
 
 from app.drawings.style import DARK, LIGHT
-from app.scenes.phenomena.illustration import Curve, Diagram, Spot
+from app.scenes.phenomena.diagram import Curve, Diagram, Spot
 from tests.support.window import rgb_of
 from widgets.parts.diagram import DiagramView, decade_ticks, round_ticks, segments
 from widgets.parts.messages import figure_text
@@ -280,7 +280,7 @@ def test_the_names_of_curves_stand_beside_them_and_not_on_each_other(view: Diagr
     )
     view.show_diagram(replace(PLAIN, curves=curves))
     view.grab()
-    places = [place.tolist() for place in view._names.values()]
+    places = [place.tolist() for place in view.names.values()]
     boxes = [QRectF(QPointF(*place[:2]), QPointF(*place[2:])) for place in places]
     assert len(boxes) == 4
     for i, box in enumerate(boxes):
@@ -288,10 +288,10 @@ def test_the_names_of_curves_stand_beside_them_and_not_on_each_other(view: Diagr
         assert not any(box.intersects(other) for other in boxes[:i])
         on_curve = view.to_px(5.0, 2.0 * i + 0.5)
         assert abs(on_curve.y() - box.center().y()) < 3.0 * box.height()
-    before = dict(view._names)
+    before = dict(view.names)
     view.show_diagram(replace(PLAIN, curves=curves, title="The same, named otherwise"))
     view.grab()
-    assert all((view._names[name] == place).all() for name, place in before.items())
+    assert all((view.names[name] == place).all() for name, place in before.items())
 
 
 @pytest.mark.parametrize("colour", ["ink", "n", "accent"])
@@ -309,7 +309,7 @@ def test_a_name_brings_no_second_point_and_hides_none(
     without = pixels(view)
     view.show_diagram(replace(plain, curves=(replace(curve, label="    "),)))
     named = pixels(view)
-    left, top, right, bottom = view._names["    "]
+    left, top, right, bottom = view.names["    "]
     assert view.frame.contains(QRectF(left, top, right - left, bottom - top))
     factor = view.devicePixelRatioF()
     box = np.s_[

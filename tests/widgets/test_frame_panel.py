@@ -13,7 +13,7 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-from PySide6.QtCore import QPoint, Qt
+from PySide6.QtCore import QPoint, Qt, QTimer
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QWidget
 
@@ -184,13 +184,14 @@ def test_steps_by_its_buttons(window: MainWindow) -> None:
 
 def test_playing_goes_through_all_steps_and_stops(window: MainWindow, qtbot: Any) -> None:
     panel = window.frame_panel
-    panel._timer.setInterval(1)
+    timer = panel.findChild(QTimer)
+    timer.setInterval(1)
     seen: list[int] = []
     panel.step_changed.connect(seen.append)
     click(panel.play)
     qtbot.waitUntil(lambda: panel.step == 6 and not panel.playing)
     assert seen == [1, 2, 3, 4, 5, 6]
-    panel._timer.setInterval(100_000)
+    timer.setInterval(100_000)
     click(panel.play)  # from the beginning
     assert panel.playing and panel.step == 0
     click(panel.next)

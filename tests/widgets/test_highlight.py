@@ -264,8 +264,9 @@ def test_a_label_can_be_pointed_at(window: MainWindow) -> None:
     for text in ["near", "far"]:
         drawing: Any = window.panes["world"].drawing
         label = drawing.labels.named[text]
-        x_px, y_px, _ = label._place.GetValue()
-        point_at(window, "world", x_px, window.panes["world"].canvas.height() - y_px)
+        canvas = window.panes["world"].canvas
+        left, right, bottom, top = label.box_px(canvas.renderer)
+        point_at(window, "world", (left + right) / 2, canvas.height() - (bottom + top) / 2)
         assert window.highlighter.now == {text} and text in marked(window)
 
 

@@ -25,7 +25,17 @@ from app.model.projection import (
     Perspective,
     Projection,
 )
-from tests.support.controls import NONSENSE, Record, choice, drag, enter, number, press, release
+from tests.support.controls import (
+    NONSENSE,
+    Record,
+    choice,
+    choose,
+    drag,
+    enter,
+    number,
+    press,
+    release,
+)
 from tests.support.frustum import corners_world
 from tests.support.shown import show
 from widgets.controls.controls import Controls
@@ -133,7 +143,7 @@ def test_a_drag_of_any_number_of_a_lens_is_one_gesture(column: Controls, kind: s
         scale = row.scale
         press(row.slider)
         for step in (1, 2, 3):
-            drag(row.slider, before + step * scale.key)
+            drag(row.slider, before + step * scale.stops.key)
         assert row.scale is scale, key  # not under the hand
         release(row.slider)
         assert record.events == ["start", "edit", "edit", "edit", "finish"], key
@@ -161,7 +171,7 @@ def test_the_numbers_of_other_lenses_are_left_alone(column: Controls, kind: str)
 def test_lenses_follow_each_other_in_any_order_and_come_back(column: Controls) -> None:
     record = Record(column)
     for kind in (*LENSES, *reversed(LENSES), "frustum", "oblique", "perspective"):
-        choice(column, "kind").choose(kind)
+        choose(choice(column, "kind"), kind)
         assert column.projection.lens.kind == kind and not column.rows["kind"].error
     assert column.projection.lens.fov_y_deg == pytest.approx(45.0)  # type: ignore[union-attr]
     assert record.events.count("edit") == record.events.count("start") > 8
@@ -258,7 +268,7 @@ def test_the_half_window_sliders_follow_near(column: Controls) -> None:
 @pytest.mark.parametrize("near", [1e-6, 0.01, 1.0, 25.0])
 def test_the_windows_sliders_are_in_proportion_to_it(column: Controls, near: float) -> None:
     show(column, replace(START, lens=Perspective(45.0, near, 30.0)))
-    choice(column, "kind").choose("frustum")
+    choose(choice(column, "kind"), "frustum")
     _, right, _, top = column.projection.window
     for key in ("left", "right", "bottom", "top"):
         scale = number(column, key).scale
@@ -292,7 +302,7 @@ def test_a_box_keeps_the_scenes_sliders(column: Controls) -> None:
         assert number(column, "left").scale.high == pytest.approx(12.0, rel=0.01)
     show(column, replace(BOX, lens=Orthographic(-40.0, 4.0)))
     assert number(column, "left").scale.high == pytest.approx(80.0, rel=0.01)
-    choice(column, "kind").choose("frustum")
+    choose(choice(column, "kind"), "frustum")
     row = number(column, "far")
     row.slider.setFocus()
     QTest.keyClick(row.slider, KEY.Key_End)
@@ -303,7 +313,7 @@ def test_a_box_keeps_the_scenes_sliders(column: Controls) -> None:
 def test_keep_is_the_models(column: Controls, kind: str) -> None:
     show(column, SHOWN[kind])
     for keep in ("x", "y", "stretch"):
-        choice(column, "keep").choose(keep)
+        choose(choice(column, "keep"), keep)
         assert column.projection.lens.keep == keep  # type: ignore[union-attr]
     show(column, replace(SHOWN[kind], lens=replace(SHOWN[kind].lens, keep="y")))
     assert choice(column, "keep").value() == "y"
@@ -345,7 +355,7 @@ def test_through_no_receding_at_all_the_direction_is_kept(column: Controls) -> N
 @pytest.mark.parametrize("preset", OBLIQUE_PRESETS)
 def test_a_preset_is_known_by_its_angles(column: Controls, preset: str) -> None:
     show(column, SLANTED)
-    choice(column, "preset").choose(preset)
+    choose(choice(column, "preset"), preset)
     assert combo(column, "preset").currentText().startswith(preset.split("-", 1)[0])
     name, angle = preset.split("-")
     assert number(column, "receding").value() == {"cavalier": 1.0, "cabinet": 0.5}[name]
@@ -378,7 +388,7 @@ def test_another_drawing_leaves_the_target_in_its_place(
     target = SLANTED.camera.target
     before = SLANTED.trace(target).image
     if key == "preset":
-        choice(column, key).choose(text)
+        choose(choice(column, key), text)
     else:
         enter(number(column, key), text)
     after = column.projection.trace(target).image

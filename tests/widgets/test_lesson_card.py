@@ -2,10 +2,14 @@
 
 from __future__ import annotations
 
+import os
+import subprocess
+import sys
 from pathlib import Path
 from typing import Any
 
 import pytest
+import shiboken6
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import (
@@ -18,11 +22,12 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from app.bootstrap import ROOT
 from app.document.document import set_values
 from app.lessons.course import Course, contained, idea_named
 from app.lessons.lesson import Step, Task, read
 from app.model.projection import Perspective
-from tests import PATIENCE_MS
+from tests import PATIENCE_MS, PATIENCE_S
 from tests.support.window import NO_KEY, MakeWindow, activate, enter, seen, settle
 from widgets.parts.lesson_text import LessonText
 from widgets.window.lesson_blocks import Asked, Chooses
@@ -32,6 +37,8 @@ from widgets.window.settings import Settings
 
 KEY = Qt.Key
 ALT = Qt.KeyboardModifier.AltModifier
+ALONE = "TEST_LESSONS_ALONE"
+"""Is set in the process that does every lesson."""
 LESSON = """---
 title: How wide?
 ---
@@ -128,10 +135,11 @@ def keyboard() -> QWidget:
 def press(key: Qt.Key, modifier: Qt.KeyboardModifier = Qt.KeyboardModifier.NoModifier) -> None:
     """A key, to whatever has the focus."""
     focus = keyboard()
-    window = focus.window()
+    # Looked for before: afterwards what the window has may just be being deleted.
+    buttons = focus.window().findChildren(QPushButton)
     QTest.keyClick(focus, key, modifier)
     QApplication.processEvents()
-    while any(button.isDown() for button in window.findChildren(QPushButton)):
+    while any(shiboken6.isValid(button) and button.isDown() for button in buttons):
         QTest.qWait(10)  # which Qt shows pressed for a moment
     settle()
 
@@ -290,6 +298,27 @@ def test_answers_are_read_as_people_write_them(window: MainWindow, lesson: Path)
     assert "Right." in texts(which) and not which.is_open
 
 
+def test_what_is_forgotten_can_be_had_again(window: MainWindow, lesson: Path) -> None:
+    activate(window)
+    card = window.lesson_card
+    card.open(lesson)
+    card.begin_again()
+    assert not window.messages.text  # nothing was answered
+    window.lessons.go(2, at_once=True)
+    answered(window, "98.2")
+    assert not card.blocks[0].is_open
+    card.begin_again()
+    assert "is forgotten" in window.messages.text and window.lessons.place == 0
+    window.lessons.go(2, at_once=True)
+    assert card.blocks[0].is_open
+    (undo,) = window.messages.choices
+    undo.click()
+    assert window.lessons.place == 2 and not card.blocks[0].is_open
+    card.leave()
+    card.open(lesson)
+    assert window.lessons.place == 2 and not card.blocks[0].is_open
+
+
 def test_progress_is_kept_for_another_window(
     make_window: MakeWindow, lesson: Path, own_home: Path
 ) -> None:
@@ -427,30 +456,47 @@ def solved(window: MainWindow, block: Asked, step: Step, course: Course, place: 
     press(KEY.Key_Return)
 
 
-def test_every_lesson_can_be_done_with_the_keyboard_alone(make_window: MakeWindow) -> None:
-    window = make_window(drawn=False)
-    window.resize(1366, 768)
-    activate(window)
-    card, lessons = window.lesson_card, window.lessons
-    paths = [path for path in contained() if path != TOUR and not read(path).is_talk]
-    assert len(paths) == 24
-    for path in paths:
-        card.open(path)
-        course = lessons.course
-        assert course is not None
-        for place, step in enumerate(course.lesson.steps):
-            assert lessons.place == place, f"{path.name}: {step.name}"
-            for number in range(len(step.asked)):
-                block = card.blocks[number]
-                if block.is_open:
-                    solved(window, block, step, course, place)
-                    QTest.qWait(0)
-                for _ in range(100):
-                    if not block.is_open:
-                        break
-                    QTest.qWait(10)
-                assert not block.is_open, f"{path.name}: {step.name}/{block.part.name}"
-            press(KEY.Key_Right, ALT)
-        assert lessons.course is None, path.name
-        kept = window.settings.progress[path.stem]
-        assert (kept.done, kept.of, kept.step) == (len(course.lesson.steps),) * 2 + ("",)
+def test_every_lesson_can_be_done_with_the_keyboard_alone() -> None:
+    """In a process of its own: some hundred pages are made and deleted."""
+    command = [sys.executable, "-m", "pytest", "-p", "no:xdist", "-p", "no:cacheprovider", "-q"]
+    done = subprocess.run(
+        [*command, f"{__file__}::test_one_lesson_after_the_other"],
+        env=os.environ | {ALONE: "1"},
+        cwd=ROOT,
+        capture_output=True,
+        text=True,
+        timeout=PATIENCE_S,
+        check=False,
+    )
+    assert done.returncode == 0 and "1 passed" in done.stdout, done.stdout + done.stderr
+
+
+if ALONE in os.environ:
+
+    def test_one_lesson_after_the_other(make_window: MakeWindow) -> None:
+        window = make_window(drawn=False)
+        window.resize(1366, 768)
+        activate(window)
+        card, lessons = window.lesson_card, window.lessons
+        paths = [path for path in contained() if path != TOUR and not read(path).is_talk]
+        assert len(paths) == 24
+        for path in paths:
+            card.open(path)
+            course = lessons.course
+            assert course is not None
+            for place, step in enumerate(course.lesson.steps):
+                assert lessons.place == place, f"{path.name}: {step.name}"
+                for number in range(len(step.asked)):
+                    block = card.blocks[number]
+                    if block.is_open:
+                        solved(window, block, step, course, place)
+                        QTest.qWait(0)
+                    for _ in range(100):
+                        if not block.is_open:
+                            break
+                        QTest.qWait(10)
+                    assert not block.is_open, f"{path.name}: {step.name}/{block.part.name}"
+                press(KEY.Key_Right, ALT)
+            assert lessons.course is None, path.name
+            kept = window.settings.progress[path.stem]
+            assert (kept.done, kept.of, kept.step) == (len(course.lesson.steps),) * 2 + ("",)

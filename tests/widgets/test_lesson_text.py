@@ -129,3 +129,11 @@ def test_a_formula_may_be_broken_at_a_wide_space() -> None:
     html, found = html_of(r"$$a = \frac{1}{2}, \qquad \text{so \quad b} = {c \quad d}$$")
     assert found == (r"a = \dfrac{1}{2},", r"\text{so \quad b} = {c \quad d}")
     assert html.count("\ue000") == 2 and "center" in html
+
+
+def test_a_table_without_headings_is_without_their_row() -> None:
+    rows = "|{}|{}|\n|-|-|\n| 1 | $x$ |\n"
+    html, found = html_of(rows.format(" ", ""))
+    assert "<th" not in html and html.count("<tr>") == 1 and found == ("x",)
+    html, _ = html_of(rows.format("a", ""))
+    assert html.count("<th") >= 2 and html.count("<tr>") == 2

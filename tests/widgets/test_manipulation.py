@@ -13,7 +13,7 @@ import pytest
 from PySide6.QtCore import QEvent, QPoint, QPointF, Qt
 from PySide6.QtGui import QWheelEvent
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication
+from PySide6.QtWidgets import QApplication, QLabel
 
 from app.drawings import WORDS
 from app.drawings.image import ImageDrawing
@@ -30,7 +30,7 @@ from app.model.projection import (
     Projection,
 )
 from app.picking.handles import EYE, TARGET, Handle
-from app.scenes.phenomena.illustration import Reading
+from app.scenes.phenomena.readout import Reading
 from app.scenes.scene import load
 from tests.support.window import (
     LEFT,
@@ -265,6 +265,11 @@ def test_hovering_says_what_a_drag_does_and_costs_one_repaint(window: MainWindow
     canvas.render_window.RemoveObserver(observer)
 
 
+def held_line(window: MainWindow) -> QLabel:
+    """What is said over the pane where its title leaves no room."""
+    return window.panes["world"].findChild(QLabel, "heldLine")
+
+
 def test_what_is_said_of_a_handle_is_seen_whole_and_does_not_jump(window: MainWindow) -> None:
     """Beside the title where there is room, otherwise in a line over the pane; never in both."""
     hand, pane = window.manipulation, window.panes["world"]
@@ -272,7 +277,7 @@ def test_what_is_said_of_a_handle_is_seen_whole_and_does_not_jump(window: MainWi
     at = point_of(spot)
 
     def place() -> str:
-        line, note = hand._line, pane.note
+        line, note = held_line(window), pane.note
         if line.isVisible():
             assert note.text() == "" and hand.said == line.text()
             assert line.geometry().top() == pane.canvas.y() and line.width() == pane.width()
@@ -311,13 +316,13 @@ def test_what_is_said_of_a_handle_goes_with_the_drawing_that_it_was_in(
     pane.title.setMinimumWidth(pane.width() // 2)
     settle()
     move(window, "world", point_of(mark(window, "eye")[1]), button=Qt.MouseButton.NoButton)
-    assert hand.said and hand._line.isVisible()
+    assert hand.said and held_line(window).isVisible()
     if change == "scene":
         window.guide.choose("cube")
     else:
         window.look.set_presenting(True)
     assert world(window).held is None
-    assert (hand.said, pane.canvas.toolTip(), hand._line.isVisible()) == ("", tip, False)
+    assert (hand.said, pane.canvas.toolTip(), held_line(window).isVisible()) == ("", tip, False)
     assert pane.canvas.cursor().shape() == Qt.CursorShape.ArrowCursor
 
 
@@ -329,9 +334,9 @@ def test_a_refusal_takes_the_place_of_what_is_said_and_gives_it_back(window: Mai
     far = along(window, handle, near=15.9)
     press(window, "world", point_of(spot))
     move(window, "world", point_of(spot) + QPoint(round(1.3 * far[0]), round(1.3 * far[1])))
-    assert hand.message.isVisible() and not hand._line.isVisible()
+    assert hand.message.isVisible() and not held_line(window).isVisible()
     release(window, "world", point_of(spot))
-    assert not hand.message.isVisible() and "Near = " in hand.said and hand._line.isVisible()
+    assert not hand.message.isVisible() and "Near = " in hand.said and held_line(window).isVisible()
 
 
 def test_every_handle_is_named_for_every_lens(window: MainWindow) -> None:
@@ -424,8 +429,10 @@ def test_escape_puts_back_what_is_dragged(window: MainWindow, focus: str) -> Non
         field.clearFocus()
     settle()
     start = model(window)
+    window.store.undo()
+    before = model(window)
+    window.store.redo()
     window.store.mark_saved()
-    steps = len(window.store._undo)
     _, spot = mark(window, "target")
     press(window, "world", point_of(spot))
     move(window, "world", point_of(spot) + QPoint(30, 12))
@@ -440,10 +447,11 @@ def test_escape_puts_back_what_is_dragged(window: MainWindow, focus: str) -> Non
     assert model(window) == start
     release(window, "world", point_of(spot) + QPoint(50, 30))
     assert model(window) == start and not window.store.modified
-    assert len(window.store._undo) == steps
     assert len(window.probe_panel.probes) == 1
     QTest.keyClick(receiver, Qt.Key.Key_Escape)  # is the probe's again
     assert window.probe_panel.probes == ()
+    window.store.undo()
+    assert model(window) == before != start, "it was no step"
 
 
 def test_another_lens_under_the_hand_ends_the_drag(window: MainWindow) -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 import json
 import math
 import re
@@ -16,7 +17,6 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QLabel, QMenu, QScrollArea, QToolButton
 from pytestqt.qtbot import QtBot
 
-from app.commands import cli
 from app.drawings.style import DARK, LIGHT
 from app.lecture import notation
 from app.lecture.notation import LETTERS, Letters, as_latex
@@ -24,15 +24,15 @@ from app.lecture.typed_matrix import with_cell
 from app.model.formula import ARROW, OVER, stacked_fraction
 from app.model.projection import Camera, FreeMatrix, Frustum, Oblique, Perspective, Projection
 from app.picking.picking import Probe
+from tests.support import controls as dock
+from tests.support.commands import told_matrices
 from tests.support.digits import all_digits_shown, plain
 from tests.support.shown import show
 from tests.support.window import activate, move_mouse, rgb_of, settle
 from widgets.panels import matrix_panel
 from widgets.panels.matrix_panel import MatrixPanel
 from widgets.panels.matrix_view import MatrixView, first_change, rich
-from widgets.parts.digits import read_text
-from widgets.parts.messages import stage_title
-from widgets.parts.readable import Readable
+from widgets.parts.messages import read_text, stage_title
 from widgets.parts.typeset import typeset
 from widgets.window.main_window import MainWindow
 
@@ -58,18 +58,32 @@ def moved(projection: Projection, **fields: Any) -> Projection:
 
 def shown_after(panel: MatrixPanel, qtbot: QtBot, projection: Projection) -> None:
     show(panel, projection)
-    shown_at_last(panel, qtbot)
+    shown_at_last(panel, qtbot, projection)
 
 
-def shown_at_last(panel: MatrixPanel, qtbot: QtBot) -> None:
+def shown_at_last(panel: MatrixPanel, qtbot: QtBot, projection: Projection) -> None:
     """Wait until what runs is shown."""
-    readable = panel.findChild(Readable)
-    qtbot.waitUntil(lambda: not readable.pending)
+    rows, running = panel.vectors.currentData() == "rows", panel.running.isChecked()
+    matrices = notation.matrices(
+        projection, panel.letters.currentData(), rows=rows, running=running
+    )
+    qtbot.waitUntil(lambda: panel.shown == matrices)
+
+
+def title_of(panel: MatrixPanel, name: str) -> QLabel:
+    """What stands above a matrix."""
+    return panel.views[name].parentWidget().findChild(QLabel, "paneTitle")
+
+
+def speaks_of(panel: MatrixPanel, *names: str) -> bool:
+    """Whether a cell of one of these matrices is explained."""
+    starts = tuple(f"{panel.views[name].accessibleName()}, row " for name in names)
+    return bool(panel.explanation.text().startswith(starts))
 
 
 def title(panel: MatrixPanel, name: str) -> str:
     """What is written above a matrix."""
-    return str(panel.views[name].parentWidget().findChild(QLabel, "paneTitle").text())
+    return str(title_of(panel, name).text())
 
 
 def fold(panel: MatrixPanel, name: str) -> QToolButton:
@@ -87,9 +101,9 @@ def choose(box: Any, value: str) -> None:
 
 
 def test_numbers_are_those_of_the_command(panel: MatrixPanel) -> None:
-    told = json.loads(cli._matrices_json(OFF_AXIS))
+    told = json.loads(told_matrices(OFF_AXIS, "json"))
     assert [matrix.name for matrix in panel.shown] == list(told)
-    words = cli._matrices_text(OFF_AXIS).split()
+    words = told_matrices(OFF_AXIS, "text").split()
     for matrix in panel.shown:
         view = panel.views[matrix.name]
         for i in range(4):
@@ -171,7 +185,7 @@ def test_where_digits_begin_to_differ(before: str, after: str, first: int | None
 def test_four_digits_are_read_all_by_the_switch_and_all_copied(
     panel: MatrixPanel, qtbot: QtBot
 ) -> None:
-    told = json.loads(cli._matrices_json(OFF_AXIS))
+    told = json.loads(told_matrices(OFF_AXIS, "json"))
     view = panel.views["view_from_world"]
 
     def copied() -> str:
@@ -367,14 +381,14 @@ def test_copies_reach_the_clipboard(panel: MatrixPanel, qtbot: QtBot) -> None:
     exec(clipboard.text(), numbers)
     assert (
         numbers["clip_from_view"].tolist()
-        == json.loads(cli._matrices_json(OFF_AXIS))["clip_from_view"]
+        == json.loads(told_matrices(OFF_AXIS, "json"))["clip_from_view"]
     )
     actions[2].trigger()
     assert r"\begin{pmatrix}" in clipboard.text()
     menu.close()
     panel.copy.menu().actions()[1].trigger()
     exec(clipboard.text(), numbers)
-    for name, matrix in json.loads(cli._matrices_json(OFF_AXIS)).items():
+    for name, matrix in json.loads(told_matrices(OFF_AXIS, "json")).items():
         assert numbers[name].tolist() == matrix
 
 
@@ -413,7 +427,7 @@ def test_the_window_shows_the_current_value_when_the_panel_opens(
     window.controls.gesture_started.emit()
     for near in (1.25, 1.5):
         window.store.set_projection(moved(start, near=near))
-    shown_at_last(panel, qtbot)
+    shown_at_last(panel, qtbot, moved(start, near=1.5))
     assert panel.views["clip_from_view"].lit == {(2, 2), (2, 3)}
     window.controls.gesture_finished.emit()
     assert all(isinstance(view, MatrixView) for view in panel.views.values())
@@ -510,9 +524,9 @@ def test_a_matrix_that_is_gone_tells_nothing_any_more(window: MainWindow, qtbot:
         window.store.set_projection(start)
         panel.views[name].setFocus()
         qtbot.keyClick(panel.views[name], Qt.Key.Key_Right)
-        assert panel._speaker is panel.views[name] and panel.explanation.text()
+        assert speaks_of(panel, name)
         window.store.set_projection(free)  # the keyboard goes on to a neighbour on the way
-        assert panel._speaker in (None, *panel.views.values())
+        assert not panel.explanation.text() or speaks_of(panel, *panel.views)
 
 
 @pytest.mark.parametrize("lens", [Perspective(), Oblique(), OFF_AXIS.lens])
@@ -616,7 +630,11 @@ def test_a_matrix_stays_under_the_hand_when_its_neighbours_vanish_and_come_back(
         assert left_px() == left
     assert panel.window().focusWidget() is panel.views["clip_from_view"]
     QApplication.sendEvent(panel, QEvent(QEvent.Type.Leave))  # the hand is elsewhere
-    assert panel._row.count() == len(panel.shown) + 1  # no gap, but the stretch
+    settle()
+    boxes = [panel.views[matrix.name].parentWidget().geometry() for matrix in panel.shown]
+    assert {b.left() - a.right() for a, b in itertools.pairwise(boxes)} == {7}  # no gap
+    room = bar.maximum() + bar.pageStep() - boxes[-1].right()
+    assert room < 20 or bar.maximum() == 0
 
 
 def test_matrices_stand_on_one_line(panel: MatrixPanel, qtbot: QtBot) -> None:
@@ -777,10 +795,10 @@ def test_typing_reaches_the_whole_window_and_can_be_undone(
     store.undo()
     assert store.document.projection == start
     store.redo()
-    controls.rows["kind"].choose("perspective")  # the way back
+    dock.choose(dock.choice(controls, "kind"), "perspective")  # the way back
     assert store.document.projection == start
-    controls.rows["kind"].choose("matrix")
-    controls.rows["kind"].choose("orthographic")
+    dock.choose(dock.choice(controls, "kind"), "matrix")
+    dock.choose(dock.choice(controls, "kind"), "orthographic")
     assert store.document.projection == start.with_lens("orthographic")
 
 
@@ -790,7 +808,7 @@ def test_the_depth_range_of_a_free_matrix_can_be_changed(
 ) -> None:
     free = window.store.document.projection.with_lens("matrix")
     window.store.set_projection(free)
-    window.controls.rows["depth"].choose(depth)
+    dock.choose(dock.choice(window.controls, "depth"), depth)
     found = window.store.document.projection
     assert found.depth == depth and isinstance(found.lens, FreeMatrix)
     points = [[1.0, 2.0, 0.5], [-1.0, 0.0, 1.0]]
@@ -968,30 +986,26 @@ def test_a_cell_that_is_held_while_its_matrix_goes_says_nothing_more(
     view = panel.views["view_from_world"]
     cell = view.mapTo(window, view.cell_rect(1, 1).center().toPoint())
     QTest.mousePress(window.windowHandle(), Qt.MouseButton.LeftButton, Qt.KeyboardModifier(0), cell)
-    assert panel._speaker is view
+    assert speaks_of(panel, "view_from_world")
     orthographic = start.with_lens("orthographic")
     window.store.set_projection(orthographic)
-    shown_at_last(panel, qtbot)
+    shown_at_last(panel, qtbot, orthographic)
     assert panel.views["view_from_world"] is not view
     for step in range(3):  # the hand is not quite still, and has the old cell's mouse
         QTest.mouseMove(window.windowHandle(), cell + QPoint(step, 1))
-    assert panel._speaker in (None, *panel.views.values())
+    assert not panel.explanation.text() or speaks_of(panel, *panel.views)
     for lens in ("frustum", "orthographic"):
         QApplication.processEvents()
         QApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
         window.store.set_projection(orthographic.with_lens(lens))
-        shown_at_last(panel, qtbot)
-        assert panel._projection.lens.kind == lens  # no error on the way
+        shown_at_last(panel, qtbot, window.store.document.projection)  # no error on the way
     QTest.mouseRelease(window.windowHandle(), Qt.MouseButton.LeftButton, pos=cell)
 
 
 def test_l9_the_stage_reached_lights_its_matrix(panel: MatrixPanel) -> None:
     def lit() -> list[str]:
-        return [
-            matrix.name
-            for matrix, box in zip(panel._shown, panel._boxes, strict=True)
-            if box.title.property("reached")
-        ]
+        names = [matrix.name for matrix in panel.shown]
+        return [name for name in names if title_of(panel, name).property("reached")]
 
     assert lit() == ["depth_range_from_canonical_parallel"]  # NDC is where the strip starts
     names = (
@@ -1010,18 +1024,15 @@ def test_l9_the_stage_reached_lights_its_matrix(panel: MatrixPanel) -> None:
 
 
 def test_l9_the_chain_is_the_lectures_and_without_identities(panel: MatrixPanel) -> None:
-    panel.letters.setCurrentIndex(panel.letters.findData("001"))
-    panel.letters.activated.emit(panel.letters.currentIndex())
-    panel._readable.changed()
+    choose(panel.letters, "001")
     titles = {
-        matrix.name: box.title.text()
-        for matrix, box in zip(panel._shown, panel._boxes, strict=True)
-        if box.isVisible()
+        matrix.name: title(panel, matrix.name)
+        for matrix in panel.shown
+        if title_of(panel, matrix.name).isVisible()
     }
     assert [*titles] == [matrix.name for matrix in panel.shown]
     assert "world_from_object" not in titles
     assert titles["clip_from_view"].endswith("= M<sub>z</sub> M<sub>pp</sub> M<sub>persp</sub>")
     assert titles["depth_range_from_canonical_parallel"].endswith("= M<sub>z</sub>")
-    panel.letters.setCurrentIndex(panel.letters.findData("own"))
-    panel._readable.changed()
+    choose(panel.letters, "own")
     assert "world_from_object" in {matrix.name for matrix in panel.shown}

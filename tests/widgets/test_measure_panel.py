@@ -7,14 +7,14 @@ import os
 import re
 from collections.abc import Callable, Iterator
 from dataclasses import replace
-from itertools import pairwise
+from itertools import pairwise, product
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 import psutil
 import pytest
-from PySide6.QtCore import QPoint, Qt
+from PySide6.QtCore import QPoint, QPointF, QProcess, Qt
 from PySide6.QtTest import QSignalSpy, QTest
 from PySide6.QtWidgets import QApplication, QWidget
 from pytestqt.qtbot import QtBot
@@ -26,6 +26,7 @@ from app.measure import results as kept
 from app.measure.meaning import meaning
 from app.measure.results import Choice, Results, Trade, from_json, table, to_csv, to_json
 from app.model.projection import Camera, Perspective, Projection
+from app.scenes.phenomena.illustration import Diagram
 from app.scenes.scene import load
 from tests.support.results import RESULTS, TRADE
 from tests.support.shown import show
@@ -71,13 +72,26 @@ def heads(panel: MeasurePanel) -> list[str]:
     return [panel.table.horizontalHeaderItem(x).text() for x in columns]
 
 
+def found(view: Any) -> dict[str, tuple[QPoint, bool]]:
+    """Of the spots that can be chosen, a place at which each is under the mouse, and if marked."""
+    spots = {}
+    for x, y in product(range(0, view.width(), 3), range(0, view.height(), 3)):
+        spot = view.spot_at(QPointF(x, y), key_only=True)
+        if spot is not None:
+            spots[spot.key] = QPoint(x, y), spot.marked
+    return spots
+
+
 def click_spot(panel: MeasurePanel, key: str) -> None:
     (view,) = (view for view in panel.diagrams if view.isVisible())
     view.grab()
-    assert view._diagram is not None
-    spot = next(spot for spot in view._diagram.spots if spot.key == key)
-    place = view.to_px(spot.x, spot.y).toPoint()
+    place, _ = found(view)[key]
     QTest.mouseClick(view, Qt.MouseButton.LeftButton, Qt.KeyboardModifier.NoModifier, place)
+
+
+def process_of(panel: MeasurePanel) -> QProcess:
+    """What measures, while it does; one that has ended may not be deleted yet."""
+    return panel.measuring.findChildren(QProcess)[-1]
 
 
 def click_cell(panel: MeasurePanel, row: int) -> None:
@@ -99,7 +113,7 @@ def test_a_trade_is_measured_and_shown(panel: MeasurePanel, qtbot: QtBot) -> Non
     fractions = QSignalSpy(panel.measuring.progressed)
     panel.choose("depth")
     panel.run()
-    file = panel.measuring._file
+    file = process_of(panel).arguments()[-1]
     assert os.path.exists(file) and panel.cancel_button.isEnabled()
     assert not panel.run_button.isEnabled() and panel.progress.isVisible()
     qtbot.waitUntil(lambda: not panel.measuring.running)
@@ -120,7 +134,7 @@ def test_a_trade_is_measured_and_shown(panel: MeasurePanel, qtbot: QtBot) -> Non
 
 
 def test_several_are_measured_in_one_go_and_each_is_shown_and_exported_by_itself(
-    panel: MeasurePanel, qtbot: QtBot, tmp_path: Path
+    panel: MeasurePanel, qtbot: QtBot, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     refused, succeeded = QSignalSpy(panel.refused), QSignalSpy(panel.succeeded)
     assert not panel.export(tmp_path / "early.csv") and "nothing to export" in refused.at(0)[0]
@@ -154,10 +168,10 @@ def test_several_are_measured_in_one_go_and_each_is_shown_and_exported_by_itself
     theirs = replace(mine, machine={"system": "Box 9"}, date="2020-02-02T00:00:00+00:00")
     own_rows = cells(panel)
     assert not panel.forget_button.isEnabled()
+    drawn: list[Diagram] = []
+    monkeypatch.setattr(panel.diagrams[0], "show_diagram", drawn.append)
     assert panel.load(write(tmp_path / "a.json", theirs))
-    diagram = panel.diagrams[0]._diagram
-    assert diagram is not None
-    assert "Box 9, 2020-02-02T00:00:00+00:00" in [c.label for c in diagram.curves]
+    assert "Box 9, 2020-02-02T00:00:00+00:00" in [c.label for c in drawn[-1].curves]
     rows = cells(panel)
     assert rows[: len(own_rows)] == own_rows and len(rows) == 2 * len(own_rows)
     assert rows[-1][:-1] == own_rows[-1][:-1]
@@ -208,9 +222,7 @@ def test_it_waits_while_a_control_is_dragged(panel: MeasurePanel, qtbot: QtBot) 
     panel.run()
     assert panel.progress.format() == "waits"
     with qtbot.assertNotEmitted(panel.measuring.finished, wait=0):
-        process = panel.measuring._process
-        assert process is not None
-        process.waitForFinished(2500)  # longer than it takes where nothing holds it up
+        process_of(panel).waitForFinished(2500)  # longer than it takes where nothing holds it up
         assert panel.measuring.running
     panel.begin_gesture()
     panel.end_gesture()
@@ -276,10 +288,8 @@ def test_a_process_that_cannot_start_or_dies_is_a_sentence(
     assert "cannot be started" in refused.at(0)[0] and not panel.measuring.running
     monkeypatch.undo()
     panel.run()
-    process = panel.measuring._process
-    assert process is not None
     with qtbot.waitSignal(panel.measuring.finished):
-        process.kill()
+        process_of(panel).kill()
     assert refused.at(1)[0] == "The measurement ended unexpectedly."
     assert panel.run_button.isEnabled()
 
@@ -315,17 +325,17 @@ def test_what_the_panes_cannot_draw_with_is_not_used(panel: MeasurePanel, tmp_pa
     assert {item.row() for item in panel.table.selectedItems()} == {1} and used.count() == 1
 
 
-def test_the_choice_in_use_is_marked_and_follows(panel: MeasurePanel, tmp_path: Path) -> None:
+def test_the_choice_in_use_is_marked_and_follows(
+    panel: MeasurePanel, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
     panel.load(write(tmp_path / "a.json", RESULTS))
     panel.choose("arithmetic")
 
     def marked() -> list[str]:
-        diagram = panel.diagrams[0]._diagram
-        assert diagram is not None
-        return [spot.key for spot in diagram.spots if spot.marked]
+        return [key for key, (_, is_marked) in found(panel.diagrams[0]).items() if is_marked]
 
     assert marked() == ["good"]
-    panel._current = lambda: {"rung": "bad"}
+    monkeypatch.setitem(IN_USE, "rung", "bad")
     show(panel, Projection())
     assert marked() == ["bad"]
 
@@ -571,14 +581,15 @@ def test_the_panes_have_room_above_it(
 
 
 def test_a_drag_in_the_window_makes_it_wait_and_a_sentence_reaches_the_bar(
-    window: MainWindow, tmp_path: Path
+    window: MainWindow, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    panel = window.measure_panel
+    panel, waits = window.measure_panel, []
+    monkeypatch.setattr(panel.measuring, "set_paused", waits.append)
     for source in (window.controls, window.controls.animation, window.manipulation, window.strip):
         source.gesture_started.emit()
-        assert panel._gestures == 1
         source.gesture_finished.emit()
-        assert panel._gestures == 0
+        assert waits == [True, False]
+        waits.clear()
     assert not panel.load(tmp_path / "gone.json")
     assert window.messages.text.startswith("gone.json: cannot be read")
     assert panel.load(write(tmp_path / "a.json", RESULTS)) and window.messages.text == ""
@@ -637,9 +648,7 @@ def test_the_window_goes_on_during_a_measurement_and_ends_it_when_it_closes(
     panel.how.setCurrentIndex(1)  # full: it takes half a minute
     with qtbot.waitSignal(panel.measuring.progressed):
         panel.run()
-    process, file = panel.measuring._process, panel.measuring._file
-    assert process is not None
-    number = int(process.processId())
+    number, file = int(process_of(panel).processId()), process_of(panel).arguments()[-1]
     ours, its = psutil.Process(), psutil.Process(number)
     assert its.nice() == min(19, ours.nice() + 10), "the window's steps come first"
     projection = window.store.document.projection

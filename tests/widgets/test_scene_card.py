@@ -24,22 +24,18 @@ from pytestqt.qtbot import QtBot
 from app.model.projection import Camera, FreeMatrix, Frustum, Oblique, receding_of
 from app.model.refusal import Refusal
 from app.scenes.phenomena import PHENOMENA
-from app.scenes.phenomena.illustration import (
-    Illustration,
-    Phrase,
-    Reading,
-    Setting,
-    Settings,
-    Subject,
-)
+from app.scenes.phenomena.illustration import Illustration, Subject
+from app.scenes.phenomena.readout import Phrase, Reading
+from app.scenes.phenomena.settings import Setting, Settings
+from tests.support.controls import choose
 from tests.support.phenomenon import EVERYTHING
 from tests.support.window import enter, show_scene
 from widgets.controls.scene_card import NONE, Player, SceneCard, make_row, scale_of
 from widgets.parts import palette
-from widgets.parts.digits import set_all_digits
 from widgets.parts.fields import CheckRow, ChoiceRow, NumberRow, VectorRow
 from widgets.parts.messages import Words, number_text
 from widgets.parts.readable import Readable
+from widgets.parts.writing import all_digits
 from widgets.window.main_window import MainWindow
 
 TRIES = ("Drag this.", "What happens there?", "And here?")
@@ -124,7 +120,7 @@ def test_every_row_makes_its_edit(owner: Owner) -> None:
     card = owner.card
     number_row(card, "turn").slider.setValue(0)
     enter(number_row(card, "gap").field, "0,25 mm")
-    card.rows["kind"].choose("b")  # type: ignore[attr-defined]
+    choose(card.rows["kind"], "b")  # type: ignore[arg-type]
     row: Any = card.rows["correct"]
     QTest.mouseClick(row.box, Qt.MouseButton.LeftButton, pos=row.box.rect().center())
     row = card.rows["light"]
@@ -498,11 +494,11 @@ def test_every_reading_is_shown_with_its_unit(owner: Owner) -> None:
         QGuiApplication.clipboard().clear()
         copy()
         assert QGuiApplication.clipboard().text() == "0.3333333333333333"
-    set_all_digits(True)
+    all_digits.set(True)
     try:
         assert readings(owner.card)[0] == ("gap", "0.3333333333333333", "mm")
     finally:
-        set_all_digits(False)
+        all_digits.set(False)
     assert readings(owner.card)[0] == ("gap", "0.3333", "mm")
     assert not owner.card.readout.note.isVisible()
 
@@ -647,12 +643,12 @@ def test_it_needs_no_more_than_the_narrowest_dock(owner: Owner, qapp: QApplicati
     )
     qapp.processEvents()
     assert owner.card.minimumSizeHint().width() <= 244
-    set_all_digits(True)
+    all_digits.set(True)
     try:
         qapp.processEvents()
         assert owner.card.minimumSizeHint().width() <= 244
     finally:
-        set_all_digits(False)
+        all_digits.set(False)
 
 
 def test_everything_has_a_name_for_a_screen_reader(owner: Owner) -> None:
@@ -744,24 +740,18 @@ def in_words(window: Any, name: str) -> str:
     return combo.currentText() or combo.placeholderText()
 
 
-def choose(window: Any, name: str, key: str) -> None:
-    row = window.controls.card.rows[name]
-    assert isinstance(row, ChoiceRow)
-    row.choose(key)
-
-
 def test_the_view_volume_is_that_of_the_lens_and_can_be_chosen_again(window: MainWindow) -> None:
     store, window = opened(window, "view-volumes")
     start = store.document
     store.set_projection(start.projection.with_lens("orthographic"))
     assert shown(window, "volume") == ["box"] and store.document.settings == start.settings
-    choose(window, "volume", "pyramid")
+    choose(window.controls.card.rows["volume"], "pyramid")
     assert store.document.projection.lens.kind == "perspective"
     assert shown(window, "volume") == ["pyramid"]
     store.undo()
     assert store.document.projection.lens.kind == "orthographic"
     assert shown(window, "volume") == ["box"]
-    choose(window, "volume", "cone")
+    choose(window.controls.card.rows["volume"], "cone")
     store.set_projection(store.document.projection.with_lens("oblique"))
     assert shown(window, "volume") == ["oblique"]
 
@@ -774,7 +764,7 @@ def test_a_camera_that_was_turned_is_free_and_can_be_turned_back(window: MainWin
     assert shown(window, "points") == ["free"]
     window.controls.card.settings_edited.emit({"t": 0.25})
     assert store.document.projection.camera.eye == (3.0, 5.0, 5.0)
-    choose(window, "points", "2")
+    choose(window.controls.card.rows["points"], "2")
     assert shown(window, "points") == ["2"]
     np.testing.assert_allclose(store.document.projection.camera.frame, start.camera.frame)
     # Nearer, but from the same side: still two of them.
@@ -802,7 +792,7 @@ def test_an_oblique_drawing_is_as_its_lens_is(window: MainWindow) -> None:
     drawn = store.document.projection.lens
     assert isinstance(drawn, Oblique)
     assert receding_of(drawn) == pytest.approx((scale, 30.0))
-    choose(window, "drawing", "cavalier")
+    choose(window.controls.card.rows["drawing"], "cavalier")
     drawn = store.document.projection.lens
     assert isinstance(drawn, Oblique) and receding_of(drawn) == pytest.approx((1.0, 30.0))
     # Another lens draws none of them.
@@ -810,7 +800,7 @@ def test_an_oblique_drawing_is_as_its_lens_is(window: MainWindow) -> None:
     assert in_words(window, "drawing") == "none of these"
     assert not rows["angle_deg"].isEnabled() and not rows["morph"].isEnabled()
     assert shown(window, "angle_deg", "morph") == [30.0, 1.0]  # with what it would be drawn
-    choose(window, "drawing", "cavalier")
+    choose(window.controls.card.rows["drawing"], "cavalier")
     assert store.document.projection.lens.kind == "oblique"
     assert shown(window, "drawing") == ["cavalier"] and rows["angle_deg"].isEnabled()
 
@@ -824,7 +814,7 @@ def test_a_photograph_is_none_any_more_when_the_camera_has_been_moved(window: Ma
     assert in_words(window, "preset") == "none of these"
     assert shown(window, "distance") == [pytest.approx(3.0)]
     assert number_text(shown(window, "distance")[0]) == "3"
-    choose(window, "preset", "wide")
+    choose(window.controls.card.rows["preset"], "wide")
     now = store.document.projection
     assert now.camera.distance == pytest.approx(3.0)
     assert now.lens.fov_y_deg == pytest.approx(start.lens.fov_y_deg)

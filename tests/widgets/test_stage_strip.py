@@ -346,7 +346,7 @@ def test_escape_puts_the_slider_back_and_removes_no_probe(
     activate(window)
     window.probe_panel.follow(point=(1.5, 5.0, 0.5))
     strip, slider = window.strip, window.strip.slider
-    strip._stand_at(before)  # as played, also between the slider's steps
+    strip.go_to(before)  # as played, also between the slider's steps
     option = QStyleOptionSlider()
     slider.initStyleOption(option)
     handle = slider.style().subControlRect(
@@ -545,5 +545,5 @@ def test_near_and_far_are_written_in_the_pane_all_the_way(
                     left, right, bottom, top = label.box_px(canvas.renderer)
                     width, height = canvas.render_window.GetSize()
                     if left < 0.0 or bottom < 0.0 or right > width or top > height:
-                        cut.append((near, far, quarter / 4, label._text))
+                        cut.append((near, far, quarter / 4, label.actor.GetInput()))
     assert not cut, cut

@@ -86,6 +86,15 @@ def test_one_click_or_escape_sends_it_away(window: MainWindow, way: str) -> None
     assert is_gone(window) and window.store.document == before
 
 
+def test_recent_lessons_are_called_by_their_titles(make_window: MakeWindow, tmp_path: Path) -> None:
+    path = tmp_path / "l1.md"
+    path.write_text("---\ntitle: How wide?\n---\n# One {#one}\n")
+    settings = Settings(None)
+    settings.recent = [str(path), str(tmp_path / "gone.md")]
+    card = opened(make_window(settings=settings))
+    assert [button(card, name).text() for name in ("l1.md", "gone.md")] == ["How wide?", "gone.md"]
+
+
 def test_recent_files_are_there_and_open(make_window: MakeWindow, tmp_path: Path) -> None:
     path = tmp_path / "lesson with a rather long name that has no room.json"
     write(Document("cube", load("cube").start), path)

@@ -13,9 +13,10 @@ from pytestqt.qtbot import QtBot
 from app.document.document import Document
 from app.drawings.scene_bounds import predictions
 from app.model.projection import Camera, Perspective, Projection
-from app.precision.levels import drawing_bound_px, predict
+from app.precision.levels import predict
 from app.precision.quality import Quality
 from app.scenes.scene import Scene, load
+from tests.support.bounds import drawing_bound_px
 from tests.support.shown import show
 from tests.support.window import MakeWindow
 from widgets.parts.number_dialog import NumberDialog

@@ -26,10 +26,13 @@ from PySide6.QtGui import QAction, QDropEvent, QFont, QImage
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import (
     QApplication,
+    QCheckBox,
     QComboBox,
     QDialog,
+    QDialogButtonBox,
     QFileDialog,
     QLabel,
+    QLineEdit,
     QMessageBox,
     QProgressDialog,
     QPushButton,
@@ -45,10 +48,7 @@ import app.document.document
 import app.scenes.scene
 from app.bootstrap import ROOT
 from app.document.document import UNWRITABLE, Document, extract, picture_json, read, to_json, write
-from app.drawings import actors
-from app.drawings import precision as precisions
 from app.drawings.figures import png_bytes, render
-from app.drawings.image import ImageDrawing
 from app.drawings.style import DARK, LIGHT, rgb
 from app.model.projection import Camera, Orbit, Orthographic, Perspective, Projection
 from app.model.refusal import Refusal
@@ -57,6 +57,7 @@ from app.scenes.phenomena import PHENOMENA
 from app.scenes.scene import load
 from app.scenes.shapes import GRID_RGB
 from tests import PATIENCE_MS, PATIENCE_S
+from tests.support.controls import number
 from tests.support.drawings import colours_of
 from tests.support.phenomenon import EVERYTHING
 from tests.support.window import (
@@ -64,7 +65,9 @@ from tests.support.window import (
     activate,
     counted_repaints,
     enter,
+    named,
     pixels,
+    pixels_of,
     present,
     seen,
     settle,
@@ -76,8 +79,9 @@ from widgets.panels.matrix_panel import MatrixPanel
 from widgets.panes.counting import Counting
 from widgets.panes.stage_strip import StageStrip
 from widgets.parts import palette
+from widgets.parts.combo import Combo
+from widgets.parts.icons import WarningLabel
 from widgets.parts.messages import number_text, sentence
-from widgets.parts.panel import PROJECTION
 from widgets.window.autosave import Autosave
 from widgets.window.export_dialog import ExportChoice, ExportDialog
 from widgets.window.files import Files
@@ -126,6 +130,7 @@ def test_nothing_under_a_canvas_is_painted(window: MainWindow) -> None:
     assert painted == [slider]
 
 
+@pytest.mark.smooth
 def test_a_drag_repaints_once_a_step_and_once_to_refine(make_window: MakeWindow) -> None:
     window = make_window(software_rendering=True)
     settle()
@@ -140,6 +145,7 @@ def test_a_drag_repaints_once_a_step_and_once_to_refine(make_window: MakeWindow)
     assert counts == {"world": 5, "ndc": 5, "image": 5}
 
 
+@pytest.mark.smooth
 def test_a_gpu_smooths_during_a_drag_too(make_window: MakeWindow) -> None:
     window = make_window(software_rendering=False)
     settle()
@@ -660,7 +666,7 @@ def test_the_picture_on_the_clipboard_carries_the_document(window: MainWindow) -
 def test_an_export_can_be_cancelled(
     window: MainWindow, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr("widgets.window.pictures.SHOW_PROGRESS_AFTER_MS", 0)
+    monkeypatch.setattr("widgets.parts.progress.SHOWN_AFTER_MS", 0)
     seen_dialogs = []
 
     def cancel() -> None:
@@ -698,7 +704,7 @@ def test_a_message_goes_when_the_next_try_succeeds_and_an_offer_stays(
     assert window.files.save_to(tmp_path / "lesson.json")
     assert messages.text == "An offer."
     messages.say("A refusal.")
-    messages._close.click()
+    named(messages, QToolButton, "Dismiss this message").click()
     assert messages.text == "An offer."
     messages.say("A refusal.")
     messages.take_back("A refusal.")
@@ -708,7 +714,7 @@ def test_a_message_goes_when_the_next_try_succeeds_and_an_offer_stays(
     messages.done()
     assert messages.text == ""
     messages.say("Another offer.", ("Take it", lambda: None))
-    messages._close.click()
+    named(messages, QToolButton, "Dismiss this message").click()
     messages.done()
     assert messages.text == ""
 
@@ -716,32 +722,35 @@ def test_a_message_goes_when_the_next_try_succeeds_and_an_offer_stays(
 def test_the_export_dialog_refuses_what_cannot_be_drawn(make_window: MakeWindow) -> None:
     window = make_window(shown=False)
     dialog = ExportDialog({n: pane.name for n, pane in window.panes.items()}, (640, 360), window)
-    save = dialog._buttons.button(dialog._buttons.StandardButton.Save)
+    save = dialog.findChild(QDialogButtonBox).button(QDialogButtonBox.StandardButton.Save)
+    problem, scale = dialog.findChild(WarningLabel), dialog.findChild(Combo)
+    width = named(dialog, QLineEdit, "Width in pixels")
+    panes = {box.text(): box for box in dialog.findChildren(QCheckBox)}
     assert save.isEnabled()
-    for box in dialog._boxes.values():
+    for box in panes.values():
         box.setChecked(False)
-    assert not save.isEnabled() and dialog._problem.text()
-    dialog._boxes["image"].setChecked(True)
+    assert not save.isEnabled() and problem.text()
+    panes["Image"].setChecked(True)
     assert dialog.choice() == ExportChoice(("image",), (640, 360), 1.0, False)
-    dialog._width.setText("0")
+    width.setText("0")
     assert not save.isEnabled()
     for text in ("1_800", "\uff11\uff18\uff10\uff10", "1800.0", "1e3", "", "9" * 5000):
-        dialog._width.setText(text)
+        width.setText(text)
         assert not save.isEnabled(), text
-        assert "must be whole numbers" in dialog._problem.text()
-    dialog._width.setText("9" * 400)
+        assert "must be whole numbers" in problem.text()
+    width.setText("9" * 400)
     assert not save.isEnabled()
-    assert "width = 1e400: must be a whole number of pixels" in dialog._problem.text()
-    dialog._width.setText(" 640 ")
+    assert "width = 1e400: must be a whole number of pixels" in problem.text()
+    width.setText(" 640 ")
     assert save.isEnabled() and dialog.choice().size == (640, 360)
-    dialog._width.setText("16384")
+    width.setText("16384")
     assert save.isEnabled()
-    dialog._scale.setCurrentIndex(1)
+    scale.setCurrentIndex(1)
     assert not save.isEnabled()
-    dialog._scale.setCurrentIndex(0)
-    dialog._width.selectAll()
-    QTest.keyClicks(dialog._width, "777")
-    dialog._boxes["world"].setChecked(True)
+    scale.setCurrentIndex(0)
+    width.selectAll()
+    QTest.keyClicks(width, "777")
+    panes["World"].setChecked(True)
     assert dialog.choice().size == (777, 360)  # what was typed stays
 
 
@@ -815,7 +824,7 @@ def test_what_another_program_wrote_is_not_saved_over_unasked(
 
 def being_typed(window: MainWindow, qtbot: Any, text: str) -> None:
     """Leave a number in the field of the vertical field of view, not yet entered."""
-    field = window.controls._number("fov_y_deg").field
+    field = number(window.controls, "fov_y_deg").field
     qtbot.mouseClick(field, Qt.MouseButton.LeftButton)
     field.selectAll()
     qtbot.keyClicks(field, text)
@@ -912,7 +921,7 @@ def test_unsaved_work_is_offered_after_a_crash_and_never_opened_by_itself(
     window = make_window(shown=False)
     settle()
     assert window.messages.text == "", "the work of a window that lives is not offered"
-    crashed.recovery.autosave._lock.unlock()  # what the system does when a process dies
+    crashed.recovery.autosave.release()  # as the system does when a process dies
     window.recovery.offer()
     assert window.messages.text
     assert window.store.document != lost
@@ -962,13 +971,12 @@ def test_the_lock_of_a_killed_window_without_unsaved_work_is_removed(
 ) -> None:
     window = make_window(shown=False)
     folder = data_folder()
+    own = list(folder.iterdir())
     dies = DIES.replace("autosave.save_now()", "")
     subprocess.run([sys.executable, "-c", dies, str(folder)], cwd=ROOT, check=False)
     assert len(list(folder.iterdir())) == 2
     assert window.recovery.autosave.orphans() == []
-    assert list(folder.iterdir()) == [
-        window.recovery.autosave._lock_path(window.recovery.autosave._path)
-    ]
+    assert list(folder.iterdir()) == own
 
 
 def test_a_good_close_leaves_no_autosave(make_window: MakeWindow) -> None:
@@ -1674,15 +1682,14 @@ def test_a_long_name_leaves_window_and_panel_as_wide(window: MainWindow, tmp_pat
 
 def text_boxes(window: MainWindow) -> dict[str, tuple[float, float, float, float]]:
     """Left, bottom, right, top of the texts in the picture, in its pixels."""
-    drawing = window.panes["image"].drawing
-    assert isinstance(drawing, ImageDrawing)
-    renderer, boxes = drawing.picture_renderer, {}
-    for actor in renderer.GetViewProps():
-        if isinstance(actor, vtkTextActor) and actor.GetVisibility():
-            box = [0.0] * 4
-            actor.GetBoundingBox(renderer, box)
-            x, y = actor.GetPositionCoordinate().GetComputedDoubleViewportValue(renderer)
-            boxes[actor.GetInput()] = (x + box[0], y + box[2], x + box[1], y + box[3])
+    boxes = {}
+    for renderer in window.panes["image"].canvas.render_window.GetRenderers():
+        for actor in renderer.GetViewProps():
+            if isinstance(actor, vtkTextActor) and actor.GetVisibility():
+                box = [0.0] * 4
+                actor.GetBoundingBox(renderer, box)
+                x, y = actor.GetPositionCoordinate().GetComputedDoubleDisplayValue(renderer)
+                boxes[actor.GetInput()] = (x + box[0], y + box[2], x + box[1], y + box[3])
     return boxes
 
 
@@ -1748,6 +1755,7 @@ def test_edges_that_run_far_behind_the_pane_are_lines(make_widened: MakeWindow) 
             assert 0.001 < share_of(window, rgb(colour)) < 0.008
 
 
+@pytest.mark.smooth
 def test_a_grid_that_runs_behind_the_pane_is_lines(
     make_widened: MakeWindow, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -1766,21 +1774,21 @@ def test_a_grid_that_runs_behind_the_pane_is_lines(
 
 
 def test_lines_are_drawn_where_their_shader_declares_itself_in_other_words(
-    make_widened: MakeWindow, monkeypatch: pytest.MonkeyPatch
+    make_widened: MakeWindow,
 ) -> None:
     """As another VTK may write it; what is put into its text has to be compiled there as well."""
-    cut_behind = actors._cut_behind
-
-    def cut_another_text(actor: Any) -> None:
-        cut_behind(actor)
-        declared = "layout(lines) in;\nlayout(triangle_strip, max_vertices = 4) out;"
-        other = "layout(lines) in;\nlayout(max_vertices = 4, triangle_strip) out;"
-        actor.GetShaderProperty().AddGeometryShaderReplacement(declared, True, other, True)
-
-    with monkeypatch.context() as patched:
-        patched.setattr(actors, "_cut_behind", cut_another_text)
-        other = make_widened()
-    assert np.array_equal(pixels(other, "world"), pixels(make_widened(), "world"))
+    window = make_widened()
+    canvas = window.panes["world"].canvas
+    declared = "layout(lines) in;\nlayout(triangle_strip, max_vertices = 4) out;"
+    other = "layout(lines) in;\nlayout(max_vertices = 4, triangle_strip) out;"
+    pictures = []
+    for text in (declared, other):  # either is compiled anew
+        for renderer in canvas.render_window.GetRenderers():
+            for actor in renderer.GetActors():
+                actor.GetShaderProperty().AddGeometryShaderReplacement(declared, True, text, True)
+        canvas.redraw()
+        pictures.append(pixels_of(canvas))
+    assert np.array_equal(*pictures)
 
 
 def test_a_note_beside_a_panes_title_ends_in_an_ellipsis_where_it_is_cut(
@@ -1827,28 +1835,28 @@ def test_a_panes_title_has_all_the_room_there_is_before_its_note(window: MainWin
     window.look.set_presenting(False)
 
 
-def test_both_panes_share_what_float64_has_projected(
-    window: MainWindow, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    cut, whole = [0], precisions._cut
+def test_both_panes_share_what_float64_has_projected(window: MainWindow) -> None:
+    """Which is gone when nobody draws with it any more."""
 
-    def counted(*given: Any) -> Any:
-        cut[0] += 1
-        return whole(*given)
+    def shared() -> set[Any]:
+        one, other = (
+            {
+                actor.GetMapper().GetInput().GetPoints()
+                for renderer in window.panes[name].canvas.render_window.GetRenderers()
+                for actor in renderer.GetActors()
+            }
+            for name in ("ndc", "image")
+        )
+        return one & other
 
-    monkeypatch.setattr(precisions, "_cut", counted)
+    own = shared()
     for step in range(3):  # faces and edges, at a field of view that float32 cannot draw
         window.store.set_projection(seen(window, lens=Perspective(1e-3 + 1e-5 * step, 1.0, 30.0)))
-        assert cut[0] == 2 * (step + 1)
-    assert {window.panes[name].drawing.precision for name in ("ndc", "image")} == {"float64"}  # type: ignore[union-attr]
-    pictures = {name: pixels(window, name) for name in ("ndc", "image")}
-    for name, shown in pictures.items():  # each for itself draws the same
-        precisions._projected.clear()
-        window.panes[name].take(window.shown, PROJECTION)
-        settle()
-        assert (pixels(window, name) == shown).all(), name
+        assert {window.panes[name].drawing.precision for name in ("ndc", "image")} == {"float64"}  # type: ignore[union-attr]
+        made = [weakref.ref(points) for points in shared() - own]
+        assert len(made) == 2
     window.store.set_projection(seen(window, lens=Perspective(45.0, 1.0, 30.0)))
-    assert not len(precisions._projected)
+    assert [points() for points in made] == [None, None] and shared() == own
 
 
 def test_esc_puts_back_what_a_slider_has_dragged(window: MainWindow) -> None:

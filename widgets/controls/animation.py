@@ -11,15 +11,18 @@ from dataclasses import dataclass, replace
 from functools import partial
 from typing import Literal, TypeAlias
 
-from PySide6.QtCore import Qt, Signal
-from PySide6.QtWidgets import QHBoxLayout, QToolButton, QVBoxLayout, QWidget
+from PySide6.QtCore import Signal
+from PySide6.QtWidgets import QWidget
 
 from app.model.limits import NOT_PARALLEL, within
 from app.model.projection import LARGEST, NOT_THE_EYE, Camera, Vector
 from app.model.refusal import Refusal
+from widgets.parts.buttons import tool_button
 from widgets.parts.clock import Clock, Playing
 from widgets.parts.fields import Choice, ChoiceRow, Linear, NumberRow, Row
-from widgets.parts.icons import WarningLabel, show_icon
+from widgets.parts.gestures import Gestures
+from widgets.parts.icons import WarningLabel
+from widgets.parts.layouts import FREE, in_column, in_row
 from widgets.parts.messages import limits_text, sentence
 
 HeightMode: TypeAlias = Literal["fixed", "swing", "steps"]
@@ -144,7 +147,7 @@ def _height(start_y: float, elapsed_s: float, motion: Motion) -> float:
     return start_y
 
 
-class AnimationBar(QWidget, Playing):
+class AnimationBar(QWidget, Playing, Gestures):
     """Plays the walk: one camera a frame, from where the camera is, until paused.
 
     A frame is asked for only when the one before has been handled, so that frames never queue
@@ -154,8 +157,6 @@ class AnimationBar(QWidget, Playing):
 
     edited = Signal(object)
     """The next `Camera`, once per frame."""
-    gesture_started = Signal()
-    gesture_finished = Signal()
     playing_changed = Signal(bool)
 
     def __init__(self) -> None:
@@ -171,37 +172,25 @@ class AnimationBar(QWidget, Playing):
         self._say("")
 
     def _make_widgets(self) -> None:
-        self.button = QToolButton()
-        self.button.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
-        self.button.clicked.connect(self.toggle)
+        self.button = tool_button(self.tr("Play"), act=self.toggle, icon="play")
         self._error = WarningLabel()
         self.speed = NumberRow(
             self.tr("Speed"),
-            self.tr(
-                "How fast the camera walks round the vertical through the target; below 0 it"
-                " walks the other way."
-            ),
-            Linear(-90.0, 90.0, 1.0),
-            self.tr("°/s"),
-            self.tr("degrees per second"),
-        )
+            self.tr("How fast the camera walks round the vertical through the target; below 0 it"
+                    " walks the other way."),
+            Linear(-90.0, 90.0, 1.0), self.tr("°/s"), self.tr("degrees per second"),
+        )  # fmt: skip
         self.height_mode = ChoiceRow(
             self.tr("Height"),
             self.tr("What the y of the eye does during the walk (the exercise of lecture 004)."),
             (
                 Choice("fixed", self.tr("fixed"), self.tr("The eye keeps its y.")),
-                Choice(
-                    "swing",
-                    self.tr("swinging smoothly"),
-                    self.tr("The eye's y swings between the lowest and the highest value."),
-                ),
-                Choice(
-                    "steps",
-                    self.tr("in steps"),
-                    self.tr("The eye's y jumps to the next of four values every 2 seconds."),
-                ),
+                Choice("swing", self.tr("swinging smoothly"),
+                       self.tr("The eye's y swings between the lowest and the highest value.")),
+                Choice("steps", self.tr("in steps"),
+                       self.tr("The eye's y jumps to the next of four values every 2 seconds.")),
             ),
-        )
+        )  # fmt: skip
         unit, unit_tip = self.tr("units"), self.tr("world units")
         self.lowest = NumberRow(
             self.tr("Lowest"), self.tr("The least y of the eye while its height changes."),
@@ -216,26 +205,16 @@ class AnimationBar(QWidget, Playing):
             self.tr("Where the camera looks during the walk."),
             (
                 Choice("target", self.tr("at the target"), self.tr("The target stays in place.")),
-                Choice(
-                    "level",
-                    self.tr("level"),
-                    self.tr("The y of the target is the eye's y: the camera looks horizontally."),
-                ),
+                Choice("level", self.tr("level"),
+                       self.tr("The y of the target is the eye's y: the camera looks"
+                               " horizontally.")),
             ),
-        )
+        )  # fmt: skip
         self.rows: tuple[Row, ...] = (
             self.speed, self.height_mode, self.lowest, self.highest, self.look
         )  # fmt: skip
-        line = QHBoxLayout()
-        line.addWidget(self.button)
-        line.addStretch(1)
-        layout = QVBoxLayout(self)
-        layout.setContentsMargins(0, 0, 0, 0)
-        layout.setSpacing(3)
-        layout.addLayout(line)
-        layout.addWidget(self._error)
-        for row in self.rows:
-            layout.addWidget(row)
+        line = in_row(self.button, FREE)
+        in_column(line, self._error, *self.rows, on=self, margins=(0, 0, 0, 0), gap=3)
         for number, largest in (
             (self.speed, FASTEST_DEG_S), (self.lowest, LARGEST), (self.highest, LARGEST)
         ):  # fmt: skip
@@ -264,10 +243,7 @@ class AnimationBar(QWidget, Playing):
         scale = Linear.about(middle, 3.0 * size)
         # Beside a long row of things a swing as high as that would look straight down.
         reach = min(size, camera.distance / 2.0)
-        for row, height in (
-            (self.lowest, middle - reach / 4.0),
-            (self.highest, middle + reach),
-        ):
+        for row, height in ((self.lowest, middle - reach / 4.0), (self.highest, middle + reach)):
             row.setScale(scale)
             row.setValue(scale.value_at(scale.position_of(height)))
             row.setDefault(row.value())
@@ -412,15 +388,12 @@ class AnimationBar(QWidget, Playing):
     # -- shown
 
     def _show_state(self) -> None:
-        icon, word = ("pause", self.tr("Pause")) if self.playing else ("play", self.tr("Play"))
-        show_icon(self.button, icon)
-        self.button.setText(word)
-        self.button.setAccessibleName(word)
-        self.button.setToolTip(
-            self.tr("Stand still; playing again goes on from here.")
-            if self.playing
-            else self.tr("Walk round the target, as in the exercise of lecture 004.")
+        word = self._name_button(
+            "{0}",
+            self.tr("Walk round the target, as in the exercise of lecture 004."),
+            self.tr("Stand still; playing again goes on from here."),
         )
+        self.button.setText(word)
         for row in (self.lowest, self.highest):
             row.setVisible(self.height_mode.value() != "fixed")
 

@@ -18,24 +18,19 @@ from typing import Any
 
 from PySide6.QtCore import QEvent, QObject, QPoint, QSize, Qt, QTimer, Signal
 from PySide6.QtGui import QColor, QFontInfo, QPalette, QResizeEvent
-from PySide6.QtWidgets import (
-    QFrame,
-    QLabel,
-    QScrollArea,
-    QVBoxLayout,
-    QWidget,
-)
+from PySide6.QtWidgets import QFrame, QLabel, QScrollArea, QWidget
 
 from app.drawings.style import Style
 from app.lecture.highlight import NOTHING, Highlight, made_of
 from app.model.projection import FINITE_NUMBER, LARGEST, LENSES, Camera, Orbit, Projection
 from app.model.refusal import Refusal
 from widgets.controls.animation import AnimationBar
-from widgets.controls.finder import Known, SearchBox, find
+from widgets.controls.finder import Known, SearchBox, find, known
 from widgets.controls.lens_controls import LensControls
 from widgets.controls.scene_card import SceneCard
-from widgets.parts.fields import Choice, Linear, Log, NumberRow, Row, Scale, short_text
+from widgets.parts.fields import Choice, Linear, Log, NumberRow, Row, RowHolder, Scale, short_text
 from widgets.parts.focus import FocusRing, lay_out
+from widgets.parts.layouts import FREE, in_column
 from widgets.parts.messages import field_name, seen_from, sentence, translated
 from widgets.parts.panel import EVERYTHING, Changed, Shown
 from widgets.parts.section import GAP_PX, PARTS, Binding, Of, Part, Rows, Section, Typed
@@ -68,7 +63,7 @@ _MAKES: dict[str, tuple[str, ...]] = {
 ASPECTS = {"1:1": (1, 1), "4:3": (4, 3), "16:9": (16, 9)}
 
 
-class Controls(QScrollArea):
+class Controls(QScrollArea, RowHolder):
     """The dock.
 
     Attributes
@@ -89,9 +84,6 @@ class Controls(QScrollArea):
     concerns = EVERYTHING
     edited = Signal(object)
     """The user made this `Projection`: once per action."""
-    gesture_started = Signal()
-    gesture_finished = Signal()
-    gesture_abandoned = Signal()
     object_unfolded = Signal(bool)
     """Whether the object's own numbers are unfolded, of an object that can be moved."""
     highlighted = Signal(str, object)
@@ -111,27 +103,17 @@ class Controls(QScrollArea):
         self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self.setFrameShape(QFrame.Shape.NoFrame)
         self.setAccessibleName(self.tr("Controls"))
-        self._column = QWidget()
-        self._layout = QVBoxLayout(self._column)
-        self._layout.setSpacing(2)
         FocusRing(self)
         self.search = SearchBox(self)
         self.search.textChanged.connect(self._look_for)
         self.search.taken.connect(self._take_found)
-        self._not_here = QLabel()
-        self._not_here.setWordWrap(True)
+        self._not_here = QLabel(wordWrap=True)
         self._not_here.setObjectName("paneNote")
         self._not_here.hide()
-        self._layout.addWidget(self._not_here)
         self.card = SceneCard()
         self.card.highlighted.connect(self.highlighted)
-        self.card.gesture_started.connect(self.gesture_started)
-        self.card.gesture_finished.connect(self.gesture_finished)
-        self.card.gesture_abandoned.connect(self.gesture_abandoned)
-        self._layout.addWidget(self.card)
+        self.pass_on(self.card)
         self._front = [Rows(), Part(self.tr("Camera"))]
-        for part in self._front:
-            self._layout.addWidget(part)
         self.sections = {
             "more_lens": Section(self.tr("More of the lens")),
             "more_camera": Section(self.tr("More of the camera")),
@@ -139,9 +121,10 @@ class Controls(QScrollArea):
             "object": Section(self.tr("Object")),
             "animation": Section(self.tr("Animation")),
         }
-        for section in self.sections.values():
-            self._layout.addWidget(section)
-        self._layout.addStretch(1)
+        self._column = QWidget()
+        self._layout = in_column(
+            self._not_here, self.card, *self._parts, FREE, on=self._column, gap=2
+        )
         self._lens = LensControls(self._front[0], self.sections["more_lens"])
         self._make_camera()
         self._make_image()
@@ -158,7 +141,7 @@ class Controls(QScrollArea):
             self._connect(binding)
             about = _about(binding)
             binding.row.highlighted.connect(partial(self._highlighted, key, about))
-        self.rows: dict[str, Row] = {name: each.row for name, each in self._bindings.items()}
+        self.rows = {name: each.row for name, each in self._bindings.items()}
         self.setWidget(self._column)
         self._make_room()
         self._reserve_bar()
@@ -186,14 +169,6 @@ class Controls(QScrollArea):
         if changed & {"illustration", "settings"}:
             self.card.take(shown, changed)
 
-    def begin_gesture(self) -> None:
-        """Until `end_gesture`, values run: a control is dragged, or something plays."""
-        self.card.begin_gesture()
-
-    def end_gesture(self) -> None:
-        """End the gesture that `begin_gesture` began."""
-        self.card.end_gesture()
-
     def set_style(self, style: Style) -> None:
         """Give the planes' sliders the colours that the planes are drawn in."""
         for name, colour in (("near", style.near), ("far", style.far)):
@@ -208,8 +183,9 @@ class Controls(QScrollArea):
         if projection is not before and projection != before:
             changed = {part for part in PARTS if getattr(projection, part) != getattr(before, part)}
         for binding in self._bindings.values():
-            if binding.part in changed or (binding.row.error and not binding.row.in_hand):
-                binding.row.clear_error()
+            row = binding.row
+            if row.error and (binding.part in changed or not row.in_hand):
+                row.clear_error()
         if not changed:
             return
         self._projection = projection
@@ -217,26 +193,26 @@ class Controls(QScrollArea):
             changed.add("lens")  # most measures of a field of view have the aspect in them
         if projection.lens.kind != before.lens.kind:
             self._lens.fit(projection, self._size, self._defaults)
+            self._show_rows()
         elif "lens" in changed:
             self._lens.follow(projection)
-        self._show_rows(changed)
-        if changed & {"lens", "camera"}:
-            self._enable_camera(projection)
+        self._show_values(changed)
+        has_no_camera = projection.lens.own_view is not None
+        if has_no_camera != (before.lens.own_view is not None):
+            self._disable_camera(has_no_camera)
         if "camera" in changed:
             self.animation.show_camera(projection.camera)
 
-    def _enable_camera(self, projection: Projection) -> None:
+    def _disable_camera(self, disabled: bool) -> None:
         """No camera has a view matrix of its own: what moves one has nothing to move then."""
-        free = projection.lens.own_view is not None
         why = self.tr("The view matrix was typed, and no camera has it: undo, or choose a lens.")
         for part in (
             *(each.row for each in self._bindings.values() if each.part == "camera"),
             self.animation,
         ):
-            if part.isEnabled() == free:
-                part.setEnabled(not free)
-                part.setToolTip(why if free else "")
-        if free:
+            part.setDisabled(disabled)
+            part.setToolTip(why if disabled else "")
+        if disabled:
             self.animation.pause()
 
     def set_scene(self, size: float, defaults: Projection) -> None:
@@ -319,18 +295,18 @@ class Controls(QScrollArea):
         if not text.strip():
             self._show_found(None)
             return
-        known: dict[QWidget, Known] = {
-            row: Known.of("", (row.name,), row.tip) for row in self.card.rows.values()
+        here: dict[QWidget, Known] = {
+            row: known("", (row.name,), row.tip) for row in self.card.rows.values()
         }
         elsewhere: dict[QWidget, Known] = {}
         for key, binding in self._bindings.items():
             if key in self._replaced:
                 continue
-            in_use = known if self._in_use(binding) else elsewhere
-            in_use[binding.row] = Known.of(key, (binding.row.name,), binding.row.tip)
+            places = here if self._in_use(binding) else elsewhere
+            places[binding.row] = known(key, (binding.row.name,), binding.row.tip)
         walk = self.animation
-        known[walk] = Known.of("animation", (row.name for row in walk.rows), "")
-        found, others = find(text, known), find(text, elsewhere)
+        here[walk] = known("animation", (row.name for row in walk.rows), "")
+        found, others = find(text, here), find(text, elsewhere)
         self._not_here.setText(self._why_not_here(found, others))
         self._show_found(found)
 
@@ -385,25 +361,19 @@ class Controls(QScrollArea):
     def _make_camera(self) -> None:
         front, more = self._front[1], self.sections["more_camera"]
         degrees, lengths = self.tr("degrees"), (self.tr("units"), self.tr("world units"))
-        orbit: dict[str, tuple[str, Scale]] = {
-            "azimuth_deg": (
-                self.tr("Walks round the target: 0 is on its +z side, 90 on its +x side."),
-                Linear(-180.0, 180.0, 1.0),
-            ),
-            "elevation_deg": (
-                self.tr("Height above the target's horizon as an angle: 90 looks straight down."),
-                Linear(-90.0, 90.0, 1.0),
-            ),
-            "distance": (self.tr("From the target to the eye."), Log(1.0, 10.0)),
-            "roll_deg": (
-                self.tr("Turns the camera about its view direction; clockwise for who holds it."),
-                Linear(-180.0, 180.0, 1.0),
-            ),
-        }
+        round_deg = Linear(-180.0, 180.0, 1.0)
+        orbit: tuple[tuple[Rows, str, Scale, str], ...] = (
+            (front, "azimuth_deg", round_deg,
+             self.tr("Walks round the target: 0 is on its +z side, 90 on its +x side.")),
+            (front, "elevation_deg", Linear(-90.0, 90.0, 1.0),
+             self.tr("Height above the target's horizon as an angle: 90 looks straight down.")),
+            (front, "distance", Log(1.0, 10.0), self.tr("From the target to the eye.")),
+            (more, "roll_deg", round_deg,
+             self.tr("Turns the camera about its view direction; clockwise for who holds it.")),
+        )  # fmt: skip
         typed = Typed(lambda p: p.camera, lambda p: p.camera.orbit, _with_orbit)
-        for name, (tip, scale) in orbit.items():
+        for part, name, scale, tip in orbit:
             unit, unit_tip = ("°", degrees) if name.endswith("_deg") else lengths
-            part = more if name == "roll_deg" else front
             part.add_number(name, "camera", tip, scale, unit, unit_tip, *typed.access(name))
         vectors = {
             "eye": self.tr("The centre of projection, in world coordinates."),
@@ -412,38 +382,36 @@ class Controls(QScrollArea):
                           " view-up vector); its length does not matter."),
         }  # fmt: skip
         for vector, tip in vectors.items():
-            for axis, letter in enumerate("xyz"):
-                name = self.tr("{0} {1}").format(field_name(vector), letter)
-                read = partial(_read_component, "camera", vector, axis)
-                write = partial(_write_component, "camera", vector, axis)
-                scale = Linear(-1.0, 1.0, 0.01)  # of the others the scene is yet to scale it
-                unit, unit_tip = ("", "") if vector == "up" else lengths
-                more.add_number(
-                    f"{vector}_{letter}", "camera", tip, scale, unit, unit_tip, read, write,
-                    name=name, field=vector,
-                )  # fmt: skip
+            scale = Linear(-1.0, 1.0, 0.01)  # of the others the scene is yet to scale it
+            shown = ("", "") if vector == "up" else lengths
+            self._add_vector(more, "camera", vector, tip, scale, shown)
+
+    def _add_vector(
+        self, rows: Rows, part: Of, vector: str, tip: str, scale: Scale, unit: tuple[str, str]
+    ) -> None:
+        """Add a row for each component of a vector, with its unit and what that is."""
+        for axis, letter in enumerate("xyz"):
+            rows.add_number(
+                f"{vector}_{letter}", part, tip, scale, *unit,
+                partial(_read_component, part, vector, axis),
+                partial(_write_component, part, vector, axis),
+                name=self.tr("{0} {1}").format(field_name(vector), letter), field=vector,
+            )  # fmt: skip
 
     def _make_image(self) -> None:
         section = self.sections["image"]
-        for axis, (name, tip) in enumerate(
-            (
-                ("width", self.tr("Width of the picture in pixels.")),
-                ("height", self.tr("Height of the picture in pixels.")),
-            )
-        ):
+        sides = {
+            "width": self.tr("Width of the picture in pixels."),
+            "height": self.tr("Height of the picture in pixels."),
+        }
+        for axis, (name, tip) in enumerate(sides.items()):
             section.add_number(
                 name, "image_size", tip, Linear(10.0, 4000.0, 10.0),
                 self.tr("px"), self.tr("pixels"),
                 partial(_side, axis), partial(_with_side, axis),
             )  # fmt: skip
-        choices = tuple(
-            Choice(
-                text,
-                text,
-                self.tr("Width becomes {0}/{1} of the height, in whole pixels.").format(*ratio),
-            )
-            for text, ratio in ASPECTS.items()
-        )
+        tip = self.tr("Width becomes {0}/{1} of the height, in whole pixels.")
+        choices = [Choice(text, text, tip.format(*ratio)) for text, ratio in ASPECTS.items()]
         section.add_choice(
             "aspect", "image_size",
             self.tr("Width over height. The height stays, and with it the vertical field of view:"
@@ -456,12 +424,9 @@ class Controls(QScrollArea):
         choices = (
             Choice("opengl", self.tr("OpenGL: −1 to 1"), self.tr("Near goes to −1, far to 1.")),
             Choice("direct3d", self.tr("Direct3D: 0 to 1"), self.tr("Near goes to 0, far to 1.")),
-            Choice(
-                "reversed",
-                self.tr("reversed: 1 to 0"),
-                self.tr("Near goes to 1, far to 0: floats are densest where depth needs them."),
-            ),
-        )
+            Choice("reversed", self.tr("reversed: 1 to 0"),
+                   self.tr("Near goes to 1, far to 0: floats are densest where depth needs them.")),
+        )  # fmt: skip
         section.add_choice(
             "depth", "depth",
             self.tr("Which z the near and the far plane have in the NDC cube."),
@@ -475,47 +440,25 @@ class Controls(QScrollArea):
             self.tr(
                 "The objects of this scene are fixed: what it shows is reckoned with them. Those of"
                 " the letter F, the cube, the posts and of any mesh can be moved."
-            )
+            ),
+            wordWrap=True,
         )
-        self._fixed.setWordWrap(True)
         section.add(self._fixed)
-        degrees, lengths = (
-            (self.tr("°"), self.tr("degrees")),
-            (self.tr("units"), self.tr("world units")),
-        )
-        numbers = {
-            "translate": (
-                self.tr("Moves the object: the last column of world ← object."),
-                *lengths,
-            ),
-            "rotate_deg": (
-                self.tr("Turns the object about the fixed axes: first x, then y, then z."),
-                *degrees,
-            ),
-            "scale": (
-                self.tr("Stretches the object along its own axes: 0 flattens it, −1 mirrors it."),
-                self.tr("×"),
-                self.tr("times"),
-            ),
-        }
-        scales = {"rotate_deg": Linear(-180.0, 180.0, 1.0), "scale": Linear(-3.0, 3.0, 0.01)}
-        for vector, (tip, unit, unit_tip) in numbers.items():
-            for axis, letter in enumerate("xyz"):
-                section.add_number(
-                    f"{vector}_{letter}", "placement", tip,
-                    scales.get(vector, Linear(-1.0, 1.0, 0.01)), unit, unit_tip,
-                    partial(_read_component, "placement", vector, axis),
-                    partial(_write_component, "placement", vector, axis),
-                    name=self.tr("{0} {1}").format(field_name(vector), letter), field=vector,
-                )  # fmt: skip
+        for vector, scale, unit, unit_tip, tip in (
+            # The scene is yet to scale the first.
+            ("translate", Linear(-1.0, 1.0, 0.01), self.tr("units"), self.tr("world units"),
+             self.tr("Moves the object: the last column of world ← object.")),
+            ("rotate_deg", Linear(-180.0, 180.0, 1.0), self.tr("°"), self.tr("degrees"),
+             self.tr("Turns the object about the fixed axes: first x, then y, then z.")),
+            ("scale", Linear(-3.0, 3.0, 0.01), self.tr("×"), self.tr("times"),
+             self.tr("Stretches the object along its own axes: 0 flattens it, −1 mirrors it.")),
+        ):  # fmt: skip
+            self._add_vector(section, "placement", vector, tip, scale, (unit, unit_tip))
         choices = (
             Choice("trs", self.tr("T R S"), self.tr("Scaled and turned where it is, then moved.")),
-            Choice(
-                "rts",
-                self.tr("R T S"),
-                self.tr("Scaled and moved, then turned about the world's origin."),
-            ),
-        )
+            Choice("rts", self.tr("R T S"),
+                   self.tr("Scaled and moved, then turned about the world's origin.")),
+        )  # fmt: skip
         section.add_choice(
             "order", "placement",
             self.tr("Which factor comes first: of column vectors, the one on the right."),
@@ -554,9 +497,7 @@ class Controls(QScrollArea):
             row.limits = partial(self._limits, binding)
             row.accepts = partial(self._accepts, binding)
         row.edited.connect(partial(self._edit, binding))
-        row.gesture_started.connect(partial(self._gesture_started, row))
-        row.gesture_finished.connect(self.gesture_finished)
-        row.gesture_abandoned.connect(self.gesture_abandoned)
+        self._join(row)
 
     def _number(self, key: str) -> NumberRow:
         row = self._bindings[key].row
@@ -629,12 +570,6 @@ class Controls(QScrollArea):
     def _walked(self, camera: Camera) -> None:
         self._adopt(replace(self._projection, camera=camera))
 
-    def _gesture_started(self, row: Row) -> None:
-        for other in self.rows.values():
-            if other is not row:
-                other.finish_gesture()  # a burst of keys elsewhere that has not gone quiet yet
-        self.gesture_started.emit()
-
     def _reveal(self, row: Row) -> None:
         if row.error and row.isVisible():
             self.ensureWidgetVisible(row, 0, 4)
@@ -648,19 +583,22 @@ class Controls(QScrollArea):
         of_lens = not binding.lenses or self._projection.lens.kind in binding.lenses
         return of_lens and binding.field not in self._replaced
 
-    def _show_rows(self, parts: Collection[str] = PARTS) -> None:
-        """Show the rows of these parts of the projection, of those that are in use and unfolded."""
+    def _show_rows(self) -> None:
+        """Show the rows that are in use, and that are looked for if any are, with their values."""
+        found = self._found
+        for binding in self._bindings.values():
+            row = binding.row
+            row.setVisible(self._in_use(binding) and (found is None or row in found))
+        self._show_values(PARTS)
+
+    def _show_values(self, parts: Collection[str]) -> None:
+        """Show the values of these parts of the projection, where they are seen."""
         for rows in self._parts:
-            is_open, found = rows.is_open, self._found
+            is_open = rows.is_open
             for key, binding in rows.bindings.items():
-                if binding.part not in parts:
-                    continue
-                row = binding.row
-                shown = self._in_use(binding) and (found is None or row in found)
-                if row.isHidden() == shown:
-                    row.setVisible(shown)
-                if shown and (is_open or key in self._lifted):
-                    row.setValue(binding.read(self._projection))
+                seen = (is_open or key in self._lifted) and not binding.row.isHidden()
+                if seen and binding.part in parts:
+                    binding.row.setValue(binding.read(self._projection))
 
     def _reserve_bar(self) -> None:
         """Keep the scroll bar's room free while there is none: nothing shifts under the hand."""

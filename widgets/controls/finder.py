@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass
+from typing import NamedTuple
 
 from PySide6.QtCore import QCoreApplication, QEvent, Qt, Signal
 from PySide6.QtGui import QKeyEvent
@@ -58,37 +58,28 @@ ALSO = {
 """What else each control is called."""
 
 
-@dataclass(frozen=True)
-class Known:
-    """A control as it is looked for.
-
-    Parameters
-    ----------
-    names : str
-        What it is called, in the window's language and in the model's.
-    tip : str
-        What is said of it.
-    """
+class Known(NamedTuple):
+    """A control as it is looked for."""
 
     names: str
+    """What it is called, in the window's language and in the model's."""
     tip: str
-
-    @classmethod
-    def of(cls, key: str, names: Iterable[str], tip: str) -> Known:
-        """Of a control with this key, known by other names besides."""
-        also = QCoreApplication.translate("Find", ALSO[key]) if key in ALSO else ""
-        return cls(" ".join((*names, key, also)), tip)
+    """What is said of it."""
 
 
-def find(text: str, known: Mapping[QWidget, Known]) -> set[QWidget]:
+def known(key: str, names: Iterable[str], tip: str) -> Known:
+    """A control with this key, which has other names besides."""
+    also = QCoreApplication.translate("Find", ALSO[key]) if key in ALSO else ""
+    return Known(" ".join((*names, key, also)), tip)
+
+
+def find(text: str, parts: Mapping[QWidget, Known]) -> set[QWidget]:
     """The controls whose names have all of these words, or, if none has, names and tooltips."""
     asked = _words(text)
     if not asked:
         return set()
-    found = {part for part, told in known.items() if _has(told.names, asked)}
-    return found or {
-        part for part, told in known.items() if _has(f"{told.names} {told.tip}", asked)
-    }
+    found = {part for part, told in parts.items() if _has(told.names, asked)}
+    return found or {part for part, told in parts.items() if _has(" ".join(told), asked)}
 
 
 def _words(text: str) -> list[str]:

@@ -174,26 +174,17 @@ class LensControls(QObject):
         }  # fmt: skip
         windowed = _with("left")
         for side, tip in sides.items():
-            self._front.add_length(
-                side, "lens", tip, _field(side), _with_field(side), lenses=windowed
-            )
+            self._front.add_length(side, tip, _field(side), _with_field(side), lenses=windowed)
         keeps = (
-            Choice(
-                "stretch",
-                self.tr("stretch"),
-                self.tr("The window fills the image; circles may become ellipses."),
-            ),
-            Choice(
-                "x",
-                self.tr("keep x, fit y"),
-                self.tr("The y range grows or shrinks about its centre (lecture 000, variant X)."),
-            ),
-            Choice(
-                "y",
-                self.tr("keep y, fit x"),
-                self.tr("The x range grows or shrinks about its centre (lecture 000, variant Y)."),
-            ),
-        )
+            Choice("stretch", self.tr("stretch"),
+                   self.tr("The window fills the image; circles may become ellipses.")),
+            Choice("x", self.tr("keep x, fit y"),
+                   self.tr("The y range grows or shrinks about its centre (lecture 000,"
+                           " variant X).")),
+            Choice("y", self.tr("keep y, fit x"),
+                   self.tr("The x range grows or shrinks about its centre (lecture 000,"
+                           " variant Y).")),
+        )  # fmt: skip
         self._more.add_choice(
             "keep", "lens", self.tr("How the window follows the aspect of the image."),
             keeps, _field("keep"), _with_field("keep"), lenses=windowed,
@@ -201,13 +192,13 @@ class LensControls(QObject):
 
     def _make_planes(self) -> None:
         self._front.add_length(
-            "near", "lens",
+            "near",
             self.tr("Distance from the eye to the near plane: nothing nearer is drawn. The closer"
                     " to 0, the coarser the depth buffer."),
             _field("near"), _with_field("near"), lenses=tuple(LENSES),
         )  # fmt: skip
         self._front.add_length(
-            "far", "lens",
+            "far",
             self.tr("Distance from the eye to the far plane: nothing farther is drawn. A"
                     " perspective lens also takes inf (∞), at the slider's end."),
             _field("far"), _with_field("far"), lenses=tuple(LENSES),
@@ -234,7 +225,7 @@ class LensControls(QObject):
         }  # fmt: skip
         for key, tip in halves.items():
             self._more.add_length(
-                key, "lens", tip, partial(_half, key), partial(_with_half, key), lenses=symmetric
+                key, tip, partial(_half, key), partial(_with_half, key), lenses=symmetric
             )
 
     def _make_camera_matrix(self) -> None:
@@ -306,13 +297,10 @@ class LensControls(QObject):
             least = float(f"{least:.2g}")
             far = back if math.isinf(lens.far) else lens.far
             farthest = max(20.0 * back, 4.0 * far)
+            nearest = float(f"{min(back / 8.0, far / 2.0):.2g}")
             scales = (
                 Log(least, NEAR_RATIO * least),
-                Log(
-                    float(f"{min(back / 8.0, far / 2.0):.2g}"),
-                    float(f"{farthest:.2g}"),
-                    infinite=True,
-                ),
+                Log(nearest, float(f"{farthest:.2g}"), infinite=True),
             )
         for name, scale in zip(("near", "far"), scales, strict=True):
             self._row(name).setScale(scale)

@@ -18,15 +18,9 @@ from functools import partial
 from typing import Any
 
 from PySide6.QtCore import QEvent, QObject, Qt, Signal
-from PySide6.QtGui import (
-    QHelpEvent,
-    QHideEvent,
-    QPalette,
-    QShowEvent,
-)
+from PySide6.QtGui import QHelpEvent, QHideEvent, QPalette, QShowEvent
 from PySide6.QtWidgets import (
     QGridLayout,
-    QHBoxLayout,
     QLabel,
     QSizePolicy,
     QToolButton,
@@ -38,19 +32,11 @@ from PySide6.QtWidgets import (
 from app.lecture.highlight import NOTHING, Highlight
 from app.model.projection import Projection
 from app.model.refusal import Refusal
-from app.scenes.phenomena.illustration import (
-    Comparison,
-    Found,
-    Illustration,
-    Phenomenon,
-    Phrase,
-    Reading,
-    Setting,
-    Settings,
-    Value,
-)
+from app.scenes.phenomena.illustration import Comparison, Illustration, Phenomenon
+from app.scenes.phenomena.readout import Phrase, Reading
+from app.scenes.phenomena.settings import Found, Setting, Settings, Value
+from widgets.parts.buttons import tool_button
 from widgets.parts.clock import Clock, Playing
-from widgets.parts.digits import digits, read_text
 from widgets.parts.fields import (
     CheckRow,
     Choice,
@@ -60,16 +46,18 @@ from widgets.parts.fields import (
     Log,
     NumberRow,
     Row,
+    RowHolder,
     Scale,
     VectorRow,
 )
-from widgets.parts.icons import WarningLabel, show_icon
-from widgets.parts.lettering import lettering
+from widgets.parts.icons import RefusalLabel, show_icon
+from widgets.parts.layouts import FREE, in_column, in_row
 from widgets.parts.messages import (
     breakable,
     limits_text,
     number_text,
     of_phenomena,
+    read_text,
     sentence,
 )
 from widgets.parts.note import Balanced
@@ -77,6 +65,7 @@ from widgets.parts.panel import Changed, Shown
 from widgets.parts.readable import Readable
 from widgets.parts.section import GAP_PX
 from widgets.parts.typeset import TypesetLabel, in_line, matrix
+from widgets.parts.writing import all_digits, lettering
 
 WORD = 16
 """Characters of a file's name that find room in the narrowest dock."""
@@ -92,7 +81,7 @@ NONE = "–"
 """Stands for a reading that there is not."""
 
 
-class SceneCard(QWidget):
+class SceneCard(QWidget, RowHolder):
     """Title, what to try, settings and readout of the scene at hand, one below the other.
 
     Attributes
@@ -105,9 +94,6 @@ class SceneCard(QWidget):
 
     settings_edited = Signal(object)
     """The user chose, or a player reached, these settings: a dict of values by name."""
-    gesture_started = Signal()
-    gesture_finished = Signal()
-    gesture_abandoned = Signal()
     mesh_wanted = Signal()
     """The user wants to choose a mesh for the place of the scene's own objects."""
     mesh_removed = Signal()
@@ -121,7 +107,7 @@ class SceneCard(QWidget):
 
     def __init__(self) -> None:
         super().__init__()
-        self.rows: dict[str, Row] = {}  # first: a change of font comes with the first child
+        self.rows = {}  # first: a change of font comes with the first child
         self._phenomenon: Phenomenon | None = None
         self._settings: Settings = {}
         self._illustration: Illustration | None = None
@@ -136,58 +122,36 @@ class SceneCard(QWidget):
         self._edits = ""  # name of the setting that the user is changing
         self.players: dict[str, Player] = {}
         self._readable = Readable(self, self._fill)
-        digits.changed.connect(self._readable.changed)
+        all_digits.changed.connect(self._readable.changed)
 
         self.title, self.tries = Balanced(), Balanced()
-        self.warning = _Sentence("rowError")
+        self.warning = RefusalLabel()
         self.readout = Readout()
         self.readout.highlighted.connect(partial(self.highlighted.emit, "reading"))
-        self.use_mesh = QToolButton()
-        self.use_mesh.setText(self.tr("My mesh…"))
-        self.use_mesh.setAccessibleName(self.tr("My mesh"))
-        self.use_mesh.setToolTip(
-            self.tr("Put a mesh from a file into the place of the scene's own objects")
-        )
-        self.use_mesh.clicked.connect(self.mesh_wanted)
-        self.remove_mesh = QToolButton()
-        self.remove_mesh.setText(self.tr("Own objects"))
-        self.remove_mesh.setAccessibleName(self.tr("Own objects"))
-        self.remove_mesh.setToolTip(self.tr("Put the scene's own objects back"))
-        self.remove_mesh.clicked.connect(self.mesh_removed)
-        self.explanation = QToolButton()
-        self.explanation.setText(self.tr("Explanation…"))
-        self.explanation.setToolTip(
-            self.tr("What the scene shows, in which lectures, and its diagrams, below the panes")
-        )
-        self.explanation.setAccessibleName(self.tr("Explanation and diagrams"))
-        for button in (self.use_mesh, self.remove_mesh, self.explanation):
-            button.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
-        self.explanation.clicked.connect(self.explanation_wanted)
+        self.use_mesh = tool_button(
+            self.tr("My mesh…"),
+            self.tr("Put a mesh from a file into the place of the scene's own objects"),
+            self.mesh_wanted, name=self.tr("My mesh"), by_click=True,
+        )  # fmt: skip
+        self.remove_mesh = tool_button(
+            self.tr("Own objects"), self.tr("Put the scene's own objects back"),
+            self.mesh_removed, name=self.tr("Own objects"), by_click=True,
+        )  # fmt: skip
+        self.explanation = tool_button(
+            self.tr("Explanation…"),
+            self.tr("What the scene shows, in which lectures, and its diagrams, below the panes"),
+            self.explanation_wanted, name=self.tr("Explanation and diagrams"), by_click=True,
+        )  # fmt: skip
         self.comparisons: list[QToolButton] = []
         self._offered: dict[QWidget, bool] = {}
-        self._lay_out()
+        self._rows = in_column(gap=GAP_PX)
+        self._compares = in_column()
+        in_column(
+            self.title, self.tries, self._rows, self.warning, self.readout, self._compares,
+            in_row(self.explanation, self.use_mesh, FREE, gap=4), in_row(self.remove_mesh, FREE),
+            on=self, margins=(0, 0, 0, GAP_PX), gap=GAP_PX,
+        )  # fmt: skip
         self._dress()
-
-    def _lay_out(self) -> None:
-        self._rows = QVBoxLayout()
-        self._rows.setSpacing(GAP_PX)
-        buttons = QHBoxLayout()
-        buttons.setSpacing(4)
-        for button in (self.explanation, self.use_mesh):
-            buttons.addWidget(button)
-        buttons.addStretch(1)
-        column = QVBoxLayout(self)
-        column.setContentsMargins(0, 0, 0, GAP_PX)
-        column.setSpacing(GAP_PX)
-        column.addWidget(self.title)
-        column.addWidget(self.tries)
-        column.addLayout(self._rows)
-        column.addWidget(self.warning)
-        column.addWidget(self.readout)
-        self._compares = QVBoxLayout()
-        column.addLayout(self._compares)
-        column.addLayout(buttons)
-        column.addWidget(self.remove_mesh, 0, Qt.AlignmentFlag.AlignLeft)
 
     # -- what the owner says
 
@@ -343,18 +307,13 @@ class SceneCard(QWidget):
 
     def _make_rows(self, settings: Iterable[Setting]) -> None:
         self.players.clear()
-        for row in self.rows.values():
-            self._rows.removeWidget(row)
-            row.hide()
-            row.deleteLater()
+        _remove(self._rows, self.rows.values())
         self.rows = {}
         for setting in settings:
             row = make_row(setting, self.tr("none of these"))
             self.rows[setting.name] = row
             row.edited.connect(partial(self._edit, setting.name))
-            row.gesture_started.connect(partial(self._gesture_started, row))
-            row.gesture_finished.connect(self.gesture_finished)
-            row.gesture_abandoned.connect(self.gesture_abandoned)
+            self._join(row)
             row.highlighted.connect(partial(self._row_highlighted, setting.path))
             if setting.per_second and isinstance(row, NumberRow):
                 self._add_player(setting, row)
@@ -364,29 +323,19 @@ class SceneCard(QWidget):
         self._why_not, self._without_effect = {}, set()
 
     def _offer_comparisons(self, comparisons: Iterable[Comparison]) -> None:
-        for button in self.comparisons:
-            self._compares.removeWidget(button)
-            button.hide()
-            button.deleteLater()
+        _remove(self._compares, self.comparisons)
         self.comparisons = []
         for comparison in comparisons:
-            button = QToolButton()
             names = " | ".join(of_phenomena(name) for name, _ in comparison.pictures)
-            button.setText(names)
             about = self.tr("Compare: {0}").format(names.replace(" | ", ", "))
-            button.setAccessibleName(about)
             tip = self.tr("Show these pictures beside each other, in large")
-            button.setToolTip(f"{about}\n{tip}")
+            button = tool_button(
+                names, f"{about}\n{tip}", partial(self.comparison_wanted.emit, comparison.name),
+                icon="compare", name=about, by_click=True,
+            )  # fmt: skip
             button.setMinimumWidth(1)  # it widens no dock
-            button.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
-            show_icon(button, "compare")
-            button.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
-            button.clicked.connect(partial(self._want_comparison, comparison.name))
             self._compares.addWidget(button, 0, Qt.AlignmentFlag.AlignLeft)
             self.comparisons.append(button)
-
-    def _want_comparison(self, name: str, _checked: bool = False) -> None:
-        self.comparison_wanted.emit(name)
 
     def _row_highlighted(self, path: str, is_highlighted: bool) -> None:
         self.highlighted.emit(path, frozenset((path,)) if is_highlighted else NOTHING)
@@ -421,12 +370,6 @@ class SceneCard(QWidget):
         self.settings_edited.emit({name: value})
         self._edits = ""
 
-    def _gesture_started(self, row: Row) -> None:
-        for other in self.rows.values():
-            if other is not row:
-                other.finish_gesture()  # a burst of keys elsewhere that has not gone quiet yet
-        self.gesture_started.emit()
-
     # -- shown
 
     def showEvent(self, event: QShowEvent) -> None:
@@ -454,9 +397,7 @@ class SceneCard(QWidget):
         readings = () if illustration is None else illustration.readings
         self.readout.show_readings([self._with_count(r) if r.counted else r for r in readings])
         has_diagrams = illustration is not None and bool(illustration.diagrams)
-        about = self.tr("Diagrams…") if has_diagrams else self.tr("Explanation…")
-        if self.explanation.text() != about:
-            self.explanation.setText(about)
+        self.explanation.setText(self.tr("Diagrams…") if has_diagrams else self.tr("Explanation…"))
         warning = self._problem if illustration is None else illustration.warning or self._problem
         why = "" if warning is None else _full(warning.sentence(of_phenomena, read_text))
         self.warning.say(why)
@@ -526,22 +467,12 @@ class SceneCard(QWidget):
             self._dress()
 
 
-class _Sentence(WarningLabel):
-    """A line that is there when there is something to say."""
-
-    def __init__(self, name: str) -> None:
-        super().__init__()
-        self.setObjectName(name)
-        self.setStyleSheet(
-            "#rowError { border: 0px; border-left: 3px solid #d55e00; padding: 1px 0 2px 5px; }"
-        )
-        self.hide()
-
-    def say(self, text: str) -> None:
-        """Say this, or nothing."""
-        if text != self.text():
-            self.setText(text)
-            self.setVisible(bool(text))
+def _remove(layout: QVBoxLayout, widgets: Iterable[QWidget]) -> None:
+    """Take widgets out of a layout, for good."""
+    for widget in widgets:
+        layout.removeWidget(widget)
+        widget.hide()
+        widget.deleteLater()
 
 
 # --------------------------------------------------------------------------- settings
@@ -627,8 +558,7 @@ class Player(QObject, Playing):
         self._shown: float | None = None
         self._clock = Clock(self)
         self._clock.ticked.connect(self.advance)
-        self.button = QToolButton()
-        self.button.clicked.connect(self.toggle)
+        self.button = tool_button(act=self.toggle)
         self._show_state()
 
     def play(self) -> None:
@@ -672,14 +602,10 @@ class Player(QObject, Playing):
         return math.log10(value) if self._setting.logarithmic else value
 
     def _show_state(self) -> None:
-        icon, word = ("pause", self.tr("Pause")) if self.playing else ("play", self.tr("Play"))
-        label = of_phenomena(self._setting.label)
-        show_icon(self.button, icon)
-        self.button.setAccessibleName(f"{word}: {label}")
-        self.button.setToolTip(
-            self.tr("Let it stand still; playing again goes on from here")
-            if self.playing
-            else self.tr("Let it run to and fro between the ends of its slider")
+        self._name_button(
+            f"{{0}}: {of_phenomena(self._setting.label)}",
+            self.tr("Let it run to and fro between the ends of its slider"),
+            self.tr("Let it stand still; playing again goes on from here"),
         )
 
 
@@ -751,28 +677,17 @@ class Readout(QWidget):
         self._grid.setContentsMargins(0, 0, 0, 0)
         self._grid.setHorizontalSpacing(4)
         self._grid.setColumnStretch(0, 1)
-        self.more = QToolButton()
-        self.more.setText(self.tr("More numbers"))
-        self.more.setToolTip(self.tr("Show the other numbers of this scene, or fold them"))
-        self.more.setAccessibleName(self.more.text())
-        self.more.setCheckable(True)
-        self.more.setAutoRaise(True)
-        self.more.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
-        self.more.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
+        self.more = tool_button(
+            self.tr("More numbers"), self.tr("Show the other numbers of this scene, or fold them"),
+            icon="unfold", name=self.tr("More numbers"), flat=True, checkable=True, by_click=True,
+        )  # fmt: skip
         self.more.toggled.connect(self._show)
         self.more.hide()
-        self.note = QLabel()
-        self.note.setWordWrap(True)
-        self.note.setTextFormat(Qt.TextFormat.PlainText)
+        self.note = QLabel(wordWrap=True, textFormat=Qt.TextFormat.PlainText)
         self.note.hide()
-        column = QVBoxLayout(self)
-        column.setContentsMargins(0, 0, 0, 0)
-        column.setSpacing(2)
-        column.addLayout(self._grid)
-        column.addWidget(self.note)
-        column.addWidget(self.more)
+        in_column(self._grid, self.note, self.more, on=self, margins=(0, 0, 0, 0), gap=2)
         self.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Preferred)
-        digits.changed.connect(self._show)
+        all_digits.changed.connect(self._show)
         lettering.changed.connect(self._show)
 
     def begin(self, first: int) -> None:
@@ -808,10 +723,8 @@ class Readout(QWidget):
             for reading in readings
             if reading.note is not None
         ]
-        text = "\n".join(dict.fromkeys(reasons))
-        if text != self.note.text():
-            self.note.setText(text)
-            self.note.setVisible(bool(text))
+        self.note.setText("\n".join(dict.fromkeys(reasons)))
+        self.note.setVisible(bool(reasons))
 
     def show_highlight(self, highlighted: Highlight) -> None:
         """Mark the numbers that speak of what is highlighted."""
@@ -832,8 +745,7 @@ class Readout(QWidget):
         return super().eventFilter(watched, event)
 
     def _add_line(self) -> None:
-        label, value, unit = Balanced(), _Value(), QLabel()
-        unit.setTextFormat(Qt.TextFormat.PlainText)
+        label, value, unit = Balanced(), _Value(), QLabel(textFormat=Qt.TextFormat.PlainText)
         unit.setForegroundRole(QPalette.ColorRole.PlaceholderText)
         row = 2 * len(self.lines)
         for column, part in enumerate((label, value, unit)):
@@ -865,9 +777,7 @@ class Readout(QWidget):
             label.setText(name)
             value.setAccessibleDescription(name)  # a name would be read instead of the number
             self._widen(label)
-        unit_text = "" if reading.value is None else of_phenomena(reading.unit)
-        if unit.text() != unit_text:
-            unit.setText(unit_text)
+        unit.setText("" if reading.value is None else of_phenomena(reading.unit))
 
     def _place(self, value: _Value, below: bool) -> None:
         """Put a value beside its label, or below it where it is too long for that."""

@@ -18,22 +18,8 @@ from dataclasses import replace
 from typing import NamedTuple
 
 from PySide6.QtCore import QEvent, QSize, Qt, QTimer, Signal
-from PySide6.QtGui import (
-    QEnterEvent,
-    QFont,
-    QHideEvent,
-    QShowEvent,
-)
-from PySide6.QtWidgets import (
-    QFrame,
-    QHBoxLayout,
-    QLabel,
-    QPushButton,
-    QScrollArea,
-    QSizePolicy,
-    QVBoxLayout,
-    QWidget,
-)
+from PySide6.QtGui import QEnterEvent, QFont, QHideEvent, QShowEvent
+from PySide6.QtWidgets import QLabel, QPushButton, QSizePolicy, QWidget
 
 from app.lecture.camera_frame import (
     STEPS,
@@ -45,18 +31,19 @@ from app.lecture.camera_frame import (
     view_matrix,
 )
 from app.lecture.highlight import NOTHING, Highlight
-from app.lecture.notation import Letters, frame_letters
+from app.lecture.notation import frame_letters
 from app.model.formula import ARROW, stacked_fraction
 from app.model.projection import Camera, Projection
 from app.model.refusal import Refusal, format_value
-from widgets.parts.digits import digits, read_text
+from widgets.parts.buttons import push_button
 from widgets.parts.fields import Log, NumberRow
-from widgets.parts.focus import FocusRing
 from widgets.parts.icons import WarningLabel
-from widgets.parts.messages import sentence
+from widgets.parts.layouts import FREE, in_column, in_row, scrolled
+from widgets.parts.messages import read_text, sentence
 from widgets.parts.panel import PROJECTION, Changed, Panel, Shown
 from widgets.parts.section import tidy
 from widgets.parts.typeset import TypesetLabel, in_line, matrix
+from widgets.parts.writing import all_digits, lettering
 
 STEP_MS = 2500
 """While playing, how long each step can be read."""
@@ -101,42 +88,39 @@ class FramePanel(Panel):
         self.setAccessibleName(self.tr("Camera frame"))
         self.step = 0
         self._projection = Projection()
-        self._is_stale = True
         self._highlight = NOTHING
-        self._letters: Letters = "own"
         self._steps = self._make_steps()
         self._timer = QTimer(self)
         self._timer.setInterval(STEP_MS)
         self._timer.timeout.connect(self._play_on)
 
-        self.back = self._button(self.tr("Back"), self.tr("One step back"), self._go_back)
-        self.next = self._button(self.tr("Next"), self.tr("The next step"), self._go_on)
-        self.play = self._button("", "", self.toggle)
-        self.all = self._button(
+        self.back = _button(self.tr("Back"), self.tr("One step back"), self._go_back)
+        self.next = _button(self.tr("Next"), self.tr("The next step"), self._go_on)
+        self.play = push_button("", act=self.toggle)
+        self.all = _button(
             self.tr("Show all"), self.tr("All steps at once"), lambda: self.go_to(len(STEPS) - 1)
         )
         self.title = QLabel()
         self.title.setObjectName("paneTitle")
         self.formula, self.numbers = TypesetLabel(), TypesetLabel()
         self.numbers.setAccessibleDescription(self.tr("The step in numbers"))
-        self.sentence = QLabel()
-        self.sentence.setWordWrap(True)
+        self.sentence = QLabel(wordWrap=True)
         self._make_up()
         self._lay_out()
-        digits.changed.connect(self._show_again)
+        all_digits.changed.connect(self._refresh)
+        lettering.changed.connect(self._write_anew)
         self._show_playing()
         self._show_step()
 
-    def set_letters(self, letters: Letters) -> None:
-        """Write formulas and numbers in a lecture's letters."""
-        self._letters = letters
+    def _write_anew(self) -> None:
+        """In another lecture's letters."""
         self._steps = self._make_steps()
         self._show_step()
-        self._show_again()
+        self._refresh()
 
     def _lettered(self, text: str) -> str:
         """A formula with a lecture's letters under its arrows."""
-        letters = frame_letters(self._letters)
+        letters = frame_letters(lettering.now)
         return re.sub(
             f"([a-z]+){ARROW}", lambda found: f"{letters.get(found[1], found[1])}{ARROW}", text
         )
@@ -145,12 +129,12 @@ class FramePanel(Panel):
 
     def _of_length_1(self, unit: str, whole: str, vector: str) -> str:
         """How a vector is brought to length 1; lecture 004 has a name for it as it is before."""
-        if self._letters == "004":
+        if lettering.now == "004":
             return f"{whole} = {vector},   {unit} = {stacked_fraction(whole, f'|{whole}|')}"
         return f"{unit} = {stacked_fraction(vector, f'|{vector}|')}"
 
     def _make_steps(self) -> tuple[_Step, ...]:
-        letters = frame_letters(self._letters)
+        letters = frame_letters(lettering.now)
         u, v, n, up, e, m, t = (letters[name] for name in ("u", "v", "n", "up", "e", "M", "T"))
         return (
             _Step(
@@ -189,16 +173,8 @@ class FramePanel(Panel):
             ),
         )  # fmt: skip
 
-    def _button(self, text: str, tip: str, act: Callable[[], object]) -> QPushButton:
-        button = QPushButton(text)
-        button.setToolTip(tip)
-        button.setAccessibleName(tip or text)
-        button.clicked.connect(lambda _checked=False: act())
-        return button
-
     def _make_up(self) -> None:
-        self.figures = QLabel()
-        self.figures.setTextFormat(Qt.TextFormat.PlainText)
+        self.figures = QLabel(textFormat=Qt.TextFormat.PlainText)
         self.angle = NumberRow(
             self.tr("Up from view"),
             self.tr("Turns up towards the view direction, in the plane of both: the frame"
@@ -207,13 +183,11 @@ class FramePanel(Panel):
         )  # fmt: skip
         self.angle.setDefault(90.0)
         self.angle.edited.connect(self._turn)
-        self.angle.gesture_started.connect(self.gesture_started)
-        self.angle.gesture_finished.connect(self.gesture_finished)
-        self.angle.gesture_abandoned.connect(self.gesture_abandoned)
+        self.pass_on(self.angle)
         self.angle.highlighted.connect(
             lambda is_at: self.highlighted.emit(_UP if is_at else NOTHING)
         )
-        self.nudge = self._button(
+        self.nudge = _button(
             self.tr("Nudge up by {0}° to the side").format(NUDGE_DEG),
             self.tr("Make an error in up, and see by how much the picture turns"),
             self._nudge,
@@ -226,48 +200,19 @@ class FramePanel(Panel):
         self.formula.setFont(larger)
 
     def _lay_out(self) -> None:
-        bar = QHBoxLayout()
-        for button in (self.back, self.next, self.play, self.all):
-            bar.addWidget(button)
-        bar.addSpacing(12)
-        bar.addWidget(self.title)
-        bar.addStretch(1)
-        lesson = QWidget()
-        column = QVBoxLayout(lesson)
-        column.setContentsMargins(2, 0, 2, 0)
-        column.setSpacing(4)
-        for label in (self.formula, self.numbers, self.sentence):
-            column.addWidget(label)
+        buttons = (self.back, self.next, self.play, self.all)
+        labels = (self.formula, self.numbers, self.sentence)
+        for label in labels:
             label.installEventFilter(self)
-        column.addStretch(1)
-        scroll = QScrollArea()
-        scroll.setWidgetResizable(True)
-        scroll.setFrameShape(QFrame.Shape.NoFrame)
-        scroll.setWidget(lesson)
-        aside = QWidget()
-        column = QVBoxLayout(aside)
-        column.setContentsMargins(12, 0, 2, 0)
-        column.setSpacing(4)
-        for widget in (self.figures, self.angle, self.nudge, self.warning):
-            column.addWidget(widget)
-        column.addStretch(1)
-        aside_scroll = QScrollArea()
-        aside_scroll.setWidgetResizable(True)
-        aside_scroll.setFrameShape(QFrame.Shape.NoFrame)
-        aside_scroll.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
-        aside_scroll.setWidget(aside)
-        scroll.setAccessibleName(self.tr("The step"))
-        aside_scroll.setAccessibleName(self.tr("What up does"))
-        for area in (scroll, aside_scroll):
-            FocusRing(area)
-        body = QHBoxLayout()
-        body.addWidget(scroll, 3)
-        body.addWidget(aside_scroll, 2)
-        layout = QVBoxLayout(self)
-        layout.setContentsMargins(4, 0, 4, 2)
-        layout.setSpacing(4)
-        layout.addLayout(bar)
-        layout.addLayout(body, 1)
+        step, up = QWidget(), QWidget()
+        in_column(*labels, FREE, on=step, margins=(2, 0, 2, 0), gap=4)
+        of_up = (self.figures, self.angle, self.nudge, self.warning)
+        in_column(*of_up, FREE, on=up, margins=(12, 0, 2, 0), gap=4)
+        aside = scrolled(up, self.tr("What up does"))
+        aside.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        bar = in_row(*buttons, 12, self.title, FREE)
+        body = in_row((scrolled(step, self.tr("The step")), 3), (aside, 2))
+        in_column(bar, (body, 1), on=self, margins=(4, 0, 4, 2), gap=4)
         self.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Preferred)
 
     # -- steps
@@ -342,31 +287,21 @@ class FramePanel(Panel):
         return super().sizeHint() + QSize(0, 3 * self.fontMetrics().height())
 
     def take(self, shown: Shown, changed: Changed) -> None:
-        projection = shown.projection
-        if self._projection.camera != projection.camera or (
-            _has_own_view(self._projection) != _has_own_view(projection)
+        before, self._projection = self._projection, shown.projection
+        if before.camera != shown.projection.camera or (
+            _has_own_view(before) != _has_own_view(shown.projection)
         ):
-            self._is_stale = True
-        self._projection = projection
-        if self.isVisible():
-            self._refresh()
-
-    def _show_again(self) -> None:
-        self._is_stale = True
-        if self.isVisible():
             self._refresh()
 
     def _refresh(self) -> None:
-        if self._is_stale:
-            self._is_stale = False
-            up = up_and_view(self._projection.camera)
+        if self.isVisible():
             self._show_numbers()
-            self._show_up(up)
+            self._show_up(up_and_view(self._projection.camera))
 
     def _show_numbers(self) -> None:
         if self.isVisible():
             step, camera = STEPS[self.step], self._projection.camera
-            has_wholes = self._letters == "004"
+            has_wholes = lettering.now == "004"
             self.numbers.set_formula(self._lettered(_numbers(step, camera, read_text, has_wholes)))
             exact = self._lettered(_numbers(step, camera, format_value, has_wholes))
             self.numbers.set_exact(in_line(exact))
@@ -381,7 +316,7 @@ class FramePanel(Panel):
                 "An error in {3} is {2} times as large in u and v."
             ).format(
                 *map(read_text, (up.angle_deg, up.length, up.magnified)),
-                *(frame_letters(self._letters)[name] for name in ("up", "n")),
+                *(frame_letters(lettering.now)[name] for name in ("up", "n")),
             )
         )
         off_deg = min(up.angle_deg, 180.0 - up.angle_deg)
@@ -445,7 +380,6 @@ class FramePanel(Panel):
     def showEvent(self, event: QShowEvent) -> None:
         super().showEvent(event)
         self._set_fonts()  # not before: the first polish of a style sheet takes it back
-        self._is_stale = True
         self._refresh()
         self.step_changed.emit(self.step)
 
@@ -456,10 +390,13 @@ class FramePanel(Panel):
         self.step_changed.emit(None)
 
 
+def _button(text: str, tip: str, act: Callable[[], object]) -> QPushButton:
+    return push_button(text, tip, act, name=tip)
+
+
 def _has_own_view(projection: Projection) -> bool:
     """Whether the scene is seen through a view matrix that is no camera's."""
-    lens = projection.lens
-    return lens.own_view is not None
+    return projection.lens.own_view is not None
 
 
 def _numbers(
@@ -488,19 +425,11 @@ def _numbers(
         lines = [(_UP_VECTOR, vector(camera.up))]
     elif step == "n":
         whole = f"N{ARROW}" if has_wholes else f"{_E} − {_TARGET}"
-        lines = [
-            (whole, vector(backward)),
-            (f"|{whole}|", write(camera.distance)),
-            (_N, vector(n)),
-        ]
+        lines = [(whole, vector(backward)), (f"|{whole}|", write(camera.distance)), (_N, vector(n))]
     elif step == "u":
         up = up_and_view(camera)
         whole = f"U{ARROW}" if has_wholes else f"{_UP_VECTOR} × {_N}"
-        lines = [
-            (whole, vector(up.cross)),
-            (f"|{whole}|", write(up.length)),
-            (_U, vector(u)),
-        ]
+        lines = [(whole, vector(up.cross)), (f"|{whole}|", write(up.length)), (_U, vector(u))]
     elif step == "v":
         lines = [(_V, vector(v))]
     else:

@@ -8,14 +8,11 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import replace
-from functools import lru_cache
+from functools import lru_cache, partial
 
 import numpy as np
 from PySide6.QtCore import QCoreApplication, QEvent, QPointF, QRect, QRectF, QSize, Qt, Signal
 from PySide6.QtGui import (
-    QColor,
-    QEnterEvent,
-    QFocusEvent,
     QFont,
     QFontMetrics,
     QKeyEvent,
@@ -26,16 +23,17 @@ from PySide6.QtGui import (
     QPolygonF,
     QResizeEvent,
 )
-from PySide6.QtWidgets import QAbstractButton, QLabel, QSizePolicy, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QAbstractButton, QLabel, QSizePolicy, QWidget
 
 from app.drawings.style import LIGHT, Style
 from app.lecture.kinds import KINDS, Kind, kind_of, path, scale_factors, with_kind
 from app.model.projection import Array, Camera, Perspective, Projection
 from app.model.refusal import Refusal
 from app.scenes.shapes import box_faces
-from widgets.parts.digits import digits, read_text
 from widgets.parts.focus import RING_PX
-from widgets.parts.messages import of_phenomena, sentence
+from widgets.parts.highlight import faded
+from widgets.parts.layouts import in_column
+from widgets.parts.messages import of_phenomena, read_text, sentence
 from widgets.parts.panel import PROJECTION, Changed, Shown
 from widgets.parts.readable import ReadablePanel
 
@@ -161,9 +159,7 @@ class _Node(QAbstractButton):
         names = self._style.u, self._style.v, self._style.n
         painter.setPen(QPen(self.palette().color(QPalette.ColorRole.Text), 1.0))
         for number, face in faces:
-            tint = QColor(names[_ACROSS[number]])
-            tint.setAlphaF(_TINT)
-            painter.setBrush(tint)
+            painter.setBrush(faded(names[_ACROSS[number]], _TINT))
             places = middle + scale * (face - low - size / 2.0)
             painter.drawPolygon(QPolygonF([QPointF(x, y) for x, y in places.tolist()]))
 
@@ -173,21 +169,13 @@ class _Node(QAbstractButton):
         else:
             super().keyPressEvent(event)
 
-    def enterEvent(self, event: QEnterEvent) -> None:
-        super().enterEvent(event)
-        self.pointed.emit(self._kind.name)
-
-    def leaveEvent(self, event: QEvent) -> None:
-        super().leaveEvent(event)
-        self.pointed.emit("")
-
-    def focusInEvent(self, event: QFocusEvent) -> None:
-        super().focusInEvent(event)
-        self.pointed.emit(self._kind.name)
-
-    def focusOutEvent(self, event: QFocusEvent) -> None:
-        super().focusOutEvent(event)
-        self.pointed.emit("")
+    def event(self, event: QEvent) -> bool:
+        done, kinds = super().event(event), QEvent.Type
+        if event.type() in (kinds.Enter, kinds.FocusIn):
+            self.pointed.emit(self._kind.name)
+        elif event.type() in (kinds.Leave, kinds.FocusOut):
+            self.pointed.emit("")
+        return done
 
 
 class _Tree(QWidget):
@@ -282,18 +270,12 @@ class KindsPanel(ReadablePanel):
         self._tree = _Tree()
         self.nodes = self._tree.nodes
         for name, node in self.nodes.items():
-            node.clicked.connect(lambda _checked=False, name=name: self._set(name))
+            node.clicked.connect(partial(self._set, name))
             node.pointed.connect(self._point)
-        self.condition = QLabel()
-        self.condition.setTextFormat(Qt.TextFormat.PlainText)
-        self.condition.setWordWrap(True)
-        self.condition.setAlignment(Qt.AlignmentFlag.AlignTop)
-        layout = QVBoxLayout(self)
-        layout.setContentsMargins(4, 0, 4, 2)
-        layout.setSpacing(4)
-        layout.addWidget(self._tree, 1)
-        layout.addWidget(self.condition)
-        digits.changed.connect(self._readable.changed)
+        self.condition = QLabel(
+            wordWrap=True, textFormat=Qt.TextFormat.PlainText, alignment=Qt.AlignmentFlag.AlignTop
+        )
+        in_column((self._tree, 1), self.condition, on=self, margins=(4, 0, 4, 2), gap=4)
         self._fit()
 
     def _fit(self) -> None:

@@ -18,31 +18,9 @@ from collections.abc import Sequence
 from functools import partial
 from typing import cast
 
-from PySide6.QtCore import (
-    QCoreApplication,
-    QEvent,
-    QObject,
-    QPoint,
-    QSize,
-    Qt,
-    QTimer,
-    Signal,
-)
-from PySide6.QtGui import (
-    QGuiApplication,
-    QShowEvent,
-)
-from PySide6.QtWidgets import (
-    QCheckBox,
-    QHBoxLayout,
-    QLabel,
-    QMenu,
-    QScrollArea,
-    QSpacerItem,
-    QToolButton,
-    QVBoxLayout,
-    QWidget,
-)
+from PySide6.QtCore import QCoreApplication, QEvent, QObject, QPoint, QSize, Qt, QTimer, Signal
+from PySide6.QtGui import QGuiApplication, QShowEvent
+from PySide6.QtWidgets import QCheckBox, QLabel, QMenu, QSpacerItem, QToolButton, QWidget
 
 from app.drawings.style import LIGHT, Style
 from app.lecture.highlight import NOTHING, Highlight
@@ -65,12 +43,12 @@ from app.model.formula import ARROW
 from app.model.projection import Projection
 from app.model.refusal import Refusal
 from widgets.panels.matrix_view import VIEW, MatrixView, is_a_cameras, rich
+from widgets.parts.buttons import tool_button
 from widgets.parts.combo import Combo
-from widgets.parts.digits import digits, read_text
-from widgets.parts.fields import REFUSAL_SHEET, parse_number, refusal
-from widgets.parts.focus import FocusRing
-from widgets.parts.icons import WarningLabel, show_icon
-from widgets.parts.messages import field_name, sentence, stage_title, translated
+from widgets.parts.fields import parse_number, refusal
+from widgets.parts.icons import REFUSAL_SHEET, WarningLabel, show_icon
+from widgets.parts.layouts import FREE, in_column, in_row, scrolled
+from widgets.parts.messages import field_name, read_text, sentence, stage_title, translated
 from widgets.parts.panel import PROJECTION, Changed, Shown
 from widgets.parts.readable import ReadablePanel
 
@@ -89,58 +67,36 @@ class _Box(QWidget):
     def __init__(self, panel: MatrixPanel, matrix: Matrix, unfolded: bool) -> None:
         super().__init__()
         self.name = matrix.name
-        layout = QVBoxLayout(self)
-        layout.setContentsMargins(0, 0, 6, 0)
-        layout.setSpacing(1)
-        title = QHBoxLayout()
-        title.setSpacing(4)
         self.title = QLabel()
         self.title.setObjectName("paneTitle")
-        title.addWidget(self.title)
-        self.fold = QToolButton()
-        self.fold.setAutoRaise(True)
-        self.fold.setCheckable(True)
+        self.fold = tool_button(
+            "", self.tr("Show the factors that this matrix is the product of"),
+            name=self.tr("Factors of {0}").format(stage_title(matrix.name)),
+            flat=True, checkable=True,
+        )  # fmt: skip
         self.fold.setChecked(unfolded)
-        self.fold.setVisible(bool(matrix.factors))
         fixed = self.fold.sizePolicy()
         fixed.setRetainSizeWhenHidden(True)  # or titles without one would stand higher
         self.fold.setSizePolicy(fixed)
-        self.fold.setAccessibleName(self.tr("Factors of {0}").format(stage_title(matrix.name)))
-        self.fold.setToolTip(self.tr("Show the factors that this matrix is the product of"))
-        title.addWidget(self.fold)
-        title.addStretch(1)
-        layout.addLayout(title)
-        row = QHBoxLayout()
-        row.setSpacing(4)
         self.view = panel.new_view(matrix.name)
-        row.addWidget(self.view, 0, Qt.AlignmentFlag.AlignTop)
+        self.factor_views = [panel.new_view(factor.name) for factor in matrix.factors]
+        self.factor_names = [QLabel() for _ in matrix.factors]
         self.factors = QWidget()
-        self.factors.setVisible(unfolded and bool(matrix.factors))
-        self.fold.toggled.connect(self.factors.setVisible)
-        inner = QHBoxLayout(self.factors)
-        inner.setContentsMargins(0, 0, 0, 0)
-        inner.setSpacing(4)
-        self.factor_views: list[MatrixView] = []
-        self.factor_names: list[QLabel] = []
-        for number, factor in enumerate(matrix.factors):
-            inner.addWidget(QLabel("·" if number else "="))
-            column = QVBoxLayout()
-            column.setSpacing(1)
-            view = panel.new_view(factor.name)
-            self.factor_views.append(view)
-            column.addWidget(view)
-            self.factor_names.append(QLabel())
-            column.addWidget(self.factor_names[-1])
-            column.addStretch(1)
-            inner.addLayout(column)
-        row.addWidget(self.factors)
-        row.addStretch(1)
-        layout.addLayout(row)
+        inner = in_row(on=self.factors, margins=(0, 0, 0, 0), gap=4)
+        for view, name in zip(self.factor_views, self.factor_names, strict=True):
+            inner.addWidget(QLabel("·" if inner.count() else "="))
+            inner.addLayout(in_column(view, name, FREE, gap=1))
         self.note = QLabel()
         self.note.setObjectName("paneNote")
         self.note.hide()
-        layout.addWidget(self.note)
-        layout.addStretch(1)
+        both = in_row(self.view, self.factors, FREE, gap=4)
+        both.setAlignment(self.view, Qt.AlignmentFlag.AlignTop)
+        title = in_row(self.title, self.fold, FREE, gap=4)
+        in_column(title, both, self.note, FREE, on=self, margins=(0, 0, 6, 0), gap=1)
+        if not matrix.factors:
+            self.fold.hide()
+        self.factors.setVisible(unfolded and bool(matrix.factors))
+        self.fold.toggled.connect(self.factors.setVisible)
 
     @property
     def views(self) -> tuple[MatrixView, ...]:
@@ -172,7 +128,6 @@ class MatrixPanel(ReadablePanel):
         """Keeps a matrix in its place whose neighbours have gone."""
         self._stop = NDC
         self._earlier: tuple[object, tuple[Matrix, ...]] = (None, ())
-        digits.changed.connect(self._readable.changed)
         self._lay_out()
         self._highest = self._content.sizeHint().height()
 
@@ -211,10 +166,11 @@ class MatrixPanel(ReadablePanel):
                     "columns are the camera's axes and the eye")
         )  # fmt: skip
         self.running.toggled.connect(self._readable.changed)
-        self.copy = QToolButton()
-        self.copy.setText(self.tr("Copy all"))
-        self.copy.setAccessibleName(self.tr("Copy all matrices"))
-        self.copy.setToolTip(self.tr("Copy every matrix shown, in the order of the stages"))
+        self.copy = tool_button(
+            self.tr("Copy all"),
+            self.tr("Copy every matrix shown, in the order of the stages"),
+            name=self.tr("Copy all matrices"),
+        )
         self.copy.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
         menu = QMenu(self.copy)
         for form, text in (
@@ -224,35 +180,20 @@ class MatrixPanel(ReadablePanel):
         ):
             menu.addAction(text, partial(self._copy_all, form))
         self.copy.setMenu(menu)
-        self._bar = bar = QHBoxLayout()
-        for widget in (self.cells, self.vectors, self.letters, self.running):
-            bar.addWidget(widget)
-        bar.addStretch(1)
-        bar.addWidget(self.copy)
-
+        self._bar = in_row(
+            self.cells, self.vectors, self.letters, self.running, FREE, self.copy
+        )  # fmt: skip
         self._content = QWidget()
-        self._row = QHBoxLayout(self._content)
-        self._row.setContentsMargins(2, 0, 2, 0)
-        self._row.setSpacing(6)
-        self._row.addStretch(1)
-        self._scroll = QScrollArea()
-        self._scroll.setWidgetResizable(True)
-        self._scroll.setWidget(self._content)
-        self._scroll.setAccessibleName(self.tr("Matrices"))
-        FocusRing(self._scroll)
+        self._row = in_row(FREE, on=self._content, margins=(2, 0, 2, 0), gap=6)
+        self._scroll = scrolled(self._content, self.tr("Matrices"))
         self._content.installEventFilter(self)
-        self._scroll.setFrameShape(QScrollArea.Shape.NoFrame)
         self.explanation = WarningLabel()
         self.explanation.set_warns(False)
         self.explanation.setAccessibleDescription(self.tr("About the cell"))
         self.explanation.setMinimumHeight(2 * self.fontMetrics().height())
         self.explanation.setAlignment(Qt.AlignmentFlag.AlignTop)
-        layout = QVBoxLayout(self)
-        layout.setContentsMargins(2, 0, 2, 2)
-        layout.setSpacing(2)
-        layout.addLayout(bar)
-        layout.addWidget(self._scroll, 1)
-        layout.addWidget(self.explanation)
+        parts = (self._bar, (self._scroll, 1), self.explanation)
+        in_column(*parts, on=self, margins=(2, 0, 2, 2), gap=2)
 
     def _choice(self, name: str, tip: str, choices: Sequence[tuple[str, str]]) -> Combo:
         box = Combo()

@@ -8,18 +8,10 @@ from __future__ import annotations
 
 import html
 import re
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from functools import partial
-from typing import cast
 
-from PySide6.QtCore import (
-    QEvent,
-    QPointF,
-    QRectF,
-    QSize,
-    Qt,
-    Signal,
-)
+from PySide6.QtCore import QEvent, QPointF, QRectF, QSize, Qt, Signal
 from PySide6.QtGui import (
     QColor,
     QContextMenuEvent,
@@ -27,7 +19,6 @@ from PySide6.QtGui import (
     QFont,
     QFontMetricsF,
     QHelpEvent,
-    QHideEvent,
     QKeyEvent,
     QKeySequence,
     QMouseEvent,
@@ -35,28 +26,16 @@ from PySide6.QtGui import (
     QPaintEvent,
     QPen,
 )
-from PySide6.QtWidgets import (
-    QLineEdit,
-    QMenu,
-    QSizePolicy,
-    QToolTip,
-    QWidget,
-)
+from PySide6.QtWidgets import QLineEdit, QMenu, QSizePolicy, QToolTip, QWidget
 
 from app.drawings.style import LIGHT, Style
 from app.lecture.highlight import NOTHING, Highlight, made_of
-from app.lecture.notation import (
-    Letters,
-    Matrix,
-    cell_text,
-    letters_in,
-    stacked,
-    written,
-)
+from app.lecture.notation import Letters, Matrix, cell_text, letters_in, stacked, written
 from app.model.formula import ARROW
-from widgets.parts.digits import digits, read_text
-from widgets.parts.highlight import paint_highlight
+from widgets.parts.highlight import faded, paint_highlight
+from widgets.parts.messages import read_text
 from widgets.parts.typeset import typeset
+from widgets.parts.writing import all_digits
 
 _AXES = ("u", "v", "n")
 VIEW = ("view_from_world", "rotation")
@@ -202,7 +181,7 @@ class MatrixView(QWidget):
         style : Style
             The colours of the axes.
         """
-        dressed = (letters, rows, formulas, style, digits.all)
+        dressed = (letters, rows, formulas, style, all_digits.now)
         before_that, self._dressed = self._dressed, dressed
         anew = dressed != before_that
         self._letters, self._rows, self._formulas, self._style = dressed[:4]
@@ -323,12 +302,12 @@ class MatrixView(QWidget):
                 rect = self.cell_rect(i, j)
                 if (i, j) in self._lit:
                     light = QColor(self._style.accent)
-                    painter.fillRect(rect.adjusted(1, 1, -1, -1), _faded(light, 0.3))
+                    painter.fillRect(rect.adjusted(1, 1, -1, -1), faded(light, 0.3))
                     painter.setPen(QPen(light, 1.0))
                     painter.drawRect(rect.adjusted(1.5, 1.5, -1.5, -1.5))
                 if self.is_marked(i, j):
                     paint_highlight(self, painter, rect.adjusted(1, 1, -1, -1))
-                painter.setPen(_faded(ink, 0.45) if text == "0" else ink)
+                painter.setPen(faded(ink, 0.45) if text == "0" else ink)
                 self._paint_text(painter, rect, text, self._marks[i][j])
         if self.hasFocus():
             painter.setPen(QPen(self.palette().highlight().color(), 2.0))
@@ -353,7 +332,7 @@ class MatrixView(QWidget):
                 cell = self.cell_rect(0, k)
                 rect = QRectF(cell.left() + 2.0, 0.0, cell.width() - 4.0, plate)
                 band = QRectF(cell.left(), top, cell.width(), sum(self._heights))
-            painter.fillRect(band, _faded(colour, 0.12))
+            painter.fillRect(band, faded(colour, 0.12))
             painter.fillRect(rect, colour)
             painter.setPen(QColor(self._style.text_on(colour.name())))
             painter.drawText(rect, Qt.AlignmentFlag.AlignCenter, name)
@@ -380,8 +359,6 @@ class MatrixView(QWidget):
             start = end - metrics.horizontalAdvance(text[mark:] or text[-1:])
             painter.setPen(QPen(painter.pen().color(), 2.0))
             painter.drawLine(QPointF(start, base + 3.0), QPointF(end, base + 3.0))
-
-    # -- pointing
 
     # -- typing
 
@@ -484,6 +461,8 @@ class MatrixView(QWidget):
         if cell is not None and event.button() == Qt.MouseButton.LeftButton:
             self.edit_cell(*cell)
 
+    # -- pointing
+
     def _say(self) -> None:
         if self._matrix is not None:
             self._told = self._cursor
@@ -503,18 +482,6 @@ class MatrixView(QWidget):
             self._told = cell
             self.pointed.emit(self._explain(self._matrix, *cell))
         self._point_at(cell)
-
-    def leaveEvent(self, event: QEvent) -> None:
-        super().leaveEvent(event)
-        self._point_at(None)
-
-    def focusOutEvent(self, event: QFocusEvent) -> None:
-        super().focusOutEvent(event)
-        self._point_at(None)
-
-    def hideEvent(self, event: QHideEvent) -> None:
-        super().hideEvent(event)
-        self._point_at(None)
 
     def _point_at(self, cell: tuple[int, int] | None) -> None:
         highlighted = NOTHING
@@ -570,34 +537,28 @@ class MatrixView(QWidget):
             super().keyPressEvent(event)
 
     def event(self, event: QEvent) -> bool:
-        if event.type() == QEvent.Type.ToolTip and self._matrix is not None:
-            help_event = cast(QHelpEvent, event)
-            cell = self.cell_at(QPointF(help_event.pos()))
+        kinds = QEvent.Type
+        if isinstance(event, QHelpEvent) and event.type() == kinds.ToolTip and self._matrix:
+            cell = self.cell_at(QPointF(event.pos()))
             if cell is not None:
                 tip = self._explain(self._matrix, *cell)
-                QToolTip.showText(help_event.globalPos(), f"<p>{rich(tip)}</p>", self)
+                QToolTip.showText(event.globalPos(), f"<p>{rich(tip)}</p>", self)
                 return True
-        return super().event(event)
+        done = super().event(event)
+        if event.type() in (kinds.Leave, kinds.FocusOut, kinds.Hide):
+            self._point_at(None)
+        return done
 
     def contextMenuEvent(self, event: QContextMenuEvent) -> None:
         menu = QMenu(self)
         menu.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
-        for form, text in self._forms():
-            menu.addAction(text, partial(self.copied.emit, form, self._matrix))
-        menu.popup(event.globalPos())
-
-    def _forms(self) -> Sequence[tuple[str, str]]:
-        return (
+        for form, text in (
             ("text", self.tr("Copy as text")),
             ("numpy", self.tr("Copy for NumPy (numbers)")),
             ("latex", self.tr("Copy for LaTeX (needs amsmath)")),
-        )
-
-
-def _faded(colour: QColor, alpha: float) -> QColor:
-    faded = QColor(colour)
-    faded.setAlphaF(alpha)
-    return faded
+        ):
+            menu.addAction(text, partial(self.copied.emit, form, self._matrix))
+        menu.popup(event.globalPos())
 
 
 def rich(text: str) -> str:

@@ -20,17 +20,14 @@ from PySide6.QtWidgets import (
     QAbstractItemView,
     QFileDialog,
     QGridLayout,
-    QHBoxLayout,
     QHeaderView,
     QLabel,
     QListWidget,
     QListWidgetItem,
     QProgressBar,
-    QPushButton,
     QSizePolicy,
     QTableWidget,
     QTableWidgetItem,
-    QVBoxLayout,
     QWidget,
 )
 
@@ -54,17 +51,19 @@ from app.measure.results import (
     to_json,
 )
 from app.model.refusal import Refusal
-from app.scenes.phenomena.illustration import Diagram
+from app.scenes.phenomena.diagram import Diagram
 from widgets.panels.measuring import Measuring
+from widgets.parts.buttons import push_button
 from widgets.parts.combo import Combo
 from widgets.parts.diagram import DiagramView
-from widgets.parts.digits import digits
 from widgets.parts.focus import FocusRing
 from widgets.parts.icons import icon
+from widgets.parts.layouts import in_column, in_row
 from widgets.parts.messages import of_measurements, sentence
 from widgets.parts.note import Note
 from widgets.parts.panel import Changed, Shown
 from widgets.parts.readable import ReadablePanel
+from widgets.parts.writing import all_digits
 
 HEIGHT_PX = 225
 """Of the panel where it opens, at the ordinary font, in a window of 768; more in a higher one."""
@@ -128,7 +127,6 @@ class MeasurePanel(ReadablePanel):
         self._make_controls()
         self._make_views()
         self._lay_out()
-        digits.changed.connect(self._readable.changed)
         self._show_running()
         self._readable.changed()
 
@@ -155,10 +153,10 @@ class MeasurePanel(ReadablePanel):
         self.how.setToolTip(
             self.tr("Quick: 2 s a trade, 13 values a sweep; full: 30 s a trade, 49 values")
         )
-        self.run_button = self._button(
+        self.run_button = push_button(
             self.tr("Run"), self.tr("Measure what is chosen, for this scene and camera"), self.run
         )
-        self.cancel_button = self._button(
+        self.cancel_button = push_button(
             self.tr("Cancel"), self.tr("Stop; what was measured until then is kept"),
             self.measuring.cancel,
         )  # fmt: skip
@@ -166,37 +164,31 @@ class MeasurePanel(ReadablePanel):
         self.progress.setRange(0, 1000)
         self.progress.setAccessibleName(self.tr("Progress of the measurement"))
         self.progress.hide()
-        self.export_button = self._button(
+        self.export_button = push_button(
             self.tr("Export…"), self.tr("Save what is shown: CSV, JSON, PNG or PDF"),
             self.export_dialog,
         )  # fmt: skip
-        self.load_button = self._button(
+        self.load_button = push_button(
             self.tr("Compare…"),
             self.tr("Draw results of a file, of another machine perhaps, over these"),
             self.load_dialog,
         )
-        self.forget_button = self._button(
+        self.forget_button = push_button(
             self.tr("Forget"), self.tr("Take the results of the file away again"), self.forget
         )
 
-    def _button(self, text: str, tip: str, act: Callable[[], object]) -> QPushButton:
-        button = QPushButton(text)
-        button.setToolTip(tip)
-        button.clicked.connect(lambda _checked=False: act())
-        return button
-
     def _make_views(self) -> None:
         self.diagrams: list[DiagramView] = []
-        self._drawn = QHBoxLayout()
-        self._drawn.setContentsMargins(0, 0, 0, 0)
+        self._drawn = in_row(margins=(0, 0, 0, 0))
         self.where = Note()
         self.where.setAccessibleName(self.tr("On what and when it was measured"))
         self.seen = Note()
         self.seen.setAccessibleName(self.tr("The scene and camera that were measured"))
-        self.sentence = QLabel()
-        self.sentence.setWordWrap(True)
-        self.sentence.setTextFormat(Qt.TextFormat.PlainText)
-        self.sentence.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
+        self.sentence = QLabel(
+            wordWrap=True,
+            textFormat=Qt.TextFormat.PlainText,
+            textInteractionFlags=Qt.TextInteractionFlag.TextSelectableByMouse,
+        )
         self.table = QTableWidget()
         self.table.setAccessibleName(self.tr("What was measured"))
         self.table.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
@@ -223,26 +215,10 @@ class MeasurePanel(ReadablePanel):
         buttons.addWidget(self.export_button, 2, 0)
         buttons.addWidget(self.load_button, 2, 1)
         buttons.addWidget(self.forget_button, 2, 2)
-        left = QVBoxLayout()
-        left.setSpacing(3)
-        left.addWidget(self._precision)
-        left.addWidget(self.list, 1)
-        left.addLayout(buttons)
-        middle = QVBoxLayout()
-        middle.setSpacing(0)
-        middle.addLayout(self._drawn, 1)
-        middle.addWidget(self.where)
-        middle.addWidget(self.seen)
-        right = QVBoxLayout()
-        right.setSpacing(3)
-        right.addWidget(self.sentence)
-        right.addWidget(self.table, 1)
-        columns = QHBoxLayout(self)
-        columns.setContentsMargins(4, 0, 4, 2)
-        columns.setSpacing(8)
-        columns.addLayout(left)
-        columns.addLayout(middle, 6)
-        columns.addLayout(right, 5)
+        left = in_column(self._precision, (self.list, 1), buttons, gap=3)
+        middle = in_column((self._drawn, 1), self.where, self.seen, gap=0)
+        right = in_column(self.sentence, (self.table, 1), gap=3)
+        in_row(left, (middle, 6), (right, 5), on=self, margins=(4, 0, 4, 2), gap=8)
         for button in (self.run_button, self.cancel_button, self.export_button, self.load_button):
             button.setMinimumWidth(60)
         self.list.setMinimumHeight(40)
@@ -485,7 +461,7 @@ class MeasurePanel(ReadablePanel):
         heads: list[str] = []
         rows: list[list[str]] = []
         if shown is not None:
-            heads, *rows = table(_part(shown), all_digits=digits.all)
+            heads, *rows = table(_part(shown), all_digits=all_digits.now)
             if other is not None:
                 heads, rows = _joined(heads, rows, *_other_rows(other))
         elif self.name in self.words:
@@ -641,7 +617,7 @@ def _read(path: Path) -> Results:
 
 def _other_rows(other: Results) -> tuple[list[str], list[list[str]]]:
     """The table of other results; whose they are is in the last column, the only wide one."""
-    heads, *rows = table(_part(other), all_digits=digits.all)
+    heads, *rows = table(_part(other), all_digits=all_digits.now)
     name = chart.machine(other)
     return heads, [[*cells, "; ".join(filter(None, (name, note)))] for *cells, note in rows]
 

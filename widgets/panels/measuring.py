@@ -75,8 +75,7 @@ class Measuring(QObject):
         if quick:
             options.append("--quick")
         process.start(
-            sys.executable,
-            ["-m", "app", "measure", "--attended", "--json=-", *options, self._file],
+            sys.executable, ["-m", "app", "measure", "--attended", "--json=-", *options, self._file]
         )
         if self._paused:
             process.write(PAUSE)

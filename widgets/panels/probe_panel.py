@@ -25,7 +25,6 @@ from PySide6.QtCore import (
 from PySide6.QtGui import (
     QAction,
     QBrush,
-    QColor,
     QGuiApplication,
     QKeyEvent,
     QKeySequence,
@@ -34,15 +33,12 @@ from PySide6.QtGui import (
 )
 from PySide6.QtWidgets import (
     QAbstractItemView,
-    QHBoxLayout,
     QHeaderView,
     QLabel,
-    QPushButton,
     QStyle,
     QStyledItemDelegate,
     QStyleOptionViewItem,
     QTableView,
-    QVBoxLayout,
     QWidget,
 )
 
@@ -52,24 +48,21 @@ from app.lecture.notation import clip_signs, steps_of_a_point
 from app.model.formula import stacked_fraction
 from app.model.infinity import homogeneous
 from app.model.limits import finite
-from app.model.projection import (
-    PLANES,
-    Projection,
-    Trace,
-    Vector,
-)
+from app.model.projection import PLANES, Projection, Trace, Vector
 from app.model.refusal import Refusal
 from app.picking.picking import Probe, projector
 from app.precision.levels import precision_for_reading, predict, trace_homogeneous
+from widgets.parts.buttons import push_button
 from widgets.parts.combo import Combo
-from widgets.parts.digits import digits, read_text
-from widgets.parts.fields import REFUSAL_SHEET, ShortField, refusal
-from widgets.parts.icons import WarningLabel, icon
-from widgets.parts.lettering import lettering
-from widgets.parts.messages import number_text, plane_name, sentence
+from widgets.parts.fields import ShortField, refusal
+from widgets.parts.highlight import faded
+from widgets.parts.icons import RefusalLabel, icon
+from widgets.parts.layouts import in_column, in_row
+from widgets.parts.messages import number_text, plane_name, read_text, sentence
 from widgets.parts.panel import PROJECTION, Changed, Shown
 from widgets.parts.readable import ReadablePanel
 from widgets.parts.typeset import in_line, typeset
+from widgets.parts.writing import all_digits, lettering
 
 _PIN_SHEET = """
 QPushButton:checked {
@@ -116,28 +109,25 @@ class ProbePanel(ReadablePanel):
         self.choice.setToolTip(self.tr("Which probe the fields and buttons are about"))
         self.choice.activated.connect(lambda index: self.choose(self.choice.itemData(index)))
         self.fields = tuple(ShortField(name) for name in "xyzw")
-        self.pin = QPushButton(self.tr("Pin"))
+        self.pin = push_button(
+            self.tr("Pin"),
+            self.tr("Keep this probe: the next click makes another one"),
+            self._pin_clicked,
+        )
         self.pin.setCheckable(True)
         self.pin.setStyleSheet(_PIN_SHEET)
-        self.pin.setToolTip(self.tr("Keep this probe: the next click makes another one"))
-        self.pin.clicked.connect(self._pin_clicked)
-        self._remove = QPushButton(self.tr("Remove"))
-        self._remove.setToolTip(self.tr("Remove this probe (Esc)"))
-        self._remove.clicked.connect(self.remove)
-        self._clear = QPushButton(self.tr("Clear"))
-        self._clear.setToolTip(self.tr("Remove all probes"))
-        self._clear.clicked.connect(self.clear)
-        self.error = WarningLabel()
-        self.error.setObjectName("rowError")
-        self.error.setStyleSheet(REFUSAL_SHEET)
-        self.error.hide()
+        self._remove = push_button(
+            self.tr("Remove"), self.tr("Remove this probe (Esc)"), self.remove
+        )
+        self._clear = push_button(self.tr("Clear"), self.tr("Remove all probes"), self.clear)
+        self.error = RefusalLabel()
         self._hint = QLabel(
             self.tr(
                 "Click a point in any pane to follow it from the world to its pixel; "
                 "click beside everything in the image for that pixel's ray."
-            )
+            ),
+            wordWrap=True,
         )
-        self._hint.setWordWrap(True)
 
         self._model = _Table(self)
         self.table = _TableView(self._model)
@@ -157,15 +147,14 @@ class ProbePanel(ReadablePanel):
         rows = self.table.verticalHeader()
         rows.setSectionResizeMode(QHeaderView.ResizeMode.Fixed)
         rows.setMinimumSectionSize(0)
-        digits.changed.connect(self._turn)
+        all_digits.changed.connect(self._turn)
         lettering.changed.connect(self._turn)
         self._lay_out()
         self._fit_rows()
         self._show_choice()
 
     def _lay_out(self) -> None:
-        line = QHBoxLayout()
-        line.addWidget(self.choice)
+        line = in_row(self.choice)
         for name, field in zip("xyzw", self.fields, strict=True):
             field.setAccessibleName(self.tr("Probe, world {0}").format(name))
             field.setToolTip(self.tr("World {0} of the probe; type a number").format(name))
@@ -182,13 +171,8 @@ class ProbePanel(ReadablePanel):
         )
         for button in (self.pin, self._remove, self._clear):
             line.addWidget(button)
-        layout = QVBoxLayout(self)
-        layout.setContentsMargins(4, 0, 4, 2)
-        layout.setSpacing(2)
-        layout.addLayout(line)
-        layout.addWidget(self.error)
-        layout.addWidget(self._hint)
-        layout.addWidget(self.table, 1)
+        parts = (line, self.error, self._hint, (self.table, 1))
+        in_column(*parts, on=self, margins=(4, 0, 4, 2), gap=2)
 
     def hasHeightForWidth(self) -> bool:
         return False  # the sentences wrap, but it is the table that wants height
@@ -317,8 +301,7 @@ class ProbePanel(ReadablePanel):
                     row[axis] = finite(name, field.read())
             found = Probe.of(self._chosen, homogeneous(*row))
         except Refusal as error:
-            self.error.setText(refusal(sentence(error)))
-            self.error.show()
+            self.error.say(refusal(sentence(error)))
             field.setAccessibleDescription(self.error.text())
             return
         if not self._chosen:
@@ -350,8 +333,7 @@ class ProbePanel(ReadablePanel):
             field.show_number(None if row is None else row[axis])
             field.take_back()
             field.setAccessibleDescription("")
-        self.error.hide()
-        self.error.clear()
+        self.error.say("")
         self.pin.setChecked(self._chosen in self._pinned)
         for button in (self.pin, self._remove):
             button.setEnabled(probe is not None)
@@ -386,8 +368,7 @@ class ProbePanel(ReadablePanel):
         super().changeEvent(event)
         if event.type() == QEvent.Type.FontChange:  # projector mode
             self._fit_rows()
-            self._is_new = True
-            self._readable.changed()
+            self._turn()
 
     def take(self, shown: Shown, changed: Changed) -> None:
         self._projection = shown.projection
@@ -636,14 +617,13 @@ class _Table(QAbstractTableModel):
         return 0 if parent.isValid() else 1 + _PARTS * len(self._numbers)
 
     def data(
-        self,
-        index: QModelIndex | QPersistentModelIndex,
-        role: int = Qt.ItemDataRole.DisplayRole,
+        self, index: QModelIndex | QPersistentModelIndex, role: int = Qt.ItemDataRole.DisplayRole
     ) -> Any:
         row, column = index.row(), index.column()
         if role == Qt.ItemDataRole.BackgroundRole:
             marked = self.highlight_at(self.index(row, column)) & self._highlighted
-            return self._mark() if marked else None
+            highlight = QGuiApplication.palette().highlight().color()
+            return QBrush(faded(highlight, 0.35)) if marked else None
         roles = Qt.ItemDataRole
         if role not in (roles.DisplayRole, roles.ToolTipRole, FORMULA, EXACT):
             return None
@@ -656,11 +636,6 @@ class _Table(QAbstractTableModel):
             return None
         write = read_text if role == roles.DisplayRole else number_text
         return _text(row, cells[part], write)
-
-    def _mark(self) -> QBrush:
-        colour = QColor(QGuiApplication.palette().highlight().color())
-        colour.setAlphaF(0.35)
-        return QBrush(colour)
 
     def headerData(
         self, section: int, orientation: Qt.Orientation, role: int = Qt.ItemDataRole.DisplayRole

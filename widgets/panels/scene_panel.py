@@ -8,21 +8,14 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from PySide6.QtCore import QEvent, QObject, QSize, Qt, QTimer, Signal
-from PySide6.QtWidgets import (
-    QFrame,
-    QGridLayout,
-    QHBoxLayout,
-    QLabel,
-    QLayout,
-    QScrollArea,
-    QVBoxLayout,
-    QWidget,
-)
+from PySide6.QtWidgets import QFrame, QGridLayout, QLabel, QLayout, QScrollArea, QWidget
 
 from app.drawings.style import LIGHT, Style
-from app.scenes.phenomena.illustration import Diagram, Illustration, Phenomenon
+from app.scenes.phenomena.diagram import Diagram
+from app.scenes.phenomena.illustration import Illustration, Phenomenon
 from widgets.parts.diagram import DiagramView
 from widgets.parts.focus import FocusRing
+from widgets.parts.layouts import FREE, in_column, in_row
 from widgets.parts.messages import breakable, of_phenomena
 from widgets.parts.panel import Changed, Shown
 from widgets.parts.readable import ReadablePanel
@@ -55,41 +48,30 @@ class ScenePanel(ReadablePanel):
         self._phenomenon: Phenomenon | None = None
         self._illustration: Illustration | None = None
         self._style = LIGHT
-        self.title = QLabel()
+        self.title, self.lectures, self.explanation = (
+            QLabel(wordWrap=True, textFormat=Qt.TextFormat.PlainText) for _ in range(3)
+        )
         self.title.setObjectName("paneTitle")
-        self.lectures = QLabel()
         self.lectures.setObjectName("paneNote")
-        self.explanation = QLabel()
-        for label in (self.title, self.lectures, self.explanation):
-            label.setWordWrap(True)
-            label.setTextFormat(Qt.TextFormat.PlainText)
         self.explanation.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
         self.diagrams: list[DiagramView] = []
         self._lay_out()
         self.show_scene(self.tr("This scene"), None)
 
     def _lay_out(self) -> None:
-        text = QVBoxLayout()
-        text.setSpacing(2)
-        for label in (self.title, self.lectures, self.explanation):
-            text.addWidget(label)
-        text.addStretch(1)
+        text = in_column(self.title, self.lectures, self.explanation, FREE, gap=2)
         self._drawn = QGridLayout()
         self._drawn.setSpacing(4)
         self._text_column = _Column(text, self.tr("What this scene shows"))
         self._diagram_column = _Column(self._drawn, self.tr("Diagrams"))
         self._columns_of_diagrams = 0
         self._diagram_column.installEventFilter(self)
-        self._outgrowing = QTimer(self)  # asks when all is laid out, not on the way there
-        self._outgrowing.setSingleShot(True)
-        self._outgrowing.setInterval(0)
+        # Asks when all is laid out, not on the way there.
+        self._outgrowing = QTimer(self, singleShot=True, interval=0)
         self._outgrowing.timeout.connect(self._tell_outgrown)
         self._text_column.overfull.connect(self._outgrowing.start)
-        self._columns = QHBoxLayout(self)
-        self._columns.setContentsMargins(4, 0, 4, 2)
-        self._columns.setSpacing(12)
-        self._columns.addWidget(self._text_column, 4)
-        self._columns.addWidget(self._diagram_column)
+        columns = ((self._text_column, 4), self._diagram_column)
+        self._columns = in_row(*columns, on=self, margins=(4, 0, 4, 2), gap=12)
 
     def sizeHint(self) -> QSize:
         """Low: the panes above need the height; but few lines are to be cut.
@@ -171,11 +153,9 @@ class ScenePanel(ReadablePanel):
             self._place_diagrams()
         for place, view in enumerate(self.diagrams):
             shown = place < len(diagrams)
-            if view.isHidden() == shown:
-                view.setVisible(shown)
+            view.setVisible(shown)
             view.show_diagram(diagrams[place] if shown else None)
-        if self._diagram_column.isHidden() == bool(diagrams):
-            self._diagram_column.setVisible(bool(diagrams))
+        self._diagram_column.setVisible(bool(diagrams))
         self._columns.setStretchFactor(self._diagram_column, 6 * len(diagrams))
 
     def _place_diagrams(self) -> None:
@@ -215,12 +195,11 @@ class _Column(QScrollArea):
     """What is in it has changed, and is higher than what is seen of it."""
 
     def __init__(self, layout: QLayout, name: str) -> None:
-        super().__init__()
+        super().__init__(widgetResizable=True)
         self._inside = QWidget()
         layout.setContentsMargins(0, 0, 4, 0)
         self._inside.setLayout(layout)
         self.setWidget(self._inside)
-        self.setWidgetResizable(True)
         self.setFrameShape(QFrame.Shape.NoFrame)
         self.setAccessibleName(name)
         FocusRing(self)

@@ -13,20 +13,24 @@ from __future__ import annotations
 import time
 from collections.abc import Mapping, Sequence
 
-from PySide6.QtCore import QObject, Qt, QTimer, Signal
-from PySide6.QtWidgets import QApplication, QProgressDialog, QWidget
+from PySide6.QtCore import QObject, QTimer, Signal
+from PySide6.QtWidgets import QApplication, QWidget
 
 from app.drawings.frame_budget import FrameBudget, Level
 from app.precision.quality import AUTOMATIC, Quality
 from app.scenes.fewer_triangles import is_made, reduced, shares_for_dragging
 from app.scenes.scene import Scene
 from widgets.panes.pane import SMOOTHINGS, Pane, multisamples
+from widgets.parts.progress import progress_dialog
 
 AT_FIRST = 200_000
 """Triangles that a software renderer is given at first, before it is known how many it draws in
 time: to find that out with a million would hold the first step of a drag for half a second."""
 MANY_TRIANGLES = 10_000
 """To make coarser versions of a scene of more takes so long that progress is shown."""
+AT_REST = "FXAA"
+"""How a pane smooths by itself. Where OpenGL is software it takes five times as long as the rest of
+drawing a pane."""
 
 
 class Adaptive(QObject):
@@ -65,9 +69,7 @@ class Adaptive(QObject):
         self._began: float | None = None
         self._drawn_at = 0.0
         self._told: tuple[bool, int] = (False, 0)
-        self._idle = QTimer(self)
-        self._idle.setSingleShot(True)
-        self._idle.setInterval(0)  # the scene is to be seen first
+        self._idle = QTimer(self, singleShot=True, interval=0)  # the scene is to be seen first
         self._idle.timeout.connect(self._prepare)
         self.budget = FrameBudget([Level(False, 1.0)], 0.0)
         for pane in panes.values():
@@ -84,6 +86,12 @@ class Adaptive(QObject):
             self._scene, self.quality = scene, quality
             self._plan()
 
+    def ahead(self, scene: Scene) -> None:
+        """Make what dragging may need of a scene that may be shown next."""
+        if self._target_ms > 0.0:
+            for share in shares_for_dragging(scene):
+                reduced(scene, share)
+
     def set_target(self, target_ms: float) -> None:
         """Set the longest frame that is wanted while a control is dragged; 0 for any."""
         self._target_ms = target_ms
@@ -94,7 +102,11 @@ class Adaptive(QObject):
     def drawn(self) -> Scene:
         """The scene with as many triangles as its document asks for."""
         assert self._scene is not None
-        return reduced(self._scene, self.quality.detail)
+        return self.whole(self._scene)
+
+    def whole(self, scene: Scene) -> Scene:
+        """A scene with as many triangles as are drawn at rest."""
+        return reduced(scene, self.quality.detail)
 
     @property
     def late_ms(self) -> float:
@@ -115,7 +127,7 @@ class Adaptive(QObject):
         """How a pane smooths: as was chosen, or else well or not at all."""
         if self.quality.smoothing in SMOOTHINGS:
             return self.quality.smoothing
-        return "FXAA" if smooth else "none"
+        return AT_REST if smooth else "none"
 
     def step(self, dragging: bool) -> None:
         """The document has changed, or the hand has come to rest: to be called before drawing."""
@@ -185,19 +197,12 @@ class Adaptive(QObject):
     def _make(
         self, scene: Scene, shares: Sequence[float], *, can_be_cancelled: bool = True
     ) -> None:
-        if not shares:
-            return
-        dialog = QProgressDialog(
-            self.tr("Making coarser versions of the scene"), self.tr("Cancel"), 0, len(shares),
-            self._window,
-        )  # fmt: skip
-        if not can_be_cancelled:
-            dialog.setCancelButton(None)
-        dialog.setWindowModality(Qt.WindowModality.WindowModal)
-        dialog.setMinimumDuration(100)
-        if scene.faces > MANY_TRIANGLES:
-            dialog.show()  # the first version alone may take longer
-        try:
+        text = self.tr("Making coarser versions of the scene")
+        with progress_dialog(self._window, text, len(shares)) as dialog:
+            if not can_be_cancelled:
+                dialog.setCancelButton(None)
+            if scene.faces > MANY_TRIANGLES:
+                dialog.show()  # the first version alone may take longer
             for done, share in enumerate(shares):
                 dialog.setValue(done)
                 if dialog.isVisible():  # and takes what is meant for the window
@@ -205,6 +210,3 @@ class Adaptive(QObject):
                 if dialog.wasCanceled():
                     return
                 reduced(scene, share)
-        finally:
-            dialog.close()
-            dialog.deleteLater()

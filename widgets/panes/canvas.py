@@ -147,13 +147,37 @@ class RasterCanvas(_Canvas):
         """Make VTK's window."""
         from vtkmodules.vtkCommonCore import vtkUnsignedCharArray
 
-        from app.drawings.off_screen import OffScreen
-
-        self._screen = OffScreen(120, 120)
-        self.render_window, self.renderer = self._screen.render_window, self._screen.renderer
-        self.render_window.SwapBuffersOff()
         self._pixels = vtkUnsignedCharArray()
         self.is_open = True
+        self._take(self.screen_ahead())
+
+    def screen_ahead(self) -> OffScreen:
+        """Another screen of VTK's, to be drawn in before it is shown; its maker closes it."""
+        from app.drawings.off_screen import OffScreen
+
+        screen = OffScreen(*self._size_px)
+        screen.render_window.SwapBuffersOff()
+        return screen
+
+    def show_screen(self, screen: OffScreen) -> OffScreen:
+        """Show what is drawn in one of `screen_ahead` from now on; give the one before back."""
+        before = self._screen
+        assert before is not None
+        self._take(screen)
+        return before
+
+    def _take(self, screen: OffScreen) -> None:
+        self._screen = screen
+        self.render_window, self.renderer = screen.render_window, screen.renderer
+        self.redraw()
+
+    @property
+    def _size_px(self) -> tuple[int, int]:
+        """That VTK draws."""
+        wide, high = (
+            max(1, round(side * self.pixel_ratio)) for side in (self.width(), self.height())
+        )
+        return wide, high
 
     def draw_finer(self, times: float) -> None:
         """Draw so many pixels for one that the screen shows, along each side."""
@@ -169,9 +193,8 @@ class RasterCanvas(_Canvas):
         if self._screen is None:
             super().paintEvent(event)
             return
-        sides = (self.width(), self.height())
-        size = [max(1, round(side * self.pixel_ratio)) for side in sides]
-        if self._is_stale or size != [self._image.width(), self._image.height()]:
+        size = self._size_px
+        if self._is_stale or size != (self._image.width(), self._image.height()):
             self._draw(*size)
         painter = QPainter(self)
         if self._finer != 1.0:

@@ -26,7 +26,7 @@ from PySide6.QtGui import (
     QPolygonF,
     QResizeEvent,
 )
-from PySide6.QtWidgets import QHBoxLayout, QLabel, QSizePolicy, QToolButton, QWidget
+from PySide6.QtWidgets import QLabel, QSizePolicy, QWidget
 
 from app.document.compare import Picture, Written, in_words
 from app.drawings.side_by_side import cells
@@ -35,10 +35,10 @@ from app.model.refusal import Refusal
 from app.scenes.phenomena import PHENOMENA
 from widgets.panes.canvas import ARROWS
 from widgets.panes.pane import Pane
-from widgets.parts.digits import read_text
+from widgets.parts.buttons import tool_button
 from widgets.parts.focus import FocusRing
-from widgets.parts.icons import show_icon
-from widgets.parts.messages import field_name, of_phenomena, sentence
+from widgets.parts.layouts import in_row
+from widgets.parts.messages import field_name, of_phenomena, read_text, sentence
 from widgets.parts.note import Title
 from widgets.parts.panel import Shown
 
@@ -60,6 +60,7 @@ class Divider(QWidget):
 
     def __init__(self, surface: QWidget) -> None:
         super().__init__(surface)
+        self.setAttribute(Qt.WidgetAttribute.WA_NoMousePropagation)  # it would enlarge the pane
         self.setCursor(Qt.CursorShape.SplitHCursor)
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.setAccessibleName(self.tr("Divider between two pictures"))
@@ -68,19 +69,9 @@ class Divider(QWidget):
         )
         FocusRing(self)
 
-    def mousePressEvent(self, event: QMouseEvent) -> None:
-        event.accept()
-
     def mouseMoveEvent(self, event: QMouseEvent) -> None:
-        event.accept()
         if event.buttons() & Qt.MouseButton.LeftButton:
             self.moved.emit(self.mapToParent(event.position()).x())
-
-    def mouseReleaseEvent(self, event: QMouseEvent) -> None:
-        event.accept()
-
-    def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
-        event.accept()  # which would enlarge the pane
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         key = Qt.Key(event.key())
@@ -178,10 +169,6 @@ class _Other(QWidget):
         self.why.setGeometry(self.rect())
         self.setVisible(not cut.isEmpty())
 
-    def close_canvas(self) -> None:
-        """Give back what OpenGL holds for it."""
-        self.pane.close_canvas()
-
 
 class _Words(QLabel):
     """Two lines of text, as much as there is room for; all of it as its tooltip."""
@@ -266,32 +253,19 @@ class Compare(QObject):
         self._laid_out: list[tuple[int, int] | None] = []
         """For which sizes of images."""
         self._make_bar()
-        pane.surface.installEventFilter(self)
-        pane.header.installEventFilter(self)
-        pane.canvas.shown.connect(self._open)
         pane.marked.connect(self.refresh)
 
     def _make_bar(self) -> None:
         self.bar = QWidget()
         self.words = _Words()
         self.words.setAccessibleName(self.tr("In what the pictures differ"))
-        self.way = QToolButton()
-        self.way.setAutoRaise(True)
-        self.way.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
-        self.way.clicked.connect(self.toggle_way)
-        self.end = QToolButton()
-        self.end.setAutoRaise(True)
-        self.end.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
-        show_icon(self.end, "close")
-        self.end.setToolTip(self.tr("End the comparison (Esc)"))
-        self.end.setAccessibleName(self.tr("End the comparison"))
-        self.end.clicked.connect(self.end_wanted)
+        self.way = tool_button(act=self.toggle_way, flat=True, by_click=True)
+        self.end = tool_button(
+            "", self.tr("End the comparison (Esc)"), self.end_wanted,
+            icon="close", name=self.tr("End the comparison"), flat=True, by_click=True,
+        )  # fmt: skip
         self.bar.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Fixed)
-        row = QHBoxLayout(self.bar)
-        row.setContentsMargins(8, 2, 2, 2)
-        row.addWidget(self.words, 1)
-        row.addWidget(self.way)
-        row.addWidget(self.end)
+        in_row((self.words, 1), self.way, self.end, on=self.bar, margins=(8, 2, 2, 2))
         self.bar.hide()
         self._name_way()
         self._pane.add_below(self.bar)
@@ -317,12 +291,14 @@ class Compare(QObject):
         if tuple(pictures) == self.pictures and tuple(dividers) == self.dividers:
             return
         if tuple(pictures) != self.pictures:
+            self.close_canvases()
             for widget in (*self.others, *self.captions):
-                if isinstance(widget, _Other):
-                    widget.close_canvas()
                 widget.hide()
                 widget.deleteLater()
             self.pictures = tuple(pictures)
+            for watched in (self._pane.surface, self._pane.header):  # not before it is of use
+                watched.installEventFilter(self)
+            self._pane.canvas.shown.connect(self._open, Qt.ConnectionType.SingleShotConnection)
             self.others = [_Other(self._pane, each) for each in pictures if not each.live]
             self.captions = [Title("") for _ in pictures]
             for caption in self.captions:
@@ -377,14 +353,18 @@ class Compare(QObject):
     @property
     def _seen(self) -> list[Shown | None]:
         """What each of the pictures shows, in their order; None for what there is not."""
+        return [self._pane.shown if each is None else each.shown for each in self._others]
+
+    @property
+    def _others(self) -> list[_Other | None]:
+        """Which of the others draws each of the pictures; None for the live one."""
         others = iter(self.others)
-        return [self._pane.shown if each.live else next(others).shown for each in self.pictures]
+        return [None if each.live else next(others) for each in self.pictures]
 
     def _open(self) -> None:
-        """The live picture has reached the screen: the first time, the others follow."""
-        if any(not other.pane.canvas.is_open for other in self.others):
-            self._laid_out = []
-            self.refresh()
+        """The live picture has reached the screen: the others follow."""
+        self._laid_out = []
+        self.refresh()
 
     def set_style(self, style: Style) -> None:
         """Fill what lies beside the pictures with the colour of their margins."""
@@ -394,7 +374,7 @@ class Compare(QObject):
     def close_canvases(self) -> None:
         """Release VTK's hold of the other pictures, before the window's own close."""
         for other in self.others:
-            other.close_canvas()
+            other.pane.close_canvas()
 
     # -- in words
 
@@ -434,10 +414,8 @@ class Compare(QObject):
             wholes = [whole] * len(cuts)
         else:
             cuts = wholes = self._cells() if self.is_on else []
-        others = iter(self.others)
-        for picture, cut, own in zip(self.pictures, cuts, wholes, strict=True):
-            if not picture.live:
-                other = next(others)
+        for other, cut, own in zip(self._others, cuts, wholes, strict=True):
+            if other is not None:
                 other.pane.set_bare(bare)
                 other.place(cut, own)
                 other.raise_()
@@ -457,9 +435,8 @@ class Compare(QObject):
         title = self._pane.title
         row = title.mapTo(self._pane, QPoint()).y() - self._pane.surface.y()
         below = row + title.height()
-        others = iter(self.others)
-        for picture, caption, cut in zip(self.pictures, self.captions, self._cuts, strict=False):
-            pane = self._pane if picture.live else next(others).pane
+        for other, caption, cut in zip(self._others, self.captions, self._cuts, strict=False):
+            pane = self._pane if other is None else other.pane
             height, y, middle = caption.sizeHint().height(), row, cut.center().x()
             if not self.is_divided:
                 place = _picture_in(pane, cut)

@@ -48,9 +48,7 @@ class Counting(QObject):
         super().__init__(parent)
         self._busy = busy
         self._shown: tuple[Scene, Projection, Illustration] | None = None
-        self._timer = QTimer(self)
-        self._timer.setSingleShot(True)
-        self._timer.setInterval(REST_MS)
+        self._timer = QTimer(self, singleShot=True, interval=REST_MS)
         self._timer.timeout.connect(self._rest)
 
     def take(self, shown: Shown, changed: Changed) -> None:
@@ -97,9 +95,5 @@ class Counting(QObject):
         )
         with off_screen(width, height) as screen:
             return counted_wrong_share(
-                screen,
-                scene,
-                projection,
-                rendering.buffer,
-                illustration.copies[0].world_from_world,
+                screen, scene, projection, rendering.buffer, illustration.copies[0].world_from_world
             )

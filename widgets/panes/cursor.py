@@ -17,7 +17,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, TypeAlias
+from typing import TYPE_CHECKING, TypeAlias, cast
 
 from PySide6.QtCore import QEvent, QObject, QPoint, QPointF, Qt
 from PySide6.QtGui import (
@@ -29,15 +29,16 @@ from PySide6.QtGui import (
     QPaintEvent,
     QPen,
 )
-from PySide6.QtWidgets import QLabel, QWidget
+from PySide6.QtWidgets import QApplication, QLabel, QWidget
 
 from app.model.projection import Vector
 from app.picking.handles import Handle
 from widgets.panes.canvas import ARROWS
 from widgets.panes.manipulation import Manipulation
 from widgets.panes.pane import Pane
-from widgets.parts.digits import digits, read_text
+from widgets.parts.messages import read_text
 from widgets.parts.panel import Changed, Shown
+from widgets.parts.writing import all_digits
 
 if TYPE_CHECKING:
     from app.drawings.image import ImageDrawing
@@ -98,17 +99,15 @@ class Cursor(QObject):
         self._is_there = self._is_dragging = self._is_shifted = False
         self._away = QPointF()
         self._ring = _Ring(pane.canvas)
-        self._label = QLabel(pane.canvas)
+        plain = Qt.TextFormat.PlainText
+        self._label = QLabel(pane.canvas, textFormat=plain, wordWrap=True, margin=3)
         self._label.setObjectName("cursorLabel")
-        self._label.setTextFormat(Qt.TextFormat.PlainText)
-        self._label.setWordWrap(True)
-        self._label.setMargin(3)
         self._label.setAutoFillBackground(True)
         self._label.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
         self._label.hide()
         pane.hand.dropped.connect(self.let_go)
-        digits.changed.connect(self._follow)
-        pane.canvas.installEventFilter(self)
+        all_digits.changed.connect(self._follow)
+        cast(QApplication, QApplication.instance()).focusChanged.connect(self._focus_moved)
 
     @property
     def text(self) -> str:
@@ -120,6 +119,15 @@ class Cursor(QObject):
         self._scene, self._thing = shown.scene, None
 
     # -- keys
+
+    def _focus_moved(self, left: QWidget | None, entered: QWidget | None) -> None:
+        """Have the canvas' keys while it has the focus: it is drawn at every step."""
+        canvas = self._pane.canvas
+        if entered is canvas:
+            canvas.installEventFilter(self)
+        elif left is canvas:
+            canvas.removeEventFilter(self)
+            self._leave()
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         kinds, kind = QEvent.Type, event.type()

@@ -14,7 +14,7 @@ so that the sentence of a refusal lies over the pane: the window's own bar would
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import replace
+from dataclasses import dataclass, field, replace
 from functools import partial
 from typing import TYPE_CHECKING, Any
 
@@ -39,14 +39,15 @@ from app.picking.handles import (
     present,
 )
 from app.picking.picking import Sight
-from app.scenes.phenomena.illustration import Grip, Settings
+from app.scenes.phenomena.marks import Grip
+from app.scenes.phenomena.settings import Settings
 from widgets.panes.canvas import ZOOM_PER_WHEEL_STEP
 from widgets.panes.pane import Pane
-from widgets.parts.digits import read_text
 from widgets.parts.escape import EscapeKey
 from widgets.parts.fields import QUIET_MS
+from widgets.parts.gestures import Gestures
 from widgets.parts.message_bar import MessageBar
-from widgets.parts.messages import field_name, of_phenomena, seen_from, sentence
+from widgets.parts.messages import field_name, of_phenomena, read_text, seen_from, sentence
 from widgets.parts.panel import PROJECTION, Changed, Shown
 
 if TYPE_CHECKING:
@@ -57,7 +58,7 @@ HOLD_WITHIN_PX = 9.0
 """So near to a mark a drag takes hold of it."""
 
 
-class Manipulation(QObject):
+class Manipulation(Gestures, QObject):
     """Turns drags on handles and on the picture, and the wheel there, into projections.
 
     Attributes
@@ -71,8 +72,6 @@ class Manipulation(QObject):
     """The hand made this `Projection`."""
     setting_edited = Signal(object)
     """The hand gave the scene's settings these values, by name; `refuse` says if they cannot be."""
-    gesture_started = Signal()
-    gesture_finished = Signal()
 
     def __init__(self, world: Pane, image: Pane, parent: QObject) -> None:
         super().__init__(parent)
@@ -91,16 +90,12 @@ class Manipulation(QObject):
             "+ −, Home); click to follow a point"
         )
         self.message = MessageBar(world)
-        self._line = QLabel(world)
+        self._line = QLabel(world, wordWrap=True, margin=4)
         self._line.setObjectName("heldLine")
-        self._line.setWordWrap(True)
-        self._line.setMargin(4)
         self._line.setAutoFillBackground(True)
         self._line.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
         self._line.hide()
-        self._quiet = QTimer(self)
-        self._quiet.setSingleShot(True)
-        self._quiet.setInterval(QUIET_MS)
+        self._quiet = QTimer(self, singleShot=True, interval=QUIET_MS)
         self._quiet.timeout.connect(self._finish)
         world.canvas.setToolTip(self._plain_tip)
         hand = world.hand
@@ -217,20 +212,18 @@ class Manipulation(QObject):
     def _does(self, handle: Handle) -> tuple[tuple[str, ...], str]:
         if handle.name == "grip":
             return (), self.tr("Drag this point (Shift: up and down)")
-        if handle.setting == "origin":
-            return ("translate",), self.tr("Drag the object (Shift: up and down)")
-        if handle.setting == "turn":
-            return ("rotate_deg",), self.tr("Drag round to turn the object, as seen from here")
-        if handle.name == "object":
-            return ("scale",), self.tr("Drag along the axis to stretch the object")
-        if handle.name == "eye":
-            return ("eye",), self.tr("Drag the eye (Shift: up and down)")
-        if handle.name == "target":
-            return ("target",), self.tr("Drag the target (Shift: up and down)")
-        if handle.name == "near":
-            return ("near",), self.tr("Drag the near plane")
-        if handle.name == "far":
-            return ("far",), self.tr("Drag the far plane")
+        does: dict[str, tuple[tuple[str, ...], str]] = {
+            "origin": (("translate",), self.tr("Drag the object (Shift: up and down)")),
+            "turn": (("rotate_deg",), self.tr("Drag round to turn the object, as seen from here")),
+            "object": (("scale",), self.tr("Drag along the axis to stretch the object")),
+            "eye": (("eye",), self.tr("Drag the eye (Shift: up and down)")),
+            "target": (("target",), self.tr("Drag the target (Shift: up and down)")),
+            "near": (("near",), self.tr("Drag the near plane")),
+            "far": (("far",), self.tr("Drag the far plane")),
+        }
+        for name in (handle.setting, handle.name):
+            if name in does:
+                return does[name]
         if self._projection.lens.fov_y_deg is not None:
             return ("fov_y_deg",), self.tr("Drag to open the lens")
         right, up = handle.at
@@ -261,7 +254,7 @@ class Manipulation(QObject):
         """Take hold of the picture, if a drag in the image pane starts on it."""
         drawing: ImageDrawing | None = self._image.drawing
         if drawing is not None and drawing.image_pixel(pixel.x(), pixel.y()):
-            self._start(_Drag(self._image, self._projection, None))
+            self._start(_Drag(self._image, self._projection))
 
     def _start(self, drag: _Drag) -> None:
         self._finish()
@@ -392,34 +385,21 @@ class Manipulation(QObject):
         bar.raise_()
 
 
+@dataclass
 class _Drag:
-    """What is held, and how everything was when the hand took it.
+    """What is held, and how everything was when the hand took it."""
 
-    Parameters
-    ----------
-    pane : Pane
-        Where it is dragged.
-    start : Projection
-    grip : (Handle, (float, float), Sight, (float, float)) or None
-        The handle, where the planes were drawn, how the pane looked, and where the handle was in
-        it; None for the picture.
-    held : Grip, optional
-        The setting that is dragged, as it was held.
-    before : tuple of 3 floats, optional
-        Its value then.
-    """
-
-    def __init__(
-        self,
-        pane: Pane,
-        start: Projection,
-        grip: tuple[Handle, tuple[float, float], Sight, tuple[float, float]] | None,
-        held: Grip | None = None,
-        before: Any = None,
-    ) -> None:
-        self.pane, self.start, self.grip, self.held, self.before = pane, start, grip, held, before
-        #: The fields that have been dragged at.
-        self.names: set[str] = set()
+    pane: Pane
+    start: Projection
+    grip: tuple[Handle, tuple[float, float], Sight, tuple[float, float]] | None = None
+    """The handle, where the planes were drawn, how the pane looked, and where the handle was in
+    it; None for the picture."""
+    held: Grip | None = None
+    """The setting that is dragged, as it was held."""
+    before: Any = None
+    """Its value then."""
+    names: set[str] = field(default_factory=set)
+    """The fields that have been dragged at."""
 
 
 def _seen_from(change: Change, error: Refusal) -> Refusal:

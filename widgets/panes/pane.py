@@ -12,7 +12,8 @@ from __future__ import annotations
 import sys
 import time
 from collections.abc import Callable, Sequence
-from typing import Any, Protocol, cast
+from functools import partial
+from typing import Any, NamedTuple
 
 from PySide6.QtCore import QEvent, QPoint, QPointF, QRect, Qt, Signal
 from PySide6.QtGui import (
@@ -26,23 +27,16 @@ from PySide6.QtGui import (
     QResizeEvent,
     QShowEvent,
 )
-from PySide6.QtWidgets import (
-    QFrame,
-    QGridLayout,
-    QHBoxLayout,
-    QToolButton,
-    QVBoxLayout,
-    QWidget,
-)
+from PySide6.QtWidgets import QFrame, QGridLayout, QToolButton, QWidget
 
 from app.drawings import AXES
 from app.lecture.highlight import NOTHING, Highlight
 from app.model.projection import Camera, Projection
-from app.picking.picking import Probe, Sight
-from app.scenes.phenomena.illustration import Illustration
+from app.picking.picking import Probe
 from app.scenes.scene import Scene
 from widgets.panes.canvas import AnyCanvas, Hand, RasterCanvas
-from widgets.parts.icons import show_icon
+from widgets.parts.buttons import tool_button
+from widgets.parts.layouts import in_column, in_row
 from widgets.parts.note import Title
 from widgets.parts.panel import PROJECTION, Changed, Shown
 
@@ -58,81 +52,42 @@ def multisamples(smoothing: str) -> int:
     return int(samples) if kind == "MSAA" else 0
 
 
-class Drawing(Protocol):
-    """What a pane needs of a drawing."""
+AS_BUILT: dict[str, Any] = {
+    "detail": None,
+    "layers": frozenset(),
+    "projection": None,
+    "stage": None,
+    "view": None,
+    "probes": (),
+    "step": None,
+    "fixed": "",
+    "object_axes": False,
+    "highlight": NOTHING,
+}
+"""What a drawing can be asked to show, in the order in which it is, and what a new one has of it.
 
-    def show_projection(self, projection: Projection, illustration: Illustration | None) -> None:
-        """Take over the model's matrices; draw nothing yet."""
-
-    def show_detail(self, fewer: Scene | None) -> None:
-        """Take a scene's fewer triangles, or all for None; then show a projection."""
-
-    def reset_view(self) -> None:
-        """Put the pane's own camera where the whole drawing is in view."""
-
-    def refit(self) -> bool:
-        """Fit a view that nobody moved to what has left it; tell whether it changed."""
-
-    def reset_clipping_range(self) -> None:
-        """Fit the pane camera's own near and far to the drawing after it has moved."""
-
-    def show_layers(self, hidden: frozenset[str]) -> None:
-        """Switch off what the drawing has of these layers; then show a projection."""
-
-    @property
-    def view(self) -> Camera | None:
-        """Where the pane's own camera was moved to; None if it was not."""
-
-    def show_view(self, view: Camera) -> None:
-        """Move the pane's own camera there."""
-
-    def show_probes(self, probes: Sequence[Probe]) -> None:
-        """Mark these probes, and no others; draw nothing yet."""
-
-    @property
-    def sight(self) -> Sight:
-        """How the pane looks at the world just now."""
-
-    def show_highlight(self, highlighted: Highlight) -> bool:
-        """Let what is highlighted stand out; tell whether that changes what is seen."""
-
-    def highlight_at(self, x_px: float, y_px: float) -> Highlight:
-        """What is at a device pixel from the pane's top left."""
-
-    def remove(self) -> None:
-        """Take everything out of the screen again."""
+A drawing (`app.drawings.world`, `stage`, `image`) has a method for each (``show_stage``) that draws
+nothing yet. ``stage`` is the NDC pane's position on its strip; ``step`` (of the camera's frame),
+``fixed`` (the fixed view) and ``object_axes`` are the world's."""
 
 
-class PlacedDrawing(Drawing, Protocol):
-    """A drawing that shows where the object stands."""
+class _Ahead(NamedTuple):
+    """A drawing that is made and has been drawn once, of what may be shown next.
 
-    def show_object_axes(self, wanted: bool) -> None:
-        """Show the object's axes also where they are the world's; draw nothing yet."""
+    Attributes
+    ----------
+    args : tuple
+        What `Pane.build` is given for it.
+    shown : Shown
+    screen : OffScreen
+        That it is in.
+    drawing : Drawing
+    """
 
-
-class StagedDrawing(Drawing, Protocol):
-    """A drawing that can show other stages of the pipeline than its own."""
-
-    def show_stage(self, position: float) -> None:
-        """Move to a position of the stage strip; draw nothing yet."""
-
-
-class SteppedDrawing(Drawing, Protocol):
-    """A drawing in which the camera's frame can be built step by step."""
-
-    def show_step(self, step: int | None) -> None:
-        """Build it up to a step, or show what is always shown; draw nothing yet."""
-
-
-class FixedDrawing(Drawing, Protocol):
-    """A drawing that has fixed views beside the free one."""
-
-    @property
-    def fixed(self) -> str:
-        """The fixed view that is shown; ``""`` for the free one."""
-
-    def show_fixed(self, view: str) -> None:
-        """Take a fixed view, or the free one; draw nothing yet."""
+    args: tuple[object, ...]
+    shown: Shown
+    screen: Any
+    drawing: Any
 
 
 class Surface(QWidget):
@@ -149,9 +104,7 @@ class Surface(QWidget):
 
     def __init__(self, canvas: QWidget) -> None:
         super().__init__()
-        self._margins = QVBoxLayout(self)
-        self._margins.setContentsMargins(0, 0, 0, 0)
-        self._margins.addWidget(canvas)
+        self._margins = in_column(canvas, on=self, margins=(0, 0, 0, 0))
         self._room: QRect | None = None
         self.beside: QColor | None = None
 
@@ -235,7 +188,7 @@ class Pane(QFrame):
     def __init__(
         self,
         title: str,
-        make_drawing: Callable[..., Drawing],
+        make_drawing: Callable[..., Any],
         *,
         orbits: bool,
         make_canvas: type[AnyCanvas],
@@ -244,43 +197,38 @@ class Pane(QFrame):
         self.setFrameShape(QFrame.Shape.StyledPanel)
         self.setAccessibleName(title)
         self.drawing: Any = None
-        """A `Drawing`, once there is one."""
+        """What is drawn, once there is something."""
         self._make_drawing = make_drawing
         self._shown: Shown | None = None
         self._to_build: tuple[object, ...] | None = None
         self._built_with: tuple[object, ...] | None = None
-        self._view: Camera | None = None
-        self._view_is_stale = False
-        self._stage: float | None = None
-        self._stage_is_stale = False
-        self._step: int | None = None
-        self._step_is_stale = False
-        self._fixed = ""
-        self._fixed_is_stale = False
+        self._ahead: list[_Ahead] = []
+        self._replaced: list[tuple[Any, Any]] = []
+        """Screens and drawings that others have taken the place of: to let go takes a while."""
+        self._waits = False
+        self._asked = dict(AS_BUILT)
+        self._due: set[str] = set()
+        """Of what is asked for, what the drawing has yet to show."""
         self._hidden: frozenset[str] = frozenset()
-        self._layers_are_stale = False
-        self._has_object_axes = self._axes_are_stale = False
         self._is_bare = False
-        self._probes: Sequence[Probe] = ()
-        self._highlight = self._pointed_at = NOTHING
-        self._highlight_is_stale = False
-        self._stale = False
-        self._probes_stale = False
+        self._pointed_at = NOTHING
         self._smoothing = "none"
-        self._fewer: Scene | None = None
-        self._detail_is_stale = False
         self._matrices_ms = 0.0
         self._beside_title: tuple[QWidget, QWidget] | None = None
 
         self.title = Title(title)
         self.note = Title("", "paneNote")
-        self._reset = self._button("home", self.tr("Reset this pane's own view (double-click)"))
-        self._reset.clicked.connect(self.reset_view)
-        self._reset.setVisible(orbits)
-        self._float = self._button("float", self.tr("Into a window of its own, and back"))
-        self._float.clicked.connect(self.float_requested)
-        self._enlarge = self._button("enlarge", self.tr("Enlarge; again, to the whole window"))
-        self._enlarge.clicked.connect(self.enlarge_requested)
+        acts: dict[str, tuple[str, object]] = {
+            "home": (self.tr("Reset this pane's own view (double-click)"), self.reset_view),
+            "enlarge": (self.tr("Enlarge; again, to the whole window"), self.enlarge_requested),
+            "float": (self.tr("Into a window of its own, and back"), self.float_requested),
+        }
+        if not orbits:
+            del acts["home"]
+        tools = [
+            tool_button("", tip, act, icon=icon, name=f"{title}: {tip}", flat=True)
+            for icon, (tip, act) in acts.items()
+        ]
         self.header = QWidget()
         self.header.setToolTip(
             self.tr("Double-click to make this pane large; again, as large as the window, and back")
@@ -296,24 +244,21 @@ class Pane(QFrame):
         self.hand.moved.connect(self._view_moved)
         self.hand.clicked.connect(self.clicked)
         self.hand.hovered.connect(self._hovered)
-        self.hand.left.connect(self._left)
+        self.hand.left.connect(partial(self._point_at, NOTHING))
         self.canvas.painted.connect(lambda ms: self.timed.emit(self._matrices_ms, ms))
         if orbits:
-            self.canvas.setToolTip(
-                self.tr(
-                    "Click to follow a point; drag to turn, Shift-drag to move, wheel to zoom, "
-                    "double-click to reset; or Tab to here, and arrows, + −, Home"
-                )
+            tip = self.tr(
+                "Click to follow a point; drag to turn, Shift-drag to move, wheel to zoom, "
+                "double-click to reset; or Tab to here, and arrows, + −, Home"
             )
             keys = self.tr("Arrow keys turn, Shift and an arrow moves, + and − zoom, Home resets.")
         else:
-            self.canvas.setToolTip(
-                self.tr(
-                    "Click to follow a point; drag to move the camera in its plane, wheel to go "
-                    "nearer to the target; or Tab to here, and arrows, + −"
-                )
+            tip = self.tr(
+                "Click to follow a point; drag to move the camera in its plane, wheel to go "
+                "nearer to the target; or Tab to here, and arrows, + −"
             )
             keys = self.tr("Arrow keys move the camera in its plane, + and − go nearer and back.")
+        self.canvas.setToolTip(tip)
         cursor_keys = self.tr(
             "Page Down and Page Up go from vertex to vertex, with Shift from handle to handle or "
             "probe to probe; Space follows a vertex; Enter takes hold and lets go, Shift and Enter "
@@ -323,23 +268,11 @@ class Pane(QFrame):
         self.surface = Surface(self.canvas)
         self._column.addWidget(self.surface, 0, 0)
         self._column.setRowStretch(0, 1)
-        for widget, side, inside in (
-            (self.header, Qt.AlignmentFlag.AlignLeft, (self.title, self.note)),
-            (self._tools, Qt.AlignmentFlag.AlignRight, (self._reset, self._enlarge, self._float)),
-        ):
-            bar = QHBoxLayout(widget)
-            bar.setContentsMargins(8, 2, 2, 2)
-            for part in inside:
-                bar.addWidget(part)
-            self._column.addWidget(widget, 0, 0, Qt.AlignmentFlag.AlignTop | side)  # on the picture
-
-    def _button(self, icon: str, tip: str) -> QToolButton:
-        button = QToolButton()
-        show_icon(button, icon)
-        button.setAutoRaise(True)
-        button.setToolTip(tip)
-        button.setAccessibleName(f"{self.accessibleName()}: {tip}")
-        return button
+        self._title_bar = in_row(self.title, self.note, on=self.header, margins=(8, 2, 2, 2))
+        self._tool_bar = in_row(*tools, on=self._tools, margins=(8, 2, 2, 2))
+        sides = Qt.AlignmentFlag
+        for bar, side in ((self.header, sides.AlignLeft), (self._tools, sides.AlignRight)):
+            self._column.addWidget(bar, 0, 0, sides.AlignTop | side)  # on the picture
 
     def open(self) -> None:
         """Let VTK draw from now on; it is imported for that, if it was not."""
@@ -361,9 +294,47 @@ class Pane(QFrame):
         """
         self._shown = shown
         self._to_build = self._built_with = args
-        self._view = view
-        if self.isVisible():
-            self._refresh()
+        self._asked["view"] = view
+        self._refresh()
+
+    def set_waiting(self, waits: bool) -> None:
+        """Be brought up to date no more, as several changes come together; or again, and now."""
+        if waits != self._waits:
+            self._waits = waits
+            if not waits:
+                self._refresh()
+
+    def draw_ahead(self, shown: Shown, *args: object) -> None:
+        """Make what a `build` with the same arguments will show: not where Qt has VTK's window."""
+        canvas = self.canvas
+        if not isinstance(canvas, RasterCanvas) or not canvas.is_open or not self.isVisible():
+            return
+        if not any(ahead.args == args for ahead in self._ahead):
+            screen = canvas.screen_ahead()
+            drawing = self._make_drawing(screen, *args)
+            drawing.show_projection(shown.projection, shown.illustration)
+            drawing.reset_view()
+            self._smooth(screen.render_window)
+            screen.render_window.Render()  # its shaders are compiled by that
+            self._ahead.append(_Ahead(args, shown, screen, drawing))
+
+    def keep_ahead(self, *wanted: tuple[object, ...]) -> None:
+        """Forget what was made ahead with other arguments than these, and what was left."""
+        old = [ahead for ahead in self._ahead if ahead.args not in wanted]
+        self._ahead = [ahead for ahead in self._ahead if ahead.args in wanted]
+        for screen, _ in (*self._replaced, *((ahead.screen, ahead.drawing) for ahead in old)):
+            screen.close()
+        self._replaced.clear()
+
+    def _take_ahead(self, args: tuple[object, ...]) -> Shown | None:
+        """Take the drawing that was made ahead, if there is one, and tell what it shows."""
+        for ahead in self._ahead:
+            if ahead.args == args and isinstance(self.canvas, RasterCanvas):
+                self._ahead.remove(ahead)
+                self._replaced.append((self.canvas.show_screen(ahead.screen), self.drawing))
+                self.drawing = ahead.drawing
+                return ahead.shown
+        return None
 
     def look_from(self, view: Camera | None) -> None:
         """Look at the drawing from elsewhere; None from where everything is in view.
@@ -371,9 +342,9 @@ class Pane(QFrame):
         Like `build`, with the drawing that there is: of the same scene.
         """
         if view != self.view or view is None:
-            self._view, self._view_is_stale = view, True
-            if self.isVisible():
-                self._refresh()
+            self._asked["view"] = view
+            self._due.add("view")
+            self._refresh()
 
     def another(self, title: str) -> Pane:
         """A pane that draws the same in another place, off the screen, and lets nobody turn it."""
@@ -397,9 +368,9 @@ class Pane(QFrame):
             self.take(shown, PROJECTION)
         self.show_layers(other._hidden)
         self.set_bare(other._is_bare)
-        self.show_probes(tuple(probe for probe in other._probes if probe.number))
+        self.show_probes(tuple(probe for probe in other.probes if probe.number))
         self.set_smoothing(at_rest or other._smoothing)
-        self.set_detail(None if at_rest else other._fewer)
+        self.set_detail(None if at_rest else other._asked["detail"])
 
     @property
     def shown(self) -> Shown | None:
@@ -414,9 +385,8 @@ class Pane(QFrame):
     @property
     def view(self) -> Camera | None:
         """Where the user moved the pane's own camera to; None if it was not moved."""
-        if self._to_build is not None or self.drawing is None or self._view_is_stale:
-            return self._view
-        view: Camera | None = self.drawing.view
+        is_asked = self._to_build is not None or self.drawing is None or "view" in self._due
+        view: Camera | None = self._asked["view"] if is_asked else self.drawing.view
         return view
 
     @property
@@ -428,92 +398,71 @@ class Pane(QFrame):
     def take(self, shown: Shown, changed: Changed) -> None:
         """Show the model's new value, and what a phenomenon shows for it: now, or on appearing."""
         self._shown = shown
-        self._stale = True
-        if self.isVisible():
-            self._refresh()
+        self._due.add("projection")
+        self._refresh()
+
+    # -- what is asked for: it is shown at once if the pane is visible, else when it appears
+
+    def _ask(self, what: str, wanted: object) -> bool:
+        """Ask for one of `AS_BUILT`; whether it is another one than before."""
+        if wanted == self._asked[what]:
+            return False
+        self._asked[what] = wanted
+        self._due.add(what)
+        self._refresh()
+        return True
 
     def show_stage(self, position: float) -> None:
-        """Show a `StagedDrawing` at a position of its strip: at once if visible, or on appearing.
-
-        Parameters
-        ----------
-        position : float
-        """
-        self._stage, self._stage_is_stale = position, True
-        if self.isVisible():
-            self._refresh()
+        """Show a position of the stage strip."""
+        self._ask("stage", position)
 
     def show_step(self, step: int | None) -> None:
-        """Show a `SteppedDrawing` at a step, or as ever: at once if visible, or on appearing."""
-        if step != self._step:
-            self._step, self._step_is_stale = step, True
-            if self.isVisible():
-                self._refresh()
+        """Build the camera's frame up to a step, or show what is always shown."""
+        self._ask("step", step)
 
     def show_fixed(self, view: str) -> None:
-        """Look from a fixed view of a `FixedDrawing`: at once if visible, or on appearing.
-
-        Parameters
-        ----------
-        view : str
-            One of `app.document.view.FIXED`; ``""`` for the free view.
-        """
-        if view != self._fixed:
-            self._fixed, self._fixed_is_stale = view, True
-            if self.isVisible():
-                self._refresh()
+        """Look from one of `app.document.view.FIXED`, or freely for ``""``."""
+        self._ask("fixed", view)
 
     def show_object_axes(self, wanted: bool) -> None:
-        """Show the object's axes of a `PlacedDrawing`: at once if visible, or on appearing."""
-        if wanted != self._has_object_axes:
-            self._has_object_axes, self._axes_are_stale = wanted, True
-            if self.isVisible():
-                self._refresh()
+        """Show the object's axes also where they are the world's."""
+        self._ask("object_axes", wanted)
 
     def show_layers(self, hidden: frozenset[str]) -> None:
-        """Switch these layers off, and no others: at once if visible, or on appearing.
-
-        Parameters
-        ----------
-        hidden : frozenset of str
-            Of `app.document.view.LAYERS`.
-        """
+        """Switch off these of `app.document.view.LAYERS`, and no others."""
         if hidden != self._hidden:
-            self._hidden, self._layers_are_stale = hidden, True
-            if self.isVisible():
-                self._refresh()
+            self._hidden = hidden
+            self._show_layers()
             self.marked.emit()
 
     def set_bare(self, bare: bool) -> None:
-        """Leave a picture's axes out, for its size's sake: at once if visible, or on appearing."""
-        if bare != self._is_bare:
-            self._is_bare, self._layers_are_stale = bare, True
-            if self.isVisible():
-                self._refresh()
+        """Leave a picture's axes out, for its size's sake."""
+        self._is_bare = bare
+        self._show_layers()
 
-    @property
-    def _switched_off(self) -> frozenset[str]:
-        return self._hidden | {AXES} if self._is_bare else self._hidden
+    def _show_layers(self) -> None:
+        self._ask("layers", self._hidden | {AXES} if self._is_bare else self._hidden)
 
     def show_probes(self, probes: Sequence[Probe]) -> None:
-        """Mark these probes, and no others: at once if visible, else on appearing."""
-        if probes != self._probes:
-            self._probes = probes
-            self._probes_stale = True
-            if self.isVisible():
-                self._refresh()
+        """Mark these probes, and no others."""
+        if self._ask("probes", probes):
             self.marked.emit()
 
     @property
     def probes(self) -> Sequence[Probe]:
         """Those that are marked."""
-        return self._probes
+        marked: Sequence[Probe] = self._asked["probes"]
+        return marked
+
+    def set_detail(self, fewer: Scene | None) -> None:
+        """Draw the faces of a scene with fewer triangles, or None for all."""
+        self._ask("detail", fewer)
 
     def show_highlight(self, highlighted: Highlight) -> None:
-        """Let what is highlighted stand out: at once if visible, else on appearing."""
-        self._highlight = highlighted
+        """Let what is highlighted stand out."""
+        self._asked["highlight"] = highlighted
         if not self.isVisible() or self._to_build is not None or self.drawing is None:
-            self._highlight_is_stale = True
+            self._due.add("highlight")
         elif self.drawing.show_highlight(highlighted):
             self.request_repaint()
 
@@ -521,77 +470,48 @@ class Pane(QFrame):
         if self.drawing is not None:
             self._point_at(self.drawing.highlight_at(place.x(), place.y()))
 
-    def _left(self) -> None:
-        self._point_at(NOTHING)
-
     def _point_at(self, highlighted: Highlight) -> None:
         if highlighted != self._pointed_at:
             self._pointed_at = highlighted
             self.highlighted.emit(highlighted)
 
     def _refresh(self) -> None:
-        """Bring the drawing up to what was asked for while nobody looked."""
+        """Bring the drawing, if it is seen, up to what was asked for."""
         shown = self._shown
-        if shown is None or not self.canvas.is_open:
+        if not self.isVisible() or shown is None or not self.canvas.is_open or self._waits:
             return
         if self._to_build is not None:
-            if self.drawing is not None:
-                self.drawing.remove()
-            self.drawing = self._make_drawing(self.canvas, *self._to_build)
+            ahead = self._take_ahead(self._to_build)
+            if ahead is None:
+                if self.drawing is not None:
+                    self.drawing.remove()
+                self.drawing = self._make_drawing(self.canvas, *self._to_build)
             self._to_build = None
-            self._step_is_stale = self._step is not None
-            self._fixed_is_stale = bool(self._fixed)
-            self._axes_are_stale = self._has_object_axes
-            self._layers_are_stale = False
-            if self._switched_off:
-                self.drawing.show_layers(self._switched_off)
-            self._highlight_is_stale = True
+            self._asked["detail"] = None
+            others = {what for what, wanted in self._asked.items() if wanted != AS_BUILT[what]}
+            self._due = others
+            if ahead is None or ahead.document != shown.document:
+                self._due |= {"projection", "view"}
+            elif "stage" in others:  # on which the view depends
+                self._due.add("view")
             self._apply_smoothing()
-            self.drawing.show_projection(shown.projection, shown.illustration)
-            self._take_stage(self.drawing)
-            self._look_from(self.drawing)
-            self.drawing.show_probes(self._probes)
-            self._fewer, self._detail_is_stale = None, False
-        elif self.drawing is not None:
-            if self._detail_is_stale:
-                self.drawing.show_detail(self._fewer)
-            if self._layers_are_stale:
-                self.drawing.show_layers(self._switched_off)
-            if self._stale or self._detail_is_stale or self._layers_are_stale:
+        if self._due & {"detail", "layers"}:
+            self._due.add("projection")  # these only tell how it is shown
+        for what, wanted in self._asked.items() if self.drawing is not None else ():
+            if what not in self._due:
+                continue
+            if what == "projection":
                 began = time.perf_counter()
                 self.drawing.show_projection(shown.projection, shown.illustration)
                 self._matrices_ms = 1e3 * (time.perf_counter() - began)
-            if self._view_is_stale:
-                self._look_from(self.drawing)
-            if self._probes_stale:
-                self.drawing.show_probes(self._probes)
-        if self._stage_is_stale and self.drawing is not None:
-            self._take_stage(self.drawing)
-        if self._step_is_stale and self.drawing is not None:
-            cast(SteppedDrawing, self.drawing).show_step(self._step)
-            self._step_is_stale = False
-        if self._fixed_is_stale and self.drawing is not None:
-            cast(FixedDrawing, self.drawing).show_fixed(self._fixed)
-            self._fixed_is_stale = False
-        if self._axes_are_stale and self.drawing is not None:
-            cast(PlacedDrawing, self.drawing).show_object_axes(self._has_object_axes)
-            self._axes_are_stale = False
-        if self._highlight_is_stale and self.drawing is not None:
-            self.drawing.show_highlight(self._highlight)
-        self._stale = self._probes_stale = self._highlight_is_stale = False
-        self._detail_is_stale = self._layers_are_stale = False
+            elif what == "view":
+                self.drawing.reset_view()
+                if wanted is not None:
+                    self.drawing.show_view(wanted)
+            else:
+                getattr(self.drawing, f"show_{what}")(wanted)
+        self._due.clear()
         self.request_repaint()
-
-    def _look_from(self, drawing: Drawing) -> None:
-        drawing.reset_view()
-        if self._view is not None:
-            drawing.show_view(self._view)
-        self._view_is_stale = False
-
-    def _take_stage(self, drawing: Drawing) -> None:
-        if self._stage is not None:
-            cast(StagedDrawing, drawing).show_stage(self._stage)
-        self._stage_is_stale = False
 
     def add_below(self, widget: QWidget) -> None:
         """Put a widget under the canvas: it is hidden, enlarged and floated with the pane."""
@@ -599,15 +519,13 @@ class Pane(QFrame):
 
     def add_to_header(self, widget: QWidget, narrow: QWidget) -> None:
         """Put a widget beside the title, and another one in its place where it has no room."""
-        layout = self.header.layout()
-        assert layout is not None
-        layout.addWidget(widget)
-        layout.addWidget(narrow)
+        self._title_bar.addWidget(widget)
+        self._title_bar.addWidget(narrow)
         self._beside_title = widget, narrow
 
     def add_tool(self, button: QToolButton) -> None:
         """Put a button before those at the end of the title row."""
-        cast(QHBoxLayout, self._tools.layout()).insertWidget(0, button)
+        self._tool_bar.insertWidget(0, button)
         self._fit_header()
 
     @property
@@ -641,13 +559,6 @@ class Pane(QFrame):
         if timed and self.canvas.is_open:
             self.request_repaint()
 
-    def set_detail(self, fewer: Scene | None) -> None:
-        """Draw the faces of a scene with fewer triangles, or None for all: now, or on appearing."""
-        if fewer is not self._fewer:
-            self._fewer, self._detail_is_stale = fewer, True
-            if self.isVisible():
-                self._refresh()
-
     @property
     def samples(self) -> int:
         """Of each pixel, by OpenGL's multisampling: fewer than asked for where it has no more."""
@@ -656,11 +567,13 @@ class Pane(QFrame):
         return int(self.canvas.render_window.GetMultiSamples())
 
     def _apply_smoothing(self) -> None:
-        window: Any = self.canvas.render_window
+        self._smooth(self.canvas.render_window)
+        self.canvas.draw_finer(SCALES.get(self._smoothing, 1.0))
+
+    def _smooth(self, window: Any) -> None:
         for renderer in window.GetRenderers():
             renderer.SetUseFXAA(self._smoothing == "FXAA")
         window.SetMultiSamples(multisamples(self._smoothing))
-        self.canvas.draw_finer(SCALES.get(self._smoothing, 1.0))
 
     def request_repaint(self) -> None:
         """Ask Qt for one repaint, however often it is asked before the next paint."""
@@ -702,13 +615,14 @@ class Pane(QFrame):
     def close_canvas(self) -> None:
         """Release VTK's hold; before the window's own close, or it outlives its GL context."""
         self.drawing = None
+        self.keep_ahead()
         self.canvas.close()
 
     def _view_moved(self) -> None:
         if self.drawing is not None:
             self.drawing.reset_clipping_range()
-            if self._fixed and not cast(FixedDrawing, self.drawing).fixed:
-                self._fixed = ""
+            if self._asked["fixed"] and not self.drawing.fixed:
+                self._asked["fixed"] = ""
                 self.fixed_left.emit()
         self.request_repaint()
 
@@ -725,8 +639,7 @@ class Pane(QFrame):
         """Leave the note what the title and the buttons leave of the width."""
         tools_px = 0 if self._tools.isHidden() else self._tools.sizeHint().width()
         room = max(0, self.width() - tools_px)
-        bar = self.header.layout()
-        assert bar is not None
+        bar = self._title_bar
         margins = bar.contentsMargins()
         taken = margins.left() + self.title.sizeHint().width() + bar.spacing() + margins.right()
         if self._beside_title is not None:

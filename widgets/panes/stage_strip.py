@@ -7,18 +7,11 @@ The strip knows positions and words, and no matrix: `Pane.show_stage` takes the 
 from __future__ import annotations
 
 import math
+from functools import partial
 
-from PySide6.QtCore import QEvent, QSize, Qt, Signal
+from PySide6.QtCore import QEvent, QSignalBlocker, QSize, Qt, Signal
 from PySide6.QtGui import QHideEvent, QKeyEvent, QMouseEvent, QResizeEvent
-from PySide6.QtWidgets import (
-    QGridLayout,
-    QHBoxLayout,
-    QSizePolicy,
-    QSlider,
-    QToolButton,
-    QVBoxLayout,
-    QWidget,
-)
+from PySide6.QtWidgets import QGridLayout, QSizePolicy, QSlider, QToolButton, QWidget
 
 from app.lecture.notation import in_letters
 from app.lecture.stages import (
@@ -31,11 +24,13 @@ from app.lecture.stages import (
     WORLD,
 )
 from app.model.projection import Projection
+from widgets.parts.buttons import tool_button
 from widgets.parts.clock import Clock, Playing
 from widgets.parts.escape import HeldSlider
-from widgets.parts.icons import show_icon
-from widgets.parts.lettering import lettering
+from widgets.parts.gestures import Gestures
+from widgets.parts.layouts import in_column, in_row
 from widgets.parts.panel import PROJECTION, Changed, Shown
+from widgets.parts.writing import lettering
 
 STEPS = 240
 """Slider steps from one stop to the next."""
@@ -74,7 +69,7 @@ class _StopsSlider(HeldSlider):
         super().mousePressEvent(event)
 
 
-class StageStrip(QWidget, Playing):
+class StageStrip(QWidget, Playing, Gestures):
     """One slider through all stages, a name under each stop, and play.
 
     It starts at NDC.
@@ -85,8 +80,6 @@ class StageStrip(QWidget, Playing):
     """The new position: 0 to 5, whole at `stages.STOPS`."""
     named = Signal(str, str)
     """What is shown there, and its axes and limits."""
-    gesture_started = Signal()
-    gesture_finished = Signal()
 
     def __init__(self) -> None:
         super().__init__()
@@ -115,9 +108,7 @@ class StageStrip(QWidget, Playing):
         self._clock = Clock(self)
         self._clock.ticked.connect(self.advance)
 
-        self.button = QToolButton()
-        self.button.setAutoRaise(True)
-        self.button.clicked.connect(self.toggle)
+        self.button = tool_button(act=self.toggle, flat=True)
         self.slider = _StopsSlider()
         self.slider.setAccessibleName(self.tr("Stage"))
         self.slider.setToolTip(
@@ -132,9 +123,7 @@ class StageStrip(QWidget, Playing):
         self.slider.abandoned.connect(lambda: self._stand_at(self._before))
         self.slider.sliderPressed.connect(self._pressed)
         self.slider.sliderReleased.connect(self.gesture_finished)
-        self.stops: list[QToolButton] = []
-        self._ends = QHBoxLayout()
-        self._ends.addWidget(self.slider)
+        self._ends = in_row(self.slider)
         self._below = QGridLayout()
         self._below.setSpacing(0)
         self._below.setContentsMargins(0, 0, 0, 0)
@@ -142,25 +131,16 @@ class StageStrip(QWidget, Playing):
             self._below.setColumnStretch(half, 1)
         self._rows = 0
         """Of names; two where one row has no room for their letters."""
-        for stop in range(len(STOPS)):
-            button = _Narrow()
-            button.setCheckable(True)
-            button.clicked.connect(lambda _checked=False, stop=stop: self.go_to(float(stop)))
-            self.stops.append(button)
+        self.stops = [_Narrow() for _ in STOPS]
+        for stop, button in enumerate(self.stops):
+            button.clicked.connect(partial(self.go_to, float(stop)))
         self._stagger(1)
-        self._columns = QVBoxLayout()
-        self._columns.setSpacing(0)
-        self._columns.addLayout(self._ends)
-        self._columns.addLayout(self._below)
-        layout = QHBoxLayout(self)
-        layout.setContentsMargins(4, 2, 4, 2)
-        layout.setSpacing(2)
-        layout.addWidget(self.button)
-        layout.addLayout(self._columns, 1)
+        self._columns = in_column(self._ends, self._below, gap=0)
+        in_row(self.button, (self._columns, 1), on=self, margins=(4, 2, 4, 2), gap=2)
         self.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Fixed)
         self._name_stops()
         self._show_playing()
-        self._check_stop()
+        self.stops[NDC].setChecked(True)
         lettering.changed.connect(self._say)
 
     # -- where it is
@@ -315,9 +295,8 @@ class StageStrip(QWidget, Playing):
     def _stand_at(self, position: float) -> None:
         """Played: between the slider's steps too."""
         self._at = position
-        self.slider.blockSignals(True)
-        self.slider.setValue(round(position * STEPS))
-        self.slider.blockSignals(False)
+        with QSignalBlocker(self.slider):
+            self.slider.setValue(round(position * STEPS))
         self._show_stop()
         self.moved.emit(position)
 
@@ -340,21 +319,15 @@ class StageStrip(QWidget, Playing):
         self.gesture_started.emit()
 
     def _show_stop(self) -> None:
-        self._check_stop()
-        self._say()
-
-    def _check_stop(self) -> None:
         for stop, button in enumerate(self.stops):
             button.setChecked(stop == self._at)
+        self._say()
 
     def _show_playing(self) -> None:
-        icon, word = ("pause", self.tr("Pause")) if self.playing else ("play", self.tr("Play"))
-        show_icon(self.button, icon)
-        self.button.setAccessibleName(self.tr("{0} the stages").format(word))
-        self.button.setToolTip(
-            self.tr("Stand still; playing again goes on from here.")
-            if self.playing
-            else self.tr("Run through all stages to the picture, resting at each.")
+        self._name_button(
+            self.tr("{0} the stages"),
+            self.tr("Run through all stages to the picture, resting at each."),
+            self.tr("Stand still; playing again goes on from here."),
         )
 
     def resizeEvent(self, event: QResizeEvent) -> None:
@@ -369,9 +342,8 @@ class StageStrip(QWidget, Playing):
     def _fit(self) -> None:
         # The slider's ends over the middles of the first and the last name.
         name_width = self._columns.geometry().width() // len(STOPS)
-        handle = self.slider.style().pixelMetric(
-            self.slider.style().PixelMetric.PM_SliderLength, None, self.slider
-        )
+        style = self.slider.style()
+        handle = style.pixelMetric(style.PixelMetric.PM_SliderLength, None, self.slider)
         margin = max(0, (name_width - handle) // 2)
         self._ends.setContentsMargins(margin, 0, margin, 0)
         self._fit_names(name_width)
@@ -415,8 +387,8 @@ class _Narrow(QToolButton):
     """A name that takes the width it is given."""
 
     def __init__(self) -> None:
-        super().__init__()
-        self.setAutoRaise(True)
+        super().__init__(autoRaise=True)
+        self.setCheckable(True)
         self.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
         self.setFocusPolicy(Qt.FocusPolicy.NoFocus)  # the slider's arrow keys reach them all
 

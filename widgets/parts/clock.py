@@ -4,7 +4,10 @@ from __future__ import annotations
 
 from abc import abstractmethod
 
-from PySide6.QtCore import QElapsedTimer, QObject, Qt, QTimer, Signal
+from PySide6.QtCore import QCoreApplication, QElapsedTimer, QObject, Qt, QTimer, Signal
+from PySide6.QtWidgets import QToolButton
+
+from widgets.parts.icons import show_icon
 
 FRAME_MS = 16
 """Least time between two frames."""
@@ -30,10 +33,8 @@ class Clock(QObject):
         super().__init__(parent)
         self.running = False
         self._watch = QElapsedTimer()
-        self._timer = QTimer(self)
-        self._timer.setSingleShot(True)
-        self._timer.setTimerType(Qt.TimerType.PreciseTimer)
-        self._timer.setInterval(FRAME_MS)
+        precise = Qt.TimerType.PreciseTimer
+        self._timer = QTimer(self, singleShot=True, interval=FRAME_MS, timerType=precise)
         self._timer.timeout.connect(self._frame)
 
     def start(self) -> None:
@@ -59,6 +60,18 @@ class Playing:
     """Who plays while its clock runs: it says what `play` and `pause` do besides."""
 
     _clock: Clock
+    button: QToolButton
+    """Plays and pauses."""
+
+    def _name_button(self, name: str, tip: str, tip_playing: str) -> str:
+        """Let the button say what a click would do, in the word that ``{0}`` of its name is for."""
+        word = QCoreApplication.translate("Playing", "Play")
+        if self.playing:
+            word = QCoreApplication.translate("Playing", "Pause")
+        show_icon(self.button, "pause" if self.playing else "play")
+        self.button.setAccessibleName(name.replace("{0}", word))
+        self.button.setToolTip(tip_playing if self.playing else tip)
+        return word
 
     @property
     def playing(self) -> bool:

@@ -1,6 +1,6 @@
 """A diagram beside the panes: frame, ticks, curves with their names beside them.
 
-It draws an `app.scenes.phenomena.illustration.Diagram`, which is data, with Qt's painter: as crisp
+It draws an `app.scenes.phenomena.diagram.Diagram`, which is data, with Qt's painter: as crisp
 as the screen is, and repainted only when there is something else to see. Colours are names of
 `Style`, as in the panes; a curve's name is on a plate of its colour, as there.
 """
@@ -42,7 +42,8 @@ from PySide6.QtWidgets import QSizePolicy, QToolTip, QWidget
 
 from app.drawings.label_placement import GAP_PX, beside, beside_curve
 from app.drawings.style import LIGHT, Style
-from app.scenes.phenomena.illustration import Curve, Diagram, Spot
+from app.scenes.phenomena.diagram import Curve, Diagram, Spot
+from widgets.parts.highlight import faded
 from widgets.parts.messages import figure_text, of_phenomena
 
 Floats = NDArray[np.float64]
@@ -234,8 +235,8 @@ class DiagramView(QWidget):
     def __init__(self) -> None:
         super().__init__()
         self._diagram: Diagram | None = None
-        self._names: dict[str, Floats] = {}
-        """Where the curves' names stand, so that they stay while there is room."""
+        self.names: dict[str, Floats] = {}
+        """Where the curves' names stand (left, top, right, bottom); they stay if they can."""
         self.spot_names: dict[str, QRectF] = {}
         """Where the spots' names stand."""
         self._style = LIGHT
@@ -527,11 +528,7 @@ class DiagramView(QWidget):
         return radius / self.devicePixelRatioF()
 
     def _paint_names(
-        self,
-        painter: QPainter,
-        frame: QRectF,
-        curves: Sequence[Curve],
-        along: Sequence[Floats],
+        self, painter: QPainter, frame: QRectF, curves: Sequence[Curve], along: Sequence[Floats]
     ) -> None:
         """Write each curve's name beside it, or in a list where there is no room for that."""
         font = self._small
@@ -554,16 +551,15 @@ class DiagramView(QWidget):
                 continue
             text = of_phenomena(curve.label)
             size = metrics.horizontalAdvance(text) + 2.0 * GAP_PX, metrics.height()
-            kept = self._names.get(curve.label)
+            kept = self.names.get(curve.label)
             place = beside_curve(bounds, places, half, size, taken, covered, kept)
-            self._names[curve.label] = place
+            self.names[curve.label] = place
             left, top, right, bottom = place.tolist()
             taken = np.vstack([taken, (left, top, right, bottom)])
             box = QRectF(left, top, right - left, bottom - top)
             # No sample of the curve: beside a diagram's points it would be one more.
             if curve.colour == "ink":
-                plate, ink = QColor(self._style.background), QColor(self._style.ink)
-                plate.setAlphaF(0.8)
+                plate, ink = faded(self._style.background, 0.8), QColor(self._style.ink)
             else:
                 plate = self._colour(curve.colour)
                 ink = QColor(self._style.text_on(plate.name()))
@@ -572,11 +568,7 @@ class DiagramView(QWidget):
             painter.drawText(box, Qt.AlignmentFlag.AlignCenter, text)
 
     def _paint_spots(
-        self,
-        painter: QPainter,
-        frame: QRectF,
-        diagram: Diagram,
-        along: Sequence[Floats],
+        self, painter: QPainter, frame: QRectF, diagram: Diagram, along: Sequence[Floats]
     ) -> None:
         """Draw the spots, and their names beside them, with a line to those farther away."""
         spots = diagram.spots
@@ -593,7 +585,7 @@ class DiagramView(QWidget):
         sizes[~shown, 0] = 0.0
         rings = np.array([1.5 * radius if spot.marked else 0.0 for spot in spots])
         gaps = radius + GAP_PX + rings
-        named = [self._names[curve.label] for curve in diagram.curves if curve.label]
+        named = [self.names[curve.label] for curve in diagram.curves if curve.label]
         taken = np.vstack([np.empty((0, 4)), *named])
         curves_px = np.concatenate([np.empty((0, 2)), *along])
         names = beside(np.nan_to_num(points), sizes, _bounds(frame), curves_px, gaps, taken)

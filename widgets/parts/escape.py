@@ -54,31 +54,22 @@ class HeldSlider(QSlider):
 
     def __init__(self) -> None:
         super().__init__(Qt.Orientation.Horizontal)
-        self._is_abandoned = False
-        self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
-
-    @property
-    def is_abandoned(self) -> bool:
+        self.is_abandoned = False
         """Whether what the hand does is none, until it lets go."""
-        return self._is_abandoned
+        self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
+        self._escape = EscapeKey(self)
+        self._escape.pressed.connect(self._abandon)
+        self.sliderPressed.connect(lambda: self._escape.watch(self))
 
-    def event(self, event: QEvent) -> bool:
-        if (
-            isinstance(event, QKeyEvent)
-            and event.key() == Qt.Key.Key_Escape
-            and self.isSliderDown()
-        ):
-            event.accept()
-            if event.type() == QEvent.Type.KeyPress:
-                self._is_abandoned = True
-                self.abandoned.emit()
-            return True
-        return super().event(event)
+    def _abandon(self) -> None:
+        self.is_abandoned = True
+        self.abandoned.emit()
 
     def mouseMoveEvent(self, event: QMouseEvent) -> None:
-        if not self._is_abandoned:
+        if not self.is_abandoned:
             super().mouseMoveEvent(event)
 
     def mouseReleaseEvent(self, event: QMouseEvent) -> None:
-        self._is_abandoned = False
+        self._escape.leave()
+        self.is_abandoned = False
         super().mouseReleaseEvent(event)

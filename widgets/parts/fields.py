@@ -53,33 +53,35 @@ from PySide6.QtWidgets import (
     QCheckBox,
     QComboBox,
     QGridLayout,
-    QHBoxLayout,
     QLabel,
     QLineEdit,
     QSizePolicy,
     QSlider,
     QStyle,
     QStyleOptionSlider,
-    QToolButton,
     QWidget,
 )
 
 from app.model.limits import DISTINCT
 from app.model.projection import AT_LEAST, AT_MOST, FINITE_NUMBER, LARGEST
 from app.model.refusal import Refusal
+from widgets.parts.buttons import tool_button
 from widgets.parts.combo import Combo
-from widgets.parts.digits import FEW, digits
 from widgets.parts.escape import HeldSlider
+from widgets.parts.gestures import Gestures
 from widgets.parts.highlight import paint_highlight
-from widgets.parts.icons import WarningLabel
+from widgets.parts.icons import RefusalLabel
+from widgets.parts.layouts import in_row
 from widgets.parts.messages import (
     A_NUMBER,
     A_NUMBER_LIKE,
     A_NUMBER_OR_INFINITY,
+    FEW,
     number_text,
     sentence,
 )
 from widgets.parts.note import Balanced
+from widgets.parts.writing import all_digits
 
 QUIET_MS = 500
 """Keys and wheel steps with less than this between them are one gesture."""
@@ -99,10 +101,6 @@ ALL_CHARACTERS = 18
 """Likewise where all digits are shown."""
 ONE_LINE_EM = 11
 """Heights of a line: a name and what is chosen stand on one line if they are not wider."""
-
-REFUSAL_SHEET = "QLabel { border: 0px; border-left: 3px solid #d55e00; padding: 1px 0 2px 5px; }"
-"""How a `refusal` looks in a `WarningLabel`: in the window's own text colour; the bar, sign and
-words mark it."""
 
 
 def refusal(sentence: str) -> str:
@@ -199,6 +197,18 @@ def _short_text(value: float, most: int) -> str:
 # --------------------------------------------------------------------------- slider scales
 
 
+class Stops(NamedTuple):
+    """How many of a slider's positions an arrow key, a page and a notch of the wheel go on by.
+
+    Without Shift a drag stops at whole multiples of `coarse`.
+    """
+
+    key: int
+    page: int
+    notch: int
+    coarse: int
+
+
 @dataclass(frozen=True)
 class Linear:
     """A slider in even steps; its values are decimal to the eye.
@@ -228,24 +238,9 @@ class Linear:
         return cls(centre - reach, centre + reach, float(f"{step:.1g}"))
 
     @property
-    def key(self) -> int:
-        """Positions that an arrow key goes on by."""
-        return self.parts
-
-    @property
-    def page(self) -> int:
-        """Positions that PageUp and PageDown go on by."""
-        return 10 * self.parts
-
-    @property
-    def notch(self) -> int:
-        """Positions that a notch of the wheel goes on by."""
-        return self.parts
-
-    @property
-    def coarse(self) -> int:
-        """A drag without Shift stops at whole multiples of so many positions."""
-        return self.parts
+    def stops(self) -> Stops:
+        """Where keys, the wheel and a drag stop."""
+        return Stops(self.parts, 10 * self.parts, self.parts, self.parts)
 
     @cached_property
     def _step(self) -> Fraction:
@@ -291,8 +286,7 @@ class Log:
     low: float
     high: float
     infinite: bool = False
-    key, page, notch, coarse = 40, 400, 10, 1
-    """As of `Linear`."""
+    stops = Stops(40, 400, 10, 1)
 
     @property
     def _first(self) -> float:
@@ -345,8 +339,8 @@ class Doubling:
 
     low: float
     high: float
-    key, page, notch, coarse = 1, 2, 1, 1
-    """As of `Linear`; a page doubles."""
+    stops = Stops(1, 2, 1, 1)
+    """A page doubles."""
     infinite = False
 
     @cached_property
@@ -397,24 +391,19 @@ class _Slider(HeldSlider):
     """A slider that goes slowly with Shift.
 
     It leaves the wheel to the column until it has the focus, or Ctrl is held.
-
-    Attributes
-    ----------
-    notch, coarse : int
-        As of `Linear`.
     """
 
     def __init__(self) -> None:
         super().__init__()
-        self.notch = self.coarse = 1
+        self.stops = Stops(1, 1, 1, 1)
         self._mouse_x = self._at = 0.0
         self._turned = 0
         self.setMinimumWidth(LEAST_SLIDER_PX)
         self.actionTriggered.connect(self._acted)
 
     def _go_to(self, position: float, *, fine: bool) -> None:
-        stops = 1 if fine else self.coarse
-        self.setSliderPosition(round(position / stops) * stops)
+        step = 1 if fine else self.stops.coarse
+        self.setSliderPosition(round(position / step) * step)
 
     def _acted(self, action: int) -> None:
         """Let keys stop where a drag does; the value follows after this."""
@@ -450,7 +439,7 @@ class _Slider(HeldSlider):
         self._turned -= notches * _NOTCH
         if notches:
             is_fine = bool(event.modifiers() & Qt.KeyboardModifier.ShiftModifier)
-            self._go_to(self.value() + notches * (1 if is_fine else self.notch), fine=is_fine)
+            self._go_to(self.value() + notches * (1 if is_fine else self.stops.notch), fine=is_fine)
         event.accept()
 
 
@@ -585,7 +574,7 @@ class ShortField(NumberField):
         self.characters = FIELD_CHARACTERS
         """Of a number that has room, without its sign; set by the owner."""
         self._whole = False
-        digits.changed.connect(self._resize)
+        all_digits.changed.connect(self._resize)
 
     def show_number(self, number: float | None) -> None:
         self._whole = self._whole and number == self._number
@@ -596,7 +585,7 @@ class ShortField(NumberField):
         super().take_back()
 
     def _text_of(self, number: float) -> str:
-        if self._whole or digits.all:
+        if self._whole or all_digits.now:
             return number_text(number)
         return short_text(number, self.below, FEW)
 
@@ -628,7 +617,7 @@ class ShortField(NumberField):
 
     def minimumSizeHint(self) -> QSize:
         hint, metrics = super().minimumSizeHint(), self.fontMetrics()
-        characters = ALL_CHARACTERS if digits.all else self.characters
+        characters = ALL_CHARACTERS if all_digits.now else self.characters
         widest = metrics.horizontalAdvance("-" + "0" * characters)
         frame = hint.width() - metrics.maxWidth()  # Qt's least width is one widest letter
         return QSize(widest + frame + 2 * INSIDE_FIELD_PX + 1, hint.height())  # 1: the cursor
@@ -656,7 +645,7 @@ QToolButton:hover, QToolButton:focus { border-color: palette(text); }
 # --------------------------------------------------------------------------- rows
 
 
-class Row(QWidget):
+class Row(QWidget, Gestures):
     """What number and choice rows share: name, reset, error line, gestures.
 
     Parameters
@@ -669,10 +658,6 @@ class Row(QWidget):
 
     edited = Signal(object)
     """The user chose this value."""
-    gesture_started = Signal()
-    gesture_finished = Signal()
-    gesture_abandoned = Signal()
-    """Esc: what the gesture, which ends now, has changed shall be put back."""
     highlighted = Signal(bool)
     """The mouse has come over the row or the keyboard into it, or neither is there any more."""
 
@@ -680,10 +665,13 @@ class Row(QWidget):
         super().__init__()
         self.name = name
         self._drawn_by: set[str] = set()  # what highlights the row: mouse, keyboard
-        self._marked = False
+        self.is_marked = False
+        """Whether the row shows that it is about what is highlighted."""
+        self.error = ""
+        """The sentence shown below the row, or nothing."""
         self._value: Any = None
         self._default: Any = None
-        self._error: WarningLabel | None = None
+        self._error: RefusalLabel | None = None
         self._refused = False
         self.tip = tip
         how_to_reset = self.tr("Double-click the name to reset it.")
@@ -733,11 +721,6 @@ class Row(QWidget):
             self._make_edit(self._default)
 
     @property
-    def error(self) -> str:
-        """The sentence shown below the row, or nothing."""
-        return "" if self._error is None else self._error.text()
-
-    @property
     def at_rest(self) -> bool:
         """Whether the row shows its value, and nothing that was refused or is being chosen."""
         return True
@@ -754,21 +737,17 @@ class Row(QWidget):
 
     def _show_refusal(self, text: str) -> None:
         if self._error is None:
-            self._error = WarningLabel()
-            self._error.setObjectName("rowError")
-            self._error.setStyleSheet(REFUSAL_SHEET)
+            self._error = RefusalLabel()
             self._grid.addWidget(self._error, 2, 0, 1, self._grid.columnCount())
-        self._error.setText(text)
-        self._error.show()
-        self._describe(self._error.text())
+        self._error.say(text)
+        self.error = text
+        self._describe(text)
 
     def clear_error(self) -> None:
         """Take the error away, and the refused text with it."""
-        if self._error is not None:
-            self._grid.removeWidget(self._error)
-            self._error.hide()
-            self._error.deleteLater()
-            self._error = None
+        if self._error is not None and self.error:
+            self._error.say("")
+            self.error = ""
             self._describe("")
             self._show_value()
 
@@ -807,22 +786,17 @@ class Row(QWidget):
             part.setAccessibleDescription(error or tip)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
-        if event.key() == Qt.Key.Key_Escape and self._error is not None:
+        if event.key() == Qt.Key.Key_Escape and self.error:
             self.clear_error()
         else:
             super().keyPressEvent(event)
 
     # -- highlight
 
-    @property
-    def is_marked(self) -> bool:
-        """Whether the row shows that it is about what is highlighted."""
-        return self._marked
-
     def set_marked(self, marked: bool) -> None:
         """Tint the row, or no more."""
-        if marked != self._marked:
-            self._marked = marked
+        if marked != self.is_marked:
+            self.is_marked = marked
             self.update()
 
     def _draw(self, by: str, drawn: bool) -> None:
@@ -833,7 +807,7 @@ class Row(QWidget):
 
     def paintEvent(self, event: QPaintEvent) -> None:
         super().paintEvent(event)
-        if self._marked:
+        if self.is_marked:
             painter = QPainter(self)
             paint_highlight(self, painter, QRectF(self.rect()))
             painter.end()
@@ -875,7 +849,7 @@ class _TypedRow(Row):
     def _numbers(self) -> tuple[float, ...]:
         """The value, a number for each field."""
 
-    def _show_numbers(self) -> None:
+    def _show_value(self) -> None:
         for field, number in zip(self.fields, self._numbers, strict=True):
             field.show_number(number)
 
@@ -901,7 +875,7 @@ class _TypedRow(Row):
         field.take_back()
         if value != self._value:
             self._make_edit(value)
-        if self._error is not None:
+        if self.error:
             field.refuse(text)
         else:
             self._show_value()
@@ -910,7 +884,7 @@ class _TypedRow(Row):
         """Go back to the default, as the user's own edit; texts being typed are forgotten."""
         self._take_back()
         super().reset()
-        self._show_numbers()
+        self._show_value()
 
     def _take_back(self) -> None:
         for field in self.fields:
@@ -927,7 +901,7 @@ class _TypedRow(Row):
         if event.key() == Qt.Key.Key_Escape and (self.error or typing):
             self._take_back()
             self.clear_error()
-            self._show_numbers()
+            self._show_value()
         else:
             super().keyPressEvent(event)
 
@@ -960,15 +934,11 @@ class NumberRow(_TypedRow):
     """
 
     def __init__(
-        self,
-        name: str,
-        tip: str,
-        scale: Scale,
-        unit: str = "",
-        unit_tip: str = "",
+        self, name: str, tip: str, scale: Scale, unit: str = "", unit_tip: str = ""
     ) -> None:
         super().__init__(name, tip)
-        self._scale = scale
+        self.scale = scale
+        """What the slider's positions stand for."""
         self._value: float = scale.value_at(0)
         self.limits: Callable[[], str] = str
         """Says what holds for any number here, for whoever typed none; set by the owner."""
@@ -991,9 +961,7 @@ class NumberRow(_TypedRow):
         self._grid.addWidget(self.unit_label, 0, 3)
         self._grid.addWidget(self.slider, 1, 0, 1, 4)
         self._fit_unit()
-        self._quiet = QTimer(self)
-        self._quiet.setSingleShot(True)
-        self._quiet.setInterval(QUIET_MS)
+        self._quiet = QTimer(self, singleShot=True, interval=QUIET_MS)
         self._quiet.timeout.connect(self.finish_gesture)
         self.slider.valueChanged.connect(self._slid)
         self.slider.sliderPressed.connect(self._pressed)
@@ -1021,18 +989,13 @@ class NumberRow(_TypedRow):
 
     def setScale(self, scale: Scale) -> None:
         """Give the slider other ends and steps."""
-        self._scale = scale
-        self.slider.notch, self.slider.coarse = scale.notch, scale.coarse
+        self.scale = scale
+        self.slider.stops = scale.stops
         with QSignalBlocker(self.slider):
             self.slider.setRange(0, scale.last)
-            self.slider.setSingleStep(scale.key)
-            self.slider.setPageStep(scale.page)
+            self.slider.setSingleStep(scale.stops.key)
+            self.slider.setPageStep(scale.stops.page)
         self._show_value()
-
-    @property
-    def scale(self) -> Scale:
-        """What the slider's positions stand for."""
-        return self._scale
 
     def put_beside(self, widget: QWidget) -> None:
         """Put something between the name and the field."""
@@ -1067,7 +1030,7 @@ class NumberRow(_TypedRow):
             self.gesture_finished.emit()
 
     def _slid(self, position: int) -> None:
-        value = self._scale.value_at(position)
+        value = self.scale.value_at(position)
         self._begin()
         if not self.slider.isSliderDown():
             self._quiet.start()
@@ -1083,11 +1046,11 @@ class NumberRow(_TypedRow):
         What was said of the refused value stays: that is where the hand is.
         """
         said = self.error
-        held = self._scale.position_of(self._value)
+        held = self.scale.position_of(self._value)
         step = 1 if refused > held else -1
         trial = held + step  # first: a hand that stays beyond costs one trial each time it moves
         while abs(refused - held) > 1:
-            if self._attempt(self._scale.value_at(trial)):
+            if self._attempt(self.scale.value_at(trial)):
                 held = trial
             else:
                 refused = trial
@@ -1098,7 +1061,7 @@ class NumberRow(_TypedRow):
         self._show_refusal(said)
 
     def _read(self, _field: ShortField) -> float:
-        return self.field.read(self._scale.infinite)
+        return self.field.read(self.scale.infinite)
 
     def _why(self, error: Refusal) -> str:
         limits = self.limits() if error.bound in (A_NUMBER, A_NUMBER_OR_INFINITY) else ""
@@ -1145,8 +1108,8 @@ class NumberRow(_TypedRow):
     def _show_value(self) -> None:
         if not self._open:
             with QSignalBlocker(self.slider):
-                self.slider.setValue(self._scale.position_of(self._value))
-            self._show_numbers()
+                self.slider.setValue(self.scale.position_of(self._value))
+            super()._show_value()
             if self.slider.hasFocus():
                 self._say_value()
 
@@ -1234,28 +1197,18 @@ class ChoiceRow(Row):
         return combo
 
     def _make_buttons(self, choices: Sequence[Choice]) -> list[QWidget]:
-        line = QHBoxLayout()
-        line.setSpacing(2)
         made: list[QWidget] = []
         for index, choice in enumerate(choices):
-            button = QToolButton()
-            button.setText(choice.text)
-            button.setCheckable(True)
-            button.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
+            name = f"{self.name}: {choice.text}"
+            button = tool_button(choice.text, name=name, checkable=True, by_click=True)
             button.setStyleSheet(_BUTTONS)
             button.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
-            button.setAccessibleName(f"{self.name}: {choice.text}")
             self._tell(button, f"{choice.tip} {self._tip}".strip())
             self._group.addButton(button, index)
-            line.addWidget(button)
             made.append(button)
         self._group.idClicked.connect(self._chosen)
-        self._grid.addLayout(line, 0, 1)
+        self._grid.addLayout(in_row(*made, gap=2), 0, 1)
         return made
-
-    def choose(self, key: str) -> None:
-        """Choose as the user does."""
-        self._chosen(self.keys.index(key))
 
     def _chosen(self, index: int) -> None:
         key = self.keys[index]
@@ -1296,20 +1249,16 @@ class VectorRow(_TypedRow):
             field.characters = VECTOR_CHARACTERS
             label = QLabel(letter)
             label.setForegroundRole(QPalette.ColorRole.PlaceholderText)
-            part = QHBoxLayout()
-            part.setSpacing(3)
-            part.addWidget(label)
-            part.addWidget(field, 1)
-            self._line.addLayout(part, 1)
+            self._line.addLayout(in_row(label, (field, 1), gap=3), 1)
         self._grid.addLayout(self._line, 1, 0, 1, 4)
-        digits.changed.connect(self._turn)
+        all_digits.changed.connect(self._turn)
         self._turn()
         self._show_value()
 
     def _turn(self) -> None:
         """Put the fields below each other where all digits are shown."""
-        directions = QBoxLayout.Direction
-        self._line.setDirection(directions.TopToBottom if digits.all else directions.LeftToRight)
+        ways = QBoxLayout.Direction
+        self._line.setDirection(ways.TopToBottom if all_digits.now else ways.LeftToRight)
 
     def _read(self, field: ShortField) -> tuple[float, ...]:
         number = field.read()
@@ -1321,9 +1270,6 @@ class VectorRow(_TypedRow):
     @property
     def _numbers(self) -> tuple[float, ...]:
         return self._value
-
-    def _show_value(self) -> None:
-        self._show_numbers()
 
 
 class CheckRow(Row):
@@ -1341,3 +1287,21 @@ class CheckRow(Row):
 
     def _show_value(self) -> None:
         self.box.setChecked(self._value)
+
+
+class RowHolder(Gestures):
+    """Holds rows, of which one at a time is in a gesture: its own gestures."""
+
+    rows: dict[str, Row]
+
+    def _join(self, row: Row) -> None:
+        """Tell of a row's gestures."""
+        row.gesture_started.connect(partial(self._begin_with, row))
+        row.gesture_finished.connect(self.gesture_finished)
+        row.gesture_abandoned.connect(self.gesture_abandoned)
+
+    def _begin_with(self, row: Row) -> None:
+        for other in self.rows.values():
+            if other is not row:
+                other.finish_gesture()  # a burst of keys elsewhere that has not gone quiet yet
+        self.gesture_started.emit()

@@ -46,12 +46,17 @@ class Highlighter(QObject):
             self.changed.emit(now)
 
 
+def faded(colour: QColor | str, opacity: float) -> QColor:
+    """A colour that lets through what is under it."""
+    found = QColor(colour)
+    found.setAlphaF(opacity)
+    return found
+
+
 def paint_highlight(widget: QWidget, painter: QPainter, rect: QRectF) -> None:
     """Tint and frame a part of a widget that shows what is highlighted."""
     colour = widget.palette().highlight().color()
-    tint = QColor(colour)
-    tint.setAlphaF(0.2)
-    painter.fillRect(rect, tint)
+    painter.fillRect(rect, faded(colour, 0.2))
     painter.setPen(QPen(colour, 1.0))
     painter.drawRect(rect.adjusted(0.5, 0.5, -0.5, -0.5))
 

@@ -23,6 +23,7 @@ from PySide6.QtWidgets import QAbstractButton, QApplication, QLabel
 
 SIGN = 1.25
 """Room of a warning sign and what is free behind it, in heights of a line."""
+REFUSAL_SHEET = "QLabel { border: 0px; border-left: 3px solid #d55e00; padding: 1px 0 2px 5px; }"
 
 _PATHS = {
     "back": "M15 18l-6-6 6-6",
@@ -123,6 +124,25 @@ class WarningLabel(QLabel):
             painter = QPainter(self)
             paint_icon(painter, QRect(room.left(), room.top(), side, side), "warning")
             painter.end()
+
+
+class RefusalLabel(WarningLabel):
+    """A line that is there while there is something to say of what is not possible.
+
+    In the window's own text colour; the bar, sign and words mark it.
+    """
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.setObjectName("rowError")
+        self.setStyleSheet(REFUSAL_SHEET)
+        self.hide()
+
+    def say(self, text: str) -> None:
+        """Say this, or nothing."""
+        if text != self.text():  # or it would be seen again where it was hidden
+            self.setText(text)
+            self.setVisible(bool(text))
 
 
 def fit(owner: QObject) -> None:

@@ -7,6 +7,7 @@ holds.
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from functools import lru_cache
 from typing import Any, cast
 
@@ -26,7 +27,7 @@ from PySide6.QtGui import (
     QTextFormat,
     QWheelEvent,
 )
-from PySide6.QtWidgets import QFrame, QSizePolicy, QTextEdit, QWidget
+from PySide6.QtWidgets import QFrame, QSizePolicy, QTextEdit
 
 from app.lessons.text import FORMULA, Outline, html_of, outline, plain_of
 
@@ -123,19 +124,16 @@ def _path(tex: str) -> QPainterPath:
     path.setFillRule(Qt.FillRule.WindingFill)
     points = [(float(x), -float(y)) for x, y in found.vertices]
     codes = [int(code) for code in found.codes]
+    draw: dict[int, Callable[..., None]]
+    draw = {1: path.moveTo, 2: path.lineTo, 3: path.quadTo, 4: path.cubicTo}
     while place < len(codes):
-        code, (x, y) = codes[place], points[place]
-        if code == 1:
-            path.moveTo(x, y)
-        elif code == 2:
-            path.lineTo(x, y)
-        elif code == 3:
-            path.quadTo(x, y, *points[place + 1])
-        elif code == 4:
-            path.cubicTo(x, y, *points[place + 1], *points[place + 2])
+        code = codes[place]
+        count = {3: 2, 4: 3}.get(code, 1)  # points of a curve
+        if code in draw:
+            draw[code](*(x for point in points[place : place + count] for x in point))
         else:
             path.closeSubpath()
-        place += code if code in (3, 4) and code == 4 else 2 if code == 3 else 1
+        place += count
     return path
 
 
@@ -193,8 +191,8 @@ class LessonText(QTextEdit):
         Whether it is a step's title.
     """
 
-    def __init__(self, text: str = "", *, title: bool = False, parent: QWidget | None = None):
-        super().__init__(parent)
+    def __init__(self, text: str, *, title: bool = False) -> None:
+        super().__init__()
         self._text, self._is_title = "", title
         self._heights: dict[int, int] = {}
         """By widths: a layout asks often."""
@@ -209,11 +207,6 @@ class LessonText(QTextEdit):
         policy.setHeightForWidth(True)
         self.setSizePolicy(policy)
         self.say(text)
-
-    @property
-    def text(self) -> str:
-        """The Markdown that is read."""
-        return self._text
 
     def say(self, text: str) -> None:
         """Show another text."""

@@ -3,13 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import partial
 from typing import TypeAlias
 
 from PySide6.QtCore import QEvent, Qt
 from PySide6.QtGui import QAccessible, QAccessibleAnnouncementEvent, QKeyEvent
-from PySide6.QtWidgets import QFrame, QHBoxLayout, QPushButton, QToolButton, QWidget
+from PySide6.QtWidgets import QFrame, QPushButton, QWidget
 
-from widgets.parts.icons import WarningLabel, show_icon
+from widgets.parts.buttons import push_button, tool_button
+from widgets.parts.icons import WarningLabel
+from widgets.parts.layouts import in_row
 from widgets.parts.messages import breakable
 
 Choice: TypeAlias = tuple[str, Callable[[], object]]
@@ -32,16 +35,9 @@ class MessageBar(QFrame):
         self._said = ""
         self._choices: list[QPushButton] = []
         self._offer: tuple[str, tuple[Choice, ...]] | None = None
-        self._close = QToolButton()
-        show_icon(self._close, "close")
-        self._close.setAutoRaise(True)
-        self._close.setAccessibleName(self.tr("Dismiss this message"))
-        self._close.setToolTip(self.tr("Dismiss this message"))
-        self._close.clicked.connect(self._dismiss)
-        layout = QHBoxLayout(self)
-        layout.setContentsMargins(10, 4, 4, 4)
-        layout.addWidget(self._text, 1)
-        layout.addWidget(self._close)
+        tip = self.tr("Dismiss this message")
+        self._close = tool_button("", tip, self._dismiss, icon="close", name=tip, flat=True)
+        self._line = in_row((self._text, 1), self._close, on=self, margins=(10, 4, 4, 4))
         self.hide()
 
     @property
@@ -68,12 +64,9 @@ class MessageBar(QFrame):
         self._said = sentence
         self._text.setText(breakable(sentence))
         for label, act in choices:
-            button = QPushButton(label)
-            button.clicked.connect(self._dismiss)
-            button.clicked.connect(lambda _checked=False, act=act: act())
-            layout = self.layout()
-            assert isinstance(layout, QHBoxLayout)
-            layout.insertWidget(layout.count() - 1, button)
+            button = push_button(label, act=self._dismiss)
+            button.clicked.connect(partial(act))
+            self._line.insertWidget(self._line.count() - 1, button)
             self._choices.append(button)
         self.show()
         if is_news:  # or a screen reader would not notice, far from where the focus is

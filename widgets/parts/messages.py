@@ -25,7 +25,7 @@ from app.model.limits import (
     THREE_NUMBERS,
 )
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal, format_value
-from widgets.parts.lettering import lettering
+from widgets.parts.writing import all_digits, lettering
 
 SPACES = {
     "object": QT_TRANSLATE_NOOP("Space", "object"),
@@ -56,6 +56,10 @@ FACTORS = {
 A_NUMBER = QT_TRANSLATE_NOOP("Refusal", "must be a number, such as 0.5 or 2e-3")
 A_NUMBER_LIKE = QT_TRANSLATE_NOOP("Refusal", "must be a number, such as {0}")
 A_NUMBER_OR_INFINITY = QT_TRANSLATE_NOOP("Refusal", "must be a number, or inf for ∞")
+
+
+FEW = 4
+"""Significant digits of a number that is read."""
 
 
 def breakable(text: str, longest: int = 40) -> str:
@@ -120,6 +124,11 @@ def figure_text(value: float, digits: int = 6) -> str:
     power = "10" + str(int(exponent)).translate(str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹"))
     text = power if factor in ("1", "-1") else f"{factor.lstrip('-')}·{power}"
     return f"−{text}" if value < 0.0 else text
+
+
+def read_text(value: float) -> str:
+    """A number that is read: four digits of it, or all of them."""
+    return number_text(value) if all_digits.now else figure_text(value, FEW)
 
 
 def of_phenomena(text: str) -> str:

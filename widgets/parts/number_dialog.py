@@ -6,12 +6,13 @@ a mark between thousands: 33.5 typed would be 335.
 
 from __future__ import annotations
 
-from PySide6.QtWidgets import QDialog, QDialogButtonBox, QLabel, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QDialog, QDialogButtonBox, QLabel, QWidget
 
 from app.model.limits import within
 from app.model.refusal import Refusal
-from widgets.parts.fields import REFUSAL_SHEET, NumberField, refusal
-from widgets.parts.icons import WarningLabel
+from widgets.parts.fields import NumberField, refusal
+from widgets.parts.icons import RefusalLabel
+from widgets.parts.layouts import in_column
 from widgets.parts.messages import sentence
 
 
@@ -44,24 +45,19 @@ class NumberDialog(QDialog):
         """The number taken last: that in hand, until another one is accepted."""
         self._name, self._low, self._high = name, low, high
         self.setWindowTitle(name)
-        asked = QLabel(question)
-        asked.setWordWrap(True)
+        asked = QLabel(question, wordWrap=True)
         self.field = NumberField(name, unit)
         self.field.show_number(value)
         self.field.setAccessibleName(f"{name} ({unit})")
         self.field.selectAll()
         asked.setBuddy(self.field)
-        self.problem = WarningLabel()
-        self.problem.setStyleSheet(REFUSAL_SHEET)
-        self.problem.hide()
+        self.problem = RefusalLabel()
         self.buttons = QDialogButtonBox(
             QDialogButtonBox.StandardButton.Ok | QDialogButtonBox.StandardButton.Cancel
         )
         self.buttons.accepted.connect(self.accept)
         self.buttons.rejected.connect(self.reject)
-        layout = QVBoxLayout(self)
-        for widget in (asked, self.field, self.problem, self.buttons):
-            layout.addWidget(widget)
+        in_column(asked, self.field, self.problem, self.buttons, on=self)
 
     def accept(self) -> None:
         """Take the number and close; or say what is wrong with it, and stay."""
@@ -69,8 +65,7 @@ class NumberDialog(QDialog):
             self.number = within(self._name, self.field.read(), self._low, self._high)
         except Refusal as error:
             said = refusal(sentence(error))
-            self.problem.setText(said)
-            self.problem.show()
+            self.problem.say(said)
             self.adjustSize()  # or the window keeps its height, and the texts are cut
             self.field.setAccessibleDescription(said)
             self.field.setFocus()

@@ -7,49 +7,59 @@ from PySide6.QtGui import QColor, QFont, QFontInfo, QPalette
 from PySide6.QtWidgets import QApplication
 
 from app.drawings.style import DARK, LIGHT, Style
+from widgets.parts.highlight import faded
 
 SHARE_OF_SCREEN = 0.0225
 """Of a screen's height, for an em of what a class shall read from the back row."""
 
-_COLOURS = (  # role, light, dark
-    (QPalette.ColorRole.Window, "#f4f4f2", "#222426"),
-    (QPalette.ColorRole.WindowText, "#1a1a1a", "#ececec"),
-    (QPalette.ColorRole.Base, "#ffffff", "#2c2f31"),
-    (QPalette.ColorRole.AlternateBase, "#f0f0ee", "#26282a"),
-    (QPalette.ColorRole.Text, "#1a1a1a", "#ececec"),
-    (QPalette.ColorRole.Button, "#e9e9e6", "#34373a"),
-    (QPalette.ColorRole.ButtonText, "#1a1a1a", "#ececec"),
-    (QPalette.ColorRole.BrightText, "#ffffff", "#ffffff"),
-    (QPalette.ColorRole.Highlight, "#0072b2", "#3a93cc"),
-    (QPalette.ColorRole.HighlightedText, "#ffffff", "#101010"),
-    (QPalette.ColorRole.ToolTipBase, "#ffffff", "#34373a"),
-    (QPalette.ColorRole.ToolTipText, "#1a1a1a", "#ececec"),
-    (QPalette.ColorRole.PlaceholderText, "#6a6a6a", "#9a9a9a"),
-    (QPalette.ColorRole.Link, "#00609a", "#56b4e9"),
-    (QPalette.ColorRole.Mid, "#c4c4c0", "#4a4d50"),
-    (QPalette.ColorRole.Dark, "#a0a09c", "#17181a"),
-    (QPalette.ColorRole.Light, "#ffffff", "#43474a"),
-)
+_COLOURS = {  # role of the palette: light, dark
+    "Window": ("#f4f4f2", "#222426"),
+    "WindowText": ("#1a1a1a", "#ececec"),
+    "Base": ("#ffffff", "#2c2f31"),
+    "AlternateBase": ("#f0f0ee", "#26282a"),
+    "Text": ("#1a1a1a", "#ececec"),
+    "Button": ("#e9e9e6", "#34373a"),
+    "ButtonText": ("#1a1a1a", "#ececec"),
+    "BrightText": ("#ffffff", "#ffffff"),
+    "Highlight": ("#0072b2", "#3a93cc"),
+    "HighlightedText": ("#ffffff", "#101010"),
+    "ToolTipBase": ("#ffffff", "#34373a"),
+    "ToolTipText": ("#1a1a1a", "#ececec"),
+    "PlaceholderText": ("#6a6a6a", "#9a9a9a"),
+    "Link": ("#00609a", "#56b4e9"),
+    "Mid": ("#c4c4c0", "#4a4d50"),
+    "Dark": ("#a0a09c", "#17181a"),
+    "Light": ("#ffffff", "#43474a"),
+}
+_OF_SHEET = {  # what the style sheet has besides: light, dark
+    "bar": ("#fff4d6", "#4a3c10"),
+    "edge_of_bar": ("#d8b860", "#7a6420"),
+    "frame": ("#888884", "#74777a"),
+    "muted": ("#585858", "#b4b4b4"),
+    "near": (LIGHT.near, DARK.near),
+    "far": (LIGHT.far, DARK.far),
+}
 
 _STYLE_SHEET = """
 #paneTitle {{ font-weight: 600; }}
-#paneTitle[reached="true"] {{ color: {on_accent}; background: {accent}; border-radius: 3px; }}
+#paneTitle[reached="true"] {{ color: {HighlightedText}; background: {Highlight};
+    border-radius: 3px; }}
 #cardTitle {{ font-size: {large:.0f}px; font-weight: 600; }}
-#startCard {{ background: {veil}; }}
-#card {{ background: {window}; border: 1px solid {line}; border-radius: 6px; }}
-#lesson {{ border: 1px solid {line}; border-radius: 4px; }}
-#asked {{ background: {base}; border: 1px solid {line}; border-left: 3px solid {accent};
+#startCard {{ background: rgba(0, 0, 0, 110); }}
+#card {{ background: {Window}; border: 1px solid {Mid}; border-radius: 6px; }}
+#lesson {{ border: 1px solid {Mid}; border-radius: 4px; }}
+#asked {{ background: {ToolTipBase}; border: 1px solid {Mid}; border-left: 3px solid {Highlight};
     border-radius: 4px; }}
-#notice {{ background: {bar}; border: 1px solid {edge}; border-radius: 4px; padding: 4px; }}
-#stepMarks QToolButton {{ border: 1px solid {line}; border-radius: 4px; padding: 2px 6px; }}
-#stepMarks QToolButton:hover {{ background: {line}; }}
-#stepMarks QToolButton:checked {{ color: {on_accent}; background: {accent}; }}
+#notice {{ background: {bar}; border: 1px solid {edge_of_bar}; border-radius: 4px; padding: 4px; }}
+#stepMarks QToolButton {{ border: 1px solid {Mid}; border-radius: 4px; padding: 2px 6px; }}
+#stepMarks QToolButton:hover {{ background: {Mid}; }}
+#stepMarks QToolButton:checked {{ color: {HighlightedText}; background: {Highlight}; }}
 QPushButton#nextStep {{ font-weight: 600; }}
 #paneNote {{ color: {muted}; }}
 #quietTitle {{ color: {muted}; font-weight: 600; }}
-#messageBar {{ background: {bar}; border: 1px solid {edge}; border-radius: 4px; }}
+#messageBar {{ background: {bar}; border: 1px solid {edge_of_bar}; border-radius: 4px; }}
 QDialogButtonBox {{ dialogbuttonbox-buttons-have-icons: 0; }}
-QToolTip {{ color: {text}; background: {base}; border: 1px solid {edge}; }}
+QToolTip {{ color: {Text}; background: {ToolTipBase}; border: 1px solid {edge_of_bar}; }}
 QToolBar {{ spacing: 2px; padding: 3px; }}
 #stages QToolButton, #fixedViews QToolButton, #drawerNames QToolButton {{
     border: 0px; border-radius: 4px; padding: 4px 6px; }}
@@ -57,11 +67,11 @@ QToolBar {{ spacing: 2px; padding: 3px; }}
 #fixedViews QToolButton {{ padding: 2px 6px; }}
 #fixedViewsMenu::menu-indicator {{ image: none; }}
 #stages QToolButton:hover, #fixedViews QToolButton:hover, #drawerNames QToolButton:hover {{
-    background: {line}; }}
+    background: {Mid}; }}
 #stages QToolButton:checked, #fixedViews QToolButton:checked, #drawerNames QToolButton:checked {{
-    color: {on_accent}; background: {accent}; }}
-QToolBar QToolButton#presentButton {{ color: {on_accent}; background: {accent}; border: 0px;
-    border-radius: 4px; padding: 4px 8px; }}
+    color: {HighlightedText}; background: {Highlight}; }}
+QToolBar QToolButton#presentButton {{ color: {HighlightedText}; background: {Highlight};
+    border: 0px; border-radius: 4px; padding: 4px 8px; }}
 """
 
 
@@ -74,13 +84,13 @@ QSlider::sub-page:horizontal {{ height: {groove:.0f}px; border-radius: {half_gro
 #near::sub-page:horizontal {{ background: {near}; }}
 #far::sub-page:horizontal {{ background: {far}; }}
 QSlider::handle:horizontal {{ width: {thumb:.0f}px; margin: -{beside:.0f}px 0px;
-    border: {edge:.0f}px solid {edge_of_thumb}; border-radius: {round:.0f}px;
-    background: {base_of_thumb}; }}
-QSlider::handle:horizontal:focus {{ border-color: {accent}; }}
+    border: {edge:.0f}px solid {muted}; border-radius: {round:.0f}px;
+    background: {ToolTipBase}; }}
+QSlider::handle:horizontal:focus {{ border-color: {Highlight}; }}
 QLineEdit, QComboBox {{ border: {edge:.0f}px solid {frame}; border-radius: {round:.0f}px;
     background: palette(base); padding: {edge:.0f}px; }}
 QComboBox {{ padding: {edge:.0f}px {beside:.0f}px; }}
-QLineEdit:focus, QComboBox:focus {{ border-color: {accent}; }}
+QLineEdit:focus, QComboBox:focus {{ border-color: {Highlight}; }}
 QComboBox::drop-down {{ border: 0px; width: {arrow:.0f}px; }}
 QComboBox::down-arrow {{ image: none; }}
 """
@@ -132,18 +142,13 @@ def apply(application: QApplication, *, dark: bool, screen_px: float) -> None:
     worn = application.property("frustumLabDress")
     if worn == [dark, screen_px, application.font().toString(), application.styleSheet()]:
         return  # Qt would style every widget there is anew
+    colours = {name: both[dark] for name, both in (_COLOURS | _OF_SHEET).items()}
     palette = QPalette()
-    for role, light_colour, dark_colour in _COLOURS:
-        colour = QColor(dark_colour if dark else light_colour)
-        palette.setColor(role, colour)
-        if role in (
-            QPalette.ColorRole.WindowText,
-            QPalette.ColorRole.Text,
-            QPalette.ColorRole.ButtonText,
-        ):
-            faded = QColor(colour)
-            faded.setAlphaF(0.45)
-            palette.setColor(QPalette.ColorGroup.Disabled, role, faded)
+    for name in _COLOURS:
+        role = QPalette.ColorRole[name]
+        palette.setColor(role, QColor(colours[name]))
+        if name in ("WindowText", "Text", "ButtonText"):
+            palette.setColor(QPalette.ColorGroup.Disabled, role, faded(colours[name], 0.45))
     application.setPalette(palette)
     base_size = application.property("frustumLabFontSize")
     if base_size is None:
@@ -154,32 +159,8 @@ def apply(application: QApplication, *, dark: bool, screen_px: float) -> None:
     larger = max(1.0, SHARE_OF_SCREEN * screen_px / QFontInfo(font).pixelSize())
     font.setPointSizeF(base_size * larger)
     application.setFont(font)
-    accent, line = ("#3a93cc", "#4a4d50") if dark else ("#0072b2", "#c4c4c0")
-    growing = _growing(
-        QFontInfo(font).pixelSize(),
-        presenting=screen_px > 0.0,
-        near=(DARK if dark else LIGHT).near,
-        far=(DARK if dark else LIGHT).far,
-        accent=accent,
-        frame="#74777a" if dark else "#888884",
-        edge_of_thumb="#b4b4b4" if dark else "#585858",
-        base_of_thumb="#34373a" if dark else "#ffffff",
-    )
-    application.setStyleSheet(
-        growing
-        + _STYLE_SHEET.format(
-            muted="#b4b4b4" if dark else "#585858",
-            bar="#4a3c10" if dark else "#fff4d6",
-            edge="#7a6420" if dark else "#d8b860",
-            text="#ececec" if dark else "#1a1a1a",
-            large=1.5 * QFontInfo(font).pixelSize(),
-            veil="rgba(0, 0, 0, 110)",
-            window="#222426" if dark else "#f4f4f2",
-            line=line,
-            base="#34373a" if dark else "#ffffff",
-            accent=accent,
-            on_accent="#101010" if dark else "#ffffff",
-        )
-    )
+    em = QFontInfo(font).pixelSize()
+    growing = _growing(em, presenting=screen_px > 0.0, **colours)
+    application.setStyleSheet(growing + _STYLE_SHEET.format(large=1.5 * em, **colours))
     worn = [dark, screen_px, application.font().toString(), application.styleSheet()]
     application.setProperty("frustumLabDress", worn)

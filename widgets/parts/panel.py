@@ -15,6 +15,7 @@ from app.lecture.highlight import Highlight
 from app.model.projection import Projection
 from app.scenes.phenomena.illustration import Illustration
 from app.scenes.scene import Scene
+from widgets.parts.gestures import Gestures
 
 Changed: TypeAlias = frozenset[str]
 """Some of `EVERYTHING`."""
@@ -71,17 +72,15 @@ class Shown:
             for part in PROJECTION
             if getattr(new.projection, part) != getattr(old.projection, part)
         }
-        # An edit shares its view with the document before; another document brings its own.
-        for part, is_new in (
-            ("scene", self.scene is not before.scene),
-            ("illustration", self.illustration is not before.illustration),
-            ("settings", new.settings != old.settings),
-            ("quality", new.quality != old.quality),
-            ("view", new.view is not old.view),
-        ):
-            if is_new:
-                changed.add(part)
-        return frozenset(changed)
+        besides = {
+            "scene": self.scene is not before.scene,
+            "illustration": self.illustration is not before.illustration,
+            "settings": new.settings != old.settings,
+            "quality": new.quality != old.quality,
+            # An edit shares its view with the document before; another document brings its own.
+            "view": new.view is not old.view,
+        }
+        return frozenset(changed.union(part for part, is_new in besides.items() if is_new))
 
 
 class Told(Protocol):
@@ -102,7 +101,7 @@ class Told(Protocol):
         """
 
 
-class Panel(QWidget):
+class Panel(QWidget, Gestures):
     """A panel of the drawer under the panes.
 
     It is told of a change while it is open; a folded one is told of all changes at once when it is
@@ -114,9 +113,6 @@ class Panel(QWidget):
 
     edited = Signal(object)
     """The user made this `Projection`."""
-    gesture_started = Signal()
-    gesture_finished = Signal()
-    gesture_abandoned = Signal()
     highlighted = Signal(object)
     """The `Highlight` that what is under the mouse or the cursor draws."""
     outgrown = Signal()

@@ -22,6 +22,7 @@ from PySide6.QtGui import QShowEvent
 from PySide6.QtWidgets import QWidget
 
 from widgets.parts.panel import Panel
+from widgets.parts.writing import all_digits
 
 READ_MS = 100
 """Digits that change more often than this are not read."""
@@ -48,20 +49,13 @@ class Readable(QObject):
         self._shown_ms = float("-inf")
         self._steps = STEPS
         """Since what changed was shown."""
-        self._rest = QTimer(self)
-        self._rest.setSingleShot(True)
-        self._rest.setInterval(READ_MS)
+        self._rest = QTimer(self, singleShot=True, interval=READ_MS)
         self._rest.timeout.connect(self._rested)
 
     @property
     def in_gesture(self) -> bool:
         """Whether values run: a control is dragged, or something plays."""
         return self._gestures > 0
-
-    @property
-    def pending(self) -> bool:
-        """Whether there is something that is not shown yet."""
-        return self._pending
 
     def begin_gesture(self) -> None:
         """From now on values run; gestures may overlap."""
@@ -112,6 +106,7 @@ class ReadablePanel(Panel):
     def __init__(self) -> None:
         super().__init__()
         self._readable = Readable(self, self._fill)
+        all_digits.changed.connect(self._readable.changed)
 
     @abstractmethod
     def _fill(self) -> None:

@@ -12,11 +12,13 @@ from typing import Any, Literal, TypeAlias
 
 from PySide6.QtCore import QEvent, QObject, Qt, Signal
 from PySide6.QtGui import QKeyEvent
-from PySide6.QtWidgets import QLabel, QSizePolicy, QToolButton, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QLabel, QSizePolicy, QWidget
 
 from app.model.projection import Projection
+from widgets.parts.buttons import tool_button
 from widgets.parts.fields import Choice, ChoiceRow, Log, NumberRow, Row, Scale
 from widgets.parts.icons import show_icon
+from widgets.parts.layouts import in_column
 from widgets.parts.messages import field_name
 
 Read: TypeAlias = Callable[[Projection], Any]
@@ -137,13 +139,8 @@ class Rows(QWidget):
         self.bindings: dict[str, Binding] = {}
         self._order: list[QWidget] = []
         self.body = QWidget()
-        self._rows = QVBoxLayout(self.body)
-        self._rows.setContentsMargins(0, 0, 0, GAP_PX)
-        self._rows.setSpacing(GAP_PX)
-        self._column = QVBoxLayout(self)
-        self._column.setContentsMargins(0, 0, 0, 0)
-        self._column.setSpacing(2)
-        self._column.addWidget(self.body)
+        self._rows = in_column(on=self.body, margins=(0, 0, 0, GAP_PX), gap=GAP_PX)
+        self._column = in_column(self.body, on=self, margins=(0, 0, 0, 0), gap=2)
 
     @property
     def is_open(self) -> bool:
@@ -168,12 +165,11 @@ class Rows(QWidget):
         return row
 
     def add_length(
-        self, key: str, part: Of, tip: str, read: Read, write: Write,
-        lenses: tuple[str, ...] = (),
-    ) -> NumberRow:  # fmt: skip
-        """Add a length in world units; the scene is yet to scale its slider."""
+        self, key: str, tip: str, read: Read, write: Write, lenses: tuple[str, ...]
+    ) -> NumberRow:
+        """Add a lens's length in world units; the scene is yet to scale its slider."""
         return self.add_number(
-            key, part, tip, Log(1.0, 10.0), self.tr("units"), self.tr("world units"),
+            key, "lens", tip, Log(1.0, 10.0), self.tr("units"), self.tr("world units"),
             read, write, lenses=lenses,
         )  # fmt: skip
 
@@ -236,15 +232,11 @@ class Section(Rows):
 
     def __init__(self, title: str) -> None:
         super().__init__()
-        self.heading = QToolButton()
-        self.heading.setText(title)
-        self.heading.setAutoRaise(True)
-        self.heading.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
-        self.heading.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
+        self.heading = tool_button(
+            title, act=self._turn, icon="unfold", name=title, flat=True, by_click=True
+        )
         self.heading.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
-        self.heading.setAccessibleName(title)
         self.heading.installEventFilter(self)
-        self.heading.clicked.connect(lambda: self.set_open(not self.is_open))
         self._column.setSpacing(0)
         self._column.insertWidget(0, self.heading)
         self._is_open = False
@@ -256,7 +248,7 @@ class Section(Rows):
         if isinstance(event, QKeyEvent) and event.type() == QEvent.Type.KeyPress:
             key, keys = event.key(), Qt.Key
             if key in (keys.Key_Return, keys.Key_Enter):
-                self.set_open(not self.is_open)
+                self._turn()
                 return True
             if key in (keys.Key_Left, keys.Key_Right):
                 if self.is_open != (key == keys.Key_Right):
@@ -268,6 +260,9 @@ class Section(Rows):
     def is_open(self) -> bool:
         """Whether the rows below the heading are shown."""
         return self._is_open or self._found is not None
+
+    def _turn(self) -> None:
+        self.set_open(not self.is_open)
 
     def set_open(self, is_open: bool) -> None:
         """Fold or unfold."""

@@ -13,12 +13,7 @@ import sys
 from dataclasses import asdict, dataclass
 
 from PySide6.QtCore import QCoreApplication, Qt, qInstallMessageHandler
-from PySide6.QtGui import (
-    QGuiApplication,
-    QOffscreenSurface,
-    QOpenGLContext,
-    QSurfaceFormat,
-)
+from PySide6.QtGui import QGuiApplication, QOffscreenSurface, QOpenGLContext, QSurfaceFormat
 
 NEEDED = (3, 2)
 _GL_VENDOR, _GL_RENDERER, _GL_VERSION = 0x1F00, 0x1F01, 0x1F02

@@ -13,16 +13,10 @@ from types import TracebackType
 from PySide6 import __version__ as pyside_version
 from PySide6.QtCore import QObject, Qt, Signal
 from PySide6.QtGui import QGuiApplication
-from PySide6.QtWidgets import (
-    QApplication,
-    QDialog,
-    QDialogButtonBox,
-    QLabel,
-    QVBoxLayout,
-    QWidget,
-)
+from PySide6.QtWidgets import QApplication, QDialog, QDialogButtonBox, QLabel, QWidget
 
 from app import __version__
+from widgets.parts.layouts import in_column
 
 log = logging.getLogger(__name__)
 
@@ -42,27 +36,21 @@ class Report(QDialog):
         self._log_file = log_file
         self._count = 0
         self._details = ""
-        self._sentence = QLabel()
-        self._place = QLabel()
-        for label in (self._sentence, self._place):
-            label.setTextFormat(Qt.TextFormat.PlainText)
-            label.setWordWrap(True)
-            label.setMinimumWidth(420)
-            label.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
+        self._sentence, self._place = (
+            QLabel(
+                textFormat=Qt.TextFormat.PlainText,
+                wordWrap=True,
+                textInteractionFlags=Qt.TextInteractionFlag.TextSelectableByMouse,
+            )
+            for _ in range(2)
+        )
+        self._sentence.setMinimumWidth(420)
         buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Close)
         copy = buttons.addButton(self.tr("Copy details"), QDialogButtonBox.ButtonRole.ActionRole)
         copy.setToolTip(self.tr("Copies what a person who can repair it needs to know"))
         copy.clicked.connect(self._copy)
         buttons.rejected.connect(self.reject)
-        layout = QVBoxLayout(self)
-        layout.addWidget(self._sentence)
-        layout.addWidget(self._place)
-        layout.addWidget(buttons)
-
-    @property
-    def text(self) -> str:
-        """What it says now."""
-        return f"{self._sentence.text()}\n{self._place.text()}"
+        in_column(self._sentence, self._place, buttons, on=self)
 
     def tell(self, summary: str, details: str) -> None:
         """Show an exception; while it is shown, further ones are only counted.

@@ -122,7 +122,6 @@ class Actions(QObject):
             self.tr("Remove the &probe"), None, "Esc",
             self.tr("Remove the chosen probe from the panes"),
         )  # fmt: skip
-        self.remove_probe.setEnabled(False)
         self.find = self._action(
             self.tr("&Find a control"), None, keys.Find,
             self.tr("Find a control by its name, its letter or what it does"),
@@ -140,32 +139,28 @@ class Actions(QObject):
         self.blank = self._action(
             self.tr("&Blank the screen"), None, "B", self.tr("Let the class see nothing, and back")
         )
-        self.blank.setEnabled(False)
         self.pointer = self._action(
             self.tr("P&ointer in all panes"), None, "P",
-            self.tr("Mark in all panes what the mouse is over, while presenting"),
+            self.tr("Mark in all panes what the mouse is over, while presenting"), on=False,
         )  # fmt: skip
-        self.pointer.setCheckable(True)
-        self.pointer.setEnabled(False)
         self.compare = self._action(
             self.tr("Co&mpare with this picture"), None, "F6",
             self.tr("Hold the picture as it is and compare it with what comes; again, end that"),
+            on=False,
         )  # fmt: skip
-        self.compare.setCheckable(True)
         self.compare_way = self._action(
             self.tr("Compared s&ide by side, or over each other"), None, "Shift+F6"
         )
-        self.compare_way.setEnabled(False)
-        self.show_cost = self._toggle(self.tr("&Show cost"), self.cost_shown, False)
-        self.show_cost.setToolTip(
-            self.tr("Measure what every step takes: the model, each pane's matrices and repaint")
-        )
-        self.fixed: dict[str, QAction] = {}
-        self.layers: dict[str, QAction] = {}
-        self.all_digits = self._toggle(self.tr("All &digits"), self.all_digits_set, all_digits)
-        self.all_digits.setToolTip(
-            self.tr("Show all digits of every number that is read, not four")
-        )
+        for later in (self.remove_probe, self.blank, self.pointer, self.compare_way):
+            later.setEnabled(False)
+        self.show_cost = self._toggle(
+            self.tr("&Show cost"), self.cost_shown, False, None,
+            self.tr("Measure what every step takes: the model, each pane's matrices and repaint"),
+        )  # fmt: skip
+        self.all_digits = self._toggle(
+            self.tr("All &digits"), self.all_digits_set, all_digits, None,
+            self.tr("Show all digits of every number that is read, not four"),
+        )  # fmt: skip
         self._make_view_menu(theme)
         self.help = self._action(self.tr("&Keys and mouse"), help_.show_keys, keys.HelpContents)
         self._make_help_menu()
@@ -187,8 +182,10 @@ class Actions(QObject):
         act: Callable[[], object] | None = None,
         shortcut: str | QKeySequence.StandardKey | None = None,
         tip: str = "",
+        on: bool | None = None,
     ) -> QAction:
-        action = QAction(text, self._window)
+        """Make an action; one that can be checked, if it says whether it is."""
+        action = QAction(text, self._window, checkable=on is not None, checked=on is True)
         if act is not None:
             action.triggered.connect(lambda _checked=False: act())
         if shortcut is not None:
@@ -199,12 +196,19 @@ class Actions(QObject):
         return action
 
     def _toggle(
-        self, text: str, told: SignalInstance, on: bool, shortcut: str | None = None
+        self, text: str, told: SignalInstance, on: bool, shortcut: str | None = None, tip: str = ""
     ) -> QAction:
-        action = self._action(text, lambda: told.emit(action.isChecked()), shortcut)
-        action.setCheckable(True)
-        action.setChecked(on)
+        action = self._action(text, lambda: told.emit(action.isChecked()), shortcut, tip, on)
         return action
+
+    def _choices(self, menu: QMenu, texts: Mapping[str, str], now: str) -> dict[str, QAction]:
+        """Add actions of which one is checked, by what they stand for."""
+        group = QActionGroup(menu)
+        made = {name: self._action(text, on=name == now) for name, text in texts.items()}
+        for action in made.values():
+            group.addAction(action)
+            menu.addAction(action)
+        return made
 
     def _with_typed(self, act: Callable[[], object]) -> Callable[[], object]:
         """An act on the document with what is typed and not yet entered."""
@@ -241,8 +245,8 @@ class Actions(QObject):
         for name in BUILT_IN:
             if name == next(iter(PHENOMENA)):
                 menu.addSeparator()
-            action = self._action(self.scene_titles[name], partial(self.scene_chosen.emit, name))
-            action.setCheckable(True)
+            act = partial(self.scene_chosen.emit, name)
+            action = self._action(self.scene_titles[name], act, on=False)
             action.setData(name)
             self.scene_group.addAction(action)
             menu.addAction(action)
@@ -264,8 +268,8 @@ class Actions(QObject):
         self._columns = self._action(
             self.tr("Panes in col&umns"),
             lambda: slots.arrange(LAYOUTS[self._columns.isChecked()], slots.large),
+            on=False,
         )
-        self._columns.setCheckable(True)
         slots.rearranged.connect(lambda: self._columns.setChecked(slots.layout_name == LAYOUTS[1]))
         menu.addAction(self._columns)
         menu.addAction(
@@ -275,51 +279,38 @@ class Actions(QObject):
         self.controls = self._toggle(self.tr("&Controls"), self.controls_shown, True, "F4")
         menu.addActions([self.controls, self.show_cost, self.all_digits])
         self._make_look_menus(menu)
-        themes = menu.addMenu(self.tr("&Theme"))
-        group = QActionGroup(self._window)
-        for value, text in (
-            ("system", self.tr("As the system")),
-            ("light", self.tr("Light")),
-            ("dark", self.tr("Dark")),
-        ):
-            action = self._action(text, partial(self.theme_chosen.emit, value))
-            action.setCheckable(True)
-            action.setChecked(value == theme)
-            group.addAction(action)
-            themes.addAction(action)
+        themes = {
+            "system": self.tr("As the system"),
+            "light": self.tr("Light"),
+            "dark": self.tr("Dark"),
+        }
+        chosen = self._choices(menu.addMenu(self.tr("&Theme")), themes, theme)
+        for value, action in chosen.items():
+            action.triggered.connect(partial(self.theme_chosen.emit, value))
         menu.addAction(
             self._action(self.tr("&Full screen"), self._toggle_full_screen, FULL_SCREEN_KEY)
         )
 
     def _make_look_menus(self, menu: QMenu) -> None:
         """From where the world is looked at, and what of the drawings is seen."""
-        looked = menu.addMenu(self.tr("Look at the &world"))
-        group = QActionGroup(self._window)
-        for name, text in (
-            ("", self.tr("&Freely")),
-            ("side", self.tr("From the &side")),
-            ("top", self.tr("From &above")),
-            ("axis", self.tr("Along the a&xis")),
-            ("eye", self.tr("From the &eye")),
-        ):
-            self.fixed[name] = action = self._action(text)
-            action.setCheckable(True)
-            group.addAction(action)
-            looked.addAction(action)
-        self.fixed[""].setChecked(True)
-        layers = menu.addMenu(self.tr("&Layers"))
-        for name, text in (
-            ("labels", self.tr("&Labels")),
-            ("handles", self.tr("&Handles")),
-            ("grid", self.tr("&Grid")),
-            ("frustum", self.tr("&Frustum")),
-            ("camera", self.tr("&Camera")),
-            ("near-picture", self.tr("&Picture on the near plane")),
-        ):
-            self.layers[name] = action = self._action(text)
-            action.setCheckable(True)
-            action.setChecked(True)
-            layers.addAction(action)
+        views = {
+            "": self.tr("&Freely"),
+            "side": self.tr("From the &side"),
+            "top": self.tr("From &above"),
+            "axis": self.tr("Along the a&xis"),
+            "eye": self.tr("From the &eye"),
+        }
+        self.fixed = self._choices(menu.addMenu(self.tr("Look at the &world")), views, "")
+        layers = {
+            "labels": self.tr("&Labels"),
+            "handles": self.tr("&Handles"),
+            "grid": self.tr("&Grid"),
+            "frustum": self.tr("&Frustum"),
+            "camera": self.tr("&Camera"),
+            "near-picture": self.tr("&Picture on the near plane"),
+        }
+        self.layers = {name: self._action(text, on=True) for name, text in layers.items()}
+        menu.addMenu(self.tr("&Layers")).addActions(list(self.layers.values()))
 
     def _make_help_menu(self) -> None:
         menu = self._window.menuBar().addMenu(self.tr("&Help"))
@@ -345,12 +336,10 @@ class Actions(QObject):
         label = QLabel(self.tr("Scene"), tools)  # on Linux a box is named by its label, seen or not
         label.setBuddy(self.scene_box)
         label.hide()
-        for group in (
-            (self.undo, self.redo, self.reset),
-            (self.play,),
-        ):
-            tools.addSeparator()
-            tools.addActions(group)
+        tools.addSeparator()
+        tools.addActions([self.undo, self.redo, self.reset])
+        tools.addSeparator()
+        tools.addAction(self.play)
         rest = QWidget()
         rest.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Preferred)
         tools.addWidget(rest)
@@ -414,13 +403,8 @@ class Actions(QObject):
         self.recent.clear()
         for path in self._files.recent:
             action = self.recent.addAction(path.replace("&", "&&"))  # no key of the menu
-            action.triggered.connect(lambda _checked=False, path=path: self._files.open(path))
+            action.triggered.connect(partial(self._files.open, path))
         self.recent.setEnabled(bool(self._files.recent))
-
-    def show_history(self, *, can_undo: bool, can_redo: bool) -> None:
-        """Offer what can be undone and redone."""
-        self.undo.setEnabled(can_undo)
-        self.redo.setEnabled(can_redo)
 
     def show_playing(self, playing: bool) -> None:
         """Name the action that plays after what it would do now."""

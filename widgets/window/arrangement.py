@@ -15,9 +15,8 @@ from collections.abc import Mapping
 from dataclasses import replace
 
 from PySide6.QtCore import QObject
-from PySide6.QtWidgets import QWidget
 
-from app.document.view import View
+from app.document.view import PANELS, View
 from app.lecture.camera_frame import STEPS
 from app.model.projection import Camera
 from widgets.panels.frame_panel import FramePanel
@@ -26,7 +25,7 @@ from widgets.panels.probe_panel import ProbePanel
 from widgets.panes.compare import Compare
 from widgets.panes.pane import Pane
 from widgets.panes.stage_strip import StageStrip
-from widgets.parts.panel import Changed, Panel, Shown
+from widgets.parts.panel import Changed, Shown
 from widgets.window.drawer import Panels
 from widgets.window.slots import Slots
 from widgets.window.world_look import WorldLook
@@ -39,23 +38,7 @@ def cameras(panes: Mapping[str, Pane]) -> dict[str, Camera]:
 
 
 class Arrangement(QObject):
-    """How the window shows its document.
-
-    Parameters
-    ----------
-    panes : mapping of str to Pane
-    slots : Slots
-    world : WorldLook
-    strip : StageStrip
-    drawer : Panels
-    panels : mapping of str to Panel
-        Those of the drawer, by their names in the document.
-    matrices : MatrixPanel
-    frame : FramePanel
-    probes : ProbePanel
-    compare : Compare
-    window : QWidget
-    """
+    """How the window shows its document: with all that it is arranged by."""
 
     concerns = frozenset({"view"})
 
@@ -66,16 +49,14 @@ class Arrangement(QObject):
         world: WorldLook,
         strip: StageStrip,
         drawer: Panels,
-        panels: Mapping[str, Panel],
         matrices: MatrixPanel,
         frame: FramePanel,
         probes: ProbePanel,
         compare: Compare,
-        window: QWidget,
     ) -> None:
-        super().__init__(window)
+        super().__init__(slots)
         self._panes, self._slots, self._strip, self._world = panes, slots, strip, world
-        self._drawer, self._panels = drawer, panels
+        self._drawer, self._panels = drawer, dict(zip(PANELS, drawer.all, strict=True))
         self._matrices, self._frame, self._probes = matrices, frame, probes
         self._compare = compare
         self._given = View()

@@ -10,13 +10,20 @@ from pathlib import Path
 
 from PySide6.QtCore import QLockFile, QObject, QTimer, Signal
 
-from app.document.document import Document, read, write
+from app.document.document import Document, write
 from app.model.refusal import Refusal
 
 log = logging.getLogger(__name__)
 
 DELAY_MS = 2000
 """An edit is on disk after this long without another one, and a long drag at this rate."""
+
+
+def _lock(path: Path) -> QLockFile:
+    """The lock of a copy, held for days by a window left open, until it dies."""
+    lock = QLockFile(str(path.with_suffix(".lock")))
+    lock.setStaleLockTime(0)
+    return lock
 
 
 class Autosave(QObject):
@@ -48,11 +55,8 @@ class Autosave(QObject):
         self._current = current
         self._has_failed = False
         self._path = folder / f"autosave-{os.getpid()}-{secrets.token_hex(4)}.json"
-        self._lock = QLockFile(str(self._lock_path(self._path)))
-        self._lock.setStaleLockTime(0)  # held for days by a window left open, until it dies
-        self._timer = QTimer(self)
-        self._timer.setSingleShot(True)
-        self._timer.setInterval(DELAY_MS)
+        self._lock = _lock(self._path)
+        self._timer = QTimer(self, singleShot=True, interval=DELAY_MS)
         self._timer.timeout.connect(self.save_now)
         try:
             folder.mkdir(parents=True, exist_ok=True)
@@ -60,10 +64,6 @@ class Autosave(QObject):
             log.warning("autosave is off: %s", error)
         else:
             self._lock.tryLock(0)
-
-    @staticmethod
-    def _lock_path(path: Path) -> Path:
-        return path.with_suffix(".lock")
 
     def schedule(self) -> None:
         """Save soon; a running count is not put off, so that a long play is saved too."""
@@ -97,35 +97,12 @@ class Autosave(QObject):
         found = []
         left = (*self._folder.glob("autosave-*.json"), *self._folder.glob("autosave-*.lock"))
         for path in {path.with_suffix(".json") for path in left} - {self._path}:
-            lock = QLockFile(str(self._lock_path(path)))
-            lock.setStaleLockTime(0)
+            lock = _lock(path)
             if lock.tryLock(0):
                 lock.unlock()
                 if path.exists():
                     found.append(path)
         return sorted(found, key=lambda path: path.stat().st_mtime, reverse=True)
-
-    @staticmethod
-    def recover(path: Path) -> Document:
-        """Read a copy.
-
-        Raises
-        ------
-        Refusal
-            If the copy is not a valid document.
-        """
-        return read(path)
-
-    @staticmethod
-    def discard(path: Path) -> None:
-        """Remove a copy that was recovered or is not wanted.
-
-        Raises
-        ------
-        OSError
-            If it cannot be removed.
-        """
-        path.unlink(missing_ok=True)
 
     def leave(self) -> bool:
         """Another document comes: keep what is unsaved; False if there is nothing, or no copy."""

@@ -9,8 +9,7 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import QObject, Qt
-from PySide6.QtWidgets import QToolButton
+from PySide6.QtCore import QObject
 
 from app.document.compare import Picture
 from app.document.store import Store
@@ -18,7 +17,7 @@ from app.model.refusal import Refusal
 from widgets.controls.scene_card import SceneCard
 from widgets.panes.compare import Compare
 from widgets.panes.pane import Pane
-from widgets.parts.icons import show_icon
+from widgets.parts.buttons import tool_button
 from widgets.parts.message_bar import MessageBar
 from widgets.parts.messages import sentence
 from widgets.parts.panel import EVERYTHING, Changed, Shown
@@ -30,16 +29,6 @@ from widgets.window.slots import Slots
 class Comparing(QObject):
     """Begins and ends comparisons.
 
-    Parameters
-    ----------
-    image : Pane
-    look : Look
-    store : Store
-    slots : Slots
-    card : SceneCard
-    menus : Actions
-    messages : MessageBar
-
     Attributes
     ----------
     pictures : Compare
@@ -48,7 +37,8 @@ class Comparing(QObject):
         In its title row.
     """
 
-    concerns = EVERYTHING
+    concerns: Changed = frozenset()
+    """Nothing while nothing is compared."""
 
     def __init__(
         self,
@@ -65,16 +55,11 @@ class Comparing(QObject):
         self._was_large: str | None = None
         """What the image took the large slot from when it was to be compared."""
         self.pictures = Compare(image, lambda: look.adaptive.smoothing(True))
-        self.button = QToolButton()
-        show_icon(self.button, "compare")
-        self.button.setText(self.tr("Compare"))
-        self.button.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
-        self.button.setAutoRaise(True)
-        self.button.setCheckable(True)
-        self.button.setToolTip(menus.compare.toolTip())
-        self.button.setAccessibleName(menus.compare.text().replace("&", ""))
+        self.button = tool_button(
+            self.tr("Compare"), menus.compare.toolTip(), self.toggle,
+            icon="compare", name=menus.compare.text().replace("&", ""), flat=True, checkable=True,
+        )  # fmt: skip
         image.add_tool(self.button)
-        self.button.clicked.connect(self.toggle)
         menus.compare.triggered.connect(self.toggle)
         menus.compare_way.triggered.connect(self.pictures.toggle_way)
         card.comparison_wanted.connect(self.begin)
@@ -129,6 +114,7 @@ class Comparing(QObject):
             slots.arrange(slots.layout_name, "image")
 
     def _mark(self) -> None:
+        self.concerns = EVERYTHING if self.is_on else frozenset()
         self.button.setChecked(self.is_on)
         self._menus.compare.setChecked(self.is_on)
         self._menus.compare_way.setEnabled(self.is_on)

@@ -11,7 +11,6 @@ from PySide6.QtCore import QSize, Qt, Signal
 from PySide6.QtGui import QKeyEvent, QPaintEvent
 from PySide6.QtWidgets import (
     QFrame,
-    QHBoxLayout,
     QScrollArea,
     QSizePolicy,
     QSplitter,
@@ -20,10 +19,10 @@ from PySide6.QtWidgets import (
     QStyleOptionToolButton,
     QStylePainter,
     QToolButton,
-    QVBoxLayout,
     QWidget,
 )
 
+from widgets.parts.layouts import in_column, in_row
 from widgets.parts.panel import Panel, Shown
 
 
@@ -81,13 +80,9 @@ class Panels(QWidget):
         self.names = QWidget()
         """To be put where they stay whether one is open or not."""
         self.names.setObjectName("drawerNames")
-        self._row = QHBoxLayout(self.names)
-        self._row.setContentsMargins(0, 0, 0, 0)
-        self._row.setSpacing(2)
+        self._row = in_row(on=self.names, margins=(0, 0, 0, 0), gap=2)
         self._stack = QStackedWidget()
-        layout = QVBoxLayout(self)
-        layout.setContentsMargins(0, 2, 0, 0)
-        layout.addWidget(self._stack)
+        in_column(self._stack, on=self, margins=(0, 2, 0, 0))
         self.hide()
 
     def add(self, name: str, panel: Panel, tip: str) -> None:
@@ -100,18 +95,16 @@ class Panels(QWidget):
         tip : str
             What it shows, for its name's tooltip.
         """
-        button = _Name()
+        button = _Name(autoRaise=True)
         button.setText(name)
         button.setToolTip(tip)
         button.setCheckable(True)
-        button.setAutoRaise(True)
         button.setSizePolicy(QSizePolicy.Policy.Maximum, QSizePolicy.Policy.Fixed)
         button.clicked.connect(partial(self._clicked, panel))
         self._row.addWidget(button)
         self._buttons.append(button)
-        area = QScrollArea()
+        area = QScrollArea(widgetResizable=True)
         area.setFrameShape(QFrame.Shape.NoFrame)
-        area.setWidgetResizable(True)
         area.setWidget(panel)
         area.setFocusPolicy(Qt.FocusPolicy.NoFocus)
         self._stack.addWidget(area)
@@ -161,13 +154,7 @@ class Panels(QWidget):
 
 
 class Drawer(QSplitter):
-    """The panes above, the open panel below: at most a third of the window, or less by hand.
-
-    Parameters
-    ----------
-    above : QWidget
-    panels : Panels
-    """
+    """The panes above, the open panel below: at most a third of the window, or less by hand."""
 
     def __init__(self, above: QWidget, panels: Panels) -> None:
         super().__init__(Qt.Orientation.Vertical)

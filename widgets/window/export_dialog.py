@@ -5,15 +5,14 @@ from __future__ import annotations
 import re
 from typing import NamedTuple
 
+from PySide6.QtCore import QSignalBlocker
 from PySide6.QtWidgets import (
     QCheckBox,
     QDialog,
     QDialogButtonBox,
     QFormLayout,
-    QHBoxLayout,
     QLabel,
     QLineEdit,
-    QVBoxLayout,
     QWidget,
 )
 
@@ -23,6 +22,7 @@ from app.model.refusal import Refusal
 from widgets.parts.combo import Combo
 from widgets.parts.fields import parse_number
 from widgets.parts.icons import WarningLabel
+from widgets.parts.layouts import in_column, in_row
 from widgets.parts.messages import sentence
 
 
@@ -54,13 +54,10 @@ class ExportDialog(QDialog):
         self.setWindowTitle(self.tr("Export a picture"))
         self._image_size = image_size
         self._boxes = {name: QCheckBox(titles[name]) for name in PANES}
-        panes = QHBoxLayout()
         for box in self._boxes.values():
             box.setChecked(True)
             box.toggled.connect(self._panes_changed)
-            panes.addWidget(box)
         self._width, self._height = QLineEdit("1800"), QLineEdit("600")
-        size = QHBoxLayout()
         for field, name in (
             (self._width, self.tr("Width in pixels")),
             (self._height, self.tr("Height in pixels")),
@@ -68,10 +65,6 @@ class ExportDialog(QDialog):
             field.setAccessibleName(name)
             field.setToolTip(name)
             field.textChanged.connect(self._check)
-        size.addWidget(self._width)
-        size.addWidget(QLabel("×"))
-        size.addWidget(self._height)
-        size.addWidget(QLabel(self.tr("px")))
         self._text = QLineEdit()
         self._text.setAccessibleName(self.tr("Height of the letters in points"))
         self._text.setToolTip(
@@ -97,15 +90,13 @@ class ExportDialog(QDialog):
         self._buttons.accepted.connect(self.accept)
         self._buttons.rejected.connect(self.reject)
         form = QFormLayout()
-        form.addRow(self.tr("Panes"), panes)
+        size = in_row(self._width, QLabel("×"), self._height, QLabel(self.tr("px")))
+        form.addRow(self.tr("Panes"), in_row(*self._boxes.values()))
         form.addRow(self.tr("Size"), size)
         form.addRow(self.tr("Letters (pt)"), self._text)
         form.addRow(self.tr("Scale"), self._scale)
         form.addRow(self.tr("Background"), self._background)
-        layout = QVBoxLayout(self)
-        layout.addLayout(form)
-        layout.addWidget(self._problem)
-        layout.addWidget(self._buttons)
+        in_column(form, self._problem, self._buttons, on=self)
         self._check()
 
     def choice(self) -> ExportChoice:
@@ -156,9 +147,8 @@ class ExportDialog(QDialog):
         except Refusal as error:
             return sentence(error)
         if choice.text_pt is None:
-            self._text.blockSignals(True)
-            self._text.setText(f"{checked_text(*figure, None):.2g}")
-            self._text.blockSignals(False)
+            with QSignalBlocker(self._text):
+                self._text.setText(f"{checked_text(*figure, None):.2g}")
         return ""
 
 

@@ -8,8 +8,8 @@ from dataclasses import replace
 from pathlib import Path
 from typing import TypeVar
 
-from PySide6.QtCore import QObject, Qt, Signal
-from PySide6.QtWidgets import QFileDialog, QMainWindow, QMessageBox, QProgressDialog
+from PySide6.QtCore import QObject, Signal
+from PySide6.QtWidgets import QFileDialog, QMainWindow, QMessageBox
 
 from app.document.document import MESH_ENDINGS, Document, holds_document, is_mesh, read, write
 from app.document.store import Store
@@ -19,11 +19,11 @@ from app.scenes.scene import BUILT_IN, Scene, load
 from widgets.parts.message_bar import MessageBar
 from widgets.parts.messages import sentence
 from widgets.parts.panel import Changed, Shown
+from widgets.parts.progress import progress
 from widgets.window.settings import Settings
 
 _T = TypeVar("_T")
 RECENT_LIMIT = 10
-SHOW_PROGRESS_AFTER_MS = 100
 SAID_MS = 10_000
 """How long the status line says where unsaved work is."""
 
@@ -50,11 +50,7 @@ class Files(QObject):
     """The file of a lesson or talk was opened."""
 
     def __init__(
-        self,
-        window: QMainWindow,
-        store: Store,
-        messages: MessageBar,
-        settings: Settings,
+        self, window: QMainWindow, store: Store, messages: MessageBar, settings: Settings
     ) -> None:
         super().__init__(window)
         self._window, self._store, self._messages = window, store, messages
@@ -92,22 +88,9 @@ class Files(QObject):
         file = mesh or name
         if not is_mesh(file):
             return load(name, mesh=mesh)
-        dialog = QProgressDialog(
-            self.tr("Opening {0}").format(os.path.basename(file)), self.tr("Cancel"), 0, 100,
-            self._window,
-        )  # fmt: skip
-        dialog.setWindowModality(Qt.WindowModality.WindowModal)
-        dialog.setMinimumDuration(SHOW_PROGRESS_AFTER_MS)
-
-        def progress(fraction: float) -> bool:
-            dialog.setValue(min(99, round(100 * fraction)))
-            return not dialog.wasCanceled()
-
-        try:
-            return load(name, progress, mesh)
-        finally:
-            dialog.close()
-            dialog.deleteLater()
+        text = self.tr("Opening {0}").format(os.path.basename(file))
+        with progress(self._window, text) as tell:
+            return load(name, tell, mesh)
 
     # -- opening
 

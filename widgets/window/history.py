@@ -43,7 +43,6 @@ class History(QObject):
         super().__init__(window)
         self._window, self._store, self._menus = window, store, menus
         self._start, self._players = start, players
-        self._offered: tuple[bool, bool] | None = None
         menus.undo.triggered.connect(self.undo)
         menus.redo.triggered.connect(self.redo)
         menus.reset.triggered.connect(self.reset)
@@ -76,10 +75,8 @@ class History(QObject):
     def show(self) -> None:
         """Show what can be undone, and whether there is something to save."""
         store, window = self._store, self._window
-        offered = store.can_undo, store.can_redo
-        if offered != self._offered:
-            self._offered = offered
-            self._menus.show_history(can_undo=offered[0], can_redo=offered[1])
+        self._menus.undo.setEnabled(store.can_undo)
+        self._menus.redo.setEnabled(store.can_redo)
         if window.isWindowModified() != store.modified:  # it costs as much as a drawing
             window.setWindowModified(store.modified)
         if not store.in_gesture:

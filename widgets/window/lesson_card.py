@@ -20,6 +20,7 @@ from PySide6.QtGui import (
     QAccessibleAnnouncementEvent,
     QFontInfo,
     QKeySequence,
+    QShowEvent,
 )
 from PySide6.QtWidgets import (
     QApplication,
@@ -99,6 +100,8 @@ class LessonCard(QFrame):
 
     toggled = Signal(bool)
     """It came to be seen, or has gone."""
+    begun_again = Signal(str, object)
+    """The answers of a lesson of this title are forgotten; a callable brings them back."""
     went_on = Signal()
     """What can be done may be something else now: another step, or something was answered."""
 
@@ -216,12 +219,22 @@ class LessonCard(QFrame):
         self.went_on.emit()
 
     def begin_again(self) -> None:
-        """Forget what was answered in the lesson, and go to its first step."""
-        if self._lesson is not None:
+        """Forget what was answered in the lesson, and go to its first step; it can be undone."""
+        lesson, before = self._lesson, self._progress
+        if lesson is not None:
             self._progress = Progress()
             self._keep()
             self._shown = None
             self._lessons.go(0)
+            if before.answers:
+                self.begun_again.emit(lesson.title, partial(self._take_back, lesson.path, before))
+
+    def _take_back(self, path: Path, progress: Progress) -> None:
+        """Have a lesson's answers again, and go on with it where one was."""
+        self._late.stop()
+        self._settings.keep_progress(name_of(path), progress)
+        self._shown = None  # or what is answered there now would be kept instead
+        self.open(path)
 
     def _open(self) -> None:
         lesson = self._lesson
@@ -238,20 +251,35 @@ class LessonCard(QFrame):
             self.toggled.emit(True)
 
     def _step(self) -> None:
-        """Show the page of the step, unless it is there."""
+        """Show the page of the step, unless it is there, or nobody sees it."""
         course = self._lessons.course
         assert course is not None
         if self._shown != (course, self._lessons.place):
             self._shown = course, self._lessons.place
             self._progress = replace(self._progress, step=self._here.name)
             self._late.start()
-            takes = self._may_take_focus
-            self._make_page()
-            if takes:
-                self._take_focus()
+            if self.isHidden():
+                self._clear()
+                self._show_marks()
+            else:
+                self._fill()
         self._aside = None
         self._notice.hide()
         self.look_again()
+
+    def _fill(self) -> None:
+        """Make the page of the step, and let the keyboard begin there if nobody types elsewhere."""
+        takes = self._may_take_focus
+        self._make_page()
+        if takes:
+            self._take_focus()
+
+    def showEvent(self, event: QShowEvent) -> None:
+        super().showEvent(event)
+        is_due = self._lesson is not None and self._shown is not None
+        if is_due and self._area.widget() is None:
+            self._fill()
+            self.look_again()
 
     @property
     def _here(self) -> Step:

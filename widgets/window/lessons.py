@@ -63,6 +63,8 @@ class Lessons(QObject):
 
     opened = Signal()
     """A lesson was opened, read again, or closed: `course` is another one."""
+    complained = Signal(str)
+    """What is wrong with the open file since it was changed; nothing if that is mended."""
     stepped = Signal()
     """Another step is shown, or this one again."""
 
@@ -81,8 +83,6 @@ class Lessons(QObject):
         self._look_from = look_from
         self._arrived: dict[str, Camera] = {}
         """From where the panes were looked at when the step was come to."""
-        self._complaint = ""
-        """What was said of the file when it was read again."""
         self.course: Course | None = None
         self.place = 0
         self._views: dict[tuple[str, str], dict[str, Camera]] = {}
@@ -152,6 +152,7 @@ class Lessons(QObject):
         except Refusal as error:
             self._say(error, Path(path))
             return False
+        self.complained.emit("")
         self._messages.done()
         self._finish()
         self._stand_still()
@@ -337,7 +338,7 @@ class Lessons(QObject):
         try:
             course = Course(read(path))
             if course.lesson == before.lesson:
-                self._messages.take_back(self._complaint)
+                self.complained.emit("")
                 return
             names = [each.name for each in course.lesson.steps]
             place = min(self.place, len(names) - 1)
@@ -345,8 +346,9 @@ class Lessons(QObject):
             place = names.index(name) if name in names else place
             shown = course.shown(place)
         except Refusal as error:
-            self._complaint = self._say(error, path)
+            self.complained.emit(_named(error, path))
             return
+        self.complained.emit("")
         self._messages.done()
         same = shown == before.shown(self.place)
         self.course, self.place = course, place
@@ -356,9 +358,12 @@ class Lessons(QObject):
         else:
             self.go(place)
 
-    def _say(self, error: Refusal, path: Path) -> str:
-        text = sentence(error)
-        known = error.file is not None and str(path) in text
-        text = text if known else f"{path.name}: {text}"
-        self._messages.say(text)
-        return text
+    def _say(self, error: Refusal, path: Path) -> None:
+        self._messages.say(_named(error, path))
+
+
+def _named(error: Refusal, path: Path) -> str:
+    """What is wrong with a file, with its name."""
+    text = sentence(error)
+    known = error.file is not None and str(path) in text
+    return text if known else f"{path.name}: {text}"

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping, Sequence
 
 from PySide6.QtCore import QObject, Signal
 from PySide6.QtGui import QGuiApplication
@@ -14,6 +14,7 @@ from app.drawings import WORDS
 from app.drawings.style import Style
 from app.lecture.notation import Letters, axis_letters
 from app.model.projection import Camera
+from app.scenes.scene import Scene
 from widgets.panes.adaptive import Adaptive
 from widgets.panes.pane import SCALES, Pane
 from widgets.parts import icons, palette
@@ -98,10 +99,7 @@ class Look(QObject):
         self._screen_px = 0.0
         """Height of the screen while presenting, of which text and lines are a share."""
         self.adaptive = Adaptive(
-            panes,
-            software_rendering=software_rendering,
-            target_ms=settings.frame_ms,
-            window=window,
+            panes, software_rendering=software_rendering, target_ms=settings.frame_ms, window=window
         )
         QGuiApplication.styleHints().colorSchemeChanged.connect(self._scheme_changed)
 
@@ -128,34 +126,77 @@ class Look(QObject):
             if "view" in changed:
                 for name, pane in self._panes.items():
                     pane.look_from(shown.document.view.panes.get(name))
+        self.set_waiting(False)
         if "image_size" in changed:
             width, height = shown.projection.image_size
             self._panes["image"].note.setText(f"{width} × {height}")
 
+    def set_waiting(self, waits: bool) -> None:
+        """Let the panes wait, while a whole document is taken, until they are told; or no more."""
+        for pane in self._panes.values():
+            pane.set_waiting(waits)
+
     def rebuild(self) -> None:
         """Make all drawings anew, looked at from where they are looked at now."""
+        self.forget_ahead()  # it may have other words
         if self._shown is not None:
             self._build(self._turned)
 
+    def forget_ahead(self) -> None:
+        """Nothing is made ahead any more."""
+        for pane in self._panes.values():
+            pane.keep_ahead()
+
     def _build(self, turned: Mapping[str, Camera]) -> None:
-        shown, settings, quality = self._shown, self._settings, self.adaptive.quality
+        shown = self._shown
         assert shown is not None
-        style = palette.drawing_style(
-            dark=palette.is_dark(settings.theme),
+        style = self._style()
+        for name, pane in self._panes.items():
+            pane.build(shown, turned.get(name), *self._arguments(name, self.adaptive.drawn, style))
+        icons.fit(self._window)
+        self.built.emit(style)
+
+    def _style(self) -> Style:
+        return palette.drawing_style(
+            dark=palette.is_dark(self._settings.theme),
             screen_px=self._screen_px,
             device_pixel_ratio=self._window.devicePixelRatioF(),
         )
-        drawn = style.enlarged(SCALES.get(quality.smoothing, 1))
-        for name, pane in self._panes.items():
-            # The world pane is looked at by a camera of its own, which is never at an extreme.
-            how: tuple[object, ...] = ()
-            if name != "world":
-                how = (quality.tolerance_px(settings.tolerance_px),)
-            if name == "image":
-                how += (quality,)
-            pane.build(shown, turned.get(name), self.adaptive.drawn, self.words, drawn, *how)
-        icons.fit(self._window)
-        self.built.emit(style)
+
+    def _arguments(self, name: str, drawn: Scene, style: Style) -> tuple[object, ...]:
+        """What a pane's drawing of a scene is made with."""
+        quality = self.adaptive.quality
+        # The world pane is looked at by a camera of its own, which is never at an extreme.
+        how: tuple[object, ...] = ()
+        if name != "world":
+            how = (quality.tolerance_px(self._settings.tolerance_px),)
+        if name == "image":
+            how += (quality,)
+        return drawn, self.words, style.enlarged(SCALES.get(quality.smoothing, 1)), *how
+
+    def ahead(self, steps: Sequence[Shown]) -> Iterator[None]:
+        """Draw what may be shown next, a piece at a time, and forget what was drawn so before.
+
+        Parameters
+        ----------
+        steps : sequence of Shown
+            Those of another scene than the one that is shown, with its quality.
+        """
+        for step in steps:
+            self.adaptive.ahead(step.scene)
+            yield
+        style, drawn = self._style(), self.adaptive.drawn
+        steps = [step for step in steps if self.adaptive.whole(step.scene) is not drawn]
+        plan = [
+            (pane, step, self._arguments(name, self.adaptive.whole(step.scene), style))
+            for step in steps
+            for name, pane in self._panes.items()
+        ]
+        for pane in self._panes.values():
+            pane.keep_ahead(*(arguments for _, _, arguments in plan))
+        for pane, step, arguments in plan:
+            pane.draw_ahead(step, *arguments)
+            yield
 
     def refine(self, name: str, smooth: bool) -> None:
         """Draw one pane smoothly, or as while something moves that is no change of the document."""

@@ -17,14 +17,7 @@ from functools import partial
 from pathlib import Path
 from typing import Any
 
-from PySide6.QtCore import (
-    QByteArray,
-    QEvent,
-    QSize,
-    Qt,
-    QTimer,
-    Signal,
-)
+from PySide6.QtCore import QByteArray, QEvent, QSize, Qt, QTimer, Signal
 from PySide6.QtGui import (
     QCloseEvent,
     QDragEnterEvent,
@@ -33,21 +26,14 @@ from PySide6.QtGui import (
     QPaintEvent,
     QResizeEvent,
 )
-from PySide6.QtWidgets import (
-    QHBoxLayout,
-    QMainWindow,
-    QSplitter,
-    QVBoxLayout,
-    QWidget,
-)
+from PySide6.QtWidgets import QMainWindow, QSplitter, QWidget
 
 from app.document.document import Document
 from app.document.store import Store
-from app.document.view import PANELS
 from app.model.projection import Camera
 from app.scenes.scene import Scene
-from widgets.controls.animation import AnimationBar
 from widgets.controls.controls import Controls
+from widgets.controls.scene_card import SceneCard
 from widgets.panels.frame_panel import FramePanel
 from widgets.panels.kinds_panel import KindsPanel
 from widgets.panels.matrix_panel import MatrixPanel
@@ -61,12 +47,13 @@ from widgets.panes.manipulation import Manipulation
 from widgets.panes.pane import SMOOTHINGS, Pane
 from widgets.panes.stage_strip import StageStrip
 from widgets.parts import palette
-from widgets.parts.digits import set_all_digits
 from widgets.parts.focus import focus_next
+from widgets.parts.gestures import Gestures
 from widgets.parts.highlight import Highlighter
-from widgets.parts.lettering import set_letters
+from widgets.parts.layouts import in_column, in_row
 from widgets.parts.message_bar import MessageBar
 from widgets.parts.panel import EVERYTHING, Changed, Panel, Shown, Told
+from widgets.parts.writing import all_digits, lettering
 from widgets.window.actions import Actions, take_typed
 from widgets.window.arrangement import Arrangement
 from widgets.window.comparing import Comparing
@@ -176,11 +163,7 @@ class MainWindow(QMainWindow):
         dress(settings)  # before there are widgets, which would keep the font of before
         self.store = Store(document, self, saved=saved)
         self.messages = MessageBar()
-        titles = {
-            "world": self.tr("World"),
-            "ndc": self.tr("NDC cube"),
-            "image": self.tr("Image"),
-        }
+        titles = {"world": self.tr("World"), "ndc": self.tr("NDC cube"), "image": self.tr("Image")}
         make_canvas = CANVASES[canvas]
         self.panes = {
             name: Pane(title, DRAWINGS[name], orbits=name != "image", make_canvas=make_canvas)
@@ -208,12 +191,7 @@ class MainWindow(QMainWindow):
         }
         self._lay_out()
         self.pictures = Pictures(
-            self,
-            self.messages,
-            lambda: self.store.seen,
-            self.files.scene,
-            titles,
-            self.look.words,
+            self, self.messages, lambda: self.store.seen, self.files.scene, titles, self.look.words
         )
         self.help = Help(self)
         self.menus = Actions(
@@ -244,8 +222,7 @@ class MainWindow(QMainWindow):
     def open_panes(self) -> None:
         """Fill the panes, the largest first, each on the screen before the next is begun."""
         self._empty = sorted(self.panes.values(), key=lambda pane: pane.width())
-        self._filling = QTimer(self)
-        self._filling.setSingleShot(True)
+        self._filling = QTimer(self, singleShot=True)
         self._filling.timeout.connect(self._open_next)
         self._open_next()
 
@@ -276,49 +253,31 @@ class MainWindow(QMainWindow):
             SMOOTHINGS,
             self.status.precision,
         )
-        tips: dict[Panel, tuple[str, str]] = {
-            self.matrices: (
-                self.tr("Matrices"),
-                self.tr("Every stage's matrix: numbers, formulas, factors and products"),
-            ),
-            self.frame_panel: (
-                self.tr("Camera frame"),
-                self.tr("The camera's axes, step by step: eye, target and up make the view matrix"),
-            ),
-            self.kinds_panel: (
-                self.tr("Kinds of projection"),
-                self.tr(
-                    "The tree of planar projections: which one the picture is, and a click"
-                    " makes it another"
-                ),
-            ),
-            self.probe_panel: (self.tr("Probe"), self.tr("Follow points through every stage")),
-            self.scene_panel: (
-                self.tr("Explanation and diagrams"),
-                self.tr("What the scene shows, in which lectures, and its diagrams"),
-            ),
-            self.measure_panel: (
-                self.tr("Precision"),
-                self.tr("How exact picture and numbers are, and what speed costs, measured here"),
-            ),
-        }
-        for panel, (name, tip) in tips.items():
+        panels: tuple[tuple[Panel, str, str], ...] = (
+            (self.matrices, self.tr("Matrices"),
+             self.tr("Every stage's matrix: numbers, formulas, factors and products")),
+            (self.frame_panel, self.tr("Camera frame"),
+             self.tr("The camera's axes, step by step: eye, target and up make the view matrix")),
+            (self.kinds_panel, self.tr("Kinds of projection"),
+             self.tr("The tree of planar projections: which one the picture is, and a click"
+                     " makes it another")),
+            (self.probe_panel, self.tr("Probe"), self.tr("Follow points through every stage")),
+            (self.scene_panel, self.tr("Explanation and diagrams"),
+             self.tr("What the scene shows, in which lectures, and its diagrams")),
+            (self.measure_panel, self.tr("Precision"),
+             self.tr("How exact picture and numbers are, and what speed costs, measured here")),
+        )  # fmt: skip
+        for panel, name, tip in panels:
             self.panels.add(name, panel, tip)
 
     def _lay_out(self) -> None:
         # From the outside inwards: Qt styles all that a widget holds whenever it gets a parent.
         body = QWidget()
         self.setCentralWidget(body)
-        layout = QVBoxLayout(body)
-        layout.setContentsMargins(4, 4, 4, 0)
-        layout.setSpacing(2)
-        layout.addWidget(self.messages)
-        self.band = TalkBand()
-        layout.addWidget(self.band)
+        self.band, self.bottom = TalkBand(), QWidget()
         self.split = split = QSplitter(Qt.Orientation.Horizontal)
-        layout.addWidget(split, 1)
-        self.bottom = QWidget()
-        layout.addWidget(self.bottom)
+        parts = (self.messages, self.band, (split, 1), self.bottom)
+        in_column(*parts, on=body, margins=(4, 4, 4, 0), gap=2)
         self.slots = Slots(self.panes, self.strip)
         self.drawer = Drawer(self.slots, self.panels)
         split.addWidget(self.drawer)
@@ -327,93 +286,58 @@ class MainWindow(QMainWindow):
         split.setStretchFactor(0, 1)
         split.setStretchFactor(1, 0)
         split.setSizes(PICTURES_AND_DOCK)
-        row = QHBoxLayout(self.bottom)
-        row.setContentsMargins(0, 0, 0, 2)
-        row.addWidget(self.panels.names)
-        row.addWidget(self.status, 1)
+        in_row(self.panels.names, (self.status, 1), on=self.bottom, margins=(0, 0, 0, 2))
 
     def _make_rooms(self) -> None:
         """What joins several parts, and the order in which all that show something are told."""
+        image, controls = self.panes["image"], self.controls
         self.guide = SceneGuide(
-            self.scene_panel,
-            self.panels,
-            self.controls,
-            self.manipulation,
-            self.panes["image"],
-            self.menus,
-            self.store,
-            self.files.choose_scene,
-        )
+            self.scene_panel, self.panels, controls, self.manipulation, image, self.menus,
+            self.store, self.files.choose_scene,
+        )  # fmt: skip
         self.comparing = Comparing(
-            self.panes["image"],
-            self.look,
-            self.store,
-            self.slots,
-            self.controls.card,
-            self.menus,
-            self.messages,
+            image, self.look, self.store, self.slots, controls.card, self.menus, self.messages
         )
         self.arrangement = Arrangement(
-            self.panes,
-            self.slots,
-            WorldLook(self.panes, self.menus),
-            self.strip,
-            self.panels,
-            dict(zip(PANELS, self.panels.all, strict=True)),
-            self.matrices,
-            self.frame_panel,
-            self.probe_panel,
-            self.comparing.pictures,
-            self,
-        )
+            self.panes, self.slots, WorldLook(self.panes, self.menus), self.strip, self.panels,
+            self.matrices, self.frame_panel, self.probe_panel, self.comparing.pictures,
+        )  # fmt: skip
         self.store.look = lambda: self.arrangement.view
         self.cost = Cost(self.panes, self.status)
         self.quality = DrawnQuality(
-            self.look,
-            self.panes["image"],
-            self.status,
-            self.settings,
-            self.store,
-            lambda: self.shown,
-            self.files.scene,
-            self.messages.say,
+            self.look, image, self.status, self.settings, self.store, lambda: self.shown,
+            self.files.scene, self.messages.say,
+        )  # fmt: skip
+        players = (
+            controls.animation.pause,
+            controls.card.pause,
+            *(cursor.let_go for cursor in self.cursors.values()),
         )
         self.history = History(
-            self,
-            self.store,
-            self.menus,
-            lambda: self.shown.scene.start,
-            (
-                self.controls.animation.pause,
-                self.controls.card.pause,
-                *(cursor.let_go for cursor in self.cursors.values()),
-            ),
+            self, self.store, self.menus, lambda: self.shown.scene.start, players
         )
         self.lessons = Lessons(
-            self.store,
-            self.files,
-            self.messages,
-            self.history.stand_still,
-            self.strip.go_to,
+            self.store, self.files, self.messages, self.history.stand_still, self.strip.go_to,
             self._look_from,
-        )
+        )  # fmt: skip
         self.lesson_card = LessonCard(self.lessons, self.store, self.settings)
         self.side.take_card(self.lesson_card)
         self.files.lesson_wanted.connect(self.lesson_card.open)
         self.talks = Talks(
-            self, self.lessons, self.present, self.store, self.messages, self.settings, self.band
+            self,
+            self.lessons,
+            self.present,
+            self.store,
+            self.messages,
+            self.settings,
+            self.band,
+            self.look,
         )
         self.talk_actions = TalkActions(self.talks, self, self.settings)
         self.menus.lesson_menu.addSeparator()
         self.menus.lesson_menu.addActions(self.talk_actions.all)
         self.lessons.opened.connect(self.talk_actions.show_lesson)
-        self.recovery = Recovery(
-            data_folder(),
-            self.store,
-            self.messages,
-            self.files,
-            self,
-        )
+        self.recovery = Recovery(data_folder(), self.store, self.messages, self.files, self)
         self._told: tuple[Told, ...] = (
             *self.cursors.values(),
             self.manipulation,  # which lets go of what is held before it is gone
@@ -446,10 +370,9 @@ class MainWindow(QMainWindow):
         controls.object_unfolded.connect(self.panes["world"].show_object_axes)
         strip.named.connect(ndc.set_title)
         strip.moved.connect(self.matrices.show_stage)
-        set_letters("own")  # of another window before this one
-        self.matrices.letters_changed.connect(set_letters)
+        lettering.set("own")  # of another window before this one
+        self.matrices.letters_changed.connect(lettering.set)
         self.matrices.letters_changed.connect(self.look.set_letters)
-        self.matrices.letters_changed.connect(self.frame_panel.set_letters)
         strip.gesture_started.connect(partial(self.look.refine, "ndc", False))
         strip.gesture_finished.connect(partial(self.look.refine, "ndc", True))
         self.history.rested.connect(self.look.rest)
@@ -457,7 +380,7 @@ class MainWindow(QMainWindow):
         self.look.built.connect(self.manipulation.leave)
         self.look.built.connect(controls.set_style)
         self.look.built.connect(self.comparing.pictures.set_style)
-        set_all_digits(self.settings.all_digits)
+        all_digits.set(self.settings.all_digits)
         menus.all_digits_set.connect(self._set_all_digits)
         menus.find.triggered.connect(self._find_control)
         menus.play.triggered.connect(controls.animation.toggle)
@@ -497,6 +420,7 @@ class MainWindow(QMainWindow):
         """Join the lesson's card to its keys, and to all that a task may ask for."""
         card, menus = self.lesson_card, self.menus
         menus.lesson_menu.wire(card, self.settings)
+        card.begun_again.connect(self._offer_answers)
         card.toggled.connect(self._show_beside)
         card.toggled.connect(self.side.make_room)
         looked = (*menus.fixed.values(), *menus.layers.values())
@@ -519,17 +443,15 @@ class MainWindow(QMainWindow):
     def _wire_gestures(self) -> None:
         """Let everyone know when values run: the store makes one step of them."""
         store, controls, panels = self.store, self.controls, self.panels.all
-        sources: tuple[Controls | AnimationBar | Manipulation | Panel, ...] = (
+        sources: tuple[Gestures, ...] = (
             controls, controls.animation, self.manipulation, *panels
         )  # fmt: skip
-        listeners: tuple[Store | Controls | Panel, ...] = (store, controls, *panels)
-        for told in listeners:
-            for each in sources:
+        listeners: tuple[Store | SceneCard | Panel, ...] = (store, controls.card, *panels)
+        for each in sources:
+            for told in listeners:
                 each.gesture_started.connect(told.begin_gesture)
                 each.gesture_finished.connect(told.end_gesture)
-        dragged: tuple[Controls | Panel, ...] = (controls, *panels)
-        for source in dragged:
-            source.gesture_abandoned.connect(store.abandon_gesture)
+            each.gesture_abandoned.connect(store.abandon_gesture)
         self.strip.gesture_started.connect(self.measure_panel.begin_gesture)
         self.strip.gesture_finished.connect(self.measure_panel.end_gesture)
 
@@ -546,9 +468,13 @@ class MainWindow(QMainWindow):
             self.highlighter.changed.connect(place.show_highlight)
         self.highlighter.changed.connect(self.controls.show_highlight)
 
-    def _set_all_digits(self, all_digits: bool) -> None:
-        self.settings.all_digits = all_digits
-        set_all_digits(all_digits)
+    def _offer_answers(self, title: str, take_back: Callable[[], object]) -> None:
+        text = self.tr("What was answered in “{0}” is forgotten.").format(title)
+        self.messages.say(text, (self.tr("Undo"), take_back))
+
+    def _set_all_digits(self, on: bool) -> None:
+        self.settings.all_digits = on
+        all_digits.set(on)
 
     def _look_from(self, cameras: Mapping[str, Camera]) -> None:
         """Look at the panes from there; at those that are not named as ever."""
@@ -577,9 +503,13 @@ class MainWindow(QMainWindow):
     def _tell(self, changed: Changed) -> None:
         """Tell everyone who is concerned what has changed."""
         self.panels.keep(self.shown)
-        for told in self._told:
-            if changed & told.concerns:
-                told.take(self.shown, changed)
+        self.look.set_waiting("view" in changed)  # which tells them, after their arrangement
+        try:
+            for told in self._told:
+                if changed & told.concerns:
+                    told.take(self.shown, changed)
+        finally:
+            self.look.set_waiting(False)
         self.panels.tell()
         self.recovery.autosave.schedule()
 

@@ -7,9 +7,9 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 import numpy as np
-from PySide6.QtCore import QByteArray, QMimeData, QObject, Qt, Signal
+from PySide6.QtCore import QByteArray, QMimeData, QObject, Signal
 from PySide6.QtGui import QGuiApplication, QImage, QOpenGLContext
-from PySide6.QtWidgets import QFileDialog, QMainWindow, QProgressDialog
+from PySide6.QtWidgets import QFileDialog, QMainWindow
 
 from app.document.document import Document, picture_json
 from app.model.refusal import Cancelled, Refusal
@@ -17,10 +17,10 @@ from app.scenes.scene import Scene
 from widgets.parts import palette
 from widgets.parts.message_bar import MessageBar
 from widgets.parts.messages import sentence
-from widgets.window.files import SHOW_PROGRESS_AFTER_MS
+from widgets.parts.progress import progress
 
 if TYPE_CHECKING:
-    from app.drawings.figures import Pixels
+    from app.drawings.off_screen import Pixels
     from widgets.window.export_dialog import ExportChoice
 
 
@@ -143,17 +143,7 @@ class Pictures(QObject):
         current = QOpenGLContext.currentContext()
         if current is not None:  # or VTK may take Qt's context for its own
             current.doneCurrent()
-        dialog = QProgressDialog(
-            self.tr("Drawing the picture"), self.tr("Cancel"), 0, 100, self._window
-        )
-        dialog.setWindowModality(Qt.WindowModality.WindowModal)
-        dialog.setMinimumDuration(SHOW_PROGRESS_AFTER_MS)
-
-        def progress(fraction: float) -> bool:
-            dialog.setValue(round(99 * fraction))
-            return not dialog.wasCanceled()
-
-        try:
+        with progress(self._window, self.tr("Drawing the picture")) as tell:
             return render(
                 self._scene(document.scene, document.mesh),
                 document.projection,
@@ -167,11 +157,8 @@ class Pictures(QObject):
                 text_pt=choice.text_pt,
                 style=palette.drawing_style(dark=False, screen_px=0.0, device_pixel_ratio=1.0),
                 words=self._words,
-                progress=progress,
+                progress=tell,
             )
-        finally:
-            dialog.close()
-            dialog.deleteLater()
 
 
 def _pixels(image: QImage) -> Pixels:

@@ -109,15 +109,12 @@ class Present(QObject):
         """Whether nothing is seen."""
         return self._blank.isVisible()
 
-    def leave(self) -> bool:
-        """Leave what is on top of it, or it; whether there was something to leave."""
+    def leave(self) -> None:
+        """Leave what is on top of it, or it."""
         if self.is_blank:
             self._blank.hide()
-        elif self.is_on:
-            self.end()
         else:
-            return False
-        return True
+            self.end()
 
     def show_tools(self, seen: bool) -> None:
         """Show the tool bar while presenting, or hide it."""

@@ -162,11 +162,14 @@ class DrawnQuality(QObject):
             tolerance_px = self._settings.tolerance_px
             is_enough = max(bounds_px(projection, scene)) <= tolerance_px
             precision = "float32" if is_enough else "float64"
+        smoothing = quality.smoothing
+        if smoothing == AUTO:
+            smoothing = self._look.adaptive.smoothing(True)
         return {
             "rung": precision,
             "depth_format": quality.depth_format or "fixed24",
             "depth_mapping": quality.depth_mapping or projection.depth,
-            "smoothing": "FXAA" if quality.smoothing == AUTO else quality.smoothing,
+            "smoothing": smoothing,
             "detail": f"{quality.detail:g}",
             "scene": document.scene,
             "settings.interpolation": str(settings.get("interpolation", "correct")),
@@ -177,11 +180,6 @@ class DrawnQuality(QObject):
 class Cost(QObject):
     """What a step takes, in the status line while that is asked for.
 
-    Parameters
-    ----------
-    panes : mapping of str to Pane
-    status : StatusLine
-
     Attributes
     ----------
     costs : dict of str to (float, float)
@@ -190,12 +188,12 @@ class Cost(QObject):
         What of it the model took.
     """
 
-    concerns = PROJECTION
+    concerns: Changed = frozenset()
+    """Nothing unless steps are measured."""
 
     def __init__(self, panes: Mapping[str, Pane], status: StatusLine) -> None:
         super().__init__(status)
         self._panes, self._status = panes.values(), status
-        self._is_timed = False
         self.costs: dict[str, tuple[float, float]] = {}
         self.model_ms = 0.0
         for pane in self._panes:
@@ -203,17 +201,16 @@ class Cost(QObject):
 
     def measure(self, on: bool) -> None:
         """Measure every step, and show what it takes; or do not."""
-        self._is_timed, self.costs = on, {}
+        self.concerns, self.costs = PROJECTION if on else frozenset(), {}
         self._status.cost.setVisible(on)
         for pane in self._panes:
             pane.set_timed(on)
 
     def take(self, shown: Shown, changed: Changed) -> None:
         """Compute what every pane shares, which the first of them would be charged for."""
-        if self._is_timed:
-            began = time.perf_counter()
-            _ = shown.projection.clip_from_world, shown.projection.image_from_ndc
-            self.model_ms = 1e3 * (time.perf_counter() - began)
+        began = time.perf_counter()
+        _ = shown.projection.clip_from_world, shown.projection.image_from_ndc
+        self.model_ms = 1e3 * (time.perf_counter() - began)
 
     def _pane_timed(self, name: str, matrices_ms: float, repaint_ms: float) -> None:
         self.costs[name] = matrices_ms, repaint_ms

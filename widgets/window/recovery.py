@@ -14,6 +14,7 @@ from pathlib import Path
 
 from PySide6.QtCore import QDateTime, QLocale, QObject
 
+from app.document.document import read
 from app.document.store import Origin, Store
 from app.model.refusal import Refusal
 from widgets.parts.message_bar import MessageBar
@@ -38,12 +39,7 @@ class Recovery(QObject):
     """
 
     def __init__(
-        self,
-        folder: Path,
-        store: Store,
-        messages: MessageBar,
-        files: Files,
-        parent: QObject,
+        self, folder: Path, store: Store, messages: MessageBar, files: Files, parent: QObject
     ) -> None:
         super().__init__(parent)
         self._folder, self._store = folder, store
@@ -79,15 +75,10 @@ class Recovery(QObject):
         orphans = self.autosave.orphans()
         if orphans:
             newest = orphans[0]
-            self._messages.say(
-                self.tr("Work of {0} was not saved.").format(
-                    QLocale().toString(
-                        QDateTime.fromSecsSinceEpoch(int(newest.stat().st_mtime)),
-                        QLocale.FormatType.ShortFormat,
-                    )
-                ),
-                *self._ways_with(newest),
-            )
+            time = QDateTime.fromSecsSinceEpoch(int(newest.stat().st_mtime))
+            written = QLocale().toString(time, QLocale.FormatType.ShortFormat)
+            text = self.tr("Work of {0} was not saved.").format(written)
+            self._messages.say(text, *self._ways_with(newest))
 
     def _ways_with(self, path: Path) -> tuple[tuple[str, Callable[[], object]], ...]:
         """What can be done with a copy of unsaved work."""
@@ -98,7 +89,7 @@ class Recovery(QObject):
 
     def _recover(self, path: Path) -> None:
         try:
-            document = self.autosave.recover(path)
+            document = read(path)
         except Refusal as error:
             ways = self._ways_with(path) if path.exists() else ()  # or another window has it
             self._messages.say(sentence(error), *ways)
@@ -107,11 +98,8 @@ class Recovery(QObject):
             if self.autosave.save_now():  # until then the old copy is the only one
                 self._discard(path)
             else:
-                self._messages.say(
-                    self.tr("The recovered work cannot be kept in {0}: save it soon.").format(
-                        path.parent
-                    )
-                )
+                text = self.tr("The recovered work cannot be kept in {0}: save it soon.")
+                self._messages.say(text.format(path.parent))
         elif self._messages.text:  # a mesh that is not there, perhaps only not yet
             self._messages.say(self._messages.text, *self._ways_with(path))
         else:
@@ -119,15 +107,13 @@ class Recovery(QObject):
 
     def _discard(self, path: Path) -> None:
         try:
-            self.autosave.discard(path)
+            path.unlink(missing_ok=True)
         except OSError as error:
-            self._messages.say(
-                self.tr("{0} could not be removed: {1}.").format(path, error.strerror or error)
-            )
+            text = self.tr("{0} could not be removed: {1}.")
+            self._messages.say(text.format(path, error.strerror or error))
             return
         self.offer()
 
     def _tell_no_copy(self, folder: str) -> None:
-        self._messages.say(
-            self.tr("No copy of unsaved work can be kept in {0}: save it soon.").format(folder)
-        )
+        text = self.tr("No copy of unsaved work can be kept in {0}: save it soon.")
+        self._messages.say(text.format(folder))

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -10,7 +11,7 @@ from PySide6.QtCore import QObject
 
 from app.document.store import Store
 from app.model.refusal import Refusal
-from app.scenes.phenomena.illustration import Value
+from app.scenes.phenomena.settings import Value
 from app.scenes.scene import RASTERISED
 from widgets.controls.controls import Controls
 from widgets.panels.scene_panel import ScenePanel
@@ -65,9 +66,10 @@ class SceneGuide(QObject):
         """Whether the picture is drawn in a way that OpenGL may refuse."""
         menus.scene_chosen.connect(self.choose)
         self._card = controls.card
-        self._card.settings_edited.connect(self._set_settings)
+        self._card.settings_edited.connect(partial(self._set, self._card.refuse))
         self._card.explanation_wanted.connect(lambda: panels.open(panel))
-        manipulation.setting_edited.connect(self._set_by_hand)
+        by_hand = partial(self._set, lambda error: manipulation.refuse(self._card.named(error)))
+        manipulation.setting_edited.connect(by_hand)
 
     def choose(self, name: str) -> None:
         """Change to another scene; it can be undone."""
@@ -98,17 +100,11 @@ class SceneGuide(QObject):
         else:
             self._controls.bring_to_front(phenomenon.controls, phenomenon.replaces)
 
-    def _set_settings(self, settings: Mapping[str, Value]) -> None:
+    def _set(self, refuse: Callable[[Refusal], None], settings: Mapping[str, Value]) -> None:
         try:
             self._store.set_settings(settings)
         except Refusal as error:
-            self._card.refuse(error)
-
-    def _set_by_hand(self, settings: Mapping[str, Value]) -> None:
-        try:
-            self._store.set_settings(settings)
-        except Refusal as error:
-            self._manipulation.refuse(self._card.named(error))
+            refuse(error)
 
     def _tell_problem(self) -> None:
         """Say, and draw again, where this computer's OpenGL refused a scene's own shader."""

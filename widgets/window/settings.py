@@ -22,6 +22,7 @@ from app.precision.levels import DRAWING_TOLERANCE_PX, LARGEST_TOLERANCE_PX, LEA
 log = logging.getLogger(__name__)
 
 _T = TypeVar("_T")
+_N = TypeVar("_N", int, float)
 THEMES = ("system", "light", "dark")
 NAME = "frustum-lab"
 
@@ -72,19 +73,13 @@ def _flag(text: str) -> bool:
     return text == "true"
 
 
-def _number_in(low: float, high: float) -> Callable[[str], float]:
-    def read(text: str) -> float:
-        number = float(text)
-        if not low <= number <= high:
-            raise ValueError
-        return number
-
-    return read
+def _flag_text(on: bool) -> str:
+    return "true" if on else "false"
 
 
-def _whole_in(low: int, high: int) -> Callable[[str], int]:
-    def read(text: str) -> int:
-        number = int(text)
+def _number_in(low: _N, high: _N) -> Callable[[str], _N]:
+    def read(text: str) -> _N:
+        number = type(low)(text)
         if not low <= number <= high:
             raise ValueError
         return number
@@ -111,16 +106,22 @@ def _base64(content: bytes | None) -> str:
     return base64.b64encode(content or b"").decode("ascii")
 
 
-def _paths(text: str) -> list[str]:
+def _json(text: str, kind: type[_T]) -> _T:
     try:
-        paths = json.loads(text)
+        found = json.loads(text)
     except RecursionError as error:
         raise ValueError from error
-    if not isinstance(paths, list):
+    if not isinstance(found, kind):
         raise ValueError
-    if not all(isinstance(path, str) and path and "\0" not in path for path in paths):
+    return found
+
+
+def _paths(text: str) -> list[str]:
+    paths: list[object] = _json(text, list)
+    found = [path for path in paths if isinstance(path, str) and path and "\0" not in path]
+    if len(found) < len(paths):
         raise ValueError
-    return paths
+    return found
 
 
 MOST_LESSONS, MOST_ANSWERS, LONGEST_ANSWER = 200, 200, 80
@@ -148,13 +149,8 @@ class Progress:
 
 
 def _all_progress(text: str) -> dict[str, Progress]:
-    try:
-        found = json.loads(text)
-    except RecursionError as error:
-        raise ValueError from error
-    if not isinstance(found, dict):
-        raise ValueError
-    return {str(name): _one_progress(kept) for name, kept in found.items()}
+    found: dict[str, object] = _json(text, dict)
+    return {name: _one_progress(kept) for name, kept in found.items()}
 
 
 def _one_progress(kept: object) -> Progress:
@@ -214,8 +210,7 @@ class Settings:
 
     theme = _Kept("theme", _theme, "system")
     """One of `THEMES`."""
-    """Whether text and lines are enlarged for the back row."""
-    all_digits = _Kept("all-digits", _flag, False, lambda on: "true" if on else "false")
+    all_digits = _Kept("all-digits", _flag, False, _flag_text)
     """Whether numbers that are read have all of their digits, not four."""
     language = _Kept("language", _language, "")
     """A locale such as ``"hr"`` or ``"sr_RS"``; empty for the system's."""
@@ -225,11 +220,11 @@ class Settings:
     """Error in pixels up to which a GPU's own arithmetic may draw."""
     frame_ms = _Kept("frame", _number_in(0.0, LARGEST_FRAME_MS), FRAME_MS)
     """Longest frame that is wanted while a control is dragged, in ms; 0 for any."""
-    start_card = _Kept("start_card", _flag, True, lambda on: "true" if on else "false")
+    start_card = _Kept("start_card", _flag, True, _flag_text)
     """Whether the program begins with its scenes as pictures."""
-    speaker_window = _Kept("speaker_window", _flag, True, lambda on: "true" if on else "false")
+    speaker_window = _Kept("speaker_window", _flag, True, _flag_text)
     """Whether the speaker's window opens when a talk is presented."""
-    notes_px = _Kept("notes", _whole_in(LEAST_NOTES_PX, LARGEST_NOTES_PX), 22)
+    notes_px = _Kept("notes", _number_in(LEAST_NOTES_PX, LARGEST_NOTES_PX), 22)
     """Height of the letters in the speaker's notes."""
     geometry = _Kept[bytes | None]("geometry", _bytes, None, _base64)
     """The window's place as Qt wrote it, None before the first time."""
@@ -237,11 +232,7 @@ class Settings:
     @property
     def recent(self) -> list[str]:
         """Paths of the files opened or saved before, newest first: by every window, as of now."""
-        if self._file is not None:
-            self._file.sync()
-            self._values["recent"] = self._file.value("recent")
-        nothing: list[str] = []
-        return list(self.read("recent", _paths, nothing))
+        return self._read_again("recent", _paths, [])
 
     @recent.setter
     def recent(self, recent: list[str]) -> None:
@@ -250,11 +241,7 @@ class Settings:
     @property
     def progress(self) -> dict[str, Progress]:
         """Of the lessons that were begun, by their names or paths, the newest last; as of now."""
-        if self._file is not None:
-            self._file.sync()
-            self._values["progress"] = self._file.value("progress")
-        nothing: dict[str, Progress] = {}
-        return dict(self.read("progress", _all_progress, nothing))
+        return self._read_again("progress", _all_progress, {})
 
     def keep_progress(self, name: str, progress: Progress | None) -> None:
         """Keep how far somebody has come in a lesson; None forgets it."""
@@ -270,6 +257,13 @@ class Settings:
     def override(self, key: str, text: str) -> None:
         """Use another value until it is set again; it is not saved."""
         self._for_now[key] = text
+
+    def _read_again(self, key: str, convert: Callable[[str], _T], default: _T) -> _T:
+        """A value as other windows have left it in the file."""
+        if self._file is not None:
+            self._file.sync()
+            self._values[key] = self._file.value(key)
+        return self.read(key, convert, default)
 
     def read(self, key: str, convert: Callable[[str], _T], default: _T) -> _T:
         """A value, checked; the default in the place of none, or of one that is not valid."""

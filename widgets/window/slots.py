@@ -151,7 +151,8 @@ class Slots(QSplitter):
         """Bring the pane that another scene is about into the large slot."""
         if shown.scene.leading != self.leading:
             self.leading = name = shown.scene.leading
-            self.arrange(self.layout_name, name, name if self.whole else "")
+            if self.whole or "view" not in changed:  # else it is to be arranged, with the rest
+                self.arrange(self.layout_name, name, name if self.whole else "")
 
     def go_back(self) -> None:
         """Dock and show every pane, the one that the scene is about in the large slot."""
@@ -195,7 +196,8 @@ class Slots(QSplitter):
             for place, name in enumerate(names):
                 if splitter.indexOf(self._panes[name]) != place:
                     splitter.insertWidget(place, self._panes[name])
-        self.insertWidget(self.count() - 1, self._small)
+        if self.indexOf(self._small) != self.count() - 1:
+            self.insertWidget(self.count() - 1, self._small)
 
     def _reveal(self) -> None:
         """Show those panes that shall be seen."""

@@ -31,12 +31,13 @@ from PySide6.QtWidgets import (
 
 from app.document.document import Document
 from app.lessons.course import Course, scene_of
-from app.lessons.lesson import Step
+from app.lessons.lesson import Question, Step
 from app.lessons.text import plain_of
 from app.model.refusal import Refusal
 from widgets.parts import palette
 from widgets.parts.lesson_text import set_text
 from widgets.window.settings import LARGEST_NOTES_PX, LEAST_NOTES_PX, Settings
+from widgets.window.talk_band import CHOICES
 
 PICTURE_PX = (400, 250)
 """In which the next step's pane is drawn; it is shown as large as there is room for."""
@@ -135,6 +136,7 @@ class SpeakerWindow(QWidget):
         self._title.setWordWrap(True)
         self._title.setTextFormat(Qt.TextFormat.PlainText)
         self._said = QLabel()
+        self._said.setWordWrap(True)
         self._clock = QLabel()
         self._elapsed = QLabel()
         self._plan = QLabel()
@@ -233,7 +235,9 @@ class SpeakerWindow(QWidget):
         document = self.notes.document()
         document.setDefaultFont(font)
         line = self.palette().color(QPalette.ColorRole.Mid).name()
-        set_text(document, step.note.text if step.note is not None else "", line=line)
+        parts = [step.note.text] if step.note is not None else []
+        parts += [_asked(part) for part in step.parts if isinstance(part, Question)]
+        set_text(document, "\n\n".join(parts), line=line)
         document.setDocumentMargin(8.0)
 
     def enlarge(self, by_px: int) -> None:
@@ -315,6 +319,15 @@ class SpeakerWindow(QWidget):
     def closeEvent(self, event: QCloseEvent) -> None:
         super().closeEvent(event)
         self.left.emit()
+
+
+def _asked(question: Question) -> str:
+    """A question as the class reads it, with its right choice marked."""
+    choices = [
+        f"**{letter} {choice.text} ✓**" if choice.right else f"{letter} {choice.text}"
+        for letter, choice in zip(CHOICES, question.choices, strict=False)
+    ]
+    return "\n\n".join(["  \n".join([f"*{question.text}*", *choices]), question.why])
 
 
 def _drawn(document: Document, theme: str) -> QImage:

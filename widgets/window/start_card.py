@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import logging
 import traceback
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from functools import partial
 from pathlib import Path
 
@@ -23,14 +23,16 @@ from PySide6.QtWidgets import (
     QLabel,
     QMenu,
     QToolButton,
-    QVBoxLayout,
     QWidget,
 )
 
 from app.document.view import View
+from app.lessons.lesson import head_of, is_lesson
+from app.model.refusal import Refusal
 from app.scenes.scene import BUILT_IN, load
 from widgets.parts import palette
-from widgets.parts.icons import show_icon
+from widgets.parts.buttons import tool_button
+from widgets.parts.layouts import FREE, in_column, in_row
 from widgets.parts.messages import file_title
 from widgets.window.lesson_card import TOUR
 from widgets.window.lesson_menu import fill
@@ -43,6 +45,12 @@ THUMBNAIL_PX = (144, 81)
 MOST_RECENT = 6
 DRAWN_FINER = 2.0
 """A thumbnail is drawn so many times as large, or the letters in it would hide it."""
+
+
+def _heading(text: str) -> QLabel:
+    heading = QLabel(text)
+    heading.setObjectName("paneTitle")
+    return heading
 
 
 BARE = View(layers=frozenset({"labels"}))
@@ -104,25 +112,16 @@ class StartCard(QWidget):
         for place, tile in enumerate(self.tiles.values()):
             tile.setFixedWidth(width)
             grid.addWidget(tile, place // COLUMNS, place % COLUMNS)
-        column = QVBoxLayout(card)
-        column.setContentsMargins(16, 10, 16, 12)
-        column.setSpacing(6)
-        column.addLayout(self._head())
-        both = QHBoxLayout()
-        both.setSpacing(16)
-        both.addLayout(grid)
-        column_beside = QVBoxLayout()
-        column_beside.setSpacing(2)
-        self._lessons(column_beside, progress)
-        column_beside.addSpacing(12)
-        self._files(column_beside, recent)
-        both.addLayout(column_beside)
-        column.addLayout(both)
+        beside = in_column(
+            _heading(self.tr("Learn")), *self._lessons(progress), 12,
+            _heading(self.tr("Files")), *self._files(recent), FREE, gap=2,
+        )  # fmt: skip
         always = QCheckBox(self.tr("Show this at every start"))
         always.setToolTip(self.tr("Help > Start card shows it at any time"))
         always.setChecked(at_every_start)
         always.toggled.connect(self.always_set)
-        column.addWidget(always)
+        both = in_row(grid, beside, gap=16)
+        in_column(self._head(), both, always, on=card, margins=(16, 10, 16, 12), gap=6)
         self._undrawn = list(BUILT_IN)
         self._drawing = QTimer(self)
         self._drawing.timeout.connect(self._draw_next)
@@ -139,88 +138,60 @@ class StartCard(QWidget):
     def _head(self) -> QHBoxLayout:
         title = QLabel(self.tr("How a camera turns a 3-D scene into a picture"))
         title.setObjectName("cardTitle")
-        leave = QToolButton()
-        leave.setAutoRaise(True)
-        show_icon(leave, "close")
-        leave.setToolTip(self.tr("Begin with the letter F (Esc)"))
-        leave.setAccessibleName(self.tr("Close"))
-        leave.clicked.connect(self.close)
-        row = QHBoxLayout()
-        row.addWidget(title, 1)
-        row.addWidget(leave)
-        return row
+        tip = self.tr("Begin with the letter F (Esc)")
+        leave = tool_button("", tip, self.close, icon="close", name=self.tr("Close"), flat=True)
+        return in_row((title, 1), leave)
 
     def _tile(self, name: str, title: str) -> QToolButton:
-        tile = QToolButton()
-        tile.setAutoRaise(True)
-        tile.setText(title)
-        tile.setToolTip(title)
+        act = partial(self._choose, self.scene_chosen.emit, name)
+        tile = tool_button(title, title, act, flat=True)
         tile.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextUnderIcon)
         tile.setIconSize(QSize(*THUMBNAIL_PX))
         room = QPixmap(*THUMBNAIL_PX)  # for the picture, or all would move when it comes
         room.fill(Qt.GlobalColor.transparent)
         tile.setIcon(QIcon(room))
-        tile.clicked.connect(partial(self._choose, self.scene_chosen.emit, name))
         return tile
 
-    def _lessons(self, column: QVBoxLayout, progress: Mapping[str, Progress]) -> None:
-        heading = QLabel(self.tr("Learn"))
-        heading.setObjectName("paneTitle")
-        column.addWidget(heading)
-        tour = QToolButton()
-        tour.setText(self.tr("Two-minute tour"))
-        show_icon(tour, "play")
-        tour.setToolTip(self.tr("Six things to try, one after the other"))
-        tour.clicked.connect(partial(self._choose, self.file_chosen.emit, str(TOUR)))
-        buttons = [tour]
-        for text, tip, talks in (
+    def _lessons(self, progress: Mapping[str, Progress]) -> Iterator[QToolButton]:
+        choose = partial(self._choose, self.file_chosen.emit)
+        yield tool_button(
+            self.tr("Two-minute tour"), self.tr("Six things to try, one after the other"),
+            partial(choose, str(TOUR)), icon="play", flat=True,
+        )  # fmt: skip
+        for text, icon, tip in (
             (
                 self.tr("Lessons"),
+                "lesson",
                 self.tr("24 topics of the lectures, to work through alone"),
-                False,
             ),
-            (self.tr("Talks"), self.tr("The five lectures, to step through for a class"), True),
+            (
+                self.tr("Talks"),
+                "present",
+                self.tr("The five lectures, to step through for a class"),
+            ),
         ):
-            button = QToolButton()
-            button.setText(text)
-            show_icon(button, "lesson" if not talks else "present")
-            button.setToolTip(tip)
+            button = tool_button(text, tip, icon=icon, flat=True)
             menu = QMenu(button)
-            choose = partial(self._choose, self.file_chosen.emit)
+            talks = icon == "present"
             menu.aboutToShow.connect(partial(fill, menu, progress, choose, talks=talks))
             button.setMenu(menu)
             button.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
-            buttons.append(button)
-        self._add(column, buttons)
+            yield button
 
-    @staticmethod
-    def _add(column: QVBoxLayout, buttons: Sequence[QToolButton]) -> None:
-        for button in buttons:
-            button.setAutoRaise(True)
-            button.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
-            column.addWidget(button)
-
-    def _files(self, column: QVBoxLayout, recent: Sequence[str]) -> None:
-        heading = QLabel(self.tr("Files"))
-        heading.setObjectName("paneTitle")
-        column.addWidget(heading)
-        opens = QToolButton()
-        opens.setText(self.tr("Open a file…"))
-        show_icon(opens, "open")
-        opens.setToolTip(self.tr("Open a document, a lesson, a mesh or an exported picture"))
-        opens.clicked.connect(self._open)
-        buttons = [opens]
+    def _files(self, recent: Sequence[str]) -> Iterator[QToolButton]:
+        yield tool_button(
+            self.tr("Open a file…"),
+            self.tr("Open a document, a lesson, a mesh or an exported picture"),
+            self._open, icon="open", flat=True,
+        )  # fmt: skip
         for path in recent[:MOST_RECENT]:
-            button = QToolButton()
+            act = partial(self._choose, self.file_chosen.emit, path)
+            button = tool_button("", path, act, name=Path(path).name, flat=True)
             button.setText(button.fontMetrics().elidedText(
-                file_title(path), Qt.TextElideMode.ElideMiddle, THUMBNAIL_PX[0]
+                _title_of(path), Qt.TextElideMode.ElideMiddle, THUMBNAIL_PX[0]
             ))  # fmt: skip
-            button.setToolTip(path)
-            button.setAccessibleName(Path(path).name)
-            button.clicked.connect(partial(self._choose, self.file_chosen.emit, path))
-            buttons.append(button)
-        self._add(column, buttons)
-        column.addStretch(1)
+            button.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
+            yield button
 
     def _choose(self, tell: Callable[[str], object], what: str) -> None:
         self.close()
@@ -283,3 +254,13 @@ class StartCard(QWidget):
     def mousePressEvent(self, event: QMouseEvent) -> None:
         event.accept()  # beside the card: those on it have been taken by what is there
         self.close()
+
+
+def _title_of(path: str) -> str:
+    """What a recent file is called: a lesson as its own top says, if it can be read."""
+    if is_lesson(path):
+        try:
+            return head_of(Path(path)).title
+        except Refusal:  # it is said when it is opened
+            pass
+    return file_title(path)

@@ -30,6 +30,7 @@ from app.precision.levels import (
 from app.precision.quality import AUTOMATIC, Quality
 from app.precision.risks import risks
 from app.scenes.scene import Scene
+from widgets.parts.buttons import tool_button
 from widgets.parts.icons import WarningLabel
 from widgets.parts.messages import plane_name, translated
 from widgets.parts.number_dialog import NumberDialog
@@ -72,8 +73,7 @@ class StatusLine(QStatusBar):
         self._notes: list[str] = []
         self.health = _Elided("health")
         self.health.setAccessibleName(self.tr("Numerical health"))
-        self.precision = QToolButton()
-        self.precision.setAutoRaise(True)
+        self.precision = QToolButton(autoRaise=True)
         self._show_precisions(self._drawn, 0.0, None)
         self.precision.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
         self.precision.setMenu(QMenu(self.precision))
@@ -86,14 +86,10 @@ class StatusLine(QStatusBar):
         )
         self.precision.menu().aboutToShow.connect(self._fill_menu)
         self.precision.installEventFilter(self)
-        self.quality = QToolButton()
-        self.quality.setAutoRaise(True)
+        tip = self.tr("The panes are drawn with a chosen quality; click for the automatic one")
+        self.quality = tool_button("", tip, self.automatic_wanted, flat=True)
         # Or it would be as high as an icon as long as it has no text, and the panes less high.
         self.quality.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextOnly)
-        self.quality.setToolTip(
-            self.tr("The panes are drawn with a chosen quality; click for the automatic one")
-        )
-        self.quality.clicked.connect(self.automatic_wanted)
         self.quality.hide()
         self.addWidget(self.quality)
         self.addWidget(self.health, 1)
@@ -101,9 +97,7 @@ class StatusLine(QStatusBar):
         self.cost.setAccessibleName(self.tr("Cost of a step"))
         self.cost.hide()
         self.addWidget(self.cost, 8)  # of health the sign is left, and its tooltip
-        self._rest = QTimer(self)
-        self._rest.setSingleShot(True)
-        self._rest.setInterval(RESTS_AFTER_MS)
+        self._rest = QTimer(self, singleShot=True, interval=RESTS_AFTER_MS)
         self._rest.timeout.connect(self._predict)
 
     def take(self, shown: Shown, changed: Changed) -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 
 from PySide6.QtCore import QEvent, QPointF, QRectF, Qt
@@ -13,6 +14,7 @@ from PySide6.QtGui import (
     QPalette,
     QResizeEvent,
     QTextDocument,
+    QWheelEvent,
 )
 from PySide6.QtWidgets import QFrame, QSizePolicy
 
@@ -23,6 +25,9 @@ from widgets.parts.lesson_text import set_text
 SHARE, TALL_SHARE = 0.135, 0.18
 """Of the screen's height, for the band: the same all through a talk, so that no pane moves at a
 step; the latter where a step has a table, formulas on lines of their own, or many choices."""
+LEAST_TEXT_SHARE, MOST_SHARE = 0.022, 1.0 / 3.0
+"""Of the screen's height: letters are never smaller; rather the band of a step that says much
+grows, so far, and the wheel moves what it says."""
 TITLE_EM = 1.3
 """Of the window's letters, which are a share of the screen's height already."""
 SIZES = (1.2, 1.12, 1.06, 1.0, 0.92, 0.84, 0.76, 0.68, 0.6)
@@ -52,12 +57,18 @@ class TalkBand(QFrame):
         self._ways: list[tuple[str, str]] = [("", "")]
         """The words, and what stands beside them: as it may be shared out."""
         self._fit = SIZES[0]
+        self._screen_px = 0.0
+        self._usual_px = 0
+        """Its height, unless a step says too much for it."""
+        self._moved_px = 0
+        """By the wheel."""
         self.hide()
 
     def set_talk(self, lesson: Lesson, screen_px: float) -> None:
         """Take a share of a screen of that height, for all of a talk."""
         share = TALL_SHARE if any(map(_is_tall, lesson.steps)) else SHARE
-        self.setFixedHeight(round(share * screen_px))
+        self._screen_px, self._usual_px = screen_px, round(share * screen_px)
+        self.setFixedHeight(self._usual_px)
 
     def show_step(self, step: Step, number: str, revealed: int) -> None:
         """Show a step, and so many of its predictions' answers."""
@@ -80,6 +91,7 @@ class TalkBand(QFrame):
             self._ways = [
                 ("\n\n".join(paragraphs[:cut]), "\n\n".join(paragraphs[cut:])) for cut in cuts
             ]
+        self._moved_px = 0
         self._fit_all()
 
     def _set(self, document: QTextDocument, text: str, *, title: bool = False) -> None:
@@ -93,12 +105,33 @@ class TalkBand(QFrame):
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)
-        self._fit_all()
+        if event.size().width() != event.oldSize().width():
+            self._fit_all()
 
     def changeEvent(self, event: QEvent) -> None:
         super().changeEvent(event)
         if event.type() in (QEvent.Type.FontChange, QEvent.Type.PaletteChange):
             self._fit_all()
+
+    def wheelEvent(self, event: QWheelEvent) -> None:
+        most = max(0, self._needed_px - self.height())
+        moved = self._moved_px - round(event.angleDelta().y() / 120.0 * self.fontMetrics().height())
+        self._moved_px = max(0, min(most, moved))
+        self.update()
+
+    @property
+    def _sizes(self) -> tuple[float, ...]:
+        """Those of `SIZES` that the last row can read."""
+        em = self.fontInfo().pixelSize()
+        least = LEAST_TEXT_SHARE * self._screen_px
+        return tuple(size for size in SIZES if round(size * em) >= least) or (least / em,)
+
+    @property
+    def _needed_px(self) -> int:
+        """The height in which all has room, as it is set."""
+        words = self._title.size().height() + self._words.size().height()
+        beside = 0.0 if self._asked.isEmpty() else self._asked.size().height()
+        return math.ceil(max(words, beside) + 4.0)
 
     def _columns(self) -> tuple[QRectF, QRectF]:
         """Where the words stand, and where the question; in the whole width without one."""
@@ -111,25 +144,35 @@ class TalkBand(QFrame):
         return left, right
 
     def _fit_all(self) -> None:
-        """Find the way, and the largest letters, in which all of it has room."""
+        """Find the way, and the largest letters, in which all of it has room; or make room."""
+        self.setFixedHeight(self._usual_px or self.height())
         best, way = 0.0, self._ways[0]
+        needed: dict[int, tuple[str, str]] = {}
         for each in self._ways:
-            if self._share_out(*each) > best:
-                best, way = self._fit, each
+            fit = self._share_out(*each)
+            if not self._fits(fit):
+                needed.setdefault(self._needed_px, each)
+            elif fit > best:
+                best, way = fit, each
             if best >= 1.0:
                 break
-        if way is not each:
-            self._share_out(*way)
+        if best == 0.0:
+            way = needed[min(needed)]
+        self._share_out(*way)
+        if best == 0.0:
+            most = round(MOST_SHARE * self._screen_px)
+            self.setFixedHeight(max(self.height(), min(most, self._needed_px)))
         self.update()
 
     def _share_out(self, words: str, beside: str) -> float:
         self._set(self._words, words)
         self._set(self._asked, beside)
-        low, high = 0, len(SIZES) - 1  # the last is taken where nothing has room
+        sizes = self._sizes
+        low, high = 0, len(sizes) - 1  # the last is taken where nothing has room
         while low < high:
             middle = (low + high) // 2
-            low, high = (low, middle) if self._fits(SIZES[middle]) else (middle + 1, high)
-        self._fit = SIZES[low]
+            low, high = (low, middle) if self._fits(sizes[middle]) else (middle + 1, high)
+        self._fit = sizes[low]
         self._fits(self._fit)
         return self._fit
 
@@ -155,23 +198,24 @@ class TalkBand(QFrame):
     def paintEvent(self, event: QPaintEvent) -> None:
         super().paintEvent(event)
         painter = QPainter(self)
-        left, right = self._columns()
+        left, right = (column.translated(0.0, -self._moved_px) for column in self._columns())
         self._draw(painter, self._title, left.topLeft())
         self._draw(painter, self._words, left.topLeft() + QPointF(0.0, self._title.size().height()))
         if not right.isNull():
             self._draw(painter, self._asked, right.topLeft())
             painter.setPen(self.palette().color(QPalette.ColorRole.Mid))
             x = right.left() - 1.5 * _GAP_PX
-            painter.drawLine(QPointF(x, right.top() + 2.0), QPointF(x, right.bottom() - 2.0))
+            painter.drawLine(QPointF(x, 4.0), QPointF(x, self.height() - 4.0))
         room = QRectF(self.rect()).adjusted(_GAP_PX, 2.0, -_GAP_PX, -2.0)
         painter.setPen(self.palette().color(QPalette.ColorRole.WindowText))
         right_of = Qt.AlignmentFlag.AlignRight
         painter.drawText(room, right_of | Qt.AlignmentFlag.AlignTop, self._number)
-        if self.note:  # over what stands there, for a moment
+        note = self.note or ("▾" if self._moved_px + self.height() < self._needed_px else "")
+        if note:  # over what stands there, for a moment
             below = right_of | Qt.AlignmentFlag.AlignBottom
-            place = painter.boundingRect(room, below, self.note)
+            place = painter.boundingRect(room, below, note)
             painter.fillRect(place, self.palette().color(QPalette.ColorRole.Window))
-            painter.drawText(room, below, self.note)
+            painter.drawText(room, below, note)
         painter.end()
 
     def _draw(self, painter: QPainter, document: QTextDocument, place: QPointF) -> None:

@@ -35,14 +35,17 @@ from PySide6.QtWidgets import (
 
 from app.document.document import Document
 from app.document.store import Store
+from app.lecture.notation import matrices
 from app.lessons.course import Course, scene_of
-from app.lessons.lesson import Question, Step, Words
+from app.lessons.lesson import Lesson, Question, Step, Words
 from app.lessons.writing import add_step, begin_talk
 from app.model.refusal import Refusal
 from widgets.parts.lesson_text import set_text
 from widgets.parts.message_bar import MessageBar
 from widgets.parts.messages import sentence
+from widgets.parts.panel import Shown
 from widgets.window.lessons import TRANSITION_S, Lessons
+from widgets.window.look import Look
 from widgets.window.present import Present
 from widgets.window.settings import Settings
 from widgets.window.speaker import NOTES_STEP_PX, SpeakerWindow
@@ -75,6 +78,7 @@ class Talks(QObject):
     messages : MessageBar
     settings : Settings
     band : TalkBand
+    look : Look
 
     Attributes
     ----------
@@ -93,11 +97,12 @@ class Talks(QObject):
         messages: MessageBar,
         settings: Settings,
         band: TalkBand,
+        look: Look,
     ) -> None:
         super().__init__(window)
         self._window, self._lessons, self._present = window, lessons, present
         self._store, self._messages, self._settings = store, messages, settings
-        self._band = band
+        self._band, self._look = band, look
         self.speaker: SpeakerWindow | None = None
         self.revealed = 0
         self._shown: tuple[Course, int] | None = None
@@ -111,6 +116,9 @@ class Talks(QObject):
         present.switched.connect(self._open_with_talk)
         lessons.opened.connect(self._show)
         lessons.stepped.connect(self._show)
+        lessons.complained.connect(self._complain)
+        self._complaint = ""
+        """Of the open file, which the class need not read."""
         application = QApplication.instance()
         assert isinstance(application, QGuiApplication)
         # When Qt has done what it does itself.
@@ -156,6 +164,7 @@ class Talks(QObject):
         self._band.setVisible(self.is_on)
         self._forget_typed()
         if course is None:
+            self._look.forget_ahead()
             self.close_speaker()
             return
         step, count = course.lesson.steps[place], len(course.lesson.steps)
@@ -167,6 +176,8 @@ class Talks(QObject):
         self._slice.stop()
         if self.is_on or self.speaker is not None:
             self._rest.start()
+        else:
+            self._look.forget_ahead()
 
     # -- going
 
@@ -328,12 +339,23 @@ class Talks(QObject):
         self._digits = ""
         self._band.say("")
         if self.speaker is not None:
-            self.speaker.say("")
+            self.speaker.say(self._complaint)
 
     def _say(self, text: str) -> None:
         """Say something for a moment."""
         self._digits = ""
         self._tell(text)
+
+    def _complain(self, text: str) -> None:
+        """Say what is wrong with the open file to the speaker; to a class only that it is old."""
+        self._messages.take_back(self._complaint)
+        self._complaint = text
+        if self.speaker is not None:
+            self.speaker.say(text)
+        elif text and self.is_on:
+            self._say(self.tr("The file was changed, and cannot be read."))
+        elif text:
+            self._messages.say(text)
 
     def _tell(self, text: str) -> None:
         self._band.say(text)
@@ -378,6 +400,8 @@ class Talks(QObject):
             self.speaker.resize(round(0.7 * room.width()), round(0.7 * room.height()))
 
     def _open_with_talk(self, on: bool) -> None:
+        if not on and self.speaker is None and self._complaint:
+            self._messages.say(self._complaint)
         if on and self.is_on:
             if self._settings.speaker_window and self.speaker is None:
                 self.open_speaker()
@@ -428,7 +452,7 @@ class Talks(QObject):
         course, place = self._lessons.course, self._lessons.place
         if course is None:
             return
-        steps = course.lesson.steps
+        steps, scenes = course.lesson.steps, []
         for number in (place + 1, place - 1):
             if not 0 <= number < len(steps):
                 continue
@@ -436,10 +460,15 @@ class Talks(QObject):
                 set_text(QTextDocument(), text)
                 yield
             try:
-                scene_of(course.shown(number).document)
+                document = course.shown(number).document
+                scenes.append(Shown.of(document, scene_of(document)))
             except Refusal:
                 continue
             yield
+            if document.view.panel == "matrices":  # whose formulas are found once
+                matrices(document.projection, document.view.letters)
+                yield
+        yield from self._look.ahead(scenes)
         if self.speaker is not None:
             self.speaker.draw_next()
             yield
@@ -449,17 +478,30 @@ class Talks(QObject):
     def add_state(self) -> None:
         """Ask for a title, and put what is seen into the open file as a step more."""
         lesson, step = self._lessons.lesson, self._lessons.step
-        if lesson is None or step is None:
+        if lesson is None or step is None or self._is_gone(lesson):
             return
         document = self._store.seen
         found = self._ask_title(self.tr("Add this state as a step"), "", document)
         if found is not None:
             self.write_step(*found)
 
+    def _is_gone(self, lesson: Lesson) -> bool:
+        """Say that there is no file any more to write a step into, if there is none."""
+        if lesson.path.exists():
+            return False
+        text = self.tr(
+            "{0} is not in its folder any more, and no step was added: put the file back, or"
+            " choose “A new talk from here” in the Lessons menu."
+        )
+        self._messages.say(text.format(lesson.path.name))
+        return True
+
     def write_step(self, title: str, panes: bool) -> bool:
         """Put what is seen into the open file as a step more; False if that cannot be."""
         lesson, step = self._lessons.lesson, self._lessons.step
         assert lesson is not None and step is not None
+        if self._is_gone(lesson):
+            return False
         try:
             added = add_step(lesson.path, step.name, title, self._store.seen, panes=panes)
         except Refusal as error:

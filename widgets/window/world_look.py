@@ -12,12 +12,13 @@ from __future__ import annotations
 from collections.abc import Mapping
 from functools import partial
 
-from PySide6.QtCore import QObject, Qt
-from PySide6.QtWidgets import QButtonGroup, QHBoxLayout, QMenu, QToolButton, QWidget
+from PySide6.QtCore import QObject
+from PySide6.QtWidgets import QButtonGroup, QMenu, QToolButton, QWidget
 
 from app.document.view import FIXED, LAYERS
 from widgets.panes.pane import Pane
-from widgets.parts.icons import show_icon
+from widgets.parts.buttons import tool_button
+from widgets.parts.layouts import in_row
 from widgets.window.actions import Actions
 
 
@@ -35,35 +36,23 @@ class FixedViews(QWidget):
         self.setObjectName("fixedViews")
         texts = {
             "": (self.tr("Free"), self.tr("From where the hand has turned it")),
-            "side": (
-                self.tr("Side"),
-                self.tr("From the side: the flat sketch of the blackboard, with its lengths"),
-            ),
+            "side": (self.tr("Side"),
+                     self.tr("From the side: the flat sketch of the blackboard, with its lengths")),
             "top": (self.tr("Above"), self.tr("From above, flat, with its lengths")),
             "axis": (self.tr("Axis"), self.tr("Along the camera's axis, flat")),
             "eye": (self.tr("Eye"), self.tr("From the eye, as the camera sees it")),
+        }  # fmt: skip
+        self.buttons = {
+            name: tool_button(*texts[name], flat=True, checkable=True) for name in ("", *FIXED)
         }
-        row = QHBoxLayout(self)
-        row.setContentsMargins(8, 0, 0, 0)
-        row.setSpacing(0)
         self.group = QButtonGroup(self)
-        self.buttons: dict[str, QToolButton] = {}
-        for name in ("", *FIXED):
-            button = QToolButton()
-            button.setAutoRaise(True)
-            button.setCheckable(True)
-            button.setText(texts[name][0])
-            button.setToolTip(texts[name][1])
+        for button in self.buttons.values():
             self.group.addButton(button)
-            self.buttons[name] = button
-            row.addWidget(button)
-        self.menu = QToolButton()
-        self.menu.setAutoRaise(True)
+        in_row(*self.buttons.values(), on=self, margins=(8, 0, 0, 0), gap=0)
+        tip = self.tr("From where the world is looked at")
+        self.menu = tool_button(texts[""][0], tip, icon="choose", flat=True)
         self.menu.setObjectName("fixedViewsMenu")
-        show_icon(self.menu, "choose")
-        self.menu.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
         self.menu.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
-        self.menu.setToolTip(self.tr("From where the world is looked at"))
         self.menu.setMenu(QMenu(self.menu))
         self.mark("")
 
@@ -76,11 +65,6 @@ class FixedViews(QWidget):
 
 class WorldLook(QObject):
     """Lets the world be looked at from fixed places, and layers be hidden.
-
-    Parameters
-    ----------
-    panes : mapping of str to Pane
-    menus : Actions
 
     Attributes
     ----------
@@ -98,13 +82,13 @@ class WorldLook(QObject):
         self._views.menu.menu().addActions(list(menus.fixed.values()))
         self._world.add_to_header(self._views, self._views.menu)
         for name, button in self._views.buttons.items():
-            button.clicked.connect(partial(self.show, name, None))
-            menus.fixed[name].triggered.connect(partial(self.show, name, None))
+            button.clicked.connect(partial(self.show, name))
+            menus.fixed[name].triggered.connect(partial(self.show, name))
         for action in menus.layers.values():
             action.triggered.connect(self._switch)
         self._world.fixed_left.connect(self._leave)
 
-    def show(self, fixed: str, hidden: frozenset[str] | None = None, _on: bool = True) -> None:
+    def show(self, fixed: str, hidden: frozenset[str] | None = None) -> None:
         """Look so from now on.
 
         Parameters

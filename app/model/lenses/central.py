@@ -15,22 +15,9 @@ from app.arithmetic import double_double as dd
 from app.arithmetic.rationals import Rationals
 from app.model.lenses.closed_form import FULL_FRAME_DIAGONAL_MM, ClosedForm
 from app.model.lenses.lens import Lens, LensTable, Seen
-from app.model.lenses.setup import (
-    Angles,
-    Axis,
-    ExactLens,
-    HalfSpaces,
-    Intrinsics,
-    Setup,
-    Window,
-)
+from app.model.lenses.setup import Angles, Axis, ExactLens, HalfSpaces, Intrinsics, Setup, Window
 from app.model.lenses.solving import ends
-from app.model.limits import (
-    SMALLEST,
-    Array,
-    Keep,
-    Vector,
-)
+from app.model.limits import SMALLEST, Array, Keep, Vector
 from app.model.refusal import QT_TRANSLATE_NOOP
 
 

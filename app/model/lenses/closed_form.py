@@ -19,20 +19,8 @@ from app.arithmetic import double_double as dd
 from app.arithmetic.double_double import DoubleDouble
 from app.model.formula import FLOAT64
 from app.model.lenses.lens import Lens, check_planes
-from app.model.lenses.setup import (
-    ExactLens,
-    Setup,
-    Trace,
-    Window,
-)
-from app.model.limits import (
-    BEYOND,
-    LARGEST,
-    NO_POINT,
-    Array,
-    Vector,
-    read_only,
-)
+from app.model.lenses.setup import ExactLens, Setup, Trace, Window
+from app.model.limits import BEYOND, LARGEST, NO_POINT, Array, Vector, read_only
 from app.model.object_transform import Placed
 from app.model.refusal import Refusal
 from app.model.tables import evaluated
@@ -41,7 +29,6 @@ FULL_FRAME_DIAGONAL_MM = math.hypot(36.0, 24.0)
 COTS = ("cot(alpha)", "cot(beta)")
 """The letters of what leans."""
 
-_NOTHING, _ONE = Fraction(0), Fraction(1)
 _CHUNK = 16384  # larger blocks wake OpenBLAS's second thread, which fights a software renderer
 
 

@@ -16,15 +16,7 @@ from typing import Any, ClassVar, NamedTuple, cast
 
 from app.arithmetic.double_double import DoubleDouble
 from app.arithmetic.rationals import Rationals
-from app.model.lenses.setup import (
-    Angles,
-    ExactLens,
-    HalfSpaces,
-    Intrinsics,
-    Setup,
-    Trace,
-    Window,
-)
+from app.model.lenses.setup import Angles, ExactLens, HalfSpaces, Intrinsics, Setup, Trace, Window
 from app.model.limits import (
     ABOVE,
     AT_LEAST,

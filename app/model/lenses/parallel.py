@@ -13,17 +13,9 @@ import numpy as np
 from app.arithmetic.rationals import Rationals
 from app.model.lenses.closed_form import ClosedForm
 from app.model.lenses.lens import Lens, LensTable, Seen
-from app.model.lenses.setup import (
-    ExactLens,
-    HalfSpaces,
-    Setup,
-    Window,
-)
+from app.model.lenses.setup import ExactLens, HalfSpaces, Setup, Window
 from app.model.lenses.solving import ends
-from app.model.limits import (
-    Array,
-    Keep,
-)
+from app.model.limits import Array, Keep
 from app.model.refusal import QT_TRANSLATE_NOOP
 
 

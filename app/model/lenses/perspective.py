@@ -19,16 +19,7 @@ from app.model.lenses.closed_form import FULL_FRAME_DIAGONAL_MM
 from app.model.lenses.lens import Control, LensTable, plane_letters
 from app.model.lenses.setup import Angles, Intrinsics, Setup, Window
 from app.model.lenses.solving import shortest
-from app.model.limits import (
-    ABOVE,
-    AT_LEAST,
-    SMALLEST_FIELD,
-    Array,
-    Keep,
-    between,
-    finite,
-    keep_checked,
-)
+from app.model.limits import AT_LEAST, SMALLEST_FIELD, Array, Keep, between, keep_checked, positive
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
 from app.model.tables import DEPTH_RANGE, SCALED_BY_NEAR, TO_PYRAMID, Step, matrix
 
@@ -173,8 +164,7 @@ class Perspective(Central):
     controls: ClassVar[Mapping[str, Control]] = {
         "fov_y_deg": Control(
             QT_TRANSLATE_NOOP(
-                "Lens",
-                "Angle between the bottom and the top of the frustum, as seen from the eye.",
+                "Lens", "Angle between the bottom and the top of the frustum, as seen from the eye."
             ),
             *(1.0, 179.0, 0.5, "°"),
         )
@@ -292,10 +282,7 @@ def fov_y_from_window(top: float, near: float) -> float:
     Refusal
         If a number is not finite or not above 0.
     """
-    top, near = finite("top", top), finite("near", near)
-    for name, value in (("top", top), ("near", near)):
-        if value <= 0.0:
-            raise Refusal(name, value, ABOVE, 0)
+    top, near = positive("top", top), positive("near", near)
     return math.degrees(2.0 * math.atan2(top, near))
 
 
@@ -315,10 +302,7 @@ def fov_y_from_focal_length_e(e: float, aspect: float) -> float:
     Refusal
         If e is not a finite number above 0.
     """
-    e = finite("e", e)
-    if e <= 0.0:
-        raise Refusal("e", e, ABOVE, 0)
-    return math.degrees(2.0 * math.atan2(1.0, e * aspect))
+    return math.degrees(2.0 * math.atan2(1.0, positive("e", e) * aspect))
 
 
 def focal_length_35mm(fov_y_deg: float, aspect: float) -> float:
@@ -339,8 +323,6 @@ def fov_y_from_focal_length_35mm(focal_length_mm: float, aspect: float) -> float
     Refusal
         If the focal length is not a finite number above 0.
     """
-    focal_length_mm = finite("focal_length_mm", focal_length_mm)
-    if focal_length_mm <= 0.0:
-        raise Refusal("focal_length_mm", focal_length_mm, ABOVE, 0)
+    focal_length_mm = positive("focal_length_mm", focal_length_mm)
     half_height = FULL_FRAME_DIAGONAL_MM / 2.0 / math.hypot(aspect, 1.0)
     return math.degrees(2.0 * math.atan2(half_height, focal_length_mm))

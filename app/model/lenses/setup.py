@@ -11,10 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 from app.arithmetic.double_double import DoubleDouble
 from app.arithmetic.rationals import Rationals
 from app.model.camera import Camera
-from app.model.limits import (
-    Array,
-    DepthRange,
-)
+from app.model.limits import Array, DepthRange
 
 Window: TypeAlias = tuple[float, float, float, float]
 """Left, right, bottom, top, in world units."""

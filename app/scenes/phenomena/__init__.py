@@ -1,7 +1,8 @@
 """The phenomena that the lectures name, each one a scene with a readout; numpy only.
 
-`illustration` says what a phenomenon is made of, `picture` how marks come into the image pane; each
-of the other modules holds one. `PHENOMENA` has them in lecture order.
+`illustration` says what a phenomenon is made of: `settings` that are chosen, a `readout` that is
+read, `marks` that are drawn, a `diagram` beside them; `picture` how marks come into the image pane.
+Each of the other modules holds one phenomenon. `PHENOMENA` has them in lecture order.
 """
 
 from __future__ import annotations

@@ -18,25 +18,11 @@ from numpy.typing import NDArray
 from app.model.clipping import NOT_CUT, clip_segments
 from app.model.projection import Array, Camera, Perspective, Projection
 from app.model.refusal import QT_TRANSLATE_NOOP
-from app.scenes.phenomena.illustration import (
-    Dot,
-    Grip,
-    Illustration,
-    Line,
-    Marks,
-    OwnMesh,
-    Phenomenon,
-    Phrase,
-    Reading,
-    Setting,
-    Settings,
-    Subject,
-    Text,
-    figure,
-    of_parallel,
-    point,
-)
+from app.scenes.phenomena.illustration import Illustration, OwnMesh, Phenomenon, Subject
+from app.scenes.phenomena.marks import Dot, Grip, Line, Mark, Marks, Text, named
 from app.scenes.phenomena.picture import image_from_ndc
+from app.scenes.phenomena.readout import Phrase, Reading, figure, of_parallel
+from app.scenes.phenomena.settings import Setting, Settings, point
 from app.scenes.shapes import letter_f_edges, letter_f_on_grid
 
 _STEPS = np.linspace(0.0, 1.0, 65)
@@ -194,10 +180,8 @@ def deviation(projection: Projection, part: Inside) -> Deviation:
 
 def _show(projection: Projection, settings: Settings, subject: Subject) -> Illustration:
     ends = np.array([point(settings, "start"), point(settings, "end")])
-    world = Marks(
-        lines=(Line(ends, "accent", 2.0),),
-        dots=(Dot(ends[0], "accent"), Dot(ends[1], "accent")),
-        texts=(Text("P", ends[0], "accent"), Text("Q", ends[1], "accent")),
+    world = Marks.of(
+        Line(ends, "accent", 2.0), named("P", ends[0], size=1.0), named("Q", ends[1], size=1.0)
     )
     grips = Grip("start", ends[0]), Grip("end", ends[1])
     mesh = subject.mesh
@@ -210,11 +194,10 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Illus
     if parallel is not None:
         lines = [Line(pair, "muted") for pair in part.ndc[part.rows > 0]]
         lines += [Line(pair, "accent", 2.0) for pair in part.ndc[part.rows == 0]]
-        straight = (0.0, 0.0)
         return Illustration(
-            _readings(straight, 0.0, parallel, mesh),
+            _readings((0.0, 0.0), 0.0, parallel, mesh),
             world,
-            Marks(tuple(lines)),
+            Marks.of(*lines),
             _in_picture(projection, part.ndc[part.rows == 0]),
             warning=parallel,
             grips=grips,
@@ -224,29 +207,26 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Illus
     percent = found.percent[~own]
     percent = percent[np.isfinite(percent)]
     worst = float(percent.max()) if len(percent) else None
-    lines = [Line(points, "u") for points in bow(projection, _of(part, ~own), _EDGE_STEPS)]
-    dots: list[Dot] = []
-    texts: list[Text] = []
+    ndc: list[Mark] = []
+    ndc += [Line(points, "u") for points in bow(projection, _of(part, ~own), _EDGE_STEPS)]
     if own.any():
         (curve,) = bow(projection, _of(part, own), _STEPS)
-        lines += [
-            Line(part.ndc[0], "accent", 2.0),
-            Line(curve[[0, -1]], "muted"),
-            Line(curve, "u", 2.0),
-        ]
         step = float(found.step[0])
         on_chord = (1.0 - step) * curve[0] + step * curve[-1]
         on_bow = on_chord.copy()
         z_near, _ = projection.depth_range
         on_bow[2] = z_near + slope(projection) * (float(found.w[0]) - projection.lens.near)
-        lines.append(Line(np.array([on_chord, on_bow]), "ink", 1.0))
-        dots.append(Dot(on_bow, "u", 1.2))
         # Outside of the bow, which curves away from there; and beyond the straight one's end.
         quarter, straight = 3 * len(_STEPS) // 4, part.ndc[0]
         beside = (1.0 - _STEPS[quarter]) * curve[0] + _STEPS[quarter] * curve[-1]
         if math.isfinite(found.percent[0]):
-            texts.append(Text(f"{figure(found.percent[0], 4)} %", on_bow, away_from=on_chord))
-        texts += [
+            ndc.append(Text(f"{figure(found.percent[0], 4)} %", on_bow, away_from=on_chord))
+        ndc += [
+            Line(straight, "accent", 2.0),
+            Line(curve[[0, -1]], "muted"),
+            Line(curve, "u", 2.0),
+            Line(np.array([on_chord, on_bow]), "ink", 1.0),
+            Dot(on_bow, "u", 1.2),
             Text("A z + B", curve[quarter], "u", away_from=beside),
             Text("A + B / z", straight[0], "accent", away_from=straight.mean(axis=0)),
         ]
@@ -260,7 +240,7 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Illus
     return Illustration(
         _readings(at, worst, Phrase(_CUT) if cut else note, mesh, cut),
         world,
-        Marks(tuple(lines), (), tuple(dots), tuple(texts)),
+        Marks.of(*ndc),
         _in_picture(projection, part.ndc[own]),
         warning=note,
         grips=grips,
@@ -310,11 +290,6 @@ def _readings(
     )
 
 
-_START = Projection(
-    Camera((3.2, 3.4, 5.0), (-0.2, 2.3, 0.0)),
-    Perspective(fov_y_deg=60.0, near=1.0, far=14.0),
-)
-
 PHENOMENON = Phenomenon(
     name="affine-depth",
     title=QT_TRANSLATE_NOOP("phenomena", "Bent by an affine z"),
@@ -330,7 +305,10 @@ PHENOMENON = Phenomenon(
         QT_TRANSLATE_NOOP("phenomena", "Do near and far change the bow?"),
     ),
     lectures=("000", "002"),
-    start=_START,
+    start=Projection(
+        Camera((3.2, 3.4, 5.0), (-0.2, 2.3, 0.0)),
+        Perspective(fov_y_deg=60.0, near=1.0, far=14.0),
+    ),
     geometry=partial(letter_f_on_grid, (-4.0, -4.0), (4.0, 4.0)),
     show=_show,
     settings=(

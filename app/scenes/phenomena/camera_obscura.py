@@ -14,27 +14,12 @@ import numpy as np
 
 from app.model.projection import Array, Camera, Perspective, Projection
 from app.model.refusal import QT_TRANSLATE_NOOP
-from app.scenes.phenomena.illustration import (
-    Copy,
-    Curve,
-    Diagram,
-    Dot,
-    Face,
-    Found,
-    Illustration,
-    Line,
-    Marks,
-    Phenomenon,
-    Phrase,
-    Reading,
-    Setting,
-    Settings,
-    Subject,
-    Text,
-    number,
-    of_parallel,
-)
-from app.scenes.phenomena.picture import outline, section, seen, seen_lines, world_from_view
+from app.scenes.phenomena.diagram import Curve, Diagram
+from app.scenes.phenomena.illustration import Illustration, Phenomenon, Subject
+from app.scenes.phenomena.marks import Copy, Dot, Line, Mark, Marks, Text, named, plate
+from app.scenes.phenomena.picture import section, seen, seen_lines, world_from_view
+from app.scenes.phenomena.readout import Phrase, Reading, of_parallel
+from app.scenes.phenomena.settings import Found, Setting, Settings, number
 from app.scenes.phenomena.similar_triangles import onto_plane
 from app.scenes.shapes import letter_f_on_grid
 
@@ -45,6 +30,9 @@ _PARALLEL = QT_TRANSLATE_NOOP(
 _BEHIND = QT_TRANSLATE_NOOP(
     "phenomena", "the arrow is behind the hole or beside it: no light comes from it into the box"
 )
+_FILM = QT_TRANSLATE_NOOP("phenomena", "film")
+_IN_FRONT = QT_TRANSLATE_NOOP("phenomena", "synthetic film")
+_HOLE_NAME = QT_TRANSLATE_NOOP("phenomena", "hole")
 _SLAB = 4e-3  # of the film's distance: thickness of the picture on it
 _BESIDE = 0.1  # of the subject's height, from its left side to the arrow
 
@@ -91,61 +79,46 @@ def _show(projection: Projection, _settings: Settings, subject: Subject) -> Illu
 
     film, front = section(projection, -d), section(projection, d)
     wall = film + d * -camera.frame[2]  # the box' front, which has the hole in its middle
-    sides = np.stack([wall, film], axis=1)
-    lines = [Line(outline(film), "v", 1.5), Line(outline(wall), "ink", 1.0)]
-    lines += [Line(side, "ink", 1.0) for side in sides]
-    faces = [Face(film, "v", 0.2), Face(wall, "ink", 0.16)]
-    texts = [Text(_FILM, film[1], "v"), Text(_IN_FRONT, front[3], "near")]
-    texts += [Text(_HOLE_NAME, hole)]
-    dots = [Dot(hole, "ink", 1.2)]
-    readings: tuple[Reading, ...]
-    note: Phrase | None = Phrase(_BEHIND)
+    world: list[Mark] = [plate(film, "v", 1.5, 0.2), plate(wall, "ink", 1.0, 0.16)]
+    world += [Line(side, "ink", 1.0) for side in np.stack([wall, film], axis=1)]
+    world += [Text(_FILM, film[1], "v"), Text(_IN_FRONT, front[3], "near")]
+    world += [Dot(hole, "ink", 1.2), Text(_HOLE_NAME, hole)]
     behind = in_front = None
     diagrams: tuple[Diagram, ...] = ()
-    image = Marks()
+    image: list[Mark] = []
     slab = _SLAB * d
     if z > 0.0:
-        note = None
         behind, in_front = heights(projection, d, arrow[0], arrow[1])
         x, y = trace.view[:, 0] / z, trace.view[:, 1] / z
         on_film = world_from_view(projection, np.column_stack([-d * x, -d * y, [d, d]]))
         on_front = world_from_view(projection, np.column_stack([d * x, d * y, [-d, -d]]))
-        lines += [
-            Line(np.array([start, end]), "accent", 1.0)
-            for start, end in zip(arrow, on_film, strict=True)
-        ]
-        lines += [Line(each, "accent", 3.0) for each in (arrow, on_film, on_front)]
-        dots += [Dot(each[1], "accent", 1.3) for each in (arrow, on_film, on_front)]
-        texts += [
-            Text("h", arrow[1], "accent"),
-            Text("−d·h/z", on_film[1], "accent"),
-            Text("d·h/z", on_front[1], "accent"),
-        ]
+        world += [Line(np.array(ends), "accent", 1.0) for ends in zip(arrow, on_film, strict=True)]
+        for name, each in (("h", arrow), ("−d·h/z", on_film), ("d·h/z", on_front)):
+            world += [Line(each, "accent", 3.0), named(name, each[1])]
         diagrams = (_diagram(d, z, y * z),)
         slab *= z
-        both = trace.clip[None]
-        shown = seen_lines(projection, both, ("accent",), 3.0)
-        heads = (Dot(trace.image[1], "accent", 1.3),) if bool(seen(trace)[1]) else ()
-        image = Marks(shown, dots=heads)
+        image += seen_lines(projection, trace.clip[None], ("accent",), 3.0)
+        if seen(trace)[1]:
+            image.append(Dot(trace.image[1], "accent", 1.3))
+    why = Phrase(_BEHIND)
     readings = (
-        Reading(QT_TRANSLATE_NOOP("phenomena", "on the film: h' = −d·h / z"), behind, note=note),
-        Reading(QT_TRANSLATE_NOOP("phenomena", "film in front: +d·h / z"), in_front, note=note),
+        Reading.or_why(
+            QT_TRANSLATE_NOOP("phenomena", "on the film: h' = −d·h / z"), behind, why=why
+        ),
+        Reading.or_why(
+            QT_TRANSLATE_NOOP("phenomena", "film in front: +d·h / z"), in_front, why=why
+        ),
         Reading(QT_TRANSLATE_NOOP("phenomena", "the arrow's height h"), h),
         Reading(QT_TRANSLATE_NOOP("phenomena", "its distance z from the hole"), z),
     )
     return Illustration(
         readings,
-        world=Marks(tuple(lines), tuple(faces), tuple(dots), tuple(texts)),
-        image=image,
+        world=Marks.of(*world),
+        image=Marks.of(*image),
         copies=(Copy(onto_plane(projection, -d, slab)),),
         diagrams=diagrams,
         measured=(("d", d), ("z", z)),
     )
-
-
-_FILM = QT_TRANSLATE_NOOP("phenomena", "film")
-_IN_FRONT = QT_TRANSLATE_NOOP("phenomena", "synthetic film")
-_HOLE_NAME = QT_TRANSLATE_NOOP("phenomena", "hole")
 
 
 def _diagram(d: float, z: float, y: Array) -> Diagram:
@@ -185,8 +158,8 @@ def _follow(projection: Projection, before: Found, after: Settings) -> Projectio
     d = number(after, "distance")
     if before["distance"] is not None and number(before, "distance") == d:
         return projection
-    seen = projection if projection.lens.central else projection.with_lens("perspective")
-    return seen.between(d, seen.lens.far)
+    central = projection if projection.lens.central else projection.with_lens("perspective")
+    return central.between(d, central.lens.far)
 
 
 def _found(projection: Projection, _settings: Settings) -> Found:

@@ -10,8 +10,9 @@ in the world follows from the polygon's own corners, so that no inverse matrix i
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Sequence
-from typing import NamedTuple, TypeVar
+from collections.abc import Sequence
+from itertools import chain
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -20,24 +21,12 @@ from app.model.clipping import clip_polygon
 from app.model.limits import PLANES
 from app.model.projection import DEPTH_RANGES, Array, Camera, Perspective, Projection
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
-from app.scenes.phenomena.illustration import (
-    Curve,
-    Diagram,
-    Dot,
-    Face,
-    Illustration,
-    Line,
-    Marks,
-    Phenomenon,
-    Phrase,
-    Reading,
-    Setting,
-    Settings,
-    Subject,
-    Text,
-    number,
-)
-from app.scenes.phenomena.picture import SIDES, image_from_ndc, outline, section
+from app.scenes.phenomena.diagram import Curve, Diagram
+from app.scenes.phenomena.illustration import Illustration, Phenomenon, Subject
+from app.scenes.phenomena.marks import Dot, Face, Line, Mark, Marks, Text, outline, plate
+from app.scenes.phenomena.picture import SIDES, drawn_planes, image_from_ndc, section
+from app.scenes.phenomena.readout import Phrase, Reading
+from app.scenes.phenomena.settings import Setting, Settings, number
 from app.scenes.shapes import Coloured, flat, ground_grid
 
 TRIANGLE = np.array([(2.25, 3.0, 5.75), (4.0, 11.0, -7.0), (-8.0, 2.0, -0.5)])
@@ -224,17 +213,6 @@ def _shares(corners_clip: Array, points_clip: Array) -> Array:
 
 # --------------------------------------------------------------------------- what is shown
 
-_Mark = TypeVar("_Mark", Line, Face, Dot, Text)
-
-
-def _finite(marks: Iterable[_Mark]) -> tuple[_Mark, ...]:
-    """Those marks that are somewhere: of none whose numbers overflow anything is drawn."""
-    return tuple(
-        mark
-        for mark in marks
-        if np.isfinite(mark.points if isinstance(mark, Line | Face) else mark.point).all()
-    )
-
 
 def _to_ndc(points_clip: Array) -> Array:
     """NDC of clip points (n, 4); NaN where w is not positive, as there is none."""
@@ -252,12 +230,10 @@ def _colour(step: int) -> str:
 def _pieces(parts: Sequence[Array], step: int) -> Marks:
     """The polygon after a step, its new corners, and, pale, all that was cut off until then."""
     now, new, *off = parts
-    lines = [Line(outline(piece), "muted", 1.0) for piece in off]
-    faces = [Face(piece, "muted", 0.12) for piece in off]
+    marks: list[Mark] = [plate(piece, "muted", 1.0, 0.12) for piece in off]
     if len(now):
-        lines.append(Line(outline(now), "accent", 2.5))
-        faces.append(Face(now, "accent", 0.45))
-    return Marks(tuple(lines), tuple(faces), tuple(Dot(each, _colour(step), 1.8) for each in new))
+        marks.append(plate(now, "accent", 2.5, 0.45))
+    return Marks.of(*marks, *(Dot(each, _colour(step), 1.8) for each in new))
 
 
 def _lit(box: Array, step: int) -> Marks:
@@ -266,31 +242,19 @@ def _lit(box: Array, step: int) -> Marks:
         return Marks()
     face, colour = box[list(_FACES[step - 1])], _colour(step)
     with np.errstate(over="ignore", invalid="ignore"):
-        middle = (face[2] + face[3]) / 2.0
-    return Marks(
-        (Line(outline(face), colour, 2.5),),
-        (Face(face, colour, 0.2),),
-        texts=() if step < 3 else (Text(_NAMES[step - 1], middle, colour),),
+        name = Text(_NAMES[step - 1], (face[2] + face[3]) / 2.0, colour)
+    return Marks.of(plate(face, colour, 2.5, 0.2), *([] if step < 3 else [name]))
+
+
+def _somewhere(*parts: Marks) -> Marks:
+    """All marks but those whose numbers overflow: of these nothing is drawn."""
+    return Marks.of(
+        *(
+            mark
+            for mark in chain(*Marks.of(*parts).kinds)
+            if np.isfinite(mark.points if isinstance(mark, Line | Face) else mark.point).all()
+        )
     )
-
-
-def _together(*parts: Marks) -> Marks:
-    """All marks of some, but for those that are nowhere."""
-    return Marks(
-        _finite(line for part in parts for line in part.lines),
-        _finite(face for part in parts for face in part.faces),
-        _finite(dot for part in parts for dot in part.dots),
-        _finite(text for part in parts for text in part.texts),
-    )
-
-
-def _box(projection: Projection) -> Array:
-    """Corners of the view volume, (8, 3); of an infinite one as far as things are."""
-    lens = projection.lens
-    far = lens.far
-    if math.isinf(far):
-        far = max(3.0 * projection.camera.distance, 4.0 * lens.near)
-    return np.concatenate([section(projection, lens.near), section(projection, far)])
 
 
 def _paled(projection: Projection, outside: Sequence[int], crossing: Sequence[int]) -> Marks:
@@ -300,9 +264,9 @@ def _paled(projection: Projection, outside: Sequence[int], crossing: Sequence[in
         clip = projection.trace(CARDS[i]).clip
         off = [cut.off for cut in steps(clip, projection.depth)]
         pieces += [_shares(clip, piece) @ CARDS[i][:3] for piece in off if len(piece)]
-    return Marks(
-        tuple(Line(outline(piece), "muted", 1.0) for piece in pieces),
-        tuple(Face(piece, "background", _PALE) for piece in pieces),
+    return Marks.of(
+        *(Line(outline(piece), "muted", 1.0) for piece in pieces),
+        *(Face(piece, "background", _PALE) for piece in pieces),
     )
 
 
@@ -316,7 +280,7 @@ def _image(projection: Projection, clip: Array, step: int, new: Array) -> Marks:
     corners = _to_ndc(new)
     inside = corners[(np.abs(corners[:, :2]) <= 1.0).all(axis=1)]
     dots = (Dot(each, _colour(step), 1.8) for each in image_from_ndc(projection, inside))
-    return Marks((Line(outline(pixels), "accent", 2.5),), (Face(pixels, "accent", 0.35),), (*dots,))
+    return Marks.of(plate(pixels, "accent", 2.5, 0.35), *dots)
 
 
 def _show(projection: Projection, settings: Settings, _subject: Subject) -> Illustration:
@@ -335,9 +299,10 @@ def _show(projection: Projection, settings: Settings, _subject: Subject) -> Illu
     shares = [_shares(clip, part) for part in parts]
     z_near, z_far = projection.depth_range
     cube = np.concatenate([np.column_stack([_WINDOW, [z] * 4]) for z in (z_near, z_far)])
+    volume = np.concatenate([section(projection, w) for w in drawn_planes(projection)])
     in_world = [part @ TRIANGLE for part in shares]
     in_ndc = [_to_ndc(part) for part in parts]
-    names = Marks(texts=tuple(map(Text, "ABC", TRIANGLE, ["accent"] * 3)))
+    names = Marks.of(*map(Text, "ABC", TRIANGLE, ["accent"] * 3))
     about = _about(step, projection.depth)
     return Illustration(
         _readings(
@@ -346,8 +311,8 @@ def _show(projection: Projection, settings: Settings, _subject: Subject) -> Illu
             (before, after),
             (len(whole), len(outside), len(crossing)),
         ),
-        world=_together(veil, _lit(_box(projection), step), _pieces(in_world, step), names),
-        ndc=_together(_lit(cube, step), _pieces(in_ndc, step)),
+        world=_somewhere(veil, _lit(volume, step), _pieces(in_world, step), names),
+        ndc=_somewhere(_lit(cube, step), _pieces(in_ndc, step)),
         image=image,
         diagrams=(_diagram(shares[0], shares[1], step),),
         warning=Phrase(_BEHIND) if not step and not (clip[:, 3] > 0.0).all() else None,

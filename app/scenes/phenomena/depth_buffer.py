@@ -20,25 +20,13 @@ from app.model.clipping import clip_polygon
 from app.model.depth import FORMATS, DepthBuffer
 from app.model.projection import Array, Camera, Perspective, Projection
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
-from app.scenes.phenomena.illustration import (
-    Copy,
-    Curve,
-    Diagram,
-    Illustration,
-    Line,
-    Marks,
-    Phenomenon,
-    Phrase,
-    Reading,
-    Rendering,
-    Setting,
-    Settings,
-    Subject,
-    Text,
-    number,
-)
-from app.scenes.phenomena.picture import outline, seen
+from app.scenes.phenomena.diagram import Curve, Diagram
+from app.scenes.phenomena.illustration import Illustration, Phenomenon, Subject
+from app.scenes.phenomena.marks import Copy, Line, Marks, Rendering, Text, outline
+from app.scenes.phenomena.picture import SIDES, seen_texts
+from app.scenes.phenomena.readout import Phrase, Reading
 from app.scenes.phenomena.sampling import seen_distances
+from app.scenes.phenomena.settings import Setting, Settings, number
 from app.scenes.shapes import Coloured, flat, ground_grid
 
 FINEST = 2.0**-17
@@ -152,8 +140,7 @@ def _rays(projection: Projection, corners_clip: Array) -> tuple[Array, Array] | 
     if not 0.0 < largest < math.inf:
         return None
     # Near and far are looked at later, with all their digits.
-    sides = ("left", "right", "bottom", "top")
-    polygon = clip_polygon(corners_clip / largest, planes=sides, depth=projection.depth).points_clip
+    polygon = clip_polygon(corners_clip / largest, projection.depth, SIDES).points_clip
     if not len(polygon) or not (polygon[:, 3] >= 0.0).all():
         return None
     with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
@@ -205,21 +192,9 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Illus
     marks = image = Marks()
     if subject.mesh is None:
         moved = _CORNERS + matrix[:3, 3]
-        named = ((_FRONT_NAME, _CORNERS[3], _FRONT), (_BEHIND_NAME, moved[2], _BEHIND))
-        marks = Marks(
-            lines=(Line(outline(moved), _BEHIND, 1.5),),
-            texts=tuple(Text(name, end, colour) for name, end, colour in named),
-        )
-        trace = projection.trace(np.array([end for _, end, _ in named]))
-        image = Marks(
-            texts=tuple(
-                Text(name, place, colour)
-                for (name, _, colour), place, shown in zip(
-                    named, trace.image, seen(trace), strict=True
-                )
-                if shown
-            )
-        )
+        names = Text(_FRONT_NAME, _CORNERS[3], _FRONT), Text(_BEHIND_NAME, moved[2], _BEHIND)
+        marks = Marks.of(Line(outline(moved), _BEHIND, 1.5), *names)
+        image = Marks.of(*seen_texts(projection.trace([name.point for name in names]), names))
     buffer = buffer_of(projection, settings)
     if isinstance(buffer, Phrase):
         return Illustration((), world=marks, image=image, copies=copies, warning=buffer)
@@ -251,10 +226,10 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Illus
             note if share is None else Phrase(_TOO_FEW),
             counted=True,
         ),
-        Reading(
+        Reading.or_why(
             QT_TRANSLATE_NOOP("phenomena", "smallest gap that is sure at the target"),
             smallest if math.isfinite(smallest) else None,
-            note=None if math.isfinite(smallest) else why,
+            why=why,
         ),
         Reading(QT_TRANSLATE_NOOP("phenomena", "distance of the target, w"), w),
         Reading(

@@ -21,28 +21,12 @@ from numpy.typing import NDArray
 from app.model.clipping import LARGEST_CLIP, clip_segments, cut_at_eye, naive_ndc
 from app.model.projection import Array, Camera, Perspective, Projection
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
-from app.scenes.phenomena.illustration import (
-    Comparison,
-    Curve,
-    Diagram,
-    Dot,
-    Face,
-    Grip,
-    Illustration,
-    Line,
-    Marks,
-    OwnMesh,
-    Phenomenon,
-    Phrase,
-    Reading,
-    Setting,
-    Settings,
-    Subject,
-    Text,
-    of_parallel,
-    point,
-)
-from app.scenes.phenomena.picture import SIDES, image_from_ndc, outline
+from app.scenes.phenomena.diagram import Curve, Diagram, broken
+from app.scenes.phenomena.illustration import Comparison, Illustration, OwnMesh, Phenomenon, Subject
+from app.scenes.phenomena.marks import Dot, Face, Grip, Line, Mark, Marks, Text, named, plate
+from app.scenes.phenomena.picture import SIDES, image_from_ndc, rectangle
+from app.scenes.phenomena.readout import Phrase, Reading, of_parallel
+from app.scenes.phenomena.settings import Setting, Settings, point
 from app.scenes.shapes import letter_f_edges, letter_f_on_grid
 
 _THROUGH_EYE = 1e-14  # sine of the angle between the ends' rays below which they are one ray
@@ -253,22 +237,14 @@ def circle_angles(projection: Projection, clip: Array) -> tuple[float, float] | 
     return 2.0 * start, 2.0 * end
 
 
-def _curve(segments: Array, colour: str, label: str = "", width: float = 1.0) -> Curve:
-    """Segments as one curve with breaks between them."""
-    broken = np.full((len(segments), 3, 2), np.nan)
-    broken[:, :2] = segments
-    return Curve(broken.reshape(-1, 2), colour, label, width)
-
-
 def _picture(title: str, drawn: Array, colour: str, size: tuple[int, int]) -> Diagram:
     width, height = size
-    frame = np.array([(0.0, 0.0), (width, 0.0), (width, height), (0.0, height)])
     return Diagram(
         title,
         (
-            Curve(frame, "muted", closed=True),
-            _curve(drawn[1:], "ink"),
-            _curve(drawn[:1], colour, "AB" if np.isfinite(drawn[0]).all() else "", 2.5),
+            Curve(rectangle(width, height), "muted", closed=True),
+            Curve(broken(drawn[1:]), "ink"),
+            Curve(broken(drawn[:1]), colour, "AB" if np.isfinite(drawn[0]).all() else "", 2.5),
         ),
         left=-_MARGIN * width,
         right=(1.0 + _MARGIN) * width,
@@ -403,23 +379,22 @@ def _world_marks(
     """The segment, before the eye and behind it, and a piece of the eye plane."""
     eye = np.array(projection.camera.eye)
     u, v, _ = projection.camera.frame
-    reach = 0.4 * float(np.linalg.norm(np.subtract(subject.upper, subject.lower)))
+    reach = 0.4 * subject.size
     corners = eye + reach * np.array([-u - v, u - v, u + v, v - u])
-    lines = [Line(outline(corners), "eye", 1.0)]
-    dots = [Dot(eye, "eye"), Dot(a, "accent", 1.2), Dot(b, "accent", 1.2)]
+    marks: list[Mark] = [plate(corners, "eye", 1.0, 0.15), Dot(eye, "eye")]
+    marks += [named("A", a, size=1.2), named("B", b, size=1.2), Text("w = 0", corners[2])]
     start, end = depths.tolist()
     pieces = [(a, b, start > 0.0)]
     if (start > 0.0) != (end > 0.0):
         share = start / (start - end)
         crossing = (1.0 - share) * a + share * b
-        dots.append(Dot(crossing, "u", 1.2))
+        marks.append(Dot(crossing, "u", 1.2))
         pieces = [(a, crossing, start > 0.0), (crossing, b, end > 0.0)]
-    lines += [
+    marks += [
         Line(np.array([one, other]), "accent" if front else "u", 2.0 if front else 1.0)
         for one, other, front in pieces
     ]
-    texts = (Text("A", a, "accent"), Text("B", b, "accent"), Text("w = 0", corners[2], ""))
-    return Marks(tuple(lines), (Face(corners, "eye", 0.15),), tuple(dots), texts)
+    return Marks.of(*marks)
 
 
 def _ndc_marks(projection: Projection, clip: Array) -> Marks:
@@ -436,41 +411,36 @@ def _ndc_marks(projection: Projection, clip: Array) -> Marks:
         ndc = cut.points_clip[:, :3] / cut.points_clip[:, 3:]
     if not np.isfinite(ndc).all():  # a segment that points at the eye, up to there
         return Marks()
-    return Marks((Line(ndc, "accent", 2.0),), texts=(Text("AB", ndc.mean(axis=0), "accent"),))
+    return _segment(ndc, "accent", 2.0)
 
 
 def _image_marks(drawn: Pictures) -> Marks:
     """The naive and the right image of the segment, over the picture."""
-    lines, dots, texts = [], [], []
+    marks: list[Mark] = []
     right, wrong = drawn.right[0], drawn.naive[0]
     if drawn.wrong_px[0] > 0.0:
-        lines.append(Line(wrong, "u", 1.0))
-        texts.append(Text(QT_TRANSLATE_NOOP("phenomena", "wrong"), wrong.mean(axis=0), "u"))
+        word = QT_TRANSLATE_NOOP("phenomena", "wrong")
+        marks += [Line(wrong, "u", 1.0), Text(word, wrong.mean(axis=0), "u")]
     if np.isfinite(right).all():
-        lines.append(Line(right, "accent", 2.0))
-        dots += [Dot(end, "accent", 1.2) for end in right]
-        texts.append(Text("AB", right.mean(axis=0), "accent"))
-    return Marks(tuple(lines), (), tuple(dots), tuple(texts))
+        marks.append(_segment(right, "accent", 2.0))
+        marks += [Dot(end, "accent", 1.2) for end in right]
+    return Marks.of(*marks)
+
+
+def _segment(ends: Array, colour: str, width: float) -> Marks:
+    """AB, with its name in the middle."""
+    return Marks.of(Line(ends, colour, width), Text("AB", ends.mean(axis=0), colour))
 
 
 def _edges_alone(drawn: Pictures, way: str, size: tuple[int, int]) -> Marks:
     """All edges in one of the three ways, on an empty picture: what a program draws by it."""
     lines = {"naive": drawn.naive, "cut": drawn.cut, "clipped": drawn.right}[way]
-    colour = "u" if way == "naive" else "accent"
-    width, height = size
-    empty = Face(np.array([(0, 0), (width, 0), (width, height), (0, height)]), "background", 1.0)
-    edges = [Line(ends, "ink", 1.0) for ends in lines[1:] if np.isfinite(ends).all()]
-    texts: list[Text] = []
+    marks: list[Mark] = [Face(rectangle(*size), "background", 1.0)]
+    marks += [Line(ends, "ink", 1.0) for ends in lines[1:] if np.isfinite(ends).all()]
     if np.isfinite(lines[0]).all():
-        edges.append(Line(lines[0], colour, 2.5))
-        texts.append(Text("AB", lines[0].mean(axis=0), colour))
-    return Marks(tuple(edges), (empty,), (), tuple(texts))
+        marks.append(_segment(lines[0], "u" if way == "naive" else "accent", 2.5))
+    return Marks.of(*marks)
 
-
-_START = Projection(
-    Camera((0.8, 2.4, 1.2), (-1.2, 2.4, 0.2)),
-    Perspective(fov_y_deg=75.0, near=0.05, far=30.0),
-)
 
 PHENOMENON = Phenomenon(
     name="eye-plane",
@@ -488,7 +458,10 @@ PHENOMENON = Phenomenon(
         QT_TRANSLATE_NOOP("phenomena", "What does cutting before the divide do?"),
     ),
     lectures=("001", "004"),
-    start=_START,
+    start=Projection(
+        Camera((0.8, 2.4, 1.2), (-1.2, 2.4, 0.2)),
+        Perspective(fov_y_deg=75.0, near=0.05, far=30.0),
+    ),
     geometry=partial(letter_f_on_grid, (-4.0, -6.0), (4.0, 6.0)),
     show=_show,
     settings=(

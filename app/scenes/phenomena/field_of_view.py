@@ -27,24 +27,11 @@ from app.model.projection import (
     fov_y_from_focal_length_35mm,
 )
 from app.model.refusal import QT_TRANSLATE_NOOP
-from app.scenes.phenomena.illustration import (
-    CLOSE,
-    Comparison,
-    Found,
-    Illustration,
-    Line,
-    Marks,
-    Phenomenon,
-    Phrase,
-    Reading,
-    Setting,
-    Settings,
-    Subject,
-    Text,
-    number,
-    of_parallel,
-)
+from app.scenes.phenomena.illustration import Comparison, Illustration, Phenomenon, Subject
+from app.scenes.phenomena.marks import Line, Marks, Text
 from app.scenes.phenomena.picture import cut_in_picture, seen_lines, seen_texts
+from app.scenes.phenomena.readout import Phrase, Reading, of_parallel
+from app.scenes.phenomena.settings import CLOSE, Found, Setting, Settings, number
 from app.scenes.shapes import Coloured, box_faces, edges_of, flat, ground_grid, joined
 
 _PARALLEL = QT_TRANSLATE_NOOP("phenomena", "a parallel lens has no field of view, only a width")
@@ -58,7 +45,6 @@ _TOO_LARGE = QT_TRANSLATE_NOOP("phenomena", "too large or too small for a number
 _NEAREST = QT_TRANSLATE_NOOP("phenomena", "nearest")
 _FARTHEST = QT_TRANSLATE_NOOP("phenomena", "farthest")
 
-_FILM_DIAGONAL_MM = math.hypot(36.0, 24.0)
 _WIDE_MM, _TELE_MM = 29.0, 105.0
 _WIDE_DISTANCE, _TELE_DISTANCE = 3.0, 36.0
 # Horizontal fields of view, lecture 001: without peripheral vision, at a comfortable distance
@@ -187,7 +173,7 @@ def _found(projection: Projection, settings: Settings) -> Found:
     view = preset_view(name, projection.aspect, bool(settings["enlarged"]))
     held = view.distance / Perspective(view.fov_y_deg).cot_half_fov_y  # half the plane's height
     x, y = projection.aspect * held, held
-    seen = [side / lens.near * camera.distance for side in projection.window]
+    seen = lens.window_at(projection.window, camera.distance)
     holds = lens.central and math.dist(seen, (-x, x, -y, y)) <= CLOSE * x
     return {"preset": name if holds else None, "distance": camera.distance / view.distance}
 
@@ -256,11 +242,11 @@ def _show(projection: Projection, _settings: Settings, subject: Subject) -> Illu
             "px",
             why,
         ),
-        Reading(
+        Reading.or_why(
             QT_TRANSLATE_NOOP("phenomena", "foreshortening, nearest : farthest"),
             ratio,
             "×",
-            Phrase(_BEHIND_EYE) if ratio is None else None,
+            Phrase(_BEHIND_EYE),
         ),
         *_angles(projection),
     )
@@ -269,10 +255,10 @@ def _show(projection: Projection, _settings: Settings, subject: Subject) -> Illu
     segments_clip = trace.clip[: 2 * len(segments)].reshape(-1, 2, 4)
     return Illustration(
         readings,
-        world=Marks((axis, *lines), texts=(at_target, *at_squares)),
-        image=Marks(
-            seen_lines(projection, segments_clip, of_segments, 1.5),
-            texts=seen_texts(trace, image_texts),
+        world=Marks.of(axis, *lines, at_target, *at_squares),
+        image=Marks.of(
+            *seen_lines(projection, segments_clip, of_segments, 1.5),
+            *seen_texts(trace, image_texts),
         ),
     )
 

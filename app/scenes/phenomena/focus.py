@@ -18,31 +18,20 @@ The lens is in the eye, distances are measured along the view direction, and one
 from __future__ import annotations
 
 import math
+from fractions import Fraction
 from typing import NamedTuple
 
 import numpy as np
 
+from app.model.lenses.closed_form import FULL_FRAME_DIAGONAL_MM
 from app.model.projection import Array, Camera, Perspective, Projection
 from app.model.refusal import QT_TRANSLATE_NOOP
-from app.scenes.phenomena.illustration import (
-    Curve,
-    Diagram,
-    Dot,
-    Face,
-    Illustration,
-    Line,
-    Marks,
-    Phenomenon,
-    Phrase,
-    Reading,
-    Setting,
-    Settings,
-    Subject,
-    Text,
-    number,
-    of_parallel,
-)
-from app.scenes.phenomena.picture import outline, section, seen, seen_lines
+from app.scenes.phenomena.diagram import Curve, Diagram
+from app.scenes.phenomena.illustration import Illustration, Phenomenon, Subject
+from app.scenes.phenomena.marks import Dot, Face, Line, Mark, Marks, Text, plate
+from app.scenes.phenomena.picture import section, seen, seen_lines
+from app.scenes.phenomena.readout import Phrase, Reading
+from app.scenes.phenomena.settings import Setting, Settings, number
 from app.scenes.shapes import (
     EDGE_RGB,
     SIDE_RGB,
@@ -55,7 +44,6 @@ from app.scenes.shapes import (
     written_number,
 )
 
-_FILM_DIAGONAL_MM = math.hypot(36.0, 24.0)
 _MM = 1e-3  # in world units, which are metres
 
 _PARALLEL = QT_TRANSLATE_NOOP(
@@ -82,15 +70,6 @@ SHARP_FROM = QT_TRANSLATE_NOOP("phenomena", "sharp from")
 SHARP_TO = QT_TRANSLATE_NOOP("phenomena", "sharp to")
 IN_FOCUS = QT_TRANSLATE_NOOP("phenomena", "in focus")
 SHARP = QT_TRANSLATE_NOOP("phenomena", "sharp")
-
-
-def focal_length_mm(projection: Projection) -> float:
-    """Focal length of the 36 x 24 mm camera with the diagonal field of view of a perspective lens.
-
-    ``f/diagonal of the film = near/diagonal of the window``, also of a window off the axis.
-    """
-    left, right, bottom, top = projection.window
-    return _FILM_DIAGONAL_MM * (projection.lens.near / math.hypot(right - left, top - bottom))
 
 
 class Sharpness(NamedTuple):
@@ -139,8 +118,6 @@ def blur_mm(f_mm: float, f_number: float, focus: float, distances: Array) -> Arr
 
 
 _POSTS = (2, 3, 4, 5, 6, 8, 10, 12, 15, 20)
-
-
 _HALF, _HIGH = 0.15, 1.4  # of a post: half its width and depth, and its height
 _MOST_VERTICES = 400  # of the user's mesh that are marked where they are sharp
 
@@ -158,13 +135,11 @@ def _post_places() -> list[tuple[float, float]]:
 _POST_PLACES = np.array(_post_places())
 _FRONTS = np.array(
     [
-        [(x - _HALF, 0.0), (x + _HALF, 0.0), (x + _HALF, _HIGH), (x - _HALF, _HIGH)]
-        for x, _ in _POST_PLACES
+        [(x + side, y, _HALF - away) for side, y in (
+            (-_HALF, 0.0), (_HALF, 0.0), (_HALF, _HIGH), (-_HALF, _HIGH))]
+        for x, away in _POST_PLACES
     ]
-)
-_FRONTS = np.concatenate(
-    [_FRONTS, np.broadcast_to(_HALF - _POST_PLACES[:, 1, None, None], (len(_POSTS), 4, 1))], axis=2
-)
+)  # fmt: skip
 """The corners of the posts' faces with the numbers, (n, 4, 3), world coordinates."""
 
 
@@ -184,11 +159,12 @@ def _geometry() -> tuple[Coloured, Coloured]:
 
 def _show(projection: Projection, settings: Settings, subject: Subject) -> Illustration:
     n, focus, c_mm = (number(settings, name) for name in ("aperture", "focus", "confusion"))
-    note = of_parallel(projection, _PARALLEL)
-    if note is not None:
+    angles = projection.lens.angles(Fraction(*projection.image_size))
+    if angles is None:
+        note = Phrase(_PARALLEL)
         readings = (*_readings(None, None, None, note), _target_reading(None, note))
         return Illustration(readings, warning=note)
-    f_mm = focal_length_mm(projection)
+    f_mm = angles.focal_mm
     if focus <= f_mm * _MM:
         note = Phrase(_TOO_CLOSE, (focus, f_mm * _MM))
         readings = (*_readings(f_mm, f_mm / n, None, note), _target_reading(None, note))
@@ -204,7 +180,7 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Illus
         ),
         world=_planes(projection, focus, sharp, subject),
         ndc=_planes_ndc(projection, focus, sharp),
-        image=_sharp_in_picture(projection, settings, sharp, subject),
+        image=_sharp_in_picture(projection, f_mm, n, focus, sharp, subject),
         diagrams=(_diagram(f_mm, n, focus, c_mm, sharp),),
         measured=(("s", focus),) if projection.lens.near <= focus <= projection.lens.far else (),
     )
@@ -227,9 +203,7 @@ def _readings(
         (QT_TRANSLATE_NOOP("phenomena", "focal length f"), f_mm, "mm"),
         (QT_TRANSLATE_NOOP("phenomena", "opening f / N"), opening_mm, "mm"),
     )
-    return tuple(
-        Reading(label, value, unit, note if value is None else None) for label, value, unit in lines
-    )
+    return tuple(Reading.or_why(*line, note) for line in lines)
 
 
 def _drawn_disc(projection: Projection, disc_mm: float) -> Reading:
@@ -250,9 +224,9 @@ def _px_per_mm(projection: Projection) -> tuple[float, float]:
     left, right, bottom, top = projection.window
     window = right - left, top - bottom
     if math.isclose(window[0] / window[1], projection.aspect, rel_tol=1e-6):
-        per_mm = math.hypot(*projection.image_size) / _FILM_DIAGONAL_MM
+        per_mm = math.hypot(*projection.image_size) / FULL_FRAME_DIAGONAL_MM
         return per_mm, per_mm
-    film_mm = [side * (_FILM_DIAGONAL_MM / math.hypot(*window)) for side in window]
+    film_mm = [side * (FULL_FRAME_DIAGONAL_MM / math.hypot(*window)) for side in window]
     width, height = projection.image_size
     return width / film_mm[0], height / film_mm[1]
 
@@ -266,19 +240,17 @@ def _target_reading(
 def _planes(projection: Projection, focus: float, sharp: Sharpness, subject: Subject) -> Marks:
     """Near limit, focus and far limit, each where it crosses the frustum."""
     near, far = projection.lens.near, projection.lens.far
-    faces, lines, texts = [], [], []
+    marks: list[Mark] = []
     for name, distance, colour, opacity in _crossing(projection, focus, sharp):
         corners = section(projection, distance)
-        faces.append(Face(corners, colour, opacity))
-        lines.append(Line(outline(corners), colour, 1.0))
-        texts.append(Text(name, corners[_NAMED_AT[name]], colour))
+        marks.append(plate(corners, colour, 1.0, opacity))
+        marks.append(Text(name, corners[_NAMED_AT[name]], colour))
     # The frustum's edges, thick where what is between them is sharp.
-    size = float(np.linalg.norm(np.subtract(subject.upper, subject.lower)))
-    low, high = max(near, sharp.near), min(far, sharp.far, 4.0 * (focus + size))
+    low, high = max(near, sharp.near), min(far, sharp.far, 4.0 * (focus + subject.size))
     if low < high:
-        lines += [Line(np.array(pair), "v", 2.0) for pair in zip(
-            section(projection, low), section(projection, high), strict=True)]  # fmt: skip
-    return Marks(tuple(lines), tuple(faces), (), tuple(texts))
+        ends = zip(section(projection, low), section(projection, high), strict=True)
+        marks += [Line(np.array(pair), "v", 2.0) for pair in ends]
+    return Marks.of(*marks)
 
 
 _NAMED_AT = {SHARP_FROM: 0, IN_FOCUS: 2, SHARP_TO: 3}
@@ -290,31 +262,26 @@ def _crossing(
 ) -> list[tuple[str, float, str, float]]:
     """Name, distance, colour and opacity of near limit, focus and far limit in the frustum."""
     near, far = projection.lens.near, projection.lens.far
-    return [
-        (name, distance, colour, opacity)
-        for name, distance, colour, opacity in (
-            (SHARP_FROM, sharp.near, "v", 0.12),
-            (IN_FOCUS, focus, "accent", 0.3),
-            (SHARP_TO, sharp.far, "v", 0.12),
-        )
-        if near <= distance <= far and distance < math.inf
-    ]
+    planes = (
+        (SHARP_FROM, sharp.near, "v", 0.12),
+        (IN_FOCUS, focus, "accent", 0.3),
+        (SHARP_TO, sharp.far, "v", 0.12),
+    )
+    return [plane for plane in planes if near <= plane[1] <= far and plane[1] < math.inf]
 
 
 def _planes_ndc(projection: Projection, focus: float, sharp: Sharpness) -> Marks:
     """The same planes across the cube; words where they are larger, in the world."""
-    faces, lines = [], []
+    marks = []
     for _, distance, colour, opacity in _crossing(projection, focus, sharp):
         corners = projection.trace(section(projection, distance)).ndc
-        if not np.isfinite(corners).all():  # the eye is so far out that no digit is left
-            continue
-        faces.append(Face(corners, colour, opacity))
-        lines.append(Line(outline(corners), colour, 2.0 if colour == "accent" else 1.0))
-    return Marks(tuple(lines), tuple(faces))
+        if np.isfinite(corners).all():  # if the eye is not so far out that no digit is left
+            marks.append(plate(corners, colour, 2.0 if colour == "accent" else 1.0, opacity))
+    return Marks.of(*marks)
 
 
 def _sharp_in_picture(
-    projection: Projection, settings: Settings, sharp: Sharpness, subject: Subject
+    projection: Projection, f_mm: float, n: float, focus: float, sharp: Sharpness, subject: Subject
 ) -> Marks:
     """What is sharp outlined and named, and on each post the disc as which a point of it is drawn.
 
@@ -325,21 +292,17 @@ def _sharp_in_picture(
         trace = projection.trace(subject.points[::step])
         away = -trace.view[..., 2]
         drawn = seen(trace) & (sharp.near <= away) & (away <= sharp.far)
-        return Marks(dots=tuple(Dot(place, "v", 0.6) for place in trace.image[drawn]))
+        return Marks.of(*(Dot(place, "v", 0.6) for place in trace.image[drawn]))
     trace = projection.trace(_FRONTS)
     away = -trace.view[..., 2]
     is_sharp = ((sharp.near <= away) & (away <= sharp.far)).all(axis=1)
     corners = trace.clip[is_sharp]
     sides = np.stack([corners, np.roll(corners, -1, axis=1)], axis=2).reshape(-1, 2, 4)
     lines = seen_lines(projection, sides, ["v"] * len(sides), 2.0)
-    texts = []
     tops = projection.trace(_FRONTS[:, 2:].mean(axis=1))  # a number's face, the middle of its top
-    named = np.flatnonzero(is_sharp & seen(tops))
-    if len(named):
-        texts.append(Text(SHARP, tops.image[named[0]], "v"))
-    n, focus = number(settings, "aperture"), number(settings, "focus")
+    names = [Text(SHARP, top, "v") for top in tops.image[is_sharp & seen(tops)]][:1]
     with np.errstate(all="ignore"):
-        discs_mm = blur_mm(focal_length_mm(projection), n, focus, -tops.view[:, 2])
+        discs_mm = blur_mm(f_mm, n, focus, -tops.view[:, 2])
     half = np.outer(discs_mm / 2.0, _px_per_mm(projection))
     rim = np.linspace(0.0, 2.0 * math.pi, 24, endpoint=False)
     circle = np.stack([np.cos(rim), np.sin(rim)], axis=1)
@@ -353,7 +316,7 @@ def _sharp_in_picture(
         Face(place + size * circle, "accent", 0.9)
         for place, size in zip(tops.image[shown], half[shown], strict=True)
     ]
-    return Marks(lines, tuple(faces), (), tuple(texts))
+    return Marks.of(*lines, *faces, *names)
 
 
 def _diagram(f_mm: float, n: float, focus: float, c_mm: float, sharp: Sharpness) -> Diagram:
@@ -383,11 +346,6 @@ def _diagram(f_mm: float, n: float, focus: float, c_mm: float, sharp: Sharpness)
     )  # fmt: skip
 
 
-_START = Projection(
-    Camera((0.0, 1.3, 0.0), (0.0, 1.0, -5.0)),
-    Perspective(fov_y_deg=28.0, near=1.7, far=22.0),
-)
-
 PHENOMENON = Phenomenon(
     name="focus",
     title=QT_TRANSLATE_NOOP("phenomena", "Lens and focus"),
@@ -405,7 +363,10 @@ PHENOMENON = Phenomenon(
         QT_TRANSLATE_NOOP("phenomena", "From where on is all that is far sharp?"),
     ),
     lectures=("001",),
-    start=_START,
+    start=Projection(
+        Camera((0.0, 1.3, 0.0), (0.0, 1.0, -5.0)),
+        Perspective(fov_y_deg=28.0, near=1.7, far=22.0),
+    ),
     geometry=_geometry,
     show=_show,
     settings=(

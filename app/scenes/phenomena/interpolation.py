@@ -26,28 +26,12 @@ import numpy as np
 
 from app.model.projection import Array, Camera, Perspective, Projection
 from app.model.refusal import QT_TRANSLATE_NOOP
-from app.scenes.phenomena.illustration import (
-    Comparison,
-    Curve,
-    Diagram,
-    Dot,
-    Illustration,
-    Line,
-    Marks,
-    Phenomenon,
-    Phrase,
-    Reading,
-    Rendering,
-    Setting,
-    Settings,
-    Spot,
-    Subject,
-    Text,
-    Texture,
-    number,
-    of_parallel,
-)
+from app.scenes.phenomena.diagram import Curve, Diagram, Spot
+from app.scenes.phenomena.illustration import Comparison, Illustration, Phenomenon, Subject
+from app.scenes.phenomena.marks import Line, Mark, Marks, Rendering, Texture, named
 from app.scenes.phenomena.picture import seen, seen_lines
+from app.scenes.phenomena.readout import Phrase, Reading, of_parallel
+from app.scenes.phenomena.settings import Setting, Settings, number
 from app.scenes.shapes import Coloured, flat, ground_grid
 
 TEXELS = 256
@@ -201,30 +185,20 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Illus
         QT_TRANSLATE_NOOP("phenomena", "½ in the world"),
         QT_TRANSLATE_NOOP("phenomena", "½ on the screen"),
     )
-    colours = ("target", "accent")
-    world = Marks(
-        lines=(Line(ends, "ink", 1.5),),
-        dots=tuple(Dot(place, c, 1.4) for place, c in zip(in_world, colours, strict=True)),
-        texts=tuple(
-            Text(word, place, c) for word, place, c in zip(words, in_world, colours, strict=True)
-        ),
-    )
-    places = (middles.image[0], trace.image.mean(axis=0))
-    here = [
-        (Dot(place, c, 1.4), Text(word, place, c))
-        for word, place, c, shown in zip(words, places, colours, seen(middles), strict=True)
-        if shown
-    ]
-    image = Marks(
-        lines=seen_lines(projection, trace.clip[None], ("ink",), 1.5),
-        dots=tuple(dot for dot, _ in here),
-        texts=tuple(text for _, text in here),
-    )
+    world: list[Mark] = [Line(ends, "ink", 1.5)]
+    image: list[Mark] = [*seen_lines(projection, trace.clip[None], ("ink",), 1.5)]
+    in_image = (middles.image[0], trace.image.mean(axis=0))
+    for word, colour, place, pixel, shown in zip(
+        words, ("target", "accent"), in_world, in_image, seen(middles), strict=True
+    ):
+        world.append(named(word, place, colour, 1.4))
+        if shown:
+            image.append(named(word, pixel, colour, 1.4))
     parallel = of_parallel(projection, _PARALLEL)
     return Illustration(
         _readings(errors, part, note, said),
-        world=world,
-        image=image,
+        world=Marks.of(*world),
+        image=Marks.of(*image),
         diagrams=_along_edge(projection, ends, w) if parallel is None else (),
         rendering=rendering,
         warning=note or parallel,
@@ -319,14 +293,14 @@ def _readings(
             "px",
             note,
         ),
-        Reading(
+        Reading.or_why(
             QT_TRANSLATE_NOOP(
                 "phenomena",
                 "half-way along the marked edge on the screen, in the world, from its nearer end",
             ),
             None if part is None else 100.0 * part,
             "%",
-            None if part is not None else note,
+            note,
         ),
     )
 

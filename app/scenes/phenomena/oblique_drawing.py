@@ -23,25 +23,20 @@ from app.model.projection import (
     receding_of,
 )
 from app.model.refusal import QT_TRANSLATE_NOOP
-from app.scenes.phenomena.illustration import (
-    CLOSE,
-    Dot,
-    Found,
-    Illustration,
-    Line,
-    Marks,
-    Phenomenon,
-    Phrase,
-    Reading,
-    Setting,
-    Settings,
-    Subject,
-    Text,
-    figure,
-    number,
+from app.scenes.phenomena.illustration import Illustration, Phenomenon, Subject
+from app.scenes.phenomena.marks import Dot, Line, Mark, Marks, Text
+from app.scenes.phenomena.picture import seen_lines, seen_texts, world_from_view
+from app.scenes.phenomena.readout import Phrase, Reading, figure
+from app.scenes.phenomena.settings import CLOSE, Found, Setting, Settings, number
+from app.scenes.shapes import (
+    SIDE_RGB,
+    Coloured,
+    box_corners,
+    box_faces,
+    edges_of,
+    ground_grid,
+    joined,
 )
-from app.scenes.phenomena.picture import box_corners, seen_lines, seen_texts, world_from_view
-from app.scenes.shapes import SIDE_RGB, Coloured, box_faces, edges_of, ground_grid, joined
 
 _NOT_PARALLEL = QT_TRANSLATE_NOOP(
     "phenomena", "with a perspective lens equal edges are drawn unequal: choose the oblique lens"
@@ -196,7 +191,7 @@ def _show(projection: Projection, _settings: Settings, subject: Subject) -> Illu
     if receding_of(lens)[0] > 0.0 and lens.shear[0] < 0.0:
         segments[1] += ends[3] - corner  # the outer one of these edges: beside it is room
     colours = ("u", "v", "n")
-    lines = tuple(Line(ends, c, 2.0) for ends, c in zip(segments, colours, strict=True))
+    edges = [Line(ends, c, 2.0) for ends, c in zip(segments, colours, strict=True)]
 
     corners = box_corners(subject.lower, subject.upper)
     named = np.array([segments[0, 1], *segments[1:].mean(axis=1)])  # where beside them is room
@@ -251,34 +246,33 @@ def _show(projection: Projection, _settings: Settings, subject: Subject) -> Illu
             label + (f", {figure(drawn.angle_deg, 3)}°" if has_angle else ""),
         )
 
-    def texts(places: Array) -> tuple[Text, ...]:
-        return tuple(map(Text, labels, places, colours))
+    def texts(places: Array) -> list[Text]:
+        return list(map(Text, labels, places, colours))
 
-    world = Marks(lines, texts=texts(segments.mean(axis=1)))
+    world: list[Mark] = [*edges, *texts(segments.mean(axis=1))]
     if warning is None:
-        world = _projectors(projection, corners, trace.view[4:12], world)
+        world = [_projectors(projection, corners, trace.view[4:12]), *world]
     segments_clip = projection.trace(segments).clip
     return Illustration(
         tuple(readings),
-        world=world,
-        image=Marks(
-            seen_lines(projection, segments_clip, colours, 2.0),
-            texts=seen_texts(trace, texts(named)),
+        world=Marks.of(*world),
+        image=Marks.of(
+            *seen_lines(projection, segments_clip, colours, 2.0),
+            *seen_texts(trace, texts(named)),
         ),
         warning=warning,
     )
 
 
-def _projectors(projection: Projection, corners: Array, view: Array, marks: Marks) -> Marks:
-    """Marks, and projectors from the subject's corners (8, 3), also in view, to the near plane."""
+def _projectors(projection: Projection, corners: Array, view: Array) -> Marks:
+    """From the subject's corners (8, 3), also in view, to the near plane."""
     cot_alpha, cot_beta = projection.shear
     near = projection.lens.near
     depth = view[:, 2] + near  # 0 on the near plane
     x, y = view[:, 0] + cot_alpha * depth, view[:, 1] + cot_beta * depth
     feet = world_from_view(projection, np.column_stack([x, y, np.full(len(view), -near)]))
-    rays = tuple(Line(np.array(pair), "accent", 0.5) for pair in zip(corners, feet, strict=True))
-    dots = tuple(Dot(foot, "accent", 0.7) for foot in feet)
-    return replace(marks, lines=(*rays, *marks.lines), dots=dots)
+    rays = (Line(np.array(pair), "accent", 0.5) for pair in zip(corners, feet, strict=True))
+    return Marks.of(*rays, *(Dot(foot, "accent", 0.7) for foot in feet))
 
 
 PHENOMENON = Phenomenon(

@@ -15,25 +15,11 @@ import numpy as np
 
 from app.model.projection import Array, Camera, Frustum, Projection
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
-from app.scenes.phenomena.illustration import (
-    Comparison,
-    Face,
-    Found,
-    Illustration,
-    Line,
-    Marks,
-    Phenomenon,
-    Phrase,
-    Reading,
-    Setting,
-    Settings,
-    Subject,
-    Text,
-    figure,
-    number,
-    of_parallel,
-)
-from app.scenes.phenomena.picture import outline, section
+from app.scenes.phenomena.illustration import Comparison, Illustration, Phenomenon, Subject
+from app.scenes.phenomena.marks import Line, Mark, Marks, Text, plate
+from app.scenes.phenomena.picture import section
+from app.scenes.phenomena.readout import Phrase, Reading, figure, of_parallel
+from app.scenes.phenomena.settings import Found, Setting, Settings, number
 from app.scenes.shapes import SIDE_RGB, Coloured, box_faces, edges_of, ground_grid, joined, letter_f
 
 _ONE_SCREEN = QT_TRANSLATE_NOOP("phenomena", "there is only one screen, and so no join")
@@ -197,30 +183,19 @@ def _join_readings(
 ) -> list[Reading]:
     join: float | None = None
     difference: float | None = None
+    unmeasured = why
     if len(screens) == 2:
         pair = (screens[0], screens[1])
         join = join_error_px(pair)
         points = subject.points[:: max(1, len(subject.points) // _SAMPLE)]
         difference = largest_difference_px(projection, pair, points)
-    if len(screens) == 2:
         unmeasured = Phrase(_NOT_SEEN if difference is None else _UNMEASURED)
-    else:
-        unmeasured = why
-    if difference == math.inf:
-        difference = None
+        if difference == math.inf:
+            difference = None
+    against = QT_TRANSLATE_NOOP("phenomena", "wall against one picture, float64")
     return [
-        Reading(
-            QT_TRANSLATE_NOOP("phenomena", "error of the join"),
-            join,
-            "px",
-            why if join is None else None,
-        ),
-        Reading(
-            QT_TRANSLATE_NOOP("phenomena", "wall against one picture, float64"),
-            difference,
-            "px",
-            unmeasured if difference is None else None,
-        ),
+        Reading.or_why(QT_TRANSLATE_NOOP("phenomena", "error of the join"), join, "px", why),
+        Reading.or_why(against, difference, "px", unmeasured),
     ]
 
 
@@ -231,24 +206,21 @@ def _world_marks(
 
     And, on the near plane, the four numbers that glFrustum takes of it (lecture 003).
     """
-    lines, texts = _near_rectangle(projection)
-    faces = []
+    marks: list[Mark] = _near_rectangle(projection)
     for screen, name, colour in zip(screens, names, ("u", "n"), strict=False):
         corners = section(screen, screen.camera.distance)
-        closed = outline(corners)
-        faces.append(Face(corners, colour, 0.16))
-        lines.append(Line(closed, colour, 2.0))
         starts = section(screen, screen.lens.near)
         if screen.lens.central:
             starts = np.broadcast_to(np.array(screen.camera.eye), (4, 3))
-        lines += [Line(np.array(ends), colour, 1.0) for ends in zip(starts, corners, strict=True)]
-        texts.append(Text(name, (corners[2] + corners[3]) / 2.0, colour))
+        marks.append(plate(corners, colour, 2.0, 0.16))
+        marks += [Line(np.array(ends), colour, 1.0) for ends in zip(starts, corners, strict=True)]
+        marks.append(Text(name, (corners[2] + corners[3]) / 2.0, colour))
     if len(screens) == 2:
-        lines.append(Line(section(screens[1], screens[1].camera.distance)[[0, 3]], "accent", 2.0))
-    return Marks(tuple(lines), tuple(faces), texts=tuple(texts))
+        marks.append(Line(section(screens[1], screens[1].camera.distance)[[0, 3]], "accent", 2.0))
+    return Marks.of(*marks)
 
 
-def _near_rectangle(projection: Projection) -> tuple[list[Line], list[Text]]:
+def _near_rectangle(projection: Projection) -> list[Mark]:
     """The near plane's window, l, r, b and t written at the side where each of them is."""
     left_bottom, right_bottom, right_top, left_top = section(projection, projection.lens.near)
     ends = {
@@ -257,13 +229,13 @@ def _near_rectangle(projection: Projection) -> tuple[list[Line], list[Text]]:
         "bottom": (left_bottom, right_bottom),
         "top": (left_top, right_top),
     }
-    lines, texts = [], []
+    marks: list[Mark] = []
     middle = (left_bottom + right_top) / 2.0
     for (side, edge), value in zip(ends.items(), projection.window, strict=True):
-        lines.append(Line(np.array(edge), "near", 1.5, (side,)))
+        marks.append(Line(np.array(edge), "near", 1.5, (side,)))
         text = f"{{{side[0]}}} = {figure(value, 4)}"
-        texts.append(Text(text, (edge[0] + edge[1]) / 2.0, "near", (side,), middle))
-    return lines, texts
+        marks.append(Text(text, (edge[0] + edge[1]) / 2.0, "near", (side,), middle))
+    return marks
 
 
 def _ndc_marks(projection: Projection, screens: tuple[Projection, ...]) -> Marks:
@@ -273,17 +245,15 @@ def _ndc_marks(projection: Projection, screens: tuple[Projection, ...]) -> Marks
     x = 2.0 * screens[0].image_size[0] / projection.image_size[0] - 1.0
     z_near, z_far = projection.depth_range
     corners = np.array([(x, -1.0, z_near), (x, 1.0, z_near), (x, 1.0, z_far), (x, -1.0, z_far)])
-    edge = Line(outline(corners), "accent", 1.5)
-    return Marks(
-        (edge,), (Face(corners, "accent", 0.2),), texts=(Text(_JOIN, corners[1], "accent"),)
-    )
+    return Marks.of(plate(corners, "accent", 1.5, 0.2), Text(_JOIN, corners[1], "accent"))
 
 
 def _image_marks(
     projection: Projection, screens: tuple[Projection, ...], names: tuple[str, ...]
 ) -> Marks:
     width, height = projection.image_size
-    x, lines, texts = 0.0, [], []
+    x = 0.0
+    marks: list[Mark] = []
     for screen, name, colour in zip(screens, names, ("u", "n"), strict=False):
         across = screen.image_size[0]
         end = x + across
@@ -292,14 +262,14 @@ def _image_marks(
             corners = [(x, 0.0), (end, 0.0), (end, height), (x, height)]
         elif name == _WINDOW:
             corners.append(corners[0])
-        lines.append(Line(np.array(corners, dtype=float), colour, 2.0))
-        texts.append(Text(name, np.array([x + 0.03 * width, 0.06 * height]), colour))
+        marks.append(Line(np.array(corners, dtype=float), colour, 2.0))
+        marks.append(Text(name, np.array([x + 0.03 * width, 0.06 * height]), colour))
         x = end
     if len(screens) == 2:
         column = float(screens[0].image_size[0])
-        lines.append(Line(np.array([(column, 0.0), (column, height)]), "accent", 1.5))
-        texts.append(Text(_JOIN, np.array([column, 0.94 * height]), "accent"))
-    return Marks(tuple(lines), texts=tuple(texts))
+        marks.append(Line(np.array([(column, 0.0), (column, height)]), "accent", 1.5))
+        marks.append(Text(_JOIN, np.array([column, 0.94 * height]), "accent"))
+    return Marks.of(*marks)
 
 
 def _found(projection: Projection, _settings: Settings) -> Found:

@@ -6,6 +6,7 @@ never runs to infinity, whatever the camera does.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable, Sequence
 
 import numpy as np
@@ -13,7 +14,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from app.model.clipping import LARGEST_CLIP, clip_segments
 from app.model.projection import PLANES, Array, Projection, Trace, Vector
-from app.scenes.phenomena.illustration import Line, Text
+from app.scenes.phenomena.marks import Line, Text
 
 SIDES = ("left", "right", "bottom", "top")
 """The planes that cut a line which is in the picture at any depth: a guide line, the horizon."""
@@ -32,18 +33,17 @@ def box_edges(lower: Vector, upper: Vector) -> Array:
     return edges
 
 
-def box_corners(lower: Vector, upper: Vector) -> Array:
-    """The corners of a box, (8, 3)."""
-    which = np.array([[i >> axis & 1 for axis in range(3)] for i in range(8)], dtype=bool)
-    corners: Array = np.where(which, np.array(upper), np.array(lower))
-    return corners
-
-
 def world_from_view(projection: Projection, points_view: ArrayLike) -> Array:
     """World coordinates of points (..., 3) of view space."""
     camera = projection.camera
     points: Array = np.asarray(camera.eye) + np.asarray(points_view) @ camera.frame
     return points
+
+
+def drawn_planes(projection: Projection) -> tuple[float, float]:
+    """Distances of near and far; of an infinite far as much as things are away."""
+    near, far = projection.lens.near, projection.lens.far
+    return near, max(3.0 * projection.camera.distance, 4.0 * near) if far == math.inf else far
 
 
 def section(projection: Projection, distance: float) -> Array:
@@ -53,9 +53,9 @@ def section(projection: Projection, distance: float) -> Array:
     return world_from_view(projection, [(x, y, -distance) for x, y in corners])
 
 
-def outline(corners: Array) -> Array:
-    """A polygon's corners (k, ...), and the first of them once more."""
-    return np.concatenate([corners, corners[:1]])
+def rectangle(width: float, height: float) -> Array:
+    """The corners of a picture of this size, in pixels, (4, 2)."""
+    return np.array([(0.0, 0.0), (width, 0.0), (width, height), (0.0, height)])
 
 
 def image_from_ndc(projection: Projection, points_ndc: Array) -> Array:

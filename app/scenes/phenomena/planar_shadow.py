@@ -18,33 +18,18 @@ from __future__ import annotations
 
 import math
 from functools import partial
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
 from app.model.limits import NOT_ZERO
 from app.model.projection import Array, Camera, Perspective, Projection
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal, format_value
-from app.scenes.phenomena.illustration import (
-    Copy,
-    Dot,
-    Face,
-    Grip,
-    Illustration,
-    Line,
-    Marks,
-    Phenomenon,
-    Phrase,
-    Reading,
-    Setting,
-    Settings,
-    Subject,
-    Text,
-    figure,
-    number,
-    point,
-)
-from app.scenes.phenomena.picture import outline, seen
+from app.scenes.phenomena.illustration import Illustration, Phenomenon, Subject
+from app.scenes.phenomena.marks import Copy, Dot, Grip, Line, Mark, Marks, Text, named, plate
+from app.scenes.phenomena.picture import seen
+from app.scenes.phenomena.readout import Phrase, Reading, figure
+from app.scenes.phenomena.settings import Setting, Settings, number, point
 from app.scenes.shapes import letter_f_on_grid
 
 ABOVE_THE_PLANE = QT_TRANSLATE_NOOP(
@@ -161,20 +146,15 @@ def _check(settings: Settings) -> None:
         raise Refusal("settings.light", light, ABOVE_THE_PLANE, format_value(height))
 
 
-def _scaled(matrix: Array) -> Array:
-    """The same projective map, with numbers that the GPU's float32 holds."""
-    scaled: Array = matrix / np.abs(matrix).max()
-    return scaled
-
-
 def _show(projection: Projection, settings: Settings, subject: Subject) -> Illustration:
     light, height = _light(settings), number(settings, "height")
     matrix = shadow_matrix(light, height)
     shadows = cast(matrix, subject.points)
     too_high = int(np.count_nonzero(shadows.w <= 0.0))
-    copies = [Copy(_scaled(matrix), _PANES, "shadow")]
+    scaled = matrix / np.abs(matrix).max()  # the same map, with numbers that float32 holds
+    copies = [Copy(scaled, _PANES, "shadow")]
     if too_high and not settings["clip"]:
-        copies.append(Copy(_scaled(-matrix), _PANES, "u"))
+        copies.append(Copy(-scaled, _PANES, "u"))
     # The vertex followed: the highest of those with a shadow, and among these the farthest one.
     lit = np.flatnonzero(shadows.w > 0.0)
     chosen = None
@@ -231,18 +211,12 @@ def _readings(
     off = None if shadow is None or met is None else float(np.linalg.norm(shadow - met))
     return (
         Reading("S", tuple(float(part) + 0.0 for part in matrix.reshape(-1)), note=formula),
-        Reading(
-            QT_TRANSLATE_NOOP("phenomena", "vertex P"), _three(place), note=_if_none(place, note)
+        Reading.or_why(QT_TRANSLATE_NOOP("phenomena", "vertex P"), _three(place), why=note),
+        Reading.or_why(
+            QT_TRANSLATE_NOOP("phenomena", "its shadow S·P / w"), _three(shadow), why=note
         ),
-        Reading(
-            QT_TRANSLATE_NOOP("phenomena", "its shadow S·P / w"),
-            _three(shadow),
-            note=_if_none(shadow, note),
-        ),
-        Reading(
-            QT_TRANSLATE_NOOP("phenomena", "from there to the ray's end"),
-            off,
-            note=_if_none(off, note),
+        Reading.or_why(
+            QT_TRANSLATE_NOOP("phenomena", "from there to the ray's end"), off, why=note
         ),
         Reading(
             QT_TRANSLATE_NOOP("phenomena", "vertices not below the light"),
@@ -258,14 +232,10 @@ def _three(place: Array | None) -> tuple[float, ...] | None:
     return None if place is None else tuple(float(part) for part in place)
 
 
-def _if_none(value: object, note: Phrase) -> Phrase | None:
-    return note if value is None else None
-
-
 def _reach(subject: Subject) -> tuple[Array, float]:
     """The object's middle, and how far from it the plane and the sun are drawn."""
     low, high = np.array(subject.lower), np.array(subject.upper)
-    return (low + high) / 2.0, 1.5 * float(np.linalg.norm(high - low))
+    return (low + high) / 2.0, 1.5 * subject.size
 
 
 def _grip(light: Array, subject: Subject) -> Grip:
@@ -286,7 +256,6 @@ def _marks(
     chosen: int | None,
 ) -> tuple[Marks, Marks]:
     """World and image: the plane, the light, and the rays through the object's highest corners."""
-    low, high = np.array(subject.lower), np.array(subject.upper)
     height = number(settings, "height")
     middle, reach = _reach(subject)
     corners = np.array(
@@ -295,57 +264,48 @@ def _marks(
             for x, z in ((-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0))
         ]
     )
-    lines = [Line(outline(corners), "muted")]
-    dots: list[Dot] = []
-    texts = [Text(f"y = {figure(height, 4)}", corners[3], "")]
     sun = light[3] == 0.0
     way = light[:3] / np.linalg.norm(light[:3]) if sun else light[:3]
+
+    def ray(place: Array, end: Array, *drawn: Any) -> Line:
+        """From the light through a point to its end."""
+        return Line(np.array([place + reach * way if sun else light[:3], end]), *drawn)
+
+    y = Text(f"y = {figure(height, 4)}", corners[3])
+    world: list[Mark] = [plate(corners, "muted", 1.0, 0.2), y]
     which = np.array([(x, 1, z) for x in (0, 1) for z in (0, 1)], dtype=bool)
-    tops = np.where(which, high, low)
+    tops = np.where(which, subject.upper, subject.lower)
     ends = cast(shadow_matrix(light, height), tops)
     for top, end, w in zip(tops, ends.places, ends.w, strict=True):
-        source = top + reach * way if sun else light[:3]
         if w > 0.0:
-            lines.append(Line(np.array([source, end if np.isfinite(end).all() else top]), "muted"))
+            world.append(ray(top, end if np.isfinite(end).all() else top, "muted"))
         elif not settings["clip"] and np.isfinite(end).all():
-            lines.append(Line(np.array([top, end]), "u", 0.5))
+            world.append(Line(np.array([top, end]), "u", 0.5))
     if sun:
         head = middle + reach * way
         tail = head - 0.3 * reach * way
-        lines.append(Line(np.array([head, tail]), "accent", 2.0))
+        world.append(Line(np.array([head, tail]), "accent", 2.0))
         above_deg = math.degrees(math.asin(min(float(way[1]), 1.0)))
-        texts.append(Text(f"{figure(above_deg, 4)}°", (head + tail) / 2.0))
+        world.append(Text(f"{figure(above_deg, 4)}°", (head + tail) / 2.0))
     else:
         head = light[:3]
         foot = np.array([head[0], height, head[2]])
-        lines.append(Line(np.array([head, foot]), "ink", 1.0))
+        world.append(Line(np.array([head, foot]), "ink", 1.0))
         above = "L_y − h" if height else "L_y"
-        texts.append(Text(f"{above} = {figure(head[1] - height, 4)}", (head + foot) / 2.0))
-    dots.append(Dot(head, "accent", 1.6))
-    name = _SUN if sun else _LAMP
-    texts.append(Text(name, head, "accent"))
-    image: list[Dot] = []
+        world.append(Text(f"{above} = {figure(head[1] - height, 4)}", (head + foot) / 2.0))
+    world.append(named(_SUN if sun else _LAMP, head, size=1.6))
+    image = Marks()
     if chosen is not None:
         place, shadow = subject.points[chosen], shadows.places[chosen]
-        dots.append(Dot(place, "accent", 1.2))
-        texts.append(Text("P", place, "accent"))
+        world.append(named("P", place, size=1.2))
         shown = [place]
         if np.isfinite(shadow).all():
-            source = place + reach * way if sun else light[:3]
-            lines.append(Line(np.array([source, shadow]), "accent", 1.5))
-            dots.append(Dot(shadow, "accent", 1.2))
-            texts.append(Text("P'", shadow, "accent"))
+            world += [ray(place, shadow, "accent", 1.5), named("P'", shadow, size=1.2)]
             shown.append(shadow)
         trace = projection.trace(np.array(shown))
-        image = [Dot(pixel, "accent", 1.2) for pixel in trace.image[seen(trace)]]
-    face = Face(corners, "muted", 0.2)
-    return Marks(tuple(lines), (face,), tuple(dots), tuple(texts)), Marks(dots=tuple(image))
+        image = Marks.of(*(Dot(at, "accent", 1.2) for at in trace.image[seen(trace)]))
+    return Marks.of(*world), image
 
-
-_START = Projection(
-    Camera((6.0, 7.5, 12.0), (1.9, 1.7, -0.6)),
-    Perspective(fov_y_deg=32.0, near=4.0, far=24.0),
-)
 
 PHENOMENON = Phenomenon(
     name="planar-shadow",
@@ -363,7 +323,10 @@ PHENOMENON = Phenomenon(
         QT_TRANSLATE_NOOP("phenomena", "Stop the clipping: what appears?"),
     ),
     lectures=("002",),
-    start=_START,
+    start=Projection(
+        Camera((6.0, 7.5, 12.0), (1.9, 1.7, -0.6)),
+        Perspective(fov_y_deg=32.0, near=4.0, far=24.0),
+    ),
     geometry=partial(letter_f_on_grid, (-8.0, -8.0), (8.0, 8.0)),
     show=_show,
     settings=(

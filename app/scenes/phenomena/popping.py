@@ -23,23 +23,12 @@ from numpy.typing import NDArray
 from app.model.limits import ABOVE
 from app.model.projection import LARGEST, Array, Camera, Perspective, Projection
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
-from app.scenes.phenomena.illustration import (
-    Curve,
-    Diagram,
-    Fog,
-    Found,
-    Illustration,
-    Level,
-    Phenomenon,
-    Phrase,
-    Reading,
-    Rendering,
-    Setting,
-    Settings,
-    Subject,
-    number,
-)
-from app.scenes.shapes import Coloured, brightness, ground_grid
+from app.scenes.phenomena.diagram import Curve, Diagram
+from app.scenes.phenomena.illustration import Illustration, Phenomenon, Subject
+from app.scenes.phenomena.marks import Fog, Level, Rendering
+from app.scenes.phenomena.readout import Phrase, Reading
+from app.scenes.phenomena.settings import Found, Setting, Settings, number
+from app.scenes.shapes import Coloured, box_corners, brightness, ground_grid
 
 SPEED = 12.0
 """World units a second, when the position is played."""
@@ -140,9 +129,7 @@ def fog_of(settings: Settings) -> Fog | None:
 
 def trees_in_view(projection: Projection) -> NDArray[np.bool_]:
     """Which of the `places` have a tree in the view volume, by its bounds, (n,) bool."""
-    corners = np.array(
-        [(x, y, z) for x in (-_RADIUS, _RADIUS) for y in (0.0, HEIGHT) for z in (-_RADIUS, _RADIUS)]
-    )
+    corners = box_corners((-_RADIUS, 0.0, -_RADIUS), (_RADIUS, HEIGHT, _RADIUS))
     outside = projection.trace(places()[:, None] + corners).outside
     beyond_one_plane = np.asarray(outside.all(axis=1))
     return np.asarray(~beyond_one_plane.any(axis=1))
@@ -303,9 +290,7 @@ def _diagram(fog: Fog | None, far: float) -> Diagram:
     right = far if 0.0 < far < _RIGHT else _RIGHT
     w = np.linspace(0.0, 1.1 * right, 120)
     left = np.array([1.0 if fog is None else fog.left(at) for at in w.tolist()])
-    curves = [
-        Curve(np.stack([w, 100.0 * left], axis=1), "accent", width=2.0),
-    ]
+    curves = [Curve(np.stack([w, 100.0 * left], axis=1), "accent", width=2.0)]
     if 0.0 < far <= 1.1 * right:
         word = QT_TRANSLATE_NOOP("phenomena", "far")
         curves.append(Curve(np.array([(far, 0.0), (far, 100.0)]), "far", word))

@@ -15,29 +15,23 @@ import numpy as np
 
 from app.model.projection import Array, Camera, Perspective, Projection
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
-from app.scenes.phenomena.illustration import (
+from app.scenes.phenomena.illustration import Illustration, Phenomenon, Subject
+from app.scenes.phenomena.marks import (
     Copy,
-    Dot,
     Face,
     Grip,
-    Illustration,
     Length,
     Line,
+    Mark,
     Marks,
-    Phenomenon,
-    Phrase,
-    Reading,
-    Setting,
-    Settings,
-    Subject,
     Text,
-    figure,
-    number,
-    of_parallel,
-    point,
+    named,
+    plate,
 )
-from app.scenes.phenomena.picture import outline, section, seen, world_from_view
-from app.scenes.shapes import letter_f_on_grid
+from app.scenes.phenomena.picture import section, seen, world_from_view
+from app.scenes.phenomena.readout import Phrase, Reading, figure, of_parallel
+from app.scenes.phenomena.settings import Setting, Settings, number, point
+from app.scenes.shapes import box_corners, letter_f_on_grid
 
 NOT_THE_EYE_PLANE = QT_TRANSLATE_NOOP(
     "Refusal", "must not be 0: the plane would go through the eye, where nothing is cut"
@@ -111,15 +105,12 @@ def onto_plane(projection: Projection, distance: float, slab: float = 0.0) -> Ar
         Lifts a point at depth w off the plane by ``slab / w`` against the view direction, so that
         what is in front stays in front.
     """
-    camera = projection.camera
-    eye, (u, v, n) = np.array(camera.eye), camera.frame
-    view = np.eye(4)
-    view[:3, :3] = (u, v, n)
-    view[:3, 3] = -view[:3, :3] @ eye
+    eye, frame = np.array(projection.camera.eye), projection.camera.frame
+    view, back = np.eye(4), np.eye(4)
+    view[:3, :3], view[:3, 3] = frame, -frame @ eye
+    back[:3, :3], back[:3, 3] = frame.T, eye
     flat = np.diag([distance, distance, distance, 0.0])
     flat[2, 3], flat[3, 2] = slab, -1.0
-    back = np.eye(4)
-    back[:3, :3], back[:3, 3] = view[:3, :3].T, eye
     matrix: Array = back @ flat @ view
     return matrix
 
@@ -127,55 +118,51 @@ def onto_plane(projection: Projection, distance: float, slab: float = 0.0) -> Ar
 def _show(projection: Projection, settings: Settings, subject: Subject) -> Illustration:
     distance = number(settings, "distance")
     place = np.array(point(settings, "point"))
-    camera = projection.camera
     if (parallel := of_parallel(projection, _PARALLEL)) is not None:
         return Illustration((), warning=parallel)
-    eye = np.array(camera.eye)
+    eye = np.array(projection.camera.eye)
 
-    def world(x: float, y: float, z: float) -> Array:
+    def at(x: float, y: float, z: float) -> Array:
         return world_from_view(projection, (x, y, z))
 
     plane = section(projection, distance)
-    lines = [Line(outline(plane), "v", 1.0, _OF_D)]
-    faces = [Face(plane, "v", 0.14)]
-    texts = [Text(f"d = {figure(distance, 4)}", plane[2], "v", _OF_D)]
-    dots, nearest = [], math.inf
-    lengths: tuple[Length, ...] = ()
+    nearest = math.inf
+    world: list[Mark] = [plate(plane, "v", 1.0, 0.14, _OF_D)]
+    world.append(Text(f"d = {figure(distance, 4)}", plane[2], "v", _OF_D))
     for x, y, z in projection.trace(_outermost(subject)).view.tolist():
         if z < 0.0:
-            hit = world(distance * x / -z, distance * y / -z, -distance)
-            lines.append(Line(_through(eye, world(x, y, z), hit, distance, -z), "muted", 0.5))
+            hit = at(distance * x / -z, distance * y / -z, -distance)
+            world.append(Line(_through(eye, at(x, y, z), hit, distance, -z), "muted", 0.5))
             nearest = min(nearest, -z)
 
-    x, y, z = projection.trace(place).view.tolist()
-    at, scale = projected(projection, distance, place), None
-    if at is not None:
-        w, scale = -z, distance / -z
-        hit, foot, axis = world(*at, -distance), world(0.0, 0.0, -distance), world(0.0, 0.0, z)
+    trace = projection.trace(place)
+    x, y, z = trace.view.tolist()
+    w = -z + 0.0
+    x_p, y_p = projected(projection, distance, place) or (None, None)
+    lengths: tuple[Length, ...] = ()
+    if x_p is not None and y_p is not None:
+        hit, foot, axis = at(x_p, y_p, -distance), at(0.0, 0.0, -distance), at(0.0, 0.0, z)
         # The two triangles: from the eye along the axis, across to the point, and back.
-        faces += [Face(np.array([eye, axis, place]), "accent", 0.16)]
-        faces += [Face(np.array([eye, foot, hit]), "accent", 0.3)]
-        lines += [
+        world += [
+            Face(np.array([eye, axis, place]), "accent", 0.16),
+            Face(np.array([eye, foot, hit]), "accent", 0.3),
             Line(np.array([foot, eye]), "ink", 1.0, _OF_D),
             Line(np.array([eye, axis]), "ink", 1.0, _OF_W),
             Line(np.array([axis, place]), "ink", 1.0, _OF_POINT),
             Line(_through(eye, place, hit, distance, w), "accent", 1.5),
             Line(np.array([foot, hit]), "v", 2.0, _OF_IMAGE),
+            named("P", place),
+            named("P'", hit),
+            Text("w", (eye + axis) / 2.0, about=_OF_W),
         ]
-        dots = [Dot(place, "accent", 1.3), Dot(hit, "accent", 1.3)]
-        texts += [Text("P", place, "accent"), Text("P'", hit, "accent")]
-        texts += [Text("w", (eye + axis) / 2.0, about=_OF_W)]
         nearest = min(nearest, w)
-        lengths = tuple(
-            Length(view, letter, length, start, world(*end))
-            for view, letter, length, start, end in (
-                ("side", "y", y, axis, (0.0, y, z)),
-                ("side", "y_p", at[1], foot, (0.0, at[1], -distance)),
-                ("top", "x", x, axis, (x, 0.0, z)),
-                ("top", "x_p", at[0], foot, (at[0], 0.0, -distance)),
-            )
+        lengths = (
+            Length("side", "y", y, axis, at(0.0, y, z)),
+            Length("side", "y_p", y_p, foot, at(0.0, y_p, -distance)),
+            Length("top", "x", x, axis, at(x, 0.0, z)),
+            Length("top", "x_p", x_p, foot, at(x_p, 0.0, -distance)),
         )
-    note = Phrase(_BEHIND) if at is None else None
+    note = Phrase(_BEHIND) if x_p is None else None
     matrix = lecture_matrix(distance)
     readings = (
         Reading(
@@ -189,16 +176,16 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Illus
             tuple((matrix @ (x, y, z, 1.0) + 0.0).tolist()),
             about=(*_OF_D, *_OF_W, *_OF_POINT),
         ),
-        Reading("x_p = d·x / w", None if at is None else at[0], note=note, about=_OF_X_P),
-        Reading("y_p = d·y / w", None if at is None else at[1], note=note, about=_OF_Y_P),
+        Reading("x_p = d·x / w", x_p, note=note, about=_OF_X_P),
+        Reading("y_p = d·y / w", y_p, note=note, about=_OF_Y_P),
         Reading(
             QT_TRANSLATE_NOOP("phenomena", "scale d / w"),
-            scale,
+            None if x_p is None else distance / w,
             "×",
             note,
             about=(*_OF_D, *_OF_W),
         ),
-        Reading("w", -z + 0.0, about=_OF_W),
+        Reading("w", w, about=_OF_W),
         Reading(
             QT_TRANSLATE_NOOP("phenomena", "the image on the plane"),
             QT_TRANSLATE_NOOP("phenomena", "upright")
@@ -207,24 +194,23 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Illus
         ),
     )
     slab = _SLAB * abs(distance) * (nearest if nearest < math.inf else 1.0)
-    trace = projection.trace(place)
     here = bool(seen(trace))
     return Illustration(
         readings,
-        world=Marks(tuple(lines), tuple(faces), tuple(dots), tuple(texts)),
-        ndc=_marked(trace.ndc) if here else Marks(),
-        image=_marked(trace.image) if here else Marks(),
+        world=Marks.of(*world),
+        ndc=named("P", trace.ndc) if here else Marks(),
+        image=named("P", trace.image) if here else Marks(),
         copies=(Copy(onto_plane(projection, distance, slab)),),
         grips=(Grip("point", place),),
         lengths=lengths,
-        measured=(("d", distance),) if at is None else (("d", distance), ("w", -z)),
+        measured=(("d", distance),) if x_p is None else (("d", distance), ("w", w)),
     )
 
 
 def _outermost(subject: Subject) -> Array:
     """Vertices of the subject that are farthest toward the corners of its bounds, (k, 3)."""
-    corners = np.array([[1.0 - 2.0 * (i >> axis & 1) for axis in range(3)] for i in range(8)])
-    which = (subject.points @ corners.T).argmax(axis=0)
+    towards = box_corners((-1.0, -1.0, -1.0), (1.0, 1.0, 1.0))
+    which = (subject.points @ towards.T).argmax(axis=0)
     outermost: Array = subject.points[np.unique(which)]
     return outermost
 
@@ -235,16 +221,6 @@ def _through(eye: Array, end: Array, hit: Array, distance: float, w: float) -> A
         return np.array([end, hit])
     return np.array([eye, hit if distance > w else end])
 
-
-def _marked(where: Array) -> Marks:
-    """The point P in another pane."""
-    return Marks(dots=(Dot(where, "accent", 1.3),), texts=(Text("P", where, "accent"),))
-
-
-_START = Projection(
-    Camera((5.5, 3.6, 9.5), (0.3, 2.4, 0.0)),
-    Perspective(fov_y_deg=40.0, near=2.0, far=14.0),
-)
 
 PHENOMENON = Phenomenon(
     name="similar-triangles",
@@ -262,7 +238,10 @@ PHENOMENON = Phenomenon(
         QT_TRANSLATE_NOOP("phenomena", "Make d negative: what turns over?"),
     ),
     lectures=("000", "001", "002", "004"),
-    start=_START,
+    start=Projection(
+        Camera((5.5, 3.6, 9.5), (0.3, 2.4, 0.0)),
+        Perspective(fov_y_deg=40.0, near=2.0, far=14.0),
+    ),
     geometry=partial(letter_f_on_grid, (-4.0, -2.0), (4.0, 10.0)),
     show=_show,
     settings=(

@@ -17,26 +17,18 @@ import numpy as np
 
 from app.model.projection import Array, Camera, Orbit, Perspective, Projection, Trace
 from app.model.refusal import QT_TRANSLATE_NOOP
-from app.scenes.phenomena.illustration import (
-    CLOSE,
-    Curve,
-    Diagram,
-    Dot,
-    Found,
-    Illustration,
-    Line,
-    Marks,
-    Phenomenon,
-    Phrase,
-    Reading,
-    Setting,
-    Settings,
-    Subject,
-    Text,
-    number,
-    of_parallel,
+from app.scenes.phenomena.diagram import Curve, Diagram, broken
+from app.scenes.phenomena.illustration import Illustration, Phenomenon, Subject
+from app.scenes.phenomena.marks import Line, Mark, Marks, Text, named
+from app.scenes.phenomena.picture import (
+    SIDES,
+    box_edges,
+    cut_in_picture,
+    image_from_clip,
+    rectangle,
 )
-from app.scenes.phenomena.picture import SIDES, box_edges, cut_in_picture, image_from_clip
+from app.scenes.phenomena.readout import Phrase, Reading, of_parallel
+from app.scenes.phenomena.settings import CLOSE, Found, Setting, Settings, number
 from app.scenes.shapes import (
     EDGE_RGB,
     SIDE_RGB,
@@ -124,14 +116,16 @@ def vanishing(projection: Projection) -> tuple[Vanishing, Vanishing, Vanishing]:
             sign, z = 1.0, 0.0
         with np.errstate(over="ignore", invalid="ignore"):
             clip = lens_matrix @ (sign * np.array([x, y, z, 0.0])) + 0.0
-        pixel = None
-        if clip[3] > 0.0:
-            with np.errstate(over="ignore", invalid="ignore"):
-                pixel = image_from_clip(projection, clip)
-            if not np.isfinite(pixel).all():
-                pixel = None
+        pixel = _pixel(projection, clip) if clip[3] > 0.0 else None
         found.append(Vanishing(sign, clip, pixel))
     return found[0], found[1], found[2]
+
+
+def _pixel(projection: Projection, clip: Array) -> Array | None:
+    """The pixel of a clip point whose w is not 0; None beyond what float64 can hold."""
+    with np.errstate(over="ignore", invalid="ignore"):
+        pixel = image_from_clip(projection, clip)
+    return pixel if np.isfinite(pixel).all() else None
 
 
 def drawn_angle_deg(projection: Projection, clip: Array) -> float | None:
@@ -240,13 +234,7 @@ def running(
     w = 1.0 - t
     world = None if w == 0.0 else start[0] + (t / w) * toward[0]
     at = w * start[1] + t * toward[1]
-    pixel = None
-    if at[3] != 0.0:
-        with np.errstate(over="ignore", invalid="ignore"):
-            pixel = image_from_clip(projection, at)
-        if not np.isfinite(pixel).all():
-            pixel = None
-    return Running(w, world, at, pixel)
+    return Running(w, world, at, _pixel(projection, at) if at[3] != 0.0 else None)
 
 
 # --------------------------------------------------------------------------- what is shown
@@ -282,7 +270,7 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Illus
     size = float(np.abs(toward).max())
     # A flat box (a mesh of the user's) has edges without length; P runs along them all the same.
     if size == 0.0:
-        size = math.dist(subject.lower, subject.upper)
+        size = subject.size
         toward = size * point.sign * np.eye(3)[axis]
     from_corner = (start, trace.clip[axis, row, near_end])
     there = running(projection, from_corner, (toward, size * point.clip), number(settings, "t"))
@@ -325,15 +313,11 @@ def _running_readings(point: Vanishing, at: Running, why_no_v: Phrase | None) ->
     if at.pixel is not None and point.pixel is not None:
         rest = math.dist(at.pixel, point.pixel)
     why_no_rest = note if point.pixel is not None else why_no_v
+    to_v = QT_TRANSLATE_NOOP("phenomena", "from P to V")
     return [
         Reading(QT_TRANSLATE_NOOP("phenomena", "w of P = (1 − t)·C + t·(D : 0)"), at.w),
         Reading(QT_TRANSLATE_NOOP("phenomena", "image of P"), pixel, "px", note),
-        Reading(
-            QT_TRANSLATE_NOOP("phenomena", "from P to V"),
-            rest,
-            "px",
-            why_no_rest if rest is None else None,
-        ),
+        Reading.or_why(to_v, rest, "px", why_no_rest),
     ]
 
 
@@ -353,31 +337,26 @@ def _image_marks(
     pieces = cut_in_picture(
         projection, np.array([*starts, start_clip]), np.array([*ends, there.clip]), SIDES
     )
-    lines = [
+    marks: list[Mark] = [
         Line(piece, _COLOURS[axis], 1.0)
         for piece, axis in zip(pieces[:-1], axes, strict=True)
         if piece is not None
     ]
     # The line from C to P, as long as the projective line between them is the one in front.
     if pieces[-1] is not None:
-        lines.append(Line(pieces[-1], "accent", 2.0))
-    width, height = projection.image_size
-    texts, dots = [], []
-
-    def mark(pixel: Array | None, colour: str, name: str) -> None:
-        if pixel is not None and (pixel >= 0.0).all() and (pixel <= (width, height)).all():
-            dots.append(Dot(pixel, colour, 1.4))
-            texts.append(Text(name, pixel, colour))
-
-    for point, colour, name in zip(points, _COLOURS, _AXES, strict=True):
-        mark(point.pixel, colour, f"V_{name}")
-    mark(there.pixel, "accent", "P")
+        marks.append(Line(pieces[-1], "accent", 2.0))
+    size = projection.image_size
+    names = [(f"V_{axis}", point.pixel) for axis, point in zip(_AXES, points, strict=True)]
+    for (name, pixel), colour in zip(
+        [*names, ("P", there.pixel)], (*_COLOURS, "accent"), strict=True
+    ):
+        if pixel is not None and (pixel >= 0.0).all() and (pixel <= size).all():
+            marks.append(named(name, pixel, colour, 1.4))
     line = horizon(projection)
-    held = None if line is None else line_in_rectangle(line, (0.0, 0.0), (width, height))
+    held = None if line is None else line_in_rectangle(line, (0.0, 0.0), size)
     if held is not None:
-        lines.append(Line(held, "ink", 1.0))
-        texts.append(Text(_HORIZON, held[0] + 0.25 * (held[1] - held[0])))
-    return Marks(tuple(lines), dots=tuple(dots), texts=tuple(texts))
+        marks += [Line(held, "ink", 1.0), Text(_HORIZON, held[0] + 0.25 * (held[1] - held[0]))]
+    return Marks.of(*marks)
 
 
 def _world_marks(
@@ -389,8 +368,8 @@ def _world_marks(
 ) -> Marks:
     """Rays from the eye parallel to the box's edges, and where they meet the near plane."""
     eye = np.array(projection.camera.eye)
-    longest = _LONGEST * math.dist(subject.lower, subject.upper)
-    lines, dots, texts = [], [], []
+    longest = _LONGEST * subject.size
+    marks: list[Mark] = []
     for axis, (point, colour) in enumerate(zip(points, _COLOURS, strict=True)):
         if point.clip[3] <= 0.0:
             continue
@@ -398,19 +377,17 @@ def _world_marks(
         length = projection.lens.near / abs(float(projection.camera.frame[2, axis]))
         reach = min(length, longest)
         hit = eye + reach * direction
-        lines.append(Line(np.array([eye, hit]), colour, 1.5))
+        marks.append(Line(np.array([eye, hit]), colour, 1.5))
         if length <= longest:
-            dots.append(Dot(hit, colour, 1.3))
-            texts.append(Text(f"V_{_AXES[axis]}", hit, colour))
+            marks.append(named(f"V_{_AXES[axis]}", hit, colour))
     if there.world is not None:
         offset = there.world - start
         far = float(np.abs(offset).max())
         end = there.world if far <= longest else start + offset * (longest / far)
-        lines.append(Line(np.array([start, end]), "accent", 2.0))
+        marks.append(Line(np.array([start, end]), "accent", 2.0))
         if far <= longest:
-            dots.append(Dot(there.world, "accent", 1.3))
-            texts.append(Text("P", there.world, "accent"))
-    return Marks(tuple(lines), dots=tuple(dots), texts=tuple(texts))
+            marks.append(named("P", there.world))
+    return Marks.of(*marks)
 
 
 def _diagrams(
@@ -429,16 +406,15 @@ def _diagrams(
         low, high = np.minimum(low, pixel), np.maximum(high, pixel)
     margin = 0.06 * float((high - low).max())
     low, high = low - margin, high + margin
-    frame = np.array([(0.0, 0.0), (width, 0.0), (width, height), (0.0, height)], dtype=float)
-    curves = [Curve(frame, "muted", width=1.5, closed=True)]
+    curves = [Curve(rectangle(width, height), "muted", width=1.5, closed=True)]
     image = edges.image
     # A box beside the eye or behind it has edges without a picture.
     if edges.in_front.all() and (np.abs(image) <= most + high).all():
         for axis, pixel in shown:
             ends = image[axis, :, 1 if points[axis].sign > 0.0 else 0]
             guides = np.stack([ends, np.broadcast_to(pixel, (4, 2))], axis=1)
-            curves.append(Curve(_broken(guides), _COLOURS[axis], width=0.7))
-        curves.append(Curve(_broken(image.reshape(12, 2, 2)), "ink", width=1.5))
+            curves.append(Curve(broken(guides), _COLOURS[axis], width=0.7))
+        curves.append(Curve(broken(image.reshape(12, 2, 2)), "ink", width=1.5))
     line = horizon(projection)
     held = None
     if line is not None:
@@ -457,12 +433,6 @@ def _diagrams(
             equal=True,
         ),
     )
-
-
-def _broken(segments: Array) -> Array:
-    """Segments (k, 2, 2) as one curve that is broken between them."""
-    gaps = np.full((len(segments), 1, 2), np.nan)
-    return np.concatenate([segments, gaps], axis=1).reshape(-1, 2)[:-1]
 
 
 def _follow(projection: Projection, before: Found, after: Settings) -> Projection:

@@ -16,23 +16,11 @@ from numpy.typing import NDArray
 
 from app.model.projection import Camera, Perspective, Projection
 from app.model.refusal import QT_TRANSLATE_NOOP
-from app.scenes.phenomena.illustration import (
-    Dot,
-    Face,
-    Found,
-    Illustration,
-    Line,
-    Marks,
-    Phenomenon,
-    Phrase,
-    Reading,
-    Setting,
-    Settings,
-    Subject,
-    Text,
-    of_parallel,
-)
-from app.scenes.phenomena.picture import image_from_ndc, seen_texts, world_from_view
+from app.scenes.phenomena.illustration import Illustration, Phenomenon, Subject
+from app.scenes.phenomena.marks import Dot, Face, Line, Mark, Marks, Text
+from app.scenes.phenomena.picture import drawn_planes, image_from_ndc, seen_texts, world_from_view
+from app.scenes.phenomena.readout import Phrase, Reading, of_parallel
+from app.scenes.phenomena.settings import Found, Setting, Settings
 from app.scenes.shapes import Coloured, box_faces, edges_of, flat, ground_grid, joined
 
 _INFINITE = QT_TRANSLATE_NOOP("phenomena", "far is infinite, and so is the volume")
@@ -148,42 +136,27 @@ def held(projection: Projection, cone: bool) -> NDArray[np.bool_]:
 def _cone_marks(projection: Projection) -> tuple[Marks, Marks, Marks]:
     """The cone in the world, in NDC and in the image."""
     x, y, radius = cone_of(projection)
-    lens = projection.lens
-    # An infinite cone is drawn as far as things are.
-    reach = max(3.0 * projection.camera.distance, 4.0 * lens.near)
-    far = lens.far if lens.far < math.inf else reach
     sections = np.empty((2, _SIDES + 1, 3))
-    for section, w in zip(sections, (lens.near, far), strict=True):
+    for section, w in zip(sections, drawn_planes(projection), strict=True):
         section[:, :2] = (np.array([x, y]) + radius * _CIRCLE) * w
         section[:, 2] = -w
     near_circle, far_circle = world = world_from_view(projection, sections)
-    lines = [Line(near_circle, "near", 1.5), Line(far_circle, "far", 1.5)]
-    lines += [Line(world[:, i], "accent", 1.0) for i in range(0, _SIDES, _SIDES // 8)]
-    faces = [
+    marks: list[Mark] = [Line(near_circle, "near", 1.5), Line(far_circle, "far", 1.5)]
+    marks += [Line(world[:, i], "accent", 1.0) for i in range(0, _SIDES, _SIDES // 8)]
+    marks += [
         Face(np.array([world[0, i], world[0, i + 2], world[1, i + 2], world[1, i]]), "accent", 0.18)
         for i in range(0, _SIDES, 2)
     ]
     # In NDC it is a cylinder: its section fills the shorter side of the cube's.
-    x_half, y_half = _half_sides(projection)
-    outline = radius / np.array([x_half, y_half]) * _CIRCLE
-    ends = [np.column_stack([outline, np.full(len(outline), z)]) for z in projection.depth_range]
-    ndc_lines = [Line(ends[0], "near", 1.5), Line(ends[1], "far", 1.5)]
-    ndc_lines += [
-        Line(np.array([ends[0][i], ends[1][i]]), "accent", 1.0)
-        for i in range(0, _SIDES, _SIDES // 8)
-    ]
-    ellipse = image_from_ndc(projection, outline)
-    return (
-        Marks(tuple(lines), tuple(faces)),
-        Marks(tuple(ndc_lines)),
-        Marks((Line(ellipse, "accent", 1.5),)),
-    )
-
-
-def _half_sides(projection: Projection) -> tuple[float, float]:
-    """Half of the width and of the height of a perspective picture at distance 1."""
     left, right, bottom, top = projection.lens.slopes(Fraction(*projection.image_size))
-    return (right - left) / 2.0, (top - bottom) / 2.0
+    ellipse = radius / np.array([(right - left) / 2.0, (top - bottom) / 2.0]) * _CIRCLE
+    near, far = (np.column_stack([ellipse, [z] * len(ellipse)]) for z in projection.depth_range)
+    in_ndc = [Line(near, "near", 1.5), Line(far, "far", 1.5)]
+    in_ndc += [
+        Line(np.array([near[i], far[i]]), "accent", 1.0) for i in range(0, _SIDES, _SIDES // 8)
+    ]
+    in_image = Line(image_from_ndc(projection, ellipse), "accent", 1.5)
+    return Marks.of(*marks), Marks.of(*in_ndc), Marks.of(in_image)
 
 
 def _show(projection: Projection, settings: Settings, _subject: Subject) -> Illustration:
@@ -207,22 +180,22 @@ def _show(projection: Projection, settings: Settings, _subject: Subject) -> Illu
         Reading(QT_TRANSLATE_NOOP("phenomena", "test points inside"), float(len(names))),
         Reading(QT_TRANSLATE_NOOP("phenomena", "these are"), ", ".join(names) or none),
     )
-    texts = tuple(
+    texts = [
         Text(name, place, "accent") if here else Text(f"({name})", place)
         for name, place, here in zip(POINTS, _LETTERS, inside, strict=True)
-    )
-    dots = tuple(
+    ]
+    dots = [
         Dot(place, "accent" if here else "muted", 1.4 if here else 0.7)
         for place, here in zip(_PLACES, inside, strict=True)
-    )
+    ]
     world, ndc, image = Marks(), Marks(), Marks()
     if cone:
         world, ndc, image = _cone_marks(projection)
     return Illustration(
         readings,
-        world=Marks(world.lines, world.faces, dots, texts),
+        world=Marks.of(world, *dots, *texts),
         ndc=ndc,
-        image=Marks(image.lines, texts=seen_texts(projection.trace(_LETTERS), texts)),
+        image=Marks.of(image, *seen_texts(projection.trace(_LETTERS), texts)),
         warning=no_cone if asked else None,
     )
 

@@ -1,0 +1,99 @@
+"""A small picture or chart beside the panes, as plain data."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from app.model.projection import Array
+
+
+@dataclass(frozen=True, eq=False)
+class Curve:
+    """A curve of a diagram: (n, 2) points in the diagram's units, NaN where it is broken."""
+
+    points: Array
+    colour: str = "ink"
+    label: str = ""
+    width: float = 1.0
+    closed: bool = False
+    dots: bool = False
+
+
+@dataclass(frozen=True, eq=False)
+class Spot:
+    """A point of a diagram that has a name, and can be chosen if it has a key.
+
+    Attributes
+    ----------
+    x, y : float
+        In the diagram's units.
+    name : str
+        Written beside it, where there is room; it is in `tip` too.
+    key : str
+        What is told when it is clicked; empty if it cannot be chosen.
+    tip : str
+    colour : str
+    faded : bool
+        Whether there is better: dot and name step back.
+    marked : bool
+        Whether it is the present choice.
+    broken : bool
+        Whether it is where something ends: a cross instead of a dot.
+    """
+
+    x: float
+    y: float
+    name: str = ""
+    key: str = ""
+    tip: str = ""
+    colour: str = "ink"
+    faded: bool = False
+    marked: bool = False
+    broken: bool = False
+
+
+@dataclass(frozen=True, eq=False)
+class Diagram:
+    """A small picture or chart beside the panes.
+
+    Attributes
+    ----------
+    title : str
+        Translatable.
+    curves : tuple of Curve
+    x_label, y_label : str
+        Translatable; empty for none.
+    left, right, bottom, top : float
+        Its window; with `bottom` greater than `top` y runs down, as in an image.
+    x_log, y_log : bool
+    equal : bool
+        Whether both axes have the same scale, as in a picture; a picture whose axes have no
+        names has no numbers either.
+    x_ticks, y_ticks : (n,) arrays, optional
+        Where lines are drawn across: the codes of a depth buffer.
+    spots : tuple of Spot
+        Drawn over the curves; those named first get the better places.
+    """
+
+    title: str
+    curves: tuple[Curve, ...]
+    left: float
+    right: float
+    bottom: float
+    top: float
+    x_label: str = ""
+    y_label: str = ""
+    x_log: bool = False
+    y_log: bool = False
+    equal: bool = False
+    x_ticks: Array | None = None
+    y_ticks: Array | None = None
+    spots: tuple[Spot, ...] = ()
+
+
+def broken(segments: Array) -> Array:
+    """Segments (k, 2, 2) as the points of one curve that is broken after each of them."""
+    gaps = np.full((len(segments), 1, 2), np.nan)
+    return np.concatenate([segments, gaps], axis=1).reshape(-1, 2)

@@ -1,0 +1,132 @@
+"""What can be chosen of a phenomenon, beside camera and lens."""
+
+from __future__ import annotations
+
+import math
+import numbers
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any, TypeAlias
+
+from app.model.limits import finite, finite_vector, within
+from app.model.projection import ONE_OF, Vector
+from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
+
+Value: TypeAlias = float | bool | str | Vector
+Settings: TypeAlias = Mapping[str, Value]
+"""The value of each `Setting` of a phenomenon, by its name; complete and checked."""
+Found: TypeAlias = Mapping[str, Value | None]
+"""Likewise, as camera and lens have them; None where they are as no value makes them."""
+
+CLOSE = 1e-7
+"""Of a number, or of its slider's length: nearer to the one that was chosen, it is that one."""
+
+WHOLE = QT_TRANSLATE_NOOP("Refusal", "must be a whole number")
+YES_OR_NO = QT_TRANSLATE_NOOP("Refusal", "must be true or false")
+
+
+@dataclass(frozen=True)
+class Setting:
+    """One thing that can be changed about a phenomenon, beside camera and lens.
+
+    What it is follows from its default: a bool is a switch, a str one of `choices`, a tuple a
+    point or direction of the world, a float a number with a slider.
+
+    Attributes
+    ----------
+    name : str
+        In the document, ``settings.NAME``.
+    label, tip : str
+        For the control; translatable.
+    default : float, bool, str or tuple of 3 floats
+    low, high : float
+        Bounds of a number, included.
+    span : (float, float), optional
+        What the slider covers, within the bounds; all of them if not given.
+    unit : str
+    choices : tuple of (str, str)
+        Values of a choice and their translatable labels.
+    logarithmic, whole : bool
+        Of a number: whether its slider runs over powers; whether it counts.
+    per_second : float
+        How fast a number moves while it is played; 0 if it is not.
+    only_with : (str, value), optional
+        Another setting's name, and the value of it without which this one has no effect.
+    """
+
+    name: str
+    label: str
+    tip: str
+    default: Value
+    low: float = -math.inf
+    high: float = math.inf
+    span: tuple[float, float] | None = None
+    unit: str = ""
+    choices: tuple[tuple[str, str], ...] = ()
+    logarithmic: bool = False
+    whole: bool = False
+    per_second: float = 0.0
+    only_with: tuple[str, Value] | None = None
+
+    @property
+    def path(self) -> str:
+        """Where the document holds it."""
+        return f"settings.{self.name}"
+
+    def checked(self, value: Any) -> Value:
+        """The value as its type wants it.
+
+        Raises
+        ------
+        Refusal
+            If it is of another kind, or out of bounds.
+        """
+        if isinstance(self.default, bool):
+            if not isinstance(value, bool):
+                raise Refusal(self.path, value, YES_OR_NO)
+            return value
+        if isinstance(self.default, str):
+            known = [name for name, _ in self.choices]
+            if value not in known:
+                raise Refusal(self.path, value, ONE_OF, ", ".join(known))
+            return str(value)
+        if isinstance(self.default, tuple):
+            return finite_vector(self.path, value)
+        number = within(self.path, finite(self.path, value), self.low, self.high)
+        if self.whole and not number.is_integer():
+            raise Refusal(self.path, number, WHOLE)
+        return number
+
+    def can_be(self, value: Value | None) -> bool:
+        """Whether this is a value for it."""
+        try:
+            self.checked(value)
+        except Refusal:
+            return False
+        return True
+
+    def rounded(self, value: float, chosen: float) -> float | None:
+        """A number that was found, without rounding errors if it is the one that was chosen."""
+        if not math.isfinite(value):
+            return None
+        low, high = self.span or (self.low, self.high)
+        slack = CLOSE * (high - low) if math.isfinite(high - low) else 0.0
+        if math.isclose(value, chosen, rel_tol=CLOSE, abs_tol=slack):
+            return chosen
+        return float(f"{value:.12g}")
+
+
+def number(settings: Found, name: str) -> float:
+    """A setting that is a number."""
+    value = settings[name]
+    if isinstance(value, bool) or not isinstance(value, numbers.Real):
+        raise TypeError(name)
+    return float(value)
+
+
+def point(settings: Settings, name: str) -> Vector:
+    """A setting that is a point or a direction."""
+    value = settings[name]
+    if not isinstance(value, tuple):
+        raise TypeError(name)
+    return value

@@ -1,0 +1,67 @@
+"""Buttons, each said at once."""
+
+from __future__ import annotations
+
+from typing import TypeVar
+
+from PySide6.QtCore import Qt
+from PySide6.QtWidgets import QAbstractButton, QPushButton, QToolButton
+
+from widgets.parts.icons import show_icon
+
+_Button = TypeVar("_Button", bound=QAbstractButton)
+
+
+def tool_button(
+    text: str = "",
+    tip: str = "",
+    act: object = None,
+    *,
+    icon: str = "",
+    name: str = "",
+    flat: bool = False,
+    checkable: bool = False,
+    by_click: bool = False,
+) -> QToolButton:
+    """Make a tool button.
+
+    Parameters
+    ----------
+    text, tip : str
+        Translated.
+    act : callable or signal, optional
+        What a click does.
+    icon : str
+        One of the family, beside the text.
+    name : str
+        Translated, for screen readers, where the text does not say it.
+    flat : bool
+        Whether it has a frame only under the mouse.
+    checkable : bool
+    by_click : bool
+        Whether a click gives it the keyboard's focus, as Tab does.
+    """
+    made = QToolButton(autoRaise=flat)
+    if icon:
+        show_icon(made, icon)
+        if text:
+            made.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
+    if by_click:
+        made.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
+    made.setCheckable(checkable)
+    return _said(made, text, tip, act, name)
+
+
+def push_button(text: str, tip: str = "", act: object = None, *, name: str = "") -> QPushButton:
+    """Make a push button; see `tool_button`."""
+    return _said(QPushButton(), text, tip, act, name)
+
+
+def _said(made: _Button, text: str, tip: str, act: object, name: str) -> _Button:
+    made.setText(text)
+    made.setToolTip(tip)
+    if name:
+        made.setAccessibleName(name)
+    if act is not None:
+        made.clicked.connect(act)
+    return made

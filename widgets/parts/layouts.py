@@ -1,0 +1,93 @@
+"""Rows and columns of widgets, each said at once."""
+
+from __future__ import annotations
+
+from typing import TypeAlias, TypeVar
+
+from PySide6.QtWidgets import (
+    QBoxLayout,
+    QFrame,
+    QHBoxLayout,
+    QLayout,
+    QScrollArea,
+    QVBoxLayout,
+    QWidget,
+)
+
+from widgets.parts.focus import FocusRing
+
+Part: TypeAlias = QWidget | QLayout | tuple[QWidget | QLayout, int] | int | None
+"""What stands in a line: a widget, a layout, either with its stretch, pixels, or `FREE`."""
+FREE = None
+"""All the room that the others leave."""
+_Line = TypeVar("_Line", bound=QBoxLayout)
+
+
+def in_row(
+    *parts: Part,
+    on: QWidget | None = None,
+    margins: tuple[int, int, int, int] | None = None,
+    gap: int | None = None,
+) -> QHBoxLayout:
+    """Lay out what stands side by side.
+
+    Parameters
+    ----------
+    *parts : Part
+    on : QWidget, optional
+        The widget that it fills.
+    margins : (int, int, int, int), optional
+        Left, above, right, below; Qt's if not given.
+    gap : int, optional
+        Between the parts; Qt's if not given.
+    """
+    return _filled(QHBoxLayout() if on is None else QHBoxLayout(on), parts, margins, gap)
+
+
+def in_column(
+    *parts: Part,
+    on: QWidget | None = None,
+    margins: tuple[int, int, int, int] | None = None,
+    gap: int | None = None,
+) -> QVBoxLayout:
+    """Lay out what stands one below the other; see `in_row`."""
+    return _filled(QVBoxLayout() if on is None else QVBoxLayout(on), parts, margins, gap)
+
+
+def _filled(
+    line: _Line, parts: tuple[Part, ...], margins: tuple[int, int, int, int] | None, gap: int | None
+) -> _Line:
+    if margins is not None:
+        line.setContentsMargins(*margins)
+    if gap is not None:
+        line.setSpacing(gap)
+    for part in parts:
+        if part is FREE:
+            line.addStretch(1)
+            continue
+        if isinstance(part, int):
+            line.addSpacing(part)
+            continue
+        added, stretch = part if isinstance(part, tuple) else (part, 0)
+        if isinstance(added, QLayout):
+            line.addLayout(added, stretch)
+        else:
+            line.addWidget(added, stretch)
+    return line
+
+
+def scrolled(inside: QWidget, name: str) -> QScrollArea:
+    """Let a widget scroll where there is no room for it.
+
+    Parameters
+    ----------
+    inside : QWidget
+    name : str
+        Translated, for screen readers.
+    """
+    area = QScrollArea(widgetResizable=True)
+    area.setFrameShape(QFrame.Shape.NoFrame)
+    area.setWidget(inside)
+    area.setAccessibleName(name)
+    FocusRing(area)
+    return area
