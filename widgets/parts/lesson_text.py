@@ -70,8 +70,9 @@ def set_text(document: QTextDocument, text: str, *, title: bool = False, line: s
     document.setDocumentMargin(0.0)
     document.setIndentWidth(LIST_EM * 2.0 * _em(document, QTextCharFormat()))
     document.setHtml(html)
-    if document.findChild(_Formulas) is None:
-        document.documentLayout().registerHandler(_KIND, _Formulas(document))
+    layout = document.documentLayout()
+    layout.unregisterHandler(_KIND)  # or it would be joined to it once more
+    layout.registerHandler(_KIND, _formulas())
     cursor = QTextCursor(document)
     for tex in formulas:
         cursor = document.find(FORMULA, cursor)
@@ -138,7 +139,7 @@ def _path(tex: str) -> QPainterPath:
 
 
 class _Formulas(QPyTextObject):
-    """Sets and draws the formulas of one document, in the colour of the text round them."""
+    """Sets and draws the formulas of documents, in the colour of the text round them."""
 
     def _set(self, document: QTextDocument, form: QTextFormat) -> tuple[str, Outline, float, float]:
         """TeX, outline, em in pixels, and how high it is, as Qt wants to have it."""
@@ -178,6 +179,16 @@ class _Formulas(QPyTextObject):
         brush = own if own.style() != Qt.BrushStyle.NoBrush else QBrush(painter.pen().color())
         painter.fillPath(_path(tex), brush)
         painter.restore()
+
+
+@lru_cache(maxsize=1)
+def _formulas() -> _Formulas:
+    """The one of all documents.
+
+    With one for each, its child, now and then Qt deleted a document whose child PySide had
+    forgotten, and the program was gone.
+    """
+    return _Formulas()
 
 
 class LessonText(QTextEdit):
