@@ -185,8 +185,8 @@ class _Formulas(QPyTextObject):
 def _formulas() -> _Formulas:
     """The one of all documents.
 
-    With one for each, its child, now and then Qt deleted a document whose child PySide had
-    forgotten, and the program was gone.
+    One for each, held by nothing but its document, crashed now and then when that was deleted:
+    in `Shiboken::Object::destroy`, which lets go of such a wrapper and then asks it once more.
     """
     return _Formulas()
 
