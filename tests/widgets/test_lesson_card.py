@@ -2,9 +2,6 @@
 
 from __future__ import annotations
 
-import os
-import subprocess
-import sys
 from pathlib import Path
 from typing import Any
 
@@ -22,12 +19,11 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from app.bootstrap import ROOT
 from app.document.document import set_values
 from app.lessons.course import Course, contained, idea_named
 from app.lessons.lesson import Step, Task, read
 from app.model.projection import Perspective
-from tests import PATIENCE_MS, PATIENCE_S
+from tests import PATIENCE_MS
 from tests.support.window import NO_KEY, MakeWindow, activate, enter, seen, settle
 from widgets.parts.lesson_text import LessonText
 from widgets.window.lesson_blocks import Asked, Chooses
@@ -37,8 +33,6 @@ from widgets.window.settings import Settings
 
 KEY = Qt.Key
 ALT = Qt.KeyboardModifier.AltModifier
-ALONE = "TEST_LESSONS_ALONE"
-"""Is set in the process that does every lesson."""
 LESSON = """---
 title: How wide?
 ---
@@ -456,47 +450,30 @@ def solved(window: MainWindow, block: Asked, step: Step, course: Course, place: 
     press(KEY.Key_Return)
 
 
-def test_every_lesson_can_be_done_with_the_keyboard_alone() -> None:
-    """In a process of its own: some hundred pages are made and deleted."""
-    command = [sys.executable, "-m", "pytest", "-p", "no:xdist", "-p", "no:cacheprovider", "-q"]
-    done = subprocess.run(
-        [*command, f"{__file__}::test_one_lesson_after_the_other"],
-        env=os.environ | {ALONE: "1"},
-        cwd=ROOT,
-        capture_output=True,
-        text=True,
-        timeout=PATIENCE_S,
-        check=False,
-    )
-    assert done.returncode == 0 and "1 passed" in done.stdout, done.stdout + done.stderr
-
-
-if ALONE in os.environ:
-
-    def test_one_lesson_after_the_other(make_window: MakeWindow) -> None:
-        window = make_window(drawn=False)
-        window.resize(1366, 768)
-        activate(window)
-        card, lessons = window.lesson_card, window.lessons
-        paths = [path for path in contained() if path != TOUR and not read(path).is_talk]
-        assert len(paths) == 24
-        for path in paths:
-            card.open(path)
-            course = lessons.course
-            assert course is not None
-            for place, step in enumerate(course.lesson.steps):
-                assert lessons.place == place, f"{path.name}: {step.name}"
-                for number in range(len(step.asked)):
-                    block = card.blocks[number]
-                    if block.is_open:
-                        solved(window, block, step, course, place)
-                        QTest.qWait(0)
-                    for _ in range(100):
-                        if not block.is_open:
-                            break
-                        QTest.qWait(10)
-                    assert not block.is_open, f"{path.name}: {step.name}/{block.part.name}"
-                press(KEY.Key_Right, ALT)
-            assert lessons.course is None, path.name
-            kept = window.settings.progress[path.stem]
-            assert (kept.done, kept.of, kept.step) == (len(course.lesson.steps),) * 2 + ("",)
+def test_every_lesson_can_be_done_with_the_keyboard_alone(make_window: MakeWindow) -> None:
+    window = make_window(drawn=False)
+    window.resize(1366, 768)
+    activate(window)
+    card, lessons = window.lesson_card, window.lessons
+    paths = [path for path in contained() if path != TOUR and not read(path).is_talk]
+    assert len(paths) == 24
+    for path in paths:
+        card.open(path)
+        course = lessons.course
+        assert course is not None
+        for place, step in enumerate(course.lesson.steps):
+            assert lessons.place == place, f"{path.name}: {step.name}"
+            for number in range(len(step.asked)):
+                block = card.blocks[number]
+                if block.is_open:
+                    solved(window, block, step, course, place)
+                    QTest.qWait(0)
+                for _ in range(100):
+                    if not block.is_open:
+                        break
+                    QTest.qWait(10)
+                assert not block.is_open, f"{path.name}: {step.name}/{block.part.name}"
+            press(KEY.Key_Right, ALT)
+        assert lessons.course is None, path.name
+        kept = window.settings.progress[path.stem]
+        assert (kept.done, kept.of, kept.step) == (len(course.lesson.steps),) * 2 + ("",)

@@ -6,8 +6,18 @@ from typing import Any
 
 import numpy as np
 import pytest
+import shiboken6
 from PySide6.QtCore import QPoint, Qt
-from PySide6.QtGui import QColor, QFont, QImage, QPainter, QPalette, QRegion, QTextDocument
+from PySide6.QtGui import (
+    QColor,
+    QFont,
+    QImage,
+    QPainter,
+    QPalette,
+    QPyTextObject,
+    QRegion,
+    QTextDocument,
+)
 from PySide6.QtWidgets import QApplication, QWidget
 
 from app.lessons.text import escaped, html_of, plain_of
@@ -54,6 +64,18 @@ def test_lines_make_room_for_fractions(qapp: Any) -> None:
     above, beside, below = np.split(words, np.flatnonzero(np.diff(words) > 2) + 1)
     formula = np.flatnonzero(ink[:, 150:].any(axis=1))
     assert above[-1] + 2 < formula[0] < beside[0] < beside[-1] < formula[-1] < below[0] - 2
+
+
+def test_formulas_outlive_every_other_text_and_are_said_again(qapp: Any) -> None:
+    """Whatever draws them is no document's own: PySide crashed now and then when one went."""
+    document = QTextDocument()
+    before = drawn("H $x$")
+    for _ in range(3):
+        set_text(document, "H $x$")
+        assert not document.findChildren(QPyTextObject)
+        shiboken6.delete(document)
+        assert (drawn("H $x$") == before).all()
+        document = QTextDocument()
 
 
 def test_formulas_have_the_colour_of_the_text(qtbot: Any) -> None:
