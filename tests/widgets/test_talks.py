@@ -25,8 +25,16 @@ from app.lessons.lesson import MOST_STEPS, parse_lesson
 from app.model.projection import Camera
 from app.scenes.scene import BUILT_IN, Scene
 from tests.support.edits import a_view, edited
-from tests.support.window import MakeWindow, activate, pixels, present, settle
-from widgets.parts.clock import Clock
+from tests.support.window import (
+    MakeWindow,
+    activate,
+    arrive,
+    go_to,
+    pixels,
+    present,
+    settle,
+    tick,
+)
 from widgets.parts.message_bar import MessageBar
 from widgets.window.lessons import TRANSITION_S, Lessons
 from widgets.window.main_window import MainWindow
@@ -96,18 +104,6 @@ class StubFiles:
 
     def open_step(self, document: Document, _scene: Scene, _lesson: Path) -> None:
         self._store.open(document, is_work=False)
-
-
-def tick(lessons: Lessons, seconds: float) -> None:
-    """Let time pass for the model that is on its way."""
-    if lessons.is_moving:
-        lessons.findChild(Clock).ticked.emit(seconds)
-
-
-def arrive(lessons: Lessons) -> None:
-    tick(lessons, TRANSITION_S / 3.0)
-    tick(lessons, 2.0 * TRANSITION_S)
-    assert not lessons.is_moving
 
 
 def wander(rng: random.Random, store: Store, lessons: Lessons) -> None:
@@ -421,7 +417,7 @@ def test_without_a_talk_presenting_is_as_ever(window: MainWindow) -> None:
 
 
 def test_the_prediction_comes_to_what_it_shows(window: MainWindow) -> None:
-    window.lessons.go(1, at_once=True)
+    go_to(window.lessons, 1)
     assert window.store.document.projection.lens.near != 2.0
     before = "How wide is it? A 106.7° B 91.5°"
     assert before in window.band.accessibleName()
@@ -459,7 +455,7 @@ def test_the_band_is_above_the_panes_and_never_moves_them(window: MainWindow) ->
     assert "Only the speaker" not in band.accessibleName()
     places = []
     for place in range(3):
-        window.lessons.go(place, at_once=True)
+        go_to(window.lessons, place)
         settle()
         below = band.mapToGlobal(band.rect().bottomLeft()).y()
         for pane in window.panes.values():
@@ -518,7 +514,7 @@ def test_the_speakers_window(window: MainWindow) -> None:
     assert speaker.notes.toPlainText().replace("\u2028", "\n") == asked
     speaker.draw_next()
     assert speaker.picture.pixmap().toImage() != first  # the cube: another pane leads
-    window.lessons.go(2, at_once=True)
+    go_to(window.lessons, 2)
     assert "This is the last step." in read_on(speaker)
     assert speaker.picture.pixmap().isNull()
     QTest.keyClick(speaker, Qt.Key.Key_Escape)
@@ -693,7 +689,7 @@ def test_a_file_that_changes_or_vanishes_leaves_the_last_good_one(
 def test_a_step_that_cannot_be_leaves_the_one_before(window: MainWindow, talk: Path) -> None:
     talk.write_text(TALK.replace("view.stage=pyramid", "view.stage=pyramid\nlens.near=99"))
     window.lessons.read_again()
-    window.lessons.go(1, at_once=True)
+    go_to(window.lessons, 1)
     document = window.store.document
     press(window, PAGE_DOWN, PAGE_DOWN)
     assert window.lessons.place == 1
@@ -763,7 +759,7 @@ def test_the_speaker_reads_what_is_asked_and_what_is_wrong(window: MainWindow, t
     talk.write_text(TALK)
     window.lessons.read_again()
     assert not any("talk.md" in text for text in read_on(speaker))
-    window.lessons.go(1, at_once=True)
+    go_to(window.lessons, 1)
     notes = speaker.notes.toPlainText()
     assert "How wide is it?" in notes and "A 106.7°" in notes and "B 91.5° ✓" in notes
     assert "The tangents are in proportion." in notes
