@@ -43,7 +43,6 @@ from app.model.projection import (
     OBLIQUE_PRESETS,
     Camera,
     FreeMatrix,
-    Frustum,
     ObjectTransform,
     Oblique,
     Orbit,
@@ -57,11 +56,16 @@ from app.scenes import mesh_files as meshes
 from app.scenes import scene
 from app.scenes.phenomena import PHENOMENA
 from tests.support.controls import (
+    BOX,
     KEY,
     NONSENSE,
+    OFF_AXIS,
+    SLANTED,
+    START,
     Record,
     choice,
     choose,
+    column_with_the_keyboard,
     drag,
     enter,
     number,
@@ -83,27 +87,13 @@ from widgets.parts.fields import (
 from widgets.parts.messages import sentence
 from widgets.parts.writing import all_digits
 
-START = Projection(Camera((6.0, 5.0, 9.0), (0.0, 2.0, 0.0)), Perspective(45.0, 1.0, 30.0))
-BOX = replace(START, lens=Orthographic(-4.0, 4.0, -3.0, 3.0, 1.0, 30.0))
-SLANTED = replace(START, lens=Oblique(near=2.0))
-"""Cabinet, rising at 45 degrees."""
-OFF_AXIS = replace(START, lens=Frustum(-0.25, 0.75, -0.5, 1.5, 1.0, 30.0))
 CLOSE = replace(START, lens=Perspective(45.0, 3.5, 5.0))
 """Near and far bound each other, where their sliders go on."""
 
 
 @pytest.fixture
-def controls(display: Any, qtbot: Any) -> Iterator[Controls]:
-    column = Controls()
-    qtbot.addWidget(column)
-    column.resize(320, 900)
-    column.set_scene(6.0, START)
-    show(column, START)
-    column.show()
-    qtbot.waitExposed(column)
-    column.activateWindow()
-    qtbot.waitUntil(column.isActiveWindow)
-    yield column
+def controls(display: Any, qtbot: Any) -> Controls:
+    return column_with_the_keyboard(qtbot)
 
 
 @pytest.fixture
@@ -1815,8 +1805,8 @@ def test_every_scene_has_three_lines_to_try_and_few_controls(controls: Controls,
         controls.bring_to_front(phenomenon.controls)
         show(controls, loaded.start)
         controls.card.show_illustration(
-            phenomenon.illustration(loaded.start, phenomenon.defaults, loaded.subject),
-            phenomenon.defaults,
+            phenomenon.illustration(loaded.start, phenomenon.checked({}), loaded.subject),
+            phenomenon.checked({}),
             loaded.start,
         )
         QApplication.processEvents()

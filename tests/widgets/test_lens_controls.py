@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
 from dataclasses import replace
 from typing import Any
 
@@ -16,7 +15,6 @@ from PySide6.QtWidgets import QApplication, QComboBox
 from app.model.projection import (
     LENSES,
     OBLIQUE_PRESETS,
-    Camera,
     Frustum,
     Intrinsics,
     Oblique,
@@ -26,10 +24,16 @@ from app.model.projection import (
     Projection,
 )
 from tests.support.controls import (
+    BOX,
+    KEY,
     NONSENSE,
+    OFF_AXIS,
+    SLANTED,
+    START,
     Record,
     choice,
     choose,
+    column_with_the_keyboard,
     drag,
     enter,
     number,
@@ -41,28 +45,13 @@ from tests.support.shown import show
 from widgets.controls.controls import Controls
 from widgets.parts.fields import Linear, Log, NumberRow
 
-START = Projection(Camera((6.0, 5.0, 9.0), (0.0, 2.0, 0.0)), Perspective(45.0, 1.0, 30.0))
-OFF_AXIS = replace(START, lens=Frustum(-0.25, 0.75, -0.5, 1.5, 1.0, 30.0))
-BOX = replace(START, lens=Orthographic(-4.0, 4.0, -3.0, 3.0, 1.0, 30.0))
-SLANTED = replace(START, lens=Oblique(near=2.0))
 SHOWN = {p.lens.kind: p for p in (START, OFF_AXIS, BOX, SLANTED)}
-KEY = Qt.Key
 
 
 @pytest.fixture
-def column(display: Any, qtbot: Any) -> Iterator[Controls]:
-    """The column with all sections open, showing a perspective lens."""
-    controls = Controls()
-    qtbot.addWidget(controls)
-    controls.resize(320, 900)
-    controls.set_scene(6.0, START)
-    show(controls, START)
-    controls.sections["more_lens"].set_open(True)
-    controls.show()
-    qtbot.waitExposed(controls)
-    controls.activateWindow()
-    qtbot.waitUntil(controls.isActiveWindow)
-    yield controls
+def column(display: Any, qtbot: Any) -> Controls:
+    """The column with the lens's sections open, showing a perspective lens."""
+    return column_with_the_keyboard(qtbot, "more_lens")
 
 
 def lens_rows(controls: Controls) -> dict[str, NumberRow]:
