@@ -36,6 +36,7 @@ from widgets.parts import palette
 from widgets.parts.buttons import push_button
 from widgets.parts.layouts import TOP, in_column, in_row
 from widgets.parts.lesson_text import set_text
+from widgets.window.pictures import image_of
 from widgets.window.settings import LARGEST_NOTES_PX, LEAST_NOTES_PX, Settings
 from widgets.window.talk_band import CHOICES
 
@@ -329,5 +330,4 @@ def _drawn(document: Document, theme: str) -> QImage:
         settings=document.settings,
         quality=document.quality,
     )
-    high, wide, _ = pixels.shape
-    return QImage(pixels.tobytes(), wide, high, 3 * wide, QImage.Format.Format_RGB888).copy()
+    return image_of(pixels)
