@@ -14,6 +14,7 @@ from app.model.projection import Camera, Frustum, Oblique, Orthographic, Perspec
 from tests.support.shown import show
 from widgets.controls.controls import Controls
 from widgets.parts.fields import ChoiceRow, NumberRow
+from widgets.parts.panel import Changed, Shown
 
 KEY = Qt.Key
 START = Projection(Camera((6.0, 5.0, 9.0), (0.0, 2.0, 0.0)), Perspective(45.0, 1.0, 30.0))
@@ -23,9 +24,31 @@ SLANTED = replace(START, lens=Oblique(near=2.0))
 """Cabinet, rising at 45 degrees."""
 
 
-def column_with_the_keyboard(qtbot: Any, *sections: str) -> Controls:
+class Column(Controls):
+    """The column, and what its owner has.
+
+    Attributes
+    ----------
+    projection : Projection
+        What was shown or edited at last.
+    """
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.projection = Projection()
+        self.edited.connect(self._keep)
+
+    def take(self, shown: Shown, changed: Changed) -> None:
+        self.projection = shown.projection
+        super().take(shown, changed)
+
+    def _keep(self, edit: Projection) -> None:
+        self.projection = edit
+
+
+def column_with_the_keyboard(qtbot: Any, *sections: str) -> Column:
     """The column showing `START`, with these sections open too."""
-    controls = Controls()
+    controls = Column()
     qtbot.addWidget(controls)
     controls.resize(320, 900)
     controls.set_scene(6.0, START)
