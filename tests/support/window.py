@@ -16,6 +16,7 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QLineEdit, QWidget
 
 from app.document.document import Document
+from app.lecture.highlight import NOTHING, Highlight
 from app.model.projection import Projection
 from app.scenes.scene import load
 from tests import PATIENCE_MS
@@ -80,6 +81,22 @@ def go_to(lessons: Lessons, place: int) -> None:
     """Be at a step."""
     assert lessons.go(place)
     arrive(lessons)
+
+
+class Highlighted:
+    """What a window highlights: as it says when that changes.
+
+    Attributes
+    ----------
+    now : Highlight
+    """
+
+    def __init__(self, window: MainWindow) -> None:
+        self.now = NOTHING
+        window.highlighter.changed.connect(self._keep)
+
+    def _keep(self, what: Highlight) -> None:
+        self.now = what
 
 
 def seen(window: MainWindow, **changes: Any) -> Projection:
