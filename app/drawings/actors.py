@@ -230,8 +230,6 @@ class Label:
         Colour of the plate behind the text, which is then black or white.
     in_pixels : bool
         Take positions as pixels from the renderer's bottom left, not in the pane's own world.
-    offset_em : (float, float)
-        Right and up from there, in heights of an em.
     anchor : (int, int)
         Which part of the text is there: -1 left, 0 centre, 1 right; -1 bottom, 0 middle, 1 top.
     bold : bool
@@ -244,7 +242,6 @@ class Label:
         *,
         plate: str | None = None,
         in_pixels: bool = False,
-        offset_em: tuple[float, float] = (0.0, 0.0),
         anchor: tuple[int, int] = (0, 0),
         bold: bool = False,
     ) -> None:
@@ -261,10 +258,10 @@ class Label:
             self._place.SetCoordinateSystemToViewport()
         else:
             self._place.SetCoordinateSystemToWorld()
-        offset = self.actor.GetPositionCoordinate()
-        offset.SetCoordinateSystemToViewport()
-        offset.SetReferenceCoordinate(self._place)
-        offset.SetValue(offset_em[0] * self._font_px, offset_em[1] * self._font_px, 0.0)
+        of_text = self.actor.GetPositionCoordinate()
+        of_text.SetCoordinateSystemToViewport()
+        of_text.SetReferenceCoordinate(self._place)
+        of_text.SetValue(0.0, 0.0, 0.0)
         self.property = self.actor.GetTextProperty()
         self.property.SetFontFamily(_VTK_FONT_FILE)
         self.property.SetFontFile(font_file(bold))

@@ -179,7 +179,8 @@ class StageBox:
         """Stand there; `place_words` then writes what is to be read. Draw nothing yet."""
         stop, drawn = morph.stop_at(position), morph.has_volume(position)
         box = fitting(morph.display_from_box(position)) if drawn else np.zeros((4, 4))
-        self.stop, self.display_from_box, has_depth = stop, box, stop != IMAGE
+        has_depth = stop != IMAGE
+        self.stop, self.display_from_box = stop, box
         self._space.set(box)
         for actor in self._volume:
             actor.SetVisibility(drawn)
@@ -226,9 +227,9 @@ class StageBox:
             along = tips[i] - starts[i]
             length = math.hypot(*along)
             turn = _turn_to(along / max(length, 1e-9))
-            head_space.set(_at(tips[i], turn))
+            head_space.set(_placed(tips[i], turn))
             turn[:, 0] *= length
-            shaft_space.set(_at(starts[i], turn))
+            shaft_space.set(_placed(starts[i], turn))
             letter = self._letters[i]
             self._at[letter] = tips[i]
             letter.set_text(self._words[letters[i]])
@@ -256,11 +257,11 @@ class StageBox:
         self._at |= {self.near: near, self.far: far}
         near_text = words["near"]
         x, y, z = ("−1", "1"), ("−1", "1"), ("0", "−1")
-        ends = 1.0, 1.0
+        end = 1.0
         if stop == CANONICAL_PERSPECTIVE and is_pyramid:
             # The sides are 1 where z is -1: at far, and at near if far is infinite.
             infinite = lens.far == math.inf
-            ends = (1.0, 1.0) if infinite else (0.0, 0.0)
+            end = 1.0 if infinite else 0.0
             z = ("", "−∞" if infinite else "−1")
             at = -1.0 if infinite else -lens.near / lens.far
             near_text = f"{near_text} {figure(at, 3)}"
@@ -275,8 +276,8 @@ class StageBox:
         if stop <= VIEW:
             return
         for name, texts, corners in (
-            ("x", x, ((-1.0, -1.0, ends[0]), (1.0, -1.0, ends[0]))),
-            ("y", y, ((-1.0, -1.0, ends[1]), (-1.0, 1.0, ends[1]))),
+            ("x", x, ((-1.0, -1.0, end), (1.0, -1.0, end))),
+            ("y", y, ((-1.0, -1.0, end), (-1.0, 1.0, end))),
             ("z", z, ((1.0, 1.0, 1.0), (1.0, 1.0, 0.0))),
         ):
             for number, text, (across, up, along) in zip(
@@ -337,7 +338,8 @@ def _turn_to(axis: Array) -> Array:
     return turn
 
 
-def _at(place: Array, turn: Array) -> Array:
+def _placed(place: Array, turn: Array) -> Array:
+    """The matrix that turns something, and then moves it to a place."""
     matrix = np.eye(4)
     matrix[:3, :3], matrix[:3, 3] = turn, place
     return matrix

@@ -9,6 +9,7 @@ is decided in rationals.
 
 from __future__ import annotations
 
+import itertools
 import math
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
@@ -206,11 +207,7 @@ def recognised_camera(cells: Cells, in_hand: Camera) -> Camera | None:
     if exact[3] != [0, 0, 0, 1]:
         return None
     rows, shift = [row[:3] for row in exact[:3]], [row[3] for row in exact[:3]]
-    for i, one in enumerate(rows):
-        for j, other in enumerate(rows[: i + 1]):
-            if abs(dot(one, other) - (i == j)) > Fraction(_RIGID):
-                return None
-    if eliminate(rows).determinant < 0:
+    if not _is_rigid(rows) or eliminate(rows).determinant < 0:
         return None
     solved = [-dot(column, shift) for column in zip(*rows, strict=True)]
     # Rows and shift rounded once are off by 3 2^-53 of the shift, an eye by as much.
@@ -234,6 +231,12 @@ def recognised_camera(cells: Cells, in_hand: Camera) -> Camera | None:
         if turned <= Fraction(_RIGID) + 16 * room / distance:
             return camera
     return None
+
+
+def _is_rigid(rows: Rationals) -> bool:
+    """Whether rows have length 1 and stand at right angles, but for rounding."""
+    pairs = itertools.combinations_with_replacement(range(len(rows)), 2)
+    return all(abs(dot(rows[i], rows[j]) - (i == j)) <= Fraction(_RIGID) for i, j in pairs)
 
 
 def _near(solved: Sequence[Fraction], in_hand: Vector, room: Fraction) -> Vector:
@@ -357,8 +360,7 @@ def _of_view(matrix: Rationals, write: Callable[[float], str]) -> list[Property]
     found = [Property(SINGULAR, (str(rank),))] if rank < 4 else []
     if turning < 0:
         found.append(Property(MIRRORED_VIEW, (write(float(turning)),)))
-    angles = [dot(a, b) - (a is b) for i, a in enumerate(rows) for b in rows[: i + 1]]
-    if max(map(abs, angles)) > Fraction(_RIGID):
+    if not _is_rigid(rows):
         found.append(Property(NOT_RIGID))
     return found + _of_last_row(matrix[3], write)
 

@@ -10,7 +10,7 @@ import contextlib
 import json
 import os
 import re
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
 from typing import NamedTuple
@@ -71,13 +71,7 @@ def assignments(document: Document, letters: Letters | None = None) -> list[str]
     lists = [texts for texts in _lists(start, wanted) if _gives(start, texts, wanted)]
     if not lists:
         raise Refusal.in_document(NOT_IN_WORDS, field="state")
-    for place, texts in enumerate(lists):
-        for path in [*texts]:
-            fewer = {name: text for name, text in texts.items() if name != path}
-            if _gives(start, fewer, wanted):
-                texts = fewer
-        lists[place] = texts
-    texts = min(lists, key=len)
+    texts = min((_needed(start, each, wanted) for each in lists), key=len)
     first = {"scene": document.scene} | ({"mesh": document.mesh} if document.mesh else {})
     return [f"{path}={text}" for path, text in (first | texts).items()]
 
@@ -129,16 +123,25 @@ def _lists(start: Document, wanted: Document) -> Iterator[dict[str, str]]:
 
     Camera and lens may follow the settings, and a setting the lens: then only one of them will do.
     """
-    texts = _texts(wanted)
+    before, texts = _texts(start), _texts(wanted)
     settings = {
         path: text
         for path, text in texts.items()
-        if path.startswith("settings.") and _texts(start)[path] != text
+        if path.startswith("settings.") and before[path] != text
     }
     with contextlib.suppress(Refusal):  # a scene may refuse some of them without the others
         after = _texts(set_values(start, (f"{path}={text}" for path, text in settings.items())))
         yield settings | {path: text for path, text in texts.items() if after.get(path) != text}
     yield texts
+
+
+def _needed(start: Document, texts: dict[str, str], wanted: Document) -> dict[str, str]:
+    """A list that gives a document, without what the others of it give as well."""
+    for path in [*texts]:
+        fewer = {name: text for name, text in texts.items() if name != path}
+        if _gives(start, fewer, wanted):
+            texts = fewer
+    return texts
 
 
 def _gives(start: Document, texts: Mapping[str, str], wanted: Document) -> bool:
@@ -193,7 +196,7 @@ def add_step(
     with blamed_on(path, UNREADABLE):
         text = Path(path).read_bytes().decode()
         names = [step.name for step in before.steps]
-        name = _free(slug(title), names)
+        name = _free(slug(title), names.__contains__)
         step = _step(before, title, name, document, panes)
         place = names.index(after) if after in names else len(names) - 1
         while True:
@@ -275,7 +278,9 @@ def _step(lesson: Lesson, title: str, name: str, document: Document, panes: bool
     except Refusal as error:
         if error.bound != NOT_IN_WORDS:
             raise
-        beside = _unused(folder, f"{lesson.path.stem}-{name}")
+        beside = folder / _free(
+            f"{lesson.path.stem}-{name}", lambda each: (folder / each).exists(), ".json"
+        )
         values = [f"document: {beside.name}"]
     return _Written([f"# {_one_line(title)} {{#{name}}}", "```state", *values, "```"], beside)
 
@@ -302,19 +307,12 @@ def _beside(file: str, folder: Path, field: str) -> str:
     return real.relative_to(folder).as_posix()
 
 
-def _unused(folder: Path, stem: str) -> Path:
-    number, path = 1, folder / f"{stem}.json"
-    while path.exists():
+def _free(name: str, is_taken: Callable[[str], bool], ending: str = "") -> str:
+    """A name, with a number behind it if it is taken."""
+    number, found = 1, name + ending
+    while is_taken(found):
         number += 1
-        path = folder / f"{stem}-{number}.json"
-    return path
-
-
-def _free(name: str, names: Sequence[str]) -> str:
-    number, found = 1, name
-    while found in names:
-        number += 1
-        found = f"{name}-{number}"
+        found = f"{name}-{number}{ending}"
     return found
 
 

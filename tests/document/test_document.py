@@ -1574,7 +1574,7 @@ def test_settings_of_every_kind_come_back(everything: Document) -> None:
 
 def test_a_document_of_an_older_program_opens_with_default_settings() -> None:
     document = parse(with_value("scene", "similar-triangles"))
-    assert document.settings == PHENOMENA["similar-triangles"].defaults
+    assert document.settings == PHENOMENA["similar-triangles"].checked({})
     assert document.mesh == ""
 
 
@@ -1704,10 +1704,10 @@ def test_another_scene_brings_its_default_settings(
     assert moved.mesh == "" and moved.projection == used.projection
     assert set_values(used, ["scene=everything"]) == used
     back = set_value(moved, "scene", "everything")
-    assert back.settings == EVERYTHING.defaults
+    assert back.settings == EVERYTHING.checked({})
     # Also where the two call their settings alike.
     monkeypatch.setitem(app.document.document.PHENOMENA, "alike", replace(EVERYTHING, name="alike"))  # type: ignore[arg-type]
-    assert set_value(used, "scene", "alike").settings == EVERYTHING.defaults
+    assert set_value(used, "scene", "alike").settings == EVERYTHING.checked({})
 
 
 def test_the_camera_follows_a_setting_and_what_is_set_itself_holds(everything: Document) -> None:

@@ -583,7 +583,9 @@ def test_what_is_not_drawn_is_not_projected(
     own = meshes(screen)
     for near, those in ((1.0, ["faces", "lines"]), (0.9, ["lines"]), (0.8, ["lines"])):
         projection = replace(scene.start, lens=replace(scene.start.lens, near=near))
-        shown = scene.phenomenon.illustration(projection, scene.phenomenon.defaults, scene.subject)
+        shown = scene.phenomenon.illustration(
+            projection, scene.phenomenon.checked({}), scene.subject
+        )
         drawing.show_projection(projection, shown)
         assert projected(screen, own) == those and drawing.precision == "float64"
 

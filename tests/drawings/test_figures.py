@@ -132,7 +132,7 @@ def test_a_phenomenon_is_drawn_with_its_settings() -> None:
     for left in (0, 160, 320):  # the point P in every pane
         assert (opened[:, left : left + 160] != plain[:, left : left + 160]).any()
     assert scene.phenomenon is not None
-    defaults = dict(scene.phenomenon.defaults)
+    defaults = dict(scene.phenomenon.checked({}))
     assert (render(scene, scene.start, PANES, size, settings=defaults) == opened).all()
     behind = render(scene, scene.start, PANES, size, settings={"distance": -3.0})
     assert (behind[:, :160] != opened[:, :160]).any()

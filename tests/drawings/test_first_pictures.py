@@ -36,7 +36,7 @@ def opened(screen: OffScreen, name: str, style: Style = LIGHT, *, live: bool = T
     drawing = WorldDrawing(screen, scene, WORDS, style, live=live)
     illustration = None
     if scene.phenomenon is not None:
-        settings = scene.phenomenon.defaults
+        settings = scene.phenomenon.checked({})
         illustration = scene.phenomenon.illustration(scene.start, settings, scene.subject)
     drawing.show_projection(scene.start, illustration)
     drawing.reset_view()
@@ -185,7 +185,7 @@ def test_what_a_scene_is_held_at_is_not_beyond_a_break(off_screen: MakeScreen) -
     for far, is_broken in ((14.0, False), (20.0, True)):
         projection = replace(scene.start, lens=scene.start.lens.but(far=far))
         drawing.show_projection(
-            projection, phenomenon.illustration(projection, phenomenon.defaults, scene.subject)
+            projection, phenomenon.illustration(projection, phenomenon.checked({}), scene.subject)
         )
         assert any(edge.GetVisibility() for _, edge in drawing.frustum.breaks["far"]) == is_broken
 

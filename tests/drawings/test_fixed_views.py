@@ -287,7 +287,7 @@ def test_a_scenes_distances_stand_in_rows_of_their_own(
     assert phenomenon is not None
     drawing.show_projection(
         scene.start,
-        phenomenon.illustration(scene.start, phenomenon.defaults, scene.subject),
+        phenomenon.illustration(scene.start, phenomenon.checked({}), scene.subject),
     )
     drawing.show_fixed("side")
     screen.pixels()
@@ -609,7 +609,7 @@ def test_l5_both_triangles_are_measured_in_the_flat_views(
     assert scene.phenomenon is not None
     drawing.show_projection(
         scene.start,
-        scene.phenomenon.illustration(scene.start, scene.phenomenon.defaults, scene.subject),
+        scene.phenomenon.illustration(scene.start, scene.phenomenon.checked({}), scene.subject),
     )
     drawing.show_fixed(view)
     screen.pixels()
@@ -627,7 +627,7 @@ def test_l21_the_camera_obscura_is_measured_from_its_hole(
     assert scene.phenomenon is not None
     drawing.show_projection(
         scene.start,
-        scene.phenomenon.illustration(scene.start, scene.phenomenon.defaults, scene.subject),
+        scene.phenomenon.illustration(scene.start, scene.phenomenon.checked({}), scene.subject),
     )
     drawing.show_fixed(view)
     screen.pixels()

@@ -689,7 +689,7 @@ def test_what_is_about_what_is_highlighted_stands_out(shown: Callable[..., Shown
 def test_l8_no_letters_lie_on_the_bow(off_screen: Any, size: tuple[int, int]) -> None:
     scene = load("affine-depth")
     assert scene.phenomenon is not None
-    full = scene.phenomenon.illustration(scene.start, scene.phenomenon.defaults, scene.subject)
+    full = scene.phenomenon.illustration(scene.start, scene.phenomenon.checked({}), scene.subject)
     (bow,) = (line for line in full.ndc.lines if len(line.points) == 65)
     screen = off_screen(*size)
     drawing = StageDrawing(screen, scene, WORDS, LIGHT)

@@ -745,7 +745,7 @@ def test_no_label_lies_on_another_in_any_scene_of_a_lecture(
     shown = scene.phenomenon
     illustration = None
     if shown is not None:
-        illustration = shown.illustration(scene.start, shown.defaults, scene.subject)
+        illustration = shown.illustration(scene.start, shown.checked({}), scene.subject)
     view.drawing.show_projection(scene.start, illustration)
     view.drawing.reset_view()
     boxes = view.label_boxes()

@@ -262,6 +262,8 @@ def test_a_shear_that_rounding_cannot_explain_is_no_camera(turn: float) -> None:
     cells = [list(row) for row in shown(EDIT, "view_from_world")]
     cells[0][1] += turn
     assert recognised_camera(cells, EDIT.camera) is None  # type: ignore[arg-type]
+    typed = with_matrix(EDIT, "view_from_world", cells)
+    assert NOT_RIGID in texts(typed, "view_from_world")
 
 
 # --------------------------------------------------------------------------- bad input

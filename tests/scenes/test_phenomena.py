@@ -77,7 +77,7 @@ def test_the_data_are_whole(phenomenon: Phenomenon) -> None:
         assert re.fullmatch(r"[a-z][a-z0-9_]*", setting.name)
         assert setting.label and setting.tip
         assert setting.checked(setting.default) == setting.default
-    assert phenomenon.checked({}) == phenomenon.defaults
+    assert phenomenon.checked({}) == {each.name: each.default for each in phenomenon.settings}
     (faces, rgb), (lines, line_rgb) = phenomenon.geometry()
     assert faces.shape[1:] == (4, 3) and rgb.shape == (len(faces), 3) and rgb.dtype == np.uint8
     assert lines.shape[1:] == (2, 3) and line_rgb.shape == (len(lines), 3)
@@ -92,13 +92,13 @@ def test_the_start_shows_the_subject(phenomenon: Phenomenon) -> None:
 
 @EVERY
 def test_the_defaults_keep_the_start(phenomenon: Phenomenon) -> None:
-    defaults = phenomenon.defaults
+    defaults = phenomenon.checked({})
     assert phenomenon.follow(phenomenon.start, defaults, defaults) == phenomenon.start
 
 
 @EVERY
 def test_the_defaults_read_and_draw_something(phenomenon: Phenomenon) -> None:
-    illustration = phenomenon.show(phenomenon.start, phenomenon.defaults, subject_of(phenomenon))
+    illustration = phenomenon.show(phenomenon.start, phenomenon.checked({}), subject_of(phenomenon))
     assert_sound(phenomenon, illustration, phenomenon.start)
     assert illustration.warning is None
     assert any(reading.value is not None for reading in illustration.readings)
@@ -112,7 +112,7 @@ def test_no_projection_and_no_setting_shows_a_nan(phenomenon: Phenomenon) -> Non
         for settings in every[index % 18 :: 18]:
             try:
                 assert_sound(phenomenon, phenomenon.show(projection, settings, subject), projection)
-                seen = phenomenon.follow(projection, phenomenon.defaults, settings)
+                seen = phenomenon.follow(projection, phenomenon.checked({}), settings)
                 if seen != projection:
                     followed += 1
                     assert_sound(phenomenon, phenomenon.show(seen, settings, subject), seen)
@@ -194,7 +194,7 @@ def test_every_text_can_be_translated(phenomenon: Phenomenon) -> None:
     for settings in wild_settings(phenomenon):
         shown |= texts_shown(phenomenon.show(phenomenon.start, settings, subject))
     for projection in projections(phenomenon):
-        shown |= texts_shown(phenomenon.show(projection, phenomenon.defaults, subject))
+        shown |= texts_shown(phenomenon.show(projection, phenomenon.checked({}), subject))
     words = re.compile(r"(?!arctan|atan|cot|tan|sin|cos)\b[^\W\d_]{3,}")
     missing = {text for text in shown - marked_texts() if words.search(text)}
     assert not missing
@@ -204,8 +204,8 @@ def test_every_text_can_be_translated(phenomenon: Phenomenon) -> None:
 def test_every_camera_and_lens_has_its_settings(phenomenon: Phenomenon) -> None:
     """Also a parallel lens whose near plane goes through the eye."""
     for projection in projections(phenomenon):
-        assert phenomenon.at_hand(projection, phenomenon.defaults).keys() == (
-            phenomenon.defaults.keys()
+        assert phenomenon.at_hand(projection, phenomenon.checked({})).keys() == (
+            phenomenon.checked({}).keys()
         )
 
 
@@ -224,7 +224,7 @@ def test_where_a_parallel_lens_makes_the_explanation_untrue_that_is_said(
     }
     for kind in ("orthographic", "oblique"):
         projection = phenomenon.start.with_lens(kind)
-        illustration = phenomenon.show(projection, phenomenon.defaults, subject_of(phenomenon))
+        illustration = phenomenon.show(projection, phenomenon.checked({}), subject_of(phenomenon))
         said = [illustration.warning, *(reading.note for reading in illustration.readings)]
         assert any(
             note is not None and re.search("parallel lens|perspective lens", note.template)

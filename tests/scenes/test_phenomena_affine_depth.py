@@ -245,7 +245,7 @@ def test_a_mesh_takes_the_letter_s_place() -> None:
     worst = max(searched(projection, *ends.tolist())[0] for ends in trace.view)
     for count in (9, 999):
         subject = replace(SUBJECT, mesh=OwnMesh(edges, count, np.empty((0, 3, 3))))
-        illustration = PHENOMENON.show(projection, PHENOMENON.defaults, subject)
+        illustration = PHENOMENON.show(projection, PHENOMENON.checked({}), subject)
         reading = illustration.readings[-1]
         assert reading.label == "worst edge of the mesh, inside"
         assert reading.value == pytest.approx(float(worst), rel=1e-9)
@@ -254,7 +254,7 @@ def test_a_mesh_takes_the_letter_s_place() -> None:
         ends = trace.ndc[..., :2]
         np.testing.assert_allclose([points[[0, -1], :2] for points in bows], ends, atol=1e-9)
     away = Projection(Camera((3.0, 3.0, 9.0), (3.0, 3.0, 90.0)), projection.lens)
-    nothing = PHENOMENON.show(away, PHENOMENON.defaults, subject).readings[-1]
+    nothing = PHENOMENON.show(away, PHENOMENON.checked({}), subject).readings[-1]
     assert nothing.value is None and nothing.note is not None
 
 

@@ -74,11 +74,11 @@ def test_l21_each_ray_goes_through_the_hole_and_ends_in_the_images_ends() -> Non
 
 def test_l21_the_film_s_distance_is_near_and_goes_with_it() -> None:
     chosen = PHENOMENON.checked({"distance": 2.0})
-    projection, settings = PHENOMENON.changed(START, PHENOMENON.defaults, {"distance": 2.0})
+    projection, settings = PHENOMENON.changed(START, PHENOMENON.checked({}), {"distance": 2.0})
     assert projection == replace(START, lens=replace(START.lens, near=2.0))
     assert settings == chosen
     nearer = replace(START, lens=replace(START.lens, near=1.25))
-    assert PHENOMENON.at_hand(nearer, PHENOMENON.defaults)["distance"] == 1.25
+    assert PHENOMENON.at_hand(nearer, PHENOMENON.checked({}))["distance"] == 1.25
 
 
 def test_l21_behind_the_hole_and_with_a_parallel_lens_there_is_none() -> None:
@@ -91,7 +91,7 @@ def test_l21_behind_the_hole_and_with_a_parallel_lens_there_is_none() -> None:
     parallel = START.with_lens("orthographic")
     warning = show(parallel).warning
     assert warning is not None and "parallel lens" in warning.template
-    back, _ = PHENOMENON.changed(parallel, PHENOMENON.defaults, {"distance": 2.0})
+    back, _ = PHENOMENON.changed(parallel, PHENOMENON.checked({}), {"distance": 2.0})
     assert back.lens.central and back.lens.near == 2.0
 
 

@@ -215,7 +215,7 @@ def test_l15_an_infinite_far_plane_cuts_nothing() -> None:
 
 def test_l15_a_free_matrix_rests_and_a_parallel_lens_clips() -> None:
     free = replace(START, lens=FreeMatrix(np.eye(4).tolist()))
-    shown = PHENOMENON.illustration(free, PHENOMENON.defaults, SUBJECT)
+    shown = PHENOMENON.illustration(free, PHENOMENON.checked({}), SUBJECT)
     assert shown.idle and shown.warning is not None and not shown.world.faces
     parallel = show(START.with_lens("orthographic"), step=6.0)
     assert parallel.warning is None and value(parallel, "corners after") > 3.0

@@ -212,7 +212,7 @@ def test_a_mesh_at_the_limits_has_a_share_or_a_reason(tmp_path: Path) -> None:
     subject = load("depth-buffer", mesh=str(path)).subject
     shares = 0
     for projection in projections(PHENOMENON):
-        reading = PHENOMENON.show(projection, PHENOMENON.defaults, subject).readings[0]
+        reading = PHENOMENON.show(projection, PHENOMENON.checked({}), subject).readings[0]
         assert isinstance(reading.value, float) or reading.note is not None
         if isinstance(reading.value, float):
             assert 0.0 <= reading.value <= 100.0
@@ -224,7 +224,7 @@ def test_a_mesh_of_faces_without_area_has_no_pixels(tmp_path: Path) -> None:
     path = tmp_path / "lines.obj"
     path.write_text("v 0 0 0\nv 1 1 1\nv 2 2 2\nv 0 1 0\nv 0 3 0\nf 1 2 3\nf 1 4 5\n")
     subject = load("depth-buffer", mesh=str(path)).subject
-    reading = PHENOMENON.show(PHENOMENON.start, PHENOMENON.defaults, subject).readings[0]
+    reading = PHENOMENON.show(PHENOMENON.start, PHENOMENON.checked({}), subject).readings[0]
     assert reading.value is None and reading.note is not None
 
 
@@ -282,7 +282,7 @@ def test_the_explanations_figures_are_the_readings() -> None:
     )
     # The same pixels all three times: neither plane takes any of the ramp away.
     counts = {len(distances(projection, 0.25, SUBJECT)[0]) for projection in seen}
-    assert PHENOMENON.defaults["gap"] == 0.25 and len(counts) == 1
+    assert PHENOMENON.checked({})["gap"] == 0.25 and len(counts) == 1
     shares = [shown(projection).readings[0].value for projection in seen]
     percents = [float(share) for share in re.findall(r"(\d+) %", PHENOMENON.explanation)]
     assert percents == pytest.approx(shares, abs=0.5)

@@ -184,7 +184,7 @@ def test_the_letter_is_the_sum_of_its_edges() -> None:
         if any(view_of(projection.camera, p)[2] >= 0 for p in (start, end)):
             naive, _, right = lengths(projection, start, end)
             wrong, missed = wrong + naive, missed + right
-    illustration = PHENOMENON.show(projection, PHENOMENON.defaults, SUBJECT)
+    illustration = PHENOMENON.show(projection, PHENOMENON.checked({}), SUBJECT)
     assert float(wrong) > 500.0
     assert value(illustration, "F drawn wrongly") == pytest.approx(float(wrong), rel=1e-9)
     assert value(illustration, "F missed") == pytest.approx(float(missed), abs=1e-9)
@@ -316,18 +316,18 @@ def test_an_end_in_the_eye_plane_has_its_image_at_infinity() -> None:
 
 
 def test_the_image_pane_shows_both_images() -> None:
-    illustration = PHENOMENON.show(PHENOMENON.start, PHENOMENON.defaults, SUBJECT)
+    illustration = PHENOMENON.show(PHENOMENON.start, PHENOMENON.checked({}), SUBJECT)
     wrong, right = illustration.image.lines
     assert (wrong.colour, right.colour) == ("u", "accent")
     # Both leave the image of A, to opposite sides along the same line.
-    start = PHENOMENON.start.trace(PHENOMENON.defaults["start"]).image
+    start = PHENOMENON.start.trace(PHENOMENON.checked({})["start"]).image
     assert wrong.points[0] == pytest.approx(start)
     a, b = (line.points - wrong.points[0] for line in (wrong, right))
     far = b[np.hypot(*b.T).argmax()]
     assert np.hypot(*b.T).min() < 1e-9
     assert a[1] @ far == pytest.approx(-np.hypot(*a[1]) * np.hypot(*far), rel=1e-9)
     flipped = replace(PHENOMENON.start, camera=Camera((0.8, 2.4, 1.2), (2.8, 2.4, 2.2)))
-    assert PHENOMENON.show(flipped, PHENOMENON.defaults, SUBJECT).readings[0].value == CASES[2]
+    assert PHENOMENON.show(flipped, PHENOMENON.checked({}), SUBJECT).readings[0].value == CASES[2]
 
 
 def test_settings_are_checked() -> None:
@@ -347,7 +347,7 @@ def test_a_mesh_takes_the_letter_s_place() -> None:
             wrong, missed = wrong + naive, missed + right
     for count in (12, 999):
         subject = replace(SUBJECT, mesh=OwnMesh(edges, count, np.empty((0, 3, 3))))
-        illustration = PHENOMENON.show(PHENOMENON.start, PHENOMENON.defaults, subject)
+        illustration = PHENOMENON.show(PHENOMENON.start, PHENOMENON.checked({}), subject)
         assert float(wrong) > 100.0
         assert value(illustration, "mesh drawn wrongly") == pytest.approx(float(wrong), rel=1e-9)
         assert value(illustration, "mesh missed") == pytest.approx(float(missed), rel=1e-9)
@@ -378,7 +378,7 @@ def test_of_a_large_mesh_the_edges_that_cross_the_eye_plane_are_counted_first() 
     lengths_world = np.linalg.norm(edges[:, 1] - edges[:, 0], axis=1)
     assert lengths_world[:1500].min() > lengths_world[1500:].max()
     subject = replace(SUBJECT, mesh=OwnMesh(edges, len(edges), np.empty((0, 3, 3))))
-    illustration = PHENOMENON.show(PHENOMENON.start, PHENOMENON.defaults, subject)
+    illustration = PHENOMENON.show(PHENOMENON.start, PHENOMENON.checked({}), subject)
     trace = PHENOMENON.start.trace(edges)
     every = pictures(PHENOMENON.start, trace.view, trace.clip)
     assert every.wrong_px.sum() > 1000.0
@@ -400,7 +400,7 @@ def test_nothing_is_named_that_is_not_drawn() -> None:
     named = [{curve.label for curve in diagram.curves} for diagram in illustration.diagrams]
     assert "AB" in named[0] and "AB" not in named[1] | named[2]
     assert "image of AB" not in named[3]
-    start = PHENOMENON.show(PHENOMENON.start, PHENOMENON.defaults, SUBJECT)
+    start = PHENOMENON.show(PHENOMENON.start, PHENOMENON.checked({}), SUBJECT)
     assert "image of AB" in {curve.label for curve in start.diagrams[3].curves}
     assert "With one end behind" in PHENOMENON.explanation
 

@@ -24,7 +24,7 @@ shown = showing(PHENOMENON, SUBJECT)
 
 def followed(projection: Projection, **settings: object) -> Projection:
     after = PHENOMENON.checked(settings)
-    return PHENOMENON.follow(projection, PHENOMENON.defaults, after)
+    return PHENOMENON.follow(projection, PHENOMENON.checked({}), after)
 
 
 def half_tan(fov_deg: float) -> mp.mpf:
@@ -81,7 +81,7 @@ def test_every_preset_and_every_ride_keeps_the_size(preset: str) -> None:
     before = PHENOMENON.checked({"preset": preset})
     lens = replace(PHENOMENON.start.lens, far=1e4)  # to be seen at the end of every ride
     start = replace(PHENOMENON.start, lens=lens)
-    seen = PHENOMENON.follow(start, PHENOMENON.defaults, before)
+    seen = PHENOMENON.follow(start, PHENOMENON.checked({}), before)
     assert value(shown(seen), "subject's height") == pytest.approx(size, rel=1e-12)
     for factor in (0.5, 1.7, 6.0):
         after = PHENOMENON.checked({"preset": preset, "distance": factor})

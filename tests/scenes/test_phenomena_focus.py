@@ -139,7 +139,7 @@ def test_in_a_stretched_picture_the_disc_has_a_width_and_a_height() -> None:
     stretched = Frustum(*window, 1.0, 30.0, "stretch")
     illustration = show(Projection(EYE, stretched, (600, 1800)), focus=3.0)
     f_mm = math.hypot(36, 24) / math.hypot(0.8, 0.45)
-    disc_mm = float(ThinLens(f_mm, PHENOMENON.defaults["aperture"], 3.0).disc(5.0))
+    disc_mm = float(ThinLens(f_mm, PHENOMENON.checked({})["aperture"], 3.0).disc(5.0))
     reading = illustration.readings[-1]
     film_mm = 0.8 * f_mm, 0.45 * f_mm
     assert reading.value == pytest.approx((disc_mm * 600 / film_mm[0], disc_mm * 1800 / film_mm[1]))
@@ -256,7 +256,7 @@ def test_of_a_mesh_of_the_users_the_sharp_vertices_are_marked() -> None:
     points = np.array([(0.0, 1.0, -d) for d in (3.0, 4.9, 5.0, 5.1, 9.0)])
     nothing = np.empty((0, 2, 3)), 0, np.empty((0, 3, 3))
     subject = Subject((0.0, 1.0, -9.0), (0.0, 1.0, -3.0), points, OwnMesh(*nothing))
-    illustration = PHENOMENON.illustration(PHENOMENON.start, PHENOMENON.defaults, subject)
+    illustration = PHENOMENON.illustration(PHENOMENON.start, PHENOMENON.checked({}), subject)
     places = np.array([dot.point for dot in illustration.image.dots])
     np.testing.assert_allclose(places, PHENOMENON.start.trace(points[1:4]).image)
     assert illustration.image.lines == () and illustration.image.faces == ()
@@ -301,7 +301,7 @@ def test_l24_each_plane_s_name_points_at_another_corner_of_it() -> None:
     assert [text.text for text in texts] == ["sharp from", "in focus", "sharp to"]
     view = start.trace([text.point for text in texts]).view
     limits = values(show())
-    depths = [limits["sharp from"], PHENOMENON.defaults["focus"], limits["sharp to"]]
+    depths = [limits["sharp from"], PHENOMENON.checked({})["focus"], limits["sharp to"]]
     assert -view[:, 2] == pytest.approx(depths, rel=1e-12)
     sides = {(x > 0.0, y > 0.0) for x, y in view[:, :2].tolist()}
     assert len(sides) == 3

@@ -23,7 +23,7 @@ shown = showing(PHENOMENON, SUBJECT)
 
 
 def followed(projection: Projection, **settings: object) -> Projection:
-    return PHENOMENON.follow(projection, PHENOMENON.defaults, PHENOMENON.checked(settings))
+    return PHENOMENON.follow(projection, PHENOMENON.checked({}), PHENOMENON.checked(settings))
 
 
 def angle_between(one_deg: float, other_deg: float) -> float:

@@ -118,7 +118,7 @@ def test_each_volume_holds_points_of_its_own() -> None:
     sets = {}
     for name in ("pyramid", "box", "oblique", "cone"):
         after = PHENOMENON.checked({"volume": name})
-        seen = PHENOMENON.follow(PHENOMENON.start, PHENOMENON.defaults, after)
+        seen = PHENOMENON.follow(PHENOMENON.start, PHENOMENON.checked({}), after)
         sets[name] = reading(shown(seen, volume=name), "these are").value
     assert sets == {
         "pyramid": "A, C, D, E",
@@ -132,7 +132,7 @@ def test_the_picture_of_the_targets_plane_stays() -> None:
     seen = PHENOMENON.start
     plane = np.array([(x, y, 0.0) for x in (-2.0, 0.0, 3.0) for y in (1.0, 3.0, 4.5)])
     image = seen.trace(plane).image
-    before = PHENOMENON.defaults
+    before = PHENOMENON.checked({})
     for name in ("box", "oblique", "pyramid", "cone", "box", "cone"):
         after = PHENOMENON.checked({"volume": name})
         seen, before = PHENOMENON.follow(seen, before, after), after

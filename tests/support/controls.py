@@ -2,22 +2,64 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+from typing import Any
+
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtGui import QInputMethodEvent
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import (
-    QApplication,
-    QComboBox,
-    QSlider,
-)
+from PySide6.QtWidgets import QApplication, QComboBox, QSlider
 
-from app.model.projection import (
-    Projection,
-)
+from app.model.projection import Camera, Frustum, Oblique, Orthographic, Perspective, Projection
+from tests.support.shown import show
 from widgets.controls.controls import Controls
 from widgets.parts.fields import ChoiceRow, NumberRow
+from widgets.parts.panel import Changed, Shown
 
 KEY = Qt.Key
+START = Projection(Camera((6.0, 5.0, 9.0), (0.0, 2.0, 0.0)), Perspective(45.0, 1.0, 30.0))
+OFF_AXIS = replace(START, lens=Frustum(-0.25, 0.75, -0.5, 1.5, 1.0, 30.0))
+BOX = replace(START, lens=Orthographic(-4.0, 4.0, -3.0, 3.0, 1.0, 30.0))
+SLANTED = replace(START, lens=Oblique(near=2.0))
+"""Cabinet, rising at 45 degrees."""
+
+
+class Column(Controls):
+    """The column, and what its owner has.
+
+    Attributes
+    ----------
+    projection : Projection
+        What was shown or edited at last.
+    """
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.projection = Projection()
+        self.edited.connect(self._keep)
+
+    def take(self, shown: Shown, changed: Changed) -> None:
+        self.projection = shown.projection
+        super().take(shown, changed)
+
+    def _keep(self, edit: Projection) -> None:
+        self.projection = edit
+
+
+def column_with_the_keyboard(qtbot: Any, *sections: str) -> Column:
+    """The column showing `START`, with these sections open too."""
+    controls = Column()
+    qtbot.addWidget(controls)
+    controls.resize(320, 900)
+    controls.set_scene(6.0, START)
+    show(controls, START)
+    for name in sections:
+        controls.sections[name].set_open(True)
+    controls.show()
+    qtbot.waitExposed(controls)
+    controls.activateWindow()
+    qtbot.waitUntil(controls.isActiveWindow)
+    return controls
 
 
 class Record:

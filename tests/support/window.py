@@ -16,9 +16,12 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QLineEdit, QWidget
 
 from app.document.document import Document
+from app.lecture.highlight import NOTHING, Highlight
 from app.model.projection import Projection
 from app.scenes.scene import load
 from tests import PATIENCE_MS
+from widgets.parts.clock import Clock
+from widgets.window.lessons import TRANSITION_S, Lessons
 from widgets.window.main_window import MainWindow
 
 MakeWindow = Callable[..., MainWindow]
@@ -59,6 +62,41 @@ def show_scene(window: MainWindow, name: str) -> MainWindow:
     window.store.open(Document(name, load(name).start))
     settle()
     return window
+
+
+def tick(lessons: Lessons, seconds: float) -> None:
+    """Let time pass for the model that is on its way to a step."""
+    if lessons.is_moving:
+        lessons.findChild(Clock).ticked.emit(seconds)
+
+
+def arrive(lessons: Lessons) -> None:
+    """Let the model be where it is moving to."""
+    tick(lessons, TRANSITION_S / 3.0)
+    tick(lessons, 2.0 * TRANSITION_S)
+    assert not lessons.is_moving
+
+
+def go_to(lessons: Lessons, place: int) -> None:
+    """Be at a step."""
+    assert lessons.go(place)
+    arrive(lessons)
+
+
+class Highlighted:
+    """What a window highlights: as it says when that changes.
+
+    Attributes
+    ----------
+    now : Highlight
+    """
+
+    def __init__(self, window: MainWindow) -> None:
+        self.now = NOTHING
+        window.highlighter.changed.connect(self._keep)
+
+    def _keep(self, what: Highlight) -> None:
+        self.now = what
 
 
 def seen(window: MainWindow, **changes: Any) -> Projection:

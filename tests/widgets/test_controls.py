@@ -43,7 +43,6 @@ from app.model.projection import (
     OBLIQUE_PRESETS,
     Camera,
     FreeMatrix,
-    Frustum,
     ObjectTransform,
     Oblique,
     Orbit,
@@ -57,11 +56,17 @@ from app.scenes import mesh_files as meshes
 from app.scenes import scene
 from app.scenes.phenomena import PHENOMENA
 from tests.support.controls import (
+    BOX,
     KEY,
     NONSENSE,
+    OFF_AXIS,
+    SLANTED,
+    START,
+    Column,
     Record,
     choice,
     choose,
+    column_with_the_keyboard,
     drag,
     enter,
     number,
@@ -83,27 +88,13 @@ from widgets.parts.fields import (
 from widgets.parts.messages import sentence
 from widgets.parts.writing import all_digits
 
-START = Projection(Camera((6.0, 5.0, 9.0), (0.0, 2.0, 0.0)), Perspective(45.0, 1.0, 30.0))
-BOX = replace(START, lens=Orthographic(-4.0, 4.0, -3.0, 3.0, 1.0, 30.0))
-SLANTED = replace(START, lens=Oblique(near=2.0))
-"""Cabinet, rising at 45 degrees."""
-OFF_AXIS = replace(START, lens=Frustum(-0.25, 0.75, -0.5, 1.5, 1.0, 30.0))
 CLOSE = replace(START, lens=Perspective(45.0, 3.5, 5.0))
 """Near and far bound each other, where their sliders go on."""
 
 
 @pytest.fixture
-def controls(display: Any, qtbot: Any) -> Iterator[Controls]:
-    column = Controls()
-    qtbot.addWidget(column)
-    column.resize(320, 900)
-    column.set_scene(6.0, START)
-    show(column, START)
-    column.show()
-    qtbot.waitExposed(column)
-    column.activateWindow()
-    qtbot.waitUntil(column.isActiveWindow)
-    yield column
+def controls(display: Any, qtbot: Any) -> Column:
+    return column_with_the_keyboard(qtbot)
 
 
 @pytest.fixture
@@ -123,11 +114,11 @@ def read_back(reader: Controls, key: str, shown: Projection) -> float:
 
 
 @pytest.fixture
-def record(controls: Controls) -> Record:
+def record(controls: Column) -> Record:
     return Record(controls)
 
 
-def in_mode(controls: Controls, key: str) -> None:
+def in_mode(controls: Column, key: str) -> None:
     """Bring the row into view: the right lens, and its section unfolded."""
     if key in ("left", "right", "bottom", "top", "keep"):
         show(controls, BOX)
@@ -137,7 +128,7 @@ def in_mode(controls: Controls, key: str) -> None:
         section.set_open(section.isAncestorOf(controls.rows[key]))
 
 
-def each(controls: Controls, keys: Iterable[str]) -> Iterator[tuple[str, Record]]:
+def each(controls: Column, keys: Iterable[str]) -> Iterator[tuple[str, Record]]:
     """Each row in turn, in view in a column as at the start, and what the column says of it."""
     record = Record(controls)
     for key in keys:
@@ -358,14 +349,14 @@ CHOICES: dict[str, tuple[str, Any, Projection]] = {
 }
 
 
-def test_the_tables_name_every_row(controls: Controls) -> None:
+def test_the_tables_name_every_row(controls: Column) -> None:
     assert {*NUMBERS, *CHOICES} == set(controls.rows)
 
 
 # -- one user's action is one edit; a shown projection is none
 
 
-def test_a_typed_number_is_one_edit(controls: Controls) -> None:
+def test_a_typed_number_is_one_edit(controls: Column) -> None:
     for key, record in each(controls, NUMBERS):
         text, holds, _, _ = NUMBERS[key]
         enter(number(controls, key), text)
@@ -374,7 +365,7 @@ def test_a_typed_number_is_one_edit(controls: Controls) -> None:
         assert number(controls, key).field.text() == messages.number_text(float(text)), key
 
 
-def test_a_shown_projection_writes_each_row_and_says_nothing(controls: Controls) -> None:
+def test_a_shown_projection_writes_each_row_and_says_nothing(controls: Column) -> None:
     for key, record in each(controls, NUMBERS):
         _, _, shown, text = NUMBERS[key]
         row = number(controls, key)
@@ -388,7 +379,7 @@ def test_a_shown_projection_writes_each_row_and_says_nothing(controls: Controls)
         assert record.events == [], key
 
 
-def test_a_chosen_thing_is_one_edit(controls: Controls) -> None:
+def test_a_chosen_thing_is_one_edit(controls: Column) -> None:
     for key, record in each(controls, CHOICES):
         wanted, holds, _ = CHOICES[key]
         row = choice(controls, key)
@@ -405,7 +396,7 @@ def test_a_chosen_thing_is_one_edit(controls: Controls) -> None:
         assert holds(record.edits[-1]), key
 
 
-def test_a_shown_choice_says_nothing(controls: Controls) -> None:
+def test_a_shown_choice_says_nothing(controls: Column) -> None:
     for key, record in each(controls, CHOICES):
         wanted, _, shown = CHOICES[key]
         show(controls, shown)
@@ -419,7 +410,7 @@ def test_a_shown_choice_says_nothing(controls: Controls) -> None:
         assert record.events == [], key
 
 
-def test_choosing_what_is_chosen_says_nothing(controls: Controls, record: Record) -> None:
+def test_choosing_what_is_chosen_says_nothing(controls: Column, record: Record) -> None:
     controls.sections["image"].set_open(True)
     button = choice(controls, "aspect").widgets[2]
     QTest.mouseClick(button, Qt.MouseButton.LeftButton)
@@ -448,7 +439,7 @@ def test_a_row_alone_keeps_the_users_value(display: Any, qtbot: Any) -> None:
     assert values[:4] == [5.0, 6.0, 5.0, 9.0] and values[-2:] == [5.0, 4.0]
 
 
-def test_an_aspect_that_is_no_preset_chooses_none(controls: Controls) -> None:
+def test_an_aspect_that_is_no_preset_chooses_none(controls: Column) -> None:
     controls.sections["image"].set_open(True)
     show(controls, replace(START, image_size=(1000, 999)))
     buttons = choice(controls, "aspect").widgets
@@ -457,7 +448,7 @@ def test_an_aspect_that_is_no_preset_chooses_none(controls: Controls) -> None:
     assert [b.isChecked() for b in buttons if isinstance(b, QToolButton)] == [True, False, False]
 
 
-def test_the_controls_show_their_own_edit_before_they_tell_of_it(controls: Controls) -> None:
+def test_the_controls_show_their_own_edit_before_they_tell_of_it(controls: Column) -> None:
     texts: list[str] = []
     controls.sections["more_lens"].set_open(True)
     controls.edited.connect(lambda _edit: texts.append(number(controls, "fov_x_deg").field.text()))
@@ -465,7 +456,7 @@ def test_the_controls_show_their_own_edit_before_they_tell_of_it(controls: Contr
     assert texts == [short_text(fov_x_from_fov_y(90.0, 16 / 9), 180.0, 4)]
 
 
-def test_no_echo_when_the_owner_shows_the_edit_again(controls: Controls, record: Record) -> None:
+def test_no_echo_when_the_owner_shows_the_edit_again(controls: Column, record: Record) -> None:
     controls.edited.connect(partial(show, controls))
     controls.edited.connect(lambda edit: show(controls, replace(edit)))
     enter(number(controls, "near"), "2")
@@ -476,7 +467,7 @@ def test_no_echo_when_the_owner_shows_the_edit_again(controls: Controls, record:
 
 
 @pytest.mark.parametrize("end", [KEY.Key_Home, KEY.Key_End])
-def test_every_slider_goes_to_its_ends(controls: Controls, reader: Controls, end: Qt.Key) -> None:
+def test_every_slider_goes_to_its_ends(controls: Column, reader: Controls, end: Qt.Key) -> None:
     """The model stays valid, or the row says why not; never an exception, never silence."""
     for key, record in each(controls, NUMBERS):
         row = number(controls, key)
@@ -490,7 +481,7 @@ def test_every_slider_goes_to_its_ends(controls: Controls, reader: Controls, end
         assert row.slider.value() == row.scale.position_of(row.value()), key
 
 
-def test_a_drag_is_one_gesture(controls: Controls, record: Record) -> None:
+def test_a_drag_is_one_gesture(controls: Column, record: Record) -> None:
     row = number(controls, "fov_y_deg")
     press(row.slider)
     for value in (51.0, 56.0, 61.0):
@@ -518,7 +509,7 @@ def within(row: NumberRow, low: float, high: float) -> list[float]:
     ],
 )
 def test_a_drag_goes_to_the_limit_however_fast_it_is(
-    controls: Controls, key: str, by: list[int], end: int
+    controls: Column, key: str, by: list[int], end: int
 ) -> None:
     show(controls, CLOSE)
     record = Record(controls)
@@ -542,7 +533,7 @@ def test_a_drag_goes_to_the_limit_however_fast_it_is(
     assert record.events.count("start") == 1
 
 
-def test_the_mouse_itself_moves_the_slider(controls: Controls, record: Record) -> None:
+def test_the_mouse_itself_moves_the_slider(controls: Column, record: Record) -> None:
     slider = number(controls, "fov_y_deg").slider
     place = press(slider)
     QTest.mouseMove(slider, place + QPoint(40, 0))
@@ -552,7 +543,7 @@ def test_the_mouse_itself_moves_the_slider(controls: Controls, record: Record) -
     assert record.edits[-1].lens.fov_y_deg > 60.0
 
 
-def test_a_burst_of_keys_is_one_gesture(controls: Controls, record: Record, qtbot: Any) -> None:
+def test_a_burst_of_keys_is_one_gesture(controls: Column, record: Record, qtbot: Any) -> None:
     row = number(controls, "azimuth_deg")
     row.slider.setFocus()
     with qtbot.waitSignal(controls.gesture_finished):
@@ -562,7 +553,7 @@ def test_a_burst_of_keys_is_one_gesture(controls: Controls, record: Record, qtbo
 
 
 def test_a_drag_that_follows_a_burst_is_one_gesture_with_it(
-    controls: Controls, record: Record, qtbot: Any
+    controls: Column, record: Record, qtbot: Any
 ) -> None:
     row = number(controls, "azimuth_deg")
     row.slider.setFocus()
@@ -574,7 +565,7 @@ def test_a_drag_that_follows_a_burst_is_one_gesture_with_it(
     assert record.events == ["start", "edit", "finish"]
 
 
-def test_a_burst_ends_when_another_row_is_taken(controls: Controls, record: Record) -> None:
+def test_a_burst_ends_when_another_row_is_taken(controls: Column, record: Record) -> None:
     number(controls, "azimuth_deg").slider.setFocus()
     QTest.keyClick(number(controls, "azimuth_deg").slider, KEY.Key_Right)
     enter(number(controls, "near"), "2")
@@ -606,7 +597,7 @@ def wheel(slider: QSlider, keys: Qt.KeyboardModifier = NO_KEY, turned: int = 120
 
 
 def test_the_wheel_scrolls_the_column_unless_the_slider_is_meant(
-    controls: Controls, record: Record
+    controls: Column, record: Record
 ) -> None:
     row = number(controls, "azimuth_deg")
     number(controls, "near").field.setFocus()
@@ -621,7 +612,7 @@ def test_the_wheel_scrolls_the_column_unless_the_slider_is_meant(
     )
 
 
-def test_shift_makes_wheel_and_drag_ten_times_finer(controls: Controls, record: Record) -> None:
+def test_shift_makes_wheel_and_drag_ten_times_finer(controls: Column, record: Record) -> None:
     row = number(controls, "fov_y_deg")
     row.slider.setFocus()
     wheel(row.slider, SHIFT)
@@ -643,7 +634,7 @@ def test_shift_makes_wheel_and_drag_ten_times_finer(controls: Controls, record: 
     assert moved[SHIFT] == pytest.approx(moved[NO_KEY] / 10.0, abs=0.06)
 
 
-def test_arrow_keys_in_the_field_move_the_slider(controls: Controls, record: Record) -> None:
+def test_arrow_keys_in_the_field_move_the_slider(controls: Column, record: Record) -> None:
     row = number(controls, "fov_y_deg")
     row.field.setFocus()
     QTest.keyClick(row.field, KEY.Key_Up)
@@ -652,7 +643,7 @@ def test_arrow_keys_in_the_field_move_the_slider(controls: Controls, record: Rec
     assert row.field.text() == "40.5"
 
 
-def test_far_reaches_infinity_at_the_end_of_its_slider(controls: Controls, record: Record) -> None:
+def test_far_reaches_infinity_at_the_end_of_its_slider(controls: Column, record: Record) -> None:
     row = number(controls, "far")
     row.slider.setFocus()
     QTest.keyClick(row.slider, KEY.Key_End)
@@ -661,7 +652,7 @@ def test_far_reaches_infinity_at_the_end_of_its_slider(controls: Controls, recor
     assert 200.0 < record.edits[-1].lens.far < 300.0  # 20 times what there is behind the eye
 
 
-def test_near_and_far_reach_as_far_as_the_scene(controls: Controls) -> None:
+def test_near_and_far_reach_as_far_as_the_scene(controls: Column) -> None:
     back = START.camera.distance + 3.0
     for name in ("near", "far"):
         row = number(controls, name)
@@ -673,7 +664,7 @@ def test_near_and_far_reach_as_far_as_the_scene(controls: Controls) -> None:
 
 
 @pytest.mark.parametrize("name", scene.BUILT_IN)
-def test_a_pixel_of_near_is_at_most_two_percent_of_it(controls: Controls, name: str) -> None:
+def test_a_pixel_of_near_is_at_most_two_percent_of_it(controls: Column, name: str) -> None:
     loaded = scene.load(name)
     show(controls, loaded.start)
     controls.set_scene(loaded.size, loaded.start)
@@ -708,7 +699,7 @@ def dragged_over(row: NumberRow) -> Iterator[float]:
     release(slider)
 
 
-def test_a_box_has_even_sliders_and_no_infinity(controls: Controls) -> None:
+def test_a_box_has_even_sliders_and_no_infinity(controls: Column) -> None:
     show(controls, BOX)
     record = Record(controls)
     enter(number(controls, "near"), "-12")
@@ -722,7 +713,7 @@ def test_a_box_has_even_sliders_and_no_infinity(controls: Controls) -> None:
 
 
 def test_an_impossible_place_of_the_slider_is_explained_and_left_on_release(
-    controls: Controls,
+    controls: Column,
 ) -> None:
     show(controls, CLOSE)
     record = Record(controls)
@@ -742,7 +733,7 @@ def test_an_impossible_place_of_the_slider_is_explained_and_left_on_release(
     assert record.events[0] == "start" and record.events[-1] == "finish"
 
 
-def test_dragging_back_to_a_possible_place_takes_the_sentence_away(controls: Controls) -> None:
+def test_dragging_back_to_a_possible_place_takes_the_sentence_away(controls: Column) -> None:
     show(controls, CLOSE)
     row = number(controls, "near")
     press(row.slider)
@@ -753,7 +744,7 @@ def test_dragging_back_to_a_possible_place_takes_the_sentence_away(controls: Con
     release(row.slider)
 
 
-def test_a_refused_key_is_explained_until_the_next_change_of_any_kind(controls: Controls) -> None:
+def test_a_refused_key_is_explained_until_the_next_change_of_any_kind(controls: Column) -> None:
     show(controls, CLOSE)
     row = number(controls, "near")
     last = within(row, 3.5, 5.0)[-1]
@@ -765,7 +756,7 @@ def test_a_refused_key_is_explained_until_the_next_change_of_any_kind(controls: 
     assert not row.error and row.field.text() == short_text(last, None, 4)
 
 
-def test_the_key_after_a_refused_one_starts_from_the_value_that_holds(controls: Controls) -> None:
+def test_the_key_after_a_refused_one_starts_from_the_value_that_holds(controls: Column) -> None:
     show(controls, CLOSE)
     record = Record(controls)
     row = number(controls, "near")
@@ -779,7 +770,7 @@ def test_the_key_after_a_refused_one_starts_from_the_value_that_holds(controls: 
 
 
 def test_a_refused_place_in_the_hand_is_explained_while_something_else_moves(
-    controls: Controls,
+    controls: Column,
 ) -> None:
     show(controls, CLOSE)
     row = number(controls, "near")
@@ -791,7 +782,7 @@ def test_a_refused_place_in_the_hand_is_explained_while_something_else_moves(
 
 
 def test_the_model_does_not_move_a_slider_in_the_users_hand(
-    controls: Controls, record: Record
+    controls: Column, record: Record
 ) -> None:
     row = number(controls, "fov_y_deg")
     place = row.scale.position_of(51.0)
@@ -846,7 +837,7 @@ def test_linear_values_are_decimal_to_the_eye() -> None:
 # -- orbit
 
 
-def test_there_and_back_again_without_drift(controls: Controls, record: Record) -> None:
+def test_there_and_back_again_without_drift(controls: Column, record: Record) -> None:
     row = number(controls, "azimuth_deg")
     before = row.value(), controls.projection.camera.orbit
     row.slider.setFocus()
@@ -863,7 +854,7 @@ def test_there_and_back_again_without_drift(controls: Controls, record: Record) 
 
 
 @pytest.mark.parametrize("end", [90.0, -90.0])
-def test_through_the_zenith_without_flips(controls: Controls, record: Record, end: float) -> None:
+def test_through_the_zenith_without_flips(controls: Column, record: Record, end: float) -> None:
     rows = {name: number(controls, name) for name in Orbit._fields}
     enter(rows["azimuth_deg"], "30")
     enter(rows["roll_deg"], "20")
@@ -885,7 +876,7 @@ def test_through_the_zenith_without_flips(controls: Controls, record: Record, en
     assert controls.projection.camera.orbit[:2] == pytest.approx((31.0, 0.0))
 
 
-def test_an_angle_past_a_full_turn_is_taken_as_typed(controls: Controls, record: Record) -> None:
+def test_an_angle_past_a_full_turn_is_taken_as_typed(controls: Column, record: Record) -> None:
     row = number(controls, "azimuth_deg")
     enter(row, "270")
     assert row.field.text() == "270" and row.slider.value() == row.slider.maximum()
@@ -895,7 +886,7 @@ def test_an_angle_past_a_full_turn_is_taken_as_typed(controls: Controls, record:
     assert row.field.text() in ("270", "-90")
 
 
-def test_the_camera_of_someone_else_is_read_back(controls: Controls) -> None:
+def test_the_camera_of_someone_else_is_read_back(controls: Column) -> None:
     enter(number(controls, "azimuth_deg"), "30")
     camera = Camera.from_orbit((0.0, 2.0, 0.0), Orbit(50.0, -20.0, 8.0, 10.0))
     show(controls, replace(START, camera=camera))
@@ -925,7 +916,7 @@ def test_the_camera_of_someone_else_is_read_back(controls: Controls) -> None:
     ],
 )
 def test_a_number_is_taken_as_it_is_typed(
-    controls: Controls, record: Record, text: str, value: float
+    controls: Column, record: Record, text: str, value: float
 ) -> None:
     row = number(controls, "near")
     enter(row, text)
@@ -938,7 +929,7 @@ def test_a_number_is_taken_as_it_is_typed(
     assert len(record.edits) == 1
 
 
-def test_out_of_the_sliders_range_pins_the_slider(controls: Controls, record: Record) -> None:
+def test_out_of_the_sliders_range_pins_the_slider(controls: Column, record: Record) -> None:
     row = number(controls, "far")
     enter(row, "1e20")
     assert record.edits[0].lens.far == 1e20
@@ -952,13 +943,13 @@ def test_out_of_the_sliders_range_pins_the_slider(controls: Controls, record: Re
 
 
 @pytest.mark.parametrize("text", ["inf", "∞", "Infinity", "+inf"])
-def test_far_may_be_typed_as_infinity(controls: Controls, record: Record, text: str) -> None:
+def test_far_may_be_typed_as_infinity(controls: Column, record: Record, text: str) -> None:
     enter(number(controls, "far"), text)
     assert record.edits[0].lens.far == math.inf
     assert number(controls, "far").field.text() == "∞"
 
 
-def test_nonsense_is_refused_in_every_field(controls: Controls) -> None:
+def test_nonsense_is_refused_in_every_field(controls: Column) -> None:
     # Every nonsense in one field; what a field alone reads is the same in all.
     for key, record in each(controls, NUMBERS):
         before = controls.projection
@@ -1044,7 +1035,7 @@ REFUSED = [
 ]
 
 
-def test_what_the_model_refuses_is_explained_at_the_row(controls: Controls) -> None:
+def test_what_the_model_refuses_is_explained_at_the_row(controls: Column) -> None:
     keys = (key for key, _, _ in REFUSED)
     for (key, text, expected), (_, record) in zip(REFUSED, each(controls, keys), strict=True):
         row = number(controls, key)
@@ -1055,7 +1046,7 @@ def test_what_the_model_refuses_is_explained_at_the_row(controls: Controls) -> N
         assert record.edits == [] and (controls.projection, row.slider.value()) == before
 
 
-def test_limits_are_as_short_as_the_fields_show_them(controls: Controls) -> None:
+def test_limits_are_as_short_as_the_fields_show_them(controls: Column) -> None:
     lens = Orthographic(-8.227704165888369, 8.227696165888, -3.0, 3.0, 1.0, 30.0)
     show(controls, replace(BOX, lens=lens))
     left, right = number(controls, "left"), number(controls, "right")
@@ -1072,7 +1063,7 @@ def test_limits_are_as_short_as_the_fields_show_them(controls: Controls) -> None
     assert "Eye = (0.333333, 0.666667, 0): must differ" in number(controls, "eye_z").error
 
 
-def test_asking_for_limits_changes_nothing(controls: Controls, record: Record) -> None:
+def test_asking_for_limits_changes_nothing(controls: Column, record: Record) -> None:
     row = number(controls, "azimuth_deg")
     enter(row, "270")
     before = controls.projection
@@ -1084,7 +1075,7 @@ def test_asking_for_limits_changes_nothing(controls: Controls, record: Record) -
     assert row.value() == 270.0  # as typed, not -90
 
 
-def test_eye_on_target_and_up_along_the_view(controls: Controls) -> None:
+def test_eye_on_target_and_up_along_the_view(controls: Column) -> None:
     controls.sections["more_camera"].set_open(True)
     start = replace(START, camera=Camera((0.0, 2.0, 5.0), (0.0, 2.0, 0.0)))
     show(controls, start)
@@ -1108,7 +1099,7 @@ def test_eye_on_target_and_up_along_the_view(controls: Controls) -> None:
     assert len(record.edits) == 2
 
 
-def test_a_row_that_a_change_elsewhere_puts_right_forgets_its_error(controls: Controls) -> None:
+def test_a_row_that_a_change_elsewhere_puts_right_forgets_its_error(controls: Column) -> None:
     near = number(controls, "near")
     enter(near, "40")
     show(controls, replace(START, camera=Camera((1.0, 2.0, 3.0))))
@@ -1117,7 +1108,7 @@ def test_a_row_that_a_change_elsewhere_puts_right_forgets_its_error(controls: Co
     assert not near.error and near.field.text() == "1"
 
 
-def test_a_good_value_takes_the_error_away(controls: Controls, record: Record) -> None:
+def test_a_good_value_takes_the_error_away(controls: Column, record: Record) -> None:
     near = number(controls, "near")
     enter(near, "40")
     enter(near, "4")
@@ -1127,7 +1118,7 @@ def test_a_good_value_takes_the_error_away(controls: Controls, record: Record) -
     assert not near.error and len(record.edits) == 1
 
 
-def test_the_error_line_exists_only_while_there_is_an_error(controls: Controls) -> None:
+def test_the_error_line_exists_only_while_there_is_an_error(controls: Column) -> None:
     near = number(controls, "near")
     height = near.sizeHint().height()
     enter(near, "40")
@@ -1136,7 +1127,7 @@ def test_the_error_line_exists_only_while_there_is_an_error(controls: Controls) 
     assert near.sizeHint().height() == height
 
 
-def test_leaving_the_field_takes_what_was_typed(controls: Controls, record: Record) -> None:
+def test_leaving_the_field_takes_what_was_typed(controls: Column, record: Record) -> None:
     row = number(controls, "near")
     row.field.setFocus()
     row.field.selectAll()
@@ -1146,7 +1137,7 @@ def test_leaving_the_field_takes_what_was_typed(controls: Controls, record: Reco
     assert record.edits[0].lens.near == 2.0
 
 
-def test_a_text_being_typed_survives_the_animation(controls: Controls) -> None:
+def test_a_text_being_typed_survives_the_animation(controls: Column) -> None:
     row = number(controls, "azimuth_deg")
     row.field.setFocus()
     row.field.selectAll()
@@ -1160,7 +1151,7 @@ def test_a_text_being_typed_survives_the_animation(controls: Controls) -> None:
 LONG = 14.51302281719
 
 
-def test_a_taken_number_is_shown_short_from_its_start(controls: Controls, record: Record) -> None:
+def test_a_taken_number_is_shown_short_from_its_start(controls: Column, record: Record) -> None:
     row = number(controls, "azimuth_deg")
     enter(row, repr(LONG))
     assert row.field.hasFocus() and row.field.text() == "14.51"
@@ -1183,7 +1174,7 @@ def test_a_taken_number_is_shown_short_from_its_start(controls: Controls, record
     assert row.value() == LONG  # the 5 is forgotten
 
 
-def test_a_short_number_is_whole_as_soon_as_it_is_touched(controls: Controls) -> None:
+def test_a_short_number_is_whole_as_soon_as_it_is_touched(controls: Column) -> None:
     row = number(controls, "azimuth_deg")
     field = row.field
     enter(row, repr(LONG))
@@ -1207,7 +1198,7 @@ def test_a_short_number_is_whole_as_soon_as_it_is_touched(controls: Controls) ->
     assert field.text() == f"21{LONG!r}"
 
 
-def test_entering_a_field_by_the_keyboard_shows_the_start_of_the_number(controls: Controls) -> None:
+def test_entering_a_field_by_the_keyboard_shows_the_start_of_the_number(controls: Column) -> None:
     row = number(controls, "azimuth_deg")
     enter(row, repr(LONG))
     before = number(controls, "far").slider
@@ -1221,7 +1212,7 @@ def test_entering_a_field_by_the_keyboard_shows_the_start_of_the_number(controls
     assert row.field.text() == "7"
 
 
-def test_undo_in_a_field_without_own_history_is_the_windows(controls: Controls) -> None:
+def test_undo_in_a_field_without_own_history_is_the_windows(controls: Column) -> None:
     from PySide6.QtGui import QShortcut
 
     asked = []
@@ -1281,7 +1272,7 @@ def test_an_angle_never_shows_as_the_bound_that_it_cannot_reach(value: float, te
 
 
 @pytest.mark.parametrize("key", ["fov_y_deg", "fov_x_deg"])
-def test_a_fov_of_almost_180_is_shown_as_less(controls: Controls, key: str) -> None:
+def test_a_fov_of_almost_180_is_shown_as_less(controls: Column, key: str) -> None:
     controls.sections["more_lens"].set_open(True)
     enter(number(controls, "focal_length_mm"), "1e-12")
     row = number(controls, key)
@@ -1294,14 +1285,14 @@ def test_a_fov_of_almost_180_is_shown_as_less(controls: Controls, key: str) -> N
 
 
 @pytest.mark.parametrize("value", [-123.456789, 1e-300, 6e9, -1.23456789e-12])
-def test_the_field_is_wide_enough_for_what_it_shows(controls: Controls, value: float) -> None:
+def test_the_field_is_wide_enough_for_what_it_shows(controls: Column, value: float) -> None:
     field = number(controls, "near").field
     text = field.fontMetrics().horizontalAdvance(short_text(value))
     assert text <= field.contentsRect().width() - 4
     assert isinstance(field, QLineEdit)
 
 
-def test_a_fraction_is_read_as_precisely_as_a_number(controls: Controls) -> None:
+def test_a_fraction_is_read_as_precisely_as_a_number(controls: Column) -> None:
     assert parse_number("Near", "-2/7") == -2 / 7
     assert parse_number("Near", "0/5") == 0.0
     for text, bound in (
@@ -1330,7 +1321,7 @@ def test_parsing_tells_nothing_of_the_locale() -> None:
 # -- reset, scene
 
 
-def test_a_double_click_on_the_name_resets(controls: Controls, reader: Controls) -> None:
+def test_a_double_click_on_the_name_resets(controls: Column, reader: Controls) -> None:
     lenses = {
         "perspective": Perspective(70.0, 0.5, 70.0),
         "orthographic": Orthographic(-1.0, 1.0, -1.0, 1.0, -1.0, 70.0),
@@ -1351,14 +1342,14 @@ def test_a_double_click_on_the_name_resets(controls: Controls, reader: Controls)
         assert record.events == ["start", "edit", "finish"], key  # nothing left to reset
 
 
-def test_a_reset_takes_a_refused_text_away(controls: Controls, record: Record) -> None:
+def test_a_reset_takes_a_refused_text_away(controls: Column, record: Record) -> None:
     row = number(controls, "near")
     enter(row, "abc")
     QTest.mouseDClick(row.name_label, Qt.MouseButton.LeftButton)
     assert (row.error, row.field.text()) == ("", "1") and record.edits == []
 
 
-def test_choices_are_reset_by_their_name(controls: Controls) -> None:
+def test_choices_are_reset_by_their_name(controls: Column) -> None:
     show(controls, replace(BOX, depth="reversed", image_size=(5, 7)))
     record = Record(controls)
     controls.sections["image"].set_open(True)
@@ -1368,9 +1359,7 @@ def test_choices_are_reset_by_their_name(controls: Controls) -> None:
     assert record.edits[-1].lens.kind == "perspective"
 
 
-def test_another_scene_moves_the_sliders_and_says_nothing(
-    controls: Controls, record: Record
-) -> None:
+def test_another_scene_moves_the_sliders_and_says_nothing(controls: Column, record: Record) -> None:
     large = Projection(Camera((1e4, 2e4, 3e4)), Perspective(30.0, 1000.0, 1e6))
     controls.set_scene(2e4, large)
     assert record.events == []
@@ -1387,7 +1376,7 @@ def test_another_scene_moves_the_sliders_and_says_nothing(
 
 
 @pytest.mark.parametrize("size", [1e-80, 1e-6, 1.0, 1e9, 1e80])
-def test_any_size_of_scene_has_sliders(controls: Controls, size: float) -> None:
+def test_any_size_of_scene_has_sliders(controls: Column, size: float) -> None:
     lens = Perspective(45.0, 0.1 * size, 10.0 * size)
     start = Projection(Camera((0.0, 0.0, 2.0 * size), (0.0, 0.0, 0.0)), lens)
     controls.set_scene(size, start)
@@ -1404,7 +1393,7 @@ def test_any_size_of_scene_has_sliders(controls: Controls, size: float) -> None:
 # -- folding
 
 
-def test_what_is_folded_is_shown_when_it_opens(controls: Controls, record: Record) -> None:
+def test_what_is_folded_is_shown_when_it_opens(controls: Column, record: Record) -> None:
     section, row = controls.sections["more_camera"], number(controls, "roll_deg")
     assert not section.is_open and not row.isVisible()
     before = row.value()
@@ -1421,7 +1410,7 @@ def test_what_is_folded_is_shown_when_it_opens(controls: Controls, record: Recor
     assert record.events == []
 
 
-def test_sections_fold_by_the_keyboard_and_stay_so(controls: Controls, record: Record) -> None:
+def test_sections_fold_by_the_keyboard_and_stay_so(controls: Column, record: Record) -> None:
     assert not any(section.is_open for section in controls.sections.values())
     for section in controls.sections.values():
         section.set_open(True)
@@ -1452,9 +1441,7 @@ def test_sections_fold_by_the_keyboard_and_stay_so(controls: Controls, record: R
     assert controls.rows["keep"].isVisible()
 
 
-def test_a_section_that_opens_below_the_fold_comes_into_view(
-    controls: Controls, qtbot: Any
-) -> None:
+def test_a_section_that_opens_below_the_fold_comes_into_view(controls: Column, qtbot: Any) -> None:
     controls.resize(320, 560)
     heading = controls.sections["animation"].heading
     heading.setFocus(Qt.FocusReason.TabFocusReason)
@@ -1483,7 +1470,7 @@ OWN_ROWS = {
 }
 
 
-def test_the_lens_shows_only_its_own_rows(controls: Controls) -> None:
+def test_the_lens_shows_only_its_own_rows(controls: Column) -> None:
     others = set().union(*OWN_ROWS.values())
     more = controls.sections["more_lens"]
     more.set_open(True)
@@ -1501,7 +1488,7 @@ def test_the_lens_shows_only_its_own_rows(controls: Controls) -> None:
 # -- for everyone
 
 
-def test_every_control_has_a_name_and_a_tip(controls: Controls) -> None:
+def test_every_control_has_a_name_and_a_tip(controls: Column) -> None:
     widgets = [
         widget
         for kind in (QSlider, QLineEdit, QComboBox, QToolButton)
@@ -1532,7 +1519,7 @@ def test_every_control_has_a_name_and_a_tip(controls: Controls) -> None:
         assert row.slider.accessibleDescription() == value + tip
 
 
-def test_tab_goes_through_the_rows_in_their_order(controls: Controls) -> None:
+def test_tab_goes_through_the_rows_in_their_order(controls: Column) -> None:
     row, following = number(controls, "fov_y_deg"), number(controls, "near")
     row.field.setFocus()
     visited = [QApplication.focusWidget()]
@@ -1542,13 +1529,13 @@ def test_tab_goes_through_the_rows_in_their_order(controls: Controls) -> None:
     assert visited == [row.field, row.slider, following.field, following.slider]
 
 
-def unfold(controls: Controls) -> None:
+def unfold(controls: Column) -> None:
     for section in controls.sections.values():
         section.set_open(True)
     QApplication.processEvents()
 
 
-def cut(controls: Controls) -> list[str]:
+def cut(controls: Column) -> list[str]:
     """The texts of which a part is not seen, and what is out of its dock."""
     told = []
     kinds = (QLabel, QLineEdit, QComboBox, QAbstractButton, QSlider)
@@ -1581,7 +1568,7 @@ def cut(controls: Controls) -> list[str]:
 
 @pytest.mark.parametrize("font", [1.0, 1.25, 1.5])
 def test_nothing_is_cut_in_the_narrowest_dock_with_any_lens(
-    controls: Controls, font: float, larger_text: Callable[[float], None]
+    controls: Column, font: float, larger_text: Callable[[float], None]
 ) -> None:
     larger_text(font)
     unfold(controls)
@@ -1596,7 +1583,7 @@ def test_nothing_is_cut_in_the_narrowest_dock_with_any_lens(
     assert shown[0].width() >= 240
 
 
-def test_a_long_text_being_typed_leaves_the_dock_as_wide(controls: Controls) -> None:
+def test_a_long_text_being_typed_leaves_the_dock_as_wide(controls: Column) -> None:
     width = controls.minimumSizeHint().width()
     enter(number(controls, "near"), "4" * 300)
     QApplication.processEvents()
@@ -1604,7 +1591,7 @@ def test_a_long_text_being_typed_leaves_the_dock_as_wide(controls: Controls) -> 
     assert controls.minimumSizeHint().width() == width <= 270
 
 
-def test_the_letter_f_needs_no_scrolling_in_a_small_window(controls: Controls) -> None:
+def test_the_letter_f_needs_no_scrolling_in_a_small_window(controls: Column) -> None:
     start = scene.load("letter-f")
     controls.card.show_scene("Letter F", start.tries, None)
     controls.set_scene(start.size, start.start)
@@ -1621,7 +1608,7 @@ def test_the_letter_f_needs_no_scrolling_in_a_small_window(controls: Controls) -
 
 
 @pytest.fixture
-def larger_text(controls: Controls, qapp: QApplication) -> Iterator[Callable[[float], None]]:
+def larger_text(controls: Column, qapp: QApplication) -> Iterator[Callable[[float], None]]:
     """Makes all text of the column larger, as for a class."""
     before = qapp.font()
 
@@ -1637,7 +1624,7 @@ def larger_text(controls: Controls, qapp: QApplication) -> Iterator[Callable[[fl
 
 
 @pytest.fixture
-def enlarged(controls: Controls, larger_text: Callable[[float], None]) -> Controls:
+def enlarged(controls: Column, larger_text: Callable[[float], None]) -> Controls:
     larger_text(1.5)
     controls.resize(controls.minimumSizeHint().width(), 640)
     QApplication.processEvents()
@@ -1683,7 +1670,7 @@ def test_a_narrow_row_is_as_high_as_its_error(display: Any, qtbot: Any) -> None:
     qtbot.waitUntil(shown_whole)
 
 
-def test_the_scroll_bar_shifts_nothing(controls: Controls) -> None:
+def test_the_scroll_bar_shifts_nothing(controls: Column) -> None:
     bar, row = controls.verticalScrollBar(), number(controls, "near")
     controls.resize(340, 1600)
     QApplication.processEvents()
@@ -1756,14 +1743,14 @@ def test_sentences_are_translated_before_they_are_filled_in(qapp: QApplication) 
 # -- the controls that matter for a scene
 
 
-def in_card(controls: Controls) -> list[str]:
+def in_card(controls: Column) -> list[str]:
     """The rows that stand in the scene's card, from top to bottom."""
     lifted = [key for key, row in controls.rows.items() if controls.card.isAncestorOf(row)]
     return sorted(lifted, key=lambda key: controls.rows[key].y())
 
 
 def test_the_controls_that_matter_stand_at_the_top_and_nowhere_else(
-    controls: Controls, record: Record, qtbot: Any
+    controls: Column, record: Record, qtbot: Any
 ) -> None:
     far, near = controls.rows["far"], controls.rows["near"]
     before = [far.mapTo(controls, QPoint()).y(), far.parent()]
@@ -1790,7 +1777,7 @@ def test_the_controls_that_matter_stand_at_the_top_and_nowhere_else(
     assert order[0] < order[1] < before[0]
 
 
-def test_a_control_of_another_lens_comes_to_the_top_with_it(controls: Controls) -> None:
+def test_a_control_of_another_lens_comes_to_the_top_with_it(controls: Column) -> None:
     controls.bring_to_front(("lens.left", "lens.right"))
     assert not controls.rows["left"].isVisible()
     show(controls, OFF_AXIS)
@@ -1802,7 +1789,7 @@ def test_a_control_of_another_lens_comes_to_the_top_with_it(controls: Controls) 
 
 
 @pytest.mark.parametrize("name", scene.BUILT_IN)
-def test_every_scene_has_three_lines_to_try_and_few_controls(controls: Controls, name: str) -> None:
+def test_every_scene_has_three_lines_to_try_and_few_controls(controls: Column, name: str) -> None:
     loaded = scene.load(name)
     tries = loaded.tries
     assert len(tries) == 3 and len(set(tries)) == 3
@@ -1815,8 +1802,8 @@ def test_every_scene_has_three_lines_to_try_and_few_controls(controls: Controls,
         controls.bring_to_front(phenomenon.controls)
         show(controls, loaded.start)
         controls.card.show_illustration(
-            phenomenon.illustration(loaded.start, phenomenon.defaults, loaded.subject),
-            phenomenon.defaults,
+            phenomenon.illustration(loaded.start, phenomenon.checked({}), loaded.subject),
+            phenomenon.checked({}),
             loaded.start,
         )
         QApplication.processEvents()
@@ -1830,7 +1817,7 @@ def test_every_scene_has_three_lines_to_try_and_few_controls(controls: Controls,
 # -- looking for a control
 
 
-def look_for(controls: Controls, text: str) -> list[str]:
+def look_for(controls: Column, text: str) -> list[str]:
     """What is seen of the column after this is typed into its search box."""
     controls.search.setFocus()
     controls.search.selectAll()
@@ -1857,7 +1844,7 @@ def look_for(controls: Controls, text: str) -> list[str]:
     ],
 )
 def test_a_control_is_found_by_all_that_it_is_called(
-    controls: Controls, record: Record, text: str, found: list[str]
+    controls: Column, record: Record, text: str, found: list[str]
 ) -> None:
     open_before = {key: section.is_open for key, section in controls.sections.items()}
     assert sorted(look_for(controls, text)) == sorted(found)
@@ -1873,7 +1860,7 @@ def test_a_control_is_found_by_all_that_it_is_called(
     assert record.events == []
 
 
-def test_what_was_found_can_be_set_and_stays_unfolded(controls: Controls, record: Record) -> None:
+def test_what_was_found_can_be_set_and_stays_unfolded(controls: Column, record: Record) -> None:
     look_for(controls, "width pixels")
     row = number(controls, "width")
     assert row.isVisible() and row.field.text() == "1280"
@@ -1888,7 +1875,7 @@ def test_what_was_found_can_be_set_and_stays_unfolded(controls: Controls, record
     assert controls.animation.isVisible()
 
 
-def test_of_another_lens_a_control_says_of_which(controls: Controls) -> None:
+def test_of_another_lens_a_control_says_of_which(controls: Column) -> None:
     said = [label for label in controls.widget().findChildren(QLabel) if not label.isVisible()]
     assert look_for(controls, "alpha") == []
     shown = [label.text() for label in said if label.isVisible()]
@@ -1899,7 +1886,7 @@ def test_of_another_lens_a_control_says_of_which(controls: Controls) -> None:
     assert look_for(controls, "alpha") == ["alpha_deg"]
 
 
-def test_a_setting_of_the_scene_is_found_as_well(controls: Controls) -> None:
+def test_a_setting_of_the_scene_is_found_as_well(controls: Column) -> None:
     controls.card.show_scene("Popping", (), PHENOMENA["far-plane-popping"])
     look_for(controls, "fog density")
     rows = controls.card.rows
@@ -1912,7 +1899,7 @@ def test_a_setting_of_the_scene_is_found_as_well(controls: Controls) -> None:
 # -- all digits
 
 
-def test_all_digits_are_shown_where_they_are_asked_for(controls: Controls, record: Record) -> None:
+def test_all_digits_are_shown_where_they_are_asked_for(controls: Column, record: Record) -> None:
     row = number(controls, "azimuth_deg")
     exact = repr(row.value())
     assert len(exact) > 10 and row.field.text() == short_text(row.value(), None, 4)
@@ -1939,7 +1926,7 @@ def test_all_digits_are_shown_where_they_are_asked_for(controls: Controls, recor
 
 @pytest.mark.parametrize(("other", "text"), [("width", "800"), ("fov_y_deg", "30"), ("eye_x", "1")])
 def test_a_refusal_goes_when_another_field_is_accepted(
-    controls: Controls, record: Record, other: str, text: str
+    controls: Column, record: Record, other: str, text: str
 ) -> None:
     controls.sections["more_camera"].set_open(True)
     near = number(controls, "near")
@@ -1953,7 +1940,7 @@ def test_a_refusal_goes_when_another_field_is_accepted(
 
 
 def test_a_refusal_stays_where_the_user_is_still_typing(
-    controls: Controls, record: Record, qapp: QApplication
+    controls: Column, record: Record, qapp: QApplication
 ) -> None:
     near = number(controls, "near")
     enter(near, "5000")

@@ -34,6 +34,7 @@ from app.model.refusal import Refusal, format_value
 from app.scenes.scene import load
 from tests.support.digits import all_digits_shown, plain
 from tests.support.window import (
+    Highlighted,
     MakeWindow,
     activate,
     click,
@@ -481,16 +482,16 @@ def test_figures_show_the_step_while_its_panel_is_open(make_window: MakeWindow) 
 
 
 def test_the_formula_is_linked(window: MainWindow) -> None:
-    panel = window.frame_panel
+    panel, highlighted = window.frame_panel, Highlighted(window)
     panel.go_to(3)
     settle()
     place = panel.formula.mapTo(window, panel.formula.rect().center())
     QTest.mouseMove(window.windowHandle(), place)
     settle()
-    assert window.highlighter.now == {"n"} and panel.formula.is_marked
+    assert highlighted.now == {"n"} and panel.formula.is_marked
     QTest.mouseMove(window.windowHandle(), QPoint(window.width() - 4, 2))
     settle()
-    assert window.highlighter.now == frozenset() and not panel.formula.is_marked
+    assert highlighted.now == frozenset() and not panel.formula.is_marked
     window.highlighter.mark("test", frozenset(("n",)))
     assert panel.formula.is_marked
     panel.go_to(4)
@@ -500,10 +501,10 @@ def test_the_formula_is_linked(window: MainWindow) -> None:
 def test_the_row_and_the_arrow_of_up_are_linked(window: MainWindow) -> None:
     window.frame_panel.go_to(2)
     settle()
-    row, before = window.frame_panel.angle, pixels(window)
+    row, before, highlighted = window.frame_panel.angle, pixels(window), Highlighted(window)
     QTest.mouseMove(window.windowHandle(), row.mapTo(window, row.rect().center()))
     settle()
-    assert window.highlighter.now == {"up"} and row.is_marked
+    assert highlighted.now == {"up"} and row.is_marked
     assert not np.array_equal(pixels(window), before)  # its arrow and its word
     QTest.mouseMove(window.windowHandle(), QPoint(window.width() - 4, 2))
     settle()
@@ -516,7 +517,7 @@ def test_the_row_and_the_arrow_of_up_are_linked(window: MainWindow) -> None:
     place = canvas.mapTo(window, QPoint(math.floor(x_px), math.floor(y_px)))
     QTest.mouseMove(window.windowHandle(), place)
     settle()
-    assert window.highlighter.now == {"up"} and row.is_marked
+    assert highlighted.now == {"up"} and row.is_marked
 
 
 def test_cameras_at_their_ends_are_drawn(window: MainWindow) -> None:

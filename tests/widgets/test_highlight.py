@@ -19,7 +19,15 @@ from app.lecture.stages import VIEW, WORLD
 from app.model.projection import DEPTH_RANGES, LENSES, Camera, Perspective, Projection
 from app.scenes.scene import load
 from tests.support.frustum import corners_world
-from tests.support.window import activate, counted_repaints, pixels, rgb_of, settle, show_scene
+from tests.support.window import (
+    Highlighted,
+    activate,
+    counted_repaints,
+    pixels,
+    rgb_of,
+    settle,
+    show_scene,
+)
 from widgets.panels.matrix_view import MatrixView
 from widgets.parts.highlight import Highlighter
 from widgets.window.main_window import MainWindow
@@ -67,6 +75,11 @@ def window(window: MainWindow) -> MainWindow:
     return window
 
 
+@pytest.fixture
+def highlighted(window: MainWindow) -> Highlighted:
+    return Highlighted(window)
+
+
 # -- words
 
 
@@ -88,7 +101,7 @@ def test_the_latest_counts_and_the_one_before_comes_back(qtbot: Any) -> None:
     highlighted.mark("other", NOTHING)
     highlighted.mark("mouse", NOTHING)
     highlighted.mark("keyboard", NOTHING)
-    assert seen == [far, near, far, NOTHING] and highlighted.now == NOTHING
+    assert seen == [far, near, far, NOTHING]
 
 
 def test_a_cell_speaks_of_its_letters() -> None:
@@ -163,11 +176,13 @@ def test_the_frontmost_face_by_its_depth_there() -> None:
 # -- from a control to the panes
 
 
-def test_a_hovered_row_is_seen_in_every_pane_that_has_it(window: MainWindow) -> None:
+def test_a_hovered_row_is_seen_in_every_pane_that_has_it(
+    window: MainWindow, highlighted: Highlighted
+) -> None:
     before = pictures(window)
     with counted_repaints(window) as counts:
         hover(window, window.controls.rows["near"])
-        assert window.highlighter.now == {"near"}
+        assert highlighted.now == {"near"}
         assert counts == {"world": 1, "ndc": 1, "image": 0}
         hover(window, window.controls.rows["near"], QPoint(4, 4))  # still on it
         assert counts == {"world": 1, "ndc": 1, "image": 0}
@@ -202,37 +217,39 @@ def test_rows_show_what_they_are_about(window: MainWindow) -> None:
         assert marked(window) == rows | {row}
 
 
-def test_the_keyboard_in_a_row_counts_too(window: MainWindow) -> None:
+def test_the_keyboard_in_a_row_counts_too(window: MainWindow, highlighted: Highlighted) -> None:
     near, far = window.controls.rows["near"], window.controls.rows["far"]
     near.field.setFocus(Qt.FocusReason.TabFocusReason)
     settle()
-    assert window.highlighter.now == {"near"}
+    assert highlighted.now == {"near"}
     QTest.keyClick(near.field, Qt.Key.Key_Tab)
     QTest.keyClick(near.slider, Qt.Key.Key_Tab)
     QTest.keyClick(far.field, Qt.Key.Key_Tab)
     settle()
-    assert far.slider.hasFocus() and window.highlighter.now == {"far"}
+    assert far.slider.hasFocus() and highlighted.now == {"far"}
     hover(window, window.controls.rows["fov_y_deg"])
-    assert window.highlighter.now == {"fov"}
+    assert highlighted.now == {"fov"}
     leave(window)
-    assert window.highlighter.now == {"far"}
+    assert highlighted.now == {"far"}
     far.slider.clearFocus()
     settle()
-    assert window.highlighter.now == NOTHING
+    assert highlighted.now == NOTHING
 
 
-def test_a_click_leaves_no_highlight_behind(window: MainWindow) -> None:
+def test_a_click_leaves_no_highlight_behind(window: MainWindow, highlighted: Highlighted) -> None:
     near = window.controls.rows["near"]
     hover(window, near)
     QTest.mouseClick(near.field, Qt.MouseButton.LeftButton)
     leave(window)
-    assert near.field.hasFocus() and window.highlighter.now == NOTHING
+    assert near.field.hasFocus() and highlighted.now == NOTHING
 
 
 # -- from the panes
 
 
-def test_the_world_knows_what_is_under_the_mouse(window: MainWindow) -> None:
+def test_the_world_knows_what_is_under_the_mouse(
+    window: MainWindow, highlighted: Highlighted
+) -> None:
     """By the pane's own sight, which is tested against VTK's camera."""
     projection = window.store.document.projection
     window.slots.bring("world")
@@ -245,7 +262,7 @@ def test_the_world_knows_what_is_under_the_mouse(window: MainWindow) -> None:
     def at(point: Any) -> frozenset[str]:
         ((x_px, y_px),) = drawing.sight.seen([point])
         point_at(window, "world", x_px, y_px)
-        return window.highlighter.now
+        return highlighted.now
 
     assert at(camera.eye) == {"eye"}
     assert at(camera.target) == {"target"}
@@ -257,20 +274,22 @@ def test_the_world_knows_what_is_under_the_mouse(window: MainWindow) -> None:
     assert at(0.5 * corners[0] + 0.5 * far[0]) == {"left", "bottom"}
     assert at(0.4 * np.array(camera.eye) + 0.6 * corners[3]) == {"fov"}
     assert len(at(0.25 * far.sum(axis=0))) == 1  # some face
-    assert made_of(window.highlighter.now) <= PLANES
+    assert made_of(highlighted.now) <= PLANES
 
 
-def test_a_label_can_be_pointed_at(window: MainWindow) -> None:
+def test_a_label_can_be_pointed_at(window: MainWindow, highlighted: Highlighted) -> None:
     for text in ["near", "far"]:
         drawing: Any = window.panes["world"].drawing
         label = drawing.labels.named[text]
         canvas = window.panes["world"].canvas
         left, right, bottom, top = label.box_px(canvas.renderer)
         point_at(window, "world", (left + right) / 2, canvas.height() - (bottom + top) / 2)
-        assert window.highlighter.now == {text} and text in marked(window)
+        assert highlighted.now == {text} and text in marked(window)
 
 
-def test_the_cube_knows_what_is_under_the_mouse(window: MainWindow) -> None:
+def test_the_cube_knows_what_is_under_the_mouse(
+    window: MainWindow, highlighted: Highlighted
+) -> None:
     drawing: Any = window.panes["ndc"].drawing
 
     def at(ndc: Any) -> frozenset[str]:
@@ -281,7 +300,7 @@ def test_the_cube_knows_what_is_under_the_mouse(window: MainWindow) -> None:
         weights = [(1 - x, x)[cx] * (1 - y, y)[cy] * (1 - z, z)[i // 4] for i, (cx, cy) in ends]
         x_px, y_px = np.array(weights) @ seen
         point_at(window, "ndc", x_px, y_px)
-        return window.highlighter.now
+        return highlighted.now
 
     for depth in sorted(DEPTH_RANGES):
         window.store.set_projection(replace(window.store.document.projection, depth=depth))
@@ -298,7 +317,9 @@ def test_the_cube_knows_what_is_under_the_mouse(window: MainWindow) -> None:
         assert changed(before, pictures(window)) == set()
 
 
-def test_the_image_knows_its_sides_and_corners(window: MainWindow) -> None:
+def test_the_image_knows_its_sides_and_corners(
+    window: MainWindow, highlighted: Highlighted
+) -> None:
     drawing = window.panes["image"].drawing
     left, top, width, height = drawing.picture_rectangle_px  # type: ignore[union-attr]
     for x_px, y_px, named in (
@@ -311,7 +332,7 @@ def test_the_image_knows_its_sides_and_corners(window: MainWindow) -> None:
         (left + width / 2, top + height / 2, set()),
     ):
         point_at(window, "image", x_px, y_px)
-        assert window.highlighter.now == named
+        assert highlighted.now == named
     before = pictures(window)
     with counted_repaints(window) as counts:
         point_at(window, "image", left, top + height / 2)
@@ -354,14 +375,16 @@ def test_turning_a_pane_picks_nothing(window: MainWindow) -> None:
 # -- matrices, probes
 
 
-def test_a_cell_marks_the_rows_that_it_depends_on(window: MainWindow) -> None:
+def test_a_cell_marks_the_rows_that_it_depends_on(
+    window: MainWindow, highlighted: Highlighted
+) -> None:
     window.panels.open(window.matrices)
     settle()
     before = pictures(window)
     view = window.matrices.views["view_from_world"]
     assert isinstance(view, MatrixView)
     hover(window, view, view.cell_rect(2, 0).center().toPoint())
-    assert window.highlighter.now == {"n"}
+    assert highlighted.now == {"n"}
     assert marked(window) == {"azimuth_deg", "elevation_deg"}
     assert changed(before, pictures(window)) == {"world", "ndc"}
     assert view.is_marked(2, 1) and not view.is_marked(0, 0) and not view.is_marked(3, 3)
@@ -405,7 +428,9 @@ def test_a_row_is_painted_when_it_is_marked_and_when_no_more(window: MainWindow)
     assert painted == [True, False]
 
 
-def test_a_cell_under_the_cursor_counts_and_marks_reach_the_screen(window: MainWindow) -> None:
+def test_a_cell_under_the_cursor_counts_and_marks_reach_the_screen(
+    window: MainWindow, highlighted: Highlighted
+) -> None:
     window.panels.open(window.matrices)
     settle()
     view = window.matrices.views["view_from_world"]
@@ -413,15 +438,15 @@ def test_a_cell_under_the_cursor_counts_and_marks_reach_the_screen(window: MainW
     before = other.grab().toImage()
     view.setFocus(Qt.FocusReason.TabFocusReason)
     settle()
-    assert window.highlighter.now == {"u"} and other.grab().toImage() != before
+    assert highlighted.now == {"u"} and other.grab().toImage() != before
     QTest.keyClick(view, Qt.Key.Key_Down)
-    assert window.highlighter.now == {"v"}
+    assert highlighted.now == {"v"}
     view.clearFocus()
     settle()
-    assert window.highlighter.now == NOTHING and other.grab().toImage() == before
+    assert highlighted.now == NOTHING and other.grab().toImage() == before
 
 
-def test_the_words_of_a_probe_that_is_outside(window: MainWindow) -> None:
+def test_the_words_of_a_probe_that_is_outside(window: MainWindow, highlighted: Highlighted) -> None:
     window.panels.open(window.probe_panel)
     settle()
     camera = window.store.document.projection.camera
@@ -434,10 +459,10 @@ def test_the_words_of_a_probe_that_is_outside(window: MainWindow) -> None:
     assert model.data(inside, Qt.ItemDataRole.BackgroundRole) is None
     table.scrollTo(inside)
     hover(window, table.viewport(), table.visualRect(inside).center())
-    assert window.highlighter.now == {"near"} and marked(window) == {"near"}
+    assert highlighted.now == {"near"} and marked(window) == {"near"}
     assert model.data(inside, Qt.ItemDataRole.BackgroundRole) is not None
     hover(window, table.viewport(), table.visualRect(model.index(model.rowCount() - 2, 1)).center())
-    assert window.highlighter.now == NOTHING
+    assert highlighted.now == NOTHING
     window.highlighter.mark("test", frozenset(("near_left_top",)))
     assert model.data(inside, Qt.ItemDataRole.BackgroundRole) is not None
     window.highlighter.mark("test", frozenset(("far",)))
@@ -445,7 +470,9 @@ def test_the_words_of_a_probe_that_is_outside(window: MainWindow) -> None:
 
 
 @pytest.mark.parametrize("kind", ["perspective", "frustum", "orthographic"])
-def test_a_corner_marks_the_rows_that_its_drag_changes(window: MainWindow, kind: str) -> None:
+def test_a_corner_marks_the_rows_that_its_drag_changes(
+    window: MainWindow, highlighted: Highlighted, kind: str
+) -> None:
     window.store.set_projection(START.with_lens(kind))
     settle()
     drawing, canvas = window.panes["world"].drawing, window.panes["world"].canvas
@@ -453,7 +480,7 @@ def test_a_corner_marks_the_rows_that_its_drag_changes(window: MainWindow, kind:
     x_px, y_px = next(spot for handle, spot in marks if handle.name == "corner")
     before = window.store.document.projection
     point_at(window, "world", x_px / canvas.pixel_ratio, y_px / canvas.pixel_ratio)
-    assert window.highlighter.now < set(CORNERS)
+    assert highlighted.now < set(CORNERS)
     rows = marked(window)
     start = QPoint(math.floor(x_px), math.floor(y_px))
     QTest.mousePress(canvas, Qt.MouseButton.LeftButton, pos=start)
@@ -515,12 +542,14 @@ def test_another_theme_keeps_the_highlight(window: MainWindow) -> None:
     assert changed(attentive, pictures(window)) == set()
 
 
-def test_a_copied_picture_is_never_highlighted(window: MainWindow) -> None:
+def test_a_copied_picture_is_never_highlighted(
+    window: MainWindow, highlighted: Highlighted
+) -> None:
     window.pictures.copy()
     settle()  # its message takes room
     before = QApplication.clipboard().image()
     hover(window, window.controls.rows["near"])
-    assert window.highlighter.now == {"near"}
+    assert highlighted.now == {"near"}
     window.pictures.copy()
     assert QApplication.clipboard().image() == before and not before.isNull()
 
@@ -552,7 +581,9 @@ def test_a_camera_far_away_and_lenses_at_their_ends_can_be_hovered(window: MainW
 # -- a scene's own settings, numbers and marks
 
 
-def test_l5_the_matrix_lights_up_with_d_and_the_plane_with_the_matrix(window: MainWindow) -> None:
+def test_l5_the_matrix_lights_up_with_d_and_the_plane_with_the_matrix(
+    window: MainWindow, highlighted: Highlighted
+) -> None:
     window.guide.choose("similar-triangles")
     settle()
     card, before = window.controls.card, pictures(window)
@@ -561,7 +592,7 @@ def test_l5_the_matrix_lights_up_with_d_and_the_plane_with_the_matrix(window: Ma
     assert not lit and "-0.25" in matrix.exact
     plain = rgb_of(matrix.grab().toImage())
     hover(window, card.rows["distance"].name_label)
-    assert window.highlighter.now == {"settings.distance"}
+    assert highlighted.now == {"settings.distance"}
     assert matrix.is_marked and not card.readout.lines[3][1].is_marked
     # Of the matrix the one cell: row 4, column 3.
     lit_px = np.argwhere((plain != rgb_of(matrix.grab().toImage())).any(axis=2))
@@ -569,28 +600,32 @@ def test_l5_the_matrix_lights_up_with_d_and_the_plane_with_the_matrix(window: Ma
     assert len(lit_px) and lit_px[:, 0].min() > 2.8 * rows and lit_px[:, 1].min() > 2.0 * columns
     assert "world" in changed(before, pictures(window))
     hover(window, matrix)
-    assert window.highlighter.now == {"settings.distance"} and card.rows["distance"].is_marked
+    assert highlighted.now == {"settings.distance"} and card.rows["distance"].is_marked
     hover(window, card.readout.lines[3][1])
-    assert window.highlighter.now == {"y_p"} and not card.rows["distance"].is_marked
+    assert highlighted.now == {"y_p"} and not card.rows["distance"].is_marked
     leave(window)
     assert not changed(before, pictures(window)) and not matrix.is_marked
 
 
-def test_l6_each_number_of_the_window_lights_its_edge(window: MainWindow) -> None:
+def test_l6_each_number_of_the_window_lights_its_edge(
+    window: MainWindow, highlighted: Highlighted
+) -> None:
     window.guide.choose("off-axis-window")
     settle()
     before = pictures(window)
     lines = window.controls.card.readout.lines
     for name in ("left", "right", "bottom", "top", "near", "far"):
         hover(window, window.controls.rows[name].name_label)
-        assert window.highlighter.now == {name}
+        assert highlighted.now == {name}
         assert "world" in changed(before, pictures(window)), name
         assert lines[2][1].is_marked == (name in ("left", "right"))
     leave(window)
     assert not changed(before, pictures(window))
 
 
-def test_l15_the_plane_of_a_step_lights_the_rows_that_it_is_made_of(window: MainWindow) -> None:
+def test_l15_the_plane_of_a_step_lights_the_rows_that_it_is_made_of(
+    window: MainWindow, highlighted: Highlighted
+) -> None:
     """Left keeps w + x >= 0: rows 1 and 4 of the clip matrices, until something is pointed at."""
     show_scene(window, "clipping")
     window.panels.open(window.matrices)
@@ -610,7 +645,7 @@ def test_l15_the_plane_of_a_step_lights_the_rows_that_it_is_made_of(window: Main
          ("bottom", {1, 3}), ("top", {1, 3})), 1,
     ):  # fmt: skip
         card.rows["step"].edited.emit(float(step))
-        assert rows() == expected and plane in window.highlighter.now
+        assert rows() == expected and plane in highlighted.now
     window.highlighter.mark("hand", frozenset(("fov",)))
     assert rows() == set()
     window.highlighter.mark("hand", NOTHING)
@@ -623,10 +658,10 @@ def test_l15_the_plane_of_a_step_lights_the_rows_that_it_is_made_of(window: Main
     view = window.matrices.views["clip_from_view"]
     assert all(view.is_marked(i, 3) for i in range(4)) and not view.is_marked(0, 0)
     card.rows["step"].edited.emit(0.0)
-    assert rows() == set() and window.highlighter.now == NOTHING
+    assert rows() == set() and highlighted.now == NOTHING
     card.rows["step"].edited.emit(2.0)
     show_scene(window, "view-volumes")  # whose rows are others
-    assert window.highlighter.now == NOTHING
+    assert highlighted.now == NOTHING
     show_scene(window, "clipping")
     show_scene(window, "letter-f")
-    assert window.highlighter.now == NOTHING
+    assert highlighted.now == NOTHING

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
 from dataclasses import replace
 from typing import Any
 
@@ -16,7 +15,6 @@ from PySide6.QtWidgets import QApplication, QComboBox
 from app.model.projection import (
     LENSES,
     OBLIQUE_PRESETS,
-    Camera,
     Frustum,
     Intrinsics,
     Oblique,
@@ -26,10 +24,17 @@ from app.model.projection import (
     Projection,
 )
 from tests.support.controls import (
+    BOX,
+    KEY,
     NONSENSE,
+    OFF_AXIS,
+    SLANTED,
+    START,
+    Column,
     Record,
     choice,
     choose,
+    column_with_the_keyboard,
     drag,
     enter,
     number,
@@ -41,31 +46,16 @@ from tests.support.shown import show
 from widgets.controls.controls import Controls
 from widgets.parts.fields import Linear, Log, NumberRow
 
-START = Projection(Camera((6.0, 5.0, 9.0), (0.0, 2.0, 0.0)), Perspective(45.0, 1.0, 30.0))
-OFF_AXIS = replace(START, lens=Frustum(-0.25, 0.75, -0.5, 1.5, 1.0, 30.0))
-BOX = replace(START, lens=Orthographic(-4.0, 4.0, -3.0, 3.0, 1.0, 30.0))
-SLANTED = replace(START, lens=Oblique(near=2.0))
 SHOWN = {p.lens.kind: p for p in (START, OFF_AXIS, BOX, SLANTED)}
-KEY = Qt.Key
 
 
 @pytest.fixture
-def column(display: Any, qtbot: Any) -> Iterator[Controls]:
-    """The column with all sections open, showing a perspective lens."""
-    controls = Controls()
-    qtbot.addWidget(controls)
-    controls.resize(320, 900)
-    controls.set_scene(6.0, START)
-    show(controls, START)
-    controls.sections["more_lens"].set_open(True)
-    controls.show()
-    qtbot.waitExposed(controls)
-    controls.activateWindow()
-    qtbot.waitUntil(controls.isActiveWindow)
-    yield controls
+def column(display: Any, qtbot: Any) -> Column:
+    """The column with the lens's sections open, showing a perspective lens."""
+    return column_with_the_keyboard(qtbot, "more_lens")
 
 
-def lens_rows(controls: Controls) -> dict[str, NumberRow]:
+def lens_rows(controls: Column) -> dict[str, NumberRow]:
     """The numbers that this kind of lens is shown by."""
     others = {*Orbit._fields, "width", "height"}
     return {
@@ -86,7 +76,7 @@ def read_back(key: str, shown: Projection) -> float:
     return value
 
 
-def combo(controls: Controls, key: str) -> QComboBox:
+def combo(controls: Column, key: str) -> QComboBox:
     widget = choice(controls, key).widgets[0]
     assert isinstance(widget, QComboBox)
     return widget
@@ -98,7 +88,7 @@ def combo(controls: Controls, key: str) -> QComboBox:
 @pytest.mark.parametrize("kind", LENSES)
 @pytest.mark.parametrize("end", [KEY.Key_Home, KEY.Key_End])
 def test_every_slider_of_every_lens_goes_to_its_ends(
-    column: Controls, kind: str, end: Qt.Key
+    column: Column, kind: str, end: Qt.Key
 ) -> None:
     """The model stays valid and is what the row shows, or the row says why not."""
     show(column, SHOWN[kind])
@@ -119,7 +109,7 @@ def test_every_slider_of_every_lens_goes_to_its_ends(
 
 
 @pytest.mark.parametrize("kind", LENSES)
-def test_nonsense_changes_nothing_in_any_lens(column: Controls, kind: str) -> None:
+def test_nonsense_changes_nothing_in_any_lens(column: Column, kind: str) -> None:
     show(column, SHOWN[kind])
     record = Record(column)
     for key, row in lens_rows(column).items():
@@ -133,7 +123,7 @@ def test_nonsense_changes_nothing_in_any_lens(column: Controls, kind: str) -> No
 
 
 @pytest.mark.parametrize("kind", LENSES)
-def test_a_drag_of_any_number_of_a_lens_is_one_gesture(column: Controls, kind: str) -> None:
+def test_a_drag_of_any_number_of_a_lens_is_one_gesture(column: Column, kind: str) -> None:
     show(column, SHOWN[kind])
     for key, row in lens_rows(column).items():
         show(column, SHOWN[kind])
@@ -150,7 +140,7 @@ def test_a_drag_of_any_number_of_a_lens_is_one_gesture(column: Controls, kind: s
 
 
 @pytest.mark.parametrize("kind", LENSES)
-def test_the_numbers_of_other_lenses_are_left_alone(column: Controls, kind: str) -> None:
+def test_the_numbers_of_other_lenses_are_left_alone(column: Column, kind: str) -> None:
     others = {k for k in LENSES if k != kind}
     for other in others:
         show(column, SHOWN[other])
@@ -168,7 +158,7 @@ def test_the_numbers_of_other_lenses_are_left_alone(column: Controls, kind: str)
         assert k_after == pytest.approx(column.projection.intrinsics, rel=1e-12)
 
 
-def test_lenses_follow_each_other_in_any_order_and_come_back(column: Controls) -> None:
+def test_lenses_follow_each_other_in_any_order_and_come_back(column: Column) -> None:
     record = Record(column)
     for kind in (*LENSES, *reversed(LENSES), "frustum", "oblique", "perspective"):
         choose(choice(column, "kind"), kind)
@@ -199,7 +189,7 @@ def test_lenses_follow_each_other_in_any_order_and_come_back(column: Controls) -
     ],
 )
 def test_what_a_lens_refuses_is_explained_at_the_row(
-    column: Controls, shown: Projection, key: str, text: str, expected: str
+    column: Column, shown: Projection, key: str, text: str, expected: str
 ) -> None:
     show(column, shown)
     record, row = Record(column), number(column, key)
@@ -208,7 +198,7 @@ def test_what_a_lens_refuses_is_explained_at_the_row(
     assert record.edits == [] and column.projection is shown
 
 
-def test_beyond_the_slider_is_taken(column: Controls) -> None:
+def test_beyond_the_slider_is_taken(column: Column) -> None:
     for shown, key, text in (
         (OFF_AXIS, "right", "500"),
         (OFF_AXIS, "far", "inf"),
@@ -233,7 +223,7 @@ def test_beyond_the_slider_is_taken(column: Controls) -> None:
 
 @pytest.mark.parametrize("key", ["fov_y_deg", "fov_x_deg", "focal_length_mm", "e", "window_right",
                                  "window_top"])  # fmt: skip
-def test_all_measures_of_a_field_of_view_move_together(column: Controls, key: str) -> None:
+def test_all_measures_of_a_field_of_view_move_together(column: Column, key: str) -> None:
     enter(number(column, key), "1.5")
     lens = column.projection.lens
     assert isinstance(lens, Perspective) and (lens.near, lens.far) == (1.0, 30.0)
@@ -253,7 +243,7 @@ def test_all_measures_of_a_field_of_view_move_together(column: Controls, key: st
     assert number(column, key).field.text() == "1.5"
 
 
-def test_the_half_window_sliders_follow_near(column: Controls) -> None:
+def test_the_half_window_sliders_follow_near(column: Column) -> None:
     for near in (1e-3, 1.0, 250.0):
         show(column, replace(START, lens=Perspective(90.0, near, 1e6)))
         for key in ("window_right", "window_top"):
@@ -266,7 +256,7 @@ def test_the_half_window_sliders_follow_near(column: Controls) -> None:
 
 
 @pytest.mark.parametrize("near", [1e-6, 0.01, 1.0, 25.0])
-def test_the_windows_sliders_are_in_proportion_to_it(column: Controls, near: float) -> None:
+def test_the_windows_sliders_are_in_proportion_to_it(column: Column, near: float) -> None:
     show(column, replace(START, lens=Perspective(45.0, near, 30.0)))
     choose(choice(column, "kind"), "frustum")
     _, right, _, top = column.projection.window
@@ -284,7 +274,7 @@ def test_the_windows_sliders_are_in_proportion_to_it(column: Controls, near: flo
     assert top < 5.0 * right
 
 
-def test_a_window_that_shrinks_in_the_hand_gets_finer_sliders_afterwards(column: Controls) -> None:
+def test_a_window_that_shrinks_in_the_hand_gets_finer_sliders_afterwards(column: Column) -> None:
     show(column, replace(START, lens=Frustum(-0.01, 1.0, -0.01, 0.01, 1.0, 30.0)))
     row = number(column, "right")
     scale = row.scale
@@ -296,7 +286,7 @@ def test_a_window_that_shrinks_in_the_hand_gets_finer_sliders_afterwards(column:
     assert row.slider.value() == row.scale.position_of(row.value())
 
 
-def test_a_box_keeps_the_scenes_sliders(column: Controls) -> None:
+def test_a_box_keeps_the_scenes_sliders(column: Column) -> None:
     for shown in (BOX, SLANTED, replace(BOX, lens=Orthographic(-0.1, 0.1, -0.1, 0.1))):
         show(column, shown)
         assert number(column, "left").scale.high == pytest.approx(12.0, rel=0.01)
@@ -310,7 +300,7 @@ def test_a_box_keeps_the_scenes_sliders(column: Controls) -> None:
 
 
 @pytest.mark.parametrize("kind", ["frustum", "orthographic", "oblique"])
-def test_keep_is_the_models(column: Controls, kind: str) -> None:
+def test_keep_is_the_models(column: Column, kind: str) -> None:
     show(column, SHOWN[kind])
     for keep in ("x", "y", "stretch"):
         choose(choice(column, "keep"), keep)
@@ -322,7 +312,7 @@ def test_keep_is_the_models(column: Controls, kind: str) -> None:
 # -- oblique: angles, and how things recede
 
 
-def test_receding_and_angles_are_two_views(column: Controls) -> None:
+def test_receding_and_angles_are_two_views(column: Column) -> None:
     show(column, SLANTED)
     assert number(column, "receding").field.text() == "0.5"
     assert number(column, "receding_deg").field.text() == "45"
@@ -336,7 +326,7 @@ def test_receding_and_angles_are_two_views(column: Controls) -> None:
     assert number(column, "beta_deg").value() == pytest.approx(90.0)
 
 
-def test_through_no_receding_at_all_the_direction_is_kept(column: Controls) -> None:
+def test_through_no_receding_at_all_the_direction_is_kept(column: Column) -> None:
     show(column, SLANTED)
     enter(number(column, "receding_deg"), "30")
     row = number(column, "receding")
@@ -353,7 +343,7 @@ def test_through_no_receding_at_all_the_direction_is_kept(column: Controls) -> N
 
 
 @pytest.mark.parametrize("preset", OBLIQUE_PRESETS)
-def test_a_preset_is_known_by_its_angles(column: Controls, preset: str) -> None:
+def test_a_preset_is_known_by_its_angles(column: Column, preset: str) -> None:
     show(column, SLANTED)
     choose(choice(column, "preset"), preset)
     assert combo(column, "preset").currentText().startswith(preset.split("-", 1)[0])
@@ -369,7 +359,7 @@ def test_a_preset_is_known_by_its_angles(column: Controls, preset: str) -> None:
     assert choice(column, "preset").value() == preset and len(record.edits) == 2
 
 
-def test_a_free_drawing_says_so_on_the_screen(column: Controls) -> None:
+def test_a_free_drawing_says_so_on_the_screen(column: Column) -> None:
     """The placeholder is painted: the picture of the box is not that of an empty one."""
     show(column, replace(SLANTED, lens=Oblique(alpha_deg=100.0)))
     box = combo(column, "preset")
@@ -382,7 +372,7 @@ def test_a_free_drawing_says_so_on_the_screen(column: Controls) -> None:
     ("key", "text"), [("receding", "1.25"), ("receding_deg", "-140"), ("preset", "cavalier-63.4")]
 )
 def test_another_drawing_leaves_the_target_in_its_place(
-    column: Controls, key: str, text: str
+    column: Column, key: str, text: str
 ) -> None:
     show(column, SLANTED)
     target = SLANTED.camera.target
@@ -396,7 +386,7 @@ def test_another_drawing_leaves_the_target_in_its_place(
     assert column.projection.lens != SLANTED.lens
 
 
-def test_the_angles_of_h_leave_the_near_plane_in_its_place(column: Controls) -> None:
+def test_the_angles_of_h_leave_the_near_plane_in_its_place(column: Column) -> None:
     show(column, SLANTED)
     enter(number(column, "alpha_deg"), "60")
     enter(number(column, "beta_deg"), "75")
@@ -409,7 +399,7 @@ def test_the_angles_of_h_leave_the_near_plane_in_its_place(column: Controls) -> 
 
 
 def test_a_calibrated_camera_is_typed_in_one_number_after_the_other(
-    column: Controls, qtbot: Any
+    column: Column, qtbot: Any
 ) -> None:
     """A camera of 640 x 480 as OpenCV's calibration samples find it."""
     show(column, replace(START, image_size=(640, 480)))
@@ -440,7 +430,7 @@ def test_a_calibrated_camera_is_typed_in_one_number_after_the_other(
     assert column.projection.trace(point).image - 0.5 == pytest.approx(pixel, abs=1e-9)
 
 
-def test_square_pixels_and_a_centred_axis_make_a_symmetric_lens(column: Controls) -> None:
+def test_square_pixels_and_a_centred_axis_make_a_symmetric_lens(column: Column) -> None:
     for key, text, kind in (
         ("fx", "1000", "frustum"),
         ("cx", "600", "frustum"),
@@ -457,7 +447,7 @@ def test_square_pixels_and_a_centred_axis_make_a_symmetric_lens(column: Controls
     assert number(column, "fov_y_deg").value() == pytest.approx(fov_y_deg)
 
 
-def test_a_symmetric_lens_stays_so_when_k_is_written_back(column: Controls) -> None:
+def test_a_symmetric_lens_stays_so_when_k_is_written_back(column: Column) -> None:
     """fx and fy are one number: no last digit makes them two."""
     for fov_y_deg in (30.0, 45.0, 61.3, 77.7):
         show(column, replace(START, lens=Perspective(fov_y_deg, 1.0, 30.0)))
@@ -470,7 +460,7 @@ def test_a_symmetric_lens_stays_so_when_k_is_written_back(column: Controls) -> N
 
 
 def test_the_row_in_hand_keeps_its_place_when_the_lens_becomes_another(
-    column: Controls, qtbot: Any
+    column: Column, qtbot: Any
 ) -> None:
     column.resize(320, 240)
     row = number(column, "cy")
@@ -495,9 +485,7 @@ def test_the_row_in_hand_keeps_its_place_when_the_lens_becomes_another(
 
 
 @pytest.mark.parametrize("kind", ["frustum", "oblique"])
-def test_a_reset_goes_back_to_how_the_scene_opens_with_this_lens(
-    column: Controls, kind: str
-) -> None:
+def test_a_reset_goes_back_to_how_the_scene_opens_with_this_lens(column: Column, kind: str) -> None:
     show(column, SHOWN[kind])
     alike = START.with_lens(kind)
     for key, row in lens_rows(column).items():
@@ -509,7 +497,7 @@ def test_a_reset_goes_back_to_how_the_scene_opens_with_this_lens(
             assert read_back(key, column.projection) == pytest.approx(wanted), key
 
 
-def test_a_drag_of_k_turns_the_lens_and_is_one_gesture(column: Controls) -> None:
+def test_a_drag_of_k_turns_the_lens_and_is_one_gesture(column: Column) -> None:
     row = number(column, "cx")
     column.ensureWidgetVisible(row)
     record = Record(column)

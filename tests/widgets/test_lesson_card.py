@@ -7,7 +7,7 @@ from typing import Any
 
 import pytest
 import shiboken6
-from PySide6.QtCore import QPoint, Qt
+from PySide6.QtCore import QPoint, Qt, QTimer
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import (
     QApplication,
@@ -23,11 +23,10 @@ from app.document.document import set_values
 from app.lessons.course import Course, contained, idea_named
 from app.lessons.lesson import Step, Task, read
 from app.model.projection import Perspective
-from tests import PATIENCE_MS
-from tests.support.window import NO_KEY, MakeWindow, activate, enter, seen, settle
+from tests.support.window import NO_KEY, MakeWindow, activate, arrive, enter, go_to, seen, settle
 from widgets.parts.lesson_text import LessonText
 from widgets.window.lesson_blocks import Asked, Chooses
-from widgets.window.lesson_card import TOUR
+from widgets.window.lesson_card import TOUR, WHILE_MOVING_MS
 from widgets.window.main_window import MainWindow
 from widgets.window.settings import Settings
 
@@ -138,14 +137,14 @@ def press(key: Qt.Key, modifier: Qt.KeyboardModifier = Qt.KeyboardModifier.NoMod
     settle()
 
 
-def arrive(window: MainWindow) -> None:
-    """Let the model be where it is moving to."""
-    for _ in range(PATIENCE_MS):
-        settle()
-        if not window.lessons.is_moving:
-            break
-        QTest.qWait(5)
-    QTest.qWait(60)
+def come_to_rest(window: MainWindow) -> None:
+    """Let the model be where it is moving to, and the card see what of it is done."""
+    settle()
+    arrive(window.lessons)
+    for timer in window.lesson_card.findChildren(QTimer):
+        if timer.isActive() and timer.interval() == WHILE_MOVING_MS:
+            timer.timeout.emit()
+    settle()
 
 
 def fov(window: MainWindow) -> float:
@@ -168,7 +167,7 @@ def test_a_prediction_is_made_before_the_step_goes_on(window: MainWindow, lesson
     press(KEY.Key_Down)
     press(KEY.Key_Up)
     press(KEY.Key_Return)
-    arrive(window)
+    come_to_rest(window)
     assert keyboard() is card.next, "which comes next, whatever has gone with the choices"
     said = texts(card)
     assert "You said 106.7°; the model says 91.5°." in said and "What comes" in said
@@ -180,11 +179,11 @@ def test_a_prediction_is_made_before_the_step_goes_on(window: MainWindow, lesson
     marked = [each.accessibleDescription() for each in block.findChildren(QRadioButton)]
     assert marked == ["You said so", "The model says so", ""]
     press(KEY.Key_W, ALT)
-    arrive(window)
+    come_to_rest(window)
     assert window.store.document == idea.state
     assert card.again.isEnabled()
     press(KEY.Key_F7)
-    arrive(window)
+    come_to_rest(window)
     assert fov(window) == 45.0 and not card.again.isEnabled() and window.lessons.place == 0
     assert "You said" in texts(card), "the step's page is as it was left"
     press(KEY.Key_Right, ALT)
@@ -197,28 +196,28 @@ def test_a_task_ticks_itself_whatever_way_it_is_done(window: MainWindow, lesson:
     activate(window)
     card = window.lesson_card
     card.open(lesson)
-    arrive(window)
+    come_to_rest(window)
     window.lessons.go(1)
-    arrive(window)
+    come_to_rest(window)
     near, cube = card.blocks
     assert (near.is_open, cube.is_open) == (True, True)
     lens = window.store.document.projection.lens
     near.show_wanted.emit(set_values(window.store.document, ["lens.near=2"]))
-    arrive(window)
+    come_to_rest(window)
     assert near.is_open, "what the lesson shows by itself, nobody has done"
     window.store.set_projection(seen(window, lens=Perspective(50.0, lens.near * 3.0, lens.far)))
-    arrive(window)
+    come_to_rest(window)
     assert near.is_open, "only a nearer one ticks"
     field = window.controls.rows["near"].field
     enter(field, "1.5")
-    arrive(window)
+    come_to_rest(window)
     assert not near.is_open and "It is closer." in texts(card) and cube.is_open
     assert QApplication.focusWidget() is field, "the hand stays where it is"
     QTest.mouseDClick(window.panes["ndc"].header, Qt.MouseButton.LeftButton, pos=QPoint(5, 5))
-    arrive(window)
+    come_to_rest(window)
     assert not cube.is_open
     window.lessons.come_back()
-    arrive(window)
+    come_to_rest(window)
     assert not near.is_open and not cube.is_open, "it stays ticked"
 
 
@@ -239,23 +238,23 @@ def test_answers_are_read_as_people_write_them(window: MainWindow, lesson: Path)
     activate(window)
     card = window.lesson_card
     card.open(lesson)
-    arrive(window)
+    come_to_rest(window)
     before = window.store.document
     for typed in ("98.2", "98,2", "98.2°", " 98.3 ", "982/10"):
         card.begin_again()
-        window.lessons.go(2, at_once=True)
+        go_to(window.lessons, 2)
         assert "It is 98.2." in answered(window, typed) and not card.blocks[0].is_open, typed
         assert isinstance(QApplication.focusWidget(), QLineEdit)  # of the next
         assert card.blocks[1].isAncestorOf(QApplication.focusWidget())
     for typed in ("1/2", "0,5", ".5"):
         card.begin_again()
-        window.lessons.go(2, at_once=True)
+        go_to(window.lessons, 2)
         card.blocks.reverse()
         card.blocks.insert(0, card.blocks.pop(1))
         answered(window, typed)
         assert not card.blocks[0].is_open, typed
     card.begin_again()
-    window.lessons.go(2, at_once=True)
+    go_to(window.lessons, 2)
     for typed, said in (
         ("", "nothing is typed yet"),
         ("wide", "must be a number"),
@@ -274,7 +273,7 @@ def test_answers_are_read_as_people_write_them(window: MainWindow, lesson: Path)
     assert idea is not None and idea.title.rstrip(".") in answered(window, "120")
     assert "Show the answer" not in buttons(card)
     press(KEY.Key_W, ALT)
-    arrive(window)
+    come_to_rest(window)
     assert window.store.document == idea.state
     answered(window, "55")
     press(KEY.Key_A, ALT)
@@ -298,12 +297,12 @@ def test_what_is_forgotten_can_be_had_again(window: MainWindow, lesson: Path) ->
     card.open(lesson)
     card.begin_again()
     assert not window.messages.text  # nothing was answered
-    window.lessons.go(2, at_once=True)
+    go_to(window.lessons, 2)
     answered(window, "98.2")
     assert not card.blocks[0].is_open
     card.begin_again()
     assert "is forgotten" in window.messages.text and window.lessons.place == 0
-    window.lessons.go(2, at_once=True)
+    go_to(window.lessons, 2)
     assert card.blocks[0].is_open
     (undo,) = window.messages.choices
     undo.click()
@@ -363,17 +362,17 @@ def test_the_tour_can_be_done_with_the_keyboard_alone(window: MainWindow) -> Non
 
     def done(key: Qt.Key, widget: QWidget | None = None, modifier: Any = NO_KEY) -> list[bool]:
         """What of the step is done before a key, and after it."""
-        arrive(window)
+        come_to_rest(window)
         found = [block.is_open for block in card.blocks]
         QTest.keyClick(widget or keyboard(), key, modifier)
-        arrive(window)
+        come_to_rest(window)
         found += [block.is_open for block in card.blocks]
         press(KEY.Key_Right, ALT)
         return found
 
-    arrive(window)
+    come_to_rest(window)
     window.store.set_projection(seen(window, lens=Perspective(50.0, lens.near, lens.far)))
-    arrive(window)
+    come_to_rest(window)
     assert card.blocks[0].is_open, "only a nearer near plane ticks"
     near = controls.rows["near"].field
     near.setFocus()
@@ -390,10 +389,10 @@ def test_the_tour_can_be_done_with_the_keyboard_alone(window: MainWindow) -> Non
     assert done(KEY.Key_Return) == [True, False]
     kinds = controls.rows["kind"].findChild(QComboBox)
     kinds.setFocus()
-    arrive(window)
+    come_to_rest(window)
     for _ in range(kinds.findText("orthographic") - kinds.currentIndex()):
         QTest.keyClick(kinds, KEY.Key_Down)
-    arrive(window)
+    come_to_rest(window)
     assert not card.blocks[0].is_open
     press(KEY.Key_Right, ALT)
     assert window.lessons.course is None
@@ -406,7 +405,7 @@ def test_the_tour_can_be_done_with_the_keyboard_alone(window: MainWindow) -> Non
 def test_who_types_in_the_dock_keeps_the_keyboard(window: MainWindow, lesson: Path) -> None:
     activate(window)
     window.lesson_card.open(lesson)
-    arrive(window)
+    come_to_rest(window)
     field = window.controls.rows["near"].field
     field.setFocus()
     window.lessons.go(2)

@@ -88,7 +88,7 @@ def test_a_scenes_own_marks_are_written_in_the_views_letters() -> None:
     own, lecture_000, lecture_003 = (
         render(
             scene, scene.start, panes=("world",), size=(480, 360), view=View(letters=letters),
-            settings=scene.phenomenon and scene.phenomenon.defaults,
+            settings=scene.phenomenon and scene.phenomenon.checked({}),
         )
         for letters in ("own", "000", "003")
     )  # fmt: skip

@@ -12,7 +12,14 @@ from typing import Any
 import numpy as np
 import pytest
 from PySide6.QtCore import QEvent, QPoint, QPointF, Qt
-from PySide6.QtGui import QContextMenuEvent, QGuiApplication, QImage, QPainter
+from PySide6.QtGui import (
+    QColor,
+    QContextMenuEvent,
+    QFontMetricsF,
+    QGuiApplication,
+    QImage,
+    QPainter,
+)
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QLabel, QMenu, QScrollArea, QToolButton
 from pytestqt.qtbot import QtBot
@@ -136,7 +143,7 @@ def test_folded_computes_nothing(
     panel.show()
     qtbot.waitExposed(panel)
     assert calls == [moved(OFF_AXIS, near=1.5)]
-    assert not any(view.lit for view in panel.views.values())
+    assert not any(lit(view) for view in panel.views.values())
     count = len(calls)
     panel.hide()
     show(panel, OFF_AXIS)
@@ -144,29 +151,55 @@ def test_folded_computes_nothing(
     assert len(calls) == count
 
 
+def lit(view: MatrixView) -> set[tuple[int, int]]:
+    """Row and column of the cells with a frame and a ground of the accent's colour."""
+    picture, found = rgb_of(view.grab().toImage()).astype(int), set()
+    accent = np.array(QColor(LIGHT.accent).getRgb()[:3])
+    ground = np.array(view.palette().window().color().getRgb()[:3])
+    off = np.abs(picture - accent).sum(axis=2) / np.abs(ground - accent).sum()
+    for i, j in itertools.product(range(4), range(4)):
+        cell = view.cell_rect(i, j).toRect()
+        # Above what is written; its frame may lie between two lines of pixels.
+        above = off[cell.top() : cell.top() + 4, cell.left() + 4 : cell.right() - 4]
+        if (above.min(axis=0) < 0.5).all():
+            found.add((i, j))
+    return found
+
+
+def underlined_px(view: MatrixView, row: int, column: int) -> int:
+    """The width of the longest level line in a cell."""
+    cell = view.cell_rect(row, column).toRect()
+    dark = rgb_of(view.grab().toImage()).mean(axis=2) < 128
+    lines = dark[cell.top() : cell.bottom(), cell.left() : cell.right()]
+    runs = (list(run) for line in lines for is_dark, run in itertools.groupby(line) if is_dark)
+    return max(map(len, runs), default=0)
+
+
 def test_cells_that_a_change_changed_are_lit(panel: MatrixPanel, qtbot: QtBot) -> None:
-    assert not panel.views["clip_from_view"].lit
+    assert not lit(panel.views["clip_from_view"])
     shown_after(panel, qtbot, moved(OFF_AXIS, far=50.0))
-    assert panel.views["clip_from_view"].lit == {(2, 2), (2, 3)}
-    assert panel.views["view_from_world"].lit == set()
-    assert panel.views["canonical_perspective_from_view/scale"].lit == {(0, 0), (1, 1), (2, 2)}
-    assert panel.views["canonical_perspective_from_view/shear"].lit == set()
+    assert lit(panel.views["clip_from_view"]) == {(2, 2), (2, 3)}
+    assert lit(panel.views["view_from_world"]) == set()
+    assert lit(panel.views["canonical_perspective_from_view/scale"]) == {(0, 0), (1, 1), (2, 2)}
+    assert lit(panel.views["canonical_perspective_from_view/shear"]) == set()
 
 
 def test_a_drag_is_marked_against_its_beginning(panel: MatrixPanel, qtbot: QtBot) -> None:
     panel.begin_gesture()
     shown_after(panel, qtbot, moved(OFF_AXIS, left=-0.75))
     shown_after(panel, qtbot, moved(OFF_AXIS, left=-0.75, far=50.0))
-    lit = panel.views["clip_from_view"].lit
-    assert lit == {(0, 0), (0, 2), (2, 2), (2, 3)}
-    mark = panel.views["clip_from_view"].marks[2][2]
+    assert lit(panel.views["clip_from_view"]) == {(0, 0), (0, 2), (2, 2), (2, 3)}
     before, after = (read_text(-(far + 1.5) / (far - 1.5)) for far in (40.0, 50.0))
-    assert mark == first_change(before, after) and before[:mark] == after[:mark] and mark
+    mark = first_change(before, after)
+    assert mark and before[:mark] == after[:mark]
+    view = panel.views["clip_from_view"]
+    of_others_px = QFontMetricsF(view.font()).horizontalAdvance(after[mark:])
+    assert underlined_px(view, 2, 2) == pytest.approx(of_others_px, abs=2.0)
     shown_after(panel, qtbot, OFF_AXIS)  # dragged back to where it began
-    assert not panel.views["clip_from_view"].lit
+    assert not lit(panel.views["clip_from_view"])
     panel.end_gesture()
     shown_after(panel, qtbot, moved(OFF_AXIS, far=50.0))
-    assert panel.views["clip_from_view"].lit == {(2, 2), (2, 3)}
+    assert lit(panel.views["clip_from_view"]) == {(2, 2), (2, 3)}
 
 
 @pytest.mark.parametrize(
@@ -428,7 +461,7 @@ def test_the_window_shows_the_current_value_when_the_panel_opens(
     for near in (1.25, 1.5):
         window.store.set_projection(moved(start, near=near))
     shown_at_last(panel, qtbot, moved(start, near=1.5))
-    assert panel.views["clip_from_view"].lit == {(2, 2), (2, 3)}
+    assert lit(panel.views["clip_from_view"]) == {(2, 2), (2, 3)}
     window.controls.gesture_finished.emit()
     assert all(isinstance(view, MatrixView) for view in panel.views.values())
 
@@ -474,7 +507,7 @@ def test_a_cell_is_typed_and_goes_out_once(
     assert edit.direct_stages[0].matrix[0, 2] == 0.25
     assert panel.views["clip_from_view"].texts[0][2] == "0.25"
     assert panel.views["clip_from_view"].field is None
-    assert (0, 2) in panel.views["clip_from_view"].lit
+    assert (0, 2) in lit(panel.views["clip_from_view"])
 
 
 def test_what_is_made_of_a_fraction_is_said(

@@ -193,7 +193,6 @@ def test_probe_finds_what_vtk_draws_with(display: Any) -> None:
     details = plotter.render_window.ReportCapabilities()
     plotter.close()
     assert f"OpenGL renderer string:  {found.renderer}\n" in details
-    assert f"OpenGL vendor string:  {found.vendor}\n" in details
     assert re.match(r"[3-9]\.\d", found.version)
     assert found.software == ("llvmpipe" in found.renderer)
 

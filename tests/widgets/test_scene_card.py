@@ -47,7 +47,7 @@ class Owner:
 
     def __init__(self, card: SceneCard) -> None:
         self.card = card
-        self.settings: Settings = EVERYTHING.defaults
+        self.settings: Settings = EVERYTHING.checked({})
         self.projection = EVERYTHING.start
         self.edits: list[dict[str, Any]] = []
         self.gestures: list[str] = []
@@ -109,7 +109,7 @@ def test_there_is_a_row_for_every_setting_of_its_kind(owner: Owner) -> None:
     kinds = [NumberRow, NumberRow, NumberRow, ChoiceRow, CheckRow, VectorRow]
     assert [type(row) for row in rows.values()] == kinds
     assert [row.name for row in rows.values()] == [s.label for s in EVERYTHING.settings]
-    assert {name: row.value() for name, row in rows.items()} == dict(EVERYTHING.defaults)
+    assert {name: row.value() for name, row in rows.items()} == dict(EVERYTHING.checked({}))
     assert number_row(owner.card, "gap").unit_label.text() == "mm"
     assert owner.edits == []
     for setting, row in zip(EVERYTHING.settings, rows.values(), strict=True):
@@ -205,7 +205,7 @@ def test_a_reset_brings_the_default_of_every_kind(owner: Owner) -> None:
     owner.show()
     for row in owner.card.rows.values():
         QTest.mouseDClick(row.name_label, Qt.MouseButton.LeftButton)
-    assert owner.settings == EVERYTHING.defaults
+    assert owner.settings == EVERYTHING.checked({})
     assert len(owner.edits) == 6
 
 

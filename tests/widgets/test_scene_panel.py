@@ -21,7 +21,7 @@ from widgets.parts import palette
 from widgets.window.main_window import MainWindow
 
 SUBJECT = Subject((0.0, 0.0, 0.0), (1.0, 1.0, 1.0), np.zeros((1, 3)))
-SHOWN = EVERYTHING.show(EVERYTHING.start, EVERYTHING.defaults, SUBJECT)
+SHOWN = EVERYTHING.show(EVERYTHING.start, EVERYTHING.checked({}), SUBJECT)
 
 
 @pytest.fixture

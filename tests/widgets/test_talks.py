@@ -12,8 +12,8 @@ from typing import Any
 
 import numpy as np
 import pytest
-from PySide6.QtCore import QRect, Qt
-from PySide6.QtGui import QGuiApplication
+from PySide6.QtCore import QEvent, QObject, QPoint, QPointF, QRect, Qt, QTimer
+from PySide6.QtGui import QGuiApplication, QTextDocument, QWheelEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QLabel, QWidget
 
@@ -25,13 +25,23 @@ from app.lessons.lesson import MOST_STEPS, parse_lesson
 from app.model.projection import Camera
 from app.scenes.scene import BUILT_IN, Scene
 from tests.support.edits import a_view, edited
-from tests.support.window import MakeWindow, activate, pixels, present, settle
+from tests.support.window import (
+    MakeWindow,
+    activate,
+    arrive,
+    go_to,
+    pixels,
+    present,
+    settle,
+    tick,
+)
 from widgets.parts.message_bar import MessageBar
 from widgets.window.lessons import TRANSITION_S, Lessons
 from widgets.window.main_window import MainWindow
 from widgets.window.settings import Settings
 from widgets.window.speaker import TalkClock, planned
-from widgets.window.talk_band import TalkBand
+from widgets.window.talk_band import LEAST_TEXT_SHARE, TalkBand
+from widgets.window.talks import REST_MS, TYPED_MS
 
 WALKED = """---
 title: A walk
@@ -94,18 +104,6 @@ class StubFiles:
 
     def open_step(self, document: Document, _scene: Scene, _lesson: Path) -> None:
         self._store.open(document, is_work=False)
-
-
-def tick(lessons: Lessons, seconds: float) -> None:
-    """Let time pass for the model that is on its way."""
-    if lessons.is_moving:
-        lessons._clock.ticked.emit(seconds)
-
-
-def arrive(lessons: Lessons) -> None:
-    tick(lessons, TRANSITION_S / 3.0)
-    tick(lessons, 2.0 * TRANSITION_S)
-    assert not lessons.is_moving
 
 
 def wander(rng: random.Random, store: Store, lessons: Lessons) -> None:
@@ -290,6 +288,50 @@ def read_on(widget: QWidget) -> list[str]:
     return [label.text() for label in widget.findChildren(QLabel) if label.isVisible()]
 
 
+def timer(owner: QObject, interval_ms: int) -> QTimer:
+    """The one of an owner's timers that waits so long."""
+    (found,) = (each for each in owner.findChildren(QTimer) if each.interval() == interval_ms)
+    return found
+
+
+def is_asked(window: MainWindow) -> bool:
+    """Whether somebody asks of an event what it is before Qt hands it to the window."""
+    asked = []
+
+    class Noted(QEvent):
+        def type(self) -> QEvent.Type:
+            asked.append(self)
+            return super().type()
+
+    QApplication.sendEvent(window.statusBar(), Noted(QEvent.Type.User))
+    return bool(asked)
+
+
+def column(band: TalkBand, text: str) -> QTextDocument:
+    """What of the band a text stands in: its title, its words, or what is beside them."""
+    columns = band.findChildren(QTextDocument)
+    (found,) = (each for each in columns if text in each.toPlainText())
+    return found
+
+
+def letters_px(band: TalkBand, text: str) -> int:
+    """How large a text stands on the band."""
+    return column(band, text).defaultFont().pixelSize()
+
+
+def has_room(band: TalkBand) -> bool:
+    """Whether all that a band says is seen: the wheel moves nothing."""
+    before, none = band.grab().toImage(), Qt.MouseButton.NoButton
+    for turned in (-1200, 1200):
+        at, turn = QPointF(band.rect().center()), QPoint(0, turned)
+        held, phase = Qt.KeyboardModifier.NoModifier, Qt.ScrollPhase.NoScrollPhase
+        wheel = QWheelEvent(at, band.mapToGlobal(at), QPoint(), turn, none, held, phase, False)
+        QApplication.sendEvent(band, wheel)
+        if band.grab().toImage() != before:
+            return False
+    return True
+
+
 def type_number(window: MainWindow, number: int) -> None:
     press(window, *(Qt.Key(Qt.Key.Key_0.value + int(digit)) for digit in str(number)))
 
@@ -332,7 +374,7 @@ def test_digits_and_enter_jump(window: MainWindow) -> None:
     press(window, Qt.Key.Key_Escape)
     assert window.band.note == "" and window.present.is_on
     type_number(window, 1)
-    window.talks._typed.timeout.emit()  # a pause
+    timer(window.talks, TYPED_MS).timeout.emit()  # a pause
     press(window, Qt.Key.Key_Return)
     assert window.lessons.place == 2
 
@@ -375,7 +417,7 @@ def test_without_a_talk_presenting_is_as_ever(window: MainWindow) -> None:
 
 
 def test_the_prediction_comes_to_what_it_shows(window: MainWindow) -> None:
-    window.lessons.go(1, at_once=True)
+    go_to(window.lessons, 1)
     assert window.store.document.projection.lens.near != 2.0
     before = "How wide is it? A 106.7° B 91.5°"
     assert before in window.band.accessibleName()
@@ -413,7 +455,7 @@ def test_the_band_is_above_the_panes_and_never_moves_them(window: MainWindow) ->
     assert "Only the speaker" not in band.accessibleName()
     places = []
     for place in range(3):
-        window.lessons.go(place, at_once=True)
+        go_to(window.lessons, place)
         settle()
         below = band.mapToGlobal(band.rect().bottomLeft()).y()
         for pane in window.panes.values():
@@ -427,14 +469,15 @@ def test_the_band_is_above_the_panes_and_never_moves_them(window: MainWindow) ->
 
 
 def test_letters_of_the_band_shrink_until_all_has_room(window: MainWindow, talk: Path) -> None:
-    assert window.band._fit > 1.0
+    band = window.band
+    usual_px = band.fontInfo().pixelSize()
+    assert letters_px(band, "The class reads") > usual_px and has_room(band)
     talk.write_text(TALK.replace("The class reads", " ".join(["The class reads"] * 40)))
     window.lessons.read_again()
     settle()
-    assert window.band._fit <= 1.0
-    assert window.band._fits(window.band._fit)
-    least_px = 0.022 * window.screen().size().height()
-    assert window.band._words.defaultFont().pixelSize() >= round(least_px)
+    least_px = LEAST_TEXT_SHARE * window.screen().size().height()
+    assert round(least_px) <= letters_px(band, "The class reads") <= usual_px
+    assert has_room(band)
 
 
 # --------------------------------------------------------------------------- the speaker's window
@@ -444,6 +487,7 @@ def test_the_speakers_window(window: MainWindow) -> None:
     window.talks.open_speaker()
     speaker = window.talks.speaker
     assert speaker is not None and speaker.isVisible() and speaker.isWindow()
+    assert is_asked(window)
     assert "Only the speaker reads this." in speaker.notes.toPlainText()
     assert "Next: A vote" in read_on(speaker)
     assert "step 1 of 3" in read_on(speaker)
@@ -470,7 +514,7 @@ def test_the_speakers_window(window: MainWindow) -> None:
     assert speaker.notes.toPlainText().replace("\u2028", "\n") == asked
     speaker.draw_next()
     assert speaker.picture.pixmap().toImage() != first  # the cube: another pane leads
-    window.lessons.go(2, at_once=True)
+    go_to(window.lessons, 2)
     assert "This is the last step." in read_on(speaker)
     assert speaker.picture.pixmap().isNull()
     QTest.keyClick(speaker, Qt.Key.Key_Escape)
@@ -479,7 +523,7 @@ def test_the_speakers_window(window: MainWindow) -> None:
     assert window.lessons.place == 1
     speaker.close()
     assert window.talks.speaker is None
-    assert not window.talks._listens
+    assert not is_asked(window)  # or every event of every window would wait for it
 
 
 def test_the_notes_are_made_larger_and_stay_so(window: MainWindow) -> None:
@@ -645,16 +689,17 @@ def test_a_file_that_changes_or_vanishes_leaves_the_last_good_one(
 def test_a_step_that_cannot_be_leaves_the_one_before(window: MainWindow, talk: Path) -> None:
     talk.write_text(TALK.replace("view.stage=pyramid", "view.stage=pyramid\nlens.near=99"))
     window.lessons.read_again()
-    window.lessons.go(1, at_once=True)
+    go_to(window.lessons, 1)
     document = window.store.document
     press(window, PAGE_DOWN, PAGE_DOWN)
     assert window.lessons.place == 1
     line = talk.read_text().splitlines().index("lens.near=99") + 1
     assert f"talk.md: line {line}, lens.near = 99" in window.messages.text
     window.messages.done()
-    window.talks._work = window.talks._ahead()
-    while window.talks._work is not None and next(window.talks._work, "done") != "done":
-        pass  # what is made ahead says nothing
+    arrive(window.lessons)
+    timer(window.talks, REST_MS).timeout.emit()
+    while timer(window.talks, 0).isActive():
+        settle()  # what is made ahead says nothing
     assert not window.messages.text
     assert window.lessons.go(1) and document.scene == window.store.document.scene
 
@@ -679,7 +724,7 @@ def test_the_band_shows_a_step_within_its_height(display: Any, talk: Path) -> No
     for step in lesson.steps:
         for revealed in (0, 1):
             band.show_step(step, "1 / 3", revealed)
-            assert band._fits(band._fit)
+            assert has_room(band)
     assert band.height() == round(0.135 * 768)
     table = "\n\n| a | b |\n| - | - |\n" + 4 * "| 1 | 2 |\n"
     tall = parse_lesson(TALK.replace("reads **this**", f"reads **this**.{table}\nAnd"), talk)
@@ -691,13 +736,16 @@ def test_the_band_shows_a_step_within_its_height(display: Any, talk: Path) -> No
         band.set_talk(said, 768.0)
         band.show_step(said.steps[1], "2 / 3", 1)
         assert max(round(0.135 * 768), high) <= band.height() <= round(768 / 3)
-        assert band._asked.defaultFont().pixelSize() >= 0.022 * 768
+        assert letters_px(band, "91.5°") >= LEAST_TEXT_SHARE * 768
+        assert has_room(band) == (times == 1)  # of more, the wheel shows the rest
     band.show_step(said.steps[0], "1 / 3", 0)
     assert band.height() == round(0.135 * 768)  # the usual again
     band.set_talk(tall, 768.0)
     band.show_step(tall.steps[0], "1 / 3", 0)
-    assert band._fits(band._fit) and not band._asked.isEmpty()  # beside the words, in large letters
-    assert band._fit >= 0.9
+    assert has_room(band)
+    words, table = column(band, "The class reads"), column(band, "a\nb\n1\n2")
+    assert words is not table  # which stands beside them, in large letters
+    assert letters_px(band, "a\nb\n1\n2") >= round(0.9 * band.fontInfo().pixelSize())
 
 
 def test_the_speaker_reads_what_is_asked_and_what_is_wrong(window: MainWindow, talk: Path) -> None:
@@ -711,7 +759,7 @@ def test_the_speaker_reads_what_is_asked_and_what_is_wrong(window: MainWindow, t
     talk.write_text(TALK)
     window.lessons.read_again()
     assert not any("talk.md" in text for text in read_on(speaker))
-    window.lessons.go(1, at_once=True)
+    go_to(window.lessons, 1)
     notes = speaker.notes.toPlainText()
     assert "How wide is it?" in notes and "A 106.7°" in notes and "B 91.5° ✓" in notes
     assert "The tangents are in proportion." in notes

@@ -271,11 +271,6 @@ class AnimationBar(QWidget, Playing, Gestures):
 
     # -- playing
 
-    @property
-    def motion(self) -> Motion:
-        """The settings, with the clock as it stood when the walk last began afresh."""
-        return self._motion
-
     def play(self) -> None:
         """Walk on from where the camera is."""
         if self.playing or self._shown is None or not self.isEnabled():

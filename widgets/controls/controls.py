@@ -153,11 +153,6 @@ class Controls(QScrollArea, RowHolder):
 
     # -- the interface
 
-    @property
-    def projection(self) -> Projection:
-        """What the column shows."""
-        return self._projection
-
     def take(self, shown: Shown, changed: Changed) -> None:
         """Show another projection, and fit the sliders to another scene; answered by no signal."""
         if changed & {"scene", "view"}:

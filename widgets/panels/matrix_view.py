@@ -215,16 +215,6 @@ class MatrixView(QWidget):
         """What the cells show; of formulas, as of `widgets.parts.typeset`."""
         return self._texts
 
-    @property
-    def lit(self) -> set[tuple[int, int]]:
-        """Row and column of the cells that the last change changed."""
-        return self._lit
-
-    @property
-    def marks(self) -> list[list[int | None]]:
-        """From which character on each cell's digits have changed."""
-        return self._marks
-
     # -- places
 
     def _small(self) -> QFont:

@@ -185,7 +185,7 @@ class Manipulation(Gestures, QObject):
                 is_gone = projection.lens.planes is None
         if is_gone:
             return ""
-        values = present(self._projection, self._does(handle)[0])
+        values = present(projection, self._does(handle)[0])
         return ", ".join(f"{field_name(name)} = {_shown(value)}" for name, value in values.items())
 
     def _say(self, text: str) -> None:
@@ -244,11 +244,9 @@ class Manipulation(Gestures, QObject):
         sight, drawn = drawing.sight, drawing.planes_drawn
         held = self._grips.get(handle.setting)
         at = place(self._projection, handle, drawn) if held is None else held.point
-        spot = sight.seen([at])[0]
-        grip = handle, drawn, sight, (float(spot[0]), float(spot[1]))
-        self._start(
-            _Drag(self._world, self._projection, grip, held, self._values.get(handle.setting))
-        )
+        ((x_px, y_px),) = sight.seen([at]).tolist()
+        taken, before = (handle, drawn, sight, (x_px, y_px)), self._values.get(handle.setting)
+        self._start(_Drag(self._world, self._projection, taken, held, before))
 
     def take_picture(self, pixel: QPointF) -> None:
         """Take hold of the picture, if a drag in the image pane starts on it."""
@@ -269,8 +267,8 @@ class Manipulation(Gestures, QObject):
         if drag is None:
             return
         right_px, down_px = away.x(), away.y()
-        if drag.grip is not None:
-            handle, drawn, sight, (x, y) = drag.grip
+        if drag.taken is not None:
+            handle, drawn, sight, (x, y) = drag.taken
             pixel = x + right_px, y + down_px
             if drag.held is not None:
                 self._drag_point(drag, drag.held, sight, pixel, shift=shift)
@@ -391,7 +389,7 @@ class _Drag:
 
     pane: Pane
     start: Projection
-    grip: tuple[Handle, tuple[float, float], Sight, tuple[float, float]] | None = None
+    taken: tuple[Handle, tuple[float, float], Sight, Spot] | None = None
     """The handle, where the planes were drawn, how the pane looked, and where the handle was in
     it; None for the picture."""
     held: Grip | None = None

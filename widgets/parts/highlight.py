@@ -30,11 +30,6 @@ class Highlighter(QObject):
         self._by_whom: dict[Hashable, Highlight] = {}
         self._now = NOTHING
 
-    @property
-    def now(self) -> Highlight:
-        """What is highlighted."""
-        return self._now
-
     def mark(self, who: Hashable, what: Highlight) -> None:
         """Take over what somebody is about, or that this is over (`NOTHING`)."""
         self._by_whom.pop(who, None)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import TypeAlias, TypeVar
 
+from PySide6.QtCore import Qt
 from PySide6.QtWidgets import (
     QBoxLayout,
     QFrame,
@@ -16,10 +17,13 @@ from PySide6.QtWidgets import (
 
 from widgets.parts.focus import FocusRing
 
-Part: TypeAlias = QWidget | QLayout | tuple[QWidget | QLayout, int] | int | None
-"""What stands in a line: a widget, a layout, either with its stretch, pixels, or `FREE`."""
+Part: TypeAlias = QWidget | QLayout | tuple[QWidget | QLayout, int | Qt.AlignmentFlag] | int | None
+"""What stands in a line: a widget, a layout, either with its stretch or its alignment, pixels, or
+`FREE`."""
 FREE = None
 """All the room that the others leave."""
+TOP = Qt.AlignmentFlag.AlignTop
+"""Where a sign stands beside a text of more lines."""
 _Line = TypeVar("_Line", bound=QBoxLayout)
 
 
@@ -68,11 +72,14 @@ def _filled(
         if isinstance(part, int):
             line.addSpacing(part)
             continue
-        added, stretch = part if isinstance(part, tuple) else (part, 0)
+        added, how = part if isinstance(part, tuple) else (part, 0)
+        stretch = 0 if isinstance(how, Qt.AlignmentFlag) else how
         if isinstance(added, QLayout):
             line.addLayout(added, stretch)
         else:
             line.addWidget(added, stretch)
+        if isinstance(how, Qt.AlignmentFlag):
+            line.setAlignment(added, how)
     return line
 
 

@@ -29,6 +29,7 @@ from app.drawings.style import LIGHT
 from app.lessons.course import Course, scene_of
 from app.lessons.lesson import Question, Step
 from widgets.parts.lesson_text import set_text
+from widgets.window.pictures import image_of
 
 MARGIN_MM = 18.0
 TEXT_PT, TITLE_PT, NOTE_PT, FOOT_PT = 10.5, 15.0, 9.5, 8.0
@@ -157,9 +158,8 @@ def _figure(document: Document, width: float) -> _Block:
         settings=document.settings,
         quality=document.quality,
     )
-    high, wide, _ = pixels.shape
-    image = QImage(pixels.tobytes(), wide, high, 3 * wide, QImage.Format.Format_RGB888).copy()
-    return _Block(width * high / wide, image)
+    image = image_of(pixels)
+    return _Block(width * image.height() / image.width(), image)
 
 
 class _Pages:

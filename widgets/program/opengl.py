@@ -16,7 +16,7 @@ from PySide6.QtCore import QCoreApplication, Qt, qInstallMessageHandler
 from PySide6.QtGui import QGuiApplication, QOffscreenSurface, QOpenGLContext, QSurfaceFormat
 
 NEEDED = (3, 2)
-_GL_VENDOR, _GL_RENDERER, _GL_VERSION = 0x1F00, 0x1F01, 0x1F02
+_GL_RENDERER, _GL_VERSION = 0x1F01, 0x1F02
 _SOFTWARE = (
     "llvmpipe", "softpipe", "swrast", "software rasterizer", "swiftshader", "swr ",
     "gdi generic", "microsoft basic", "apple software",
@@ -40,19 +40,18 @@ class OpenGL:
     ----------
     version : str
         As the driver gives it, ``"4.5 (Core Profile) Mesa 22.3.6"``.
-    renderer, vendor : str
-        What draws, and who made it.
+    renderer : str
+        What draws.
     software : bool
         Whether the processor draws, because there is no graphics card or no driver for it.
     """
 
     version: str
     renderer: str
-    vendor: str
     software: bool
 
 
-NO_OPENGL = OpenGL("", "", "", software=True)
+NO_OPENGL = OpenGL("", "", software=True)
 """Qt has none: VTK draws off the screen, by what it finds."""
 WITHOUT_OPENGL = ("offscreen", "minimal", "vnc")
 """Qt's platforms on which its windows show no OpenGL."""
@@ -100,8 +99,8 @@ def probe() -> OpenGL:
         raise DisplayError(f"No OpenGL could be started, and 3.2 is needed. {ADVICE}")
     try:
         functions = context.functions()
-        version, renderer, vendor = (
-            str(functions.glGetString(name)) for name in (_GL_VERSION, _GL_RENDERER, _GL_VENDOR)
+        version, renderer = (
+            str(functions.glGetString(name)) for name in (_GL_VERSION, _GL_RENDERER)
         )
         found = context.format().version()
     finally:
@@ -112,7 +111,7 @@ def probe() -> OpenGL:
         raise DisplayError(
             f"OpenGL {found[0]}.{found[1]} is too old ({renderer}): 3.2 is needed. {ADVICE}"
         )
-    return OpenGL(version, renderer, vendor, is_software(renderer))
+    return OpenGL(version, renderer, is_software(renderer))
 
 
 def main() -> int:

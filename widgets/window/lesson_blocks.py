@@ -25,13 +25,11 @@ from PySide6.QtGui import (
 from PySide6.QtWidgets import (
     QButtonGroup,
     QFrame,
-    QHBoxLayout,
     QLabel,
     QLineEdit,
     QPushButton,
     QRadioButton,
     QSizePolicy,
-    QVBoxLayout,
     QWidget,
 )
 
@@ -43,7 +41,9 @@ from app.lessons.lesson import Question, Task, refused
 from app.lessons.quantities import NotThere
 from app.lessons.text import escaped, plain_of
 from app.model.refusal import Refusal
+from widgets.parts.buttons import push_button
 from widgets.parts.icons import paint_icon
+from widgets.parts.layouts import FREE, TOP, in_column, in_row
 from widgets.parts.lesson_text import LessonText
 from widgets.parts.messages import figure_text, sentence
 
@@ -108,13 +108,10 @@ class Asked(QFrame):
         self.hints = list(part.hints)
         """Those that were not given yet."""
         self.setAccessibleName(plain_of(part.text))
-        self._column = QVBoxLayout(self)
-        self._column.setContentsMargins(9, 7, 9, 8)
-        self._column.setSpacing(5)
+        self._column = in_column(on=self, margins=(9, 7, 9, 8), gap=5)
         self.said: list[QWidget] = []
         """What is said to it, from above."""
-        self._said = QVBoxLayout()
-        self._said.setSpacing(4)
+        self._said = in_column(gap=4)
 
     @property
     def is_open(self) -> bool:
@@ -159,12 +156,9 @@ class Asked(QFrame):
         self._said.addWidget(widget)
 
     def _offer(self, name: str, tip: str, act: Callable[[], object]) -> QPushButton:
-        button = _button(name, tip, act)
-        holder = QWidget()
-        row = QHBoxLayout(holder)
-        row.setContentsMargins(round(1.4 * self.fontMetrics().height()), 0, 0, 0)
-        row.addWidget(button)
-        row.addStretch(1)
+        button, holder = _button(name, tip, act), QWidget()
+        indent = round(1.4 * self.fontMetrics().height())
+        in_row(button, FREE, on=holder, margins=(indent, 0, 0, 0))
         self._add(holder)
         return button
 
@@ -195,23 +189,15 @@ class Asked(QFrame):
 def _row(icon: str, sign: str, text: str) -> QWidget:
     """A text behind its sign; without one as far to the right."""
     holder = QWidget()
-    row = QHBoxLayout(holder)
-    row.setContentsMargins(0, 0, 0, 0)
-    row.setSpacing(4)
-    if icon:
-        mark = Sign(icon, sign)
-        row.addWidget(mark, 0, Qt.AlignmentFlag.AlignTop)
-    else:
-        row.addSpacing(round(1.15 * holder.fontMetrics().height()))
-    row.addWidget(LessonText(text), 1)
+    indent = round(1.15 * holder.fontMetrics().height())
+    before = (Sign(icon, sign), TOP) if icon else indent
+    in_row(before, (LessonText(text), 1), on=holder, margins=(0, 0, 0, 0), gap=4)
     return holder
 
 
 def _button(name: str, tip: str, act: Callable[[], object]) -> QPushButton:
-    button = QPushButton(name)
-    button.setToolTip(tip)
+    button = push_button(name, tip, lambda _checked=False: act())
     button.setAutoDefault(True)  # Enter presses it
-    button.clicked.connect(lambda _checked=False: act())
     button.setSizePolicy(QSizePolicy.Policy.Maximum, QSizePolicy.Policy.Fixed)
     return button
 
@@ -232,12 +218,8 @@ class _Choice(QWidget):
         self._text.viewport().installEventFilter(self)
         self._sign = Sign("", "")
         self._sign.hide()
-        row = QHBoxLayout(self)
-        row.setContentsMargins(3, 2, 3, 2)
-        row.setSpacing(5)
-        row.addWidget(self.button, 0, Qt.AlignmentFlag.AlignTop)
-        row.addWidget(self._text, 1)
-        row.addWidget(self._sign, 0, Qt.AlignmentFlag.AlignTop)
+        parts = (self.button, TOP), (self._text, 1), (self._sign, TOP)
+        in_row(*parts, on=self, margins=(3, 2, 3, 2), gap=5)
 
     def mark(self, icon: str, said: str) -> None:
         """Say that it is the right one, or that it is not."""
@@ -410,14 +392,8 @@ class Types(Asked):
         self.field.setMaximumWidth(11 * self.fontMetrics().height())
         self.field.returnPressed.connect(self.check)
         self._check = _button(self.tr("Chec&k"), self.tr("Enter"), self.check)
-        row = QHBoxLayout()
-        row.setSpacing(5)
-        row.addWidget(self.field, 1)
-        if part.unit:
-            row.addWidget(QLabel(part.unit))
-        row.addWidget(self._check)
-        row.addStretch(1)
-        self._column.addLayout(row)
+        unit = [QLabel(part.unit)] if part.unit else []
+        self._column.addLayout(in_row((self.field, 1), *unit, self._check, FREE, gap=5))
         self._column.addLayout(self._said)
         if answer:
             self._restore(answer)
@@ -516,12 +492,8 @@ class Tries(Asked):
     def __init__(self, course: Course, place: int, part: Task, answer: str = "") -> None:
         super().__init__(course, place, part)
         self.task = part
-        row = QHBoxLayout()
-        row.setSpacing(4)
         self._sign = Sign("", self.tr("To do"))
-        row.addWidget(self._sign, 0, Qt.AlignmentFlag.AlignTop)
-        row.addWidget(LessonText(part.text), 1)
-        self._column.addLayout(row)
+        self._column.addLayout(in_row((self._sign, TOP), (LessonText(part.text), 1), gap=4))
         self._column.addLayout(self._said)
         if answer:
             self.answer = DONE

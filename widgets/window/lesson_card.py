@@ -32,7 +32,6 @@ from PySide6.QtWidgets import (
     QScrollArea,
     QSplitter,
     QToolButton,
-    QVBoxLayout,
     QWidget,
 )
 
@@ -43,8 +42,9 @@ from app.lessons.course import CONTENT, Course, contained
 from app.lessons.lesson import Head, Lesson, Part, Step, Words, head_of
 from app.lessons.text import escaped, plain_of
 from widgets.controls.controls import Controls
+from widgets.parts.buttons import push_button, tool_button
 from widgets.parts.focus import lay_out
-from widgets.parts.icons import show_icon
+from widgets.parts.layouts import FREE, TOP, in_column, in_row
 from widgets.parts.lesson_text import LessonText
 from widgets.window.lesson_blocks import DONE, Asked, Chooses, Tries, block_of
 from widgets.window.lessons import Lessons
@@ -111,9 +111,7 @@ class LessonCard(QFrame):
         self.setAccessibleName(self.tr("Lesson"))
         self._lessons, self._store, self._settings = lessons, store, settings
         self._progress = Progress()
-        self._late = QTimer(self)
-        self._late.setSingleShot(True)
-        self._late.setInterval(LATE_MS)
+        self._late = QTimer(self, singleShot=True, interval=LATE_MS)
         self._late.timeout.connect(self._keep)
         self._rest: list[Part] = []
         """What of the step is not seen yet."""
@@ -124,47 +122,28 @@ class LessonCard(QFrame):
         self.is_on = False
         """Whether there is something to read: a lesson, or that it is done."""
         self.blocks: list[Asked] = []
-        self._title = QLabel()
+        self._title = QLabel(wordWrap=True, textFormat=Qt.TextFormat.PlainText)
         self._title.setObjectName("paneTitle")
-        self._title.setWordWrap(True)
-        self._title.setTextFormat(Qt.TextFormat.PlainText)
-        self.anew = _tool("reset", self.tr("Begin again: forget what was answered here"))
-        self.anew.clicked.connect(self.begin_again)
-        self._leave = _tool("close", self.tr("Close the lesson"))
-        self._leave.clicked.connect(self.leave)
-        head = QHBoxLayout()
-        head.addWidget(self._title, 1)
-        for button in (self.anew, self._leave):
-            head.addWidget(button, 0, Qt.AlignmentFlag.AlignTop)
+        forget = self.tr("Begin again: forget what was answered here")
+        self.anew = _tool("reset", forget, self.begin_again)
+        close = _tool("close", self.tr("Close the lesson"), self.leave)
         self._marks = QWidget()
         self._marks.setObjectName("stepMarks")
         self._numbers: list[QToolButton] = []
         self._counted = QLabel()
         self._counted.setObjectName("paneNote")
-        self._marks_row = row = QHBoxLayout(self._marks)
-        row.setContentsMargins(0, 0, 0, 0)
-        row.setSpacing(2)
-        row.addStretch(1)
-        row.addWidget(self._counted)
-        self._area = QScrollArea()
-        self._area.setWidgetResizable(True)
+        self._marks_row = in_row(FREE, self._counted, on=self._marks, margins=(0, 0, 0, 0), gap=2)
+        self._area = QScrollArea(widgetResizable=True)
         self._area.setFrameShape(QFrame.Shape.NoFrame)
         self._area.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self._area.setAccessibleName(self.tr("Step"))
-        self._notice = QLabel()
-        self._notice.setWordWrap(True)
+        self._notice = QLabel(wordWrap=True)
         self._notice.setObjectName("notice")
         self._notice.hide()
-        column = QVBoxLayout(self)
-        column.setContentsMargins(9, 6, 6, 6)
-        column.setSpacing(5)
-        column.addLayout(head)
-        column.addWidget(self._marks)
-        column.addWidget(self._area, 1)
-        column.addWidget(self._notice)
-        column.addLayout(self._foot())
-        self._looking = QTimer(self)
-        self._looking.setSingleShot(True)
+        head = in_row((self._title, 1), (self.anew, TOP), (close, TOP))
+        parts = head, self._marks, (self._area, 1), self._notice, self._foot()
+        in_column(*parts, on=self, margins=(9, 6, 6, 6), gap=5)
+        self._looking = QTimer(self, singleShot=True)
         self._looking.timeout.connect(self._look)
         lessons.opened.connect(self._open)
         lessons.stepped.connect(self._step)
@@ -175,27 +154,23 @@ class LessonCard(QFrame):
             QKeySequence(key).toString(QKeySequence.SequenceFormat.NativeText)
             for key in (BACK_KEY, AGAIN_KEY, NEXT_KEY)
         )
-        self.back = _push(self.tr("&Back"), self.tr("The step before ({0})").format(back_key))
+        self.back = _push(
+            self.tr("&Back"), self.tr("The step before ({0})").format(back_key), self.go_back
+        )
         self.again = _push(
             self.tr("Show again"),
             self.tr("Show the step again, whatever was tried ({0})").format(again_key),
+            self.show_again,
         )
         self.again.setAccessibleName(self.tr("Show the step again"))
-        self.hint = _push(self.tr("H&int"), self.tr("A hint, one after the other (Alt+I)"))
-        self.next = _push(self.tr("&Next"), self.tr("The next step ({0})").format(next_key))
+        self.hint = _push(
+            self.tr("H&int"), self.tr("A hint, one after the other (Alt+I)"), self.give_hint
+        )
+        self.next = _push(
+            self.tr("&Next"), self.tr("The next step ({0})").format(next_key), self.go_on
+        )
         self.next.setObjectName("nextStep")
-        self.back.clicked.connect(self.go_back)
-        self.again.clicked.connect(self.show_again)
-        self.hint.clicked.connect(self.give_hint)
-        self.next.clicked.connect(self.go_on)
-        row = QHBoxLayout()
-        row.setSpacing(4)
-        row.addWidget(self.back)
-        row.addWidget(self.again)
-        row.addStretch(1)
-        row.addWidget(self.hint)
-        row.addWidget(self.next)
-        return row
+        return in_row(self.back, self.again, FREE, self.hint, self.next, gap=4)
 
     # -- what is open
 
@@ -298,12 +273,10 @@ class LessonCard(QFrame):
         self._numbers.clear()
         if len(lesson.steps) <= MOST_MARKS:
             for place, step in enumerate(lesson.steps):
-                mark = QToolButton()
-                mark.setText(str(place + 1))
-                mark.setCheckable(True)
-                mark.setAutoRaise(True)
-                mark.setToolTip(plain_of(step.title))
-                mark.clicked.connect(partial(self.go_to, place))
+                act = partial(self.go_to, place)
+                mark = tool_button(
+                    str(place + 1), plain_of(step.title), act, flat=True, checkable=True
+                )
                 self._numbers.append(mark)
                 row.insertWidget(place, mark)
 
@@ -334,13 +307,8 @@ class LessonCard(QFrame):
         """The step's title, then its text and what it asks, in their order."""
         self._clear()
         page = QWidget()
-        column = QVBoxLayout(page)
-        column.setContentsMargins(0, 0, 6, 4)
-        self._column = QVBoxLayout()
-        self._column.setSpacing(8)
-        column.addLayout(self._column)
-        column.addStretch(1)
-        self._column.addWidget(LessonText(self._here.title, title=True))
+        self._column = in_column(LessonText(self._here.title, title=True), gap=8)
+        in_column(self._column, FREE, on=page, margins=(0, 0, 6, 4))
         self._rest = [*self._here.parts]
         self._unfold()
         self._area.setWidget(page)
@@ -486,29 +454,21 @@ class LessonCard(QFrame):
         self._clear()
         self._shown = None
         self._lessons.close()
-        page = QWidget()
-        column = QVBoxLayout(page)
-        column.addWidget(LessonText(escaped(said)))
-        first = None
+        ways = []
         if following is not None:
-            first = _push(
-                self.tr("Next lesson: {0}").format(following.title.replace("&", "&&")),
-                self.tr("Open it"),
-            )
-            first.clicked.connect(partial(self.open, following.path))
-            column.addWidget(first)
+            name = self.tr("Next lesson: {0}").format(following.title.replace("&", "&&"))
+            ways.append(_push(name, self.tr("Open it"), partial(self.open, following.path)))
+        close = _push(self.tr("&Close"), self.tr("Close the lesson"), self.leave)
+        first = ways[0] if ways else close
         if left:
-            name = lesson.steps[left[0]].name
-            rest = _push(self.tr("Back to step {0}").format(left[0] + 1), self.tr("Go on there"))
-            rest.clicked.connect(partial(self._lessons.open, lesson.path, name))
-            column.addWidget(rest)
-        close = _push(self.tr("&Close"), self.tr("Close the lesson"))
-        close.clicked.connect(self.leave)
-        column.addWidget(close)
-        column.addStretch(1)
+            name = self.tr("Back to step {0}").format(left[0] + 1)
+            act = partial(self._lessons.open, lesson.path, lesson.steps[left[0]].name)
+            ways.append(_push(name, self.tr("Go on there"), act))
+        page = QWidget()
+        in_column(LessonText(escaped(said)), *ways, close, FREE, on=page)
         self._area.setWidget(page)
         self._show_way(False)
-        (first or close).setFocus(Qt.FocusReason.OtherFocusReason)
+        first.setFocus(Qt.FocusReason.OtherFocusReason)
         self.went_on.emit()
 
     def _show_way(self, on: bool) -> None:
@@ -573,18 +533,12 @@ def _after(path: Path) -> Head | None:
     return lessons[place] if place < len(lessons) else None
 
 
-def _tool(icon: str, name: str) -> QToolButton:
-    button = QToolButton()
-    button.setAutoRaise(True)
-    show_icon(button, icon)
-    button.setToolTip(name)
-    button.setAccessibleName(name)
-    return button
+def _tool(icon: str, name: str, act: object) -> QToolButton:
+    return tool_button(tip=name, act=act, icon=icon, name=name, flat=True)
 
 
-def _push(text: str, tip: str) -> QPushButton:
-    button = QPushButton(text)
-    button.setToolTip(tip)
+def _push(text: str, tip: str, act: object) -> QPushButton:
+    button = push_button(text, tip, act)
     button.setAutoDefault(True)  # Enter presses it
     return button
 

@@ -182,7 +182,7 @@ class Lessons(QObject):
 
     # -- going
 
-    def go(self, place: int, *, at_once: bool = False) -> bool:
+    def go(self, place: int) -> bool:
         """Show a step; False if there is none such, or its state cannot be: the last one stays."""
         if self.course is None or not 0 <= place < len(self.course.lesson.steps):
             return False
@@ -195,7 +195,7 @@ class Lessons(QObject):
         self._finish()
         self._stand_still()
         again, self.place = place == self.place, place
-        self._show(shown, scene, at_once)
+        self._show(shown, scene)
         if not again:
             self._arrived = self._store.look().panes
         elif self._store.look().panes != self._arrived:
@@ -234,15 +234,15 @@ class Lessons(QObject):
             self._store.document.mesh,
         )
         fields |= {"panes": look.panes if same else {}}
-        self._move_to(replace(document, view=replace(look, **fields)), scene_of(document), False)
+        self._move_to(replace(document, view=replace(look, **fields)), scene_of(document))
 
-    def _show(self, shown: Shown, scene: Any, at_once: bool) -> None:
+    def _show(self, shown: Shown, scene: Any) -> None:
         here = self._store.document.scene, self._store.document.mesh
         there = shown.document.scene, shown.document.mesh
         if here != there:
             self._views[here] = self._store.look().panes
         view = self._view(shown, other_scene=here != there)
-        self._move_to(replace(shown.document, view=view), scene, at_once)
+        self._move_to(replace(shown.document, view=view), scene)
 
     def _view(self, shown: Shown, *, other_scene: bool) -> View:
         """How a step is looked at: as the step says, and else as it is."""
@@ -255,7 +255,7 @@ class Lessons(QObject):
             )  # fmt: skip
         return replace(look, **shown.view)
 
-    def _move_to(self, end: Document, scene: Any, at_once: bool) -> None:
+    def _move_to(self, end: Document, scene: Any) -> None:
         """Change to a document in one step of undo; the model moves there, if it can."""
         store = self._store
         start, look = store.document, store.look()
@@ -263,7 +263,7 @@ class Lessons(QObject):
         self._start, self._end = start, end
         self._stages = look.stage, end.view.stage
         first = None
-        if not at_once and transition.can_move(start, end):
+        if transition.can_move(start, end):
             first = transition.between(start, end, 0.02)
         else:  # it is there at once, and only the strip may be on its way
             self._start = end
@@ -278,8 +278,8 @@ class Lessons(QObject):
         else:  # the step that undo goes back to; then on from it, frame by frame
             store.set_document(end if first is None else first)
         self._moving = False
-        moves = (start.scene, start.mesh) == (end.scene, end.mesh) and not at_once
-        if moves and (first is not None or self._stages[0] != self._stages[1]):
+        same = (start.scene, start.mesh) == (end.scene, end.mesh)
+        if same and (first is not None or self._stages[0] != self._stages[1]):
             self._part = 0.0
             self._to_stage(look.stage)
             self._clock.start()

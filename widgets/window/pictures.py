@@ -24,6 +24,13 @@ if TYPE_CHECKING:
     from widgets.window.export_dialog import ExportChoice
 
 
+def image_of(pixels: Pixels) -> QImage:
+    """A drawn picture as Qt has it."""
+    height, width, _ = pixels.shape
+    form = QImage.Format.Format_RGB888
+    return QImage(pixels.tobytes(), width, height, 3 * width, form).copy()
+
+
 class Pictures(QObject):
     """Exports and copies pictures for one window.
 

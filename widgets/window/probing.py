@@ -130,16 +130,13 @@ class Probing(QObject):
             return ()
         from app.drawings.probes import pick_in
 
-        x_px, y_px = place.x(), place.y()
-        pixel = None
+        at, pixel = (place.x(), place.y()), None
         if name == "image":
-            pixel = drawing.image_pixel(x_px, y_px)
+            pixel = drawing.image_pixel(*at)
             if pixel is None:  # beside the picture
                 return ()
-        pixel_ratio = self._panes[name].canvas.pixel_ratio
-        shown = self._shown()
-        at = x_px, y_px
-        hit = pick_in(shown.scene, shown.projection, drawing.sight, at, pixel_ratio)
+        shown, ratio = self._shown(), self._panes[name].canvas.pixel_ratio
+        hit = pick_in(shown.scene, shown.projection, drawing.sight, at, ratio)
         if hit is not None:
             return (Probe(0, point=hit.point),)
         return () if pixel is None else (Probe(0, pixel=pixel),)

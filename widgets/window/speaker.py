@@ -19,13 +19,11 @@ from PySide6.QtGui import (
 from PySide6.QtWidgets import (
     QFrame,
     QGridLayout,
-    QHBoxLayout,
     QLabel,
     QListWidget,
     QPushButton,
     QSizePolicy,
     QTextEdit,
-    QVBoxLayout,
     QWidget,
 )
 
@@ -35,7 +33,10 @@ from app.lessons.lesson import Question, Step
 from app.lessons.text import plain_of
 from app.model.refusal import Refusal
 from widgets.parts import palette
+from widgets.parts.buttons import push_button
+from widgets.parts.layouts import TOP, in_column, in_row
 from widgets.parts.lesson_text import set_text
+from widgets.window.pictures import image_of
 from widgets.window.settings import LARGEST_NOTES_PX, LEAST_NOTES_PX, Settings
 from widgets.window.talk_band import CHOICES
 
@@ -125,18 +126,16 @@ class SpeakerWindow(QWidget):
         self._place = 0
         self._pictures: OrderedDict[tuple[Course, int], QImage] = OrderedDict()
         self._make()
-        self._tick = QTimer(self)
-        self._tick.setInterval(500)
+        self._tick = QTimer(self, interval=500)
         self._tick.timeout.connect(self._show_time)
         self._tick.start()
 
     def _make(self) -> None:
         self._number = QLabel()
-        self._title = QLabel()
-        self._title.setWordWrap(True)
-        self._title.setTextFormat(Qt.TextFormat.PlainText)
-        self._said = QLabel()
-        self._said.setWordWrap(True)
+        self._title, self._next_title = (
+            QLabel(wordWrap=True, textFormat=Qt.TextFormat.PlainText) for _ in range(2)
+        )
+        self._said = QLabel(wordWrap=True)
         self._clock = QLabel()
         self._elapsed = QLabel()
         self._plan = QLabel()
@@ -144,46 +143,27 @@ class SpeakerWindow(QWidget):
         self.notes.setReadOnly(True)
         self.notes.setFrameShape(QFrame.Shape.StyledPanel)
         self.notes.setAccessibleName(self.tr("Notes"))
-        self._next_title = QLabel()
-        self._next_title.setWordWrap(True)
-        self._next_title.setTextFormat(Qt.TextFormat.PlainText)
         self.picture = QLabel()
         self.picture.setAlignment(Qt.AlignmentFlag.AlignCenter)
         self.picture.setMinimumSize(160, 100)
         self.picture.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Expanding)
         self.steps = QListWidget()
         self.steps.setAccessibleName(self.tr("Steps"))
-        self.steps.itemActivated.connect(
-            lambda item: self.jump_wanted.emit(self.steps.row(item) + 1)
-        )
-        self.steps.itemClicked.connect(lambda item: self.jump_wanted.emit(self.steps.row(item) + 1))
+        for chosen in (self.steps.itemActivated, self.steps.itemClicked):
+            chosen.connect(lambda item: self.jump_wanted.emit(self.steps.row(item) + 1))
         self.pause = self._button("", self.clock.toggle)
         self.reset = self._button(self.tr("&Reset"), self.clock.reset)
         back = self._button(self.tr("◀ &Back"), self.previous_wanted.emit)
         forward = self._button(self.tr("&Next ▶"), self.next_wanted.emit)
         blank = self._button(self.tr("B&lank"), self.blank_wanted.emit)
-        times = QHBoxLayout()
-        for widget in (self._clock, self._elapsed, self.pause, self.reset):
-            times.addWidget(widget)
-            times.addSpacing(8)
-        times.addWidget(self._plan, 1)
-        below = QHBoxLayout()
-        for widget in (back, forward, blank):
-            below.addWidget(widget)
-        below.addWidget(self._said, 1)
-        beside = QVBoxLayout()
-        beside.addWidget(self._next_title)
-        beside.addWidget(self.picture, 3)
-        beside.addWidget(self.steps, 2)
+        times = (self._clock, 8, self._elapsed, 8, self.pause, 8, self.reset, 8, (self._plan, 1))
         layout = QGridLayout(self)
-        layout.addLayout(times, 0, 0, 1, 2)
-        heading = QHBoxLayout()
-        heading.addWidget(self._title, 1)
-        heading.addWidget(self._number, 0, Qt.AlignmentFlag.AlignTop)
-        layout.addLayout(heading, 1, 0)
+        layout.addLayout(in_row(*times), 0, 0, 1, 2)
+        layout.addLayout(in_row((self._title, 1), (self._number, TOP)), 1, 0)
         layout.addWidget(self.notes, 2, 0)
+        beside = in_column(self._next_title, (self.picture, 3), (self.steps, 2))
         layout.addLayout(beside, 1, 1, 2, 1)
-        layout.addLayout(below, 3, 0, 1, 2)
+        layout.addLayout(in_row(back, forward, blank, (self._said, 1)), 3, 0, 1, 2)
         layout.setColumnStretch(0, 3)
         layout.setColumnStretch(1, 2)
         layout.setRowStretch(2, 1)
@@ -197,9 +177,8 @@ class SpeakerWindow(QWidget):
         self._show_time()
 
     def _button(self, text: str, act: Callable[[], object]) -> QPushButton:
-        button = QPushButton(text)
+        button = push_button(text, act=lambda: act())
         button.setFocusPolicy(Qt.FocusPolicy.TabFocus)
-        button.clicked.connect(lambda: act())
         button.clicked.connect(self._show_time)
         return button
 
@@ -351,5 +330,4 @@ def _drawn(document: Document, theme: str) -> QImage:
         settings=document.settings,
         quality=document.quality,
     )
-    high, wide, _ = pixels.shape
-    return QImage(pixels.tobytes(), wide, high, 3 * wide, QImage.Format.Format_RGB888).copy()
+    return image_of(pixels)

@@ -12,9 +12,8 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from functools import partial
 from pathlib import Path
 
-import numpy as np
 from PySide6.QtCore import QEvent, QObject, QSize, Qt, QTimer, Signal
-from PySide6.QtGui import QCloseEvent, QIcon, QImage, QMouseEvent, QPixmap
+from PySide6.QtGui import QCloseEvent, QIcon, QMouseEvent, QPixmap
 from PySide6.QtWidgets import (
     QCheckBox,
     QFrame,
@@ -36,6 +35,7 @@ from widgets.parts.layouts import FREE, in_column, in_row
 from widgets.parts.messages import file_title
 from widgets.window.lesson_card import TOUR
 from widgets.window.lesson_menu import fill
+from widgets.window.pictures import image_of
 from widgets.window.settings import Progress
 
 log = logging.getLogger(__name__)
@@ -47,14 +47,14 @@ DRAWN_FINER = 2.0
 """A thumbnail is drawn so many times as large, or the letters in it would hide it."""
 
 
+BARE = View(layers=frozenset({"labels"}))
+"""Nothing could be read so small."""
+
+
 def _heading(text: str) -> QLabel:
     heading = QLabel(text)
     heading.setObjectName("paneTitle")
     return heading
-
-
-BARE = View(layers=frozenset({"labels"}))
-"""Nothing could be read so small."""
 
 
 class StartCard(QWidget):
@@ -158,22 +158,15 @@ class StartCard(QWidget):
             self.tr("Two-minute tour"), self.tr("Six things to try, one after the other"),
             partial(choose, str(TOUR)), icon="play", flat=True,
         )  # fmt: skip
-        for text, icon, tip in (
-            (
-                self.tr("Lessons"),
-                "lesson",
-                self.tr("24 topics of the lectures, to work through alone"),
-            ),
-            (
-                self.tr("Talks"),
-                "present",
-                self.tr("The five lectures, to step through for a class"),
-            ),
+        lessons = self.tr("24 topics of the lectures, to work through alone")
+        talks = self.tr("The five lectures, to step through for a class")
+        for are_talks, text, tip, icon in (
+            (False, self.tr("Lessons"), lessons, "lesson"),
+            (True, self.tr("Talks"), talks, "present"),
         ):
             button = tool_button(text, tip, icon=icon, flat=True)
             menu = QMenu(button)
-            talks = icon == "present"
-            menu.aboutToShow.connect(partial(fill, menu, progress, choose, talks=talks))
+            menu.aboutToShow.connect(partial(fill, menu, progress, choose, talks=are_talks))
             button.setMenu(menu)
             button.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
             yield button
@@ -219,16 +212,12 @@ class StartCard(QWidget):
 
         ratio = self.devicePixelRatioF()
         scene = load(name)
-        size = [round(side * ratio * DRAWN_FINER) for side in THUMBNAIL_PX]
+        width, height = (round(side * ratio * DRAWN_FINER) for side in THUMBNAIL_PX)
         style = palette.drawing_style(dark=self._dark, screen_px=0.0, device_pixel_ratio=ratio)
         pixels = render(
-            scene, scene.start, [scene.leading], (size[0], size[1]), style=style, view=BARE
+            scene, scene.start, [scene.leading], (width, height), style=style, view=BARE
         )
-        height, width, _ = pixels.shape
-        image = QImage(
-            np.ascontiguousarray(pixels).data, width, height, 3 * width, QImage.Format.Format_RGB888
-        )
-        pixmap = QPixmap.fromImage(image.scaled(
+        pixmap = QPixmap.fromImage(image_of(pixels).scaled(
             round(width / DRAWN_FINER), round(height / DRAWN_FINER),
             Qt.AspectRatioMode.KeepAspectRatio, Qt.TransformationMode.SmoothTransformation,
         ))  # fmt: skip

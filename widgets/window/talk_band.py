@@ -36,7 +36,7 @@ SIDE_SHARE = 0.48
 """Of the band's width, for what stands beside the words."""
 MANY_CHOICES = 4
 CHOICES = "ABCDEFGHIJ"
-_GAP_PX = 10
+_GAP_PX, _EDGE_PX = 10, 2
 
 
 class TalkBand(QFrame):
@@ -56,7 +56,6 @@ class TalkBand(QFrame):
         self._number, self.note = "", ""
         self._ways: list[tuple[str, str]] = [("", "")]
         """The words, and what stands beside them: as it may be shared out."""
-        self._fit = SIZES[0]
         self._screen_px = 0.0
         self._usual_px = 0
         """Its height, unless a step says too much for it."""
@@ -131,11 +130,16 @@ class TalkBand(QFrame):
         """The height in which all has room, as it is set."""
         words = self._title.size().height() + self._words.size().height()
         beside = 0.0 if self._asked.isEmpty() else self._asked.size().height()
-        return math.ceil(max(words, beside) + 4.0)
+        return math.ceil(max(words, beside) + 2 * _EDGE_PX)
+
+    @property
+    def _room(self) -> QRectF:
+        """Without the edges."""
+        return QRectF(self.rect()).adjusted(_GAP_PX, _EDGE_PX, -_GAP_PX, -_EDGE_PX)
 
     def _columns(self) -> tuple[QRectF, QRectF]:
         """Where the words stand, and where the question; in the whole width without one."""
-        room = QRectF(self.rect()).adjusted(_GAP_PX, 2.0, -_GAP_PX, -2.0)
+        room = self._room
         if self._asked.isEmpty():
             return room, QRectF()
         left, right = QRectF(room), QRectF(room)
@@ -165,6 +169,7 @@ class TalkBand(QFrame):
         self.update()
 
     def _share_out(self, words: str, beside: str) -> float:
+        """Set it this way in the largest letters that have room, or in the smallest: these."""
         self._set(self._words, words)
         self._set(self._asked, beside)
         sizes = self._sizes
@@ -172,9 +177,8 @@ class TalkBand(QFrame):
         while low < high:
             middle = (low + high) // 2
             low, high = (low, middle) if self._fits(sizes[middle]) else (middle + 1, high)
-        self._fit = sizes[low]
-        self._fits(self._fit)
-        return self._fit
+        self._fits(sizes[low])
+        return sizes[low]
 
     def _fits(self, size: float) -> bool:
         """Set everything in letters of a size, and tell whether it has room."""
@@ -190,10 +194,7 @@ class TalkBand(QFrame):
             font.setPixelSize(max(8, round(size * larger * em)))
             document.setDefaultFont(font)
             document.setTextWidth(max(1.0, width))
-        high = self._title.size().height() + self._words.size().height()
-        return high <= left.height() and (
-            right.isNull() or self._asked.size().height() <= right.height()
-        )
+        return self._needed_px <= self.height()
 
     def paintEvent(self, event: QPaintEvent) -> None:
         super().paintEvent(event)
@@ -206,7 +207,7 @@ class TalkBand(QFrame):
             painter.setPen(self.palette().color(QPalette.ColorRole.Mid))
             x = right.left() - 1.5 * _GAP_PX
             painter.drawLine(QPointF(x, 4.0), QPointF(x, self.height() - 4.0))
-        room = QRectF(self.rect()).adjusted(_GAP_PX, 2.0, -_GAP_PX, -2.0)
+        room = self._room
         painter.setPen(self.palette().color(QPalette.ColorRole.WindowText))
         right_of = Qt.AlignmentFlag.AlignRight
         painter.drawText(room, right_of | Qt.AlignmentFlag.AlignTop, self._number)

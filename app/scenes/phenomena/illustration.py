@@ -227,11 +227,6 @@ class Phenomenon:
     own_mesh_crosses: bool = False
     comparisons: tuple[Comparison, ...] = ()
 
-    @property
-    def defaults(self) -> Settings:
-        """The settings with which it opens."""
-        return MappingProxyType({setting.name: setting.default for setting in self.settings})
-
     def illustration(
         self, projection: Projection, settings: Settings, subject: Subject
     ) -> Illustration:
