@@ -153,7 +153,17 @@ class Course:
                 document = self._made(state, before)
                 view = {name: getattr(document.view, name) for name in self._managed}
                 self._shown[number] = Shown(document, view)
-        return self._shown[place]
+        shown = self._shown[place]
+        self._try_scene(shown.document, place)
+        return shown
+
+    def _try_scene(self, document: Document, place: int) -> None:
+        """Read the scene, if it is not known: a mesh may vanish during a talk."""
+        while place > 0 and not self._anew(place):
+            place -= 1
+        state = self.lesson.steps[place].state
+        with on_line(state.line if state is not None else 1):
+            scene_of(document)
 
     def _anew(self, place: int) -> bool:
         state = self.lesson.steps[place].state
@@ -243,7 +253,12 @@ class Course:
         Refusal
             With its line.
         """
-        return self._made(state, None if state.begins_anew else self.shown(place).document)
+        if not state.begins_anew:
+            return self._made(state, self.shown(place).document)
+        document = self._made(state, None)
+        with on_line(state.line):
+            scene_of(document)
+        return document
 
     def value(self, place: int, question: Question, formula: Formula, line: int) -> float:
         """What a formula of a question is worth.

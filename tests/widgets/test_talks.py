@@ -672,7 +672,7 @@ def test_a_file_that_changes_or_vanishes_leaves_the_last_good_one(
         act()
         window.lessons.read_again()
         settle()
-        assert any(said in text for text in read_on(speaker)), read_on(speaker)
+        assert any(said in text for text in read_on(speaker))
         assert not window.messages.text  # which the class would read
         assert window.lessons.course is course and window.store.document == document
     speaker.close()
@@ -702,6 +702,71 @@ def test_a_step_that_cannot_be_leaves_the_one_before(window: MainWindow, talk: P
         settle()  # what is made ahead says nothing
     assert not window.messages.text
     assert window.lessons.go(1) and document.scene == window.store.document.scene
+
+
+MESHES = TALK.replace("view.large=ndc\nview.stage=pyramid", "document: house.json")
+TRIANGLE = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"
+
+
+@pytest.mark.parametrize("known", [False, True], ids=["never-seen", "seen-before"])
+def test_the_speaker_reads_which_step_cannot_be_and_not_the_class(
+    window: MainWindow, talk: Path, known: bool
+) -> None:
+    mesh = talk.with_name("house.obj")
+    mesh.write_text(TRIANGLE)
+    document = Document(str(mesh), scene_of(Document("cube")).start)
+    talk.with_name("house.json").write_text(to_json(document))
+    talk.write_text(MESHES)
+    assert window.lessons.open(talk)
+    window.talks.open_speaker()
+    speaker = window.talks.speaker
+    assert speaker is not None
+    if known:
+        go_to(window.lessons, 2)
+    go_to(window.lessons, 1)
+    press(window, Qt.Key.Key_V)
+    arrive(window.lessons)
+    mesh.unlink()
+    for number in range(40):  # no mesh is kept as long as others are asked for
+        other = talk.with_name(f"{number}.obj")
+        other.write_text(TRIANGLE)
+        scene_of(Document(str(other), document.projection))
+    shown = window.store.document
+    said = f"talk.md: line {MESHES.splitlines().index('document: house.json')} cannot be shown: "
+    for way in (lambda: press(speaker, PAGE_DOWN), lambda: window.talks.jump(3)):
+        way()
+        assert [text for text in read_on(speaker) if said in text and "house.obj" in text]
+        assert window.lessons.place == 1 and window.store.document == shown
+        assert not window.messages.text and not window.band.note
+        press(speaker, Qt.Key.Key_1, Qt.Key.Key_Escape)
+        window.lessons.read_again()  # a folder that changes, but not the file
+        assert any(said in text for text in read_on(speaker))
+    window.talks.jump(2)  # what can be shown again takes it back
+    assert not any(said in text for text in read_on(speaker))
+    speaker.close()
+    settle()
+    window.talks.jump(3)
+    assert said in window.messages.text
+    window.talks.jump(1)
+    assert not window.messages.text
+
+
+def test_what_a_prediction_cannot_show_is_said_to_the_speaker(
+    window: MainWindow, talk: Path
+) -> None:
+    text = TALK.replace("show: lens.near=2", "show: lens.near=99")
+    talk.write_text(text)
+    window.lessons.read_again()
+    window.talks.open_speaker()
+    speaker = window.talks.speaker
+    assert speaker is not None
+    go_to(window.lessons, 1)
+    shown = window.store.document
+    assert window.talks.reveal()
+    line = text.splitlines().index("show: lens.near=99") + 1
+    assert any(f"talk.md: line {line}, lens.near = 99" in said for said in read_on(speaker))
+    assert window.store.document == shown and not window.messages.text
+    assert "B 91.5° ✓" in window.band.accessibleName()  # it can be said without
 
 
 def test_ten_thousand_steps_are_refused_as_they_are_opened(

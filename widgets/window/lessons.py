@@ -24,7 +24,7 @@ from app.document.store import Store
 from app.document.view import AS_EVER, FIELDS, View
 from app.lessons import transition
 from app.lessons.course import Course, Shown, scene_of
-from app.lessons.lesson import Lesson, Step, read
+from app.lessons.lesson import Lesson, State, Step, read
 from app.model.projection import Camera
 from app.model.refusal import Refusal
 from widgets.parts.clock import Clock
@@ -65,6 +65,8 @@ class Lessons(QObject):
     """A lesson was opened, read again, or closed: `course` is another one."""
     complained = Signal(str)
     """What is wrong with the open file since it was changed; nothing if that is mended."""
+    refused = Signal(str)
+    """Why a step cannot be shown: the one before stays."""
     stepped = Signal()
     """Another step is shown, or this one again."""
 
@@ -150,7 +152,7 @@ class Lessons(QObject):
             shown = course.shown(place)
             scene = scene_of(shown.document)
         except Refusal as error:
-            self._say(error, Path(path))
+            self._messages.say(_named(error, Path(path)))
             return False
         self.complained.emit("")
         self._messages.done()
@@ -190,7 +192,7 @@ class Lessons(QObject):
             shown = self.course.shown(place)
             scene = scene_of(shown.document)
         except Refusal as error:
-            self._say(error, self.course.lesson.path)
+            self.refused.emit(_named(error, self.course.lesson.path))
             return False
         self._finish()
         self._stand_still()
@@ -217,6 +219,16 @@ class Lessons(QObject):
         What was tried can be brought back by undo, but for how a pane was turned.
         """
         return self.go(self.place)
+
+    def show_predicted(self, state: State) -> None:
+        """Show what a prediction of the step comes to; nothing is shown if that cannot be."""
+        assert self.course is not None
+        try:
+            document = self.course.shown_by(self.place, state)
+        except Refusal as error:
+            self.refused.emit(_named(error, self.course.lesson.path))
+        else:
+            self.show(document)
 
     def show(self, document: Document) -> None:
         """Show another state beside the step: what refutes a wrong idea, what was predicted."""
@@ -357,9 +369,6 @@ class Lessons(QObject):
             self.stepped.emit()
         else:
             self.go(place)
-
-    def _say(self, error: Refusal, path: Path) -> None:
-        self._messages.say(_named(error, path))
 
 
 def _named(error: Refusal, path: Path) -> str:

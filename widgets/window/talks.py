@@ -117,8 +117,11 @@ class Talks(QObject):
         lessons.opened.connect(self._show)
         lessons.stepped.connect(self._show)
         lessons.complained.connect(self._complain)
+        lessons.refused.connect(self._refuse)
         self._complaint = ""
         """Of the open file, which the class need not read."""
+        self._refusal = ""
+        """Of a step that was to be shown."""
         application = QApplication.instance()
         assert isinstance(application, QGuiApplication)
         # When Qt has done what it does itself.
@@ -162,6 +165,9 @@ class Talks(QObject):
         self._shown = None if course is None else (course, place)
         self._listen()
         self._band.setVisible(self.is_on)
+        if self._refusal:
+            self._messages.take_back(self._refusal)
+            self._refusal = ""
         self._forget_typed()
         if course is None:
             self._look.forget_ahead()
@@ -199,18 +205,14 @@ class Talks(QObject):
 
     def reveal(self) -> bool:
         """Say what the next of the step's predictions comes to; False if there is none left."""
-        course, place = self._lessons.course, self._lessons.place
         open_ones = self._predictions[self.revealed :]
-        if course is None or not open_ones:
+        if not open_ones:
             return False
         self._unblank()
         self.revealed += 1
-        if open_ones[0].show is not None:
-            try:
-                self._lessons.show(course.shown_by(place, open_ones[0].show))
-            except Refusal as error:
-                self._messages.say(f"{course.lesson.path.name}: {sentence(error)}")
         self._show()
+        if open_ones[0].show is not None:
+            self._lessons.show_predicted(open_ones[0].show)
         return True
 
     def jump(self, number: int) -> None:
@@ -339,7 +341,7 @@ class Talks(QObject):
         self._digits = ""
         self._band.say("")
         if self.speaker is not None:
-            self.speaker.say(self._complaint)
+            self.speaker.say(self._refusal or self._complaint)
 
     def _say(self, text: str) -> None:
         """Say something for a moment."""
@@ -351,10 +353,17 @@ class Talks(QObject):
         self._messages.take_back(self._complaint)
         self._complaint = text
         if self.speaker is not None:
-            self.speaker.say(text)
+            self.speaker.say(self._refusal or text)
         elif text and self.is_on:
             self._say(self.tr("The file was changed, and cannot be read."))
         elif text:
+            self._messages.say(text)
+
+    def _refuse(self, text: str) -> None:
+        """Say why a step cannot be shown: to the speaker, if there is a window for that."""
+        self._refusal = text
+        self._forget_typed()
+        if self.speaker is None:
             self._messages.say(text)
 
     def _tell(self, text: str) -> None:
