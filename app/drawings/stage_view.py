@@ -41,7 +41,8 @@ _LOOKED_FROM_DEG = {
     IMAGE: (0.0, 0.0),
 }
 _FILLED = 0.9  # of the ball that holds the frustum: its corners alone touch the ball
-_MARGIN_EM = 2.6
+_MARGIN_EM = 2.6  # on each side, for the labels
+_SMALL_MARGIN = 1.0 / 4.0  # of a small pane: both sides together take no more of it
 
 
 class StageView:
@@ -133,7 +134,7 @@ class StageView:
         for axis, side_px in ((right, width_px), (up, height_px - title_px)):
             low, high = (drawn @ axis).min(), (drawn @ axis).max()
             centre += (low + high) / 2.0 * axis
-            room_px = max(side_px - 2.0 * margin_px, side_px / 2.0)
+            room_px = side_px - min(2.0 * margin_px, _SMALL_MARGIN * side_px)
             scale = max(scale, (high - low) / 2.0 * height_px / room_px)
         centre += scale * title_px / height_px * up
         return np.array([*centre, scale, *self._looked_from(stop)])

@@ -108,6 +108,27 @@ def test_panes_and_controls_fill_the_screen(window: MainWindow) -> None:
     assert sum(areas) + dock > 0.97 * screen.width() * screen.height()
 
 
+def test_the_large_pane_keeps_its_height_while_a_class_reads_a_panel(window: MainWindow) -> None:
+    begin(window)
+    for large in ("world", "image", "ndc"):
+        window.slots.arrange("pictures", large)
+        settle()
+        before = [pane.geometry() for pane in window.panes.values()]
+        window.panels.open(window.probe_panel)
+        settle()
+        pane, room = window.panes[large], window.slots.size()
+        assert pane.height() > 0.95 * room.height(), large
+        beside = [other for name, other in window.panes.items() if name != large]
+        assert all(other.height() > 0.4 * room.height() for other in beside), large
+        assert cut(window) == [], large
+        if large == "image":  # 0.15 where it lay above the small ones
+            picture = pane.drawing.picture_rectangle_px.width / pane.canvas.pixel_ratio
+            assert picture >= 0.33 * window.width()
+        window.panels.open(None)
+        settle()
+        assert [pane.geometry() for pane in window.panes.values()] == before, large
+
+
 @pytest.mark.parametrize("arranged", ["world", "image", "ndc", "columns"])
 def test_text_is_a_share_of_the_screens_height(window: MainWindow, arranged: str) -> None:
     before = LIGHT.font_size

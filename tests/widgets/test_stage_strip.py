@@ -105,6 +105,21 @@ def test_the_scene_is_in_the_pane_at_every_stop(
             assert not border.any(), position
 
 
+@pytest.mark.parametrize("height", [126, 212])
+def test_in_a_low_pane_of_large_letters_the_cube_is_not_small(
+    height: int, shown: Callable[..., Shown]
+) -> None:
+    """As for a class: 0.40 and 0.46 of its height where the labels' margins had half of it."""
+    style = LIGHT.enlarged(17.0 / LIGHT.font_size)
+    screen = shown((480, height), style)
+    screen.drawing.show_layers(frozenset({"labels"}))
+    screen.pixels(float(NDC))
+    screen.drawing.show_projection(screen.scene.start)
+    edges = lit(screen.pixels(), style.far) | lit(screen.pixels(), style.near)
+    rows, _ = np.nonzero(edges)
+    assert np.ptp(rows) > 0.55 * height and rows.min() > 0 and rows.max() < height - 1
+
+
 def test_at_the_image_stop_the_cube_is_the_picture(shown: Callable[..., Shown]) -> None:
     """Letter F where `trace` says, in the rectangle of the picture seen from the front."""
     screen = shown((400, 300))

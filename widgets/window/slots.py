@@ -15,6 +15,8 @@
     +------------+------------+
     |   small    |   small    |
     +------------+------------+
+
+    While a class reads a panel below, the large one stands beside the small ones again.
 """
 
 from __future__ import annotations
@@ -39,6 +41,7 @@ UPPER_AND_LOWER = [318, 378]
 TOP_AND_BOTTOM = {"world": [583, 493], "image": [566, 510]}
 SIDE_BY_SIDE = [750, 734]
 CUBE_AND_SMALL = [735, 790]
+LOW_AND_SMALL = [850, 634]
 """For a class, whose letters take more of the smaller pictures, on a screen of 1920x1080 pixels."""
 LEAST_PANE_PX = (190, 150)
 SMALL = {"world": ("image", "ndc"), "image": ("world", "ndc"), "ndc": ("world", "image")}
@@ -76,7 +79,7 @@ class Slots(QSplitter):
         self._panes, self._strip = panes, strip
         self.layout_name, self.large, self.whole = LAYOUTS[0], next(iter(panes)), ""
         self.leading = self.large
-        self._is_for_class = False
+        self._is_for_class = self._is_low = False
         self._is_by_hand = False
         self._by_hand: tuple[list[int], list[int]] | None = None
         """What the hand had chosen before presenting."""
@@ -221,6 +224,13 @@ class Slots(QSplitter):
                 self._small.setSizes(down)
                 self._is_by_hand = True
 
+    def set_low(self, on: bool) -> None:
+        """Take account of a panel below, which leaves the slots little height, or none."""
+        was_wide = self._is_wide
+        self._is_low = on
+        if self._is_wide != was_wide:
+            self.share()
+
     def share(self) -> None:
         """Give the slots the room that they have at first."""
         self._is_by_hand = False
@@ -232,7 +242,7 @@ class Slots(QSplitter):
         elif self._is_wide:
             sizes = TOP_AND_BOTTOM[self.large]
         elif self._is_for_class:
-            sizes = CUBE_AND_SMALL
+            sizes = CUBE_AND_SMALL if self.large == "ndc" else LOW_AND_SMALL
         else:
             sizes = IMAGE_AND_SMALL if self.large == "image" else LARGE_AND_SMALL
         self.setSizes(sizes)
@@ -241,7 +251,8 @@ class Slots(QSplitter):
     @property
     def _is_wide(self) -> bool:
         """Whether the large slot is as wide as both small ones, which stand below it."""
-        return self._is_for_class and self.layout_name == "pictures" and self.large != "ndc"
+        is_high = self._is_for_class and not self._is_low
+        return is_high and self.layout_name == "pictures" and self.large != "ndc"
 
     def _dragged(self) -> None:
         self._is_by_hand = True
