@@ -15,7 +15,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from PySide6.QtCore import QPoint, Qt, QTimer
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication, QWidget
+from PySide6.QtWidgets import QApplication, QScrollArea, QWidget
 
 from app.drawings.frame import arrow_tips
 from app.drawings.style import LIGHT, rgb
@@ -323,6 +323,18 @@ def test_a_row_turns_up_and_undo_brings_it_back(window: MainWindow) -> None:
     settle()
     assert window.store.document.projection == before
     assert panel.warning.text() == "" and panel.angle.value() == pytest.approx(104.513, rel=1e-5)
+
+
+def test_what_up_does_is_read_whole_in_a_narrow_panel(window: MainWindow, qtbot: Any) -> None:
+    panel = FramePanel()  # as narrow, against its letters, as in front of a class
+    qtbot.addWidget(panel)
+    panel.resize(45 * panel.fontMetrics().height(), 300)
+    panel.show()
+    panel.take(window.shown, panel.concerns)
+    settle()
+    (area,) = (each for each in panel.findChildren(QScrollArea) if each.isAncestorOf(panel.figures))
+    assert "An error in up" in panel.figures.text()
+    assert area.horizontalScrollBar().maximum() == 0
 
 
 def test_a_drag_of_the_row_is_one_step(window: MainWindow) -> None:
