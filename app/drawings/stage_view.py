@@ -42,7 +42,7 @@ _LOOKED_FROM_DEG = {
 }
 _FILLED = 0.9  # of the ball that holds the frustum: its corners alone touch the ball
 _MARGIN_EM = 2.6  # on each side, for the labels
-_SMALL_MARGIN = 1.0 / 4.0  # of a small pane: both sides together take no more of it
+_MOST_MARGIN = 1.0 / 2.0, 1.0 / 4.0  # of a small pane's width and height: both sides together
 
 
 class StageView:
@@ -127,14 +127,15 @@ class StageView:
             ends = [(1.0 + OVERSHOOT, -1.0, 1.0), (-1.0, 1.0 + OVERSHOOT, 1.0)]
             ends += [(1.0, 1.0, sign * (1.0 + OVERSHOOT)) for sign in (-1.0, 1.0)]
             drawn = np.vstack([CUBE_CORNERS, ends])
-        margin_px = _MARGIN_EM * self._canvas.style.font_size
+        margins_px = 2.0 * _MARGIN_EM * self._canvas.style.font_size
         title_px = TITLE_EM * self._canvas.style.font_size
         centre = np.zeros(3)
         scale = 0.0
-        for axis, side_px in ((right, width_px), (up, height_px - title_px)):
+        sides_px = width_px, height_px - title_px
+        for axis, side_px, most in zip((right, up), sides_px, _MOST_MARGIN, strict=True):
             low, high = (drawn @ axis).min(), (drawn @ axis).max()
             centre += (low + high) / 2.0 * axis
-            room_px = side_px - min(2.0 * margin_px, _SMALL_MARGIN * side_px)
+            room_px = side_px - min(margins_px, most * side_px)
             scale = max(scale, (high - low) / 2.0 * height_px / room_px)
         centre += scale * title_px / height_px * up
         return np.array([*centre, scale, *self._looked_from(stop)])
