@@ -174,7 +174,7 @@ class FramePanel(Panel):
         )  # fmt: skip
 
     def _make_up(self) -> None:
-        self.figures = QLabel(textFormat=Qt.TextFormat.PlainText)
+        self.figures = QLabel(textFormat=Qt.TextFormat.PlainText, wordWrap=True)
         self.angle = NumberRow(
             self.tr("Up from view"),
             self.tr("Turns up towards the view direction, in the plane of both: the frame"
