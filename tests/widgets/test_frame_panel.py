@@ -33,6 +33,7 @@ from app.model.projection import Camera, Perspective, Projection
 from app.model.refusal import Refusal, format_value
 from app.scenes.scene import load
 from tests.support.digits import all_digits_shown, plain
+from tests.support.layout import cut, place, scrolled_by
 from tests.support.window import (
     Highlighted,
     MakeWindow,
@@ -40,6 +41,7 @@ from tests.support.window import (
     click,
     counted_repaints,
     pixels,
+    present,
     rgb_of,
     settle,
 )
@@ -609,3 +611,17 @@ def test_l1_lecture_004_names_what_is_brought_to_length_1(window: MainWindow) ->
     letters.setCurrentIndex(letters.findData("own"))
     panel.go_to(STEPS.index("u"))
     assert panel.formula.text() == "u = up × n/|up × n|"
+
+
+def test_what_up_does_is_not_cut_in_letters_for_a_class(window: MainWindow) -> None:
+    present(window)
+    window.panels.open(window.frame_panel)
+    settle()
+    panel = window.frame_panel
+    assert cut(window) == []
+    for widget in (panel.figures, panel.nudge, panel.angle):
+        area = scrolled_by(widget)
+        assert area is not None
+        seen = place(widget, area.viewport())
+        assert seen.left() >= 0 and seen.right() < area.viewport().width()
+    window.present.end()

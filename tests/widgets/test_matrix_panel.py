@@ -35,7 +35,7 @@ from tests.support import controls as dock
 from tests.support.commands import told_matrices
 from tests.support.digits import all_digits_shown, plain
 from tests.support.shown import show
-from tests.support.window import activate, move_mouse, rgb_of, settle
+from tests.support.window import activate, click, move_mouse, named, rgb_of, settle
 from widgets.panels import matrix_panel
 from widgets.panels.matrix_panel import MatrixPanel
 from widgets.panels.matrix_view import MatrixView, first_change, rich
@@ -46,6 +46,16 @@ from widgets.window.main_window import MainWindow
 OFF_AXIS = Projection(
     Camera((6.0, 5.0, 9.0), (0.5, 2.0, -0.25)), Frustum(-0.7, 0.9, -0.4, 0.65, 1.5, 40.0)
 )
+
+STOPS = (
+    "world_from_object",
+    "view_from_world",
+    "canonical_perspective_from_view",
+    "canonical_parallel_from_canonical_perspective",
+    "depth_range_from_canonical_parallel",
+    "image_from_ndc",
+)
+"""The matrices by which the stage strip comes to its stops."""
 
 
 @pytest.fixture
@@ -1041,15 +1051,7 @@ def test_l9_the_stage_reached_lights_its_matrix(panel: MatrixPanel) -> None:
         return [name for name in names if title_of(panel, name).property("reached")]
 
     assert lit() == ["depth_range_from_canonical_parallel"]  # NDC is where the strip starts
-    names = (
-        "world_from_object",
-        "view_from_world",
-        "canonical_perspective_from_view",
-        "canonical_parallel_from_canonical_perspective",
-        "depth_range_from_canonical_parallel",
-        "image_from_ndc",
-    )
-    for stop, name in enumerate(names):
+    for stop, name in enumerate(STOPS):
         panel.show_stage(float(stop))
         assert lit() == [name]
     panel.show_stage(2.4)
@@ -1069,3 +1071,81 @@ def test_l9_the_chain_is_the_lectures_and_without_identities(panel: MatrixPanel)
     assert titles["depth_range_from_canonical_parallel"].endswith("= M<sub>z</sub>")
     choose(panel.letters, "own")
     assert "world_from_object" in {matrix.name for matrix in panel.shown}
+
+
+def end_of(panel: MatrixPanel, side: str) -> QToolButton:
+    """What says that the row goes on at a side."""
+    button: QToolButton = named(panel, QToolButton, f"Matrices to the {side}")
+    return button
+
+
+def whole(panel: MatrixPanel) -> list[str]:
+    """The matrices that are seen from one bracket to the other."""
+    seen = panel.findChild(QScrollArea).viewport().width()
+    return [
+        matrix.name
+        for matrix in panel.shown
+        if left_of(panel, matrix.name) >= 0
+        and left_of(panel, matrix.name) + panel.views[matrix.name].width() <= seen
+    ]
+
+
+def test_where_the_row_goes_on_it_says_so_and_a_click_goes_there(panel: MatrixPanel) -> None:
+    panel.resize(700, 240)
+    settle()
+    names = [matrix.name for matrix in panel.shown]
+    bar = panel.findChild(QScrollArea).horizontalScrollBar()
+    bar.setValue(0)
+    places = end_of(panel, "left").geometry(), end_of(panel, "right").geometry()
+    seen, clicks = whole(panel), 0
+    assert not end_of(panel, "left").isVisible()
+    while end_of(panel, "right").isVisible():
+        assert clicks < len(names)
+        before = whole(panel)
+        click(end_of(panel, "right"))
+        clicks += 1
+        assert end_of(panel, "left").isVisible() and whole(panel) != before
+        seen += whole(panel)
+    assert set(seen) == set(names) and bar.value() == bar.maximum() > 0
+    back = set(whole(panel))
+    while end_of(panel, "left").isVisible():
+        assert clicks < 2 * len(names)
+        click(end_of(panel, "left"))
+        clicks += 1
+        back |= set(whole(panel))
+    assert back == set(names) and bar.value() == 0
+    assert places == (end_of(panel, "left").geometry(), end_of(panel, "right").geometry())
+    panel.resize(bar.maximum() + 800, 240)
+    settle()
+    assert not end_of(panel, "left").isVisible() and not end_of(panel, "right").isVisible()
+
+
+def test_the_stage_reached_is_seen_whole_and_none_is_cut_at_the_left(panel: MatrixPanel) -> None:
+    panel.resize(700, 240)
+    settle()
+    bar = panel.findChild(QScrollArea).horizontalScrollBar()
+    for stop, name in enumerate(STOPS):
+        panel.show_stage(float(stop))
+        settle()
+        assert name in whole(panel)
+        rights = {n: left_of(panel, n) + panel.views[n].width() for n in STOPS}
+        is_cut = any(left_of(panel, n) < 0 < right for n, right in rights.items())
+        assert not is_cut or bar.value() == bar.maximum(), name
+
+
+def test_columns_grow_while_numbers_run_and_are_narrow_when_they_rest(
+    panel: MatrixPanel, qtbot: QtBot
+) -> None:
+    view = panel.views["clip_from_view"]
+    usual = view.width()
+    panel.begin_gesture()
+    shown_after(panel, qtbot, moved(OFF_AXIS, left=0.89987))
+    wide = view.width()
+    assert wide > usual
+    shown_after(panel, qtbot, OFF_AXIS)
+    assert view.width() == wide
+    panel.end_gesture()
+    assert view.width() == usual
+    shown_after(panel, qtbot, moved(OFF_AXIS, left=0.89987))
+    shown_after(panel, qtbot, OFF_AXIS)
+    assert view.width() == usual

@@ -20,7 +20,15 @@ from typing import cast
 
 from PySide6.QtCore import QCoreApplication, QEvent, QObject, QPoint, QSize, Qt, QTimer, Signal
 from PySide6.QtGui import QGuiApplication, QShowEvent
-from PySide6.QtWidgets import QCheckBox, QLabel, QMenu, QSpacerItem, QToolButton, QWidget
+from PySide6.QtWidgets import (
+    QCheckBox,
+    QLabel,
+    QMenu,
+    QSizePolicy,
+    QSpacerItem,
+    QToolButton,
+    QWidget,
+)
 
 from app.drawings.style import LIGHT, Style
 from app.lecture.highlight import NOTHING, Highlight
@@ -192,8 +200,54 @@ class MatrixPanel(ReadablePanel):
         self.explanation.setAccessibleDescription(self.tr("About the cell"))
         self.explanation.setMinimumHeight(2 * self.fontMetrics().height())
         self.explanation.setAlignment(Qt.AlignmentFlag.AlignTop)
-        parts = (self._bar, (self._scroll, 1), self.explanation)
+        self._lay_out_ends()
+        row = in_row(self._to_left, (self._scroll, 1), self._to_right, gap=0)
+        parts = (self._bar, (row, 1), self.explanation)
         in_column(*parts, on=self, margins=(2, 0, 2, 2), gap=2)
+
+    def _lay_out_ends(self) -> None:
+        """Make what says at both ends of the row that it goes on there, and goes there."""
+        tip = self.tr("More matrices: bring the next one that is cut, or not seen, into view")
+        left, right = self.tr("Matrices to the left"), self.tr("Matrices to the right")
+        self._to_left = tool_button("", tip, self._go_left, icon="back", name=left, flat=True)
+        self._to_right = tool_button("", tip, self._go_right, icon="unfold", name=right, flat=True)
+        for end in (self._to_left, self._to_right):
+            policy = QSizePolicy(QSizePolicy.Policy.Fixed, QSizePolicy.Policy.Ignored)
+            policy.setRetainSizeWhenHidden(True)  # or what is read would move
+            end.setSizePolicy(policy)
+        bar = self._scroll.horizontalScrollBar()
+        bar.valueChanged.connect(self._show_ends)
+        bar.rangeChanged.connect(self._show_ends)
+        self._show_ends()
+
+    def _show_ends(self) -> None:
+        bar = self._scroll.horizontalScrollBar()
+        self._to_left.setVisible(bar.value() > bar.minimum())
+        self._to_right.setVisible(bar.value() < bar.maximum())
+
+    def _go_left(self) -> None:
+        """Let the last matrix that is not wholly seen at the left end at the right."""
+        bar = self._scroll.horizontalScrollBar()
+        page, now = bar.pageStep(), bar.value()
+        ends = [box.geometry().right() + 1 - page for box in self._boxes if box.x() < now]
+        if ends:  # of one that is wider than the page, the page before
+            bar.setValue(ends[-1] if ends[-1] < now else now - page)
+
+    def _go_right(self) -> None:
+        """Let the first matrix that is not wholly seen at the right begin at the left."""
+        bar = self._scroll.horizontalScrollBar()
+        page, now = bar.pageStep(), bar.value()
+        starts = [box.x() for box in self._boxes if box.geometry().right() >= now + page]
+        if starts:
+            bar.setValue(starts[0] if starts[0] > now else now + page)
+
+    def _bring(self, box: _Box) -> None:
+        """Let a matrix be seen whole, and none be cut at the left."""
+        bar, margin = self._scroll.horizontalScrollBar(), self._boxes[0].x()
+        least = box.geometry().right() + 1 - bar.pageStep()
+        wanted = min(max(bar.value(), least), box.x() - margin)
+        starts = (each.x() - margin for each in self._boxes)
+        bar.setValue(min(start for start in starts if start >= wanted))
 
     def _choice(self, name: str, tip: str, choices: Sequence[tuple[str, str]]) -> Combo:
         box = Combo()
@@ -310,6 +364,17 @@ class MatrixPanel(ReadablePanel):
             self._before = self._projection
         super().begin_gesture()
 
+    def end_gesture(self) -> None:
+        super().end_gesture()
+        self._fit()
+
+    def _fit(self) -> None:
+        """Narrow every column to its numbers, unless they run, or one is typed beside them."""
+        if not self._readable.in_gesture and self._in_hand() is None:
+            for box in self._boxes:
+                for view in box.views:
+                    view.fit()
+
     def take(self, shown: Shown, changed: Changed) -> None:
         self._show(shown.projection)
 
@@ -416,6 +481,7 @@ class MatrixPanel(ReadablePanel):
                 named = f"{name} = {_named(factor)}" if factor.called else name
                 box.factor_names[number].setText(named)
                 view.show_matrix(factor, factors[number] if factors else None, **settings)
+        self._fit()
         self._light_reached(in_view=False)
         if anew and in_hand is not None and in_hand[0] in self.views:
             name, left_px, cell = in_hand
@@ -456,7 +522,7 @@ class MatrixPanel(ReadablePanel):
                 )
                 box.title.style().polish(box.title)
             if is_reached and in_view and self.isVisible():
-                self._scroll.ensureWidgetVisible(box, 8, 0)
+                self._bring(box)
 
     def showEvent(self, event: QShowEvent) -> None:
         super().showEvent(event)

@@ -143,6 +143,8 @@ class MatrixView(QWidget):
         self._marks: list[list[int | None]] = []
         self._lit: set[tuple[int, int]] = set()
         self._columns: list[float] = [0.0] * 4
+        self._fitting = self._columns
+        """The widths of what is shown now."""
         self._measured: list[float] = []
         self._letters: Letters = "own"
         self._rows = self._formulas = False
@@ -227,12 +229,23 @@ class MatrixView(QWidget):
         cells = [[typeset(text, self.font()) for text in row] for row in self._texts]
         widths = [max(row[j].width for row in cells) + 0.8 * height for j in range(4)]
         # While numbers run, columns only grow: a row that jumps to and fro cannot be read.
+        self._fitting = widths
         self._columns = widths if anew else list(map(max, self._columns, widths))
         # A subscript hangs into the room between two rows, a fraction does not.
         self._measured = [
             max(height, *(cell.height - (0.0 if cell.rules else 2.0) for cell in row)) + ROW_GAP_PX
             for row in cells
         ]
+        self._take_room()
+
+    def fit(self) -> None:
+        """Make the columns as narrow as what they show: no number runs."""
+        if self._columns != self._fitting:
+            self._columns = self._fitting
+            self._take_room()
+            self.update()
+
+    def _take_room(self) -> None:
         size = self._wanted()
         if size != self.minimumSize():
             self.setFixedSize(size)
