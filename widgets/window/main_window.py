@@ -403,9 +403,7 @@ class MainWindow(QMainWindow):
             panel.copy_wanted.connect(self.pictures.copy_diagram)
             panel.export_wanted.connect(self.pictures.export_diagram)
             self.look.built.connect(panel.set_style)
-        self.panels.opened.connect(
-            lambda: self.slots.set_low(self.panels.open_panel is not None)
-        )
+        self.panels.opened.connect(lambda: self.slots.set_low(self.panels.open_panel is not None))
         self.panels.chosen.connect(self.probing.begin)
         probe, measure, card = self.probe_panel, self.measure_panel, controls.card
         menus.remove_probe.triggered.connect(probe.remove)
