@@ -8,14 +8,15 @@ from __future__ import annotations
 
 import difflib
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from functools import partial
 from pathlib import Path
 
-from app.document.document import set_values
+from app.document.document import Document, set_values
+from app.document.view import PANES
 from app.lessons import marking
 from app.lessons.course import Course, idea_named, ideas, word_of
 from app.lessons.lesson import (
@@ -35,6 +36,7 @@ from app.lessons.lesson import (
 from app.lessons.quantities import NotThere
 from app.lessons.text import outline
 from app.model.formula import Formula
+from app.model.limits import ONE_OF
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
 
 MOST_STEPS = 7
@@ -246,7 +248,7 @@ class _Checker:
         if isinstance(part, Task):
             own = self.course.shown(place).document
             with on_line(sample.line):
-                now = set_values(own, sample.text.split())
+                now = _tried(own, sample.text.split())
             return "done" if self.course.is_done(place, part, now) else "open"
         if part.choices:
             number = int(sample.text) if sample.text.isdecimal() else 0
@@ -265,6 +267,25 @@ class _Checker:
 
 
 _WRITTEN = re.compile(r"[-−]?\d+(?:\.\d+)?(?:/\d+)?")
+
+
+_PANES = "view.panes="
+
+
+def _tried(document: Document, assignments: Sequence[str]) -> Document:
+    """What a task's sample sets, and the panes that somebody has turned: ``view.panes=world``.
+
+    From where they are looked at then, no task asks.
+    """
+    document = set_values(document, (each for each in assignments if not each.startswith(_PANES)))
+    turned = dict(document.view.panes)
+    for each in assignments:
+        names = each.removeprefix(_PANES) if each.startswith(_PANES) else ""
+        for name in filter(None, names.split(",")):
+            if name not in PANES:
+                raise Refusal("view.panes", name, ONE_OF, ", ".join(PANES))
+            turned[name] = document.projection.camera
+    return replace(document, view=replace(document.view, panes=turned))
 
 
 def _alike(one: float, other: float) -> bool:

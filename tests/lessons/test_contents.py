@@ -12,7 +12,7 @@ from mpmath import mp
 
 from app.lessons.checking import Report
 from app.lessons.course import CONTENT, Course, contained
-from app.lessons.lesson import Question, is_lesson, read
+from app.lessons.lesson import Question, Task, is_lesson, read
 from tests.support.commands import run_here
 
 mp.dps = 40
@@ -82,6 +82,39 @@ def test_lesson_check_is_clean_and_says_what_it_has_tried() -> None:
     assert (done.returncode, done.stdout) == (0, last + "\n")
     assert last.startswith("25 lessons, 5 talks, ")
     assert last.endswith(" checks, 0 wrong")
+
+
+def test_every_task_has_a_sample_that_does_it_and_one_that_does_not() -> None:
+    for path in contained():
+        for step in read(path).steps:
+            tried = {(sample.block, sample.verdict) for sample in step.samples}
+            tasks = [part.name for part in step.asked if isinstance(part, Task)]
+            wanted = {(name, verdict) for name in tasks for verdict in ("done", "open")}
+            assert wanted <= tried, (path.name, step.name)
+
+
+@pytest.mark.parametrize(
+    ("sample", "said"),
+    [
+        ("view.panes=world -> done", ""),
+        ("view.panes=image,world lens.near=2 -> done", ""),
+        ("view.panes=image -> open", ""),
+        ("lens.near=2 view.panes= -> open", ""),
+        ("view.panes=ndc -> done", "gets “open” instead of “done”"),
+        ("view.panes=word -> done", "line 16, view.panes = 'word': must be one of world, ndc"),
+        ("lens.near=0 view.panes=world -> done", "line 16, lens.near"),
+    ],
+)
+def test_a_sample_can_have_the_panes_turned_by_hand(tmp_path: Path, sample: str, said: str) -> None:
+    path = tmp_path / "turn.md"
+    text = (
+        "---\ntitle: Turn\n---\n# One {#one}\nText.\n```state\nscene=letter-f\n```\n\n"
+        "```task turn\nTurn the world.\nuntil: turned = 1\n```\n"
+    )
+    path.write_text(f"{text}\n```test\nturn: {sample}\n```\n", encoding="utf-8")
+    report = Report()
+    report.read(path)
+    assert [said in str(error) for error in report.wrong] == ([True] if said else []), report.wrong
 
 
 def test_lesson_list_names_them_all() -> None:
