@@ -3,11 +3,17 @@
 from __future__ import annotations
 
 import re
+import zlib
+from collections import Counter
 from pathlib import Path
 
 import pytest
 
+from app.lecture.notation import matrices
+from app.lessons.course import Course
+from app.lessons.lesson import read
 from tests.support.commands import one_sentence, run, run_here
+from widgets.parts.messages import read_text
 
 TALK = """---
 title: From <b> to $x$
@@ -100,6 +106,125 @@ def test_the_handout_has_every_step_with_figures(talk: Path, tmp_path: Path) -> 
     assert [round(float(side)) for side in box.groups()] == [595, 842]  # A4
     assert images_of(pdf) == 3  # each step's, and what the prediction comes to
     assert pages_of(pdf) == 2
+
+
+_PLACED = re.compile(
+    rb"(?P<scale>[\d.]+) 0 0 [\d.]+ (?P<left>[\d.]+) [\d.]+ cm\n"
+    rb"|BT\n/F(?P<font>\d+) \S+ Tf \S+ \S+ \S+ \S+ 0 0 Tm\n(?P<x>\S+) (?P<run>.*?)ET\n",
+    re.DOTALL,
+)
+PAGE_WIDTH = (210.0 - 2.0 * 18.0) / 25.4 * 1200.0
+"""Between the margins, in the units that places are in."""
+
+
+def printed(pdf: bytes) -> list[str]:
+    """What is written on the pages, run by run: nothing beyond the right margin."""
+    letters: dict[tuple[bytes, int], str] = {}
+    fonts = rb"(\d+) 0 obj\s<< /Type /Font\s/Subtype /Type0.*?/ToUnicode (\d+)"
+    for font, table in re.findall(fonts, pdf, re.DOTALL):
+        found = re.search(rb"\n%b 0 obj.*?endcmap" % table, pdf, re.DOTALL)
+        assert found is not None
+        for first, codes in re.findall(rb"<(\w+)> <\w+> \[(.*?)\]", found[0]):
+            for number, code in enumerate(re.findall(rb"\w+", codes), int(first, 16)):
+                letters[font, number] = chr(int(code, 16))
+    runs = []
+    for stream in re.findall(rb"\nstream\r?\n(.*?)\r?\nendstream", pdf, re.DOTALL):
+        if stream[:1] == b"x":  # deflated
+            content = zlib.decompressobj().decompress(stream)
+            scale = left = 0.0
+            for place in _PLACED.finditer(content):
+                if place["scale"]:
+                    scale, left = float(place["scale"]), float(place["left"])
+                    continue
+                assert left + scale * float(place["x"]) < PAGE_WIDTH
+                glyphs = re.findall(rb"<(\w+)> Tj", place["run"])
+                text = "".join(letters[place["font"], int(glyph, 16)] for glyph in glyphs)
+                runs.append(text.replace("\t", " "))  # which have one glyph
+    return runs
+
+
+PANELS = """---
+title: Panels
+letters: 002
+---
+# None {#none}
+```state
+scene=letter-f
+```
+---
+# Matrices {#matrices}
+```state
+view.panel=matrices
+```
+```predict p
+Which?
+- [x] this
+- [ ] that
+show: lens.near=3
+why: So it is.
+```
+---
+# Still open {#still}
+```state
+view.stage=pyramid
+```
+---
+# Others {#others}
+```state
+lens.near=2
+```
+"""
+
+
+def test_the_handout_has_the_matrices_where_their_panel_opens_or_they_change(
+    talk: Path, tmp_path: Path
+) -> None:
+    out = tmp_path / "out.pdf"
+    talk.write_text(PANELS)
+    done = run("talk", talk, "--handout", out)
+    assert (done.returncode, done.stderr) == (0, "")
+    course = Course(read(talk))
+    question = course.lesson.steps[1].asked[0]
+    states = [
+        course.shown(1).document,
+        course.shown_by(1, question.show),  # type: ignore[union-attr, arg-type]
+        course.shown(3).document,
+    ]
+    pdf = out.read_bytes()
+    runs = Counter(printed(pdf))
+    runs.subtract(map(str, range(1, pages_of(pdf) + 1)))  # at the pages' feet
+    cells = Counter(
+        read_text(value)
+        for state in states
+        for each in matrices(state.projection, "002")
+        for row in each.values
+        for value in row
+    )
+    assert len(cells) > 30
+    assert {text: runs[text] for text in cells} == dict(cells)
+    assert runs["image ← ndc"] == runs["view ← world = V"] == 3
+    assert runs["with lecture 002's signs: w = z, and"] == 3
+
+
+def test_the_handout_has_the_numbers_of_the_scene_where_it_is_explained(
+    talk: Path, tmp_path: Path
+) -> None:
+    out = tmp_path / "out.pdf"
+    text = PANELS.partition("---\n# Matrices")[0]
+    text = text.replace("scene=letter-f", "scene=planar-shadow\nview.panel=scene")
+    text += "---\n# Away {#away}\n```state\nscene=depth-buffer\nview.panel=scene\n```\n"
+    text += "---\n# Letters {#f}\n```state\nscene=letter-f\nview.panel=scene\n```\n"
+    talk.write_text(text)
+    done = run("talk", talk, "--handout", out)
+    assert (done.returncode, done.stderr) == (0, "")
+    runs = printed(out.read_bytes())
+    at = runs.index("vertex P")
+    assert runs[at + 1] == "(1.5, 5, 0.5)"
+    assert "Of 36 vertices." in runs
+    shadow = runs.index("S")  # a matrix, typeset
+    assert runs[shadow + 1 : shadow + 6] == ["9", "4", "0", "0", "0"]
+    assert runs[runs.index("distance of the target, w") + 1] == "23.84"
+    assert "–" not in runs  # nobody has counted anything
 
 
 def test_a_handout_is_written_whole_or_not_at_all(talk: Path, tmp_path: Path) -> None:

@@ -399,7 +399,7 @@ class SceneCard(QWidget, RowHolder):
         has_diagrams = illustration is not None and bool(illustration.diagrams)
         self.explanation.setText(self.tr("Diagrams…") if has_diagrams else self.tr("Explanation…"))
         warning = self._problem if illustration is None else illustration.warning or self._problem
-        why = "" if warning is None else _full(warning.sentence(of_phenomena, read_text))
+        why = "" if warning is None else full_sentence(warning.sentence(of_phenomena, read_text))
         self.warning.say(why)
         self._let_choose(found, why if illustration is not None and illustration.idle else "")
 
@@ -612,8 +612,8 @@ class Player(QObject, Playing):
 # --------------------------------------------------------------------------- readout
 
 
-def _full(sentence: str) -> str:
-    """A clause as a sentence."""
+def full_sentence(sentence: str) -> str:
+    """A clause as a sentence, from its first letter to its full stop."""
     sentence = sentence[:1].upper() + sentence[1:]
     return sentence if sentence.endswith((".", "!", "?")) else f"{sentence}."
 
@@ -719,7 +719,7 @@ class Readout(QWidget):
             if place < len(readings):
                 self._write(line, readings[place], labels[place])
         reasons = [
-            _full(reading.note.sentence(of_phenomena, read_text))
+            full_sentence(reading.note.sentence(of_phenomena, read_text))
             for reading in readings
             if reading.note is not None
         ]

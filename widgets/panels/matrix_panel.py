@@ -69,6 +69,33 @@ def _named(matrix: Matrix) -> str:
     return re.sub(r"_(\S+)", r"<sub>\1</sub>", matrix.called)
 
 
+def note_on(matrix: Matrix, projection: Projection, letters: Letters) -> str:
+    """What is to be said of a matrix beside its cells; empty for nothing."""
+    if matrix.note:
+        return translated(matrix.note, "Stage")
+    if matrix.name == "clip_from_world":
+        return QCoreApplication.translate("MatrixPanel", "then x, y and z are divided by w")
+    if not projection.lens.has_steps:
+        found = [
+            translated(template, "Matrix").format(*figures)
+            for template, figures in properties(projection, matrix.name, read_text)
+        ]
+        return "\n".join(found)
+    if matrix.name != "clip_from_view":
+        return ""
+    if not has_own_signs(projection, letters):
+        return ""
+    if projection.depth != "opengl":
+        return QCoreApplication.translate("MatrixPanel", "with lecture 002's sign: w = z")
+    if not projection.clip_from_view[3, 2]:
+        return QCoreApplication.translate(
+            "MatrixPanel", "with lecture 002's sign: z runs from 1 at near to −1"
+        )
+    return QCoreApplication.translate(
+        "MatrixPanel", "with lecture 002's signs: w = z, and z runs from 1 at near to −1"
+    )
+
+
 class _Box(QWidget):
     """A matrix under its name, with its factors beside it, folded until they are asked for."""
 
@@ -463,7 +490,7 @@ class MatrixPanel(ReadablePanel):
             factors_of = (f"({stage_title(name)})" for name in matrix.product)
             box.title.setToolTip(" = ".join([stage_title(matrix.name), " · ".join(factors_of)])
                                  if matrix.product else stage_title(matrix.name))  # fmt: skip
-            note = self._note(matrix)
+            note = note_on(matrix, self._projection, self._letters)
             old = before.get(matrix.name)
             box.view.show_matrix(matrix, old, **settings)
             fitting = box.view.width() // max(box.note.fontMetrics().averageCharWidth(), 1)
@@ -566,30 +593,6 @@ class MatrixPanel(ReadablePanel):
 
     def _set_arrow(self, box: _Box) -> None:
         show_icon(box.fold, "back" if box.fold.isChecked() else "unfold")
-
-    def _note(self, matrix: Matrix) -> str:
-        if matrix.note:
-            return translated(matrix.note, "Stage")
-        if matrix.name == "clip_from_world":
-            return self.tr("then x, y and z are divided by w")
-        projection = self._projection
-        if projection is None:
-            return ""
-        if not projection.lens.has_steps:
-            found = [
-                translated(template, "Matrix").format(*figures)
-                for template, figures in properties(projection, matrix.name, read_text)
-            ]
-            return "\n".join(found)
-        if matrix.name != "clip_from_view":
-            return ""
-        if not has_own_signs(projection, self._letters):
-            return ""
-        if projection.depth != "opengl":
-            return self.tr("with lecture 002's sign: w = z")
-        if not projection.clip_from_view[3, 2]:
-            return self.tr("with lecture 002's sign: z runs from 1 at near to −1")
-        return self.tr("with lecture 002's signs: w = z, and z runs from 1 at near to −1")
 
     # -- words
 

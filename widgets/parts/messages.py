@@ -14,7 +14,7 @@ from pathlib import Path
 from PySide6.QtCore import QCoreApplication
 
 from app.document.field_names import FIELDS
-from app.lecture.notation import in_letters
+from app.lecture.notation import Letters, in_letters
 from app.model.limits import (
     AT_LEAST,
     AT_MOST,
@@ -131,9 +131,9 @@ def read_text(value: float) -> str:
     return number_text(value) if all_digits.now else figure_text(value, FEW)
 
 
-def of_phenomena(text: str) -> str:
-    """A text of the phenomena in the window's language and letters; numbers stay."""
-    return in_letters(QCoreApplication.translate("phenomena", text), lettering.now)
+def of_phenomena(text: str, letters: Letters | None = None) -> str:
+    """A text of the phenomena in the window's language, and its letters or others; numbers stay."""
+    return in_letters(QCoreApplication.translate("phenomena", text), letters or lettering.now)
 
 
 class Words(dict[str, str]):

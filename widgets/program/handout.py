@@ -1,13 +1,17 @@
 """A talk on paper: A4, each step with its figure, what is said to the class, and the notes.
 
+The matrices, and the scene's numbers, stand below the figure of a state that opens their panel.
+
 It needs a `QGuiApplication`, and no display: `handout` makes one that has none, where there is none
 yet.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
+from functools import partial
+from textwrap import wrap
 
 from PySide6.QtCore import QBuffer, QCoreApplication, QMarginsF, QPointF, QRectF, Qt
 from PySide6.QtGui import (
@@ -26,9 +30,15 @@ from app.document.document import Document
 from app.document.view import PANES
 from app.drawings.figures import render
 from app.drawings.style import LIGHT
+from app.lecture.notation import matrices
 from app.lessons.course import Course, scene_of
 from app.lessons.lesson import Question, Step
+from app.lessons.text import escaped
+from widgets.controls.scene_card import full_sentence, value_text
+from widgets.panels.matrix_panel import note_on
 from widgets.parts.lesson_text import set_text
+from widgets.parts.messages import of_phenomena, read_text, stage_title
+from widgets.parts.typeset import Typeset, matrix, typeset
 from widgets.window.pictures import image_of
 
 MARGIN_MM = 18.0
@@ -40,6 +50,11 @@ FIGURE_PX = (1400, 500)
 DPI = 1200
 """Of the page: Qt places lines and letters on whole pixels."""
 CHOICES = "ABCDEFGHIJ"
+FORMULA_PX, FORMULA_PT = 18, 8.5
+"""Letters of a matrix, as it is laid out, with brackets of whole pixels, and as it is printed."""
+BETWEEN_FORMULAS_PX = 40.0
+NOTE_CHARACTERS = 36
+"""In a line of what is said of a matrix, as in the window: not wider than the matrix."""
 
 
 def handout(course: Course) -> bytes:
@@ -86,7 +101,7 @@ class _Block:
     ----------
     height : float
         Points.
-    what : QTextDocument or QImage
+    what : QTextDocument, QImage, or tuple of Typeset
     left : float
         How far it is indented; a line stands there then.
     kept : bool
@@ -94,7 +109,7 @@ class _Block:
     """
 
     height: float
-    what: QTextDocument | QImage
+    what: QTextDocument | QImage | tuple[Typeset, ...]
     left: float = 0.0
     kept: bool = False
 
@@ -120,7 +135,9 @@ def _blocks(course: Course, place: int, step: Step, width: float) -> Iterator[_B
     count = len(course.lesson.steps)
     number = f"{place + 1}. " if count > 1 else ""
     yield _text(number + step.title, width, TITLE_PT, title=True)
-    yield _figure(course.shown(place).document, width)
+    shown = course.shown(place).document
+    yield _figure(shown, width)
+    yield from _panel(shown, course.shown(place - 1).document if place else None, width)
     for part in step.parts:
         if isinstance(part, Question):
             yield from _question(course, place, part, width)
@@ -139,7 +156,9 @@ def _question(course: Course, place: int, part: Question, width: float) -> Itera
     )
     yield _text("  \n".join([part.text, *choices]), width, TEXT_PT)
     if part.show is not None:
-        yield _figure(course.shown_by(place, part.show), width)
+        shown = course.shown_by(place, part.show)
+        yield _figure(shown, width)
+        yield from _panel(shown, course.shown(place).document, width)
     if part.why:
         yield _text(part.why, width, TEXT_PT)
 
@@ -160,6 +179,78 @@ def _figure(document: Document, width: float) -> _Block:
     )
     image = image_of(pixels)
     return _Block(width * image.height() / image.width(), image)
+
+
+def _panel(document: Document, before: Document | None, width: float) -> Iterator[_Block]:
+    """What the open panel says in numbers, unless it said the same in the state before."""
+    view = document.view
+    seen = None if before is None else (before, before.view.panel, before.view.letters)
+    if seen == (document, view.panel, view.letters):
+        return
+    if view.panel == "matrices":
+        yield from _side_by_side(_matrices(document), width)
+    elif view.panel == "scene":
+        yield from _readout(document, width)
+
+
+def _matrices(document: Document) -> Iterator[str]:
+    """Each under its name, and what is to be said of it below."""
+    for each in matrices(document.projection, document.view.letters):
+        name = stage_title(each.name)
+        lines = [f"{name} = {each.called}" if each.called else name]
+        lines.append(matrix([read_text(value) for value in row] for row in each.values))
+        note = note_on(each, document.projection, document.view.letters)
+        for line in note.splitlines():
+            lines += wrap(line, NOTE_CHARACTERS, break_on_hyphens=False)
+        yield "\n".join(lines)
+
+
+def _readout(document: Document, width: float) -> Iterator[_Block]:
+    """The scene's numbers; without the one that is counted in the window's own picture."""
+    scene = scene_of(document)
+    if scene.phenomenon is None:
+        return
+    said = partial(of_phenomena, letters=document.view.letters)
+    found = scene.phenomenon.illustration(document.projection, document.settings, scene.subject)
+    rows, formulas, reasons = ["| | |", "|---|---:|"], list[str](), list[str]()
+    for each in found.readings:
+        if each.counted:
+            continue
+        label = said(each.label)
+        value = (
+            said(each.value) if isinstance(each.value, str) else value_text(each.value, read_text)
+        )
+        if value.startswith("["):
+            formulas.append(f"{label}\n{value}")
+            continue
+        unit = said(each.unit) if each.unit and each.value is not None else ""
+        cells = (escaped(text.replace("\n", " ")) for text in (label, f"{value} {unit}".strip()))
+        rows.append(f"| {' | '.join(cells)} |")
+        if each.note is not None:
+            reasons.append(full_sentence(each.note.sentence(said, read_text)))
+    if len(rows) > 2:
+        yield _text("\n".join(rows), width, NOTE_PT)
+    for reason in dict.fromkeys(reasons):
+        yield _text(escaped(reason), width, NOTE_PT)
+    yield from _side_by_side(formulas, width)
+
+
+def _side_by_side(formulas: Iterable[str], width: float) -> Iterator[_Block]:
+    """Formulas from left to right, in as many rows as they need."""
+    font = QFont("DejaVu Sans")
+    font.setPixelSize(FORMULA_PX)
+    scale = FORMULA_PT / FORMULA_PX
+    rows: list[list[Typeset]] = []
+    right = 0.0
+    for formula in formulas:
+        part = typeset(formula, font)
+        if not rows or (right + part.width) * scale > width:
+            rows.append([])
+            right = 0.0
+        rows[-1].append(part.at(right, part.ascent))
+        right += part.width + BETWEEN_FORMULAS_PX
+    for row in rows:
+        yield _Block(scale * max(part.descent for part in row), tuple(row))
 
 
 class _Pages:
@@ -237,6 +328,10 @@ class _Pages:
         clip = QRectF(0.0, begin, self._width - left, part)
         if isinstance(block.what, QImage):
             painter.drawImage(QRectF(0.0, 0.0, self._width, block.height), block.what)
-        else:
+        elif isinstance(block.what, QTextDocument):
             block.what.drawContents(painter, clip)
+        else:
+            painter.scale(FORMULA_PT / FORMULA_PX, FORMULA_PT / FORMULA_PX)
+            for formula in block.what:
+                formula.paint(painter, 0.0, 0.0)
         painter.restore()
