@@ -317,5 +317,6 @@ def _problem_of_tex(tex: str) -> str:
     try:
         outline(tex)
     except ValueError as error:
-        return str(error).strip().splitlines()[-1]
+        said = str(error).strip().splitlines()[-1]
+        return re.sub(r"^\w+Exception: ", "", said)  # which names a part of the program
     return ""

@@ -132,7 +132,7 @@ def test_lesson_list_names_them_all() -> None:
         ("wrong ", "wrong nobody-", "names a wrong idea that the program does not know"),
         ("until: ", "until: 1 > 0 \nuntil: 2 < 1\nuntil: ", "gets “open” instead of “done”"),
         ("lens.near=", "lens.naer=", "lens.naer is not known"),
-        ("$", "$\\nosuch ", "has a formula that cannot be written"),
+        ("$", "$\\nosuch ", "has a formula that cannot be written: Unknown symbol"),
         ("```answer", "```anwser", "has a block that there is not, anwser"),
     ],
 )

@@ -613,6 +613,19 @@ def test_the_clock_of_a_talk() -> None:
     assert (clock.seconds, clock.is_running) == (2.0, True)
 
 
+def test_opened_while_it_is_presented_the_clock_counts(window: MainWindow) -> None:
+    window.talks.open_speaker()
+    speaker = window.talks.speaker
+    assert speaker is not None and speaker.clock.is_running
+    window.talks.jump(3)  # for which no time is planned
+    assert "planned 3.5 min" in read_on(speaker)
+    speaker.close()
+    press(window, Qt.Key.Key_F5)
+    window.talks.open_speaker()
+    speaker = window.talks.speaker
+    assert speaker is not None and not speaker.clock.is_running
+
+
 def test_the_time_that_is_planned(talk: Path) -> None:
     course = Course(parse_lesson(TALK, talk))
     assert [planned(course, place) for place in range(3)] == [(0.0, 2.0), (2.0, 1.5), (3.5, 0.0)]
@@ -741,6 +754,13 @@ def test_the_speaker_reads_which_step_cannot_be_and_not_the_class(
         press(speaker, Qt.Key.Key_1, Qt.Key.Key_Escape)
         window.lessons.read_again()  # a folder that changes, but not the file
         assert any(said in text for text in read_on(speaker))
+    talk.write_text("---\n")  # what is wrong since then is said instead
+    window.lessons.read_again()
+    assert not any(said in text for text in read_on(speaker))
+    talk.write_text(MESHES)
+    window.lessons.read_again()
+    window.talks.jump(3)
+    assert any(said in text for text in read_on(speaker))
     window.talks.jump(2)  # what can be shown again takes it back
     assert not any(said in text for text in read_on(speaker))
     speaker.close()

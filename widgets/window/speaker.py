@@ -163,7 +163,7 @@ class SpeakerWindow(QWidget):
         layout.addWidget(self.notes, 2, 0)
         beside = in_column(self._next_title, (self.picture, 3), (self.steps, 2))
         layout.addLayout(beside, 1, 1, 2, 1)
-        layout.addLayout(in_row(back, forward, blank, (self._said, 1)), 3, 0, 1, 2)
+        layout.addLayout(in_row(back, forward, blank, 8, (self._said, 1)), 3, 0, 1, 2)
         layout.setColumnStretch(0, 3)
         layout.setColumnStretch(1, 2)
         layout.setRowStretch(2, 1)
@@ -281,6 +281,8 @@ class SpeakerWindow(QWidget):
         text = ""
         if before + here > 0.0:
             text = self.tr("planned {0} to {1} min").format(f"{before:g}", f"{before + here:g}")
+            if not here:
+                text = self.tr("planned {0} min").format(f"{before:g}")
             late = seconds / 60.0 - (before + here)
             if late >= 1.0:
                 text += "  –  " + self.tr("{0} min late").format(int(late))

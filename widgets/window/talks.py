@@ -165,9 +165,7 @@ class Talks(QObject):
         self._shown = None if course is None else (course, place)
         self._listen()
         self._band.setVisible(self.is_on)
-        if self._refusal:
-            self._messages.take_back(self._refusal)
-            self._refusal = ""
+        self._forget_refusal()
         self._forget_typed()
         if course is None:
             self._look.forget_ahead()
@@ -351,6 +349,8 @@ class Talks(QObject):
     def _complain(self, text: str) -> None:
         """Say what is wrong with the open file to the speaker; to a class only that it is old."""
         self._messages.take_back(self._complaint)
+        if text:
+            self._forget_refusal()
         self._complaint = text
         if self.speaker is not None:
             self.speaker.say(self._refusal or text)
@@ -365,6 +365,11 @@ class Talks(QObject):
         self._forget_typed()
         if self.speaker is None:
             self._messages.say(text)
+
+    def _forget_refusal(self) -> None:
+        if self._refusal:
+            self._messages.take_back(self._refusal)
+            self._refusal = ""
 
     def _tell(self, text: str) -> None:
         self._band.say(text)
@@ -388,6 +393,8 @@ class Talks(QObject):
             speaker.blank_wanted.connect(self.blank)
             speaker.jump_wanted.connect(self.jump)
             self._place_speaker()
+        if self.is_on:
+            self.speaker.clock.begin()
         self.speaker.show()
         self.speaker.raise_()
         self._show()
