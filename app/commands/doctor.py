@@ -11,7 +11,6 @@ import platform
 import subprocess
 import sys
 from collections.abc import Iterator, Sequence
-from importlib import metadata
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -93,6 +92,8 @@ def examine() -> Iterator[Finding]:
 
 
 def _packages() -> Iterator[Finding]:
+    from importlib import metadata  # slow, and every command imports this file
+
     if (bootstrap.ROOT / "pyproject.toml").exists():
         for requirement in bootstrap.requirements(bootstrap.ROOT):
             bounds = requirement.text.partition(";")[0].removeprefix(requirement.name).strip()

@@ -402,8 +402,6 @@ def test_it_gives_way_to_the_panes(panel: MeasurePanel, qapp: QApplication, tmp_
         qapp.processEvents()
         assert panel.minimumSizeHint().width() <= width
     assert panel.minimumSizeHint().height() <= 100
-    panel.resize(1340, 600)
-    assert panel.sizeHint().height() <= 260
 
 
 def test_names_beside_points_do_not_hide_each_other(panel: MeasurePanel, tmp_path: Path) -> None:

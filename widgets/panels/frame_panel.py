@@ -17,7 +17,7 @@ from collections.abc import Callable, Iterable
 from dataclasses import replace
 from typing import NamedTuple
 
-from PySide6.QtCore import QEvent, QSize, Qt, QTimer, Signal
+from PySide6.QtCore import QEvent, Qt, QTimer, Signal
 from PySide6.QtGui import QEnterEvent, QFont, QHideEvent, QShowEvent
 from PySide6.QtWidgets import QLabel, QPushButton, QSizePolicy, QWidget
 
@@ -281,10 +281,6 @@ class FramePanel(Panel):
         )
 
     # -- the model
-
-    def sizeHint(self) -> QSize:
-        """High enough for the four rows of the last step's matrix."""
-        return super().sizeHint() + QSize(0, 3 * self.fontMetrics().height())
 
     def take(self, shown: Shown, changed: Changed) -> None:
         before, self._projection = self._projection, shown.projection

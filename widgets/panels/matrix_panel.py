@@ -18,7 +18,7 @@ from collections.abc import Sequence
 from functools import partial
 from typing import cast
 
-from PySide6.QtCore import QCoreApplication, QEvent, QObject, QPoint, QSize, Qt, QTimer, Signal
+from PySide6.QtCore import QCoreApplication, QEvent, QPoint, Qt, QTimer, Signal
 from PySide6.QtGui import QGuiApplication, QShowEvent
 from PySide6.QtWidgets import (
     QCheckBox,
@@ -164,7 +164,6 @@ class MatrixPanel(ReadablePanel):
         self._stop = NDC
         self._earlier: tuple[object, tuple[Matrix, ...]] = (None, ())
         self._lay_out()
-        self._highest = self._content.sizeHint().height()
 
     def _lay_out(self) -> None:
         self.cells = self._choice(
@@ -221,7 +220,6 @@ class MatrixPanel(ReadablePanel):
         self._content = QWidget()
         self._row = in_row(FREE, on=self._content, margins=(2, 0, 2, 0), gap=6)
         self._scroll = scrolled(self._content, self.tr("Matrices"))
-        self._content.installEventFilter(self)
         self.explanation = WarningLabel()
         self.explanation.set_warns(False)
         self.explanation.setAccessibleDescription(self.tr("About the cell"))
@@ -426,27 +424,6 @@ class MatrixPanel(ReadablePanel):
         if event.type() == QEvent.Type.FontChange:
             self._plan = None  # widths are measured anew
             self._readable.changed()
-
-    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        if event.type() == QEvent.Type.LayoutRequest and self._boxes:
-            height = self._content.sizeHint().height()
-            if height > self._highest:  # never less: the panes stand still
-                self._highest = height
-                if height > self._scroll.viewport().height():
-                    self.outgrown.emit()
-        return super().eventFilter(watched, event)
-
-    def sizeHint(self) -> QSize:
-        # Folded, there is no matrix yet to be measured: a title, axes, four rows, a note.
-        matrices_height = max(
-            8 * self.fontMetrics().height() + 24, self._content.sizeHint().height()
-        )
-        around = (
-            self._bar.sizeHint().height(),
-            self._scroll.horizontalScrollBar().sizeHint().height(),
-            self.explanation.minimumHeight(),
-        )
-        return QSize(super().sizeHint().width(), matrices_height + sum(around) + 6)
 
     @property
     def shown(self) -> tuple[Matrix, ...]:

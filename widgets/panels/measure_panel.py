@@ -65,9 +65,6 @@ from widgets.parts.panel import Changed, Shown
 from widgets.parts.readable import ReadablePanel
 from widgets.parts.writing import all_digits
 
-HEIGHT_PX = 225
-"""Of the panel where it opens, at the ordinary font, in a window of 768; more in a higher one."""
-ORDINARY_WINDOW_PX = 768
 LEAST_WINDOW_PX = 900
 """In a window that is so wide it must find room."""
 ENDINGS = (".csv", ".json", *chart.ENDINGS)
@@ -223,12 +220,6 @@ class MeasurePanel(ReadablePanel):
             button.setMinimumWidth(60)
         self.list.setMinimumHeight(40)
         self.list.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Ignored)
-
-    def sizeHint(self) -> QSize:
-        """Low, for the panes above need the height; higher in a window that has more."""
-        lines = 13.0 * self.fontMetrics().height()
-        more = max(0.0, 0.6 * (self.window().height() - ORDINARY_WINDOW_PX))
-        return QSize(super().sizeHint().width(), round(max(HEIGHT_PX, lines) + more))
 
     def minimumSizeHint(self) -> QSize:
         return QSize(min(super().minimumSizeHint().width(), LEAST_WINDOW_PX), 80)

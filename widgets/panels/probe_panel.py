@@ -18,7 +18,6 @@ from PySide6.QtCore import (
     QObject,
     QPersistentModelIndex,
     QRectF,
-    QSize,
     Qt,
     Signal,
 )
@@ -176,13 +175,6 @@ class ProbePanel(ReadablePanel):
 
     def hasHeightForWidth(self) -> bool:
         return False  # the sentences wrap, but it is the table that wants height
-
-    def sizeHint(self) -> QSize:
-        """High enough for every line of the table, with or without a probe in it."""
-        lines = sum(map(self._height_of, self._formulas(self._projection or Projection())))
-        head = self.choice.sizeHint().height() + self.table.horizontalHeader().sizeHint().height()
-        bar = self.table.horizontalScrollBar().sizeHint().height()
-        return QSize(super().sizeHint().width(), head + bar + lines + 12)
 
     # -- the probes
 

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from PySide6.QtCore import QEvent, QObject, QSize, Qt, QTimer, Signal
+from PySide6.QtCore import QEvent, QObject, QSize, Qt
 from PySide6.QtWidgets import QFrame, QGridLayout, QLabel, QLayout, QScrollArea, QWidget
 
 from app.drawings.style import LIGHT, Style
@@ -20,12 +20,6 @@ from widgets.parts.messages import breakable, of_phenomena
 from widgets.parts.panel import Changed, Shown
 from widgets.parts.readable import ReadablePanel
 
-HEIGHT_PX = 225
-"""Of the panel where it opens, at the ordinary font; what is higher scrolls, or it is dragged."""
-PART = 0.28
-"""Of a large window's height, for the panel."""
-LARGEST_PART = 0.33
-"""So much of it at most, where the text needs it."""
 LEAST_WINDOW_PX = 900
 """In a window that is so wide it must find room."""
 WORD = 16
@@ -66,33 +60,12 @@ class ScenePanel(ReadablePanel):
         self._diagram_column = _Column(self._drawn, self.tr("Diagrams"))
         self._columns_of_diagrams = 0
         self._diagram_column.installEventFilter(self)
-        # Asks when all is laid out, not on the way there.
-        self._outgrowing = QTimer(self, singleShot=True, interval=0)
-        self._outgrowing.timeout.connect(self._tell_outgrown)
-        self._text_column.overfull.connect(self._outgrowing.start)
         columns = ((self._text_column, 4), self._diagram_column)
         self._columns = in_row(*columns, on=self, margins=(4, 0, 4, 2), gap=12)
-
-    def sizeHint(self) -> QSize:
-        """Low: the panes above need the height; but few lines are to be cut.
-
-        A scene that has no diagram needs no more than its text does.
-        """
-        window = self.window().height()
-        said = self._text_column.height_inside + self._columns.contentsMargins().bottom()
-        height = min(LARGEST_PART * window, said)
-        if any(not view.isHidden() for view in self.diagrams):
-            lines = 13.0 * self.fontMetrics().height()
-            height = max(height, HEIGHT_PX, lines, PART * window)
-        return QSize(super().sizeHint().width(), round(height))
 
     def minimumSizeHint(self) -> QSize:
         """Not wider than a small window: rather are the columns scrolled."""
         return QSize(min(super().minimumSizeHint().width(), LEAST_WINDOW_PX), 80)
-
-    def _tell_outgrown(self) -> None:
-        if self.sizeHint().height() > self.height():
-            self.outgrown.emit()
 
     # -- what the owner says
 
@@ -191,36 +164,18 @@ class _Column(QScrollArea):
         Translated, for screen readers.
     """
 
-    overfull = Signal()
-    """What is in it has changed, and is higher than what is seen of it."""
-
     def __init__(self, layout: QLayout, name: str) -> None:
         super().__init__(widgetResizable=True)
-        self._inside = QWidget()
+        inside = QWidget()
         layout.setContentsMargins(0, 0, 4, 0)
-        self._inside.setLayout(layout)
-        self.setWidget(self._inside)
+        inside.setLayout(layout)
+        self.setWidget(inside)
         self.setFrameShape(QFrame.Shape.NoFrame)
         self.setAccessibleName(name)
         FocusRing(self)
-        self._inside.installEventFilter(self)
-
-    @property
-    def height_inside(self) -> int:
-        """Of what is in it, in the width that it has."""
-        height = self._inside.heightForWidth(self.viewport().width())
-        return height if height >= 0 else self._inside.sizeHint().height()
 
     def minimumSizeHint(self) -> QSize:
         return QSize(COLUMN_PX, 60)
 
     def sizeHint(self) -> QSize:
-        inside = self._inside.sizeHint().height()
-        return QSize(self.minimumSizeHint().width(), min(HEIGHT_PX, inside))
-
-    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        if event.type() in (QEvent.Type.LayoutRequest, QEvent.Type.Resize) and (
-            self.height_inside > self.viewport().height()
-        ):
-            self.overfull.emit()
-        return super().eventFilter(watched, event)
+        return self.minimumSizeHint()

@@ -115,8 +115,6 @@ class Panel(QWidget, Gestures):
     """The user made this `Projection`."""
     highlighted = Signal(object)
     """The `Highlight` that what is under the mouse or the cursor draws."""
-    outgrown = Signal()
-    """It needs more height than it has."""
     told = Signal(str)
     """What was done otherwise than it was asked for, in one sentence."""
     refused = Signal(str)
