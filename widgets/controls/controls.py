@@ -89,8 +89,8 @@ class Controls(QScrollArea, RowHolder):
     highlighted = Signal(str, object)
     """The name of a row that the user is at, and the `Highlight` it draws; `NOTHING` after it."""
 
-    def __init__(self) -> None:
-        super().__init__()
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
         self._projection = Projection()
         self._defaults = self._projection
         self._size = 10.0
@@ -122,6 +122,7 @@ class Controls(QScrollArea, RowHolder):
             "animation": Section(self.tr("Animation")),
         }
         self._column = QWidget()
+        self.setWidget(self._column)  # while it is empty: it would all be styled again
         self._layout = in_column(
             self._not_here, self.card, *self._parts, FREE, on=self._column, gap=2
         )
@@ -142,7 +143,6 @@ class Controls(QScrollArea, RowHolder):
             about = _about(binding)
             binding.row.highlighted.connect(partial(self._highlighted, key, about))
         self.rows = {name: each.row for name, each in self._bindings.items()}
-        self.setWidget(self._column)
         self._make_room()
         self._reserve_bar()
         self.set_scene(self._size, self._defaults)

@@ -105,9 +105,9 @@ class Panels(QWidget):
         self._buttons.append(button)
         area = QScrollArea(widgetResizable=True)
         area.setFrameShape(QFrame.Shape.NoFrame)
+        self._stack.addWidget(area)
         area.setWidget(panel)
         area.setFocusPolicy(Qt.FocusPolicy.NoFocus)
-        self._stack.addWidget(area)
 
     @property
     def all(self) -> tuple[Panel, ...]:
@@ -156,8 +156,9 @@ class Panels(QWidget):
 class Drawer(QSplitter):
     """The panes above, the open panel below: at most a third of the window, or less by hand."""
 
-    def __init__(self, above: QWidget, panels: Panels) -> None:
+    def __init__(self, around: QSplitter, above: QWidget, panels: Panels) -> None:
         super().__init__(Qt.Orientation.Vertical)
+        around.addWidget(self)
         self._panels = panels
         self._share = LARGEST_SHARE
         self.addWidget(above)

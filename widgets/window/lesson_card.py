@@ -548,17 +548,23 @@ class Side(QSplitter):
 
     Parameters
     ----------
+    around : QSplitter
+        Which it is added to.
+
+    Attributes
+    ----------
     controls : Controls
     """
 
-    def __init__(self, controls: Controls) -> None:
+    def __init__(self, around: QSplitter) -> None:
         super().__init__(Qt.Orientation.Vertical)
-        self._controls = controls
+        around.addWidget(self)
+        self._around = around
+        self.controls = Controls(self)
         self._card: LessonCard | None = None
         self._before: list[int] = []
         """How wide pictures and column were without a lesson."""
         self.setChildrenCollapsible(False)
-        self.addWidget(controls)
 
     def take_card(self, card: LessonCard) -> None:
         """Have the lesson's card above the controls."""
@@ -569,13 +575,12 @@ class Side(QSplitter):
         """Show some of it."""
         assert self._card is not None
         self._card.setVisible(card)
-        self._controls.setVisible(controls)
+        self.controls.setVisible(controls)
         self.setVisible(card or controls)
 
     def make_room(self, on: bool) -> None:
         """Be wider while there is a lesson."""
-        around = self.parentWidget()
-        assert isinstance(around, QSplitter)
+        around = self._around
         if on:
             self._before = around.sizes()
             em = QFontInfo(self.font()).pixelSize()

@@ -32,7 +32,6 @@ from app.document.document import Document
 from app.document.store import Store
 from app.model.projection import Camera
 from app.scenes.scene import Scene
-from widgets.controls.controls import Controls
 from widgets.controls.scene_card import SceneCard
 from widgets.panels.frame_panel import FramePanel
 from widgets.panels.kinds_panel import KindsPanel
@@ -179,9 +178,9 @@ class MainWindow(QMainWindow):
         self.manipulation = Manipulation(self.panes["world"], self.panes["image"], self)
         self.strip = StageStrip()
         self.panes["ndc"].add_below(self.strip)
-        self.controls = Controls()
         self.counting = Counting(lambda: self.store.in_gesture, self)
         self.panels, self.status = Panels(), StatusLine()
+        self._lay_out()
         self._make_panels()
         self.probing = Probing(
             self.panes, self.probe_panel, self.manipulation, lambda: self.shown, self
@@ -189,7 +188,6 @@ class MainWindow(QMainWindow):
         self.cursors = {
             name: Cursor(name, pane, self.manipulation) for name, pane in self.panes.items()
         }
-        self._lay_out()
         self.pictures = Pictures(
             self, self.messages, lambda: self.store.seen, self.files.scene, titles, self.look.words
         )
@@ -279,10 +277,9 @@ class MainWindow(QMainWindow):
         parts = (self.messages, self.band, (split, 1), self.bottom)
         in_column(*parts, on=body, margins=(4, 4, 4, 0), gap=2)
         self.slots = Slots(self.panes, self.strip)
-        self.drawer = Drawer(self.slots, self.panels)
-        split.addWidget(self.drawer)
-        self.side = Side(self.controls)
-        split.addWidget(self.side)
+        self.drawer = Drawer(split, self.slots, self.panels)
+        self.side = Side(split)
+        self.controls = self.side.controls
         split.setStretchFactor(0, 1)
         split.setStretchFactor(1, 0)
         split.setSizes(PICTURES_AND_DOCK)
