@@ -229,6 +229,22 @@ def test_a_pane_floats_and_comes_back_with_its_picture(opened: Opened) -> None:
         assert colours_of(shown) > 10
 
 
+def test_what_opengl_has_lost_is_made_anew(opened: Opened) -> None:
+    """As after a driver has begun again: all that VTK had in it has gone."""
+    window = opened()
+    shown = window.store.document.projection
+    before = {name: pixels(window, name) for name in window.panes}
+    for pane in window.panes.values():
+        pane.canvas.render_window.Finalize()
+    window.store.set_projection(seen(window, lens=Perspective(50.0, 1.0, 30.0)))
+    settle()
+    assert not np.array_equal(pixels(window, "image"), before["image"])
+    window.store.set_projection(shown)
+    settle()
+    for name, picture in before.items():
+        assert np.array_equal(pixels(window, name), picture), name
+
+
 @pytest.mark.parametrize("kind", CANVAS)
 def test_a_canvas_of_any_size_is_drawn(kind: str, display: Any) -> None:
     canvas = CANVASES[kind](None)
