@@ -14,6 +14,7 @@ import sys
 import zlib
 from collections.abc import Callable
 from dataclasses import fields, replace
+from importlib import metadata
 from pathlib import Path
 from typing import Any
 
@@ -1401,13 +1402,9 @@ def with_driver(script: str, folder: Path, patch: pytest.MonkeyPatch) -> None:
 def test_doctor_names_a_package_of_the_wrong_version(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    from app.commands import doctor
-
     with_driver("exit 1", tmp_path, monkeypatch)
-    version = doctor.metadata.version
-    monkeypatch.setattr(
-        doctor.metadata, "version", lambda name: "9.9" if name == "vtk" else version(name)
-    )
+    version = metadata.version
+    monkeypatch.setattr(metadata, "version", lambda name: "9.9" if name == "vtk" else version(name))
     assert cli.main(["doctor"]) == 3
     said = capsys.readouterr().out
     assert re.search(r"This is missing:\n  vtk: change it: .* -m pip install 'vtk>=9", said)
