@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import atexit
 import functools
 import os
 import sys
@@ -18,6 +19,7 @@ from vtkmodules.vtkRenderingCore import vtkCamera, vtkRenderer, vtkRenderWindow
 
 Pixels: TypeAlias = NDArray[np.uint8]
 
+_SMALL_PX = 8, 8
 _WINDOW_CHOICE = "VTK_DEFAULT_OPENGL_WINDOW"
 
 
@@ -58,27 +60,59 @@ class OffScreen:
         self.render_window.SetOffScreenRendering(1)
         if sys.platform == "darwin":  # else there is a window after all, in the main thread only
             self.render_window.SetConnectContextToNSView(False)
-        self.render_window.SetMultiSamples(0)
-        self.render_window.SetSize(width, height)
+        self.clear(width, height)
         self.render_window.Initialize()  # X's crashes if it is let go without
+
+    def clear(self, width: int, height: int) -> None:
+        """Be as new, in another size, but for the shaders, which need not be compiled again."""
+        window = self.render_window
+        for renderer in list(window.GetRenderers()):
+            window.RemoveRenderer(renderer)
+        window.SetMultiSamples(0)
+        window.SetSize(width, height)
         self.renderer: Any = vtkRenderer()
         self.renderer.SetActiveCamera(vtkCamera())
-        self.render_window.AddRenderer(self.renderer)
+        window.AddRenderer(self.renderer)
 
     def close(self) -> None:
         """Give back what OpenGL holds for it."""
         self.render_window.Finalize()
 
 
+_kept: list[OffScreen] = []
+"""At most one."""
+
+
 @contextmanager
 def off_screen(width: int, height: int) -> Iterator[OffScreen]:
-    """Draw off the screen, and give everything back afterwards, whatever happens."""
-    screen = OffScreen(width, height)
-    try:
+    """Draw off the screen; the window is kept for the next figure, unless something happens.
+
+    To make one, and its shaders, takes longer than to draw a figure.
+    """
+    if _kept:
+        screen = _kept.pop()
+        screen.clear(width, height)
+    else:
+        screen = OffScreen(width, height)
         screen.render_window.SetAlphaBitPlanes(1)
+    try:
         yield screen
-    finally:
+    except BaseException:
         screen.close()
+        raise
+    screen.clear(*_SMALL_PX)
+    screen.render_window.Render()  # which gives the large picture's memory back
+    screen.render_window.ReleaseCurrent()
+    if _kept:
+        screen.close()
+    else:
+        _kept.append(screen)
+
+
+@atexit.register
+def _close_kept() -> None:
+    while _kept:
+        _kept.pop().close()
 
 
 @functools.cache

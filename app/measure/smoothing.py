@@ -7,7 +7,7 @@ smoothing, and held against the same picture with `REFERENCE` x `REFERENCE` samp
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
-from contextlib import ExitStack, contextmanager
+from contextlib import ExitStack, closing, contextmanager
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 from app.drawings import WORDS
 from app.drawings.actors import face_actor, identity_camera
 from app.drawings.image import ImageDrawing
-from app.drawings.off_screen import Pixels, off_screen, pixels_of
+from app.drawings.off_screen import OffScreen, Pixels, off_screen, pixels_of
 from app.drawings.style import LIGHT, WHITE
 from app.measure.results import Choice, Trade
 from app.measure.run import Watch, timed, unwatched
@@ -174,8 +174,10 @@ def pane(
         Its pixels, (height, width, 4) uint8, before they are averaged.
     """
     width, height = (max(1, round(side * smoothing.scale)) for side in size)
-    with off_screen(width, height) as screen:
+    # A window of its own: one that was drawn in has its shaders, and its first frame is quicker.
+    with closing(OffScreen(width, height)) as screen:
         window = screen.render_window
+        window.SetAlphaBitPlanes(1)
         window.SetMultiSamples(smoothing.samples)
         style = LIGHT.enlarged(smoothing.scale)
         drawing = ImageDrawing(screen, scene, WORDS, style, framed=False)

@@ -26,6 +26,7 @@ from app.document.document import Document, parse, read, to_json
 from app.document.view import PANES
 from app.drawings import WORDS
 from app.drawings.figures import png_bytes, render, write_png
+from app.drawings.off_screen import off_screen
 from app.drawings.stage import StageDrawing
 from app.drawings.style import DARK, LIGHT, rgb
 from app.model.projection import Camera, Perspective
@@ -246,6 +247,24 @@ def test_figures_leave_nothing_behind() -> None:
     for _ in range(3):
         render(scene, scene.start, PANES, (300, 100))
     assert count() == before
+
+
+def test_a_window_that_figures_were_drawn_in_draws_as_a_new_one() -> None:
+    """Whatever they were: of few depth bits, with textures, several layers, no background."""
+    scenes = [load(name) for name in ("depth-buffer", "interpolation", "focus")]
+    kinds = [(scene, pane) for scene in scenes for pane in PANES]
+    new = []
+    for scene, pane in kinds:
+        with off_screen(8, 8), off_screen(8, 8):  # of which one, at most, had been kept
+            new.append(render(scene, scene.start, (pane,), (160, 120)))
+    for scene in scenes:
+        render(scene, scene.start, PANES, (600, 90), transparent=True, style=DARK)
+    with off_screen(64, 64) as screen:
+        assert list(screen.render_window.GetRenderers()) == [screen.renderer]
+        screen.render_window.SetMultiSamples(4)
+        screen.render_window.Render()
+    for (scene, pane), expected in zip(kinds, new, strict=True):
+        assert np.array_equal(render(scene, scene.start, (pane,), (160, 120)), expected)
 
 
 def test_the_environment_is_left_as_it_was(monkeypatch: pytest.MonkeyPatch) -> None:
