@@ -61,7 +61,10 @@ INDENTED = QT_TRANSLATE_NOOP(
 )
 LACKS = QT_TRANSLATE_NOOP("Refusal", "needs {0}")
 ONLY_ONCE = QT_TRANSLATE_NOOP("Refusal", "has {0} twice")
-ONE_RIGHT = QT_TRANSLATE_NOOP("Refusal", "needs at least two choices, just one of them right: [x]")
+NO_CHOICE = QT_TRANSLATE_NOOP("Refusal", "must begin with “- [x]”, if it is right, or “- [ ]”")
+ONE_RIGHT = QT_TRANSLATE_NOOP(
+    "Refusal", "needs at least two choices, just one of them right: “- [x]”, the others “- [ ]”"
+)
 EITHER = QT_TRANSLATE_NOOP("Refusal", "has choices and a value: only one of them can be")
 A_SAMPLE = QT_TRANSLATE_NOOP("Refusal", "must be a sample, as “NAME: SAMPLE -> VERDICT”")
 AN_ASSIGNMENT = QT_TRANSLATE_NOOP(
@@ -662,7 +665,7 @@ class _Reader:
             indented = text[:1] in (" ", "\t")
             choice = None if indented else _CHOICE.fullmatch(text.rstrip())
             key = _KEY.fullmatch(text.strip())
-            if choice and "choices" in _KEYS[kind]:
+            if choice and kind in _WITH_CHOICES:
                 mark = "right" if choice[1] in "xX" else "false"
                 items.append(_Item("choice", mark, choice[2].strip(), number, []))
             elif indented and items:
@@ -671,6 +674,8 @@ class _Reader:
                 items.append(_Item(key[1], (key[2] or "").strip(), key[3].strip(), number, []))
             elif not items:
                 question.append(text)
+            elif kind in _WITH_CHOICES and text[:1] in "-*":
+                raise refused(number, NO_CHOICE, value=text.strip()[:60])
             elif text.strip():
                 bound = INDENTED if indented else UNEXPECTED
                 raise refused(number, bound, ", ".join(_KEYS[kind]), value=text.strip()[:60])
@@ -691,11 +696,12 @@ class _Reader:
             items[-1] = last._replace(text=f"{last.text} {text}".strip())
 
 
+_WITH_CHOICES = ("predict", "answer")
 _CHOICE = re.compile(r"[-*]\s+\[([ xX])\]\s+(.*)")
 _KEY = re.compile(r"([a-z]+)(\s+[\w-]+)?:(.*)")
 _KEYS = {
-    "predict": ("choices", "show", "check", "why", "hint"),
-    "answer": ("choices", "value", "unit", "wrong", "check", "why", "hint"),
+    "predict": ("show", "check", "why", "hint"),
+    "answer": ("value", "unit", "wrong", "check", "why", "hint"),
     "task": ("until", "done", "hint"),
 }
 _BELOW = ("says", "state")

@@ -196,6 +196,12 @@ def test_formulas_are_left_alone_by_markdown_and_dollars_can_be_prices() -> None
         (STEP + "```state\ndocument: C:\\x.json\n```\n", "must be a file beside the lesson"),
         (STEP + "```predict\nQ?\n- [x] a\n```\n", "line 5 needs at least two choices"),
         (STEP + "```predict\nQ?\n- [ ] a\n- [ ] b\n```\n", "line 5 needs at least two choices"),
+        (STEP + "```predict\nQ?\nchoices:\n- a\n- b\n```\n", "line 5 needs at least two choices"),
+        (STEP + "```predict\nQ?\n- [x] a\n- b\n```\n", "line 8 = '- b': must begin with “- [x]”"),
+        (
+            STEP + "```answer\nQ?\nvalue: 1\nright: 1\n```\n",
+            "one of value, unit, wrong, check, why",
+        ),
         (STEP + "```answer\nQ?\n```\n", "line 5 needs “value: FORMULA”, or choices"),
         (STEP + "```answer\nvalue: 2\n```\n", "line 5 needs a question"),
         (
