@@ -163,7 +163,8 @@ class _Checker:
             for tex in formulas_in(text):
                 problem = _problem_of_tex(tex)
                 if problem:
-                    self._complain(refused(line, NOT_TEX, problem, value=tex))
+                    above = text[: text.find(tex)].count("\n")
+                    self._complain(refused(line + above, NOT_TEX, problem, value=tex))
         for part in step.parts:
             if isinstance(part, Words):
                 words += len(part.text.split())
@@ -299,7 +300,7 @@ def _texts_of(step: Step) -> Iterator[tuple[int, str]]:
     if step.note is not None:
         yield step.note.line, step.note.text
     for part in step.parts:
-        yield part.line, part.text
+        yield part.line + (not isinstance(part, Words)), part.text  # below the block's name
         if isinstance(part, Task):
             yield part.line, part.done
         if isinstance(part, (Task, Question)):

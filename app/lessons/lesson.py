@@ -55,6 +55,9 @@ TOO_MANY_STEPS = QT_TRANSLATE_NOOP("Refusal", "has more than {0} steps")
 TWICE = QT_TRANSLATE_NOOP("Refusal", "has the name of line {0} again; every one needs its own")
 BAD_NAME = QT_TRANSLATE_NOOP("Refusal", "must be a name of letters, digits and -")
 UNCLOSED = QT_TRANSLATE_NOOP("Refusal", "begins a block that is not closed: a line ``` must end it")
+BLOCK_INDENTED = QT_TRANSLATE_NOOP(
+    "Refusal", "begins a block, but is indented: ``` stands where a line begins"
+)
 UNEXPECTED = QT_TRANSLATE_NOOP("Refusal", "must be one of {0}, a colon, and its value")
 INDENTED = QT_TRANSLATE_NOOP(
     "Refusal", "is indented, but there is nothing above that it belongs to"
@@ -490,6 +493,7 @@ def formulas_in(text: str) -> list[str]:
 _NAME = re.compile(r"[^\W_][\w-]*")
 _HEADING = re.compile(r"#\s+(.*?)(?:\s*\{#([^{}]*)\})?\s*#*\s*")
 _KINDS = ("state", "predict", "task", "answer", "note", "test")
+_INDENTED_BLOCK = re.compile(rf"\s*(```+|~~~+)\s*({'|'.join(_KINDS)})\b")
 
 
 def _steps(
@@ -587,6 +591,8 @@ class _Reader:
 
         for token in self._tokens[1:]:
             kind, _, block_name = token.info.strip().partition(" ")
+            if token.type == "code_block" and _INDENTED_BLOCK.match(token.content):
+                raise refused(_line(token, self._first), BLOCK_INDENTED)
             if token.type != "fence" or not kind:
                 if token.nesting >= 0:
                     words.append(token)

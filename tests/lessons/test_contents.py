@@ -156,6 +156,22 @@ def test_a_planted_mistake_is_found_with_file_and_line(
     assert not done.stdout.endswith(" 0 wrong\n")
 
 
+def test_a_formula_that_cannot_be_written_is_said_with_its_own_line(tmp_path: Path) -> None:
+    path = tmp_path / "wrong.md"
+    path.write_text(
+        "---\ntitle: T\n---\n# One\n\nWords with $x$,\nmore,\nand $\\nosuch$.\n"
+        "```predict\nWhy $\\never$?\n- [x] a\n- [ ] $\\nowhere$\n```\n",
+        encoding="utf-8",
+    )
+    said = run_here("lesson", "check", path).stdout.splitlines()
+    found = [line.removeprefix(f"{path}: ").partition(":")[0] for line in said[:-1]]
+    assert found == [
+        "line 8 = '\\\\nosuch'",
+        "line 10 = '\\\\never'",
+        "line 12 = '\\\\nowhere'",
+    ]
+
+
 def test_a_file_that_is_none_is_said_and_the_others_are_checked(tmp_path: Path) -> None:
     done = run_here("lesson", "check", tmp_path / "none.md", contained()[0])
     assert done.returncode == 1

@@ -197,6 +197,7 @@ def test_formulas_are_left_alone_by_markdown_and_dollars_can_be_prices() -> None
         (STEP + "```predict\nQ?\n- [x] a\n```\n", "line 5 needs at least two choices"),
         (STEP + "```predict\nQ?\n- [ ] a\n- [ ] b\n```\n", "line 5 needs at least two choices"),
         (STEP + "```predict\nQ?\nchoices:\n- a\n- b\n```\n", "line 5 needs at least two choices"),
+        (STEP + "\t```state\n\tlens.near=2\n\t```\n", "line 5 begins a block, but is indented"),
         (STEP + "```predict\nQ?\n- [x] a\n- b\n```\n", "line 8 = '- b': must begin with “- [x]”"),
         (
             STEP + "```answer\nQ?\nvalue: 1\nright: 1\n```\n",
