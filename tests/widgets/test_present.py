@@ -175,6 +175,27 @@ def test_a_class_sees_the_controls_that_matter_and_nothing_else(window: MainWind
     assert all(widget.isVisible() for widget in beside)
 
 
+def test_a_class_does_not_read_an_offer_which_waits(window: MainWindow) -> None:
+    taken: list[int] = []
+    bar = window.messages
+    bar.say("Work of yesterday was not saved.", ("Recover it", lambda: taken.append(1)))
+    begin(window)
+    assert not bar.isVisible()
+    bar.say("near must be less than far.")  # what the speaker has just done
+    assert bar.isVisible()
+    bar.done()
+    assert not bar.isVisible()
+    window.present.end()
+    settle()
+    assert bar.isVisible() and bar.text == "Work of yesterday was not saved."
+    [button] = bar.choices
+    button.click()
+    assert taken == [1] and not bar.isVisible()
+    begin(window)
+    bar.say("Begun again.", ("Undo", lambda: None))  # asked for by what was done now
+    assert bar.isVisible()
+
+
 def test_in_a_narrow_window_a_class_reads_what_to_try_all_the_same(window: MainWindow) -> None:
     window.resize(1024, 720)
     settle()

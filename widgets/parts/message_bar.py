@@ -35,6 +35,7 @@ class MessageBar(QFrame):
         self._said = ""
         self._choices: list[QPushButton] = []
         self._offer: tuple[str, tuple[Choice, ...]] | None = None
+        self._waits = False
         tip = self.tr("Dismiss this message")
         self._close = tool_button("", tip, self._dismiss, icon="close", name=tip, flat=True)
         self._line = in_row((self._text, 1), self._close, on=self, margins=(10, 4, 4, 4))
@@ -82,7 +83,18 @@ class MessageBar(QFrame):
         if self._choices:
             return
         self.hide()
-        if self._offer is not None:
+        self._offer_again()
+
+    def put_off(self, waits: bool) -> None:
+        """Let an offer wait, or wait no more: a class need not read it."""
+        self._waits = waits
+        if waits and self._choices:
+            self.hide()
+        elif self.isHidden():
+            self._offer_again()
+
+    def _offer_again(self) -> None:
+        if self._offer is not None and not self._waits:
             sentence, choices = self._offer
             self.say(sentence, *choices)
 

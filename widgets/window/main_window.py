@@ -386,6 +386,7 @@ class MainWindow(QMainWindow):
         menus.blank.triggered.connect(self.present.blank)
         menus.pointer.toggled.connect(self.probing.set_pointing)
         self.present.switched.connect(self._show_presenting)
+        self.present.switched.connect(self.messages.put_off)
         self.slots.rearranged.connect(self._show_beside)
         menus.start_card.triggered.connect(self.show_start_card)
         menus.controls_shown.connect(self._show_beside)
