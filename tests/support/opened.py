@@ -8,7 +8,8 @@ from typing import Any
 
 from PySide6.QtCore import QEvent
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication
+from PySide6.QtWidgets import QApplication, QSpacerItem, QWidgetItem
+from shiboken6.Shiboken import createdByPython, getAllValidWrappers
 
 from app.document.document import Document
 from tests import PATIENCE_MS
@@ -36,7 +37,14 @@ def opened(
 
 
 def close(windows: list[MainWindow]) -> None:
-    """Close windows, the last first, and see that no interactor outlives them."""
+    """Close windows, the last first, and see that no interactor outlives them.
+
+    Nor may PySide hold an item of a layout that Qt has made: what comes to lie in its place is
+    taken for it.
+    """
+    items = [one for one in getAllValidWrappers() if isinstance(one, (QSpacerItem, QWidgetItem))]
+    held = sum(not createdByPython(item) for item in items)
+    del items
     canvases = [weakref.ref(pane.canvas) for window in windows for pane in window.panes.values()]
     while windows:
         windows[-1].setFocus()  # or what a test has left in a field is entered, and asked about
@@ -47,6 +55,7 @@ def close(windows: list[MainWindow]) -> None:
     delete_what_is_due()
     gc.collect()
     survivors = [ref for ref in canvases if ref() is not None]
+    assert not held, f"PySide holds {held} items of layouts"
     assert not survivors, f"{len(survivors)} interactors outlive their windows"
 
 

@@ -55,7 +55,7 @@ from widgets.parts.buttons import tool_button
 from widgets.parts.combo import Combo
 from widgets.parts.fields import parse_number, refusal
 from widgets.parts.icons import REFUSAL_SHEET, WarningLabel, show_icon
-from widgets.parts.layouts import FREE, in_column, in_row, scrolled
+from widgets.parts.layouts import FREE, Part, in_column, in_row, scrolled
 from widgets.parts.messages import field_name, read_text, sentence, stage_title, translated
 from widgets.parts.panel import PROJECTION, Changed, Shown
 from widgets.parts.readable import ReadablePanel
@@ -117,10 +117,10 @@ class _Box(QWidget):
         self.factor_views = [panel.new_view(factor.name) for factor in matrix.factors]
         self.factor_names = [QLabel() for _ in matrix.factors]
         self.factors = QWidget()
-        inner = in_row(on=self.factors, margins=(0, 0, 0, 0), gap=4)
+        inner: list[Part] = []
         for view, name in zip(self.factor_views, self.factor_names, strict=True):
-            inner.addWidget(QLabel("·" if inner.count() else "="))
-            inner.addLayout(in_column(view, name, FREE, gap=1))
+            inner += QLabel("·" if inner else "="), in_column(view, name, FREE, gap=1)
+        in_row(*inner, on=self.factors, margins=(0, 0, 0, 0), gap=4)
         self.note = QLabel()
         self.note.setObjectName("paneNote")
         self.note.hide()

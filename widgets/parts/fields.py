@@ -1198,6 +1198,8 @@ class ChoiceRow(Row):
 
     def _make_buttons(self, choices: Sequence[Choice]) -> list[QWidget]:
         made: list[QWidget] = []
+        row = in_row(gap=2)
+        self._grid.addLayout(row, 0, 1)
         for index, choice in enumerate(choices):
             name = f"{self.name}: {choice.text}"
             button = tool_button(choice.text, name=name, checkable=True, by_click=True)
@@ -1205,9 +1207,9 @@ class ChoiceRow(Row):
             button.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
             self._tell(button, f"{choice.tip} {self._tip}".strip())
             self._group.addButton(button, index)
+            row.addWidget(button)
             made.append(button)
         self._group.idClicked.connect(self._chosen)
-        self._grid.addLayout(in_row(*made, gap=2), 0, 1)
         return made
 
     def _chosen(self, index: int) -> None:
@@ -1244,13 +1246,16 @@ class VectorRow(_TypedRow):
         self._add_fields(*(ShortField(self.tr("{0} {1}").format(name, x)) for x in "xyz"))
         self._line = QBoxLayout(QBoxLayout.Direction.LeftToRight)
         self._line.setSpacing(6)
+        self._grid.addLayout(self._line, 1, 0, 1, 4)
         for letter, field in zip("xyz", self.fields, strict=True):
             self._tell(field, f"{field.name}. {self._tip}")
             field.characters = VECTOR_CHARACTERS
             label = QLabel(letter)
             label.setForegroundRole(QPalette.ColorRole.PlaceholderText)
-            self._line.addLayout(in_row(label, (field, 1), gap=3), 1)
-        self._grid.addLayout(self._line, 1, 0, 1, 4)
+            one = in_row(gap=3)
+            self._line.addLayout(one, 1)
+            one.addWidget(label)
+            one.addWidget(field, 1)
         all_digits.changed.connect(self._turn)
         self._turn()
         self._show_value()

@@ -45,7 +45,7 @@ def in_row(
     gap : int, optional
         Between the parts; Qt's if not given.
     """
-    return _filled(QHBoxLayout() if on is None else QHBoxLayout(on), parts, margins, gap)
+    return _filled(QHBoxLayout(), parts, on, margins, gap)
 
 
 def in_column(
@@ -55,11 +55,15 @@ def in_column(
     gap: int | None = None,
 ) -> QVBoxLayout:
     """Lay out what stands one below the other; see `in_row`."""
-    return _filled(QVBoxLayout() if on is None else QVBoxLayout(on), parts, margins, gap)
+    return _filled(QVBoxLayout(), parts, on, margins, gap)
 
 
 def _filled(
-    line: _Line, parts: tuple[Part, ...], margins: tuple[int, int, int, int] | None, gap: int | None
+    line: _Line,
+    parts: tuple[Part, ...],
+    on: QWidget | None,
+    margins: tuple[int, int, int, int] | None,
+    gap: int | None,
 ) -> _Line:
     if margins is not None:
         line.setContentsMargins(*margins)
@@ -80,6 +84,10 @@ def _filled(
             line.addWidget(added, stretch)
         if isinstance(how, Qt.AlignmentFlag):
             line.setAlignment(added, how)
+    if on is not None:
+        # Only now: PySide makes wrappers for the items of a filled line that is added to one which
+        # is on a widget, and takes what lies where an item was for it when the item has gone.
+        on.setLayout(line)
     return line
 
 

@@ -43,7 +43,7 @@ from app.lessons.text import escaped, plain_of
 from app.model.refusal import Refusal
 from widgets.parts.buttons import push_button
 from widgets.parts.icons import paint_icon
-from widgets.parts.layouts import FREE, TOP, in_column, in_row
+from widgets.parts.layouts import FREE, TOP, Part, in_column, in_row
 from widgets.parts.lesson_text import LessonText
 from widgets.parts.messages import figure_text, sentence
 
@@ -188,10 +188,15 @@ class Asked(QFrame):
 
 def _row(icon: str, sign: str, text: str) -> QWidget:
     """A text behind its sign; without one as far to the right."""
+    said = LessonText(text)
+    indent = round(1.15 * said.fontMetrics().height())
+    return _on_holder((Sign(icon, sign), TOP) if icon else indent, (said, 1), gap=4)
+
+
+def _on_holder(*parts: Part, gap: int) -> QWidget:
+    """What stands side by side, as one widget."""
     holder = QWidget()
-    indent = round(1.15 * holder.fontMetrics().height())
-    before = (Sign(icon, sign), TOP) if icon else indent
-    in_row(before, (LessonText(text), 1), on=holder, margins=(0, 0, 0, 0), gap=4)
+    in_row(*parts, on=holder, margins=(0, 0, 0, 0), gap=gap)
     return holder
 
 
@@ -393,7 +398,7 @@ class Types(Asked):
         self.field.returnPressed.connect(self.check)
         self._check = _button(self.tr("Chec&k"), self.tr("Enter"), self.check)
         unit = [QLabel(part.unit)] if part.unit else []
-        self._column.addLayout(in_row((self.field, 1), *unit, self._check, FREE, gap=5))
+        self._column.addWidget(_on_holder((self.field, 1), *unit, self._check, FREE, gap=5))
         self._column.addLayout(self._said)
         if answer:
             self._restore(answer)
@@ -493,7 +498,7 @@ class Tries(Asked):
         super().__init__(course, place, part)
         self.task = part
         self._sign = Sign("", self.tr("To do"))
-        self._column.addLayout(in_row((self._sign, TOP), (LessonText(part.text), 1), gap=4))
+        self._column.addWidget(_on_holder((self._sign, TOP), (LessonText(part.text), 1), gap=4))
         self._column.addLayout(self._said)
         if answer:
             self.answer = DONE

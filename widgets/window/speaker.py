@@ -157,7 +157,7 @@ class SpeakerWindow(QWidget):
         forward = self._button(self.tr("&Next ▶"), self.next_wanted.emit)
         blank = self._button(self.tr("B&lank"), self.blank_wanted.emit)
         times = (self._clock, 8, self._elapsed, 8, self.pause, 8, self.reset, 8, (self._plan, 1))
-        layout = QGridLayout(self)
+        layout = QGridLayout()
         layout.addLayout(in_row(*times), 0, 0, 1, 2)
         layout.addLayout(in_row((self._title, 1), (self._number, TOP)), 1, 0)
         layout.addWidget(self.notes, 2, 0)
@@ -168,6 +168,7 @@ class SpeakerWindow(QWidget):
         layout.setColumnStretch(1, 2)
         layout.setRowStretch(2, 1)
         layout.setHorizontalSpacing(TEXT_PX)
+        self.setLayout(layout)  # filled: see `layouts.in_row`
         large: dict[QWidget, float] = {self._title: 1.5, self._clock: 1.6, self._elapsed: 1.6}
         for child in self.findChildren(QWidget):  # whatever letters the class is shown
             font = QFont(self.font())
