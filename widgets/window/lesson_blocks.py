@@ -156,10 +156,8 @@ class Asked(QFrame):
         self._said.addWidget(widget)
 
     def _offer(self, name: str, tip: str, act: Callable[[], object]) -> QPushButton:
-        button, holder = _button(name, tip, act), QWidget()
-        indent = round(1.4 * self.fontMetrics().height())
-        in_row(button, FREE, on=holder, margins=(indent, 0, 0, 0))
-        self._add(holder)
+        button = _button(name, tip, act)
+        self._add(_on_holder(round(1.4 * self.fontMetrics().height()), button, FREE, gap=0))
         return button
 
     def _offer_state(self, document: Document | None, name: str, tip: str) -> None:
