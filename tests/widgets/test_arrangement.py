@@ -10,7 +10,14 @@ import pytest
 from PIL import Image
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication, QDialogButtonBox, QLineEdit, QMessageBox, QToolButton
+from PySide6.QtWidgets import (
+    QApplication,
+    QDialogButtonBox,
+    QLineEdit,
+    QMessageBox,
+    QStatusBar,
+    QToolButton,
+)
 
 from app.document.document import Document, read, write
 from app.document.view import STAGES, View
@@ -199,6 +206,21 @@ def test_a_file_is_opened_over_a_changed_view_and_undo_brings_the_view_back(
     settle()
     assert is_as(window.store.seen.view, replace(PREPARED, stage=5.0)), "as it was left"
     assert window.files.path == prepared
+
+
+def test_what_is_said_of_unsaved_work_stands_in_the_line_that_is_there(
+    window: MainWindow, prepared: Path
+) -> None:
+    window.store.set_projection(seen(window, lens=Perspective(61.0, 2.0, 20.0)))
+    settle()
+    panes = window.split.height()
+    assert window.files.open(prepared)
+    settle()
+    assert window.status.currentMessage() == (
+        "The changes to Untitled are not saved: Undo brings them back."
+    )
+    assert window.findChildren(QStatusBar) == [window.status], "and no second one below it"
+    assert window.split.height() == panes, "nor less room for the panes"
 
 
 def test_unsaved_work_is_undone_to_and_is_in_recovery_meanwhile(

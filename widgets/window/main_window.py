@@ -526,6 +526,10 @@ class MainWindow(QMainWindow):
             self.look.rebuild()
         return super().event(event)
 
+    def statusBar(self) -> StatusLine:
+        """The line at the bottom: Qt would make a second one below it, and keep it."""
+        return self.status
+
     def _tell_shortly(self, text: str) -> None:
         self.status.showMessage(text, 5000)
 
