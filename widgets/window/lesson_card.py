@@ -447,9 +447,10 @@ class LessonCard(QFrame):
         said = self.tr("Done: “{0}”.").format(lesson.title)
         left = [place for place, step in enumerate(lesson.steps) if not self._is_done(step)]
         if left:
-            said += " " + self.tr("Something is left to do in step {0}.").format(
-                ", ".join(str(place + 1) for place in left)
-            )
+            rest = self.tr("Something is left to do in step {0}.")
+            if len(left) > 1:
+                rest = self.tr("Something is left to do in steps {0}.")
+            said = f"{said} {rest.format(', '.join(str(place + 1) for place in left))}"
         following = _after(lesson.path)
         self._clear()
         self._shown = None
