@@ -7,6 +7,7 @@ hand. A fraction stands for a number of three digits.
 
 from __future__ import annotations
 
+import itertools
 import math
 import re
 from fractions import Fraction
@@ -29,6 +30,8 @@ OVER_ZERO = QT_TRANSLATE_NOOP("Refusal", "must be a number: nothing can be divid
 TOO_LARGE = QT_TRANSLATE_NOOP(
     "Refusal", "must be a number whose power of ten is between -{0} and {0}"
 )
+OTHER_UNIT = QT_TRANSLATE_NOOP("Refusal", "must be in {0}")
+NO_UNIT = QT_TRANSLATE_NOOP("Refusal", "must be a number without {0}")
 TOO_LONG = QT_TRANSLATE_NOOP("Refusal", "must be a number of at most {0} characters")
 
 _DECIMAL = r"[0-9]+(?:[.,][0-9]*)?|[.,][0-9]+"
@@ -37,7 +40,13 @@ _NUMBER = re.compile(
     rf"(?:/(?P<under>-?(?:{_DECIMAL})))?",
     re.IGNORECASE,
 )
-_UNITS = ("°", "degrees", "deg", "units", "unit", "px", "%", "×", "mm", "m")
+_UNITS = (
+    ("°", "degrees", "degree", "deg"), ("units", "unit"), ("px", "pixels", "pixel"),
+    ("%",), ("×",), ("mm",), ("m",),
+)  # fmt: skip
+"""Those of a row are one."""
+_OF_ANY = "units", "unit", "×"
+"""What may stand behind a number that has no unit."""
 
 
 class Typed(NamedTuple):
@@ -70,14 +79,17 @@ def read(text: str, unit: str = "") -> Typed:
     Raises
     ------
     Refusal
-        For what is no number, or one beyond bounds.
+        For what is no number, one beyond bounds, or one with a unit that the answer has not.
     """
     if len(text) > _LONGEST:
         raise Refusal("answer", text, TOO_LONG, _LONGEST)
     plain = "".join(text.split()).replace("−", "-").replace("\u2044", "/")
-    for ending in (unit, *_UNITS):
-        if ending and plain.lower().endswith(ending.lower()):
+    own = next((row for row in _UNITS if unit in row), (unit,) if unit else _OF_ANY)
+    for ending in sorted((*own, *itertools.chain(*_UNITS)), key=len, reverse=True):
+        if plain.lower().endswith(ending.lower()):
             plain = plain[: -len(ending)]
+            if plain and ending not in own:
+                raise Refusal("answer", text, *((OTHER_UNIT, unit) if unit else (NO_UNIT, ending)))
             break
     if not plain:
         raise Refusal("answer", text, EMPTY)
