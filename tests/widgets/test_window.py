@@ -532,9 +532,9 @@ def test_saving_where_nothing_can_be_saved(make_window: MakeWindow, tmp_path: Pa
     assert window.store.modified
 
 
-def drop(window: MainWindow, path: Path) -> None:
+def drop(window: MainWindow, *paths: Path) -> None:
     data = QMimeData()
-    data.setUrls([QUrl.fromLocalFile(str(path))])
+    data.setUrls([QUrl.fromLocalFile(str(path)) for path in paths])
     event = QDropEvent(
         QPointF(200, 200), Qt.DropAction.CopyAction, data, Qt.MouseButton.LeftButton,
         Qt.KeyboardModifier.NoModifier,
@@ -551,6 +551,30 @@ def test_a_mesh_is_opened_by_dropping_it(window: MainWindow, tmp_path: Path) -> 
     trace = window.store.document.projection.trace([(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1)])
     assert not trace.outside.any()
     assert colours_of(pixels(window, "image")) > 3
+
+
+def test_what_was_refused_of_the_walk_does_not_stay_in_another_scene(window: MainWindow) -> None:
+    activate(window)
+    window.controls.sections["animation"].set_open(True)
+    speed = window.controls.animation.speed
+    speed.field.setFocus()
+    speed.field.selectAll()
+    QTest.keyClicks(speed.field, "-1e99")
+    QTest.keyClick(speed.field, Qt.Key.Key_Return)
+    assert speed.error and speed.field.hasFocus()
+    assert window.files.choose_scene("cube")
+    assert speed.error == "" and speed.field.text() == "20"
+
+
+def test_of_several_files_dropped_one_is_opened_and_that_is_said(
+    window: MainWindow, tmp_path: Path
+) -> None:
+    paths = [tmp_path / "first.json", tmp_path / "second.json"]
+    for path in paths:
+        write(window.store.document, path)
+    drop(window, *paths)
+    assert window.files.path == paths[0]
+    assert window.status.currentMessage() == "One file is opened at a time: first.json"
 
 
 def test_an_exported_picture_brings_the_state_back(window: MainWindow, tmp_path: Path) -> None:

@@ -239,6 +239,8 @@ class AnimationBar(QWidget, Playing, Gestures):
             The scene's own.
         """
         self.pause()
+        for row in self.rows:
+            row.clear_error()
         middle = camera.target[1]
         scale = Linear.about(middle, 3.0 * size)
         # Beside a long row of things a swing as high as that would look straight down.

@@ -11,6 +11,7 @@ What it does is done in the rooms beside this one; here they are made and joined
 
 from __future__ import annotations
 
+import os
 from collections.abc import Callable, Mapping
 from dataclasses import replace
 from functools import partial
@@ -629,6 +630,9 @@ class MainWindow(QMainWindow):
         paths = [url.toLocalFile() for url in event.mimeData().urls() if url.isLocalFile()]
         if paths:
             event.acceptProposedAction()
+            if len(paths) > 1:
+                said = self.tr("One file is opened at a time: {0}")
+                self._tell_shortly(said.format(os.path.basename(paths[0])))
             # After the drop is done: a question asked inside it would freeze the file manager.
             QTimer.singleShot(0, partial(self.files.open, paths[0]))
 
