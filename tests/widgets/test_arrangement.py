@@ -216,9 +216,7 @@ def test_what_is_said_of_unsaved_work_stands_in_the_line_that_is_there(
     panes = window.split.height()
     assert window.files.open(prepared)
     settle()
-    assert window.status.currentMessage() == (
-        "The changes to Untitled are not saved: Undo brings them back."
-    )
+    assert window.status.currentMessage() == ("Undo brings back the unsaved changes to Untitled.")
     assert window.findChildren(QStatusBar) == [window.status], "and no second one below it"
     assert window.split.height() == panes, "nor less room for the panes"
 
@@ -232,7 +230,7 @@ def test_unsaved_work_is_undone_to_and_is_in_recovery_meanwhile(
     work = window.store.document
     assert window.files.open(prepared)
     assert window.statusBar().currentMessage() == (
-        "The changes to mine.json are not saved: Undo brings them back."
+        "Undo brings back the unsaved changes to mine.json."
     )
     assert not window.isWindowModified() and window.windowTitle().startswith("prepared.json")
     (copy,) = data_folder().glob("autosave-*.json")

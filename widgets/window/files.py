@@ -155,7 +155,7 @@ class Files(QObject):
         held = {(each.scene, each.mesh) for each in self._store.documents}
         self._scenes = {names: scene for names, scene in self._scenes.items() if names in held}
         if left is not None:
-            text = self.tr("The changes to {0} are not saved: Undo brings them back.")
+            text = self.tr("Undo brings back the unsaved changes to {0}.")
             self._window.statusBar().showMessage(text.format(left), SAID_MS)
 
     def _with_mesh(self, document: Document, path: str) -> Document:
