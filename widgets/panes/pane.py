@@ -636,7 +636,8 @@ class Pane(QFrame):
             self._fit_header()
 
     def _fit_header(self) -> None:
-        """Leave the note what the title and the buttons leave of the width."""
+        """Leave the note what the title and the buttons leave of the width, all in one line."""
+        self.header.setMinimumHeight(self._tools.sizeHint().height())
         tools_px = 0 if self._tools.isHidden() else self._tools.sizeHint().width()
         room = max(0, self.width() - tools_px)
         bar = self._title_bar
