@@ -680,7 +680,7 @@ class _Reader:
                 items.append(_Item(key[1], (key[2] or "").strip(), key[3].strip(), number, []))
             elif not items:
                 question.append(text)
-            elif kind in _WITH_CHOICES and text[:1] in "-*":
+            elif kind in _WITH_CHOICES and text.startswith(("-", "*")):
                 raise refused(number, NO_CHOICE, value=text.strip()[:60])
             elif text.strip():
                 bound = INDENTED if indented else UNEXPECTED

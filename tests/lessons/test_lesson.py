@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from pathlib import Path
 
 import pytest
@@ -127,6 +128,24 @@ def test_a_choice_has_its_formula_and_its_idea_in_either_order() -> None:
         ("$\\frac{1}{2}$", "near", ""), ("1: up", "1", "up-v"), ("2", "far", "order"),
         ("none", None, "look-n"),
     ]  # fmt: skip
+
+
+@pytest.mark.parametrize(
+    "block",
+    [
+        "predict\nQ?\n\n- [x] a\n\n- [ ] b\n\nshow: lens.near=2\n\n",
+        "answer\nQ?\n\nvalue: 2\n\nunit: m\n  \nwrong half: 1\n  says: No.\n\nwhy: So.\n\n",
+        "task\nDo it.\n\nuntil: near = 2\n\nhint: Near.\n\n",
+    ],
+)
+def test_a_block_may_have_empty_lines_between_its_lines(block: str) -> None:
+    (part,) = parsed(STEP + f"```{block}```\n").steps[0].asked
+    dense = "".join(line for line in block.splitlines(keepends=True) if line.strip())
+    (other,) = parsed(STEP + f"```{dense}```\n").steps[0].asked
+    assert _LINES.sub("", repr(part)) == _LINES.sub("", repr(other))
+
+
+_LINES = re.compile(r"line=\d+|(?<=\()\d+(?=, )")
 
 
 def test_names_are_given_by_themselves_and_stay_apart() -> None:
