@@ -55,6 +55,21 @@ TOO_MANY_STEPS = QT_TRANSLATE_NOOP("Refusal", "has more than {0} steps")
 TWICE = QT_TRANSLATE_NOOP("Refusal", "has the name of line {0} again; every one needs its own")
 BAD_NAME = QT_TRANSLATE_NOOP("Refusal", "must be a name of letters, digits and -")
 UNCLOSED = QT_TRANSLATE_NOOP("Refusal", "begins a block that is not closed: a line ``` must end it")
+UNCLOSED_ABOVE = QT_TRANSLATE_NOOP(
+    "Refusal",
+    "begins a block that is not closed: a line ``` must end it, above line {0}, where another"
+    " begins",
+)
+CODE_UNCLOSED = QT_TRANSLATE_NOOP(
+    "Refusal",
+    "begins code that is not closed: there is a line ``` too many, or one without its kind",
+)
+BLOCK_IN_CODE = QT_TRANSLATE_NOOP(
+    "Refusal",
+    "begins code, not a block, and the block of line {0} is in it: there is a line ``` too many, or"
+    " one without its kind",
+)
+STEP_IN_STEP = QT_TRANSLATE_NOOP("Refusal", "has the title of a step, but no line --- above it")
 BLOCK_INDENTED = QT_TRANSLATE_NOOP(
     "Refusal", "begins a block, but is indented: ``` stands where a line begins"
 )
@@ -493,7 +508,7 @@ def formulas_in(text: str) -> list[str]:
 _NAME = re.compile(r"[^\W_][\w-]*")
 _HEADING = re.compile(r"#\s+(.*?)(?:\s*\{#([^{}]*)\})?\s*#*\s*")
 _KINDS = ("state", "predict", "task", "answer", "note", "test")
-_INDENTED_BLOCK = re.compile(rf"\s*(```+|~~~+)\s*({'|'.join(_KINDS)})\b")
+_BLOCK = re.compile(rf"\s*(```+|~~~+)\s*({'|'.join(_KINDS)})\b")
 
 
 def _steps(
@@ -591,15 +606,18 @@ class _Reader:
 
         for token in self._tokens[1:]:
             kind, _, block_name = token.info.strip().partition(" ")
-            if token.type == "code_block" and _INDENTED_BLOCK.match(token.content):
+            if token.type == "code_block" and _BLOCK.match(token.content):
                 raise refused(_line(token, self._first), BLOCK_INDENTED)
+            line = _line(token, self._first)
+            if token.type == "heading_open" and token.tag == "h1":
+                raise refused(line, STEP_IN_STEP, value=self._lines[line - 1].strip()[:60])
+            if token.type == "fence":
+                self._check_fence(token, line, kind)
             if token.type != "fence" or not kind:
                 if token.nesting >= 0:
                     words.append(token)
                 continue
             flush()
-            line = _line(token, self._first)
-            self._check_fence(token, line, kind)
             items = self._body(token)
             if kind in ("predict", "task", "answer"):
                 named = self._name(block_name.strip(), kind, line)
@@ -631,14 +649,18 @@ class _Reader:
         return _line(self._tokens[0], self._first)
 
     def _check_fence(self, token: Token, line: int, kind: str) -> None:
-        if kind not in _KINDS:
+        if kind and kind not in _KINDS:
             near = difflib.get_close_matches(kind, _KINDS, n=1, cutoff=0.0)[0]
             raise refused(line, NO_BLOCK, kind, near)
         assert token.map is not None
+        for number, text in self._body(token):  # its end was forgotten, or it is itself one
+            begun = _BLOCK.match(text)
+            if begun and begun[1].startswith(token.markup):
+                raise refused(line, UNCLOSED_ABOVE if kind else BLOCK_IN_CODE, number)
         last = self._lines[self._first + token.map[1] - 1].strip()
         closed = token.map[1] - token.map[0] >= 2 and set(last) == {token.markup[0]}
         if not closed:
-            raise refused(line, UNCLOSED)
+            raise refused(line, UNCLOSED if kind else CODE_UNCLOSED)
 
     def _body(self, token: Token) -> list[tuple[int, str]]:
         assert token.map is not None

@@ -164,6 +164,13 @@ def test_a_rule_ends_a_step_right_below_a_text_and_in_no_block() -> None:
     assert (note.minutes, note.text) == (2.5, "---\nSpeak.")
 
 
+def test_code_can_show_a_block_between_longer_fences() -> None:
+    code = "````\n---\n# Two\n```state\nlens.near=2\n```\n````\n\n```\n---\n```\n\n## Below\n"
+    (step,) = parsed(STEP + code).steps
+    (words,) = step.parts
+    assert isinstance(words, Words) and words.text == code.rstrip("\n")
+
+
 def test_html_scripts_links_and_pictures_are_text() -> None:
     shown = markdown().render(
         "<script>alert(1)</script> <b>x</b> [a](http://b) ![c](file:///etc/passwd) <http://d>\n\n"
@@ -218,6 +225,24 @@ def test_formulas_are_left_alone_by_markdown_and_dollars_can_be_prices() -> None
         (STEP + "```predict\nQ?\nchoices:\n- a\n- b\n```\n", "line 5 needs at least two choices"),
         (STEP + "\t```state\n\tlens.near=2\n\t```\n", "line 5 begins a block, but is indented"),
         (STEP + "```predict\nQ?\n- [x] a\n- b\n```\n", "line 8 = '- b': must begin with “- [x]”"),
+        (
+            STEP + "```note\nSay.\n---\n# Two\n```state\nlens.near=2\n```\n",
+            "line 5 begins a block that is not closed: a line ``` must end it, above line 9",
+        ),
+        (
+            STEP + "```state\nlens.near=2\n```note\nSay.\n```\n",
+            "line 5 begins a block that is not closed: a line ``` must end it, above line 7",
+        ),
+        (
+            STEP + "Say.\n```\n---\n# Two\n```state\nlens.near=2\n```\n",
+            "line 6 begins code, not a block, and the block of line 9 is in it: there is a line ```"
+            " too many, or one without its kind",
+        ),
+        (STEP + "Say.\n```\n---\n# Two\n", "line 6 begins code that is not closed: there is"),
+        (
+            STEP + "Words.\n# Two {#two}\nMore.\n",
+            "line 6 = '# Two {#two}': has the title of a step, but no line --- above it",
+        ),
         (
             STEP + "```answer\nQ?\nvalue: 1\nright: 1\n```\n",
             "one of value, unit, wrong, check, why",
