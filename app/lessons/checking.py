@@ -9,7 +9,7 @@ from __future__ import annotations
 import difflib
 import re
 from collections.abc import Iterator, Sequence
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from functools import partial
@@ -137,7 +137,7 @@ class _Checker:
                         self._question(place, part)
             for sample in step.samples:
                 self.checks += 1
-                with self._kept():
+                with self._kept(), suppress(NotThere):  # said of the question already
                     self._sample(place, step, sample)
 
     @contextmanager
@@ -188,15 +188,16 @@ class _Checker:
             self.course.shown_by(place, question.show)
         known = self.course.asked_over(place, question)
         for line, condition in question.checks:
-            if not condition.holds(known, partial(word_of, known.document)):
-                self._complain(refused(line, NOT_SO, value=condition.text))
+            with self._kept(line), on_line(line, "check"):
+                if not condition.holds(known, partial(word_of, known.document)):
+                    raise refused(line, NOT_SO, value=condition.text)
         said: tuple[Choice | Wrong, ...] = (*question.choices, *question.wrong)
         for each in said:
             with self._kept(each.line):
                 self._said(place, each)
         right = next((choice for choice in question.choices if choice.right), None)
         key = right.formula if right is not None else question.value
-        line = right.line if right is not None else question.line
+        line = right.line if right is not None else question.value_line
         value = None
         if key is not None:
             with self._kept(line):
@@ -298,19 +299,13 @@ def _texts_of(step: Step) -> Iterator[tuple[int, str]]:
     """Every text of a step that can have formulas, with its line."""
     yield step.line, step.title
     if step.note is not None:
-        yield step.note.line, step.note.text
+        yield step.note.text_line, step.note.text
     for part in step.parts:
         yield part.line + (not isinstance(part, Words)), part.text  # below the block's name
-        if isinstance(part, Task):
-            yield part.line, part.done
-        if isinstance(part, (Task, Question)):
-            yield from ((part.line, hint) for hint in part.hints)
+        if not isinstance(part, Words):
+            yield from part.said
         if isinstance(part, Question):
-            yield part.line, part.why
-            for choice in part.choices:
-                yield choice.line, choice.text
-            said: tuple[Choice | Wrong, ...] = (*part.choices, *part.wrong)
-            yield from ((each.line, each.says) for each in said)
+            yield from ((choice.line, choice.text) for choice in part.choices)
 
 
 def _problem_of_tex(tex: str) -> str:

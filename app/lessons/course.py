@@ -211,7 +211,7 @@ class Course:
         try:
             document = documents.read(path)
         except Refusal as error:
-            raise refused(state.line, documents.UNREADABLE, str(error)) from error
+            raise refused(state.line, documents.UNREADABLE, str(error).rstrip(".")) from error
         for file in (document.scene if is_mesh(document.scene) else "", document.mesh):
             if file and not self._is_beside(file):
                 raise refused(state.line, BESIDE, value=os.path.basename(file))
@@ -298,7 +298,7 @@ class Course:
         """
         assert question.value is not None
         number = marking.read(typed, question.unit)
-        value = self.value(place, question, question.value, question.line)
+        value = self.value(place, question, question.value, question.value_line)
         if marking.equals(number, value):
             return Verdict(True, says=question.why, value=value)
         for wrong in question.wrong:

@@ -191,6 +191,10 @@ class Question:
     why : str
         Markdown; what is said then.
     hints : tuple of str
+    value_line : int
+        Of its value; that of the block where there are choices.
+    said : tuple of (int, str)
+        All that is said to an answer, and the hints, each with its line.
     """
 
     name: str
@@ -205,6 +209,8 @@ class Question:
     checks: tuple[tuple[int, Condition], ...] = ()
     why: str = ""
     hints: tuple[str, ...] = ()
+    value_line: int = 0
+    said: tuple[tuple[int, str], ...] = ()
 
 
 @dataclass(frozen=True)
@@ -217,6 +223,9 @@ class Task:
         Of the model as it stands; all must hold. Each with its line.
     done : str
         Markdown; said once they do.
+    hints : tuple of str
+    said : tuple of (int, str)
+        That and the hints, each with its line.
     """
 
     name: str
@@ -225,6 +234,7 @@ class Task:
     until: tuple[tuple[int, Condition], ...]
     done: str = ""
     hints: tuple[str, ...] = ()
+    said: tuple[tuple[int, str], ...] = ()
 
 
 Complain: TypeAlias = Callable[[Refusal], object]
@@ -232,11 +242,20 @@ Part: TypeAlias = Words | Question | Task
 
 
 class Note(NamedTuple):
-    """What only the speaker reads, and the minutes that are planned."""
+    """What only the speaker reads, and the minutes that are planned.
+
+    Attributes
+    ----------
+    text : str
+    line, text_line : int
+        Of the block, and of its first words.
+    minutes : float
+    """
 
     text: str
     line: int
     minutes: float = 0.0
+    text_line: int = 0
 
 
 class Sample(NamedTuple):
@@ -782,13 +801,14 @@ def _beside(path: str, line: int) -> str:
 
 
 def _note(body: Sequence[tuple[int, str]], line: int) -> Note:
-    minutes, lines = 0.0, []
+    minutes, lines, first = 0.0, [], 0
     for number, text in body:
         if text.strip().startswith("minutes:") and not minutes:
             minutes = _number(text.partition(":")[2].strip(), number, 0, 1000)
         else:
             lines.append(text)
-    return Note("\n".join(lines).strip(), line, minutes)
+            first = first or (number if text.strip() else 0)
+    return Note("\n".join(lines).strip(), line, minutes, first or line)
 
 
 def _sample(text: str, line: int) -> Sample:
@@ -808,6 +828,14 @@ def _single(items: Sequence[_Item], key: str) -> _Item | None:
 
 def _texts(items: Sequence[_Item], key: str) -> tuple[str, ...]:
     return tuple(item.text for item in items if item.key == key)
+
+
+def _all_said(items: Sequence[_Item]) -> tuple[tuple[int, str], ...]:
+    """Every sentence behind the question that may hold formulas, with its line."""
+    found = [(item.line, item.text) for item in items if item.key in ("why", "hint", "done")]
+    for item in items:
+        found += [(each.line, each.text) for each in item.below if each.key == "says"]
+    return tuple(found)
 
 
 def _formula(text: str, line: int, what: str) -> Formula:
@@ -874,6 +902,8 @@ def _question(name: str, line: int, text: str, items: list[_Item], predicts: boo
         _conditions(items, "check"),
         why.text if why else "",
         _texts(items, "hint"),
+        value.line if value else line,
+        _all_said(items),
     )
 
 
@@ -882,4 +912,5 @@ def _task(name: str, line: int, text: str, items: list[_Item]) -> Task:
     if not until:
         raise refused(line, LACKS, "“until: CONDITION”")
     done = _single(items, "done")
-    return Task(name, line, text, until, done.text if done else "", _texts(items, "hint"))
+    said = done.text if done else ""
+    return Task(name, line, text, until, said, _texts(items, "hint"), _all_said(items))

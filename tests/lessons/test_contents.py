@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Callable, Iterator
 from importlib import import_module
 from pathlib import Path
@@ -170,6 +171,55 @@ def test_a_formula_that_cannot_be_written_is_said_with_its_own_line(tmp_path: Pa
         "line 10 = '\\\\never'",
         "line 12 = '\\\\nowhere'",
     ]
+
+
+def places_said(path: Path, text: str) -> list[str]:
+    """Where something is wrong with a lesson, in the order that it is said."""
+    path.write_text("---\ntitle: T\n---\n# One\n" + text, encoding="utf-8")
+    said = run_here("lesson", "check", path).stdout.splitlines()
+    found = [line.removeprefix(f"{path}: ") for line in said[:-1]]
+    return [re.split(": | has no | does ", line, maxsplit=1)[0] for line in found]
+
+
+def test_what_is_said_to_an_answer_has_the_line_of_its_formula(tmp_path: Path) -> None:
+    text = (
+        "```note\n\nminutes: 2\nSay\n$\\nosuch$.\n```\n"
+        "```predict\nWhy?\n- [x] a\n- [ ] b\n  says: No $\\never$.\n"
+        "why: So $\\nowhere$.\nhint: Do.\nhint: $\\nohint$\n```\n"
+        "```task\nNear.\nuntil: near = 2\ndone: $\\nodone$\n```\n"
+    )
+    assert places_said(tmp_path / "wrong.md", text) == [
+        "line 9 = '\\\\nosuch'",
+        "line 16 = '\\\\nowhere'",
+        "line 18 = '\\\\nohint'",
+        "line 15 = '\\\\never'",
+        "line 23 = '\\\\nodone'",
+    ]
+
+
+def test_a_formula_of_a_question_is_said_once_with_its_own_line(tmp_path: Path) -> None:
+    text = (
+        "```predict\nWhy?\n- [x] a\n- [ ] b\ncheck: near > 99\ncheck: neer = 2\n```\n"
+        "```answer\nHow far?\nunit: m\nvalue: 2*neer\n```\n"
+        "```answer\nHow oblique?\nunit: °\nvalue: alpha\n```\n"
+        "```answer\nHow near?\nvalue: near\nwrong half: alpha/2\n  says: No.\n```\n"
+        "```test\nanswer-2: 2 -> right\nanswer-3: 7 -> wrong\n```\n"
+    )
+    assert places_said(tmp_path / "wrong.md", text) == [
+        "line 9 = 'near > 99'",
+        "line 10, check = 'neer'",
+        "line 15, formula = 'neer'",
+        "line 20",
+        "line 25",
+    ]
+
+
+def test_a_document_that_is_not_there_is_said_in_one_sentence(tmp_path: Path) -> None:
+    (tmp_path / "wrong.md").write_text(
+        "---\ntitle: T\n---\n# One\n```state\ndocument: none.json\n```\n"
+    )
+    said = run_here("lesson", "check", tmp_path / "wrong.md").stdout.splitlines()[0]
+    assert said.endswith("none.json does not exist.")
 
 
 def test_a_file_that_is_none_is_said_and_the_others_are_checked(tmp_path: Path) -> None:
