@@ -846,6 +846,29 @@ def test_what_another_program_wrote_is_not_saved_over_unasked(
     assert window.files.save() and path.exists(), "what is gone is written again"
 
 
+@pytest.mark.parametrize("ending", [".md", ".json", ".png"])
+def test_a_name_without_its_ending_writes_over_no_file_unasked(
+    window: MainWindow, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, ending: str
+) -> None:
+    """Qt asks about the name that was typed, which is another file's."""
+    path, asked = tmp_path / f"mine{ending}", list[str]()
+    path.write_text("mine")
+    monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *_: (str(tmp_path / "mine"), ""))
+    monkeypatch.setattr(QDialog, "exec", lambda _: QDialog.DialogCode.Accepted)  # of its title
+    monkeypatch.setattr(QMessageBox, "exec", lambda box: asked.append(box.text()) or answers.pop())
+    answers = [QMessageBox.StandardButton.Yes, QMessageBox.StandardButton.Cancel]
+    save = {
+        ".md": window.talks.begin_new,
+        ".json": window.files.save_as,
+        ".png": window.pictures.export_dialog,
+    }[ending]
+    save()
+    assert asked == [f"mine{ending} is there already."] and path.read_text() == "mine"
+    save()
+    assert len(asked) == 2 and path.read_bytes() != b"mine"
+    assert not (tmp_path / "mine").exists()
+
+
 def being_typed(window: MainWindow, qtbot: Any, text: str) -> None:
     """Leave a number in the field of the vertical field of view, not yet entered."""
     field = number(window.controls, "fov_y_deg").field

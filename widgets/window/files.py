@@ -20,6 +20,7 @@ from widgets.parts.message_bar import MessageBar
 from widgets.parts.messages import sentence
 from widgets.parts.panel import Changed, Shown
 from widgets.parts.progress import progress
+from widgets.parts.saving import ask_where
 from widgets.window.settings import Settings
 
 _T = TypeVar("_T")
@@ -274,15 +275,14 @@ class Files(QObject):
 
     def save_as(self) -> bool:
         """Ask for a place and save there."""
-        path, _ = QFileDialog.getSaveFileName(
+        path = ask_where(
             self._window,
             self.tr("Save the document"),
             str(self.path or "frustum-lab.json"),
             self.tr("Frustum Lab documents (*.json)"),
+            ".json",
         )
-        if not path:
-            return False
-        return self.save_to(Path(path if path.lower().endswith(".json") else path + ".json"))
+        return bool(path) and self.save_to(Path(path))
 
     def save_to(self, path: Path) -> bool:
         """Save to a path; the old file stays whole if that fails."""

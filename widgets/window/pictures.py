@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from PySide6.QtCore import QByteArray, QMimeData, QObject, Signal
 from PySide6.QtGui import QGuiApplication, QImage, QOpenGLContext
-from PySide6.QtWidgets import QFileDialog, QMainWindow
+from PySide6.QtWidgets import QMainWindow
 
 from app.document.document import Document, picture_json
 from app.model.refusal import Cancelled, Refusal
@@ -18,6 +18,7 @@ from widgets.parts import palette
 from widgets.parts.message_bar import MessageBar
 from widgets.parts.messages import sentence
 from widgets.parts.progress import progress
+from widgets.parts.saving import ask_where
 
 if TYPE_CHECKING:
     from app.drawings.off_screen import Pixels
@@ -83,11 +84,8 @@ class Pictures(QObject):
 
     def _where(self, title: str) -> Path | None:
         """Ask for a file; None if there shall be none."""
-        path, _ = QFileDialog.getSaveFileName(
-            self._window, title, "frustum-lab.png", self.tr("PNG pictures (*.png)")
-        )
-        if path and not path.lower().endswith(".png"):
-            path += ".png"
+        kinds = self.tr("PNG pictures (*.png)")
+        path = ask_where(self._window, title, "frustum-lab.png", kinds, ".png")
         return Path(path) if path else None
 
     def export(self, path: Path, choice: ExportChoice) -> bool:

@@ -23,7 +23,6 @@ from PySide6.QtWidgets import (
     QCheckBox,
     QDialog,
     QDialogButtonBox,
-    QFileDialog,
     QLabel,
     QLineEdit,
     QMainWindow,
@@ -44,6 +43,7 @@ from widgets.parts.lesson_text import set_text
 from widgets.parts.message_bar import MessageBar
 from widgets.parts.messages import sentence
 from widgets.parts.panel import Shown
+from widgets.parts.saving import ask_where
 from widgets.window.lessons import TRANSITION_S, Lessons
 from widgets.window.look import Look
 from widgets.window.present import Present
@@ -531,15 +531,10 @@ class Talks(QObject):
 
     def begin_new(self) -> None:
         """Ask for a file, and begin a talk there with what is seen."""
-        path, _ = QFileDialog.getSaveFileName(
-            self._window,
-            self.tr("A new talk from here"),
-            "talk.md",
-            self.tr("Talks and lessons (*.md)"),
-        )
+        kinds = self.tr("Talks and lessons (*.md)")
+        path = ask_where(self._window, self.tr("A new talk from here"), "talk.md", kinds, ".md")
         if not path:
             return
-        path = path if path.lower().endswith(".md") else path + ".md"
         found = self._ask_title(self.tr("A new talk from here"), Path(path).stem, self._store.seen)
         if found is not None:
             self.write_talk(Path(path), *found)
