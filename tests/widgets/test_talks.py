@@ -406,6 +406,31 @@ def test_the_keys_are_a_panes_when_nothing_is_presented(window: MainWindow) -> N
     window.setFocus()
 
 
+def test_the_panel_of_a_step_that_was_left_is_not_opened_as_presenting_ends(
+    window: MainWindow, talk: Path
+) -> None:
+    panels = "\n".join(("view.panel=matrices", "view.large=ndc"))
+    talk.write_text(TALK.replace("view.large=ndc", panels))
+    window.lessons.read_again()
+    go_to(window.lessons, 2)
+    assert window.panels.open_panel is window.matrices
+    press(window, PAGE_UP)
+    arrive(window.lessons)
+    assert window.panels.open_panel is None
+    press(window, Qt.Key.Key_Escape)
+    assert not window.present.is_on and window.panels.open_panel is None
+    assert not window.lessons.is_away
+
+
+def test_a_panel_that_was_open_before_a_talk_is_open_after_it(window: MainWindow) -> None:
+    press(window, Qt.Key.Key_Escape)
+    window.panels.open(window.matrices)
+    press(window, Qt.Key.Key_F5)
+    assert window.present.is_on and window.panels.open_panel is None
+    press(window, Qt.Key.Key_Escape)
+    assert window.panels.open_panel is window.matrices
+
+
 def test_without_a_talk_presenting_is_as_ever(window: MainWindow) -> None:
     window.lessons.close()
     settle()

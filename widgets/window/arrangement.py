@@ -91,12 +91,13 @@ class Arrangement(QObject):
     def show(self, view: View) -> None:
         """Arrange the window so; what is so already is left alone."""
         self._given = view
+        if view.panel is not None:  # else the scene has opened its own
+            self._drawer.open(self._panels.get(view.panel))
+        # After the panel: what a rearranged window folds away for a class is opened again.
         self._slots.arrange(view.layout, view.large, self._slots.whole)
         self._world.show(view.fixed, view.layers)
         self._strip.go_to(view.stage)
         self._frame.go_to(STEPS.index(view.frame_step))
-        if view.panel is not None:  # else the scene has opened its own
-            self._drawer.open(self._panels.get(view.panel))
         letters = self._matrices.letters
         letters.setCurrentIndex(letters.findData(view.letters))
         if (view.probes, view.pinned) != (self._probes.probes, self._probes.pinned):
