@@ -724,6 +724,28 @@ def test_a_file_that_changes_or_vanishes_leaves_the_last_good_one(
     assert window.band.accessibleName() == "Its cube"
 
 
+def test_what_is_wrong_with_the_file_is_said_in_the_window_once_no_class_looks_on(
+    window: MainWindow, talk: Path
+) -> None:
+    """On one screen the speaker's window is behind the other one, where nobody reads it."""
+    window.talks.open_speaker()
+    activate(window)
+    talk.write_text(TALK.replace("fov_y_deg=60", "fov_y_deg=600"))
+    window.lessons.read_again()
+    settle()
+    assert not window.messages.text
+    press(window, Qt.Key.Key_Escape)
+    assert not window.present.is_on and "talk.md: line 10" in window.messages.text
+    talk.write_text(TALK)
+    window.lessons.read_again()
+    settle()
+    assert not window.messages.text
+    talk.write_text("---\n")
+    window.lessons.read_again()
+    settle()
+    assert "talk.md: line" in window.messages.text
+
+
 def test_a_step_that_cannot_be_leaves_the_one_before(window: MainWindow, talk: Path) -> None:
     talk.write_text(TALK.replace("view.stage=pyramid", "view.stage=pyramid\nlens.near=99"))
     window.lessons.read_again()

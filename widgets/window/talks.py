@@ -356,7 +356,7 @@ class Talks(QObject):
             self.speaker.say(self._refusal or text)
         elif text and self.is_on:
             self._say(self.tr("The file was changed, and cannot be read."))
-        elif text:
+        if text and not self.is_on:  # also if the speaker's window is behind this one
             self._messages.say(text)
 
     def _refuse(self, text: str) -> None:
@@ -416,7 +416,7 @@ class Talks(QObject):
             self.speaker.resize(round(0.7 * room.width()), round(0.7 * room.height()))
 
     def _open_with_talk(self, on: bool) -> None:
-        if not on and self.speaker is None and self._complaint:
+        if not on and self._complaint:
             self._messages.say(self._complaint)
         if on and self.is_on:
             if self._settings.speaker_window and self.speaker is None:
