@@ -20,6 +20,7 @@ from PySide6.QtWidgets import QApplication, QLabel, QWidget
 from app.document.document import Document, to_json
 from app.document.store import Store
 from app.document.view import AS_EVER
+from app.drawings.world import WorldDrawing
 from app.lessons.course import Course, scene_of
 from app.lessons.lesson import MOST_STEPS, parse_lesson
 from app.model.projection import Camera
@@ -429,6 +430,59 @@ def test_a_panel_that_was_open_before_a_talk_is_open_after_it(window: MainWindow
     assert window.present.is_on and window.panels.open_panel is None
     press(window, Qt.Key.Key_Escape)
     assert window.panels.open_panel is window.matrices
+
+
+AROUND = """---
+title: Around
+---
+# A
+```state
+scene=letter-f
+camera.eye=6,3,9
+camera.target=0,1,0
+```
+---
+# B
+```state
+camera.eye=-9,2,0.5
+view.fixed=side
+```
+---
+# C
+```state
+camera.eye=0.5,1,-10
+view.fixed=
+```
+---
+# D
+```state
+camera.eye=8,2,-4
+```
+"""
+
+
+@pytest.mark.parametrize("way", [(2, 0, 1, 2), (1, 0, 2), (1, 2), (3, 2), (0, 3, 1, 2)])
+def test_a_pane_that_nobody_turned_looks_as_if_the_talk_had_begun_at_the_step(
+    window: MainWindow, talk: Path, way: tuple[int, ...]
+) -> None:
+    def looks() -> tuple[np.ndarray, ...]:
+        drawing = window.panes["world"].drawing
+        assert isinstance(drawing, WorldDrawing)
+        window.look.rest()
+        return drawing.own.pane.axes, drawing.own.pane.eye
+
+    talk.write_text(AROUND)
+    window.lessons.read_again()
+    go_to(window.lessons, 0)
+    go_to(window.lessons, 2)
+    window.panes["world"].reset_view()
+    settle()
+    wanted = looks()
+    for place in way:
+        go_to(window.lessons, place)
+        settle()
+    for found, other in zip(looks(), wanted, strict=True):
+        np.testing.assert_allclose(found, other, atol=1e-9)
 
 
 def test_without_a_talk_presenting_is_as_ever(window: MainWindow) -> None:

@@ -287,8 +287,10 @@ class Lessons(QObject):
                 if getattr(end.view, name) != getattr(look, name)
             }
             store.set_view(**changes)
-        else:  # the step that undo goes back to; then on from it, frame by frame
-            store.set_document(end if first is None else first)
+        else:  # the step that undo goes back to; then on to it, frame by frame
+            store.set_document(end)  # what nobody has turned shall look as it will in the end
+            if first is not None:
+                store.go_on(first)
         self._moving = False
         same = (start.scene, start.mesh) == (end.scene, end.mesh)
         if same and (first is not None or self._stages[0] != self._stages[1]):
