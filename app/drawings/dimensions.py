@@ -9,7 +9,8 @@ Lines of the screen, in one array of pixels that a step writes, and a text for e
            d
        far
 
-What a lens does not have is left out, and said in one sentence at the bottom.
+What a lens does not have is left out, and so is what a pane has no room for; a sentence at the
+bottom says so.
 """
 
 from __future__ import annotations
@@ -26,7 +27,7 @@ from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 
 from app.drawings.actors import Canvas, actor_2d
-from app.drawings.labels import Layout, Spot, written_distance
+from app.drawings.labels import Layout, Leader, Spot, written_distance
 from app.drawings.style import rgb
 from app.model.projection import Array, Projection
 from app.picking.handles import has_camera
@@ -35,12 +36,16 @@ _SEGMENTS = 64  # there is room for
 _AWAY_PX = -1e4
 _ARC = 12  # pieces of the angle's arc
 _ARC_EM, _TICK_EM, _ROW_EM = 3.5, 0.35, 1.7
+_ARC_PART = 0.3  # of the way to the far plane's edge: the arc is no larger
+_ACROSS_EM = 2.2  # under the window seen along the axis
+_MOST_BELOW = 0.4  # of the pane's height, for the rows and the sentence
 _SAME = 1e-9  # of a window's side: an axis so near to its middle halves it
 _ON = ((0.0, 0.0),)
+_BELOW = tuple((x, -1.0) for x in (0.0, 0.5, -0.5, 1.0, -1.0))
 _ABOVE = ((-1.0, 1.0), (0.0, 1.0), (-1.0, 0.6), (-1.0, -0.6))
-_ON_OR_BESIDE = ((0.0, 0.0), (1.0, 0.0), (-1.0, 0.0), (0.0, -1.0), (0.0, 1.0))
-_RIGHT = ((1.0, 0.0), (1.0, -0.3), (1.0, 0.3), (0.0, 1.0), (-1.0, 1.0))
-_LEFT = ((-1.0, 0.0), (-1.0, 0.6), (-1.0, -0.6), (1.0, 0.0), (0.0, 1.0), (0.0, -1.0))
+_CORNERS = tuple((x, y) for y in (1.0, -1.0) for x in (-1.0, 1.0, -0.5, 0.5))
+_RIGHT = ((1.0, 0.0), (1.0, -0.3), (1.0, 0.3), (0.0, 1.0), (0.0, -1.0), *_CORNERS)
+_LEFT = ((-1.0, 0.0), (-1.0, 0.6), (-1.0, -0.6), (1.0, 0.0), (0.0, 1.0), (0.0, -1.0), *_CORNERS)
 _NAMES = (
     *("near", "d", "s", "w", "z", "far", "angle", "height", "width"),
     *("x", "x_p", "y", "y_p"),
@@ -153,6 +158,11 @@ class Dimensions:
         actor.GetProperty().SetColor(*rgb(canvas.style.ink))
         actor.GetProperty().SetLineWidth(canvas.style.line_width / 2.0)
         canvas.add(actor, layer="labels")
+        # Before the texts, whose plates hide the ends.
+        self._leaders = {
+            name: Leader(canvas, canvas.style.ink, canvas.style.line_width / 2.0)
+            for name in ("angle", "height")
+        }
         plate = canvas.style.background
         self._texts = {name: canvas.label("", plate=plate, in_pixels=True) for name in _NAMES}
         self._sentence = canvas.label("", anchor=(-1, -1), plate=plate, in_pixels=True)
@@ -160,14 +170,40 @@ class Dimensions:
 
     def hide(self) -> None:
         """Show none."""
-        for label in (*self._texts.values(), self._sentence):
-            label.set_visible(False)
+        self._sentence.set_visible(False)
         self._begin()
         self._points.Modified()
 
     def _begin(self) -> None:
+        for label in self._texts.values():
+            label.set_visible(False)
+        for leader in self._leaders.values():
+            leader.set_visible(False)
         self._places[: self._used, :, :2] = _AWAY_PX
-        self._used = 0
+        self._used, self._is_left_out = 0, False
+
+    def below_em(self, size_px: tuple[int, int], measured: Measured) -> float:
+        """How much room there is to be under what is drawn, in ems.
+
+        Parameters
+        ----------
+        size_px : (int, int)
+            Of the pane.
+        measured : Measured
+        """
+        rows_em = self._rows_em(size_px, measured)
+        return (rows_em or 0.0) + self._said_em(self._said(size_px, measured, rows_em))
+
+    def _rows_em(self, size_px: tuple[int, int], measured: Measured) -> float | None:
+        """What the lines under the drawing take; None if they would leave it too little."""
+        if measured.view == "axis":
+            rows_em = _ACROSS_EM
+        elif measured.view in ("side", "top"):
+            rows_em = _ROW_EM * (len(self._ways(measured)) + 0.5)
+        else:
+            return 0.0
+        below_em = rows_em + self._said_em(self._said(size_px, measured, rows_em))
+        return rows_em if below_em * self._em <= _MOST_BELOW * size_px[1] else None
 
     def place(
         self,
@@ -186,10 +222,24 @@ class Dimensions:
         size_px : (int, int)
         measured : Measured
         """
+        before = layout.so_far
+        self._place(layout, seen, size_px, measured, self._rows_em(size_px, measured))
+        if self._is_left_out:
+            layout.go_back(before)
+            self._place(layout, seen, size_px, measured, None)
+        self._points.Modified()
+
+    def _place(
+        self,
+        layout: Layout,
+        seen: Callable[[Array], Sequence[Spot]],
+        size_px: tuple[int, int],
+        measured: Measured,
+        rows_em: float | None,
+    ) -> None:
+        """`place` with the rows or, for None, without."""
         self._begin()
-        for label in self._texts.values():
-            label.set_visible(False)
-        self._say(layout, size_px, measured)
+        self._say(layout, size_px, self._said(size_px, measured, rows_em))
         if measured.view != "eye":
             points = [measured.eye, measured.target]
             corners = measured.corners if measured.projection.lens.planes is not None else None
@@ -198,13 +248,13 @@ class Dimensions:
             for name, length, start, end in measured.lengths:
                 self._length(layout, name, length, *seen(np.array([start, end])))
             if measured.view == "axis":
-                if corners is not None:
+                if corners is not None and rows_em is not None:
                     self._across(layout, spots, measured)
             else:
+                if rows_em is not None:
+                    self._along(layout, spots, measured, size_px)
                 if corners is not None:
                     self._beside(layout, spots, measured)
-                self._along(layout, spots, measured, size_px)
-        self._points.Modified()
 
     # -- what is drawn
 
@@ -212,39 +262,40 @@ class Dimensions:
         self, layout: Layout, spots: Array, measured: Measured, size_px: tuple[int, int]
     ) -> None:
         """From the eye to near, target and far, one under the other, the shortest on top."""
-        lens, words = measured.projection.lens, self._words
-        eye, target = spots[:2]
-        ways: list[tuple[str, float, float]] = []
-        if has_camera(measured.projection):
-            away = measured.projection.camera.distance
-            named = {"d": away, **dict(measured.distances)}
-            per_unit = float(target[0] - eye[0]) / away
-            ways += [(n, float(eye[0]) + per_unit * d, d) for n, d in named.items()]
-            ways = [way for way in ways if 0.0 <= way[1] <= size_px[0]]
-        if lens.planes is not None and measured.corners is not None:
-            near, far = lens.planes
-            ways.append(("near", float(spots[2:6, 0].mean()), near))
-            ways.append(("far", float(spots[6:10, 0].mean()), far))
+        eye, target = spots[:2, 0].tolist()
+        faces = {"near": spots[2:6, 0], "far": spots[6:10, 0]}
         y = float(spots[:, 1].min())
         top = y - 0.5 * _ROW_EM * self._em
-        for name, x, distance in sorted(ways, key=lambda way: abs(way[1] - eye[0])):
+        for name, distance in self._ways(measured):
+            if name in faces:
+                x = float(faces[name].mean())
+            else:
+                x = eye + (target - eye) * distance / measured.projection.camera.distance
+                if not 0.0 <= x <= size_px[0]:
+                    continue
             y -= _ROW_EM * self._em
-            self._line((float(eye[0]), y), (x, y))
-            for end in (float(eye[0]), x):
-                tick = _TICK_EM * self._em
-                self._line((end, y - tick), (end, y + tick))
-            start, end = sorted((float(eye[0]), x))
-            text = f"{words.get(name, name)} = {written_distance(distance)}"
+            start, end = sorted((eye, x))
+            text = f"{self._words.get(name, name)} = {written_distance(distance)}"
             self._write(layout, name, text, (start, y), (end, y))
+            self._rule(layout, (start, y), (end, y))
         # Rows of their own, to the bottom: nothing else is written there, and no leader runs there.
         layout.keep_free_box([(0.0, 0.0, 1.0), (float(size_px[0]), top, 1.0)])
+
+    def _ways(self, measured: Measured) -> list[tuple[str, float]]:
+        """What is measured along the axis, the shortest first."""
+        projection, ways = measured.projection, dict[str, float]()
+        if has_camera(projection):
+            ways = {"d": projection.camera.distance, **dict(measured.distances)}
+        if projection.lens.planes is not None and measured.corners is not None:
+            ways["near"], ways["far"] = projection.lens.planes
+        return sorted(ways.items(), key=lambda way: abs(way[1]))
 
     def _length(self, layout: Layout, name: str, length: float, start: Spot, end: Spot) -> None:
         """An upright line with its letter beside its middle."""
         self._line(start[:2], end[:2])
         middle = (start[0] + end[0]) / 2.0, (start[1] + end[1]) / 2.0
         text = f"{name} = {written_distance(length)}"
-        self._put(layout, name, text, [middle], (*_LEFT, *_RIGHT))
+        self._put(layout, name, text, middle, (*_LEFT, *_RIGHT))
 
     def _beside(self, layout: Layout, spots: Array, measured: Measured) -> None:
         """Half the angle at the eye, and half the window on the far plane."""
@@ -261,13 +312,14 @@ class Dimensions:
         reached = far_edge - eye
         keep_off(spots[6:10])
         x = float(far_edge[0]) - 1.2 * self._em
-        self._upright(x, float(eye[1]), float(far_edge[1]))
-        middle = (x, (float(eye[1]) + float(far_edge[1])) / 2.0)
-        self._put(layout, "height", self._half_text(axis, half), [middle], _LEFT)
+        start, end = float(eye[1]), float(far_edge[1])
+        middle = x, (start + end) / 2.0
+        self._put(layout, "height", self._half_text(axis, half), middle, _LEFT)
+        self._rule(layout, (x, start), (x, end))
         keep_off(spots[2:6])
         if half.angle_deg is not None:
             # The arc is on the screen what the angle is: both axes have one scale there.
-            radius = min(_ARC_EM * self._em, 0.8 * float(np.hypot(*reached)))
+            radius = min(_ARC_EM * self._em, _ARC_PART * float(np.hypot(*reached)))
             end = math.copysign(1.0, reached[1]) * math.radians(half.angle_deg)
             turns = np.linspace(0.0, end, _ARC + 1)
             arc = eye + radius * np.column_stack([np.cos(turns), np.sin(turns)])
@@ -276,7 +328,7 @@ class Dimensions:
             self._line((float(eye[0]), float(eye[1])), (float(far_edge[0]), float(eye[1])))
             text = f"{self._angle(axis)}/2 = {written_distance(half.angle_deg)}°"
             x, y = arc[_ARC // 2].tolist()
-            self._put(layout, "angle", text, [(x, y)], _RIGHT)
+            self._put(layout, "angle", text, (x, y), _RIGHT)
 
     def _across(self, layout: Layout, spots: Array, measured: Measured) -> None:
         """Half the height and half the width of the window, seen along the axis."""
@@ -289,14 +341,13 @@ class Dimensions:
         x, y = float(eye[0]), float(eye[1])
         right, top = face[2].tolist()
         aside = right + 0.7 * self._em
-        self._upright(aside, y, top)
-        self._put(layout, "height", self._half_text(1, upper), [(aside, top)], _ABOVE)
-        below, tick = float(face[0, 1]) - 1.2 * self._em, _TICK_EM * self._em
-        self._line((x, below), (right, below))
-        for end in (x, right):
-            self._line((end, below - tick), (end, below + tick))
+        self._put(layout, "height", self._half_text(1, upper), (aside, top), _ABOVE)
+        self._rule(layout, (aside, y), (aside, top))
+        below = float(face[0, 1]) - 1.2 * self._em
         start, end = sorted((x, right))
-        self._write(layout, "width", self._half_text(0, half_width), (start, below), (end, below))
+        text = self._half_text(0, half_width)
+        self._write(layout, "width", text, (start, below), (end, below), _BELOW)
+        self._rule(layout, (start, below), (end, below))
 
     def _half_text(self, axis: int, half: Half) -> str:
         size = written_distance(half.at_far)
@@ -308,55 +359,75 @@ class Dimensions:
     def _angle(self, axis: int) -> str:
         return self._words.get("{fov}", "fov") if axis else self._words.get("{fov_x}", "fov_x")
 
-    def _upright(self, x: float, start: float, end: float) -> None:
-        tick = _TICK_EM * self._em
-        self._line((x, start), (x, end))
-        for y in (start, end):
-            self._line((x - tick, y), (x + tick, y))
+    def _rule(self, layout: Layout, start: Way, end: Way) -> None:
+        """A level or upright line with a tick at either end; no later text lies on it."""
+        tick, is_level = _TICK_EM * self._em, start[1] == end[1]
+        across, up = (0.0, tick) if is_level else (tick, 0.0)
+        self._line(start, end)
+        for x, y in (start, end):
+            self._line((x - across, y - up), (x + across, y + up))
+        corners = (start[0] - across, start[1] - up, 1.0), (end[0] + across, end[1] + up, 1.0)
+        layout.keep_free_box(corners)
 
-    def _write(self, layout: Layout, name: str, text: str, start: Way, end: Way) -> None:
-        """Put a text on the middle of its level line, or in its row beside one too short for it."""
-        room_px = end[0] - start[0]
-        if layout.half(text)[0] * 2.0 + self._em <= room_px:
-            middle = (start[0] + end[0]) / 2.0, start[1]
-            if self._put(layout, name, text, [middle], _ON, gaps=1):
-                return
-        for place, side in ((end, 1.0), (start, -1.0)):
-            if self._put(layout, name, text, [place], [(side, 0.0)], gaps=2):
-                return
-        self._put(layout, name, text, [end], _ON_OR_BESIDE[1:])
-
-    def _put(
+    def _write(
         self,
         layout: Layout,
         name: str,
         text: str,
-        places: Sequence[Way],
-        sides: Sequence[Way],
-        gaps: int = 6,
+        start: Way,
+        end: Way,
+        otherwise: Sequence[Way] = (),
+    ) -> None:
+        """Put a text on the middle of its level line, or in its row beside one too short for it."""
+        room_px = end[0] - start[0]
+        if layout.half(text)[0] * 2.0 + self._em <= room_px:
+            middle = (start[0] + end[0]) / 2.0, start[1]
+            if self._try(layout, name, text, middle, _ON, gaps=1):
+                return
+        if not self._try(layout, name, text, end, ((1.0, 0.0),)):
+            self._put(layout, name, text, start, ((-1.0, 0.0), *otherwise))
+
+    def _put(
+        self, layout: Layout, name: str, text: str, place: Way, sides: Sequence[Way]
+    ) -> None:
+        if not self._try(layout, name, text, place, sides) and layout.shows(*place):
+            self._is_left_out = True  # and not because a hand has moved it out of the pane
+
+    def _try(
+        self, layout: Layout, name: str, text: str, place: Way, sides: Sequence[Way], gaps: int = 6
     ) -> bool:
         label = self._texts[name]
         label.set_text(text)
-        return layout.place(label, text, [(*place, 1.0) for place in places], sides, gaps=gaps)
+        leader = self._leaders.get(name)
+        return layout.place(label, text, [(*place, 1.0)], sides, leader, gaps=gaps)
 
     def _line(self, start: Way, end: Way) -> None:
         if self._used < _SEGMENTS:
             self._places[self._used, :, :2] = start, end
             self._used += 1
 
-    # -- what a lens does not have
+    # -- what a lens does not have, or a pane no room for
 
-    def _say(self, layout: Layout, size_px: tuple[int, int], measured: Measured) -> None:
-        sentence = self._words.get(self._lacks(measured), "")
-        self._sentence.set_visible(bool(sentence))
-        if not sentence:
+    def _say(self, layout: Layout, size_px: tuple[int, int], said: list[str]) -> None:
+        self._sentence.set_visible(bool(said))
+        if not said:
             return
-        across = max(12, int((size_px[0] / self._em - 2.0) / 0.58))
-        lines = textwrap.wrap(sentence, across)
-        self._sentence.set_text("\n ".join(lines))
+        self._sentence.set_text("\n ".join(said))
         self._sentence.set_position((0.5 * self._em, 0.5 * self._em, 0.0))
-        top = (0.5 + 1.5 * len(lines)) * self._em
+        top = self._said_em(said) * self._em
         layout.keep_free_box([(0.0, 0.0, 1.0), (float(size_px[0]), top, 1.0)])
+
+    def _said_em(self, said: list[str]) -> float:
+        return 0.5 + 1.5 * len(said) if said else 0.0
+
+    def _said(
+        self, size_px: tuple[int, int], measured: Measured, rows_em: float | None
+    ) -> list[str]:
+        """Line by line, what is left out and why."""
+        names = (self._lacks(measured), "no room" if rows_em is None else "")
+        sentence = " ".join(self._words[name] for name in names if name)
+        across = max(12, int((size_px[0] / self._em - 2.0) / 0.58))
+        return textwrap.wrap(sentence, across)
 
     def _lacks(self, measured: Measured) -> str:
         """Which of `app.drawings.WORDS` says what there is not; or none."""

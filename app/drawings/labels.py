@@ -402,6 +402,21 @@ class Layout:
         self.settled: dict[Label, _Candidate] = {}
         """Which labels were put right next to their points, and where."""
 
+    @property
+    def so_far(self) -> tuple[int, int, dict[Label, _Candidate]]:
+        """What is taken, for `go_back`."""
+        return len(self._taken), len(self._bodies), self.settled.copy()
+
+    def go_back(self, so_far: tuple[int, int, dict[Label, _Candidate]]) -> None:
+        """Forget what was placed and kept free since then."""
+        taken, bodies, self.settled = so_far
+        del self._taken[taken:], self._bodies[bodies:]
+
+    def shows(self, x: float, y: float) -> bool:
+        """Whether a pixel is in the pane."""
+        width_px, height_px = self._size_px
+        return 0.0 <= x <= width_px and 0.0 <= y <= height_px
+
     def keep_title_free(self) -> None:
         """Let no label lie under the title of the pane, at its top."""
         width_px, height_px = self._size_px
@@ -463,13 +478,12 @@ class Layout:
         bool
             Whether there was a place for it.
         """
-        width_px, height_px = self._size_px
         half = self.half(text)
         usable = [
             i
             for i, (x, y, depth) in enumerate(points)
             # A leader must not point out of the pane.
-            if depth > 0.0 and (leader is None or (0.0 <= x <= width_px and 0.0 <= y <= height_px))
+            if depth > 0.0 and (leader is None or self.shows(x, y))
         ]
         others = [(x, y) for x, y, depth in apart_from if depth > 0.0]
         search = partial(self._search, points, half, others, leader is not None)

@@ -34,7 +34,6 @@ from app.picking.picking import Sight
 _VIEW_ANGLE_DEG = 50.0
 _MARGIN_EM = 1.6  # beside what is framed, for the labels
 _SMALL_MARGIN = 1.0 / 6.0  # of a small pane: both sides together take no more of it
-_DIMENSIONS_EM = 8.5  # under it in a flat view, for the lines that say how far and a sentence
 _BEHIND_FAR = 1.4  # of far's distance: what is seen in a view from the side
 _SHRUNK = 0.4  # of the pane: what fills less of it is brought nearer by `refit`
 _NEAREST = 0.02  # of the distance to what is looked at: what is nearer is cut
@@ -73,6 +72,8 @@ class Framed(NamedTuple):
         Of the box round them.
     has_eye : bool
         Whether the lens' projectors meet.
+    below_em : float
+        What is written under all that in a fixed view, in ems.
     """
 
     camera: Camera
@@ -81,6 +82,7 @@ class Framed(NamedTuple):
     corners: Array | None
     objects: Array
     has_eye: bool
+    below_em: float
 
 
 class _Flat(NamedTuple):
@@ -147,10 +149,11 @@ class OwnView:
         if camera.GetParallelProjection():
             slope, flat = 0.0, camera.GetParallelScale()
         eye = np.array(camera.GetPosition())
-        self.pane = PaneView(eye, axes_of(camera), slope, self._size_px, flat)
+        self.pane = PaneView(eye, axes_of(camera), slope, self.size_px, flat)
 
     @property
-    def _size_px(self) -> tuple[int, int]:
+    def size_px(self) -> tuple[int, int]:
+        """Width and height of the pane."""
         width_px, height_px = self._window.GetSize()
         return max(1, width_px), max(1, height_px)
 
@@ -263,9 +266,9 @@ class OwnView:
         self._camera.SetParallelProjection(False)
         self._camera.SetViewAngle(_VIEW_ANGLE_DEG)
 
-    def _room(self, below_em: float = 0.0) -> tuple[float, float]:
+    def _room(self, below_em: float) -> tuple[float, float]:
         """What of the pane's width and height is for what is framed, each 1/2 to 1."""
-        wide, high = self._size_px
+        wide, high = self.size_px
         margin = min(2.0 * _MARGIN_EM * self._em, _SMALL_MARGIN * min(wide, high))
         beside = (TITLE_EM + below_em) * self._em
         return (
@@ -275,9 +278,9 @@ class OwnView:
 
     def _stand(self, framed: Framed) -> tuple[Array, Array]:
         """Where to stand for these points, and what to look at: (3,) each."""
-        out, size_px, eye = self._direction, self._size_px, framed.eye
+        out, size_px, eye = self._direction, self.size_px, framed.eye
         axes, half = _axes_from(out), math.tan(math.radians(_VIEW_ANGLE_DEG / 2.0))
-        wide, high = self._room()
+        wide, high = self._room(0.0)
         slopes = half * wide * size_px[0] / size_px[1], half * high
         lower = half * TITLE_EM * self._em / size_px[1]  # by half of what the pane's title takes
         position = _stand_back(axes, framed.points, slopes, lower)
@@ -291,11 +294,6 @@ class OwnView:
         return position, position + (middle - float(position @ out)) * out
 
     # -- fixed views
-
-    def fix(self, name: str, framed: Framed) -> None:
-        """Take a fixed view, or ``""`` for the free view, as it opens."""
-        self.fixed = name
-        self.reset(framed)
 
     def follow(self, framed: Framed) -> None:
         """Stand where the model's camera has taken a fixed view."""
@@ -324,17 +322,16 @@ class OwnView:
 
     def _frame_flat(self, axes: Array, framed: Framed) -> _Flat:
         offsets = axes @ (framed.points - framed.eye).T
-        wide_px, high_px = self._size_px
+        wide_px, high_px = self.size_px
         if self.fixed == "eye" and framed.has_eye:
             corners = framed.points if framed.corners is None else framed.corners
             x, y, depth = axes @ (corners - framed.eye).T
-            wide, high = self._room()
+            wide, high = self._room(framed.below_em)
             with np.errstate(divide="ignore", invalid="ignore"):
                 across, up = np.abs(x / depth).max(), np.abs(y / depth).max()
             slope = max(up / high, across / wide * high_px / wide_px)
             return _Flat(0.0, 0.0, 0.0, min(slope, _STEEPEST_EYE) if slope > 0.0 else 1.0)
-        below = 0.0 if self.fixed in ("axis", "eye") else _DIMENSIONS_EM
-        wide, high = self._room(below)
+        wide, high = self._room(framed.below_em)
         if self.fixed in ("side", "top") and framed.corners is not None:
             # A row that goes on far behind the frustum would make a strip of it.
             far = float((axes[0] @ (framed.corners - framed.eye).T).max())
@@ -348,7 +345,7 @@ class OwnView:
             around = AROUND_PX * min(wide_px, high_px) * 2.0 * half / high_px
             low, most = np.minimum(low, -around), np.maximum(most, around)
             middle = (low + most) / 2.0
-        middle[1] -= (below - TITLE_EM) * self._em / high_px * half
+        middle[1] -= (framed.below_em - TITLE_EM) * self._em / high_px * half
         deepest = float(np.linalg.norm(offsets, axis=0).max()) + around
         return _Flat(float(middle[0]), float(middle[1]), 2.0 * deepest, float(half))
 

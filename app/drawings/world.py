@@ -161,8 +161,8 @@ class WorldDrawing:
             self._dimensions = Dimensions(self._canvas, self._words)
         elif self._dimensions is not None:
             self._dimensions.hide()
-        self.own.fix(view, self._framed())
-        self.reset_clipping_range()
+        self.own.fixed = view
+        self.reset_view()
 
     def show_object_axes(self, wanted: bool) -> None:
         """Show the object's axes also where they are the world's, or not; draw nothing yet."""
@@ -457,16 +457,8 @@ class WorldDrawing:
             height_px = self.own.pane.size_px[1]
             layout.keep_free([(x, height_px - y, 1.0) for _, (x, y) in self.handles.shown])
         if self.own.fixed and self._dimensions is not None:
-            at, own, corners = self._stands, self.own, self._corners_seen
-            measured = Measured(
-                own.fixed, self._projection, at.eye, at.target, corners, self._measured,
-                tuple(
-                    (each.name, each.value, each.start - self._origin, each.end - self._origin)
-                    for each in self._lengths
-                    if each.view == own.fixed
-                ),
-            )  # fmt: skip
-            self._dimensions.place(layout, seen, own.pane.size_px, measured)
+            own, corners = self.own, self._corners_seen
+            self._dimensions.place(layout, seen, own.pane.size_px, self._in_fixed_view)
             if own.fixed == "axis" and corners is not None:
                 picture = seen(corners[:4])
                 across = max(x for x, _, _ in picture) - min(x for x, _, _ in picture)
@@ -474,6 +466,20 @@ class WorldDrawing:
                     layout.keep_free_box(picture)
         if self._marks is not None:
             self._marks.place_texts(layout, seen)
+
+    @property
+    def _in_fixed_view(self) -> Measured:
+        """What is measured where the pane looks from just now."""
+        at, view = self._stands, self.own.fixed
+        lengths = tuple(
+            (each.name, each.value, each.start - self._origin, each.end - self._origin)
+            for each in self._lengths
+            if each.view == view
+        )
+        corners = self._corners_seen
+        return Measured(
+            view, self._projection, at.eye, at.target, corners, self._measured, lengths
+        )
 
     # -- the pane's own camera
 
@@ -486,7 +492,10 @@ class WorldDrawing:
         at, frustum = self._stands, self.frustum
         corners = frustum.corners if frustum.seen else None
         points, has_eye = self._points_to_frame(), self._projection.lens.central
-        return Framed(at.camera, at.eye, points, corners, self._objects, has_eye)
+        below_em = 0.0
+        if self.own.fixed and self._dimensions is not None:
+            below_em = self._dimensions.below_em(self.own.size_px, self._in_fixed_view)
+        return Framed(at.camera, at.eye, points, corners, self._objects, has_eye, below_em)
 
     def refit(self) -> bool:
         """Fit a view that nobody has moved, if what it framed has left it or nearly vanished.

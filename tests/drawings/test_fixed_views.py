@@ -269,6 +269,74 @@ def test_the_dimensions_are_those_of_the_lecture(
         assert left >= 0 and bottom >= 0 and right <= SIZE_PX[0] and top <= SIZE_PX[1], text
 
 
+DIMENSIONS = {
+    "side": {"near", "d", "far", "fov/2", "f tan(fov/2)"},
+    "top": {"near", "d", "far", "fov_x/2", "f tan(fov_x/2)"},
+    "axis": {"f tan(fov/2)", "f tan(fov_x/2)"},
+}
+NO_ROOM = "No room for all dimensions."
+
+
+@pytest.mark.parametrize("view", DIMENSIONS)
+@pytest.mark.parametrize(
+    ("size_px", "em", "is_room"),
+    [
+        ((640, 640), 17.0, True),
+        ((640, 640), 33.0, True),  # 8 points, in print
+        ((640, 640), 50.0, None),
+        ((600, 250), 21.0, None),
+        ((900, 500), 67.0, False),
+        ((500, 900), 20.0, True),
+        ((380, 230), 17.0, None),  # a small slot while presenting
+    ],
+)
+def test_large_letters_leave_the_drawing_in_the_pane_and_what_is_left_out_is_said(
+    off_screen: MakeScreen, view: str, size_px: tuple[int, int], em: float, is_room: bool | None
+) -> None:
+    """Every text is there, or a sentence that not all are; and none lies on another."""
+    screen = off_screen(*size_px)
+    drawing = WorldDrawing(
+        screen, load("letter-f"), WORDS, replace(LIGHT, font_size=em), live=True
+    )
+    drawing.show_fixed(view)
+    screen.pixels()
+    boxes = {text: box_of(screen, actor) for text, actor in texts(screen).items()}
+    missing = DIMENSIONS[view] - {text.split(" = ")[0] for text in boxes}
+    assert (NO_ROOM in boxes) == bool(missing)
+    if is_room is not None:
+        assert is_room == (not missing) or (view == "axis" and not is_room)
+    spots = pixel_of(drawing, drawing.frustum.corners)
+    assert (spots >= 0.0).all() and (spots <= size_px).all()
+    for (one, a), (other, b) in itertools.combinations(boxes.items(), 2):
+        apart = a[2] <= b[0] or b[2] <= a[0] or a[3] <= b[1] or b[3] <= a[1]
+        assert apart, (one, other)
+    # A text in a row stands right beside its own line, or on it.
+    eye_x, _ = pixel_of(drawing, [START.camera.eye])[0]
+    for text in boxes.keys() & {"near = 4", "d = 11.17", "far = 18"}:
+        left, _, right, _ = boxes[text]
+        away = float(text.split(" = ")[1])
+        ((end_x, _),) = pixel_of(drawing, [at(START, 0.0, 0.0, away)])
+        assert left - end_x < 3.0 * em and eye_x - right < 3.0 * em, text
+
+
+def test_what_a_hand_moves_out_of_the_pane_is_not_missed(off_screen: MakeScreen) -> None:
+    screen = off_screen(*SIZE_PX)
+    drawing = made(screen)
+    drawing.show_fixed("side")
+    camera = screen.renderer.GetActiveCamera()
+    camera.SetParallelScale(0.7 * camera.GetParallelScale())
+    for move in (camera.SetPosition, camera.SetFocalPoint):
+        before = camera.GetPosition() if move == camera.SetPosition else camera.GetFocalPoint()
+        move(*(np.array(before) + 5.0 * START.camera.frame[2] - 3.0 * START.camera.frame[1]))
+    drawing.reset_clipping_range()
+    screen.pixels()
+    assert drawing.fixed == "side"
+    spots = pixel_of(drawing, drawing.frustum.corners)
+    assert (spots[4:, 0] > SIZE_PX[0]).all() and (spots[:4, 0] < SIZE_PX[0]).all()
+    assert "near = 4" in texts(screen)
+    assert NO_ROOM not in texts(screen)
+
+
 @pytest.mark.parametrize(
     ("name", "written"),
     [
