@@ -123,7 +123,8 @@ BROKEN_PICTURE = QT_TRANSLATE_NOOP(
     "Refusal", "is not a whole PNG picture: it is broken or cut short"
 )
 NEITHER = QT_TRANSLATE_NOOP(
-    "Refusal", "is neither a document (.json), an exported picture (.png) nor a mesh ({0})"
+    "Refusal",
+    "is neither a document (.json), a lesson (.md), an exported picture (.png) nor a mesh ({0})",
 )
 PLAIN_PICTURE = QT_TRANSLATE_NOOP("Refusal", "is a picture without a Frustum Lab document in it")
 UNKNOWN = QT_TRANSLATE_NOOP("Refusal", "is not known; the nearest name is {0}")

@@ -387,9 +387,7 @@ class Dimensions:
         if not self._try(layout, name, text, end, ((1.0, 0.0),)):
             self._put(layout, name, text, start, ((-1.0, 0.0), *otherwise))
 
-    def _put(
-        self, layout: Layout, name: str, text: str, place: Way, sides: Sequence[Way]
-    ) -> None:
+    def _put(self, layout: Layout, name: str, text: str, place: Way, sides: Sequence[Way]) -> None:
         if not self._try(layout, name, text, place, sides) and layout.shows(*place):
             self._is_left_out = True  # and not because a hand has moved it out of the pane
 

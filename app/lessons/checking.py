@@ -314,5 +314,7 @@ def _problem_of_tex(tex: str) -> str:
         outline(tex)
     except ValueError as error:
         said = str(error).strip().splitlines()[-1]
-        return re.sub(r"^\w+Exception: ", "", said)  # which names a part of the program
+        # Without a part of the program, a place of its own, and all that could have been there.
+        said = re.sub(r"^\w+Exception: |\s*\(at char \d+\)|,? \(line:\d+, col:\d+\)", "", said)
+        return re.sub(r"Expected \{.{80,}\}, found", "Expected something else, found", said)
     return ""

@@ -207,14 +207,16 @@ class Course:
         return Document(scene, opened.start, mesh=own)
 
     def _read(self, state: State) -> Document:
-        path = self._beside(state.document, state.line)
+        path = self._beside(state.document, state.document_line)
         try:
             document = documents.read(path)
         except Refusal as error:
-            raise refused(state.line, documents.UNREADABLE, str(error).rstrip(".")) from error
+            raise refused(
+                state.document_line, documents.UNREADABLE, str(error).rstrip(".")
+            ) from error
         for file in (document.scene if is_mesh(document.scene) else "", document.mesh):
             if file and not self._is_beside(file):
-                raise refused(state.line, BESIDE, value=os.path.basename(file))
+                raise refused(state.document_line, BESIDE, value=os.path.basename(file))
         return document
 
     def _beside(self, name: str, line: int) -> str:

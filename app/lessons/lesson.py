@@ -16,7 +16,7 @@ from functools import cache
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple, TypeAlias
 
-from app.document.document import NOT_TEXT, TOO_LARGE, UNREADABLE, blamed_on
+from app.document.document import TOO_LARGE, UNREADABLE, blamed_on
 from app.document.document import Path as AnyPath
 from app.lecture.notation import LETTERS, Letters
 from app.lessons.quantities import Condition
@@ -42,6 +42,10 @@ MOST_STEPS = 500
 TOP = QT_TRANSLATE_NOOP(
     "Refusal", "must begin the lesson: ---, then lines as “title: ...”, then --- again"
 )
+TOP_UNCLOSED = QT_TRANSLATE_NOOP(
+    "Refusal", "has no line --- above it, which must end the lines as “title: ...”"
+)
+NOT_UTF8 = QT_TRANSLATE_NOOP("Refusal", "is not UTF-8 text: save the file in that encoding")
 TOP_KEY = QT_TRANSLATE_NOOP("Refusal", "must be one of {0}, a colon, and its value")
 NO_TITLE = QT_TRANSLATE_NOOP("Refusal", "lacks a line “title: ...”")
 NEWER = QT_TRANSLATE_NOOP(
@@ -73,6 +77,7 @@ STEP_IN_STEP = QT_TRANSLATE_NOOP("Refusal", "has the title of a step, but no lin
 BLOCK_INDENTED = QT_TRANSLATE_NOOP(
     "Refusal", "begins a block, but is indented: ``` stands where a line begins"
 )
+TOPICS = QT_TRANSLATE_NOOP("Refusal", "must be of L1 to L24, with commas between them")
 UNEXPECTED = QT_TRANSLATE_NOOP("Refusal", "must be one of {0}, a colon, and its value")
 INDENTED = QT_TRANSLATE_NOOP(
     "Refusal", "is indented, but there is nothing above that it belongs to"
@@ -106,11 +111,13 @@ class State(NamedTuple):
         ``NAME=VALUE``, each with its line.
     document : str
         Path of a document, from the lesson's folder; empty for none.
+    document_line : int
     """
 
     line: int
     values: tuple[tuple[int, str], ...] = ()
     document: str = ""
+    document_line: int = 0
 
     @property
     def begins_anew(self) -> bool:
@@ -360,7 +367,7 @@ def read(path: AnyPath, complain: Complain | None = None) -> Lesson:
         try:
             text = content.decode("utf-8-sig")
         except UnicodeDecodeError as error:
-            raise Refusal.in_document(NOT_TEXT) from error
+            raise refused(content[: error.start].count(b"\n") + 1, NOT_UTF8) from error
         return parse_lesson(text, Path(path), complain)
 
 
@@ -432,6 +439,7 @@ def on_line(line: int, what: str = "") -> Iterator[None]:
         ) from error
 
 
+_TOPIC = re.compile(r"L([1-9]|1\d|2[0-4])")
 _TOP_KEYS = ("title", "lecture", "topic", "language", "letters", "minutes", "version")
 
 
@@ -446,8 +454,12 @@ def _top(lines: Sequence[str]) -> tuple[dict[str, Any], int]:
         key, colon, value = (part.strip() for part in line.partition(":"))
         if not line.strip():
             continue
+        if line.startswith(("#", "```", "~~~")):
+            raise refused(number, TOP_UNCLOSED, value=line[:60])
         if not colon or key not in _TOP_KEYS:
-            raise refused(number, TOP_KEY, ", ".join(_TOP_KEYS), value=line)
+            raise refused(number, TOP_KEY, ", ".join(_TOP_KEYS), value=line[:60])
+        if key in found:
+            raise refused(number, ONLY_ONCE, key)
         found[key] = value
         if key == "version":
             wanted = _number(value, number, 1, 1e6)
@@ -457,6 +469,8 @@ def _top(lines: Sequence[str]) -> tuple[dict[str, Any], int]:
             _number(value, number, 0, 1000)
         elif key == "letters" and value not in LETTERS:
             raise refused(number, ONE_OF, ", ".join(LETTERS), value=value)
+        elif key == "topic" and not all(map(_TOPIC.fullmatch, _parted(value))):
+            raise refused(number, TOPICS, value=value)
     else:
         raise refused(len(lines), TOP)
     if not found.get("title"):
@@ -465,13 +479,15 @@ def _top(lines: Sequence[str]) -> tuple[dict[str, Any], int]:
     if len(title) > 2 and title[0] == title[-1] and title[0] in "\"'":  # as YAML has it
         title = title[1:-1]
     top: dict[str, Any] = {"title": title, "lecture": found.get("lecture", "")}
-    top["topics"] = tuple(
-        part.strip() for part in found.get("topic", "").split(",") if part.strip()
-    )
+    top["topics"] = tuple(_parted(found.get("topic", "")))
     top["language"] = found.get("language", "en")
     top["letters"] = found.get("letters")
     top["minutes"] = float(found.get("minutes", 0.0))
     return top, number
+
+
+def _parted(text: str) -> list[str]:
+    return [part.strip() for part in text.split(",") if part.strip()]
 
 
 def _number(text: str, line: int, low: float, high: float) -> float:
@@ -716,10 +732,10 @@ class _Reader:
                 mark = "right" if choice[1] in "xX" else "false"
                 items.append(_Item("choice", mark, choice[2].strip(), number, []))
             elif indented and items:
-                self._below(items, key, text.strip(), number)
+                self._below(items, key, text.strip(), number, kind)
             elif key and not indented and key[1] in _KEYS[kind]:
                 items.append(_Item(key[1], (key[2] or "").strip(), key[3].strip(), number, []))
-            elif not items:
+            elif not items and not _mistyped(text, _KEYS[kind]):
                 question.append(text)
             elif kind in _WITH_CHOICES and text.startswith(("-", "*")):
                 raise refused(number, NO_CHOICE, value=text.strip()[:60])
@@ -732,10 +748,16 @@ class _Reader:
         return asked, items
 
     @staticmethod
-    def _below(items: list[_Item], key: re.Match[str] | None, text: str, number: int) -> None:
+    def _below(
+        items: list[_Item], key: re.Match[str] | None, text: str, number: int, kind: str
+    ) -> None:
         last = items[-1]
-        if last.key in ("choice", "wrong") and key and key[1] in _BELOW:
+        has_own = last.key in ("choice", "wrong")
+        if has_own and key and key[1] in _BELOW:
             last.below.append(_Item(key[1], "", key[3].strip(), number, []))
+        elif _mistyped(text, (*_BELOW, *_KEYS[kind])):
+            bound = UNEXPECTED if has_own else INDENTED
+            raise refused(number, bound, ", ".join(_BELOW), value=text[:60])
         elif last.below:
             further = last.below[-1]
             last.below[-1] = further._replace(text=f"{further.text} {text}".strip())
@@ -752,6 +774,18 @@ _KEYS = {
     "task": ("until", "done", "hint"),
 }
 _BELOW = ("says", "state")
+
+
+def _mistyped(text: str, keys: Sequence[str]) -> bool:
+    """Whether a line that is not expected to begin with a key seems to."""
+    found = re.match(r"([A-Za-z]+)(\s+[\w-]+)?\s*:", text)
+    if found is None:
+        return False
+    near = difflib.get_close_matches(found[1].lower(), keys, n=1, cutoff=0.8)
+    # An idea is named behind one key alone: “Check this:” is a sentence.
+    return bool(near) and near[0][0] == text[0].lower() and (not found[2] or near[0] == "wrong")
+
+
 _IDEA = re.compile(r"\s+\{([a-z][\w-]*)\}(?=\s*$|\s+:=\s)")
 
 
@@ -762,20 +796,26 @@ def slug(title: str) -> str:
 
 def _state(body: Sequence[tuple[int, str]], line: int) -> State:
     values: list[tuple[int, str]] = []
-    document = ""
+    document, document_line = "", 0
+    names = set[str]()
     for number, text in body:
         text = text.strip()
         if not text:
             continue
-        if text.startswith("document:"):
-            document = _beside(text.removeprefix("document:").strip(), number)
+        is_document = text.startswith("document:")
+        name = "document" if is_document else text.partition("=")[0].strip()
+        if name in names:
+            raise refused(number, ONLY_ONCE, name)
+        names.add(name)
+        if is_document:
+            document, document_line = _beside(text[len(name) + 1 :].strip(), number), number
         elif "=" in text:
             values.append((number, _mesh_beside(text, number)))
         else:
             raise refused(number, AN_ASSIGNMENT, value=text[:60])
     if not values and not document:
         raise refused(line, LACKS, "NAME=VALUE")
-    return State(line, tuple(values), document)
+    return State(line, tuple(values), document, document_line)
 
 
 def _short_state(item: _Item) -> State:
@@ -801,14 +841,18 @@ def _beside(path: str, line: int) -> str:
 
 
 def _note(body: Sequence[tuple[int, str]], line: int) -> Note:
-    minutes, lines, first = 0.0, [], 0
+    minutes, lines, first = None, [], 0
     for number, text in body:
-        if text.strip().startswith("minutes:") and not minutes:
+        if text.strip().startswith("minutes:"):
+            if minutes is not None:
+                raise refused(number, ONLY_ONCE, "minutes")
             minutes = _number(text.partition(":")[2].strip(), number, 0, 1000)
+        elif re.match(r"\s*min\w*\s*[:=]\s*\d", text, re.IGNORECASE):
+            raise refused(number, UNEXPECTED, "minutes", value=text.strip()[:60])
         else:
             lines.append(text)
             first = first or (number if text.strip() else 0)
-    return Note("\n".join(lines).strip(), line, minutes, first or line)
+    return Note("\n".join(lines).strip(), line, minutes or 0.0, first or line)
 
 
 def _sample(text: str, line: int) -> Sample:

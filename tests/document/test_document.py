@@ -787,8 +787,8 @@ def test_a_file_that_is_no_document_is_refused_by_its_name(
         ),
         "photo.jpg": (
             b"\xff\xd8\xff\xe0\0\x10JFIF",
-            "photo.jpg is neither a document (.json), an exported picture (.png) nor a mesh"
-            " (.obj, .stl, .ply, .gltf, .glb).",
+            "photo.jpg is neither a document (.json), a lesson (.md), an exported picture (.png)"
+            " nor a mesh (.obj, .stl, .ply, .gltf, .glb).",
         ),
         "fake.png": (
             b"no picture at all",

@@ -295,9 +295,7 @@ def test_large_letters_leave_the_drawing_in_the_pane_and_what_is_left_out_is_sai
 ) -> None:
     """Every text is there, or a sentence that not all are; and none lies on another."""
     screen = off_screen(*size_px)
-    drawing = WorldDrawing(
-        screen, load("letter-f"), WORDS, replace(LIGHT, font_size=em), live=True
-    )
+    drawing = WorldDrawing(screen, load("letter-f"), WORDS, replace(LIGHT, font_size=em), live=True)
     drawing.show_fixed(view)
     screen.pixels()
     boxes = {text: box_of(screen, actor) for text, actor in texts(screen).items()}

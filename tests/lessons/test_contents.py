@@ -161,15 +161,15 @@ def test_a_formula_that_cannot_be_written_is_said_with_its_own_line(tmp_path: Pa
     path = tmp_path / "wrong.md"
     path.write_text(
         "---\ntitle: T\n---\n# One\n\nWords with $x$,\nmore,\nand $\\nosuch$.\n"
-        "```predict\nWhy $\\never$?\n- [x] a\n- [ ] $\\nowhere$\n```\n",
+        "```predict\nWhy $\\frac{1$?\n- [x] a\n- [ ] $a_$\n```\n",
         encoding="utf-8",
     )
     said = run_here("lesson", "check", path).stdout.splitlines()
-    found = [line.removeprefix(f"{path}: ").partition(":")[0] for line in said[:-1]]
-    assert found == [
-        "line 8 = '\\\\nosuch'",
-        "line 10 = '\\\\never'",
-        "line 12 = '\\\\nowhere'",
+    why = "has a formula that cannot be written:"
+    assert [line.removeprefix(f"{path}: ") for line in said[:-1]] == [
+        f"line 8 = '\\\\nosuch': {why} Unknown symbol: \\nosuch, found '\\'.",
+        f"line 10 = '\\\\frac{{1': {why} Expected \\frac{{num}}{{den}}, found '{{'.",
+        f"line 12 = 'a_': {why} Expected something else, found end of text.",
     ]
 
 

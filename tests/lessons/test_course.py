@@ -99,7 +99,7 @@ def test_the_same_step_is_the_same_in_whatever_order_steps_are_asked_for() -> No
             "line 12, lens",
         ),
         ("# A\n```state\nscene=house.obj\n```\n", 0, "line 7"),
-        ("# A\n```state\ndocument: none.json\n```\n", 0, "line 6"),
+        ("# A\n```state\ndocument: none.json\n```\n", 0, "line 7 cannot be read"),
     ],
 )
 def test_a_state_that_cannot_be_is_said_with_its_line(text: str, place: int, expected: str) -> None:

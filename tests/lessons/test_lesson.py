@@ -260,10 +260,67 @@ def test_formulas_are_left_alone_by_markdown_and_dollars_can_be_prices() -> None
         (STEP + "```test\nx -> right\n```\n", "line 6 = 'x -> right': must be a sample"),
         (STEP + "```test\nx: 1 -> right\n```\n", "line 6 = 'x': must be one of none"),
         (STEP + "```note\nA\n```\n```note\nB\n```\n", "line 8 has note twice"),
+        ("---\ntitle: T\n\n# A\n", "line 4 = '# A': has no line --- above it, which must end"),
+        ("---\ntitle: T\n```state\n---\n", "line 3 = '```state': has no line --- above it"),
+        ("---\ntitle: T\nlecture: 1\ntitle: U\n---\n# A\n", "line 4 has title twice"),
+        ("---\ntitle: T\ntopic: L2, L99\n---\n# A\n", "line 3 = 'L2, L99': must be of L1 to L24"),
+        ("---\ntitle: T\ntopic: L0\n---\n# A\n", "line 3 = 'L0': must be of L1 to L24"),
+        (STEP + "```state\nlens.near=1\nlens.near = 2\n```\n", "line 7 has lens.near twice"),
+        (STEP + "```state\ndocument: a.json\ndocument: b.json\n```\n", "line 7 has document twice"),
+        (
+            STEP + "```answer\nQ?\nvalue: 2\nwrong: 1\n  state: lens.near=1; lens.near=2\n```\n",
+            "line 9 has lens.near twice",
+        ),
+        (
+            STEP + "```predict\nQ?\n- [x] a\n  say: Yes.\n- [ ] b\n```\n",
+            "line 8 = 'say: Yes.': must be one of says, state, a colon, and its value",
+        ),
+        (STEP + "```predict\nQ?\n- [x] a\n  why: So.\n- [ ] b\n```\n", "line 8 = 'why: So.': must"),
+        (
+            STEP + "```answer\nQ?\nvalue: 2\nwrong: 1\n  Says: No.\n```\n",
+            "line 9 = 'Says: No.': must",
+        ),
+        (STEP + "```answer\nQ?\nvalue: 2\n  says: No.\n```\n", "line 8 = 'says: No.': is indented"),
+        (
+            STEP + "```answer\nQ?\nunits: m\nvalue: 2\n```\n",
+            "line 7 = 'units: m': must be one of val",
+        ),
+        (STEP + "```answer\nQ?\nValue: 2\nvalue: 2\n```\n", "line 7 = 'Value: 2': must be one of"),
+        (
+            STEP + "```task\nDo.\nuntill: near > 1\n```\n",
+            "line 7 = 'untill: near > 1': must be one",
+        ),
+        (
+            STEP + "```note\nminuten: 2\n```\n",
+            "line 6 = 'minuten: 2': must be one of minutes, a colon",
+        ),
+        (
+            STEP + "```note\nSay.\nMinutes: 2\n```\n",
+            "line 7 = 'Minutes: 2': must be one of minutes",
+        ),
+        (STEP + "```note\nminutes: 0\nminutes: 2\n```\n", "line 7 has minutes twice"),
     ],
 )
 def test_a_mistake_is_said_with_its_line_and_what_was_expected(text: str, said: str) -> None:
     assert said in refused(text)
+
+
+def test_sentences_with_a_colon_are_no_keys() -> None:
+    lesson = parsed(
+        STEP + "```predict\nMind: it turns. What is it?\nOne: near.\n- [x] a\n  A choice: this.\n"
+        "- [ ] b\n  says: It is so:\n    because: of far.\n```\n"
+        "```task\nWhen: now.\nCheck this: near.\nuntil: near > 1\nhint: Look:\n  there.\n```\n"
+        "```note\nRemember: 2 of them.\nMinutes are short.\n```\n"
+    )
+    predict, task = lesson.steps[0].asked
+    assert predict.text == "Mind: it turns. What is it?\nOne: near."
+    assert isinstance(predict, Question)
+    assert [choice.text for choice in predict.choices] == ["a A choice: this.", "b"]
+    assert predict.choices[1].says == "It is so: because: of far."
+    assert isinstance(task, Task) and task.text == "When: now.\nCheck this: near."
+    assert task.hints == ("Look: there.",)
+    note = lesson.steps[0].note
+    assert note is not None and note.text == "Remember: 2 of them.\nMinutes are short."
 
 
 def test_too_many_steps_and_too_large_a_file_are_refused_at_once(tmp_path: Path) -> None:
@@ -274,7 +331,7 @@ def test_too_many_steps_and_too_large_a_file_are_refused_at_once(tmp_path: Path)
     with pytest.raises(Refusal, match=r"large\.md is larger than 2 MiB"):
         read(path)
     path.write_bytes(b"---\ntitle: \xff\xfe\n")
-    with pytest.raises(Refusal, match="not UTF-8"):
+    with pytest.raises(Refusal, match=r"large\.md: line 2 is not UTF-8 text: save the file in"):
         read(path)
     with pytest.raises(Refusal, match="does not exist"):
         read(tmp_path / "none.md")
