@@ -9,7 +9,7 @@ from __future__ import annotations
 import difflib
 import re
 from collections.abc import Iterator, Sequence
-from contextlib import contextmanager, suppress
+from contextlib import contextmanager
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from functools import partial
@@ -33,7 +33,6 @@ from app.lessons.lesson import (
     read,
     refused,
 )
-from app.lessons.quantities import NotThere
 from app.lessons.text import outline
 from app.model.formula import Formula
 from app.model.limits import ONE_OF
@@ -56,7 +55,6 @@ OTHER_NUMBER = QT_TRANSLATE_NOOP("Refusal", "says another number than its formul
 ALSO_RIGHT = QT_TRANSLATE_NOOP("Refusal", "is wrong, but its formula gives the right value, {0}")
 SAME_WRONG = QT_TRANSLATE_NOOP("Refusal", "cannot be told from the wrong value of line {0}, {1}")
 NOT_SO = QT_TRANSLATE_NOOP("Refusal", "does not hold")
-NO_VALUE = QT_TRANSLATE_NOOP("Refusal", "has no value in this state: there is no {0}")
 OTHER_VERDICT = QT_TRANSLATE_NOOP("Refusal", "gets “{0}” instead of “{1}”")
 NOT_TEX = QT_TRANSLATE_NOOP("Refusal", "has a formula that cannot be written: {0}")
 NOTHING_TO_DO = QT_TRANSLATE_NOOP("Refusal", "is done before anything was done")
@@ -137,18 +135,16 @@ class _Checker:
                         self._question(place, part)
             for sample in step.samples:
                 self.checks += 1
-                with self._kept(), suppress(NotThere):  # said of the question already
+                with self._kept():
                     self._sample(place, step, sample)
 
     @contextmanager
-    def _kept(self, line: int = 0) -> Iterator[None]:
+    def _kept(self) -> Iterator[None]:
         """Note what is refused, and go on."""
         try:
             yield
         except Refusal as error:
             self._complain(error)
-        except NotThere as error:
-            self._complain(refused(line or 1, NO_VALUE, str(error)))
 
     def _complain(self, error: Refusal) -> None:
         error.file = str(self.lesson.path)
@@ -188,19 +184,19 @@ class _Checker:
             self.course.shown_by(place, question.show)
         known = self.course.asked_over(place, question)
         for line, condition in question.checks:
-            with self._kept(line), on_line(line, "check"):
+            with self._kept(), on_line(line, "check"):
                 if not condition.holds(known, partial(word_of, known.document)):
                     raise refused(line, NOT_SO, value=condition.text)
         said: tuple[Choice | Wrong, ...] = (*question.choices, *question.wrong)
         for each in said:
-            with self._kept(each.line):
+            with self._kept():
                 self._said(place, each)
         right = next((choice for choice in question.choices if choice.right), None)
         key = right.formula if right is not None else question.value
         line = right.line if right is not None else question.value_line
         value = None
         if key is not None:
-            with self._kept(line):
+            with self._kept():
                 value = self._value(place, question, key, line)
         if right is not None and value is not None:
             self._agrees(right, value)
@@ -208,7 +204,7 @@ class _Checker:
         for each in said:
             if each is right or each.formula is None:
                 continue
-            with self._kept(each.line):
+            with self._kept():
                 wrong = self._value(place, question, each.formula, each.line)
                 if isinstance(each, Choice):
                     self._agrees(each, wrong)

@@ -30,11 +30,12 @@ from app.lessons.lesson import (
     read,
     refused,
 )
-from app.lessons.quantities import Quantities
+from app.lessons.quantities import NotThere, Quantities
 from app.model.formula import Formula
-from app.model.refusal import Refusal
+from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
 from app.scenes.scene import BUILT_IN, Scene, load
 
+NO_VALUE = QT_TRANSLATE_NOOP("Refusal", "has no value in this state: there is no {0}")
 CONTENT = Path(__file__).with_name("content")
 """The lessons, talks and wrong ideas that come with the program."""
 
@@ -271,7 +272,21 @@ class Course:
             With its line.
         """
         with on_line(line, "formula"):
-            return self.asked_over(place, question).value(formula)
+            try:
+                return self.asked_over(place, question).value(formula)
+            except NotThere as error:
+                raise refused(line, NO_VALUE, str(error)) from error
+
+    def answer(self, place: int, question: Question) -> float:
+        """The right number of a question that has no choices.
+
+        Raises
+        ------
+        Refusal
+            With its line.
+        """
+        assert question.value is not None
+        return self.value(place, question, question.value, question.value_line)
 
     def is_done(self, place: int, task: Task, now: Document, view: View | None = None) -> bool:
         """Whether a task's conditions hold of the window as it stands.
@@ -298,9 +313,7 @@ class Course:
         Refusal
             If it is no number.
         """
-        assert question.value is not None
-        number = marking.read(typed, question.unit)
-        value = self.value(place, question, question.value, question.value_line)
+        number, value = marking.read(typed, question.unit), self.answer(place, question)
         if marking.equals(number, value):
             return Verdict(True, says=question.why, value=value)
         for wrong in question.wrong:

@@ -227,6 +227,17 @@ def test_the_handout_has_the_numbers_of_the_scene_where_it_is_explained(
     assert "–" not in runs  # nobody has counted anything
 
 
+def test_the_handout_has_the_value_of_an_answer(talk: Path, tmp_path: Path) -> None:
+    out = tmp_path / "out.pdf"
+    question = (
+        "```answer\nHow wide?\nvalue: 2*atan(aspect*tan(45/2))\nunit: °\nwhy: By tangents.\n```\n"
+    )
+    talk.write_text(TALK + question)
+    assert run("talk", talk, "--handout", out).returncode == 0
+    text = " ".join(printed(out.read_bytes()))
+    assert "How wide? 72.73° ✓ By tangents." in " ".join(text.split())  # 2 atan(16/9 tan 22.5°)
+
+
 def test_a_handout_is_written_whole_or_not_at_all(talk: Path, tmp_path: Path) -> None:
     out = tmp_path / "out.pdf"
     out.write_bytes(b"of before")

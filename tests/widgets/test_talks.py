@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import gc
+import math
 import random
 import weakref
 from collections.abc import Callable, Iterator
@@ -22,7 +23,7 @@ from app.document.store import Store
 from app.document.view import AS_EVER
 from app.drawings.world import WorldDrawing
 from app.lessons.course import Course, scene_of
-from app.lessons.lesson import MOST_STEPS, parse_lesson
+from app.lessons.lesson import MOST_STEPS, Question, Step, parse_lesson
 from app.model.projection import Camera
 from app.scenes.scene import BUILT_IN, Scene
 from tests.support.edits import a_view, edited
@@ -36,6 +37,7 @@ from tests.support.window import (
     settle,
     tick,
 )
+from widgets.parts.lesson_text import question_text
 from widgets.parts.message_bar import MessageBar
 from widgets.window.lessons import TRANSITION_S, Lessons
 from widgets.window.main_window import MainWindow
@@ -788,6 +790,7 @@ def test_what_is_wrong_with_the_file_is_said_in_the_window_once_no_class_looks_o
     window.lessons.read_again()
     settle()
     assert not window.messages.text
+    assert window.band.note == "The file was changed, and cannot be read."  # on the one screen
     press(window, Qt.Key.Key_Escape)
     assert not window.present.is_on and "talk.md: line 10" in window.messages.text
     talk.write_text(TALK)
@@ -902,14 +905,118 @@ def test_ten_thousand_steps_are_refused_as_they_are_opened(
     window.messages.done()
 
 
+def asked_of(step: Step, *, told: bool) -> str:
+    questions = [part for part in step.parts if isinstance(part, Question)]
+    return question_text(questions[0], "", told=told, others=False) if questions else ""
+
+
+ASKED = (
+    TALK
+    + """---
+# Two numbers and a vote {#asked}
+```state
+scene=letter-f
+lens.fov_y_deg=60
+```
+Three questions.
+```answer width
+How wide is it?
+value: fov_x
+unit: °
+wrong angle-linear: aspect*fov
+why: The tangents are in proportion.
+```
+```task
+Make it square.
+until: fov_x = fov
+```
+```answer
+Is it higher than wide?
+- [ ] yes
+- [x] no
+```
+```predict
+And from far away?
+- [x] the same
+- [ ] less
+show: lens.near=3
+```
+---
+# Nothing more {#last}
+"""
+)
+
+
+def test_an_answer_is_put_to_the_class_and_then_given(window: MainWindow, talk: Path) -> None:
+    """60° high and 16 : 9: 2 atan(16/9 tan 30°) = 91.49°. One question after the other."""
+    assert 2 * math.degrees(math.atan(16 / 9 * math.tan(math.pi / 6))) == pytest.approx(
+        91.49, abs=5e-3
+    )
+    talk.write_text(ASKED)
+    window.lessons.read_again()
+    go_to(window.lessons, 3)
+    seen = []
+    for _ in range(6):
+        assert window.lessons.place == 3
+        seen.append(window.band.accessibleName().partition("Make it square. ")[2])
+        press(window, PAGE_DOWN)
+        arrive(window.lessons)
+    assert seen == [
+        "How wide is it?",
+        "How wide is it? 91.49° ✓ The tangents are in proportion.",
+        "Is it higher than wide? A yes B no",
+        "Is it higher than wide? B no ✓",
+        "And from far away? A the same B less",
+        "And from far away? A the same ✓",
+    ]
+    assert window.lessons.place == 4
+    press(window, PAGE_UP)
+    assert window.talks.revealed == 0 and "91.49" not in window.band.accessibleName()
+    press(window, Qt.Key.Key_V)
+    assert "91.49° ✓" in window.band.accessibleName()
+    press(window, Qt.Key.Key_Period)
+    press(window, Qt.Key.Key_V)  # nobody is asked in the dark
+    assert not window.present.is_blank and "higher than wide?" in window.band.accessibleName()
+
+
+def test_the_speaker_reads_answers_and_tasks_beforehand(window: MainWindow, talk: Path) -> None:
+    talk.write_text(ASKED)
+    window.lessons.read_again()
+    go_to(window.lessons, 3)
+    window.talks.open_speaker()
+    speaker = window.talks.speaker
+    assert speaker is not None
+    assert speaker.notes.toPlainText().replace("\u2028", "\n") == (
+        "How wide is it?\n91.49° ✓\nThe tangents are in proportion.\nMake it square.\n"
+        "Is it higher than wide?\nA yes\nB no ✓\n"
+        "And from far away?\nA the same ✓\nB less"
+    )
+
+
+def test_an_answer_without_a_value_is_said_and_the_talk_goes_on(
+    window: MainWindow, talk: Path
+) -> None:
+    text = ASKED.replace("value: fov_x", "value: ndc_x")
+    talk.write_text(text)
+    window.lessons.read_again()
+    go_to(window.lessons, 3)
+    press(window, PAGE_DOWN)
+    line = text.splitlines().index("value: ndc_x") + 1
+    assert f"talk.md: line {line} has no value in this state" in window.messages.text
+    assert "The tangents are in proportion." in window.band.accessibleName()
+    press(window, PAGE_DOWN)
+    assert "Is it higher than wide?" in window.band.accessibleName()
+    assert not window.messages.text
+
+
 def test_the_band_shows_a_step_within_its_height(display: Any, talk: Path) -> None:
     band = TalkBand()
     band.resize(1366, 10)
     lesson = parse_lesson(TALK, talk)
     band.set_talk(lesson, 768.0)
     for step in lesson.steps:
-        for revealed in (0, 1):
-            band.show_step(step, "1 / 3", revealed)
+        for told in (False, True):
+            band.show_step(step, "1 / 3", asked_of(step, told=told))
             assert has_room(band)
     assert band.height() == round(0.135 * 768)
     table = "\n\n| a | b |\n| - | - |\n" + 4 * "| 1 | 2 |\n"
@@ -920,14 +1027,14 @@ def test_the_band_shows_a_step_within_its_height(display: Any, talk: Path) -> No
     for times, high in ((1, 0), (20, 256)):
         said = parse_lesson(much.replace("tangents", "tangents " * 20 * times), talk)
         band.set_talk(said, 768.0)
-        band.show_step(said.steps[1], "2 / 3", 1)
+        band.show_step(said.steps[1], "2 / 3", asked_of(said.steps[1], told=True))
         assert max(round(0.135 * 768), high) <= band.height() <= round(768 / 3)
         assert letters_px(band, "91.5°") >= LEAST_TEXT_SHARE * 768
         assert has_room(band) == (times == 1)  # of more, the wheel shows the rest
-    band.show_step(said.steps[0], "1 / 3", 0)
+    band.show_step(said.steps[0], "1 / 3")
     assert band.height() == round(0.135 * 768)  # the usual again
     band.set_talk(tall, 768.0)
-    band.show_step(tall.steps[0], "1 / 3", 0)
+    band.show_step(tall.steps[0], "1 / 3")
     assert has_room(band)
     words, table = column(band, "The class reads"), column(band, "a\nb\n1\n2")
     assert words is not table  # which stands beside them, in large letters

@@ -29,10 +29,15 @@ from PySide6.QtGui import (
 )
 from PySide6.QtWidgets import QFrame, QSizePolicy, QTextEdit
 
+from app.lessons.course import Course
+from app.lessons.lesson import Question
 from app.lessons.text import FORMULA, Outline, html_of, outline, plain_of
+from widgets.parts.messages import figure_text
 
 _KIND = QTextFormat.ObjectTypes.UserObject + 1
 _TEX = QTextFormat.Property.UserProperty + 1
+CHOICES = "ABCDEFGHIJ"
+RIGHT = " **✓**"
 LARGER = 1.12
 """The formulas' letters, against those of the text, whose small ones are higher."""
 ROOM_EM = 0.06
@@ -48,6 +53,42 @@ td, th { padding: 2px 7px; border: 1px solid %s; }
 table { border-collapse: collapse; border: 1px solid %s; }
 h1, h2, h3, h4 { margin-top: 0px; margin-bottom: 4px; font-size: large; }
 """
+
+
+def question_text(question: Question, answer: str, *, told: bool, others: bool) -> str:
+    """A question as a class reads it, in Markdown.
+
+    Parameters
+    ----------
+    question : Question
+    answer : str
+        Of `answer_text`; empty where there are choices.
+    told : bool
+        Whether what is right is marked and said.
+    others : bool
+        Whether the choices that are not right are there then, too.
+    """
+    lines = [question.text]
+    for letter, choice in zip(CHOICES, question.choices, strict=False):
+        if choice.right or others or not told:
+            lines.append(f"**{letter}** {choice.text}{RIGHT if told and choice.right else ''}")
+    if told and answer:
+        lines.append(f"**{answer}**{RIGHT}")
+    return "\n\n".join(["  \n".join(lines), *([question.why] if told and question.why else [])])
+
+
+def answer_text(course: Course, place: int, question: Question) -> str:
+    """The right number of a question, with its unit; empty where there are choices.
+
+    Raises
+    ------
+    Refusal
+        If it has no value in the state of its step: with its line.
+    """
+    if question.value is None:
+        return ""
+    unit = question.unit if question.unit in ("", "°") else f" {question.unit}"
+    return f"{figure_text(course.answer(place, question), 4)}{unit}"
 
 
 def set_text(document: QTextDocument, text: str, *, title: bool = False, line: str = "") -> None:

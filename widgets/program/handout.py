@@ -9,7 +9,7 @@ yet.
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import partial
 from textwrap import wrap
 
@@ -36,7 +36,7 @@ from app.lessons.lesson import Question, Step
 from app.lessons.text import escaped
 from widgets.controls.scene_card import full_sentence, value_text
 from widgets.panels.matrix_panel import note_on
-from widgets.parts.lesson_text import set_text
+from widgets.parts.lesson_text import answer_text, question_text, set_text
 from widgets.parts.messages import of_phenomena, read_text, stage_title
 from widgets.parts.typeset import Typeset, matrix, typeset
 from widgets.window.pictures import image_of
@@ -49,7 +49,6 @@ FIGURE_PX = (1400, 500)
 """Of two panes across the page, about 200 to an inch."""
 DPI = 1200
 """Of the page: Qt places lines and letters on whole pixels."""
-CHOICES = "ABCDEFGHIJ"
 FORMULA_PX, FORMULA_PT = 18, 8.5
 """Letters of a matrix, as it is laid out, with brackets of whole pixels, and as it is printed."""
 BETWEEN_FORMULAS_PX = 40.0
@@ -150,11 +149,9 @@ def _blocks(course: Course, place: int, step: Step, width: float) -> Iterator[_B
 
 
 def _question(course: Course, place: int, part: Question, width: float) -> Iterator[_Block]:
-    choices = (
-        f"**{letter}** {choice.text}{' ✓' if choice.right else ''}"
-        for letter, choice in zip(CHOICES, part.choices, strict=False)
-    )
-    yield _text("  \n".join([part.text, *choices]), width, TEXT_PT)
+    answer = answer_text(course, place, part)
+    asked = replace(part, why="")  # it is said below what is shown
+    yield _text(question_text(asked, answer, told=True, others=True), width, TEXT_PT)
     if part.show is not None:
         shown = course.shown_by(place, part.show)
         yield _figure(shown, width)

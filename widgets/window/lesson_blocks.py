@@ -35,17 +35,15 @@ from PySide6.QtWidgets import (
 
 from app.document.document import Document
 from app.document.view import View
-from app.lessons.checking import NO_VALUE
 from app.lessons.course import Course, Verdict, idea_named
-from app.lessons.lesson import Question, Task, refused
-from app.lessons.quantities import NotThere
+from app.lessons.lesson import Question, Task
 from app.lessons.text import escaped, plain_of
 from app.model.refusal import Refusal
 from widgets.parts.buttons import push_button
 from widgets.parts.icons import paint_icon
 from widgets.parts.layouts import FREE, TOP, Part, in_column, in_row
-from widgets.parts.lesson_text import LessonText
-from widgets.parts.messages import figure_text, sentence
+from widgets.parts.lesson_text import LessonText, answer_text
+from widgets.parts.messages import sentence
 
 TRIES = 3
 """After so many the answer is offered."""
@@ -418,10 +416,7 @@ class Types(Asked):
             self.answer = ""
 
     def _marked(self, typed: str) -> Verdict:
-        try:
-            return self.course.mark(self.place, self.question, typed)
-        except NotThere as error:
-            raise refused(self.question.line, NO_VALUE, str(error)) from error
+        return self.course.mark(self.place, self.question, typed)
 
     def check(self) -> None:
         """Say whether what is typed is right."""
@@ -475,14 +470,11 @@ class Types(Asked):
             self._settle(TOLD)
 
     def _tell(self) -> None:
-        question = self.question
-        assert question.value is not None
-        value = self.course.value(self.place, question, question.value, question.line)
-        unit = question.unit if question.unit in ("", "°") else f" {question.unit}"
-        text = self.tr("The answer is {0}.").format(f"{figure_text(value, 4)}{unit}")
+        answer = answer_text(self.course, self.place, self.question)
+        text = self.tr("The answer is {0}.").format(answer)
         self.field.setReadOnly(True)
         self._check.hide()
-        self._say("help", "", f"{text} {question.why}".strip())
+        self._say("help", "", f"{text} {self.question.why}".strip())
         self._announce(text)
 
 

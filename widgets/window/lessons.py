@@ -152,7 +152,7 @@ class Lessons(QObject):
             shown = course.shown(place)
             scene = scene_of(shown.document)
         except Refusal as error:
-            self._messages.say(_named(error, Path(path)))
+            self._messages.say(named(error, Path(path)))
             return False
         self.complained.emit("")
         self._messages.done()
@@ -192,7 +192,7 @@ class Lessons(QObject):
             shown = self.course.shown(place)
             scene = scene_of(shown.document)
         except Refusal as error:
-            self.refused.emit(_named(error, self.course.lesson.path))
+            self.refused.emit(named(error, self.course.lesson.path))
             return False
         self._finish()
         self._stand_still()
@@ -226,7 +226,7 @@ class Lessons(QObject):
         try:
             document = self.course.shown_by(self.place, state)
         except Refusal as error:
-            self.refused.emit(_named(error, self.course.lesson.path))
+            self.refused.emit(named(error, self.course.lesson.path))
         else:
             self.show(document)
 
@@ -360,7 +360,7 @@ class Lessons(QObject):
             place = names.index(name) if name in names else place
             shown = course.shown(place)
         except Refusal as error:
-            self.complained.emit(_named(error, path))
+            self.complained.emit(named(error, path))
             return
         self.complained.emit("")
         self._messages.done()
@@ -373,7 +373,7 @@ class Lessons(QObject):
             self.go(place)
 
 
-def _named(error: Refusal, path: Path) -> str:
+def named(error: Refusal, path: Path) -> str:
     """What is wrong with a file, with its name."""
     text = sentence(error)
     known = error.file is not None and str(path) in text

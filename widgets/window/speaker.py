@@ -5,6 +5,7 @@ from __future__ import annotations
 import time
 from collections import OrderedDict
 from collections.abc import Callable
+from contextlib import suppress
 
 from PySide6.QtCore import QSize, Qt, QTime, QTimer, Signal
 from PySide6.QtGui import (
@@ -29,16 +30,15 @@ from PySide6.QtWidgets import (
 
 from app.document.document import Document
 from app.lessons.course import Course, scene_of
-from app.lessons.lesson import Question, Step
+from app.lessons.lesson import Question, Step, Task
 from app.lessons.text import plain_of
 from app.model.refusal import Refusal
 from widgets.parts import palette
 from widgets.parts.buttons import push_button
 from widgets.parts.layouts import TOP, in_column, in_row
-from widgets.parts.lesson_text import set_text
+from widgets.parts.lesson_text import answer_text, question_text, set_text
 from widgets.window.pictures import image_of
 from widgets.window.settings import LARGEST_NOTES_PX, LEAST_NOTES_PX, Settings
-from widgets.window.talk_band import CHOICES
 
 PICTURE_PX = (400, 250)
 """In which the next step's pane is drawn; it is shown as large as there is room for."""
@@ -216,9 +216,21 @@ class SpeakerWindow(QWidget):
         document.setDefaultFont(font)
         line = self.palette().color(QPalette.ColorRole.Mid).name()
         parts = [step.note.text] if step.note is not None else []
-        parts += [_asked(part) for part in step.parts if isinstance(part, Question)]
+        parts += [
+            self._told(part) if isinstance(part, Question) else part.text
+            for part in step.parts
+            if isinstance(part, (Question, Task))
+        ]
         set_text(document, "\n\n".join(parts), line=line)
         document.setDocumentMargin(8.0)
+
+    def _told(self, question: Question) -> str:
+        """What is asked, with what is right."""
+        assert self._course is not None
+        answer = ""
+        with suppress(Refusal):  # it is said when it is to be shown
+            answer = answer_text(self._course, self._place, question)
+        return question_text(question, answer, told=True, others=True)
 
     def enlarge(self, by_px: int) -> None:
         """Write the notes larger, or smaller."""
@@ -301,15 +313,6 @@ class SpeakerWindow(QWidget):
     def closeEvent(self, event: QCloseEvent) -> None:
         super().closeEvent(event)
         self.left.emit()
-
-
-def _asked(question: Question) -> str:
-    """A question as the class reads it, with its right choice marked."""
-    choices = [
-        f"**{letter} {choice.text} ✓**" if choice.right else f"{letter} {choice.text}"
-        for letter, choice in zip(CHOICES, question.choices, strict=False)
-    ]
-    return "\n\n".join(["  \n".join([f"*{question.text}*", *choices]), question.why])
 
 
 def _drawn(document: Document, theme: str) -> QImage:

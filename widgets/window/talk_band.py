@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
 
 from PySide6.QtCore import QEvent, QPointF, QRectF, Qt
 from PySide6.QtGui import (
@@ -35,7 +34,6 @@ SIZES = (1.2, 1.12, 1.06, 1.0, 0.92, 0.84, 0.76, 0.68, 0.6)
 SIDE_SHARE = 0.48
 """Of the band's width, for what stands beside the words."""
 MANY_CHOICES = 4
-CHOICES = "ABCDEFGHIJ"
 _GAP_PX, _EDGE_PX = 10, 2
 
 
@@ -69,22 +67,15 @@ class TalkBand(QFrame):
         self._screen_px, self._usual_px = screen_px, round(share * screen_px)
         self.setFixedHeight(self._usual_px)
 
-    def show_step(self, step: Step, number: str, revealed: int) -> None:
-        """Show a step, and so many of its predictions' answers."""
+    def show_step(self, step: Step, number: str, asked: str = "") -> None:
+        """Show a step, and beside its words what is asked just now, or answered."""
         self._number = number
         words = [part.text for part in step.parts if isinstance(part, (Words, Task))]
-        questions = [part for part in step.parts if isinstance(part, Question)]
-        open_ones = [part for part in questions if part.predicts]
-        asked = [
-            _asked(part, part in open_ones[:revealed])
-            for part in questions
-            if part not in open_ones[revealed + 1 :]
-        ]
-        self.setAccessibleName(plain_of("\n\n".join([step.title, *words, *asked])))
+        self.setAccessibleName(plain_of("\n\n".join([step.title, *words, asked])))
         self._set(self._title, step.title, title=True)
         paragraphs = "\n\n".join(words).split("\n\n")
         if asked:
-            self._ways = [("\n\n".join(paragraphs), asked[-1])]
+            self._ways = [("\n\n".join(paragraphs), asked)]
         else:  # under each other, or the last of them beside the others
             cuts = range(len(paragraphs), 0, -1)
             self._ways = [
@@ -237,14 +228,3 @@ def _is_tall(step: Step) -> bool:
         else "$$" in part.text or "\n|" in part.text
         for part in step.parts
     )
-
-
-def _asked(part: Question, is_revealed: bool) -> str:
-    """A question with its choices; once it is answered, the right one and why."""
-    lines: Sequence[str] = [
-        f"**{letter}** {choice.text}" + (" **✓**" if is_revealed and choice.right else "")
-        for letter, choice in zip(CHOICES, part.choices, strict=False)
-        if choice.right or not is_revealed
-    ]
-    why = [part.why] if is_revealed and part.why else []
-    return "\n\n".join(["  \n".join([part.text, *lines]), *why])

@@ -36,15 +36,15 @@ from app.document.document import Document
 from app.document.store import Store
 from app.lecture.notation import matrices
 from app.lessons.course import Course, scene_of
-from app.lessons.lesson import Lesson, Question, Step, Words
+from app.lessons.lesson import Lesson, Question, Step
 from app.lessons.writing import add_step, begin_talk
 from app.model.refusal import Refusal
-from widgets.parts.lesson_text import set_text
+from widgets.parts.lesson_text import answer_text, question_text, set_text
 from widgets.parts.message_bar import MessageBar
 from widgets.parts.messages import sentence
 from widgets.parts.panel import Shown
 from widgets.parts.saving import ask_where
-from widgets.window.lessons import TRANSITION_S, Lessons
+from widgets.window.lessons import TRANSITION_S, Lessons, named
 from widgets.window.look import Look
 from widgets.window.present import Present
 from widgets.window.settings import Settings
@@ -85,7 +85,7 @@ class Talks(QObject):
     speaker : SpeakerWindow or None
         While it is open.
     revealed : int
-        How many of the step's predictions are answered.
+        How far the step's questions are: each of them is asked, and then answered.
     """
 
     def __init__(
@@ -152,10 +152,23 @@ class Talks(QObject):
         return lesson is not None and lesson.is_talk
 
     @property
-    def _predictions(self) -> list[Question]:
+    def _questions(self) -> list[Question]:
         step = self._lessons.step
         asked = step.asked if step is not None else ()
-        return [part for part in asked if isinstance(part, Question) and part.predicts]
+        return [part for part in asked if isinstance(part, Question)]
+
+    def _asked(self, course: Course, place: int) -> str:
+        """What is asked just now, or answered; empty for nothing."""
+        number, told = divmod(self.revealed, 2)
+        if not self._questions:
+            return ""
+        question, answer = self._questions[number], ""
+        if told:
+            try:
+                answer = answer_text(course, place, question)
+            except Refusal as error:
+                self._refuse(named(error, course.lesson.path))
+        return question_text(question, answer, told=bool(told), others=False)
 
     def _show(self, _told: object = None) -> None:
         """Show the step to the class and to the speaker."""
@@ -174,7 +187,7 @@ class Talks(QObject):
         step, count = course.lesson.steps[place], len(course.lesson.steps)
         if self.is_on:
             self._band.set_talk(course.lesson, float(self._window.screen().size().height()))
-            self._band.show_step(step, f"{place + 1} / {count}", self.revealed)
+            self._band.show_step(step, f"{place + 1} / {count}", self._asked(course, place))
         if self.speaker is not None:
             self.speaker.show_step(course, place)
         self._slice.stop()
@@ -202,15 +215,17 @@ class Talks(QObject):
         self._lessons.previous()
 
     def reveal(self) -> bool:
-        """Say what the next of the step's predictions comes to; False if there is none left."""
-        open_ones = self._predictions[self.revealed :]
-        if not open_ones:
+        """Answer what is asked, or ask the step's next question; False if all is answered."""
+        questions = self._questions
+        if self.revealed + 1 >= 2 * len(questions):
             return False
         self._unblank()
         self.revealed += 1
         self._show()
-        if open_ones[0].show is not None:
-            self._lessons.show_predicted(open_ones[0].show)
+        number, told = divmod(self.revealed, 2)
+        state = questions[number].show
+        if told and state is not None:
+            self._lessons.show_predicted(state)
         return True
 
     def jump(self, number: int) -> None:
@@ -352,12 +367,17 @@ class Talks(QObject):
         if text:
             self._forget_refusal()
         self._complaint = text
+        if text and self.is_on and not self._is_apart:
+            self._say(self.tr("The file was changed, and cannot be read."))
         if self.speaker is not None:
             self.speaker.say(self._refusal or text)
-        elif text and self.is_on:
-            self._say(self.tr("The file was changed, and cannot be read."))
         if text and not self.is_on:  # also if the speaker's window is behind this one
             self._messages.say(text)
+
+    @property
+    def _is_apart(self) -> bool:
+        """Whether the speaker has a screen that the class does not see."""
+        return self.speaker is not None and self.speaker.screen() is not self._window.screen()
 
     def _refuse(self, text: str) -> None:
         """Say why a step cannot be shown: to the speaker, if there is a window for that."""
@@ -593,7 +613,7 @@ class TitleDialog(QDialog):
 def _texts_of(step: Step) -> Iterator[str]:
     """What of a step is set in formulas."""
     yield step.title
-    yield from (part.text for part in step.parts if isinstance(part, (Words, Question)))
+    yield from (part.text for part in step.parts)
 
 
 class TalkActions(QObject):
