@@ -66,6 +66,8 @@ class Measured(NamedTuple):
         Scene-local.
     corners : (8, 3) array or None
         Of the frustum as it is drawn.
+    objects : (8, 3) array
+        Of the box round them.
     distances : tuple of (str, float)
         What else is measured from the eye along the axis. If none of it is d, that is the
         target's.
@@ -78,6 +80,7 @@ class Measured(NamedTuple):
     eye: Array
     target: Array
     corners: Array | None
+    objects: Array
     distances: tuple[tuple[str, float], ...]
     lengths: tuple[tuple[str, float, Array, Array], ...] = ()
 
@@ -241,10 +244,11 @@ class Dimensions:
         self._begin()
         self._say(layout, size_px, self._said(size_px, measured, rows_em))
         if measured.view != "eye":
-            points = [measured.eye, measured.target]
+            points = np.vstack([measured.objects, measured.eye, measured.target])
             corners = measured.corners if measured.projection.lens.planes is not None else None
-            drawn = np.array(points) if corners is None else np.vstack([points, corners])
-            spots = np.array(seen(drawn))[:, :2]
+            drawn = points if corners is None else np.vstack([points, corners])
+            all_spots = np.array(seen(drawn))[:, :2]
+            spots = all_spots[len(measured.objects) :]
             for name, length, start, end in measured.lengths:
                 self._length(layout, name, length, *seen(np.array([start, end])))
             if measured.view == "axis":
@@ -252,19 +256,26 @@ class Dimensions:
                     self._across(layout, spots, measured)
             else:
                 if rows_em is not None:
-                    self._along(layout, spots, measured, size_px)
+                    # Under all that is drawn, as far as that is in the pane.
+                    least = self.below_em(size_px, measured) * self._em
+                    top = max(float(all_spots[:, 1].min()), least)
+                    self._along(layout, spots, measured, size_px, top)
                 if corners is not None:
                     self._beside(layout, spots, measured)
 
     # -- what is drawn
 
     def _along(
-        self, layout: Layout, spots: Array, measured: Measured, size_px: tuple[int, int]
+        self,
+        layout: Layout,
+        spots: Array,
+        measured: Measured,
+        size_px: tuple[int, int],
+        y: float,
     ) -> None:
         """From the eye to near, target and far, one under the other, the shortest on top."""
         eye, target = spots[:2, 0].tolist()
         faces = {"near": spots[2:6, 0], "far": spots[6:10, 0]}
-        y = float(spots[:, 1].min())
         top = y - 0.5 * _ROW_EM * self._em
         for name, distance in self._ways(measured):
             if name in faces:

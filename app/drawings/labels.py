@@ -117,7 +117,8 @@ class PaneView(NamedTuple):
         """Where scene-local points, (n, 3), are in the pane."""
         width_px, height_px = self.size_px
         x, y, depth = self.axes @ (points - self.eye).T
-        px = 1.0 / np.where(depth > 0.0, self.unit(depth), np.inf)
+        in_view = (depth > 0.0) | (self.flat > 0.0)  # parallel rays come from anywhere
+        px = 1.0 / np.where(in_view, self.unit(depth), np.inf)
         spots = zip(
             (width_px / 2.0 + px * x).tolist(),
             (height_px / 2.0 + px * y).tolist(),

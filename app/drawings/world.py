@@ -477,7 +477,16 @@ class WorldDrawing:
             if each.view == view
         )
         corners = self._corners_seen
-        return Measured(view, self._projection, at.eye, at.target, corners, self._measured, lengths)
+        return Measured(
+            view,
+            self._projection,
+            at.eye,
+            at.target,
+            corners,
+            self._objects,
+            self._measured,
+            lengths,
+        )
 
     # -- the pane's own camera
 

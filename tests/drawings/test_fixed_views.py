@@ -10,7 +10,8 @@ from typing import Any
 
 import numpy as np
 import pytest
-from vtkmodules.vtkRenderingCore import vtkTextActor
+from vtkmodules.vtkCommonDataModel import vtkPolyData
+from vtkmodules.vtkRenderingCore import vtkActor2D, vtkTextActor
 
 from app.document.view import FIXED, LAYERS
 from app.drawings import WORDS
@@ -315,6 +316,39 @@ def test_large_letters_leave_the_drawing_in_the_pane_and_what_is_left_out_is_sai
         away = float(text.split(" = ")[1])
         ((end_x, _),) = pixel_of(drawing, [at(START, 0.0, 0.0, away)])
         assert left - end_x < 3.0 * em and eye_x - right < 3.0 * em, text
+
+
+def dimension_lines(prop: Any) -> list[list[tuple[float, float]]]:
+    """The ends of the many lines that one thing on the screen has, and nothing else."""
+    data = prop.GetMapper().GetInput() if isinstance(prop, vtkActor2D) else None
+    if not isinstance(data, vtkPolyData) or data.GetNumberOfLines() < 20:
+        return []
+    ends = [data.GetPoint(i)[:2] for i in range(data.GetNumberOfPoints())]
+    return [ends[i : i + 2] for i in range(0, len(ends), 2)]
+
+
+@pytest.mark.parametrize("view", ["side", "top"])
+@pytest.mark.parametrize("fov_y_deg", [1.0, 170.0])
+def test_a_very_wide_and_a_very_narrow_frustum_are_measured_below_what_is_seen(
+    off_screen: MakeScreen, view: str, fov_y_deg: float
+) -> None:
+    """The rows are in the pane, below the object, and as long as they say, to scale."""
+    screen = off_screen(*SIZE_PX)
+    drawing = made(screen, with_lens(fov_y_deg=fov_y_deg))
+    drawing.show_fixed(view)
+    screen.pixels()
+    boxes = {text: box_of(screen, actor) for text, actor in texts(screen).items()}
+    letter = list(itertools.product((-1.5, 1.5), (0.0, 5.0), (-0.5, 0.5)))
+    objects = SIZE_PX[1] - pixel_of(drawing, letter)[:, 1].max()
+    (actor,) = (prop for prop in screen.renderer.GetViewProps() if dimension_lines(prop))
+    level = [line for line in dimension_lines(actor) if line[0][1] == line[1][1] > 0.0]
+    (eye, _) = pixel_of(drawing, [START.camera.eye])[0]
+    for text, distance in (("near = 4", 4.0), ("d = 11.17", 11.17), ("far = 18", 18.0)):
+        left, bottom, right, top = boxes[text]
+        assert left >= 0.0 and bottom >= 0.0 and right <= SIZE_PX[0] and top <= objects
+        ((end, _),) = pixel_of(drawing, [at(START, 0.0, 0.0, distance)])
+        (row,) = (line for line in level if bottom < line[0][1] < top)
+        assert sorted(x for x, _ in row) == pytest.approx(sorted((eye, end)), abs=0.5)
 
 
 def test_what_a_hand_moves_out_of_the_pane_is_not_missed(off_screen: MakeScreen) -> None:
