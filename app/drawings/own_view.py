@@ -326,7 +326,7 @@ class OwnView:
         if self.fixed == "eye" and framed.has_eye:
             corners = framed.points if framed.corners is None else framed.corners
             x, y, depth = axes @ (corners - framed.eye).T
-            wide, high = self._room(framed.below_em)
+            wide, high = self._room(framed.below_em + TITLE_EM)  # as much below: it looks ahead
             with np.errstate(divide="ignore", invalid="ignore"):
                 across, up = np.abs(x / depth).max(), np.abs(y / depth).max()
             slope = max(up / high, across / wide * high_px / wide_px)

@@ -178,6 +178,14 @@ def test_from_the_eye_the_window_is_the_image(
     assert shares == pytest.approx(projection.trace(points).image / projection.image_size, abs=1e-6)
 
 
+def test_from_the_eye_no_handle_lies_under_the_title(off_screen: MakeScreen) -> None:
+    """Whose buttons are two letters high; a handle reaches half a letter from its middle."""
+    drawing = made(off_screen(443, 269), load("clipping").start, "clipping")
+    drawing.show_fixed("eye")
+    assert drawing.handles is not None
+    assert min(y for _, (_, y) in drawing.handles.shown) >= 2.5 * LIGHT.font_size
+
+
 def test_a_fixed_view_goes_with_the_camera(off_screen: MakeScreen) -> None:
     """An orbit moves the object, and leaves eye and planes where they are; no actor is added."""
     screen = off_screen(*SIZE_PX)
