@@ -436,7 +436,7 @@ class Dimensions:
         names = (self._lacks(measured), "no room" if rows_em is None else "")
         sentence = " ".join(self._words[name] for name in names if name)
         across = max(12, int((size_px[0] / self._em - 2.0) / 0.58))
-        return textwrap.wrap(sentence, across)
+        return textwrap.wrap(sentence, across) if sentence else []
 
     def _lacks(self, measured: Measured) -> str:
         """Which of `app.drawings.WORDS` says what there is not; or none."""
