@@ -101,6 +101,9 @@ class Store(QObject):
             self._undo.append(_Step(saved, self.origin))
         self._gestures = 0
         self._gesture_start: Document | None = None
+        self._before: tuple[Any, ...] | None = None
+        """What a change that is refused goes back to."""
+        self._is_refused = False
 
     @property
     def document(self) -> Document:
@@ -150,7 +153,7 @@ class Store(QObject):
         saved: bool = True,
         path: Path | None = None,
         is_work: bool = True,
-    ) -> None:
+    ) -> bool:
         """Change to a document from elsewhere: one step, whatever becomes of the one before.
 
         Parameters
@@ -162,6 +165,11 @@ class Store(QObject):
             Where it is saved.
         is_work : bool
             Whether what is changed of it can be lost.
+
+        Returns
+        -------
+        bool
+            False if it is refused: everything is as before.
         """
         origin = Origin(document if saved else None, path, is_work=is_work)
         self._put_aside(document, origin)
@@ -169,7 +177,7 @@ class Store(QObject):
         self._undo = [step for step in self._undo if step.origin in opened]
         if self._gestures:
             self._gesture_start = document
-        self._show(document)
+        return self._show(document)
 
     def mark_saved(self) -> None:
         """Note that the document as it stands is in its file."""
@@ -209,9 +217,12 @@ class Store(QObject):
             self._gesture_start = kept(self._gesture_start)
 
     def _leave(self, document: Document, origin: Origin) -> None:
-        """Before another document comes: note how this one is looked at."""
+        """Before another document comes: note how this one is looked at, and what to go back to."""
         if document.view is not self._document.view:
             self._keep_view(self.look())
+        self._before = (
+            self._document, self.origin, self._undo[:], self._redo[:], self._gesture_start
+        )  # fmt: skip
         if origin is not self.origin:
             self.leaving.emit()
 
@@ -224,11 +235,22 @@ class Store(QObject):
         self._redo.clear()
         self.origin = origin
 
-    def set_document(self, document: Document) -> None:
-        """Change the whole document (to another scene, say), always one step; equal is silent."""
-        if document != self._document:
-            self._put_aside(document, self.origin)
-            self._show(document)
+    def refuse(self) -> None:
+        """Take the change that `changed` is just telling back: its scene cannot be drawn."""
+        self._is_refused = True
+
+    def set_document(self, document: Document) -> bool:
+        """Change the whole document (to another scene, say), always one step; equal is silent.
+
+        Returns
+        -------
+        bool
+            False if it is refused: everything is as before.
+        """
+        if document == self._document:
+            return True
+        self._put_aside(document, self.origin)
+        return self._show(document)
 
     def go_on(self, document: Document) -> None:
         """Go on with the change that `set_document` or `open` began: no step of its own."""
@@ -257,9 +279,16 @@ class Store(QObject):
         self._redo.clear()
         self._show(document)
 
-    def show_again(self) -> None:
-        """Announce the document as it stands: a file that it names holds something else now."""
-        self._show(self._document)
+    def show_again(self) -> bool:
+        """Announce the document as it stands: a file that it names holds something else now.
+
+        Returns
+        -------
+        bool
+            False if that is refused.
+        """
+        self._leave(self._document, self.origin)
+        return self._show(self._document)
 
     def begin_gesture(self) -> None:
         """Take the edits until `end_gesture` as one undo step; gestures may overlap."""
@@ -312,7 +341,13 @@ class Store(QObject):
         self._undo.append(_Step(document, self.origin))
         del self._undo[:-UNDO_LIMIT]
 
-    def _show(self, document: Document) -> None:
+    def _show(self, document: Document) -> bool:
+        before, self._before, self._is_refused = self._before, None, False
         self._document = document
         self.changed.emit(document)
+        back_to = before if self._is_refused else None
+        if back_to is not None:
+            self._document, self.origin, self._undo, self._redo, self._gesture_start = back_to
+            self.changed.emit(self._document)
         self.history_changed.emit()
+        return back_to is None

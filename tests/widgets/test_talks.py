@@ -105,8 +105,8 @@ class StubFiles:
     def keep(self, _document: Document, _scene: Scene) -> None:
         """All scenes are kept by `scene_of`."""
 
-    def open_step(self, document: Document, _scene: Scene, _lesson: Path) -> None:
-        self._store.open(document, is_work=False)
+    def open_step(self, document: Document, _scene: Scene, _lesson: Path) -> bool:
+        return self._store.open(document, is_work=False)
 
 
 def wander(rng: random.Random, store: Store, lessons: Lessons) -> None:

@@ -12,6 +12,7 @@ import re
 import subprocess
 import sys
 import weakref
+from collections.abc import Callable
 from dataclasses import replace
 from functools import partial
 from pathlib import Path
@@ -49,7 +50,10 @@ import app.scenes.scene
 from app.bootstrap import ROOT
 from app.document.document import UNWRITABLE, Document, extract, picture_json, read, to_json, write
 from app.drawings.figures import png_bytes, render
+from app.drawings.image import ImageDrawing
+from app.drawings.stage import StageDrawing
 from app.drawings.style import DARK, LIGHT, rgb
+from app.drawings.world import WorldDrawing
 from app.model.projection import Camera, Orbit, Orthographic, Perspective, Projection
 from app.model.refusal import Refusal
 from app.precision.quality import Quality
@@ -59,6 +63,7 @@ from app.scenes.shapes import GRID_RGB
 from tests import PATIENCE_MS, PATIENCE_S
 from tests.support.controls import number
 from tests.support.drawings import colours_of
+from tests.support.meshes import PYRAMID, obj_file
 from tests.support.phenomenon import EVERYTHING
 from tests.support.window import (
     MakeWindow,
@@ -69,6 +74,7 @@ from tests.support.window import (
     pixels,
     pixels_of,
     present,
+    rgb_of,
     seen,
     settle,
     show_scene,
@@ -503,6 +509,69 @@ def test_a_bad_file_gives_one_sentence_and_leaves_the_window_as_it_was(
         assert "\n" not in window.messages.text and window.messages.text.endswith((".", "?"))
         assert window.store.document == before
         assert window.files.recent == []
+
+
+@pytest.mark.parametrize(
+    ("way", "kind", "step"),
+    [
+        ("open", WorldDrawing, "__init__"),
+        ("use", StageDrawing, "__init__"),
+        ("read again", ImageDrawing, "__init__"),
+        ("lesson", WorldDrawing, "show_projection"),
+        ("undo", StageDrawing, "show_projection"),
+        ("open", ImageDrawing, "show_projection"),
+    ],
+)
+def test_a_scene_whose_drawing_fails_leaves_everything_as_it_was(
+    window: MainWindow, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, way: str, kind: Any,
+    step: str, caplog: pytest.LogCaptureFixture,
+) -> None:  # fmt: skip
+    mesh, lesson = tmp_path / "bad.obj", tmp_path / "bad.md"
+    obj_file(mesh, PYRAMID)
+    lesson.write_text("---\ntitle: Bad\n---\n# A step\n```state\nscene=bad.obj\n```\n")
+    assert window.files.open(mesh)
+    assert window.files.choose_scene("similar-triangles")
+    if way == "read again":
+        assert window.files.use_mesh(str(mesh))
+    window.store.set_projection(seen(window, camera=Camera((-7.0, 3.0, 6.0))))
+    window.panes["world"].look_from(Camera((9.0, 3.0, 6.0)))
+    if way == "undo":
+        window.store.undo()
+
+    def state() -> tuple[Any, ...]:
+        settle()
+        return (
+            window.store.seen, window.store.origin, list(window.store.documents),
+            window.windowTitle(), window.files.recent, window.lessons.lesson, window.shown.scene,
+            *(rgb_of(place.grab().toImage()).tobytes() for place in (
+                *(pane.canvas for pane in window.panes.values()), window.controls)),
+        )  # fmt: skip
+
+    before, original, is_armed = state(), getattr(kind, step), [True]
+
+    def fails_once(self: Any, *args: Any, **options: Any) -> Any:
+        done = original(self, *args, **options)
+        if is_armed.pop() if is_armed else False:
+            raise IndexError("no such corner")
+        return done
+
+    monkeypatch.setattr(kind, step, fails_once)
+    act: dict[str, Callable[[], object]] = {
+        "open": partial(window.files.open, mesh),
+        "use": partial(window.files.use_mesh, str(mesh)),
+        "read again": partial(window.files.use_mesh, str(mesh)),
+        "lesson": partial(window.files.open, lesson),
+        "undo": window.store.undo,
+    }
+    assert act[way]() in (None, False) or way == "lesson"
+    assert not is_armed
+    assert window.messages.text == (
+        "bad.obj cannot be drawn, and what was shown before stays: IndexError('no such corner')"
+    )
+    window.messages.done()
+    for old, new in zip(before, state(), strict=True):
+        assert new == old
+    caplog.clear()  # its traceback holds the window
 
 
 def test_a_missing_file_and_a_folder(make_window: MakeWindow, tmp_path: Path) -> None:

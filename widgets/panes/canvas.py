@@ -19,6 +19,8 @@ from __future__ import annotations
 
 import math
 import time
+from collections.abc import Iterator
+from contextlib import contextmanager
 from typing import TYPE_CHECKING, Any, TypeAlias
 
 from PySide6.QtCore import QEvent, QObject, QPointF, QRectF, Qt, Signal
@@ -84,6 +86,23 @@ class _Canvas(QWidget):
     def pixel_ratio(self) -> float:
         """Pixels that VTK draws for one of Qt's, along each side."""
         return self.devicePixelRatioF() * self._finer
+
+    @contextmanager
+    def or_empty(self) -> Iterator[None]:
+        """Draw in the empty screen, which is empty again if that fails."""
+        window, renderer = self.render_window, self.renderer
+        renderers, layers = list(window.GetRenderers()), window.GetNumberOfLayers()
+        camera = renderer.GetActiveCamera()
+        try:
+            yield
+        except Exception:
+            renderer.RemoveAllViewProps()
+            window.RemoveObservers("StartEvent")  # by which drawings are laid out
+            for added in [each for each in window.GetRenderers() if each not in renderers]:
+                window.RemoveRenderer(added)
+            window.SetNumberOfLayers(layers)
+            renderer.SetActiveCamera(camera)
+            raise
 
     def paintEvent(self, _event: QPaintEvent) -> None:
         painter = QPainter(self)

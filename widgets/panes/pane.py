@@ -485,7 +485,9 @@ class Pane(QFrame):
             if ahead is None:
                 if self.drawing is not None:
                     self.drawing.remove()
-                self.drawing = self._make_drawing(self.canvas, *self._to_build)
+                self.drawing = None
+                with self.canvas.or_empty():
+                    self.drawing = self._make_drawing(self.canvas, *self._to_build)
             self._to_build = None
             self._asked["detail"] = None
             others = {what for what, wanted in self._asked.items() if wanted != AS_BUILT[what]}

@@ -136,28 +136,34 @@ class Files(QObject):
             return False
         document, scene, place = found
         self.keep(document, scene)
-        self._change_to(document, place)
+        if not self._change_to(document, place):
+            return False
         self._remember(path)
         return True
 
-    def open_step(self, document: Document, scene: Scene, lesson: Path) -> None:
+    def open_step(self, document: Document, scene: Scene, lesson: Path) -> bool:
         """Show the first state of a lesson; what is tried out beside it is no work to be saved."""
         self.keep(document, scene)
-        self._change_to(document, None, is_work=False)
+        if not self._change_to(document, None, is_work=False):
+            return False
         self._remember(str(lesson))
+        return True
 
     def _change_to(
         self, document: Document, path: Path | None, *, saved: bool = True, is_work: bool = True
-    ) -> None:
+    ) -> bool:
         """Show another document, and say where unsaved work is that it takes the place of."""
         left = self._name if self._store.modified else None
-        self._store.open(document, saved=saved, path=path, is_work=is_work)
-        self._set_path(path)
+        changed = self._store.open(document, saved=saved, path=path, is_work=is_work)
         held = {(each.scene, each.mesh) for each in self._store.documents}
         self._scenes = {names: scene for names, scene in self._scenes.items() if names in held}
+        if not changed:
+            return False
+        self._set_path(path)
         if left is not None:
             text = self.tr("Undo brings back the unsaved changes to {0}.")
             self._window.statusBar().showMessage(text.format(left), SAID_MS)
+        return True
 
     def _with_mesh(self, document: Document, path: str) -> Document:
         """A picture's document, with the mesh from beside it, or else from where the user says."""
@@ -191,8 +197,7 @@ class Files(QObject):
         scene = self._try(lambda: self.scene(document.scene, document.mesh))
         if scene is None:
             return False
-        self._change_to(document, None, saved=False)
-        return True
+        return self._change_to(document, None, saved=False)
 
     def choose_scene(self, name: str) -> bool:
         """Change to a built-in scene as an edit that can be undone."""
@@ -206,7 +211,7 @@ class Files(QObject):
                 compare=(), dividers=(),
             )  # fmt: skip
             extra = self._store.document.extra
-            self._store.set_document(Document(name, scene.start, extra, view))
+            return self._store.set_document(Document(name, scene.start, extra, view))
         return True
 
     def mesh_dialog(self) -> None:
@@ -246,10 +251,8 @@ class Files(QObject):
         document, scene = found
         self.keep(document, scene)
         if document == before:
-            self._store.show_again()
-        else:
-            self._store.set_document(document)
-        return True
+            return self._store.show_again()
+        return self._store.set_document(document)
 
     # -- saving
 

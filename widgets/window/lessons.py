@@ -159,12 +159,14 @@ class Lessons(QObject):
         self._finish()
         self._stand_still()
         self._views.clear()
-        self.course, self.place = course, place
+        left, (self.course, self.place) = (self.course, self.place), (course, place)
         look = self._store.look()
         # Whatever was looked at before: a lesson begins as the program does.
         view = replace(AS_EVER, layout=look.layout, letters=look.letters, panel="")
         document = replace(shown.document, view=replace(view, **shown.view))
-        self._files.open_step(document, scene, course.lesson.path)
+        if not self._files.open_step(document, scene, course.lesson.path):
+            self.course, self.place = left
+            return False
         self._arrived = {}
         self._watch()
         self.opened.emit()
@@ -196,9 +198,11 @@ class Lessons(QObject):
             return False
         self._finish()
         self._stand_still()
-        again, self.place = place == self.place, place
-        self._show(shown, scene)
-        if not again:
+        left, self.place = self.place, place
+        if not self._show(shown, scene):
+            self.place = left
+            return False
+        if place != left:
             self._arrived = self._store.look().panes
         elif self._store.look().panes != self._arrived:
             self._look_from(self._arrived)
@@ -248,13 +252,13 @@ class Lessons(QObject):
         fields |= {"panes": look.panes if same else {}}
         self._move_to(replace(document, view=replace(look, **fields)), scene_of(document))
 
-    def _show(self, shown: Shown, scene: Any) -> None:
+    def _show(self, shown: Shown, scene: Any) -> bool:
         here = self._store.document.scene, self._store.document.mesh
         there = shown.document.scene, shown.document.mesh
         if here != there:
             self._views[here] = self._store.look().panes
         view = self._view(shown, other_scene=here != there)
-        self._move_to(replace(shown.document, view=view), scene)
+        return self._move_to(replace(shown.document, view=view), scene)
 
     def _view(self, shown: Shown, *, other_scene: bool) -> View:
         """How a step is looked at: as the step says, and else as it is."""
@@ -267,14 +271,20 @@ class Lessons(QObject):
             )  # fmt: skip
         return replace(look, **shown.view)
 
-    def _move_to(self, end: Document, scene: Any) -> None:
-        """Change to a document in one step of undo; the model moves there, if it can."""
+    def _move_to(self, end: Document, scene: Any) -> bool:
+        """Change to a document in one step of undo; the model moves there, if it can.
+
+        Returns
+        -------
+        bool
+            False if it is refused: what was shown stays.
+        """
         store = self._store
         start, look = store.document, store.look()
         self._files.keep(end, scene)
         self._start, self._end = start, end
         self._stages = look.stage, end.view.stage
-        first = None
+        first, is_there = None, True
         if transition.can_move(start, end):
             first = transition.between(start, end, 0.02)
         else:  # it is there at once, and only the strip may be on its way
@@ -288,15 +298,17 @@ class Lessons(QObject):
             }
             store.set_view(**changes)
         else:  # the step that undo goes back to; then on to it, frame by frame
-            store.set_document(end)  # what nobody has turned shall look as it will in the end
-            if first is not None:
+            # What nobody has turned shall look as it will in the end.
+            is_there = store.set_document(end)
+            if is_there and first is not None:
                 store.go_on(first)
         self._moving = False
         same = (start.scene, start.mesh) == (end.scene, end.mesh)
-        if same and (first is not None or self._stages[0] != self._stages[1]):
+        if is_there and same and (first is not None or self._stages[0] != self._stages[1]):
             self._part = 0.0
             self._to_stage(look.stage)
             self._clock.start()
+        return is_there
 
     def _move(self, seconds: float) -> None:
         self._part = min(1.0, self._part + seconds / TRANSITION_S)

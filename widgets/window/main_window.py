@@ -11,6 +11,7 @@ What it does is done in the rooms beside this one; here they are made and joined
 
 from __future__ import annotations
 
+import logging
 import os
 from collections.abc import Callable, Mapping
 from dataclasses import replace
@@ -77,6 +78,8 @@ from widgets.window.status_line import StatusLine
 from widgets.window.talk_band import TalkBand
 from widgets.window.talks import TalkActions, Talks
 from widgets.window.world_look import WorldLook
+
+log = logging.getLogger(__name__)
 
 
 def _world(*args: Any) -> Any:
@@ -492,8 +495,20 @@ class MainWindow(QMainWindow):
         return Shown.of(document, self.files.scene(document.scene, document.mesh))
 
     def _show_document(self, document: Document) -> None:
-        before, self.shown = self.shown, self._snapshot(document)
-        self._tell(self.shown.changed_since(before))
+        before = self.shown
+        try:
+            self.shown = self._snapshot(document)
+            self._tell(self.shown.changed_since(before))
+        except Exception as error:
+            if self.files.scene(document.scene, document.mesh) is before.scene:
+                raise
+            # A mesh whose drawing fails leaves nothing of itself in the window.
+            log.exception("the scene %r cannot be drawn", document.mesh or document.scene)
+            self.files.keep(before.document, before.scene)
+            self.store.refuse()
+            text = self.tr("{0} cannot be drawn, and what was shown before stays: {1}")
+            name = os.path.basename(document.mesh or document.scene)
+            self.messages.say(text.format(name, repr(error)))
 
     def _show_view(self, document: Document) -> None:
         self.shown = replace(self.shown, document=document)
@@ -503,7 +518,8 @@ class MainWindow(QMainWindow):
     def _tell(self, changed: Changed) -> None:
         """Tell everyone who is concerned what has changed."""
         self.panels.keep(self.shown)
-        self.look.set_waiting("view" in changed)  # which tells them, after their arrangement
+        # Which tells them, after their arrangement; of another scene all at once.
+        self.look.set_waiting(bool(changed & {"scene", "view"}))
         try:
             for told in self._told:
                 if changed & told.concerns:
