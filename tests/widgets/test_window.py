@@ -40,7 +40,7 @@ from PySide6.QtWidgets import (
     QScrollArea,
     QStyle,
     QStyleOptionSlider,
-    QTextBrowser,
+    QTextEdit,
     QToolButton,
 )
 from vtkmodules.vtkRenderingCore import vtkTextActor
@@ -1017,7 +1017,7 @@ def test_the_keys_that_help_names_are_those_of_the_window(make_window: MakeWindo
     window.help.show_keys()
     (box,) = (each for each in window.findChildren(QDialog) if each.isVisible())
     assert box.height() <= 0.9 * box.screen().availableSize().height()
-    text = box.findChild(QTextBrowser).toPlainText()
+    text = box.findChild(QTextEdit).toPlainText()
     named = set(re.findall(r"Ctrl\+\w+|\bF\d+", text)) - {"F2"}  # of a matrix cell
     assert {"Ctrl+Space", "Ctrl+Z", "Ctrl+0", "Ctrl+1", "Ctrl+2", "Ctrl+3", "F4", "F5"} <= named
     assert named <= {action.shortcut().toString() for action in window.findChildren(QAction)}

@@ -18,7 +18,7 @@ from typing import Any
 
 from PySide6.QtCore import QEvent, QObject, QPoint, QSize, Qt, QTimer, Signal
 from PySide6.QtGui import QColor, QFontInfo, QPalette, QResizeEvent
-from PySide6.QtWidgets import QFrame, QLabel, QScrollArea, QWidget
+from PySide6.QtWidgets import QFrame, QScrollArea, QWidget
 
 from app.drawings.style import Style
 from app.lecture.highlight import NOTHING, Highlight, made_of
@@ -33,6 +33,7 @@ from widgets.parts.focus import FocusRing, lay_out
 from widgets.parts.layouts import FREE, in_column
 from widgets.parts.messages import field_name, seen_from, sentence, translated
 from widgets.parts.panel import EVERYTHING, Changed, Shown
+from widgets.parts.plain import Label, set_tip
 from widgets.parts.section import GAP_PX, PARTS, Binding, Of, Part, Rows, Section, Typed
 
 WIDTH_PX, LEAST_PX = 285, 270
@@ -107,7 +108,7 @@ class Controls(QScrollArea, RowHolder):
         self.search = SearchBox(self)
         self.search.textChanged.connect(self._look_for)
         self.search.taken.connect(self._take_found)
-        self._not_here = QLabel(wordWrap=True)
+        self._not_here = Label(wordWrap=True)
         self._not_here.setObjectName("paneNote")
         self._not_here.hide()
         self.card = SceneCard()
@@ -206,7 +207,7 @@ class Controls(QScrollArea, RowHolder):
             self.animation,
         ):
             part.setDisabled(disabled)
-            part.setToolTip(why if disabled else "")
+            set_tip(part, why if disabled else "")
         if disabled:
             self.animation.pause()
 
@@ -431,7 +432,7 @@ class Controls(QScrollArea, RowHolder):
 
     def _make_object(self) -> None:
         section = self.sections["object"]
-        self._fixed = QLabel(
+        self._fixed = Label(
             self.tr(
                 "The objects of this scene are fixed: what it shows is reckoned with them. Those of"
                 " the letter F, the cube, the posts and of any mesh can be moved."

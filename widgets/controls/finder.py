@@ -15,6 +15,7 @@ from PySide6.QtGui import QKeyEvent
 from PySide6.QtWidgets import QLineEdit, QWidget
 
 from app.model.refusal import QT_TRANSLATE_NOOP
+from widgets.parts.plain import set_tip
 
 ALSO = {
     "kind": QT_TRANSLATE_NOOP("Find", "projection lens perspective glFrustum glOrtho orthographic"
@@ -106,7 +107,7 @@ class SearchBox(QLineEdit):
         self.setAccessibleName(self.tr("Find a control"))
         tip = self.tr("Shows the controls that are called so, wherever they are folded; Enter goes"
                       " to the first of them, Esc shows all again (Ctrl+F)")  # fmt: skip
-        self.setToolTip(tip)
+        set_tip(self, tip)
         self.setAccessibleDescription(tip)
         self.setClearButtonEnabled(True)
 

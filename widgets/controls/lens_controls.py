@@ -13,7 +13,6 @@ from functools import partial
 from typing import Any, NamedTuple
 
 from PySide6.QtCore import QObject
-from PySide6.QtWidgets import QLabel
 
 from app.lecture.kinds import leaning
 from app.model.projection import (
@@ -38,6 +37,7 @@ from app.model.projection import (
 from app.model.refusal import Refusal
 from widgets.parts.fields import Choice, Linear, Log, NumberRow, Scale
 from widgets.parts.messages import translated
+from widgets.parts.plain import Label
 from widgets.parts.section import Binding, Read, Rows, Typed, Write, quiet, tidy
 
 NEAR_RATIO = 40.0
@@ -241,7 +241,7 @@ class LensControls(QObject):
         typed = Typed(
             lambda p: (p.lens, p.image_size), lambda p: p.intrinsics, Projection.with_intrinsics
         )
-        self._of_k = QLabel(self.tr("Calibrated camera (OpenCV K)"))
+        self._of_k = Label(self.tr("Calibrated camera (OpenCV K)"))
         quiet(self._of_k)
         self._more.add(self._of_k)
         for key, tip in tips.items():

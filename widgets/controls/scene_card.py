@@ -21,10 +21,8 @@ from PySide6.QtCore import QEvent, QObject, Qt, Signal
 from PySide6.QtGui import QHelpEvent, QHideEvent, QPalette, QShowEvent
 from PySide6.QtWidgets import (
     QGridLayout,
-    QLabel,
     QSizePolicy,
     QToolButton,
-    QToolTip,
     QVBoxLayout,
     QWidget,
 )
@@ -62,6 +60,7 @@ from widgets.parts.messages import (
 )
 from widgets.parts.note import Balanced
 from widgets.parts.panel import Changed, Shown
+from widgets.parts.plain import Label, set_tip, show_tip
 from widgets.parts.readable import Readable
 from widgets.parts.section import GAP_PX
 from widgets.parts.typeset import TypesetLabel, in_line, matrix
@@ -451,7 +450,7 @@ class SceneCard(QWidget, RowHolder):
         if isinstance(event, QHelpEvent) and event.type() == QEvent.Type.ToolTip:
             why = self._why_not.get(watched) if isinstance(watched, QWidget) else None
             if why:
-                QToolTip.showText(event.globalPos(), why)  # instead of what it would do
+                show_tip(event.globalPos(), why)  # instead of what it would do
                 return True
         return super().eventFilter(watched, event)
 
@@ -669,7 +668,7 @@ class Readout(QWidget):
     def __init__(self) -> None:
         super().__init__()
         self._highlight = NOTHING
-        self.lines: list[tuple[QLabel, _Value, QLabel]] = []
+        self.lines: list[tuple[Label, _Value, Label]] = []
         self._readings: Sequence[Reading] = ()
         self._first = 0
         self._grid = QGridLayout()
@@ -683,7 +682,7 @@ class Readout(QWidget):
         )  # fmt: skip
         self.more.toggled.connect(self._show)
         self.more.hide()
-        self.note = QLabel(wordWrap=True, textFormat=Qt.TextFormat.PlainText)
+        self.note = Label(wordWrap=True)
         self.note.hide()
         in_column(self._grid, self.note, self.more, on=self, margins=(0, 0, 0, 0), gap=2)
         self.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Preferred)
@@ -745,7 +744,7 @@ class Readout(QWidget):
         return super().eventFilter(watched, event)
 
     def _add_line(self) -> None:
-        label, value, unit = Balanced(), _Value(), QLabel(textFormat=Qt.TextFormat.PlainText)
+        label, value, unit = Balanced(), _Value(), Label()
         unit.setForegroundRole(QPalette.ColorRole.PlaceholderText)
         row = 2 * len(self.lines)
         for column, part in enumerate((label, value, unit)):
@@ -755,7 +754,7 @@ class Readout(QWidget):
         value.setObjectName("number")
         self.lines.append((label, value, unit))
 
-    def _write(self, line: tuple[QLabel, _Value, QLabel], reading: Reading, name: str) -> None:
+    def _write(self, line: tuple[Label, _Value, Label], reading: Reading, name: str) -> None:
         label, value, unit = line
         value.cell = reading.cell
         exact = in_line(value_text(reading.value, number_text))
@@ -772,7 +771,7 @@ class Readout(QWidget):
                 value.setMinimumWidth(max(value.minimumWidth(), value.sizeHint().width()))
         if value.exact != exact:
             value.set_exact(exact)
-            value.setToolTip(exact)
+            set_tip(value, exact)
         if label.text() != name:
             label.setText(name)
             value.setAccessibleDescription(name)  # a name would be read instead of the number
@@ -786,7 +785,7 @@ class Readout(QWidget):
             value.is_below = below
             self._grid.addWidget(value, row + below, 0 if below else 1, 1, 3 if below else 1)
 
-    def _widen(self, label: QLabel) -> None:
+    def _widen(self, label: Label) -> None:
         """Let a label wrap only if it is long."""
         natural = label.fontMetrics().horizontalAdvance(label.text()) + 4
         label.setMinimumWidth(min(natural, LABEL_EM * self.fontMetrics().height()))

@@ -19,7 +19,7 @@ from typing import NamedTuple
 
 from PySide6.QtCore import QEvent, Qt, QTimer, Signal
 from PySide6.QtGui import QEnterEvent, QFont, QHideEvent, QShowEvent
-from PySide6.QtWidgets import QLabel, QPushButton, QSizePolicy, QWidget
+from PySide6.QtWidgets import QPushButton, QSizePolicy, QWidget
 
 from app.lecture.camera_frame import (
     STEPS,
@@ -41,6 +41,7 @@ from widgets.parts.icons import WarningLabel
 from widgets.parts.layouts import FREE, in_column, in_row, scrolled
 from widgets.parts.messages import read_text, sentence
 from widgets.parts.panel import PROJECTION, Changed, Panel, Shown
+from widgets.parts.plain import Label, set_tip
 from widgets.parts.section import tidy
 from widgets.parts.typeset import TypesetLabel, in_line, matrix
 from widgets.parts.writing import all_digits, lettering
@@ -100,11 +101,11 @@ class FramePanel(Panel):
         self.all = _button(
             self.tr("Show all"), self.tr("All steps at once"), lambda: self.go_to(len(STEPS) - 1)
         )
-        self.title = QLabel()
+        self.title = Label()
         self.title.setObjectName("paneTitle")
         self.formula, self.numbers = TypesetLabel(), TypesetLabel()
         self.numbers.setAccessibleDescription(self.tr("The step in numbers"))
-        self.sentence = QLabel(wordWrap=True)
+        self.sentence = Label(wordWrap=True)
         self._make_up()
         self._lay_out()
         all_digits.changed.connect(self._refresh)
@@ -174,7 +175,7 @@ class FramePanel(Panel):
         )  # fmt: skip
 
     def _make_up(self) -> None:
-        self.figures = QLabel(textFormat=Qt.TextFormat.PlainText, wordWrap=True)
+        self.figures = Label(wordWrap=True)
         self.angle = NumberRow(
             self.tr("Up from view"),
             self.tr("Turns up towards the view direction, in the plane of both: the frame"
@@ -276,8 +277,9 @@ class FramePanel(Panel):
         text = self.tr("Pause") if self.playing else self.tr("Play")
         self.play.setText(text)
         self.play.setAccessibleName(text)
-        self.play.setToolTip(
-            self.tr("Stay at this step") if self.playing else self.tr("One step after the other")
+        set_tip(
+            self.play,
+            self.tr("Stay at this step") if self.playing else self.tr("One step after the other"),
         )
 
     # -- the model

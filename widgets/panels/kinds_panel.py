@@ -23,7 +23,7 @@ from PySide6.QtGui import (
     QPolygonF,
     QResizeEvent,
 )
-from PySide6.QtWidgets import QAbstractButton, QLabel, QSizePolicy, QWidget
+from PySide6.QtWidgets import QAbstractButton, QSizePolicy, QWidget
 
 from app.drawings.style import LIGHT, Style
 from app.lecture.kinds import KINDS, Kind, kind_of, path, scale_factors, with_kind
@@ -35,6 +35,7 @@ from widgets.parts.highlight import faded
 from widgets.parts.layouts import in_column
 from widgets.parts.messages import of_phenomena, read_text, sentence
 from widgets.parts.panel import PROJECTION, Changed, Shown
+from widgets.parts.plain import Label
 from widgets.parts.readable import ReadablePanel
 
 _OF_CUBE = Projection(
@@ -272,9 +273,7 @@ class KindsPanel(ReadablePanel):
         for name, node in self.nodes.items():
             node.clicked.connect(partial(self._set, name))
             node.pointed.connect(self._point)
-        self.condition = QLabel(
-            wordWrap=True, textFormat=Qt.TextFormat.PlainText, alignment=Qt.AlignmentFlag.AlignTop
-        )
+        self.condition = Label(wordWrap=True, alignment=Qt.AlignmentFlag.AlignTop)
         in_column((self._tree, 1), self.condition, on=self, margins=(4, 0, 4, 2), gap=4)
         self._fit()
 

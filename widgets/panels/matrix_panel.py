@@ -22,7 +22,6 @@ from PySide6.QtCore import QCoreApplication, QEvent, QPoint, Qt, QTimer, Signal
 from PySide6.QtGui import QGuiApplication, QShowEvent
 from PySide6.QtWidgets import (
     QCheckBox,
-    QLabel,
     QMenu,
     QSizePolicy,
     QSpacerItem,
@@ -58,6 +57,7 @@ from widgets.parts.icons import REFUSAL_SHEET, WarningLabel, show_icon
 from widgets.parts.layouts import FREE, Part, in_column, in_row, scrolled
 from widgets.parts.messages import field_name, read_text, sentence, stage_title, translated
 from widgets.parts.panel import PROJECTION, Changed, Shown
+from widgets.parts.plain import Label, set_tip
 from widgets.parts.readable import ReadablePanel
 
 _NOTE_CHARACTERS = 36
@@ -102,7 +102,7 @@ class _Box(QWidget):
     def __init__(self, panel: MatrixPanel, matrix: Matrix, unfolded: bool) -> None:
         super().__init__()
         self.name = matrix.name
-        self.title = QLabel()
+        self.title = Label()
         self.title.setObjectName("paneTitle")
         self.fold = tool_button(
             "", self.tr("Show the factors that this matrix is the product of"),
@@ -115,13 +115,13 @@ class _Box(QWidget):
         self.fold.setSizePolicy(fixed)
         self.view = panel.new_view(matrix.name)
         self.factor_views = [panel.new_view(factor.name) for factor in matrix.factors]
-        self.factor_names = [QLabel() for _ in matrix.factors]
+        self.factor_names = [Label() for _ in matrix.factors]
         self.factors = QWidget()
         inner: list[Part] = []
         for view, name in zip(self.factor_views, self.factor_names, strict=True):
-            inner += QLabel("·" if inner else "="), in_column(view, name, FREE, gap=1)
+            inner += Label("·" if inner else "="), in_column(view, name, FREE, gap=1)
         in_row(*inner, on=self.factors, margins=(0, 0, 0, 0), gap=4)
-        self.note = QLabel()
+        self.note = Label()
         self.note.setObjectName("paneNote")
         self.note.hide()
         both = in_row(self.view, self.factors, FREE, gap=4)
@@ -195,7 +195,8 @@ class MatrixPanel(ReadablePanel):
                 self.letters.setItemData(place, tip, Qt.ItemDataRole.ToolTipRole)
         self.letters.currentIndexChanged.connect(lambda _: self.letters_changed.emit(self._letters))
         self.running = QCheckBox(self.tr("Running products"))
-        self.running.setToolTip(
+        set_tip(
+            self.running,
             self.tr("Also the product of all stages so far, and the view matrix's inverse, whose "
                     "columns are the camera's axes and the eye")
         )  # fmt: skip
@@ -277,7 +278,7 @@ class MatrixPanel(ReadablePanel):
     def _choice(self, name: str, tip: str, choices: Sequence[tuple[str, str]]) -> Combo:
         box = Combo()
         box.setAccessibleName(name)
-        box.setToolTip(tip)
+        set_tip(box, tip)
         for value, text in choices:
             box.addItem(text, value)
         box.currentIndexChanged.connect(self._readable.changed)
@@ -320,11 +321,7 @@ class MatrixPanel(ReadablePanel):
     def _explain(self, text: str, sheet: str = "") -> None:
         self.explanation.setStyleSheet(sheet)
         self.explanation.set_warns(bool(sheet))
-        vectors = ARROW in text
-        self.explanation.setTextFormat(
-            Qt.TextFormat.RichText if vectors else Qt.TextFormat.PlainText
-        )
-        self.explanation.setText(rich(text) if vectors else text)
+        self.explanation.setText(rich(text) if ARROW in text else text)
 
     def _typed(self, view: MatrixView, name: str, row: int, column: int, text: str) -> None:
         """Take a cell that was typed, or say what is wrong with it."""
@@ -465,7 +462,7 @@ class MatrixPanel(ReadablePanel):
                 title = self.tr("{0}, a free matrix").format(title)
             box.title.setText(f"{title} = {_named(matrix)}" if matrix.called else title)
             factors_of = (f"({stage_title(name)})" for name in matrix.product)
-            box.title.setToolTip(" = ".join([stage_title(matrix.name), " · ".join(factors_of)])
+            set_tip(box.title, " = ".join([stage_title(matrix.name), " · ".join(factors_of)])
                                  if matrix.product else stage_title(matrix.name))  # fmt: skip
             note = note_on(matrix, self._projection, self._letters)
             old = before.get(matrix.name)

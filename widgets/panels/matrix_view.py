@@ -6,7 +6,6 @@ underlined.
 
 from __future__ import annotations
 
-import html
 import re
 from collections.abc import Callable
 from functools import partial
@@ -26,7 +25,7 @@ from PySide6.QtGui import (
     QPaintEvent,
     QPen,
 )
-from PySide6.QtWidgets import QLineEdit, QMenu, QSizePolicy, QToolTip, QWidget
+from PySide6.QtWidgets import QLineEdit, QMenu, QSizePolicy, QWidget
 
 from app.drawings.style import LIGHT, Style
 from app.lecture.highlight import NOTHING, Highlight, made_of
@@ -34,6 +33,7 @@ from app.lecture.notation import Letters, Matrix, cell_text, letters_in, stacked
 from app.model.formula import ARROW
 from widgets.parts.highlight import faded, paint_highlight
 from widgets.parts.messages import read_text
+from widgets.parts.plain import Markup, set_tip, show_tip
 from widgets.parts.typeset import typeset
 from widgets.parts.writing import all_digits
 
@@ -375,8 +375,8 @@ class MatrixView(QWidget):
         place = self.tr("{0}, row {1}, column {2}")
         field.setAccessibleName(place.format(self.accessibleName(), row + 1, column + 1))
         field.setPlaceholderText("1/3")
-        field.setToolTip(
-            self.tr("A number, or a fraction such as 1/3, which is divided to all digits")
+        set_tip(
+            field, self.tr("A number, or a fraction such as 1/3, which is divided to all digits")
         )
         self._place_field(field)
         field.setStyleSheet("padding: 0px; margin: 0px")
@@ -545,7 +545,7 @@ class MatrixView(QWidget):
             cell = self.cell_at(QPointF(event.pos()))
             if cell is not None:
                 tip = self._explain(self._matrix, *cell)
-                QToolTip.showText(event.globalPos(), f"<p>{rich(tip)}</p>", self)
+                show_tip(event.globalPos(), rich(tip), self)
                 return True
         done = super().event(event)
         if event.type() in (kinds.Leave, kinds.FocusOut, kinds.Hide):
@@ -564,6 +564,7 @@ class MatrixView(QWidget):
         menu.popup(event.globalPos())
 
 
-def rich(text: str) -> str:
-    """A text as HTML, with the letters of vectors bold: few fonts put an arrow above a letter."""
-    return re.sub(f"(.){ARROW}", r"<b>\1</b>", html.escape(text, quote=False))
+def rich(text: str) -> Markup:
+    """A text with the letters of vectors bold: few fonts put an arrow above a letter."""
+    escaped = Markup.of("<p>{}</p>", text)
+    return Markup(re.sub(f"(.){ARROW}", r"<b>\1</b>", escaped))

@@ -21,7 +21,6 @@ from PySide6.QtWidgets import (
     QFileDialog,
     QGridLayout,
     QHeaderView,
-    QLabel,
     QListWidget,
     QListWidgetItem,
     QProgressBar,
@@ -62,6 +61,7 @@ from widgets.parts.layouts import in_column, in_row
 from widgets.parts.messages import of_measurements, sentence
 from widgets.parts.note import Note
 from widgets.parts.panel import Changed, Shown
+from widgets.parts.plain import Label, set_tip
 from widgets.parts.readable import ReadablePanel
 from widgets.parts.writing import all_digits
 
@@ -133,8 +133,9 @@ class MeasurePanel(ReadablePanel):
         self.list = QListWidget()
         self.list.setSelectionMode(QAbstractItemView.SelectionMode.ExtendedSelection)
         self.list.setAccessibleName(self.tr("Trades and sweeps"))
-        self.list.setToolTip(
-            self.tr("What to measure and to show; Ctrl or Shift to choose several to measure")
+        set_tip(
+            self.list,
+            self.tr("What to measure and to show; Ctrl or Shift to choose several to measure"),
         )
         for name in chart.TITLES:
             item = QListWidgetItem(of_measurements(chart.TITLES[name]))
@@ -147,8 +148,9 @@ class MeasurePanel(ReadablePanel):
         self.how.addItem(self.tr("Quick"), True)
         self.how.addItem(self.tr("Full"), False)
         self.how.setAccessibleName(self.tr("How exactly"))
-        self.how.setToolTip(
-            self.tr("Quick: 2 s a trade, 13 values a sweep; full: 30 s a trade, 49 values")
+        set_tip(
+            self.how,
+            self.tr("Quick: 2 s a trade, 13 values a sweep; full: 30 s a trade, 49 values"),
         )
         self.run_button = push_button(
             self.tr("Run"), self.tr("Measure what is chosen, for this scene and camera"), self.run
@@ -181,9 +183,8 @@ class MeasurePanel(ReadablePanel):
         self.where.setAccessibleName(self.tr("On what and when it was measured"))
         self.seen = Note()
         self.seen.setAccessibleName(self.tr("The scene and camera that were measured"))
-        self.sentence = QLabel(
+        self.sentence = Label(
             wordWrap=True,
-            textFormat=Qt.TextFormat.PlainText,
             textInteractionFlags=Qt.TextInteractionFlag.TextSelectableByMouse,
         )
         self.table = QTableWidget()
@@ -464,13 +465,14 @@ class MeasurePanel(ReadablePanel):
             if isinstance(part, Trade)
             for choice in part.choices
         ]
-        self.table.setToolTip(
+        set_tip(
+            self.table,
             self.tr(
                 "Click a choice to use it in the panes; those in italics cannot be used, and those"
                 " in grey are beaten by another one in both"
             )
             if choices
-            else self.tr("What was measured at each value; there is nothing to use in the panes")
+            else self.tr("What was measured at each value; there is nothing to use in the panes"),
         )
         slanted = QFont(self.table.font())
         slanted.setItalic(True)
@@ -489,7 +491,7 @@ class MeasurePanel(ReadablePanel):
                         cell.setText(self.tr("{0} (measured only)").format(cell.text()))
                 if y < len(beaten) and beaten[y]:
                     cell.setForeground(grey)
-                cell.setToolTip("\n".join(filter(None, (named(row[-1], of_measurements), why))))
+                set_tip(cell, "\n".join(filter(None, (named(row[-1], of_measurements), why))))
                 if 0 < x < len(row) - 1:
                     cell.setTextAlignment(
                         Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter

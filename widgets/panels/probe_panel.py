@@ -33,7 +33,6 @@ from PySide6.QtGui import (
 from PySide6.QtWidgets import (
     QAbstractItemView,
     QHeaderView,
-    QLabel,
     QStyle,
     QStyledItemDelegate,
     QStyleOptionViewItem,
@@ -59,6 +58,7 @@ from widgets.parts.icons import RefusalLabel, icon
 from widgets.parts.layouts import in_column, in_row
 from widgets.parts.messages import number_text, plane_name, read_text, sentence
 from widgets.parts.panel import PROJECTION, Changed, Shown
+from widgets.parts.plain import Label, set_tip
 from widgets.parts.readable import ReadablePanel
 from widgets.parts.typeset import in_line, typeset
 from widgets.parts.writing import all_digits, lettering
@@ -105,7 +105,7 @@ class ProbePanel(ReadablePanel):
         self.choice = Combo()
         self.choice.setSizeAdjustPolicy(Combo.SizeAdjustPolicy.AdjustToContents)
         self.choice.setAccessibleName(self.tr("Probe"))
-        self.choice.setToolTip(self.tr("Which probe the fields and buttons are about"))
+        set_tip(self.choice, self.tr("Which probe the fields and buttons are about"))
         self.choice.activated.connect(lambda index: self.choose(self.choice.itemData(index)))
         self.fields = tuple(ShortField(name) for name in "xyzw")
         self.pin = push_button(
@@ -120,7 +120,7 @@ class ProbePanel(ReadablePanel):
         )
         self._clear = push_button(self.tr("Clear"), self.tr("Remove all probes"), self.clear)
         self.error = RefusalLabel()
-        self._hint = QLabel(
+        self._hint = Label(
             self.tr(
                 "Click a point in any pane to follow it from the world to its pixel; "
                 "click beside everything in the image for that pixel's ray."
@@ -156,17 +156,18 @@ class ProbePanel(ReadablePanel):
         line = in_row(self.choice)
         for name, field in zip("xyzw", self.fields, strict=True):
             field.setAccessibleName(self.tr("Probe, world {0}").format(name))
-            field.setToolTip(self.tr("World {0} of the probe; type a number").format(name))
+            set_tip(field, self.tr("World {0} of the probe; type a number").format(name))
             field.editingFinished.connect(self._typed)
-            label = QLabel(name)
+            label = Label(name)
             label.setBuddy(field)
             line.addWidget(label)
             line.addWidget(field, 1)
-        self.fields[3].setToolTip(
+        set_tip(
+            self.fields[3],
             self.tr(
                 "w of the probe: 1 for a point; 0 for the point at infinity in the direction"
                 " x, y, z; with any other w the point is (x/w, y/w, z/w)"
-            )
+            ),
         )
         for button in (self.pin, self._remove, self._clear):
             line.addWidget(button)

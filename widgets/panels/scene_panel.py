@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from PySide6.QtCore import QEvent, QObject, QSize, Qt
-from PySide6.QtWidgets import QFrame, QGridLayout, QLabel, QLayout, QScrollArea, QWidget
+from PySide6.QtWidgets import QFrame, QGridLayout, QLayout, QScrollArea, QWidget
 
 from app.drawings.style import LIGHT, Style
 from app.scenes.phenomena.diagram import Diagram
@@ -18,6 +18,7 @@ from widgets.parts.focus import FocusRing
 from widgets.parts.layouts import FREE, in_column, in_row
 from widgets.parts.messages import breakable, of_phenomena
 from widgets.parts.panel import Changed, Shown
+from widgets.parts.plain import Label
 from widgets.parts.readable import ReadablePanel
 
 LEAST_WINDOW_PX = 900
@@ -42,9 +43,7 @@ class ScenePanel(ReadablePanel):
         self._phenomenon: Phenomenon | None = None
         self._illustration: Illustration | None = None
         self._style = LIGHT
-        self.title, self.lectures, self.explanation = (
-            QLabel(wordWrap=True, textFormat=Qt.TextFormat.PlainText) for _ in range(3)
-        )
+        self.title, self.lectures, self.explanation = (Label(wordWrap=True) for _ in range(3))
         self.title.setObjectName("paneTitle")
         self.lectures.setObjectName("paneNote")
         self.explanation.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)

@@ -26,7 +26,7 @@ from PySide6.QtGui import (
     QPolygonF,
     QResizeEvent,
 )
-from PySide6.QtWidgets import QLabel, QSizePolicy, QWidget
+from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from app.document.compare import Picture, Written, in_words
 from app.drawings.side_by_side import cells
@@ -41,6 +41,7 @@ from widgets.parts.layouts import in_row
 from widgets.parts.messages import field_name, of_phenomena, read_text, sentence
 from widgets.parts.note import Title
 from widgets.parts.panel import Shown
+from widgets.parts.plain import Label, set_tip
 
 GRASP_PX = 15
 """Width of a divider for the mouse; it is drawn a fifth as wide."""
@@ -64,8 +65,9 @@ class Divider(QWidget):
         self.setCursor(Qt.CursorShape.SplitHCursor)
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.setAccessibleName(self.tr("Divider between two pictures"))
-        self.setToolTip(
-            self.tr("Drag it over the pictures, or ← →; with Shift finer; Home, End; Esc ends it")
+        set_tip(
+            self,
+            self.tr("Drag it over the pictures, or ← →; with Shift finer; Home, End; Esc ends it"),
         )
         FocusRing(self)
 
@@ -131,15 +133,14 @@ class _Other(QWidget):
         self.pane.header.hide()
         self.pane.set_presenting(True)
         self.pane.canvas.setFocusPolicy(Qt.FocusPolicy.NoFocus)
-        self.pane.canvas.setToolTip("")
+        set_tip(self.pane.canvas, "")
         self.pane.canvas.setMinimumSize(1, 1)
         self.pane.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
         self.pane.setParent(self)
-        self.why = QLabel(self)
+        self.why = Label(parent=self)
         self.why.setAlignment(Qt.AlignmentFlag.AlignCenter)
         self.why.setWordWrap(True)
         self.why.setAutoFillBackground(True)
-        self.why.setTextFormat(Qt.TextFormat.PlainText)
         self.why.hide()
         self.shown: Shown | None = None
 
@@ -170,14 +171,13 @@ class _Other(QWidget):
         self.setVisible(not cut.isEmpty())
 
 
-class _Words(QLabel):
+class _Words(Label):
     """Two lines of text, as much as there is room for; all of it as its tooltip."""
 
     def __init__(self) -> None:
         super().__init__()
         self.setObjectName("paneNote")
         self.setWordWrap(True)
-        self.setTextFormat(Qt.TextFormat.PlainText)
         self.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
         self._parts: Sequence[str] = ()
 
@@ -185,7 +185,7 @@ class _Words(QLabel):
         """Say all of these, one after the other, or as many of the first as there is room for."""
         if parts != self._parts:
             self._parts = parts
-            self.setToolTip("".join(parts))
+            set_tip(self, "".join(parts))
             self.setAccessibleDescription("".join(parts))
             self._fit()
 
@@ -330,10 +330,11 @@ class Compare(QObject):
     def _name_way(self) -> None:
         text = self.tr("Side by side") if self.dividers else self.tr("Over each other")
         self.way.setText(text)
-        self.way.setToolTip(
+        set_tip(
+            self.way,
             self.tr("Show every picture whole, beside the others")
             if self.dividers
-            else self.tr("Lay the pictures over each other, with a divider to be dragged")
+            else self.tr("Lay the pictures over each other, with a divider to be dragged"),
         )
 
     def refresh(self) -> None:

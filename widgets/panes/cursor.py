@@ -29,7 +29,7 @@ from PySide6.QtGui import (
     QPaintEvent,
     QPen,
 )
-from PySide6.QtWidgets import QApplication, QLabel, QWidget
+from PySide6.QtWidgets import QApplication, QWidget
 
 from app.model.projection import Vector
 from app.picking.handles import Handle
@@ -38,6 +38,7 @@ from widgets.panes.manipulation import Manipulation
 from widgets.panes.pane import Pane
 from widgets.parts.messages import read_text
 from widgets.parts.panel import Changed, Shown
+from widgets.parts.plain import Label
 from widgets.parts.writing import all_digits
 
 if TYPE_CHECKING:
@@ -99,8 +100,7 @@ class Cursor(QObject):
         self._is_there = self._is_dragging = self._is_shifted = False
         self._away = QPointF()
         self._ring = _Ring(pane.canvas)
-        plain = Qt.TextFormat.PlainText
-        self._label = QLabel(pane.canvas, textFormat=plain, wordWrap=True, margin=3)
+        self._label = Label(parent=pane.canvas, wordWrap=True, margin=3)
         self._label.setObjectName("cursorLabel")
         self._label.setAutoFillBackground(True)
         self._label.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)

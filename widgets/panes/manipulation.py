@@ -20,7 +20,6 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from PySide6.QtCore import QObject, QPointF, Qt, QTimer, Signal
-from PySide6.QtWidgets import QLabel
 
 from app.model.limits import OTHER_SIDE
 from app.model.projection import NOT_THE_EYE, Projection, Vector
@@ -49,6 +48,7 @@ from widgets.parts.gestures import Gestures
 from widgets.parts.message_bar import MessageBar
 from widgets.parts.messages import field_name, of_phenomena, read_text, seen_from, sentence
 from widgets.parts.panel import PROJECTION, Changed, Shown
+from widgets.parts.plain import Label, set_tip
 
 if TYPE_CHECKING:
     from app.drawings.image import ImageDrawing
@@ -90,14 +90,14 @@ class Manipulation(Gestures, QObject):
             "+ −, Home); click to follow a point"
         )
         self.message = MessageBar(world)
-        self._line = QLabel(world, wordWrap=True, margin=4)
+        self._line = Label(parent=world, wordWrap=True, margin=4)
         self._line.setObjectName("heldLine")
         self._line.setAutoFillBackground(True)
         self._line.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
         self._line.hide()
         self._quiet = QTimer(self, singleShot=True, interval=QUIET_MS)
         self._quiet.timeout.connect(self._finish)
-        world.canvas.setToolTip(self._plain_tip)
+        set_tip(world.canvas, self._plain_tip)
         hand = world.hand
         hand.hovered.connect(self._hover)
         hand.left.connect(self.leave)
@@ -159,7 +159,7 @@ class Manipulation(Gestures, QObject):
         self._line.hide()
         if handle is None:
             canvas.unsetCursor()
-            canvas.setToolTip(self._plain_tip)
+            set_tip(canvas, self._plain_tip)
             self._world.note.setText("")
             self._line.clear()
         else:
@@ -193,7 +193,7 @@ class Manipulation(Gestures, QObject):
 
         What once took the line keeps it: the text does not jump while its numbers change.
         """
-        self._world.canvas.setToolTip(text)
+        set_tip(self._world.canvas, text)
         note, line, width = self._world.note, self._line, self._world.width()
         fits = note.fontMetrics().horizontalAdvance(text) <= note.width()
         in_line = self.message.isHidden() and (line.isVisible() or not fits)

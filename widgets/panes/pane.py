@@ -39,6 +39,7 @@ from widgets.parts.buttons import tool_button
 from widgets.parts.layouts import in_column, in_row
 from widgets.parts.note import Title
 from widgets.parts.panel import PROJECTION, Changed, Shown
+from widgets.parts.plain import set_tip
 
 SCALES = {"half resolution": 0.5, "supersampling 2 x 2": 2.0}
 """Pixels that are drawn for one that is shown, along each side, where that is not one."""
@@ -230,8 +231,11 @@ class Pane(QFrame):
             for icon, (tip, act) in acts.items()
         ]
         self.header = QWidget()
-        self.header.setToolTip(
-            self.tr("Double-click to make this pane large; again, as large as the window, and back")
+        set_tip(
+            self.header,
+            self.tr(
+                "Double-click to make this pane large; again, as large as the window, and back"
+            ),
         )
         self._tools = QWidget()
         self._column = QGridLayout(self)
@@ -258,7 +262,7 @@ class Pane(QFrame):
                 "nearer to the target; or Tab to here, and arrows, + −"
             )
             keys = self.tr("Arrow keys move the camera in its plane, + and − go nearer and back.")
-        self.canvas.setToolTip(tip)
+        set_tip(self.canvas, tip)
         cursor_keys = self.tr(
             "Page Down and Page Up go from vertex to vertex, with Shift from handle to handle or "
             "probe to probe; Space follows a vertex; Enter takes hold and lets go, Shift and Enter "

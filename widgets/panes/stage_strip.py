@@ -30,6 +30,7 @@ from widgets.parts.escape import HeldSlider
 from widgets.parts.gestures import Gestures
 from widgets.parts.layouts import in_column, in_row
 from widgets.parts.panel import PROJECTION, Changed, Shown
+from widgets.parts.plain import set_tip
 from widgets.parts.writing import lettering
 
 STEPS = 240
@@ -111,11 +112,12 @@ class StageStrip(QWidget, Playing, Gestures):
         self.button = tool_button(act=self.toggle, flat=True)
         self.slider = _StopsSlider()
         self.slider.setAccessibleName(self.tr("Stage"))
-        self.slider.setToolTip(
+        set_tip(
+            self.slider,
             self.tr(
                 "From the world through all stages to the picture; the arrow keys go from stop to"
                 " stop"
-            )
+            ),
         )
         self.slider.setValue(NDC * STEPS)
         self.slider.valueChanged.connect(self._slid)
@@ -199,7 +201,7 @@ class StageStrip(QWidget, Playing, Gestures):
         for stop, button in enumerate(self.stops):
             name, tip = self._name(stop)
             button.setText(name)
-            button.setToolTip(tip)
+            set_tip(button, tip)
 
     def _title(self) -> str:
         """What the pane shows at this position."""

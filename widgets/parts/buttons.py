@@ -8,6 +8,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QAbstractButton, QPushButton, QToolButton
 
 from widgets.parts.icons import show_icon
+from widgets.parts.plain import set_tip
 
 _Button = TypeVar("_Button", bound=QAbstractButton)
 
@@ -59,7 +60,7 @@ def push_button(text: str, tip: str = "", act: object = None, *, name: str = "")
 
 def _said(made: _Button, text: str, tip: str, act: object, name: str) -> _Button:
     made.setText(text)
-    made.setToolTip(tip)
+    set_tip(made, tip)
     if name:
         made.setAccessibleName(name)
     if act is not None:

@@ -8,6 +8,7 @@ from PySide6.QtCore import QCoreApplication, QElapsedTimer, QObject, Qt, QTimer,
 from PySide6.QtWidgets import QToolButton
 
 from widgets.parts.icons import show_icon
+from widgets.parts.plain import set_tip
 
 FRAME_MS = 16
 """Least time between two frames."""
@@ -70,7 +71,7 @@ class Playing:
             word = QCoreApplication.translate("Playing", "Pause")
         show_icon(self.button, "pause" if self.playing else "play")
         self.button.setAccessibleName(name.replace("{0}", word))
-        self.button.setToolTip(tip_playing if self.playing else tip)
+        set_tip(self.button, tip_playing if self.playing else tip)
         return word
 
     @property

@@ -38,13 +38,14 @@ from PySide6.QtGui import (
     QPen,
     QRegion,
 )
-from PySide6.QtWidgets import QSizePolicy, QToolTip, QWidget
+from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from app.drawings.label_placement import GAP_PX, beside, beside_curve
 from app.drawings.style import LIGHT, Style
 from app.scenes.phenomena.diagram import Curve, Diagram, Spot
 from widgets.parts.highlight import faded
 from widgets.parts.messages import figure_text, of_phenomena
+from widgets.parts.plain import show_tip
 
 Floats = NDArray[np.float64]
 
@@ -352,9 +353,9 @@ class DiagramView(QWidget):
         if isinstance(event, QHelpEvent) and event.type() == QEvent.Type.ToolTip:
             spot = self.spot_at(QPointF(event.pos()))
             if spot is not None and spot.tip:
-                QToolTip.showText(event.globalPos(), spot.tip, self)
+                show_tip(event.globalPos(), spot.tip, self)
                 return True
-            QToolTip.hideText()
+            show_tip(event.globalPos(), "")
         return super().event(event)
 
     # -- layout

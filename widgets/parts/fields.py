@@ -13,7 +13,6 @@ where all of it shall be put back.
 
 from __future__ import annotations
 
-import html
 import math
 import re
 from abc import abstractmethod
@@ -53,7 +52,6 @@ from PySide6.QtWidgets import (
     QCheckBox,
     QComboBox,
     QGridLayout,
-    QLabel,
     QLineEdit,
     QSizePolicy,
     QSlider,
@@ -81,6 +79,7 @@ from widgets.parts.messages import (
     sentence,
 )
 from widgets.parts.note import Balanced
+from widgets.parts.plain import Label, Markup, set_tip, wrapped
 from widgets.parts.writing import all_digits
 
 QUIET_MS = 500
@@ -372,11 +371,6 @@ Scale = Linear | Log | Doubling
 
 _NOTCH = 120
 """Eighths of a degree, in which Qt says how far a wheel turns; a finer one turns by less."""
-
-
-def _rich(text: str) -> str:
-    """Plain tooltips never wrap; rich ones do."""
-    return f"<qt>{html.escape(text)}</qt>"
 
 
 class _Name(Balanced):
@@ -776,7 +770,7 @@ class Row(QWidget, Gestures):
 
     def _tell(self, part: QWidget, tip: str) -> None:
         """Say what a part does: by its tooltip, and to a screen reader without the markup."""
-        part.setToolTip(_rich(tip))
+        set_tip(part, wrapped(tip))
         part.setAccessibleDescription(tip)
         self._told[part] = tip
 
@@ -952,7 +946,7 @@ class NumberRow(_TypedRow):
         self.field = ShortField(name, unit)
         self._tell(self.field, self._tip)
         self.field.setAccessibleName(f"{name} ({self._unit_said})" if unit else name)
-        self.unit_label = QLabel(unit)
+        self.unit_label = Label(unit)
         self.unit_label.setForegroundRole(QPalette.ColorRole.PlaceholderText)
         if unit_tip:
             self._tell(self.unit_label, unit_tip)
@@ -1129,7 +1123,7 @@ class NumberRow(_TypedRow):
 
     def _write_field_tip(self) -> None:
         exact = f"{self.name} = {number_text(self._value)} {self.field.unit}".rstrip()
-        self.field.setToolTip(f"<qt><b>{html.escape(exact)}</b><br>{html.escape(self._tip)}</qt>")
+        set_tip(self.field, Markup.of("<qt><b>{}</b><br>{}</qt>", exact, self._tip))
 
 
 class Choice(NamedTuple):
@@ -1182,7 +1176,7 @@ class ChoiceRow(Row):
         combo.setPlaceholderText(none)
         for index, choice in enumerate(choices):
             combo.addItem(choice.text)
-            combo.setItemData(index, _rich(choice.tip), Qt.ItemDataRole.ToolTipRole)
+            combo.setItemData(index, wrapped(choice.tip), Qt.ItemDataRole.ToolTipRole)
         combo.setAccessibleName(self.name)
         self._tell(combo, self._tip)
         combo.activated.connect(self._chosen)  # the user's choice, never the program's
@@ -1250,7 +1244,7 @@ class VectorRow(_TypedRow):
         for letter, field in zip("xyz", self.fields, strict=True):
             self._tell(field, f"{field.name}. {self._tip}")
             field.characters = VECTOR_CHARACTERS
-            label = QLabel(letter)
+            label = Label(letter)
             label.setForegroundRole(QPalette.ColorRole.PlaceholderText)
             one = in_row(gap=3)
             self._line.addLayout(one, 1)

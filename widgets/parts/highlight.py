@@ -14,9 +14,10 @@ from collections.abc import Hashable
 
 from PySide6.QtCore import QObject, QRectF, Signal
 from PySide6.QtGui import QColor, QPainter, QPaintEvent, QPen
-from PySide6.QtWidgets import QLabel, QWidget
+from PySide6.QtWidgets import QWidget
 
 from app.lecture.highlight import NOTHING, Highlight
+from widgets.parts.plain import Label
 
 
 class Highlighter(QObject):
@@ -56,7 +57,7 @@ def paint_highlight(widget: QWidget, painter: QPainter, rect: QRectF) -> None:
     painter.drawRect(rect.adjusted(0.5, 0.5, -0.5, -0.5))
 
 
-class MarkedLabel(QLabel):
+class MarkedLabel(Label):
     """Words that show when something else highlights what they are about."""
 
     is_marked = False

@@ -19,7 +19,9 @@ from PySide6.QtGui import (
     QPixmap,
 )
 from PySide6.QtSvg import QSvgRenderer
-from PySide6.QtWidgets import QAbstractButton, QApplication, QLabel
+from PySide6.QtWidgets import QAbstractButton, QApplication
+
+from widgets.parts.plain import Label
 
 SIGN = 1.25
 """Room of a warning sign and what is free behind it, in heights of a line."""
@@ -88,7 +90,7 @@ def paint_icon(painter: QPainter, rect: QRect, name: str, *, enabled: bool = Tru
     _draw(painter, rect, name, *_colour(mode))
 
 
-class WarningLabel(QLabel):
+class WarningLabel(Label):
     """Plain text behind a warning sign, while there is any.
 
     Attributes
@@ -101,7 +103,6 @@ class WarningLabel(QLabel):
         super().__init__()
         self.warns = True
         self.setWordWrap(True)
-        self.setTextFormat(Qt.TextFormat.PlainText)
         self._fit_sign()
 
     def set_warns(self, warns: bool) -> None:

@@ -33,6 +33,7 @@ from app.lessons.course import Course
 from app.lessons.lesson import Question
 from app.lessons.text import FORMULA, Outline, html_of, outline, plain_of
 from widgets.parts.messages import figure_text
+from widgets.parts.plain import TextDocument
 
 _KIND = QTextFormat.ObjectTypes.UserObject + 1
 _TEX = QTextFormat.Property.UserProperty + 1
@@ -248,6 +249,7 @@ class LessonText(QTextEdit):
         self._text, self._is_title = "", title
         self._heights: dict[int, int] = {}
         """By widths: a layout asks often."""
+        self.setDocument(TextDocument(self))
         self.setReadOnly(True)
         self.setFrameShape(QFrame.Shape.NoFrame)
         self.setVerticalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)

@@ -6,24 +6,25 @@ from bisect import bisect_left
 
 from PySide6.QtCore import QEvent, QRect, QSize, Qt
 from PySide6.QtGui import QPainter, QPaintEvent, QResizeEvent
-from PySide6.QtWidgets import QLabel, QSizePolicy
+from PySide6.QtWidgets import QSizePolicy
+
+from widgets.parts.plain import Label, set_tip
 
 
-class Note(QLabel):
+class Note(Label):
     """A line of text, as much as there is room for; all of it as its tooltip."""
 
     def __init__(self) -> None:
         super().__init__()
         self.setObjectName("paneNote")
         self.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
-        self.setTextFormat(Qt.TextFormat.PlainText)
         self._whole = ""
 
     def setText(self, text: str) -> None:
         if text == self._whole:  # as at nearly every step of a drag
             return
         self._whole = text
-        self.setToolTip(text)
+        set_tip(self, text)
         self.setAccessibleDescription(text)
         self._elide()
 
@@ -76,16 +77,15 @@ class Title(Note):
 
     def _elide(self) -> None:
         super()._elide()
-        self.setToolTip("" if QLabel.text(self) == self.text() else self.text())
+        set_tip(self, "" if Label.text(self) == self.text() else self.text())
 
 
-class Balanced(QLabel):
+class Balanced(Label):
     """Plain text that wraps into lines of about one length: no last word stands alone."""
 
     def __init__(self, text: str = "") -> None:
         super().__init__(text)
         self.setWordWrap(True)
-        self.setTextFormat(Qt.TextFormat.PlainText)
 
     def paintEvent(self, event: QPaintEvent) -> None:
         # Drawn here: what has as many lines in less width is as high as Qt takes it to be.

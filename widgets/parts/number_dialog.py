@@ -6,7 +6,7 @@ a mark between thousands: 33.5 typed would be 335.
 
 from __future__ import annotations
 
-from PySide6.QtWidgets import QDialog, QDialogButtonBox, QLabel, QWidget
+from PySide6.QtWidgets import QDialog, QDialogButtonBox, QWidget
 
 from app.model.limits import within
 from app.model.refusal import Refusal
@@ -14,6 +14,7 @@ from widgets.parts.fields import NumberField, refusal
 from widgets.parts.icons import RefusalLabel
 from widgets.parts.layouts import in_column
 from widgets.parts.messages import sentence
+from widgets.parts.plain import Label
 
 
 class NumberDialog(QDialog):
@@ -45,7 +46,7 @@ class NumberDialog(QDialog):
         """The number taken last: that in hand, until another one is accepted."""
         self._name, self._low, self._high = name, low, high
         self.setWindowTitle(name)
-        asked = QLabel(question, wordWrap=True)
+        asked = Label(question, wordWrap=True)
         self.field = NumberField(name, unit)
         self.field.show_number(value)
         self.field.setAccessibleName(f"{name} ({unit})")

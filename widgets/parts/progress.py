@@ -9,6 +9,8 @@ from typing import TypeAlias
 from PySide6.QtCore import QCoreApplication, Qt
 from PySide6.QtWidgets import QProgressDialog, QWidget
 
+from widgets.parts.plain import Label
+
 SHOWN_AFTER_MS = 100
 Tell: TypeAlias = Callable[[float], bool]
 """Takes the fraction that is done; whether to go on."""
@@ -28,7 +30,8 @@ def progress_dialog(window: QWidget, text: str, steps: int = 100) -> Iterator[QP
         What the dialog's value is when all is done.
     """
     cancel = QCoreApplication.translate("Progress", "Cancel")
-    dialog = QProgressDialog(text, cancel, 0, steps, window)
+    dialog = QProgressDialog("", cancel, 0, steps, window)
+    dialog.setLabel(Label(text))
     dialog.setWindowModality(Qt.WindowModality.WindowModal)
     dialog.setMinimumDuration(SHOWN_AFTER_MS)
     try:

@@ -11,6 +11,8 @@ import os
 from PySide6.QtCore import QCoreApplication
 from PySide6.QtWidgets import QFileDialog, QMessageBox, QWidget
 
+from widgets.parts.plain import message_box
+
 
 def ask_where(parent: QWidget, title: str, proposed: str, kinds: str, ending: str) -> str:
     """The path of a file with this ending; empty if there shall be none.
@@ -28,11 +30,9 @@ def ask_where(parent: QWidget, title: str, proposed: str, kinds: str, ending: st
         return path
     path += ending
     if os.path.exists(path):
-        box = QMessageBox(parent)
-        box.setIcon(QMessageBox.Icon.Warning)
         text = QCoreApplication.translate("Saving", "{0} is there already.")
-        box.setText(text.format(os.path.basename(path)))
-        box.setInformativeText(QCoreApplication.translate("Saving", "Write over it?"))
+        question = QCoreApplication.translate("Saving", "Write over it?")
+        box = message_box(parent, text.format(os.path.basename(path)), question)
         buttons = QMessageBox.StandardButton
         box.setStandardButtons(buttons.Yes | buttons.Cancel)
         box.setDefaultButton(buttons.Cancel)

@@ -12,7 +12,7 @@ from typing import Any, Literal, TypeAlias
 
 from PySide6.QtCore import QEvent, QObject, Qt, Signal
 from PySide6.QtGui import QKeyEvent
-from PySide6.QtWidgets import QLabel, QSizePolicy, QWidget
+from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from app.model.projection import Projection
 from widgets.parts.buttons import tool_button
@@ -20,6 +20,7 @@ from widgets.parts.fields import Choice, ChoiceRow, Log, NumberRow, Row, Scale
 from widgets.parts.icons import show_icon
 from widgets.parts.layouts import in_column
 from widgets.parts.messages import field_name
+from widgets.parts.plain import Label, set_tip
 
 Read: TypeAlias = Callable[[Projection], Any]
 Write: TypeAlias = Callable[[Projection, Any], Projection]
@@ -209,12 +210,12 @@ class Part(Rows):
 
     def __init__(self, title: str) -> None:
         super().__init__()
-        self.title = QLabel(title)
+        self.title = Label(title)
         quiet(self.title)
         self._column.insertWidget(0, self.title)
 
 
-def quiet(label: QLabel) -> None:
+def quiet(label: Label) -> None:
     """Let a label be a title that does not call."""
     label.setObjectName("quietTitle")  # for the application's style sheet
 
@@ -280,6 +281,6 @@ class Section(Rows):
         is_open = self.is_open
         self.body.setVisible(is_open)
         show_icon(self.heading, "choose" if is_open else "unfold")
-        self.heading.setToolTip(self.tr("Fold") if is_open else self.tr("Unfold"))
+        set_tip(self.heading, self.tr("Fold") if is_open else self.tr("Unfold"))
         self.heading.setAccessibleDescription(self.tr("unfolded") if is_open else self.tr("folded"))
         self.toggled.emit(is_open)

@@ -324,7 +324,6 @@ class TypesetLabel(MarkedLabel):
     def set_formula(self, text: str) -> None:
         """Show a formula, as of `typeset`."""
         self.formula = text
-        self.setTextFormat(Qt.TextFormat.PlainText)
         self.setText(in_line(text))
         self.updateGeometry()
         self.update()
@@ -332,7 +331,6 @@ class TypesetLabel(MarkedLabel):
     def set_words(self, text: str) -> None:
         """Show words or a number, as any label does."""
         self.formula = ""
-        self.setTextFormat(Qt.TextFormat.AutoText)
         self.setText(text)
 
     def set_exact(self, text: str) -> None:

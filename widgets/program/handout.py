@@ -38,6 +38,7 @@ from widgets.controls.scene_card import full_sentence, value_text
 from widgets.panels.matrix_panel import note_on
 from widgets.parts.lesson_text import answer_text, question_text, set_text
 from widgets.parts.messages import of_phenomena, read_text, stage_title
+from widgets.parts.plain import TextDocument
 from widgets.parts.typeset import Typeset, matrix, typeset
 from widgets.window.pictures import image_of
 
@@ -116,7 +117,7 @@ class _Block:
 def _text(
     text: str, width: float, size: float, *, title: bool = False, left: float = 0.0
 ) -> _Block:
-    document = QTextDocument()
+    document = TextDocument()
     font = QFont("DejaVu Sans")
     font.setStyleHint(QFont.StyleHint.SansSerif)
     screen = QGuiApplication.primaryScreen()  # whose pixels a document is laid out in

@@ -13,10 +13,11 @@ from types import TracebackType
 from PySide6 import __version__ as pyside_version
 from PySide6.QtCore import QObject, Qt, Signal
 from PySide6.QtGui import QGuiApplication
-from PySide6.QtWidgets import QApplication, QDialog, QDialogButtonBox, QLabel, QWidget
+from PySide6.QtWidgets import QApplication, QDialog, QDialogButtonBox, QWidget
 
 from app import __version__
 from widgets.parts.layouts import in_column
+from widgets.parts.plain import Label, set_tip
 
 log = logging.getLogger(__name__)
 
@@ -37,8 +38,7 @@ class Report(QDialog):
         self._count = 0
         self._details = ""
         self._sentence, self._place = (
-            QLabel(
-                textFormat=Qt.TextFormat.PlainText,
+            Label(
                 wordWrap=True,
                 textInteractionFlags=Qt.TextInteractionFlag.TextSelectableByMouse,
             )
@@ -47,7 +47,7 @@ class Report(QDialog):
         self._sentence.setMinimumWidth(420)
         buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Close)
         copy = buttons.addButton(self.tr("Copy details"), QDialogButtonBox.ButtonRole.ActionRole)
-        copy.setToolTip(self.tr("Copies what a person who can repair it needs to know"))
+        set_tip(copy, self.tr("Copies what a person who can repair it needs to know"))
         copy.clicked.connect(self._copy)
         buttons.rejected.connect(self.reject)
         in_column(self._sentence, self._place, buttons, on=self)

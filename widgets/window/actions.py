@@ -14,7 +14,6 @@ from functools import partial
 from PySide6.QtCore import QObject, QSize, Qt, Signal, SignalInstance
 from PySide6.QtGui import QAction, QActionGroup, QFontInfo, QKeySequence
 from PySide6.QtWidgets import (
-    QLabel,
     QLineEdit,
     QMainWindow,
     QMenu,
@@ -31,6 +30,7 @@ from widgets.panes.pane import Pane
 from widgets.parts.combo import Combo
 from widgets.parts.icons import show_icon
 from widgets.parts.messages import file_title, of_phenomena
+from widgets.parts.plain import Label, set_tip
 from widgets.window.files import Files
 from widgets.window.help import FULL_SCREEN_KEY, PLAY_KEY, Help
 from widgets.window.lesson_menu import LessonMenu
@@ -192,7 +192,7 @@ class Actions(QObject):
             action.setShortcut(QKeySequence(shortcut))
         plain = (tip or text).replace("&", "").rstrip("…")
         keys = action.shortcut().toString(QKeySequence.SequenceFormat.NativeText)
-        action.setToolTip(f"{plain} ({keys})" if keys else plain)
+        set_tip(action, f"{plain} ({keys})" if keys else plain)
         return action
 
     def _toggle(
@@ -328,12 +328,12 @@ class Actions(QObject):
         tools.setMovable(False)
         tools.setIconSize(QSize(ICON_PX, ICON_PX))
         self.scene_box.setAccessibleName(self.tr("Scene"))
-        self.scene_box.setToolTip(self.tr("The scene in front of the camera"))
+        set_tip(self.scene_box, self.tr("The scene in front of the camera"))
         self.scene_box.activated.connect(
             lambda index: self.scene_chosen.emit(self.scene_box.itemData(index))
         )
         tools.addWidget(self.scene_box)
-        label = QLabel(self.tr("Scene"), tools)  # on Linux a box is named by its label, seen or not
+        label = Label(self.tr("Scene"), tools)  # on Linux a box is named by its label, seen or not
         label.setBuddy(self.scene_box)
         label.hide()
         tools.addSeparator()

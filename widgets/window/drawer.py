@@ -24,6 +24,7 @@ from PySide6.QtWidgets import (
 
 from widgets.parts.layouts import in_column, in_row
 from widgets.parts.panel import Panel, Shown
+from widgets.parts.plain import set_tip
 
 
 class _Name(QToolButton):
@@ -97,7 +98,7 @@ class Panels(QWidget):
         """
         button = _Name(autoRaise=True)
         button.setText(name)
-        button.setToolTip(tip)
+        set_tip(button, tip)
         button.setCheckable(True)
         button.setSizePolicy(QSizePolicy.Policy.Maximum, QSizePolicy.Policy.Fixed)
         button.clicked.connect(partial(self._clicked, panel))

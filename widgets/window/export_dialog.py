@@ -11,7 +11,6 @@ from PySide6.QtWidgets import (
     QDialog,
     QDialogButtonBox,
     QFormLayout,
-    QLabel,
     QLineEdit,
     QWidget,
 )
@@ -24,6 +23,7 @@ from widgets.parts.fields import parse_number
 from widgets.parts.icons import WarningLabel
 from widgets.parts.layouts import in_column, in_row
 from widgets.parts.messages import sentence
+from widgets.parts.plain import Label, set_tip
 
 
 class ExportChoice(NamedTuple):
@@ -63,19 +63,21 @@ class ExportDialog(QDialog):
             (self._height, self.tr("Height in pixels")),
         ):
             field.setAccessibleName(name)
-            field.setToolTip(name)
+            set_tip(field, name)
             field.textChanged.connect(self._check)
         self._text = QLineEdit()
         self._text.setAccessibleName(self.tr("Height of the letters in points"))
-        self._text.setToolTip(
+        set_tip(
+            self._text,
             self.tr(
                 "Height of the letters in points: {0} pixels at scale 1 are an inch of 72"
-            ).format(DPI)
+            ).format(DPI),
         )
         self._text.textChanged.connect(self._check)
         self._scale = Combo()
-        self._scale.setToolTip(
-            self.tr("Draws the same figure with more pixels: text and lines grow with it")
+        set_tip(
+            self._scale,
+            self.tr("Draws the same figure with more pixels: text and lines grow with it"),
         )
         for factor in (1, 2, 3, 4):
             self._scale.addItem(f"{factor} ×", float(factor))
@@ -90,7 +92,7 @@ class ExportDialog(QDialog):
         self._buttons.accepted.connect(self.accept)
         self._buttons.rejected.connect(self.reject)
         form = QFormLayout()
-        size = in_row(self._width, QLabel("×"), self._height, QLabel(self.tr("px")))
+        size = in_row(self._width, Label("×"), self._height, Label(self.tr("px")))
         form.addRow(self.tr("Panes"), in_row(*self._boxes.values()))
         form.addRow(self.tr("Size"), size)
         form.addRow(self.tr("Letters (pt)"), self._text)

@@ -19,6 +19,7 @@ from app.scenes.scene import BUILT_IN, Scene, load
 from widgets.parts.message_bar import MessageBar
 from widgets.parts.messages import sentence
 from widgets.parts.panel import Changed, Shown
+from widgets.parts.plain import message_box
 from widgets.parts.progress import progress
 from widgets.parts.saving import ask_where
 from widgets.window.settings import Settings
@@ -262,11 +263,8 @@ class Files(QObject):
             return self.save_as()
         if (now := _written(self.path)) is None or now == self._store.origin.written:
             return self.save_to(self.path)
-        box = QMessageBox(self._window)
-        box.setIcon(QMessageBox.Icon.Warning)
         text = self.tr("{0} has been changed elsewhere since it was opened or saved here.")
-        box.setText(text.format(self.path.name))
-        box.setInformativeText(self.tr("Save over it?"))
+        box = message_box(self._window, text.format(self.path.name), self.tr("Save over it?"))
         over = box.addButton(self.tr("Save &over it"), QMessageBox.ButtonRole.DestructiveRole)
         beside = box.addButton(self.tr("Save &as…"), QMessageBox.ButtonRole.AcceptRole)
         box.addButton(QMessageBox.StandardButton.Cancel)
@@ -306,10 +304,8 @@ class Files(QObject):
         """Ask what shall become of unsaved work; True if the window may go on without it."""
         if not self._store.modified:
             return True
-        box = QMessageBox(self._window)
-        box.setIcon(QMessageBox.Icon.Warning)
-        box.setText(self.tr("There are changes that are not saved."))
-        box.setInformativeText(self.tr("Save them first?"))
+        text = self.tr("There are changes that are not saved.")
+        box = message_box(self._window, text, self.tr("Save them first?"))
         buttons = QMessageBox.StandardButton
         box.setStandardButtons(buttons.Save | buttons.Discard | buttons.Cancel)
         box.setDefaultButton(buttons.Save)
@@ -355,7 +351,8 @@ class Files(QObject):
         self._name_window()
 
     def _name_window(self) -> None:
-        self._window.setWindowTitle(f"{self._name}[*] – Frustum Lab")
+        name = self._name.replace("[*]", "[*][*]")  # which Qt writes as one
+        self._window.setWindowTitle(f"{name}[*] – Frustum Lab")
 
     @property
     def _name(self) -> str:

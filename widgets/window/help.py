@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 import sys
-from html import escape
 
 from PySide6.QtCore import QObject, QSize, Qt
 from PySide6.QtGui import QKeySequence
-from PySide6.QtWidgets import QDialog, QDialogButtonBox, QMessageBox, QTextBrowser, QWidget
+from PySide6.QtWidgets import QDialog, QDialogButtonBox, QMessageBox, QTextEdit, QWidget
 
 from app import __version__
 from widgets.parts.layouts import in_column
+from widgets.parts.plain import Markup, TextDocument, message_box
 
 PLAY_KEY, FULL_SCREEN_KEY = (
     ("Ctrl+Shift+Space", "Ctrl+Meta+F")  # where Ctrl is ⌘, and the system has taken ⌘Space and F11
@@ -150,14 +150,12 @@ class Help(QObject):
             ),
         }  # fmt: skip
         rows = "".join(
-            f"<tr><td colspan=2><h4>{escape(title)}</h4></td></tr>"
-            + "".join(
-                f"<tr><td><b>{escape(keys)}</b></td><td>{escape(does)}</td></tr>"
-                for keys, does in lines
-            )
+            Markup.of("<tr><td colspan=2><h4>{}</h4></td></tr>", title)
+            + "".join(Markup.of("<tr><td><b>{}</b></td><td>{}</td></tr>", *line) for line in lines)
             for title, lines in groups.items()
         )
-        page = QTextBrowser()
+        page = QTextEdit(readOnly=True)
+        page.setDocument(TextDocument(page))
         page.setHtml(f"<table cellpadding=3>{rows}</table>")
         dialog = QDialog(self._window)
         dialog.setWindowTitle(self.tr("Keys and mouse"))
@@ -199,7 +197,8 @@ class Help(QObject):
         )
 
     def _tell(self, title: str, text: str) -> None:
-        box = QMessageBox(QMessageBox.Icon.NoIcon, title, text, parent=self._window)
+        box = message_box(self._window, Markup(text), icon=QMessageBox.Icon.NoIcon)
+        box.setWindowTitle(title)
         box.setModal(False)
         box.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
         box.show()

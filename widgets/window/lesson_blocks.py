@@ -25,7 +25,6 @@ from PySide6.QtGui import (
 from PySide6.QtWidgets import (
     QButtonGroup,
     QFrame,
-    QLabel,
     QLineEdit,
     QPushButton,
     QRadioButton,
@@ -44,6 +43,7 @@ from widgets.parts.icons import paint_icon
 from widgets.parts.layouts import FREE, TOP, Part, in_column, in_row
 from widgets.parts.lesson_text import LessonText, answer_text
 from widgets.parts.messages import sentence
+from widgets.parts.plain import Label, set_tip
 
 TRIES = 3
 """After so many the answer is offered."""
@@ -65,7 +65,7 @@ class Sign(QWidget):
         """Show another one; empty for the box."""
         self._icon = icon
         self.setAccessibleName(said)
-        self.setToolTip(said)
+        set_tip(self, said)
         self.update()
 
     def paintEvent(self, event: QPaintEvent) -> None:
@@ -385,15 +385,16 @@ class Types(Asked):
         self._column.addWidget(LessonText(part.text))
         self.field = QLineEdit()
         self.field.setAccessibleName(self.tr("Answer: {0}").format(plain_of(part.text)))
-        self.field.setToolTip(
-            self.tr("A number: 0.5, 0,5, 1/2, -3 or 2e-3, to three significant digits (Enter)")
+        set_tip(
+            self.field,
+            self.tr("A number: 0.5, 0,5, 1/2, -3 or 2e-3, to three significant digits (Enter)"),
         )
         self.field.setMaxLength(80)
         self.field.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Fixed)
         self.field.setMaximumWidth(11 * self.fontMetrics().height())
         self.field.returnPressed.connect(self.check)
         self._check = _button(self.tr("Chec&k"), self.tr("Enter"), self.check)
-        unit = [QLabel(part.unit)] if part.unit else []
+        unit = [Label(part.unit)] if part.unit else []
         self._column.addWidget(_on_holder((self.field, 1), *unit, self._check, FREE, gap=5))
         self._column.addLayout(self._said)
         if answer:

@@ -26,7 +26,6 @@ from PySide6.QtWidgets import (
     QApplication,
     QFrame,
     QHBoxLayout,
-    QLabel,
     QLineEdit,
     QPushButton,
     QScrollArea,
@@ -46,6 +45,7 @@ from widgets.parts.buttons import push_button, tool_button
 from widgets.parts.focus import lay_out
 from widgets.parts.layouts import FREE, TOP, in_column, in_row
 from widgets.parts.lesson_text import LessonText
+from widgets.parts.plain import Label
 from widgets.window.lesson_blocks import DONE, Asked, Chooses, Tries, block_of
 from widgets.window.lessons import Lessons
 from widgets.window.settings import Progress, Settings
@@ -122,7 +122,7 @@ class LessonCard(QFrame):
         self.is_on = False
         """Whether there is something to read: a lesson, or that it is done."""
         self.blocks: list[Asked] = []
-        self._title = QLabel(wordWrap=True, textFormat=Qt.TextFormat.PlainText)
+        self._title = Label(wordWrap=True)
         self._title.setObjectName("paneTitle")
         forget = self.tr("Begin again: forget what was answered here")
         self.anew = _tool("reset", forget, self.begin_again)
@@ -130,14 +130,14 @@ class LessonCard(QFrame):
         self._marks = QWidget()
         self._marks.setObjectName("stepMarks")
         self._numbers: list[QToolButton] = []
-        self._counted = QLabel()
+        self._counted = Label()
         self._counted.setObjectName("paneNote")
         self._marks_row = in_row(FREE, self._counted, on=self._marks, margins=(0, 0, 0, 0), gap=2)
         self._area = QScrollArea(widgetResizable=True)
         self._area.setFrameShape(QFrame.Shape.NoFrame)
         self._area.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self._area.setAccessibleName(self.tr("Step"))
-        self._notice = QLabel(wordWrap=True)
+        self._notice = Label(wordWrap=True)
         self._notice.setObjectName("notice")
         self._notice.hide()
         head = in_row((self._title, 1), (self.anew, TOP), (close, TOP))

@@ -20,7 +20,6 @@ from PySide6.QtGui import (
 from PySide6.QtWidgets import (
     QFrame,
     QGridLayout,
-    QLabel,
     QListWidget,
     QPushButton,
     QSizePolicy,
@@ -37,6 +36,7 @@ from widgets.parts import palette
 from widgets.parts.buttons import push_button
 from widgets.parts.layouts import TOP, in_column, in_row
 from widgets.parts.lesson_text import answer_text, question_text, set_text
+from widgets.parts.plain import Label, TextDocument, set_tip
 from widgets.window.pictures import image_of
 from widgets.window.settings import LARGEST_NOTES_PX, LEAST_NOTES_PX, Settings
 
@@ -131,19 +131,18 @@ class SpeakerWindow(QWidget):
         self._tick.start()
 
     def _make(self) -> None:
-        self._number = QLabel()
-        self._title, self._next_title = (
-            QLabel(wordWrap=True, textFormat=Qt.TextFormat.PlainText) for _ in range(2)
-        )
-        self._said = QLabel(wordWrap=True)
-        self._clock = QLabel()
-        self._elapsed = QLabel()
-        self._plan = QLabel()
+        self._number = Label()
+        self._title, self._next_title = (Label(wordWrap=True) for _ in range(2))
+        self._said = Label(wordWrap=True)
+        self._clock = Label()
+        self._elapsed = Label()
+        self._plan = Label()
         self.notes = QTextEdit()
+        self.notes.setDocument(TextDocument(self.notes))
         self.notes.setReadOnly(True)
         self.notes.setFrameShape(QFrame.Shape.StyledPanel)
         self.notes.setAccessibleName(self.tr("Notes"))
-        self.picture = QLabel()
+        self.picture = Label()
         self.picture.setAlignment(Qt.AlignmentFlag.AlignCenter)
         self.picture.setMinimumSize(160, 100)
         self.picture.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Expanding)
@@ -286,7 +285,7 @@ class SpeakerWindow(QWidget):
         seconds = int(self.clock.seconds)
         self._elapsed.setText(f"{seconds // 60}:{seconds % 60:02}")
         self._elapsed.setAccessibleName(self.tr("Elapsed"))
-        self._elapsed.setToolTip(self.tr("Elapsed"))
+        set_tip(self._elapsed, self.tr("Elapsed"))
         self.pause.setText(self.tr("&Pause") if self.clock.is_running else self.tr("&Start"))
         if self._course is None:
             return

@@ -19,7 +19,6 @@ from PySide6.QtWidgets import (
     QFrame,
     QGridLayout,
     QHBoxLayout,
-    QLabel,
     QMenu,
     QToolButton,
     QWidget,
@@ -33,6 +32,7 @@ from widgets.parts import palette
 from widgets.parts.buttons import tool_button
 from widgets.parts.layouts import FREE, in_column, in_row
 from widgets.parts.messages import file_title
+from widgets.parts.plain import Label, set_tip
 from widgets.window.lesson_card import TOUR
 from widgets.window.lesson_menu import fill
 from widgets.window.pictures import image_of
@@ -51,8 +51,8 @@ BARE = View(layers=frozenset({"labels"}))
 """Nothing could be read so small."""
 
 
-def _heading(text: str) -> QLabel:
-    heading = QLabel(text)
+def _heading(text: str) -> Label:
+    heading = Label(text)
     heading.setObjectName("paneTitle")
     return heading
 
@@ -117,7 +117,7 @@ class StartCard(QWidget):
             _heading(self.tr("Files")), *self._files(recent), FREE, gap=2,
         )  # fmt: skip
         always = QCheckBox(self.tr("Show this at every start"))
-        always.setToolTip(self.tr("Help > Start card shows it at any time"))
+        set_tip(always, self.tr("Help > Start card shows it at any time"))
         always.setChecked(at_every_start)
         always.toggled.connect(self.always_set)
         both = in_row(grid, beside, gap=16)
@@ -136,7 +136,7 @@ class StartCard(QWidget):
         self._drawing.start(0)
 
     def _head(self) -> QHBoxLayout:
-        title = QLabel(self.tr("How a camera turns a 3-D scene into a picture"))
+        title = Label(self.tr("How a camera turns a 3-D scene into a picture"))
         title.setObjectName("cardTitle")
         tip = self.tr("Begin with the letter F (Esc)")
         leave = tool_button("", tip, self.close, icon="close", name=self.tr("Close"), flat=True)

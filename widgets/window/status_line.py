@@ -35,6 +35,7 @@ from widgets.parts.icons import WarningLabel
 from widgets.parts.messages import plane_name, translated
 from widgets.parts.number_dialog import NumberDialog
 from widgets.parts.panel import PROJECTION, Changed, Shown
+from widgets.parts.plain import set_tip
 
 RESTS_AFTER_MS = 150
 """How long nothing must change until errors are predicted."""
@@ -77,12 +78,13 @@ class StatusLine(QStatusBar):
         self._show_precisions(self._drawn, 0.0, None)
         self.precision.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
         self.precision.setMenu(QMenu(self.precision))
-        self.precision.setToolTip(
+        set_tip(
+            self.precision,
             self.tr(
                 "With how many digits the picture is drawn and its numbers are computed, and what "
                 "their errors cannot exceed: drawn, of what is seen; read, and behind a click each "
                 "alternative, of every point in front of the eye"
-            )
+            ),
         )
         self.precision.menu().aboutToShow.connect(self._fill_menu)
         self.precision.installEventFilter(self)
@@ -283,7 +285,7 @@ class _Elided(WarningLabel):
     def show_text(self, text: str, tip: str) -> None:
         """Show one line, and as its tooltip all that it stands for."""
         self._sentence = text
-        self.setToolTip(tip)
+        set_tip(self, tip)
         self.setAccessibleDescription(tip.replace("\n", " "))
         self._elide()
 

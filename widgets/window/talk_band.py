@@ -20,6 +20,7 @@ from PySide6.QtWidgets import QFrame, QSizePolicy
 from app.lessons.lesson import Lesson, Question, Step, Task, Words
 from app.lessons.text import plain_of
 from widgets.parts.lesson_text import set_text
+from widgets.parts.plain import TextDocument
 
 SHARE, TALL_SHARE = 0.135, 0.18
 """Of the screen's height, for the band: the same all through a talk, so that no pane moves at a
@@ -50,7 +51,7 @@ class TalkBand(QFrame):
         super().__init__()
         self.setObjectName("talkBand")
         self.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
-        self._title, self._words, self._asked = (QTextDocument(self) for _ in range(3))
+        self._title, self._words, self._asked = (TextDocument(self) for _ in range(3))
         self._number, self.note = "", ""
         self._ways: list[tuple[str, str]] = [("", "")]
         """The words, and what stands beside them: as it may be shared out."""

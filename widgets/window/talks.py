@@ -16,14 +16,13 @@ from functools import partial
 from pathlib import Path
 
 from PySide6.QtCore import QEvent, QObject, QRect, Qt, QTimer
-from PySide6.QtGui import QAction, QGuiApplication, QKeyEvent, QTextDocument, QWindow
+from PySide6.QtGui import QAction, QGuiApplication, QKeyEvent, QWindow
 from PySide6.QtWidgets import (
     QAbstractSpinBox,
     QApplication,
     QCheckBox,
     QDialog,
     QDialogButtonBox,
-    QLabel,
     QLineEdit,
     QMainWindow,
     QPlainTextEdit,
@@ -43,6 +42,7 @@ from widgets.parts.lesson_text import answer_text, question_text, set_text
 from widgets.parts.message_bar import MessageBar
 from widgets.parts.messages import sentence
 from widgets.parts.panel import Shown
+from widgets.parts.plain import Label, TextDocument, set_tip
 from widgets.parts.saving import ask_where
 from widgets.window.lessons import TRANSITION_S, Lessons, named
 from widgets.window.look import Look
@@ -493,7 +493,7 @@ class Talks(QObject):
             if not 0 <= number < len(steps):
                 continue
             for text in _texts_of(steps[number]):
-                set_text(QTextDocument(), text)
+                set_text(TextDocument(), text)
                 yield
             try:
                 document = course.shown(number).document
@@ -590,12 +590,12 @@ class TitleDialog(QDialog):
     def __init__(self, name: str, title: str, turned: bool, parent: QWidget) -> None:
         super().__init__(parent)
         self.setWindowTitle(name)
-        label = QLabel(self.tr("&Title of the step"))
+        label = Label(self.tr("&Title of the step"))
         self.field = QLineEdit(title)
         self.field.setMinimumWidth(24 * self.fontMetrics().averageCharWidth())
         label.setBuddy(self.field)
         self.panes = QCheckBox(self.tr("With the &panes turned as they are"))
-        self.panes.setToolTip(self.tr("Then the state is a document beside the file"))
+        set_tip(self.panes, self.tr("Then the state is a document beside the file"))
         self.panes.setVisible(turned)
         buttons = QDialogButtonBox(
             QDialogButtonBox.StandardButton.Ok | QDialogButtonBox.StandardButton.Cancel

@@ -1,0 +1,134 @@
+"""Texts of strangers in the real window: they are read as they stand, and nothing is loaded."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from pathlib import Path
+
+import numpy as np
+import pytest
+from PIL import Image
+from PySide6.QtGui import Qt, QTextDocument
+from PySide6.QtWidgets import QApplication, QLabel, QWidget
+
+from tests.support.meshes import PYRAMID, obj_file
+from tests.support.window import MakeWindow, rgb_of, settle
+from widgets.parts.plain import Label, Markup, message_box, set_tip
+from widgets.parts.progress import progress
+from widgets.window.main_window import MainWindow
+
+PINK = (255, 0, 255)
+PICTURE = "<img src='pink.png' width=60 height=60>"
+LESSON = f"""---
+title: {PICTURE}
+---
+# {PICTURE} {{#one}}
+{PICTURE} and ![a picture](pink.png)
+
+```state
+scene=letter-f
+```
+
+```answer a
+{PICTURE}
+value: near
+unit: {PICTURE}
+hint: {PICTURE}
+```
+
+---
+# <b>{PICTURE}</b> {{#two}}
+text
+
+```predict b
+{PICTURE}
+- [x] {PICTURE}
+- [ ] {PICTURE}
+hint: {PICTURE}
+why: {PICTURE}
+```
+
+```note
+{PICTURE}
+```
+"""
+
+
+@pytest.fixture
+def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """The current folder, from which Qt would load the picture."""
+    Image.new("RGB", (60, 60), PINK).save(tmp_path / "pink.png")
+    monkeypatch.chdir(tmp_path)
+    return tmp_path
+
+
+def widgets_of(window: MainWindow) -> Iterator[QWidget]:
+    settle()
+    for top in QApplication.topLevelWidgets():
+        if not top.isHidden():
+            yield from (top, *top.findChildren(QWidget))
+
+
+def assert_plain(window: MainWindow) -> None:
+    """No pink is seen, no label is marked up by a stranger, and no tooltip is."""
+    for widget in widgets_of(window):
+        if isinstance(widget, QLabel):
+            ours = isinstance(widget.text(), Markup)
+            assert ours or widget.textFormat() == Qt.TextFormat.PlainText, widget.text()
+        tip = widget.toolTip()
+        assert "<img" not in tip, tip
+        for document in widget.findChildren(QTextDocument):
+            assert "<img" not in document.toHtml()
+        if widget.isWindow():
+            picture = rgb_of(widget.grab().toImage())
+            assert not np.all(picture == PINK, axis=2).any()
+
+
+def test_a_label_a_tooltip_and_a_box_show_what_they_are_given(folder: Path, qtbot: object) -> None:
+    label, box = Label(PICTURE), message_box(None, PICTURE)  # type: ignore[arg-type]
+    set_tip(label, PICTURE)
+    for shown in (label, box):
+        picture = rgb_of(shown.grab().toImage())
+        assert not np.all(picture == PINK, axis=2).any()
+    assert label.toolTip() == "<qt>&lt;img src=&#x27;pink.png&#x27; width=60 height=60&gt;</qt>"
+    label.setText(Markup.of("<b>{}</b>", PICTURE))
+    assert not np.all(rgb_of(label.grab().toImage()) == PINK, axis=2).any()
+
+
+def test_the_check_sees_a_picture_that_is_loaded(folder: Path, qtbot: object) -> None:
+    label = QLabel(PICTURE)
+    assert np.all(rgb_of(label.grab().toImage()) == PINK, axis=2).any()
+
+
+def test_no_text_of_a_lesson_or_a_talk_is_marked_up(make_window: MakeWindow, folder: Path) -> None:
+    window = make_window()
+    for name, head in (("lesson.md", ""), ("talk.md", "minutes: 5\n")):
+        path = folder / name
+        path.write_text(LESSON.replace("title:", f"{head}title:", 1))
+        assert window.files.open(path)
+        card = window.lesson_card
+        for place in (0, 1):
+            card.go_to(place)
+            settle()
+            card.give_hint()
+            assert_plain(window)
+        assert PICTURE in [label.text() for label in window.findChildren(QLabel)]
+
+
+def test_no_name_of_a_file_is_marked_up(make_window: MakeWindow, folder: Path) -> None:
+    window = make_window()
+    mesh = folder / f"{PICTURE}[*] & b.obj"
+    obj_file(mesh, PYRAMID)
+    assert window.files.open(mesh)
+    assert window.windowTitle() == f"{PICTURE}[*][*] & b.obj[*] – Frustum Lab"
+    assert_plain(window)
+    assert window.files.choose_scene("depth-buffer")
+    assert window.files.use_mesh(str(mesh))
+    assert_plain(window)
+    for name in (f"{PICTURE}.json", f"{PICTURE}.obj", f"{PICTURE}.md"):
+        assert not window.files.open(folder / name) or window.lessons.lesson is None
+        assert PICTURE in window.messages.text
+        assert_plain(window)
+    with progress(window, f"Opening {PICTURE}") as tell:
+        tell(0.5)
+        assert_plain(window)
