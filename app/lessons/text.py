@@ -15,6 +15,10 @@ FORMULA = "\ue000"
 """Stands in the HTML where a formula is."""
 FONT = "stix"
 """Of mathtext's, whose letters go with any text."""
+DEEPEST = 12
+"""Levels of braces in a formula: each takes many of Python's calls to read."""
+WIDEST = 400
+"""Of a formula, in em."""
 _EM = 100.0
 _BREAK = re.compile(r"(\\q?quad(?![a-zA-Z])|[{}])")
 _ALONE = re.compile(rf"<p>((?:{FORMULA}\s*)+)</p>")
@@ -49,8 +53,13 @@ def outline(tex: str) -> Outline:
     Raises
     ------
     ValueError
-        If something in it cannot be set.
+        If something in it cannot be set, or its braces are too deep or its spaces too wide.
     """
+    depth = 0
+    for opened, closed in re.findall(r"(?<!\\)(?:(\{|\\left\b)|(\}|\\right\b))", tex):
+        depth += bool(opened) - bool(closed)
+        if depth > DEEPEST:
+            raise ValueError(f"has more than {DEEPEST} levels of braces")
     from matplotlib.font_manager import FontProperties
     from matplotlib.textpath import TextToPath
 
@@ -58,6 +67,8 @@ def outline(tex: str) -> Outline:
     font: Any = FontProperties(size=_EM, math_fontfamily=FONT)
     text = "$" + tex.replace("'", "\u2032") + "$"  # as a sign of its own: it is high enough
     width, height, descent = reader.get_text_width_height_descent(text, font, ismath=True)
+    if not 0.0 <= width <= WIDEST * _EM:
+        raise ValueError(f"is less than 0 or more than {WIDEST} letters wide")
     vertices, codes = reader.get_text_path(font, text, ismath=True)
     return Outline(
         width / _EM,

@@ -134,6 +134,10 @@ def test_lesson_list_names_them_all() -> None:
         ("until: ", "until: 1 > 0 \nuntil: 2 < 1\nuntil: ", "gets “open” instead of “done”"),
         ("lens.near=", "lens.naer=", "lens.naer is not known"),
         ("$", "$\\nosuch ", "has a formula that cannot be written: Unknown symbol"),
+        ("$", f"${'{' * 60}x{'}' * 60} ", "written: has more than 12 levels of braces"),
+        ("$", f"${'x^{' * 60}x{'}' * 60} ", "written: has more than 12 levels of braces"),
+        ("$", "$\\hspace{99999} ", "is less than 0 or more than 400 letters wide"),
+        ("$", "$\\hspace{-999} ", "is less than 0 or more than 400 letters wide"),
         ("```answer", "```anwser", "has a block that there is not, anwser"),
     ],
 )

@@ -159,3 +159,10 @@ def test_a_table_without_headings_is_without_their_row() -> None:
     assert "<th" not in html and html.count("<tr>") == 1 and found == ("x",)
     html, _ = html_of(rows.format("a", ""))
     assert html.count("<th") >= 2 and html.count("<tr>") == 2
+
+
+def test_a_formula_that_is_nested_too_deeply_is_shown_as_it_was_typed(qtbot: Any) -> None:
+    deep = f"${'{' * 60}x{'}' * 60}$"
+    text = LessonText(f"Before {deep} after")
+    qtbot.addWidget(text)
+    assert text.toPlainText() == f"Before {deep} after"
