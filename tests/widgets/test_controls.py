@@ -40,6 +40,7 @@ from app.model.projection import (
     AT_LEAST,
     AT_MOST,
     LARGEST,
+    LENSES,
     OBLIQUE_PRESETS,
     Camera,
     FreeMatrix,
@@ -1954,3 +1955,19 @@ def test_a_refusal_stays_where_the_user_is_still_typing(
     assert near.error
     show(controls, START)  # something else of the document has changed
     assert not near.error and float(near.field.text()) == START.lens.near
+
+
+@pytest.mark.parametrize("kind", [*LENSES, FreeMatrix.kind])
+def test_a_reset_of_another_lens_s_row_changes_nothing(controls: Column, kind: str) -> None:
+    """It is hidden, and the lens in hand has no such value."""
+    for other in LENSES:
+        show(controls, START.with_lens(other))
+    show(controls, START.with_lens(kind))
+    record = Record(controls)
+    for key, binding in controls._bindings.items():
+        if binding.lenses and kind not in binding.lenses:
+            controls.rows[key].setDefault(None)
+            controls.rows[key].setValue(1e-3)
+            controls.rows[key].setDefault(2e-3)
+            controls.rows[key].reset()
+    assert not record.edits

@@ -504,6 +504,8 @@ class Controls(QScrollArea, RowHolder):
 
     def _edit(self, binding: Binding, value: Any) -> None:
         before = self._projection
+        if not self._in_use(binding):  # a hidden row of another lens, which has no such value
+            return
         try:
             projection = binding.write(before, value)
         except Refusal as error:
