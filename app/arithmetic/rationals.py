@@ -41,7 +41,7 @@ def nearest(number: Any) -> float:
     try:
         return float(number)
     except OverflowError:
-        return math.copysign(math.inf, number)
+        return math.inf if number > 0 else -math.inf
 
 
 def product(left: list[list[Any]], right: list[list[Any]]) -> list[list[Any]]:

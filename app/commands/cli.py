@@ -542,7 +542,9 @@ def _project_table(answer: _Answer) -> Iterator[str]:
 def _why_none(numbers: list[float]) -> str:
     """Why a point has no picture, by its numbers up to clip space."""
     at_infinity, w = len(numbers) > 10 and numbers[3] == 0.0, numbers[-1]
-    if not at_infinity or w > 0.0:  # beyond float64's pixels, if it is in front
+    if w > 0.0:
+        return "the point is in front of the eye; its pixel is larger than float64 can hold"
+    if not at_infinity:
         return "the point is not in front of the eye"
     if w < 0.0:
         return "the point at infinity is behind the eye; the opposite direction has a picture"

@@ -460,6 +460,17 @@ def test_behind_two_dashes_are_names_only(tmp_path: Path, by_hand: Path) -> None
     assert "-- does not exist" in refused("matrices", "--", "--")
 
 
+@pytest.mark.parametrize("point", ["1,0,-1e-308", "1,0,-1e-308,0", "1e100,0,-1e-220,0"])
+def test_project_says_of_a_point_in_front_that_its_pixel_is_too_large(point: str) -> None:
+    from_the_origin = ("eye=0,0,0", "target=0,0,-1", "up=0,1,0")
+    camera = [word for part in from_the_origin for word in ("--set", f"camera.{part}")]
+    done = run_here("project", "-", *camera, "--set", "lens.near=0.001", text=f"{point}\n")
+    assert done.returncode == 0
+    for label in ("NDC", "image px", "depth"):
+        why = "the point is in front of the eye; its pixel is larger than float64 can hold"
+        assert f"{label:>10}  none: {why}\n" in done.stdout
+
+
 def test_project_without_points_is_refused() -> None:
     assert "project takes [FILE] POINTS, and 0 names were given" in refused("project")
 
