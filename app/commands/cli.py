@@ -209,8 +209,8 @@ def _project(arguments: Sequence[str]) -> int:
     if not file and source.lower().endswith((".json", *MESH_ENDINGS)):
         raise CliError(f"POINTS is missing: {source} is what the camera is read from.")
     projection = document_of(file[0] if file else None, found.set).projection
-    given, has_w = _read_points(source)
-    points = np.array(given)
+    read = _read_points(source)
+    points, has_w = np.array(read.points), read.has_w
     predictions = predict(projection, points[points[:, 3] != 0.0, :3], space=found.space)
     precision = found.rung or precision_for_reading(predictions)
     if has_w:
@@ -223,7 +223,7 @@ def _project(arguments: Sequence[str]) -> int:
         raise CliError(
             f"--rung = {precision!r}: point {number} leads to numbers that it cannot hold."
         )
-    answer = _Answer(projection, traced, precision, predictions, found.space)
+    answer = _Answer(projection, traced, precision, predictions, found.space, read.columns)
     if found.format == "table":
         write_out([f"{_lens_line(projection)}\n\n"])
     write_out(_PROJECT_FORMATS[found.format](answer))
@@ -248,6 +248,17 @@ def _lens_line(projection: Projection) -> str:
     return ", ".join([*parts, f"image {width}x{height}", f"depth {projection.depth}"])
 
 
+class _Columns(NamedTuple):
+    """The columns of the points' file after the coordinates: names, and a row for each point."""
+
+    names: list[str]
+    rows: list[list[str]]
+
+    def written(self, write: Callable[[list[str]], str]) -> Iterator[str]:
+        """What is written of each point; empty texts where there are no such columns."""
+        return map(write, self.rows) if self.names else itertools.repeat("")
+
+
 class _Answer(NamedTuple):
     """What `project` prints."""
 
@@ -256,6 +267,7 @@ class _Answer(NamedTuple):
     precision: Precision
     predictions: dict[Precision, Prediction] | None
     space: Space
+    columns: _Columns
 
     @property
     def stages(self) -> tuple[tuple[str, tuple[str, ...]], ...]:
@@ -286,15 +298,28 @@ def _check_typed_points(arguments: Sequence[str]) -> None:
     )
 
 
-def _read_points(source: str) -> tuple[list[Row], bool]:
-    """Points from a CSV file or standard input; a first row of names may come first.
+class _Read(NamedTuple):
+    """What a file of points holds.
 
-    Returns
-    -------
+    Attributes
+    ----------
     points : list of Row
         With w: 1, or 0 at infinity.
     has_w : bool
-        Whether a row, or the names, say which.
+        Whether the file says which.
+    columns : _Columns
+    """
+
+    points: list[Row]
+    has_w: bool
+    columns: _Columns
+
+
+def _read_points(source: str) -> _Read:
+    """Read points from a CSV file or standard input, separated by commas or tabs.
+
+    The first row may name the columns: x, y, z, perhaps w, then any others. Without names, a
+    number in the fourth column is w.
     """
     name = "Standard input" if source == "-" else source
     try:
@@ -306,23 +331,58 @@ def _read_points(source: str) -> tuple[list[Row], bool]:
         raise CliError(f"{name!r} is not a name that a file can have.") from error
     except OSError as error:
         raise CliError(f"{name} cannot be read: {error.strerror or error}.") from error
-    points, has_w = [], False
-    rows = csv.reader(io.StringIO(text, newline=""), skipinitialspace=True)
-    first = True
+    points: list[Row] = []
+    columns, head, is_first = _Columns([], []), list[str](), True
+    first_cell, *tabbed = text.lstrip().partition("\n")[0].strip().split("\t")
+    separator = "\t" if len(tabbed) > 1 and "," not in first_cell else ","
+    rows = csv.reader(io.StringIO(text, newline=""), delimiter=separator, skipinitialspace=True)
+    has_w = False
     try:
         for row in rows:
-            cells = [cell.strip() for cell in row]
+            cells, where = [cell.strip() for cell in row], f"{name}, line {rows.line_num}"
             if not any(cells):
                 continue
-            has_w |= len(cells) == 4
-            if not (first and [cell.lower() for cell in cells] in (list("xyz"), list("xyzw"))):
-                points.append(_point(cells, f"{name}, line {rows.line_num}"))
-            first = False
+            if is_first and [cell.lower() for cell in cells[:3]] == ["x", "y", "z"]:
+                head = cells if len(cells) > 3 else []
+                has_w = [cell.lower() for cell in cells[3:4]] == ["w"]
+                columns.names.extend(cells[3 + has_w :])
+                if len(set(columns.names)) < len(columns.names):
+                    raise CliError(f"{where}: has two columns of one name.")
+            else:
+                others = _others(cells, head, has_w, where)
+                has_w |= len(cells) - len(others) == 4
+                points.append(_point(cells[: len(cells) - len(others)], where))
+                columns.rows.append(others)
+            is_first = False
     except csv.Error as error:
         raise CliError(f"{name}, line {rows.line_num}: is not CSV ({error}).") from error
     if not points:
         raise CliError(f"{name} has no points: it must have rows of x,y,z.")
-    return points, has_w
+    widest = max(map(len, columns.rows))
+    columns.names.extend(f"column_{n + 4}" for n in range(len(columns.names), widest))
+    for others in columns.rows:
+        others.extend([""] * (len(columns.names) - len(others)))
+    return _Read(points, has_w, columns)
+
+
+def _others(cells: list[str], head: list[str], has_w: bool, where: str) -> list[str]:
+    """The cells of a row after its coordinates; without names, a number there is w."""
+    if len(cells) > len(head) > 0:
+        raise CliError(f"{where}: has {len(cells)} columns, more than the {len(head)} named.")
+    if head:
+        return cells[3 + has_w :]
+    while len(cells) > 3 and not cells[-1]:
+        cells.pop()
+    try:
+        parse_number(cells[3])
+    except (IndexError, ValueError):
+        return cells[3:]
+    if len(cells) > 4:
+        raise CliError(
+            f"{where}: has {len(cells)} columns, must have three: x,y,z, or w too;"
+            " others are named in a first row, as x,y,z,name."
+        )
+    return []
 
 
 def _read_input(source: str) -> bytes:
@@ -429,6 +489,10 @@ def _project_json(answer: _Answer) -> Iterator[str]:
     seen = "{" + ", ".join(parts)
     unseen = "{" + ", ".join([*parts[:3], *(f'"{stage}": null' for stage, _ in _STAGES[3:])])
     count, before_ndc = answer.counts
+    names = answer.columns.names
+    others = answer.columns.written(
+        lambda row: f', "columns": {json.dumps(dict(zip(names, row, strict=True)))}'
+    )
     separator = '{"points": [\n'
     for block in _blocks(answer.trace):
         texts, lines = block.texts, []
@@ -441,14 +505,16 @@ def _project_json(answer: _Answer) -> Iterator[str]:
             else:
                 line = unseen % tuple(texts[first : first + before_ndc])
             inside = "true" if in_front and not outside_of else "false"
-            lines.append(f'{line}, "inside": {inside}, "outside_of": {json.dumps(outside_of)}}}')
+            outside = json.dumps(outside_of)
+            more = next(others)
+            lines.append(f'{line}, "inside": {inside}, "outside_of": {outside}{more}}}')
         yield separator + ",\n".join(lines)
         separator = ",\n"
-    names: tuple[str, ...] = ("view_from_world", "clip_from_view", "clip_from_world")
+    wanted: tuple[str, ...] = ("view_from_world", "clip_from_view", "clip_from_world")
     if answer.space == "object":
-        names = ("world_from_object", *names)
+        wanted = ("world_from_object", *wanted)
     stages = (*answer.projection.stages, *answer.projection.direct_stages)
-    matrices = {stage.name: _plain(stage.matrix) for stage in stages if stage.name in names}
+    matrices = {stage.name: _plain(stage.matrix) for stage in stages if stage.name in wanted}
     yield f'\n],\n"matrices": {json.dumps(matrices, allow_nan=False)},\n'
     errors = {
         precision: {"px": _finite_or_text(error.px), "depth": _finite_or_text(error.depth)}
@@ -469,7 +535,9 @@ def _finite_or_text(error: float) -> float | str:
 
 def _project_csv(answer: _Answer) -> Iterator[str]:
     columns = [name for _, names in answer.stages for name in names]
-    yield ",".join([*columns, "inside", "outside_of"]) + "\n"
+    others = answer.columns.written(lambda row: f",{_csv_row(row)}")
+    names = f",{_csv_row(answer.columns.names)}" if answer.columns.names else ""
+    yield ",".join([*columns, "inside", "outside_of"]) + names + "\n"
     count, before_ndc = answer.counts
     none = [""] * (count - before_ndc)
     for block in _blocks(answer.trace):
@@ -481,8 +549,14 @@ def _project_csv(answer: _Answer) -> Iterator[str]:
             if not in_front:
                 cells[before_ndc:] = none
             cells += ["true" if in_front and not outside_of else "false", " ".join(outside_of)]
-            lines.append(",".join(cells) + "\n")
+            lines.append(",".join(cells) + next(others) + "\n")
         yield "".join(lines)
+
+
+def _csv_row(cells: list[str]) -> str:
+    text = io.StringIO()
+    csv.writer(text, lineterminator="").writerow(cells)
+    return text.getvalue()
 
 
 def _project_table(answer: _Answer) -> Iterator[str]:
@@ -496,6 +570,13 @@ def _project_table(answer: _Answer) -> Iterator[str]:
     ]
     numbers, before_ndc = answer.counts
     number = 0
+    names = answer.columns.names
+    others = answer.columns.written(
+        lambda row: "".join(
+            f"{_printable(name):>10}  {_printable(text)}\n"
+            for name, text in zip(names, row, strict=True)
+        )
+    )
     for block in _blocks(answer.trace):
         count, texts = len(block.numbers), block.texts
         whole = (block.numbers == np.rint(block.numbers)) & (np.abs(block.numbers) < 1e15)
@@ -528,6 +609,7 @@ def _project_table(answer: _Answer) -> Iterator[str]:
             lines.append(
                 f"{'outside of' if beyond else 'inside':>10}  {beyond or 'the view volume'}\n"
             )
+            lines.append(next(others))
         yield "".join(lines)
     if answer.predictions is not None:
         errors = [
@@ -537,6 +619,11 @@ def _project_table(answer: _Answer) -> Iterator[str]:
             for precision, error in answer.predictions.items()
         ]
         yield f"\ncomputed in {answer.precision}; errors are below: {', '.join(errors)}\n"
+
+
+def _printable(text: str) -> str:
+    """A text without what a terminal would obey."""
+    return "".join(letter if letter.isprintable() else "\ufffd" for letter in text)
 
 
 def _why_none(numbers: list[float]) -> str:

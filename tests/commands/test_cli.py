@@ -367,8 +367,47 @@ def test_csv_of_every_kitchen_is_read(text: bytes) -> None:
 
 
 @pytest.mark.parametrize(
+    ("text", "w", "columns"),
+    [
+        ("x\ty\tz\n1\t2\t3\n", None, None),
+        ("1\t2\t3\t0\n", 0, None),
+        ("x,y,z,name\n1,2,3,A\n", None, {"name": "A"}),
+        ('X,Y,Z,W,name,n\n1,2,3,1,"A, ""b""",4\n', 1, {"name": 'A, "b"', "n": "4"}),
+        ("x,y,z,weight\n1,2,3,7\n", None, {"weight": "7"}),
+        ("x,y,z,name\n1,2,3\n", None, {"name": ""}),
+        ("x\ty\tz\tname\n1\t2\t3\t=A, b\n", None, {"name": "=A, b"}),
+        ("1,2,3,corner,7\n", None, {"column_4": "corner", "column_5": "7"}),
+        ("1,2,3,\n", None, None),
+        ("x,y,z\n1,2,3,é\n", None, {"column_4": "é"}),
+    ],
+)
+def test_other_columns_of_the_points_are_kept(
+    text: str, w: float | None, columns: dict[str, str] | None
+) -> None:
+    answer = run_here("project", "-", "--format", "json", text=text)
+    (point,) = json.loads(answer.stdout)["points"]
+    assert point["world"] == [1, 2, 3, *([] if w is None else [w])]
+    assert point.get("columns") == columns
+    (row,) = csv.DictReader(
+        run_here("project", "-", "--format", "csv", text=text).stdout.split("\n")
+    )
+    assert list(row.items())[len(row) - len(columns or {}) :] == list((columns or {}).items())
+    table = run_here("project", "-", text=text).stdout
+    for name, value in (columns or {}).items():
+        assert f"{name:>10}  {value}\n" in table
+
+
+def test_a_name_of_a_point_cannot_write_to_the_terminal() -> None:
+    table = run_here("project", "-", text="1,2,3,\x1b[31mred\n").stdout
+    assert "  column_4  \ufffd[31mred\n" in table
+
+
+@pytest.mark.parametrize(
     ("text", "words"),
     [
+        (b"x,y,z,name\n1,2,3,A,B\n", ["line 2", "has 5 columns, more than the 4 named"]),
+        (b"x,y,z,w\n1,2,3,A\n", ["line 2", "w = 'A'"]),
+        (b"x,y,z,a,a\n1,2,3,A,B\n", ["line 1", "two columns of one name"]),
         (b"", ["no points"]),
         (b"\n\n", ["no points"]),
         (b"x,y,z\n", ["no points"]),
