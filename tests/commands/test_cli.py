@@ -388,7 +388,8 @@ def test_other_columns_of_the_points_are_kept(
     (point,) = json.loads(answer.stdout)["points"]
     assert point["world"] == [1, 2, 3, *([] if w is None else [w])]
     assert point.get("columns") == columns
-    (row,) = csv.DictReader(
+    in_csv = run_here("project", "-", "--format", "csv", text=text).stdout
+    (row,) = csv.DictReader(in_csv.splitlines())
         run_here("project", "-", "--format", "csv", text=text).stdout.split("\n")
     )
     assert list(row.items())[len(row) - len(columns or {}) :] == list((columns or {}).items())
