@@ -13,6 +13,7 @@ from __future__ import annotations
 
 import base64
 import json
+import math
 import os
 import re
 import warnings
@@ -37,6 +38,8 @@ Progress: TypeAlias = Callable[[float], bool]
 
 LARGEST = 20_000_000, 2 * 2**30
 """Most triangles of a mesh, and most bytes that they and their vertices may take."""
+MOST_CORNERS = 1000
+"""Of a face: to divide it into triangles takes time with their square."""
 PAINT_RGB = (184, 194, 208)
 """Colour of a surface that brings none."""
 
@@ -73,6 +76,10 @@ SMALL_FACES = QT_TRANSLATE_NOOP(
     "Refusal",
     "{0}: {1} faces of {2} have fewer than three corners; "
     "the file is damaged or cut off, save or download it again.",
+)
+LARGE_FACE = QT_TRANSLATE_NOOP(
+    "Refusal",
+    "{0}: a face has {1} corners, and at most {2} are drawn; divide it into triangles.",
 )
 NO_SUCH_VERTEX = QT_TRANSLATE_NOOP(
     "Refusal",
@@ -331,6 +338,9 @@ def _check_mesh(path: Path, mesh: Mesh) -> None:
     too_small = int(np.count_nonzero(np.diff(mesh.offsets) < 3))
     if too_small:
         raise Refusal.saying(SMALL_FACE if too_small == 1 else SMALL_FACES, path, too_small, faces)
+    largest = int(np.diff(mesh.offsets).max())
+    if largest > MOST_CORNERS:
+        raise Refusal.saying(LARGE_FACE, path, largest, MOST_CORNERS)
     if mesh.corners.min() < 0 or mesh.corners.max() >= vertices:
         raise Refusal.saying(NO_SUCH_VERTEX, path, vertices)
     not_finite = int(np.count_nonzero(~np.isfinite(mesh.points).all(axis=1)))
@@ -594,9 +604,10 @@ def _stl_text(source: _Source) -> Floats:
         text, rest = text[:end], text[end:]
         text = _without_stl_names(text)
         # "... outer loop vertex x y z vertex x y z vertex x y z endloop ...": the odd pieces.
-        loops = text.split(b"loop")[1::2]
+        between, loops = (text.split(b"loop")[first::2] for first in (0, 1))
         numbers = _numbers(b" ".join(loops).replace(b"vertex", b"").replace(b"end", b""))
-        if numbers is None or len(numbers) != 9 * len(loops):
+        is_damaged = any(b"vertex" in words for words in between)
+        if is_damaged or numbers is None or len(numbers) != 9 * len(loops):
             raise Refusal.saying(STL_NUMBERS, source.path)
         triangles += len(loops)
         source.check_size(3 * triangles, triangles, 3 * triangles)
@@ -951,7 +962,11 @@ def _gltf_transform(node: dict[str, Any]) -> Floats:
     """parent_from_node (4, 4)."""
     if "matrix" in node:  # written column by column
         return np.array(node["matrix"], dtype=np.float64).reshape(4, 4).T
-    x, y, z, w = np.array(node.get("rotation", (0.0, 0.0, 0.0, 1.0)), dtype=np.float64)
+    turn = np.array(node.get("rotation", (0.0, 0.0, 0.0, 1.0)), dtype=np.float64)
+    length = np.linalg.norm(turn)
+    if not 0.0 < length < math.inf:
+        raise ValueError
+    x, y, z, w = turn / length
     rotation = np.array(
         [
             [1 - 2 * (y * y + z * z), 2 * (x * y - z * w), 2 * (x * z + y * w)],

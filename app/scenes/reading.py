@@ -24,9 +24,9 @@ from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
 from app.scenes import mesh_files as meshes
 from app.scenes.mesh_files import TOO_MUCH, Mesh, Progress, open_mesh, report
 
-SMALL = 4 * 2**20
-"""Most bytes of a file that is read at once: within 0.2 s, which a process takes to begin."""
-SMALL_MESH = 500_000, 128 * 2**20
+SMALL = 2**20
+"""Most bytes of a file that is read at once: within 0.1 s, which a process takes to begin."""
+SMALL_MESH = 100_000, 32 * 2**20
 """Most triangles of such a file, and most bytes of them: a few bytes of glTF may grow to many."""
 MEMORY = 6 * 2**30
 """Most bytes that a process which reads may take: `meshes.LARGEST` and the text that it is in."""

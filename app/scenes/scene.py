@@ -16,7 +16,7 @@ from __future__ import annotations
 
 import difflib
 import math
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property, partial
 from pathlib import Path
@@ -95,6 +95,11 @@ ONE_LINE = QT_TRANSLATE_NOOP(
 WRONG_SIZE = QT_TRANSLATE_NOOP(
     "Refusal", "{0}: the mesh is {1} units large, but must be between 1e-30 and 1e30; scale it."
 )
+TOO_FAR = QT_TRANSLATE_NOOP(
+    "Refusal",
+    "{0}: a vertex has the coordinate {1}, but it must be within ±{2}, 1e12 times the mesh's size;"
+    " move the mesh to the origin.",
+)
 NO_OWN_MESH = QT_TRANSLATE_NOOP(
     "Refusal", "mesh = {1}: the scene “{0}” has a subject of its own, no mesh can take its place."
 )
@@ -120,10 +125,14 @@ _TRIES_OF_A_MESH = (
     QT_TRANSLATE_NOOP("phenomena", "Close near and far round it."),
     QT_TRANSLATE_NOOP("phenomena", "What becomes of its shape in the cube?"),
 )
+FARTHEST = 1e12
+"""From the origin, in sizes of a mesh: there four digits are left of where its vertices are."""
 FACES_WITH_EDGES = 5_000
 """Meshes of more faces get no edge lines: they would be denser than the pixels."""
 SAMPLE = 100_000
 """Vertices of a larger mesh stand for all of them when speed is measured."""
+_BLOCK = 100_000
+"""Faces that are worked on together: progress is told after each."""
 _SHARP = math.cos(math.radians(30.0))
 """Edges whose faces turn by more than this are drawn."""
 _DEEPEST = 4.0  # times the bounds' longest side, that a mesh may reach which crosses them
@@ -177,7 +186,7 @@ class _Later:
     def __init__(
         self, points: Array, offsets: NDArray[Any], corners: NDArray[Any], rgb: Colours
     ) -> None:
-        self.points = points.astype(np.float32)
+        self.points = points = points.astype(np.float32)  # small numbers of few digits
         self.bounds = np.stack([self.points.min(axis=0), self.points.max(axis=0)], axis=1).ravel()
         self.n_cells, self.corners, self.rgb = len(rgb), corners.size, rgb
         self.cells = offsets, corners
@@ -535,11 +544,12 @@ def cells_of(cells: vtkCellArray) -> tuple[Ints, Ints]:
 def _poly_data(
     points: NDArray[np.floating], offsets: NDArray[Any], corners: NDArray[Any], rgb: Colours
 ) -> pv.PolyData:
+    """A mesh for VTK, its points with the digits that they are given with."""
     import pyvista as pv
 
     cells = pv.CellArray.from_arrays(offsets, corners, deep=True)
     poly_data = pv.PolyData()
-    poly_data.points = np.ascontiguousarray(points, dtype=np.float32)
+    poly_data.points = np.ascontiguousarray(points)
     if cells.n_cells and cells.GetMaxCellSize() > 2:
         poly_data.SetPolys(cells)
     else:
@@ -668,9 +678,41 @@ def _read_mesh(path: Path, progress: Progress | None) -> tuple[Mesh, Vector, Vec
         raise Refusal.saying(ONE_POINT, path)
     if not 1e-30 < size < 1e30:  # the GPU's float32 ends near 1e-38 and 1e38
         raise Refusal.saying(WRONG_SIZE, path, f"{size:.2g}")
+    most = FARTHEST * size
+    farthest = max((*lower, *upper), key=abs)
+    if abs(farthest) > most:
+        raise Refusal.saying(TOO_FAR, path, f"{farthest:.3g}", f"{most:.1g}")
     if _is_on_a_line((mesh.points - lower) / size):
         raise Refusal.saying(ONE_LINE, path)
     return mesh, lower, upper
+
+
+def _surface_of(mesh: Mesh, rgb: Colours) -> pv.PolyData:
+    """A mesh for VTK, with fans of triangles for the polygons that VTK cannot divide.
+
+    Those cross or repeat themselves; VTK would leave them out without a word.
+    """
+    counts = np.diff(mesh.offsets)
+    large = np.flatnonzero(counts > 4)
+    if not large.size:
+        return _poly_data(mesh.points, mesh.offsets, mesh.corners, rgb)
+    ends = np.concatenate([[0], np.cumsum(counts[large])])
+    places = np.arange(ends[-1]) + np.repeat(mesh.offsets[large] - ends[:-1], counts[large])
+    part = _poly_data(mesh.points, ends, mesh.corners[places], rgb[large])
+    part.cell_data["face"] = large
+    lost = np.setdiff1d(large, part.triangulate().cell_data["face"])
+    triangles = counts[lost] - 2
+    face = np.repeat(lost, triangles)
+    step = np.arange(len(face)) - np.repeat(np.cumsum(triangles) - triangles, triangles)
+    first = mesh.offsets[face]
+    fans = mesh.corners[np.stack([first, first + step + 1, first + step + 2], axis=1)]
+    kept = np.ones(len(counts), dtype=bool)
+    kept[lost] = False
+    sizes = np.concatenate([[0], counts[kept], np.full(len(fans), 3)])
+    corners = np.concatenate([mesh.corners[np.repeat(kept, counts)], fans.ravel()])
+    return _poly_data(
+        mesh.points, np.cumsum(sizes), corners, np.concatenate([rgb[kept], rgb[face]])
+    )
 
 
 def _is_on_a_line(points: Floats) -> bool:
@@ -718,7 +760,7 @@ def _scene_of_phenomenon(
     grid = is_grid(lines[1])
     scene = replace(
         scene,
-        surface=_poly_data(mesh.points, mesh.offsets, mesh.corners, rgb),
+        surface=_surface_of(mesh, rgb),
         lines=_line_set(joined((lines[0][grid], lines[1][grid]), _edges(mesh))),
         lower=_vector(mesh.points.min(axis=0)),
         upper=_vector(mesh.points.max(axis=0)),
@@ -818,7 +860,7 @@ def _scene_of_mesh(name: str, path: Path, progress: Progress | None) -> Scene:
     scene = Scene(
         name=name,
         origin=origin,
-        surface=_poly_data(mesh.points, mesh.offsets, mesh.corners, rgb),
+        surface=_surface_of(mesh, rgb),
         lines=_line_set(lines),
         lower=lower,
         upper=upper,
@@ -835,52 +877,39 @@ def _exists(path: Path) -> bool:
         return False
 
 
-def _faces_by_size(mesh: Mesh) -> Iterator[tuple[slice | Ints, Ints]]:
-    """Which faces, and their corners (m, k), for every k that occurs, in blocks to work on."""
-    block = 100_000
-    counts = np.diff(mesh.offsets)
-    for size in np.unique(counts).tolist():
-        if (counts == size).all():
-            corners = mesh.corners.reshape(-1, size)
-            for first in range(0, len(corners), block):
-                yield slice(first, first + block), corners[first : first + block]
-        else:
-            faces = np.flatnonzero(counts == size)
-            for first in range(0, len(faces), block):
-                some = faces[first : first + block]
-                yield some, mesh.corners[mesh.offsets[some][:, None] + np.arange(size)]
-
-
 def _face_colours(mesh: Mesh, progress: Progress | None) -> Colours:
     faces = len(mesh.offsets) - 1
     if mesh.rgb is not None and mesh.painted and (mesh.rgb != mesh.rgb[0]).any():
         return mesh.rgb
     paint = np.asarray(PAINT_RGB if mesh.rgb is None else mesh.rgb, dtype=np.float32)
     light = np.empty((faces, 1), dtype=np.float32)
-    done = 0
-    for which, corners in _faces_by_size(mesh):
-        normals = _normals(mesh.points, corners)
-        light[which, 0] = brightness(normals)
-        done += len(corners)
-        report(progress, 0.6 + 0.3 * done / faces)
+    for first in range(0, faces, _BLOCK):
+        which = slice(first, min(first + _BLOCK, faces))
+        light[which, 0] = brightness(_normals(mesh, which))
+        report(progress, 0.6 + 0.3 * which.stop / faces)
     return (paint * light).astype(np.uint8)
 
 
-def _normals(points: Floats, corners: Ints) -> Floats:
-    """Unit normals (m, 3) of polygons (m, k), 0 where the area is 0.
+def _normals(mesh: Mesh, which: slice) -> Floats:
+    """Unit normals (m, 3) of some polygons, 0 where the area is 0.
 
     The area vectors of the triangles of a fan add up to that of the polygon, also of a concave
     one.
     """
-    first = points[corners[:, 0]]
-    area = np.zeros((3, len(corners)))
-    before = (points[corners[:, 1]] - first).T
-    for k in range(2, corners.shape[1]):
-        after = (points[corners[:, k]] - first).T
-        area[0] += before[1] * after[2] - before[2] * after[1]
-        area[1] += before[2] * after[0] - before[0] * after[2]
-        area[2] += before[0] * after[1] - before[1] * after[0]
-        before = after
+    offsets = mesh.offsets[which.start : which.stop + 1] - mesh.offsets[which.start]
+    corners = mesh.corners[mesh.offsets[which.start] : mesh.offsets[which.stop]]
+    counts = np.diff(offsets)
+    if (counts == 3).all():  # of the fan's triangles the others are 0
+        a, b, c = (mesh.points[corners[i::3]] for i in range(3))
+        before, after = (b - a).T, (c - a).T
+        starts = np.arange(len(counts))
+    else:
+        away = mesh.points[corners] - np.repeat(mesh.points[corners[offsets[:-1]]], counts, axis=0)
+        before, after = away.T, away[_following(offsets)].T
+        starts = offsets[:-1]
+    area = np.empty((3, len(counts)))
+    for x, y, z in ((0, 1, 2), (1, 2, 0), (2, 0, 1)):
+        area[x] = np.add.reduceat(before[y] * after[z] - before[z] * after[y], starts)
     length = np.sqrt((area**2).sum(axis=0))
     length[length == 0.0] = 1.0
     normals: Floats = (area / length).T
@@ -898,9 +927,7 @@ def _feature_edges(mesh: Mesh) -> Floats:
     starts = merged[mesh.corners]
     ends = merged[mesh.corners[_following(mesh.offsets)]]
     faces = len(mesh.offsets) - 1
-    normals = np.empty((faces, 3))
-    for which, corners in _faces_by_size(mesh):
-        normals[which] = _normals(mesh.points, corners)
+    normals = _normals(mesh, slice(0, faces))
     apart = starts != ends
     face = np.repeat(np.arange(faces), np.diff(mesh.offsets))[apart]
     keys = (np.minimum(starts, ends) * len(points) + np.maximum(starts, ends))[apart]

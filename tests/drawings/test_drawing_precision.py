@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Sequence
 from dataclasses import replace
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -28,6 +29,7 @@ from app.model.projection import (
 )
 from app.precision.levels import DRAWING_TOLERANCE_PX
 from app.scenes.scene import Scene, load
+from app.scenes.shapes import EDGE_RGB
 from tests.oracles.exact import dot as exact_dot
 from tests.oracles.exact import frame, minus, mp, vector
 from tests.support.bounds import drawing_bound_px
@@ -42,8 +44,11 @@ RED = (200, 30, 30)
 
 
 def triangle_at(
-    projection: Projection, corners: Sequence[tuple[float, float, float]], origin: Any
-) -> NDArray[np.float32]:
+    projection: Projection,
+    corners: Sequence[tuple[float, float, float]],
+    origin: Any,
+    kind: Any = np.float32,
+) -> NDArray[np.floating]:
     """Scene-local vertices that are seen at (x_ndc, y_ndc) from a distance, nearly: rounded."""
     left, right, bottom, top = projection.window
     camera, lens = projection.camera, projection.lens
@@ -56,7 +61,7 @@ def triangle_at(
         y -= projection.shear[1] * (lens.near - distance)
         offset = np.array([x, y, -distance]) @ camera.frame
         points.append((np.array(camera.eye) - origin) + offset)
-    return np.array(points).astype(np.float32)
+    return np.array(points).astype(kind)
 
 
 def expected(
@@ -189,6 +194,31 @@ EXTREMES: dict[str, tuple[Projection, Any, tuple[float, float, float]]] = {
         (11.0, 12.0, 11.5),
     ),
 }
+
+
+@pytest.mark.parametrize("name", ["narrow", "off axis", "oblique, small window"])
+def test_the_picture_has_the_digits_of_the_file(
+    name: str, tmp_path: Path, off_screen: Callable[[int, int], OffScreen]
+) -> None:
+    """Float32 would move these vertices by many pixels: the mesh is a million pictures large."""
+    projection, _, distances = EXTREMES[name]
+    places = [(*corner, d) for corner, d in zip(INSIDE, distances, strict=True)]
+    points = triangle_at(projection, places, (0, 0, 0), np.float64) + 1e-9
+    large = np.array([(-9, 2, -9), (9, 2, -9), (0, 3, -9)])
+    mesh = tmp_path / "mesh.obj"
+    lines = [f"v {x!r} {y!r} {z!r}\n" for x, y, z in np.concatenate([points, large]).tolist()]
+    mesh.write_text("".join([*lines, "f 1 2 3\nf 4 5 6\n"]))
+    scene = load(str(mesh))
+    assert scene.surface is not None
+    screen = off_screen(*SIZE)
+    drawing = ImageDrawing(screen, scene, WORDS, LIGHT, DRAWING_TOLERANCE_PX, framed=False)
+    drawing.show_projection(projection)
+    assert drawing.precision == "float64"
+    lit = drawn(screen.pixels(), scene.surface.cell_data["rgb"][0])
+    of_edges = drawn(screen.pixels(), EDGE_RGB)
+    must, must_not = expected(projection, points, SIZE, 0.02)
+    assert must.sum() > 2000 and must_not.sum() > 2000
+    assert int((must & ~lit & ~of_edges).sum() + (must_not & lit).sum()) == 0
 
 
 @pytest.mark.parametrize("corners", [INSIDE, ACROSS], ids=["inside", "across"])

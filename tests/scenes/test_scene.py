@@ -316,7 +316,7 @@ def test_a_mesh_of_every_format_is_read(kind: str, tmp_path: Path) -> None:
     expected = {tuple(point) for point in PYRAMID.tolist()}
     assert {tuple(point) for face in drawn for point in face.tolist()} == expected
     assert scene.surface is not None
-    assert scene.surface.points.dtype == np.float32
+    assert scene.surface.points.dtype == np.float64
     assert not outside(scene.start, world_points(scene))
 
 
