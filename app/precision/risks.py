@@ -34,7 +34,7 @@ NO_FLOAT32 = QT_TRANSLATE_NOOP(
     "Health", "A GPU's float32 cannot hold this picture: it is computed in float64"
 )
 ROUGH_DRAWING = QT_TRANSLATE_NOOP(
-    "Health", "A GPU's float32 would draw up to {0} px off: the picture is computed in float64"
+    "Health", "A GPU's float32 could be up to {0} px off: the picture is computed in float64"
 )
 NO_INVERSE = QT_TRANSLATE_NOOP("Health", "The free matrix has no inverse: no frustum is drawn")
 LARGE_INVERSE = QT_TRANSLATE_NOOP(

@@ -390,8 +390,6 @@ def test_other_columns_of_the_points_are_kept(
     assert point.get("columns") == columns
     in_csv = run_here("project", "-", "--format", "csv", text=text).stdout
     (row,) = csv.DictReader(in_csv.splitlines())
-        run_here("project", "-", "--format", "csv", text=text).stdout.split("\n")
-    )
     assert list(row.items())[len(row) - len(columns or {}) :] == list((columns or {}).items())
     table = run_here("project", "-", text=text).stdout
     for name, value in (columns or {}).items():

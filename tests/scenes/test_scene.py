@@ -21,6 +21,7 @@ from hypothesis import strategies as st
 from app.model.projection import Camera, Perspective, Projection
 from app.model.refusal import Cancelled, Refusal
 from app.scenes import scene as scene_module
+from app.scenes.mesh_files import PAINT_RGB
 from app.scenes.phenomena import PHENOMENA
 from app.scenes.scene import (
     BUILT_IN,
@@ -31,7 +32,7 @@ from app.scenes.scene import (
     frame_camera,
     load,
 )
-from app.scenes.shapes import distinct_rows
+from app.scenes.shapes import brightness, distinct_rows
 from tests.support.meshes import (
     PYRAMID,
     QUAD_AND_TRIANGLES,
@@ -507,6 +508,8 @@ QUARTER_TURN_ABOUT_Y = [0.0, math.sqrt(0.5), 0.0, math.sqrt(0.5)]
     [
         # z goes to x, x to -z
         ({"rotation": QUARTER_TURN_ABOUT_Y}, [[0, 0, 1], [0, 1, 0], [-1, 0, 0]]),
+        # of another length than 1
+        ({"rotation": [0, 3.0, 0, 3.0]}, [[0, 0, 1], [0, 1, 0], [-1, 0, 0]]),
         # scaled first, then turned
         (
             {"rotation": QUARTER_TURN_ABOUT_Y, "scale": [2, 3, 4]},
@@ -529,6 +532,61 @@ def test_gltf_nodes_turn_and_scale(
     turned = PYRAMID @ np.array(expected).T
     assert np.allclose(scene.lower, turned.min(axis=0))
     assert np.allclose(scene.upper, turned.max(axis=0))
+
+
+@pytest.mark.parametrize("rotation", [[0, 0, 0, 0], [0, 0, 1e308, 1e308]])
+def test_a_gltf_rotation_of_no_direction_is_refused(rotation: Any, tmp_path: Path) -> None:
+    content, body = gltf_parts(PYRAMID)
+    content["nodes"][1] = {"mesh": 0, "rotation": rotation}
+    write_gltf(tmp_path / "m.glb", content, body)
+    with pytest.raises(Refusal, match=r"m\.glb: its glTF description is not valid"):
+        load(str(tmp_path / "m.glb"))
+
+
+def test_a_translation_beyond_all_bounds_is_refused_with_the_file(tmp_path: Path) -> None:
+    content, body = gltf_parts(PYRAMID, translation=[-1e308, 0, 0])
+    write_gltf(tmp_path / "m.glb", content, body)
+    with pytest.raises(Refusal, match=r"m\.glb: a vertex has the coordinate -1e\+308"):
+        load(str(tmp_path / "m.glb"))
+
+
+@pytest.mark.parametrize("place", [1e-3, 1.0, 9e5, 4e11])
+def test_a_mesh_within_the_bounds_of_its_coordinates_is_in_view(
+    place: float, tmp_path: Path
+) -> None:
+    (tmp_path / "m.obj").write_text(
+        f"v {place} 0 0\nv {place} 1 0\nv {place} 0 1\nf 1 2 3\n", encoding="utf-8"
+    )
+    scene = load(str(tmp_path / "m.obj"))
+    assert not outside(scene.start, world_points(scene))
+
+
+@pytest.mark.parametrize("other", ["", "f 1 2 4\n"])
+def test_a_polygon_that_repeats_itself_is_drawn_as_a_fan(other: str, tmp_path: Path) -> None:
+    """VTK finds no triangles in it, and would leave it out."""
+    corners = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 2 2 2\n"
+    (tmp_path / "m.obj").write_text(f"{corners}f 1 2 3 1 2 3\n{other}", encoding="utf-8")
+    scene = load(str(tmp_path / "m.obj"))
+    assert scene.surface is not None
+    triangles = scene.surface.triangulate()
+    # The triangle twice, and the other one.
+    assert triangles.area == pytest.approx(1.0 + (math.sqrt(2.0) if other else 0.0))
+    assert len(rgb(scene)) == scene.surface.n_cells == 4 + bool(other)
+
+
+def test_faces_of_every_number_of_corners_keep_light_and_triangles(tmp_path: Path) -> None:
+    """A polygon is as bright as the same place in triangles, at once in thousands of sizes."""
+    turn = np.linspace(0.0, 2.0 * np.pi, 60, endpoint=False)
+    ring = np.stack([np.cos(turn), 0.2 * turn, np.sin(turn)], axis=1)
+    lines = [f"v {x} {y} {z}" for x, y, z in ring.tolist()]
+    faces_of = [f"f {' '.join(map(str, range(1, count + 1)))}" for count in range(3, 61)]
+    (tmp_path / "m.obj").write_text("\n".join([*lines, *faces_of]), encoding="utf-8")
+    shades = rgb(load(str(tmp_path / "m.obj")))
+    for count, shade in zip(range(3, 61), shades, strict=True):
+        fan = np.array([(0, k, k + 1) for k in range(1, count - 1)])
+        area = np.cross(ring[fan[:, 1]] - ring[0], ring[fan[:, 2]] - ring[0]).sum(axis=0)
+        expected = np.array(PAINT_RGB) * brightness((area / np.linalg.norm(area))[None])
+        assert np.abs(shade.astype(float) - expected).max() <= 1.0
 
 
 def test_a_mirrored_gltf_node_keeps_its_faces_looking_outward(tmp_path: Path) -> None:
@@ -895,6 +953,14 @@ def bad_files(folder: Path) -> Iterator[tuple[str, str]]:
             "1 vertex of 3 is not finite",
         ),
         "huge.obj": ("v 1e40 0 0\nv -1e308 0 0\nv 0 1e308 0\nf 1 2 3\n", "between 1e-30 and 1e30"),
+        "loop.stl": (2 * facet.replace("outer loop", "outer lop", 1), "three vertices of three"),
+        "away.obj": ("v 1e150 0 0\nv 1e150 1 0\nv 1e150 0 1\nf 1 2 3\n", "the coordinate 1e+150"),
+        "end.obj": ("v -1e308 0 0\nv -1e308 1 0\nv -1e308 0 1\nf 1 2 3\n", "within ±1e+12"),
+        "face.obj": (
+            "".join(f"v {n} {n % 7} 0\n" for n in range(1001))
+            + f"f {' '.join(map(str, range(1, 1002)))}\n",
+            "a face has 1001 corners, and at most 1000 are drawn",
+        ),
         "tiny.obj": ("v 0 0 0\nv 1e-40 0 0\nv 0 1e-40 0\nf 1 2 3\n", "between 1e-30 and 1e30"),
         "prose.gltf": ("Dear all\n", "JSON part, which describes the mesh, is damaged in line 1;"),
         "comma.gltf": ('{"asset":\n{"version": "2.0"},\n,}', "is damaged in line 3;"),
