@@ -6,7 +6,17 @@ from collections.abc import Callable, Iterator
 
 import numpy as np
 import pytest
-from PySide6.QtWidgets import QApplication, QLineEdit, QWidget
+from PySide6.QtCore import QPoint, QRect
+from PySide6.QtWidgets import (
+    QApplication,
+    QLineEdit,
+    QListWidget,
+    QMenu,
+    QTableWidget,
+    QTableWidgetItem,
+    QToolButton,
+    QWidget,
+)
 from pytestqt.qtbot import QtBot
 
 from app.drawings.style import contrast
@@ -15,6 +25,7 @@ from widgets.parts import palette
 from widgets.parts.combo import Combo
 from widgets.parts.escape import HeldSlider
 from widgets.parts.icons import WarningLabel
+from widgets.parts.plain import Label
 
 
 @pytest.fixture
@@ -54,6 +65,105 @@ def test_a_frame_is_seen_against_the_window(
         assert contrast(hexadecimal(seen[part.y() + 40, part.x() - 3]), window) == 1.0
     groove = seen[slider.y() + 40, slider.x() + 200]
     assert contrast(hexadecimal(groove), window) >= 3.0
+
+
+def chosen_in_combo(root: QWidget) -> tuple[QWidget, QRect]:
+    combo = Combo()
+    combo.setParent(root)
+    combo.addItems(["Letter F", "Unit cube", "Row of posts"])
+    combo.show()
+    combo.showPopup()
+    view = combo.view()
+    view.setCurrentIndex(view.model().index(1, 0))
+    return view.viewport(), view.visualRect(view.model().index(1, 0))
+
+
+def chosen_in_menu(root: QWidget) -> tuple[QWidget, QRect]:
+    menu = QMenu(root)
+    action = menu.addAction("Unit cube")
+    menu.popup(QPoint(20, 20))
+    menu.setActiveAction(action)
+    return menu, menu.actionGeometry(action)
+
+
+def chosen_in_list(root: QWidget) -> tuple[QWidget, QRect]:
+    choices = QListWidget(root)
+    choices.addItems(["Letter F", "Unit cube"])
+    choices.setCurrentRow(1)
+    choices.show()
+    return choices.viewport(), choices.visualItemRect(choices.item(1))
+
+
+def chosen_in_table(root: QWidget) -> tuple[QWidget, QRect]:
+    table = QTableWidget(2, 1, root)
+    table.setItem(0, 0, cell := QTableWidgetItem("HIL exact"))
+    table.resize(300, 120)
+    table.selectRow(0)
+    table.show()
+    return table.viewport(), table.visualItemRect(cell)
+
+
+def selected_in_field(root: QWidget) -> tuple[QWidget, QRect]:
+    field = QLineEdit("HIL 30.25", root)
+    field.show()
+    field.selectAll()
+    return field, field.rect().adjusted(6, 4, -70, -4)
+
+
+def pressed(place: str) -> Callable[[QWidget], tuple[QWidget, QRect]]:
+    def make(root: QWidget) -> tuple[QWidget, QRect]:
+        holder = QWidget(root)
+        holder.setObjectName(place)
+        button = QToolButton(holder, text="Unit cube", checkable=True, checked=True)
+        holder.show()
+        return button, button.rect()
+
+    return make
+
+
+def named(name: str, make: Callable[[QWidget], QWidget]) -> Callable[..., tuple[QWidget, QRect]]:
+    def made(root: QWidget) -> tuple[QWidget, QRect]:
+        widget = make(root)
+        widget.setObjectName(name)
+        widget.setProperty("reached", True)
+        widget.show()
+        return widget, widget.rect()
+
+    return made
+
+
+CHOSEN: dict[str, Callable[[QWidget], tuple[QWidget, QRect]]] = {
+    "combo box": chosen_in_combo, "menu": chosen_in_menu, "list": chosen_in_list,
+    "table": chosen_in_table, "field": selected_in_field, "stages": pressed("stages"),
+    "views": pressed("fixedViews"), "panels": pressed("drawerNames"), "steps": pressed("stepMarks"),
+    "title reached": named("paneTitle", lambda root: Label("NDC cube", root)),
+    "note": named("paneNote", lambda root: Label("1280 x 720", root)),
+    "message": named("messageBar", lambda root: Label("A message", root)),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("dark", [False, True])
+@pytest.mark.parametrize("name", CHOSEN)
+def test_what_is_chosen_can_be_read(
+    dressed: Callable[..., None], qtbot: QtBot, name: str, dark: bool
+) -> None:
+    """4.5 : 1, as WCAG 2.1 has it for text (1.4.3)."""
+    dressed(dark=dark)
+    root = QWidget()
+    qtbot.addWidget(root)
+    root.resize(400, 300)
+    root.show()
+    qtbot.waitExposed(root)
+    root.activateWindow()
+    qtbot.waitActive(root)
+    widget, place = CHOSEN[name](root)
+    QApplication.processEvents()
+    pixels = rgb_of(widget.grab(place).toImage()).reshape(-1, 3)
+    colours, counts = np.unique(pixels, axis=0, return_counts=True)
+    ground = hexadecimal(colours[counts.argmax()])
+    assert max(contrast(hexadecimal(colour), ground) for colour in colours) >= 4.5
+    for window in QApplication.topLevelWidgets():
+        window.hide()
 
 
 def test_the_arrow_of_a_combo_box_grows_with_the_letters(

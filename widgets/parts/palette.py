@@ -88,7 +88,8 @@ QSlider::handle:horizontal {{ width: {thumb:.0f}px; margin: -{beside:.0f}px 0px;
     background: {ToolTipBase}; }}
 QSlider::handle:horizontal:focus {{ border-color: {Highlight}; }}
 QLineEdit, QComboBox {{ border: {edge:.0f}px solid {frame}; border-radius: {round:.0f}px;
-    background: palette(base); padding: {edge:.0f}px; }}
+    background: palette(base); padding: {edge:.0f}px;
+    selection-color: {HighlightedText}; selection-background-color: {Highlight}; }}
 QComboBox {{ padding: {edge:.0f}px {beside:.0f}px; }}
 QLineEdit:focus, QComboBox:focus {{ border-color: {Highlight}; }}
 QComboBox::drop-down {{ border: 0px; width: {arrow:.0f}px; }}
