@@ -138,7 +138,10 @@ def _window(arguments: Sequence[str]) -> int:
             raise CliError(f"The settings cannot be deleted: {error}.") from error
     path = None if file is None else Path(os.path.abspath(file))
     screenshot = None if found.screenshot is None else Path(found.screenshot)
-    options = application.Options(found.theme, found.size, screenshot, found.canvas)
+    nothing_asked = not words and not found.set
+    options = application.Options(
+        found.theme, found.size, screenshot, found.canvas, start_card=nothing_asked
+    )
     try:
         if lesson:
             return application.run_window(document, saved, None, options, scene, lesson=path)

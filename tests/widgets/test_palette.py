@@ -7,6 +7,7 @@ from collections.abc import Callable, Iterator
 import numpy as np
 import pytest
 from PySide6.QtCore import QPoint, QRect
+from PySide6.QtGui import QFont
 from PySide6.QtWidgets import (
     QApplication,
     QLineEdit,
@@ -96,7 +97,10 @@ def chosen_in_list(root: QWidget) -> tuple[QWidget, QRect]:
 
 def chosen_in_table(root: QWidget) -> tuple[QWidget, QRect]:
     table = QTableWidget(2, 1, root)
-    table.setItem(0, 0, cell := QTableWidgetItem("HIL exact"))
+    table.setItem(0, 0, cell := QTableWidgetItem("HIL"))
+    large = QFont()
+    large.setPixelSize(24)  # strokes wider than a pixel have the letters' own colour
+    cell.setFont(large)
     table.resize(300, 120)
     table.selectRow(0)
     table.show()

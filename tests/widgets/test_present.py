@@ -66,7 +66,7 @@ def trace(window: MainWindow) -> list[Any]:
         window.menus.blank.isEnabled(),
         window.menus.pointer.isChecked(),
         *(
-            (widget.geometry().getRect(), widget.isVisible(), widget.font().toString())
+            (widget.isVisible() and widget.geometry().getRect(), widget.font().toString())
             for widget in (
                 window.menuBar(),
                 window.menus.tools,
@@ -399,15 +399,40 @@ def test_slots_that_the_hand_has_shared_out_are_so_again(window: MainWindow) -> 
         assert trace(window) == before
 
 
-def test_esc_leaves_the_whole_pane_first(window: MainWindow) -> None:
-    begin(window)
-    window.slots.bring("world")
+@pytest.mark.parametrize("way", ["Escape", "F5"])
+@pytest.mark.parametrize("what", ["a comparison", "a message", "a whole pane", "a pane made whole",
+                                  "a dock without its place", "a dock of another width"])
+def test_esc_leaves_presenting_at_once_and_all_stays(
+    window: MainWindow, what: str, way: str
+) -> None:  # fmt: skip
+    window.setGeometry(20, 30, 1300, 750)
     settle()
-    assert not window.panes["image"].isVisible() and not window.controls.isVisible()
-    press(window, Qt.Key.Key_Escape)
-    assert window.panes["image"].isVisible() and is_presenting(window)
-    press(window, Qt.Key.Key_Escape)
-    assert not is_presenting(window)
+    if what == "a comparison":
+        window.comparing.button.click()
+    elif what == "a message":
+        window.messages.say("Something to be read.")
+    elif what == "a whole pane":
+        window.slots.bring("world")
+        window.slots.bring("world")
+    elif what == "a dock without its place":
+        window.menus.controls.trigger()
+    elif what == "a dock of another width":
+        window.split.setSizes([800, 500])
+    settle()
+    before, held = trace(window), window.comparing.pictures.pictures
+    for _ in range(2):
+        begin(window)
+        if what == "a pane made whole":
+            window.slots.bring(window.slots.large)
+        elif what == "a dock without its place":
+            window.menus.controls.trigger()
+        settle()
+        press(window, getattr(Qt.Key, f"Key_{way}"))
+        give_room(window, QRect(20, 30, 1300, 750))
+        assert not is_presenting(window)
+        assert trace(window) == before
+        assert window.comparing.pictures.pictures == held
+        assert (what == "a message") == bool(window.messages.text)
 
 
 def test_a_window_that_was_maximised_is_so_again(window: MainWindow) -> None:

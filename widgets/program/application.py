@@ -83,12 +83,15 @@ class Options:
         read nor written, and the theme is light, so that the picture is the same everywhere.
     canvas : str or None
         ``"opengl"`` or ``"raster"``: how the panes draw; None for the quicker one.
+    start_card : bool
+        Whether no file and no value was given: the start card then offers the scenes.
     """
 
     theme: str | None = None
     size: tuple[int, int] | None = None
     screenshot: Path | None = None
     canvas: str | None = None
+    start_card: bool = True
 
 
 def make_application() -> QApplication:
@@ -252,8 +255,7 @@ def run_window(
                 "Program", "Qt has no OpenGL here: VTK draws the panes off the screen."
             )
             window.filled.connect(partial(window.status.showMessage, said, SAID_MS))
-        begins_empty = path is None and lesson is None and document == saved
-        if begins_empty and settings.start_card and not options.screenshot:
+        if options.start_card and settings.start_card and not options.screenshot:
             window.filled.connect(window.show_start_card)
         failed: list[bool] = []
         window.filled.connect(lambda: failed.append(bool(watch.caught)))

@@ -160,8 +160,8 @@ class MainWindow(QMainWindow):
         self._is_narrow = False
         self._folded: Panel | None = None
         """The panel that is open when no pane has the whole window, and nothing is presented."""
-        self._had_dock = False
-        """Whether the dock was there before it was presented, in a narrow window."""
+        self._before_presenting: tuple[bool, str, list[int]] | None = None
+        """Whether the dock was there, which pane was whole, and how the width was shared out."""
         self.settings = settings
         dress(settings)  # before there are widgets, which would keep the font of before
         self.store = Store(document, self, saved=saved)
@@ -573,20 +573,21 @@ class MainWindow(QMainWindow):
         self.start_card = None
 
     def _on_top(self) -> Callable[[], object] | None:
-        """What Esc leaves: start card, message, comparison, whole pane, blank, presenting."""
+        """What Esc leaves: start card, blank, presenting; or message, comparison, whole pane."""
         if self.start_card is not None:
             return self.start_card.close
+        if self.present.is_on:
+            return self.present.leave
         if self.messages.text and not self.messages.choices:  # an offer would be lost
             return self.messages.done
-        if self.comparing.is_on and not self.present.is_blank:
+        if self.comparing.is_on:
             return self.comparing.end
-        if self.slots.whole and not self.present.is_blank:
-            return partial(self.slots.bring, self.slots.whole)
-        return self.present.leave if self.present.is_on else None
+        return partial(self.slots.bring, self.slots.whole) if self.slots.whole else None
 
     def _show_presenting(self, on: bool) -> None:
         if on:
-            self._had_dock = self.menus.controls.isChecked()
+            dock = self.menus.controls.isChecked()
+            self._before_presenting = dock, self.slots.whole, self.split.sizes()
         self.menus.blank.setEnabled(on)
         self.menus.pointer.setEnabled(on)
         self.menus.pointer.setChecked(False)
@@ -595,9 +596,16 @@ class MainWindow(QMainWindow):
         for pane in self.panes.values():
             pane.set_presenting(on)
         self.menus.fit_icons()
+        if not on and self._before_presenting is not None:
+            whole = self._before_presenting[1]
+            self.slots.arrange(self.slots.layout_name, self.slots.large, whole)
         self.slots.set_presenting(on)
-        if self._is_narrow:  # where it is folded away otherwise: a class is to read what to try
-            self.menus.controls.setChecked(on or self._had_dock)
+        if on and self._is_narrow:  # where it is folded away: a class is to read what to try
+            self.menus.controls.setChecked(True)
+        if not on and self._before_presenting is not None:
+            dock, _, shared = self._before_presenting
+            self.menus.controls.setChecked(dock)
+            QTimer.singleShot(0, self, partial(self.split.setSizes, shared))
         self._show_beside()
 
     def _show_beside(self) -> None:
