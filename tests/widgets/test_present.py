@@ -400,8 +400,17 @@ def test_slots_that_the_hand_has_shared_out_are_so_again(window: MainWindow) -> 
 
 
 @pytest.mark.parametrize("way", ["Escape", "F5"])
-@pytest.mark.parametrize("what", ["a comparison", "a message", "a whole pane", "a pane made whole",
-                                  "a dock without its place", "a dock of another width"])
+@pytest.mark.parametrize(
+    "what",
+    [
+        "a comparison",
+        "a message",
+        "a whole pane",
+        "a pane made whole",
+        "a dock without its place",
+        "a dock of another width",
+    ],
+)
 def test_esc_leaves_presenting_at_once_and_all_stays(
     window: MainWindow, what: str, way: str
 ) -> None:  # fmt: skip

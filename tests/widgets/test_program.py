@@ -33,7 +33,7 @@ from tests.support.commands import comma_locale, refused, refused_by_a_process, 
 from tests.support.window import MakeWindow
 from widgets.program import application, logs, opengl, report
 from widgets.program import display as screen
-from widgets.window.settings import Settings, data_folder, log_path, settings_path
+from widgets.window.settings import Progress, Settings, data_folder, log_path, settings_path
 
 __all__ = ["comma_locale"]
 
@@ -329,6 +329,25 @@ def test_settings_that_cannot_be_written_hold_until_the_end(
     settings.start_card = False
     assert (settings.theme, settings.start_card) == ("dark", False)
     assert len([m for m in caplog.messages if "settings cannot be written" in m]) == 1  # once
+
+
+def test_that_settings_cannot_be_written_is_said_once_and_tried_again(
+    tmp_path: Path, make_window: MakeWindow
+) -> None:
+    (tmp_path / "link").symlink_to(tmp_path / "nowhere")
+    path = tmp_path / "link" / "settings.ini"
+    window = make_window(settings=Settings(path))
+    window.settings.theme = "dark"
+    assert f"cannot be written to {path}" in window.messages.text
+    window.messages.done()
+    window.settings.keep_progress("L3", Progress("two", {"two/a": "1"}, 1, 4))
+    assert not window.messages.text  # once
+    assert window.settings.progress["L3"].step == "two"
+    (tmp_path / "nowhere").mkdir()
+    window.settings.start_card = False
+    again = Settings(path)
+    assert (again.theme, again.start_card, again.progress["L3"].done) == ("dark", False, 1)
+    assert not window.messages.text
 
 
 def test_a_settings_folder_in_place_of_the_file_is_no_obstacle(ini: Path) -> None:

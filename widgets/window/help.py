@@ -140,6 +140,7 @@ class Help(QObject):
                 (self.tr("Digits, then Enter"), self.tr("To the step of that number")),
                 (_key("V"), self.tr("The answer to what the class has voted on")),
                 (_key("F7"), self.tr("The step again, whatever was tried")),
+                (_key("W"), self.tr("Class and notes change screens")),
                 (self.tr(". or B"), self.tr("A black screen, and back")),
                 (_key("Ctrl++") + ", " + _key("Ctrl+-"), self.tr("The speaker's notes larger")),
             ),

@@ -66,7 +66,7 @@ from widgets.window.lesson_card import LessonCard, Side
 from widgets.window.lessons import Lessons
 from widgets.window.look import Look, dress
 from widgets.window.pictures import Pictures
-from widgets.window.present import Present
+from widgets.window.present import Present, Screens
 from widgets.window.probing import Probing
 from widgets.window.quality import Cost, DrawnQuality
 from widgets.window.recovery import Recovery
@@ -163,6 +163,7 @@ class MainWindow(QMainWindow):
         self._before_presenting: tuple[bool, str, list[int]] | None = None
         """Whether the dock was there, which pane was whole, and how the width was shared out."""
         self.settings = settings
+        settings.cannot_save = self._tell_unsaved
         dress(settings)  # before there are widgets, which would keep the font of before
         self.store = Store(document, self, saved=saved)
         self.messages = MessageBar()
@@ -206,7 +207,7 @@ class MainWindow(QMainWindow):
             theme=settings.theme,
             all_digits=settings.all_digits,
         )
-        self.present = Present(self, self.menus.tools, self.bottom)
+        self.present = Present(self, self.menus.tools, self.bottom, Screens(settings))
         self._make_rooms()
         self._wire()
         self._wire_lesson()
@@ -390,6 +391,7 @@ class MainWindow(QMainWindow):
         menus.blank.triggered.connect(self.present.blank)
         menus.pointer.toggled.connect(self.probing.set_pointing)
         self.present.switched.connect(self._show_presenting)
+        self.present.moved.connect(partial(self.look.set_presenting, True))
         self.present.switched.connect(self.messages.put_off)
         self.slots.rearranged.connect(self._show_beside)
         menus.start_card.triggered.connect(self.show_start_card)
@@ -474,6 +476,13 @@ class MainWindow(QMainWindow):
     def _offer_answers(self, title: str, take_back: Callable[[], object]) -> None:
         text = self.tr("What was answered in “{0}” is forgotten.").format(title)
         self.messages.say(text, (self.tr("Undo"), take_back))
+
+    def _tell_unsaved(self, path: Path) -> None:
+        text = self.tr(
+            "Settings and progress cannot be written to {0}. They are kept until the program ends,"
+            " and saving is tried again with the next change: free some space on the disk."
+        )
+        self.messages.say(text.format(path))
 
     def _set_all_digits(self, on: bool) -> None:
         self.settings.all_digits = on
@@ -674,6 +683,7 @@ class MainWindow(QMainWindow):
         self.strip.pause()
         self.counting.stop()
         self.measure_panel.close_process()
+        self.settings.cannot_save = lambda _path: None
         self.settings.geometry = bytes(geometry.data())
         self.lesson_card.keep_now()
         self.recovery.close()

@@ -1,5 +1,8 @@
 """Presenting (F5): the panes and the controls that matter fill the screen, and nothing else.
 
+Of several screens the class has the one that is not the primary one, and the speaker's notes are
+on that; `Screens` remembers of each pair which way round it is.
+
 Letters, lines and handles are a share of the screen's height, so that the back row can read them
 on every projector.
 """
@@ -7,8 +10,10 @@ on every projector.
 from __future__ import annotations
 
 from PySide6.QtCore import QByteArray, QEvent, QObject, Qt, Signal
-from PySide6.QtGui import QEnterEvent, QMouseEvent
+from PySide6.QtGui import QEnterEvent, QGuiApplication, QMouseEvent, QScreen
 from PySide6.QtWidgets import QApplication, QMainWindow, QToolBar, QWidget
+
+from widgets.window.settings import Settings
 
 TOP_EDGE_PX = 3
 """The mouse so near to the top of the screen calls the tool bar."""
@@ -39,6 +44,45 @@ class _Blank(QWidget):
         self.hide()
 
 
+class Screens:
+    """Which screen the class looks at, and which the speaker.
+
+    Parameters
+    ----------
+    settings : Settings
+        Keep which pairs of screens are swapped.
+    """
+
+    def __init__(self, settings: Settings) -> None:
+        self._settings = settings
+
+    @property
+    def both(self) -> tuple[QScreen, QScreen] | None:
+        """The class's screen and the speaker's; None where there is one screen only."""
+        primary = QGuiApplication.primaryScreen()
+        others = [each for each in QGuiApplication.screens() if each is not primary]
+        if not others:
+            return None
+        if self._pair in self._settings.swapped_screens:
+            return primary, others[0]
+        return others[0], primary
+
+    def swap(self) -> bool:
+        """Change them over, now and whenever these screens are there; False if there is one."""
+        if self.both is None:
+            return False
+        kept = [pair for pair in self._settings.swapped_screens if pair != self._pair]
+        if self._pair not in self._settings.swapped_screens:
+            kept.append(self._pair)
+        self._settings.swapped_screens = kept
+        return True
+
+    @property
+    def _pair(self) -> str:
+        names = (f"{each.name()} {each.model()}" for each in QGuiApplication.screens())
+        return f"{QGuiApplication.primaryScreen().name()}: {', '.join(sorted(names))}"
+
+
 class Present(QObject):
     """Turns one window into what a class sees, and back.
 
@@ -49,13 +93,19 @@ class Present(QObject):
         Shown on demand: when the mouse is at the top of the screen.
     below : QWidget
         The bottom row, which a class has no use for.
+    screens : Screens
     """
 
     switched = Signal(bool)
     """It began, or ended: text and lines get another size."""
+    moved = Signal()
+    """The class looks at another screen."""
 
-    def __init__(self, window: QMainWindow, tools: QToolBar, below: QWidget) -> None:
+    def __init__(
+        self, window: QMainWindow, tools: QToolBar, below: QWidget, screens: Screens
+    ) -> None:
         super().__init__(window)
+        self.screens = screens
         self._window, self._tools, self._below = window, tools, below
         self._state = Qt.WindowState.WindowNoState
         self.is_on = False
@@ -64,6 +114,32 @@ class Present(QObject):
         self._blank, self._edge = _Blank(window), _Edge(window)
         self._edge.hide()
         self._edge.entered.connect(lambda: self.show_tools(True))
+        application = QApplication.instance()
+        assert isinstance(application, QGuiApplication)
+        application.screenAdded.connect(self._move, Qt.ConnectionType.QueuedConnection)
+
+    def _fill(self) -> None:
+        """Fill the class's screen, or the one that there is."""
+        both = self.screens.both
+        if both is not None and both[0] is not self._window.screen():
+            self._window.setWindowState(Qt.WindowState.WindowNoState)  # or it stays where it is
+            self._window.setGeometry(both[0].geometry())
+            self._window.windowHandle().setScreen(both[0])
+        self._window.setWindowState(self._state | Qt.WindowState.WindowFullScreen)
+
+    def swap(self) -> None:
+        """Let class and speaker change screens, and remember that for these screens."""
+        if self.screens.swap():
+            self._move()
+
+    def _move(self) -> None:
+        """Go to the class's screen, which is another one now."""
+        if self.is_on:
+            self._window.removeEventFilter(self)  # it is no full screen on its way
+            self._fill()
+            self._window.installEventFilter(self)
+            self._cover()
+            self.moved.emit()
 
     def toggle(self) -> None:
         """Begin or end it."""
@@ -77,7 +153,7 @@ class Present(QObject):
         self._state = self._window.windowState()
         self.geometry_before = self._window.saveGeometry()
         self._reveal(False)
-        self._window.setWindowState(self._state | Qt.WindowState.WindowFullScreen)
+        self._fill()
         self._cover()  # it may fill the screen already
         for watched in (self._window, self._tools):
             watched.installEventFilter(self)
@@ -88,11 +164,13 @@ class Present(QObject):
         if not self.is_on:
             return
         self.is_on = False
-        self.geometry_before = QByteArray()
+        before, self.geometry_before = self.geometry_before, QByteArray()
         self._blank.hide()
         for watched in (self._window, self._tools):
             watched.removeEventFilter(self)
         self._window.setWindowState(self._state)
+        if self.screens.both is not None:  # it may have come from another one
+            self._window.restoreGeometry(before)
         self._reveal(True)
         self.switched.emit(False)
 

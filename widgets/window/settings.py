@@ -204,6 +204,10 @@ class Settings:
         self._values: dict[str, object] = {}
         self._for_now: dict[str, str] = {}
         self._refused: set[str] = set()
+        self._unsaved: dict[str, str] = {}
+        self._is_told = False
+        self.cannot_save: Callable[[Path], object] = lambda _path: None
+        """Told of the file when it cannot be written, once until it can be again."""
         if path is not None and _set_aside_if_broken(path):
             self._file = QSettings(str(path), QSettings.Format.IniFormat)
             self._values = {key: self._file.value(key) for key in self._file.allKeys()}
@@ -224,6 +228,8 @@ class Settings:
     """Whether the program begins with its scenes as pictures."""
     speaker_window = _Kept("speaker_window", _flag, True, _flag_text)
     """Whether the speaker's window opens when a talk is presented."""
+    swapped_screens = _Kept[list[str]]("swapped-screens", _paths, [], json.dumps)
+    """Pairs of screens whose primary one is the class's."""
     notes_px = _Kept("notes", _number_in(LEAST_NOTES_PX, LARGEST_NOTES_PX), 22)
     """Height of the letters in the speaker's notes."""
     geometry = _Kept[bytes | None]("geometry", _bytes, None, _base64)
@@ -260,7 +266,7 @@ class Settings:
 
     def _read_again(self, key: str, convert: Callable[[str], _T], default: _T) -> _T:
         """A value as other windows have left it in the file."""
-        if self._file is not None:
+        if self._file is not None and key not in self._unsaved:
             self._file.sync()
             self._values[key] = self._file.value(key)
         return self.read(key, convert, default)
@@ -285,13 +291,27 @@ class Settings:
         self._for_now.pop(key, None)
         self._refused.discard(key)
         self._values[key] = text
-        if self._file is None:
+        if self._file is not None:
+            self._unsaved[key] = text
+            self.save_again()
+
+    def save_again(self) -> None:
+        """Write what could not be written before, as the disk was full, say."""
+        if self._file is None or not self._unsaved:
             return
-        self._file.setValue(key, text)
+        path = Path(self._file.fileName())
+        if self._is_told:  # an error of before would stay
+            self._file = QSettings(str(path), QSettings.Format.IniFormat)
+        for key, text in self._unsaved.items():
+            self._file.setValue(key, text)
         self._file.sync()
-        if self._file.status() != QSettings.Status.NoError:
-            log.warning("the settings cannot be written to %s", self._file.fileName())
-            self._file = None  # told once
+        if self._file.status() == QSettings.Status.NoError:
+            self._unsaved.clear()
+            self._is_told = False
+        elif not self._is_told:
+            self._is_told = True
+            log.warning("the settings cannot be written to %s", path)
+            self.cannot_save(path)
 
 
 def _set_aside_if_broken(path: Path) -> bool:

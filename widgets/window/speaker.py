@@ -113,6 +113,7 @@ class SpeakerWindow(QWidget):
     next_wanted = Signal()
     previous_wanted = Signal()
     blank_wanted = Signal()
+    swap_wanted = Signal()
     jump_wanted = Signal(int)
     """The number of a step, from 1."""
 
@@ -155,6 +156,8 @@ class SpeakerWindow(QWidget):
         back = self._button(self.tr("◀ &Back"), self.previous_wanted.emit)
         forward = self._button(self.tr("&Next ▶"), self.next_wanted.emit)
         blank = self._button(self.tr("B&lank"), self.blank_wanted.emit)
+        swap = self._button(self.tr("S&wap screens"), self.swap_wanted.emit)
+        set_tip(swap, self.tr("Let class and notes change screens (W); it is remembered"))
         times = (self._clock, 8, self._elapsed, 8, self.pause, 8, self.reset, 8, (self._plan, 1))
         layout = QGridLayout()
         layout.addLayout(in_row(*times), 0, 0, 1, 2)
@@ -162,7 +165,7 @@ class SpeakerWindow(QWidget):
         layout.addWidget(self.notes, 2, 0)
         beside = in_column(self._next_title, (self.picture, 3), (self.steps, 2))
         layout.addLayout(beside, 1, 1, 2, 1)
-        layout.addLayout(in_row(back, forward, blank, 8, (self._said, 1)), 3, 0, 1, 2)
+        layout.addLayout(in_row(back, forward, blank, swap, 8, (self._said, 1)), 3, 0, 1, 2)
         layout.setColumnStretch(0, 3)
         layout.setColumnStretch(1, 2)
         layout.setRowStretch(2, 1)

@@ -114,6 +114,7 @@ class Talks(QObject):
         self._work: Iterator[None] = iter(())
         present.switched.connect(self._show)
         present.switched.connect(self._open_with_talk)
+        present.moved.connect(self._move)
         lessons.opened.connect(self._show)
         lessons.stepped.connect(self._show)
         lessons.complained.connect(self._complain)
@@ -298,6 +299,7 @@ class Talks(QObject):
         if key in (_KEYS.Key_Period, _KEYS.Key_B) and self._present.is_on:
             return self.blank
         acts: dict[Qt.Key, Callable[[], object]] = {
+            _KEYS.Key_W: self._present.swap,
             _KEYS.Key_PageDown: self.next,
             _KEYS.Key_PageUp: self.previous,
             _KEYS.Key_V: self.reveal,
@@ -412,6 +414,7 @@ class Talks(QObject):
             speaker.previous_wanted.connect(self.previous)
             speaker.blank_wanted.connect(self.blank)
             speaker.jump_wanted.connect(self.jump)
+            speaker.swap_wanted.connect(self._present.swap)
             self._place_speaker()
         if self.is_on:
             self.speaker.clock.begin()
@@ -425,15 +428,20 @@ class Talks(QObject):
             self.speaker.close()
 
     def _place_speaker(self) -> None:
-        """On another screen than the window, if there is one."""
+        """On the speaker's screen, if there are two."""
         assert self.speaker is not None
-        others = [each for each in QGuiApplication.screens() if each is not self._window.screen()]
-        if others:
-            self.speaker.setGeometry(others[0].availableGeometry())
-            self.speaker.setScreen(others[0])
+        both = self._present.screens.both
+        if both is not None:
+            self.speaker.setGeometry(both[1].availableGeometry())
+            self.speaker.setScreen(both[1])
         else:
             room = self._window.screen().availableGeometry()
             self.speaker.resize(round(0.7 * room.width()), round(0.7 * room.height()))
+
+    def _move(self) -> None:
+        if self.speaker is not None:
+            self._place_speaker()
+        self._show()
 
     def _open_with_talk(self, on: bool) -> None:
         if not on and self._complaint:
@@ -445,6 +453,8 @@ class Talks(QObject):
                 self._window.activateWindow()
             if self.speaker is not None:
                 self.speaker.clock.begin()
+                if self._present.screens.both is not None:
+                    self._place_speaker()
 
     def _forget_speaker(self) -> None:
         if self.speaker is not None:

@@ -1,0 +1,98 @@
+"""Two screens: the class has the external one, the notes stay with the speaker."""
+
+from __future__ import annotations
+
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from app.bootstrap import ROOT
+from tests import PATIENCE_S
+from tests.__main__ import _own_screen
+
+# A program of its own, on a server of its own: Qt knows the screens of its first one only.
+ON_TWO_SCREENS = """
+import sys
+from pathlib import Path
+from PySide6.QtCore import Qt
+from PySide6.QtGui import QGuiApplication
+from PySide6.QtTest import QTest
+from tests.support.monitors import Monitors
+monitors = Monitors(sys.argv[1])
+monitors.set("laptop", 0, 800, 600, real=True)
+monitors.set("projector", 800, 1000, 700, real=False)
+from widgets.program.opengl import prepare
+from PySide6.QtWidgets import QApplication
+prepare()
+application = QApplication([])
+from app.document.document import Document
+from app.scenes.scene import load
+from tests.support.opened import opened
+from widgets.window.settings import Settings
+settings = Settings(Path("two.ini"))
+window = opened(Document("cube", load("cube").start), settings=settings, drawn=False)
+window.setGeometry(10, 36, 780, 560)
+QApplication.processEvents()
+place = window.geometry()
+window.files.open(Path(sys.argv[2]))
+
+def say(what, presents, screen, speaker=""):
+    def found():
+        notes = window.talks.speaker
+        has = notes.windowHandle().screen().name() if notes is not None and speaker else ""
+        return window.present.is_on, window.windowHandle().screen().name(), has
+    for _ in range(200):
+        if found() == (presents, screen, speaker):
+            break
+        QTest.qWait(10)
+    print(what, found() == (presents, screen, speaker) or found())
+
+def press(key, widget=window):
+    QTest.keyClick(widget, key)
+
+say("before", False, "laptop")
+window.menus.present.trigger()
+say("F5", True, "projector", "laptop")
+press(Qt.Key.Key_W)
+say("W", True, "laptop", "projector")
+press(Qt.Key.Key_Escape)
+say("Esc", False, "laptop")
+for _ in range(200):
+    if window.geometry() == place:
+        break
+    QTest.qWait(10)
+print("place", window.geometry() == place or (window.geometry(), place))
+window.menus.present.trigger()
+say("remembered", True, "laptop", "projector")
+press(Qt.Key.Key_W, window.talks.speaker)
+say("W in the notes", True, "projector", "laptop")
+monitors.unplug("projector")
+say("unplugged", True, "laptop", "laptop")
+monitors.set("projector", 800, 1000, 700, real=False)
+say("plugged in", True, "projector", "laptop")
+window.menus.present.trigger()
+say("end", False, "laptop")
+monitors.unplug("projector")
+window.menus.present.trigger()
+say("one screen", True, "laptop", "laptop")
+window.store.mark_saved()
+window.close()
+monitors.close()
+"""
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="an X server with RandR")
+def test_the_class_has_the_external_screen_and_the_speaker_the_other(tmp_path: Path) -> None:
+    talk = ROOT / "app" / "lessons" / "content" / "talk-000.md"
+    with _own_screen() as display:
+        done = subprocess.run(
+            [sys.executable, "-c", ON_TWO_SCREENS, display, str(talk)],
+            cwd=tmp_path, capture_output=True, text=True, check=False, timeout=PATIENCE_S,
+            env={**os.environ, "DISPLAY": display, "PYTHONPATH": str(ROOT)},
+        )  # fmt: skip
+    assert done.returncode == 0, done.stdout + done.stderr
+    lines = done.stdout.splitlines()
+    assert len(lines) == 11 and all(line.endswith(" True") for line in lines), done.stdout
