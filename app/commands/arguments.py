@@ -109,12 +109,13 @@ def check_out(name: str, out: str) -> None:
     if os.path.isdir(out):
         raise CliError(f"{name} = {out!r}: is a folder.")
     needed = [out] if os.path.exists(out) else []
-    if not needed or os.path.isfile(out):  # it gives way to a new one; /dev/stdout does not
-        folder = os.path.dirname(os.path.realpath(full_path(out)))
-        if not os.path.isdir(folder):
-            named = os.path.dirname(out) or folder
-            raise CliError(f"{name} = {out!r}: there is no folder {named}.")
-        needed.append(folder)
+    if needed and not os.path.isfile(out):
+        raise CliError(f"{name} = {out!r}: is a pipe or a device, not a regular file.")
+    folder = os.path.dirname(os.path.realpath(full_path(out)))
+    if not os.path.isdir(folder):
+        named = os.path.dirname(out) or folder
+        raise CliError(f"{name} = {out!r}: there is no folder {named}.")
+    needed.append(folder)
     if not all(os.access(place, os.W_OK) for place in needed):
         raise CliError(f"{name} = {out!r}: may not be written.")
 

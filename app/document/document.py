@@ -116,6 +116,9 @@ SCENE_NAME = QT_TRANSLATE_NOOP("Refusal", "must be the name of a scene or of a m
 NO_FILE = QT_TRANSLATE_NOOP("Refusal", "does not exist")
 FOLDER = QT_TRANSLATE_NOOP("Refusal", "is a folder, not a file")
 WRITE_PROTECTED = QT_TRANSLATE_NOOP("Refusal", "cannot be written: it is write-protected")
+NOT_REGULAR = QT_TRANSLATE_NOOP(
+    "Refusal", "cannot be written: it is a pipe or a device, not a regular file"
+)
 UNREADABLE = QT_TRANSLATE_NOOP("Refusal", "cannot be read: {0}")
 UNWRITABLE = QT_TRANSLATE_NOOP("Refusal", "cannot be written: {0}")
 BAD_NAME = QT_TRANSLATE_NOOP("Refusal", "is not a name that a file can have")
@@ -1267,12 +1270,7 @@ def write_bytes_atomically(path: Path, content: bytes) -> None:
     """
     with blamed_on(path, UNWRITABLE):
         target = os.path.realpath(path)
-        mode = _mode_to_keep(target)
-        if mode is None or stat.S_ISREG(mode):
-            _replace(target, content, mode)
-        else:  # /dev/stdout and the like cannot be replaced
-            with open(target, "wb") as device:
-                device.write(content)
+        _replace(target, content, _mode_to_keep(target))
 
 
 def _mode_to_keep(target: str) -> int | None:
@@ -1283,6 +1281,8 @@ def _mode_to_keep(target: str) -> int | None:
         return None
     if stat.S_ISDIR(mode):
         raise Refusal.in_document(FOLDER)
+    if not stat.S_ISREG(mode):  # it would wait for a reader, or overwrite a disk
+        raise Refusal.in_document(NOT_REGULAR)
     if not os.access(target, os.W_OK):  # replacing it would get round its owner's wish
         raise Refusal.in_document(WRITE_PROTECTED)
     return mode

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import contextlib
 import csv
+import errno
 import io
 import json
 import os
@@ -496,6 +497,23 @@ def test_behind_two_dashes_are_names_only(tmp_path: Path, by_hand: Path) -> None
     assert (done.returncode, json.loads(done.stdout)) == (0, matrices(by_hand))
     assert "2 names were given" in refused("matrices", by_hand, "--", "--format")
     assert "-- does not exist" in refused("matrices", "--", "--")
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="a file of POSIX systems")
+@pytest.mark.parametrize(
+    ("ending", "command"),
+    [
+        (".png", "export {0}"),
+        (".png", "--screenshot {0}"),
+        (".json", "measure --quick --json {0}"),
+        (".pdf", "talk app/lessons/content/talk-000.md --handout {0}"),
+    ],
+)
+def test_nothing_is_written_to_a_pipe(ending: str, command: str, tmp_path: Path) -> None:
+    pipe = tmp_path / f"pipe{ending}"
+    os.mkfifo(pipe)
+    said = refused(*command.format(pipe).split())
+    assert "is a pipe or a device, not a regular file." in said and str(pipe) in said
 
 
 @pytest.mark.parametrize("point", ["1,0,-1e-308", "1,0,-1e-308,0", "1e100,0,-1e-220,0"])
@@ -1398,10 +1416,16 @@ def test_bad_export_is_refused(arguments: list[str], words: str) -> None:
     assert not (ROOT / "figure.png").exists()
 
 
-def test_export_to_a_full_disk_is_a_sentence(tmp_path: Path) -> None:
+def test_export_to_a_full_disk_is_a_sentence(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def full(_descriptor: int) -> None:
+        raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
+
+    monkeypatch.setattr(os, "fsync", full)
     out = tmp_path / "full.png"
-    out.symlink_to("/dev/full")
-    assert "No space left" in refused("export", out, "--size=96x32")
+    assert "full.png cannot be written: No space left" in refused("export", out, "--size=96x32")
+    assert not list(tmp_path.iterdir())
 
 
 def test_export_without_opengl_says_what_to_do_instead_of_crashing(tmp_path: Path) -> None:

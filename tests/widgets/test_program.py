@@ -1015,13 +1015,6 @@ def test_screenshot_to_a_place_that_is_not_there_is_refused(tmp_path: Path) -> N
     assert "must end in .png" in refused("--screenshot", tmp_path / "a.jpg")
 
 
-def test_screenshot_to_a_full_disk_is_refused(tmp_path: Path) -> None:
-    out = tmp_path / "full.png"
-    out.symlink_to("/dev/full")
-    said = refused_by_a_process("--screenshot", out)
-    assert "full.png cannot be written: No space left on device" in said
-
-
 def test_doctor_reads_the_probe_of_another_process(display: Any) -> None:
     done = subprocess.run(
         [sys.executable, "-m", "widgets.program.opengl"],
