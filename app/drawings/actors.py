@@ -334,12 +334,6 @@ class Label:
         left, right, bottom, top = self.box_px(renderer)
         return left <= x_px <= right and bottom <= y_px <= top
 
-    def set_size(self, font_px: float) -> None:
-        """Write in another size, in pixels; the same one costs nothing."""
-        if font_px != self._font_px:
-            self._font_px = font_px
-            self.set_dpi(self._dpi)
-
     def set_dpi(self, dpi: int) -> None:
         """Keep the size in pixels whatever dots per inch the window claims."""
         self._dpi = dpi

@@ -40,8 +40,6 @@ from app.scenes.scene import RASTERISED, Scene
 _SQUARE = ((0.0, 0.0, 0.0), (1.0, 0.0, 0.0), (1.0, 1.0, 0.0), (0.0, 1.0, 0.0))
 _MARKS_DEPTH = -0.9999  # just behind near
 _FARTHEST_MARK = 1e3  # of half a picture: where lines toward infinity end
-_EMS_ACROSS, _EMS_DOWN = 22.0, 11.0  # that a picture has at least, for its texts
-_LEAST_EM = 0.6  # of the other panes'
 _EM_OF_DIGIT = 0.64  # width of a digit of the labels' font
 
 
@@ -273,10 +271,7 @@ class ImageDrawing:
             spots = (points[:, :2] + 1.0) * half
             return [(x, y, 1.0) for x, y in spots.tolist()]
 
-        # Large letters would hide a small picture.
-        em = min(rectangle.width / _EMS_ACROSS, rectangle.height / _EMS_DOWN)
-        em = max(_LEAST_EM * self._style.font_size, min(em, self._style.font_size))
-        layout = Layout((rectangle.width, rectangle.height), em, {})
+        layout = Layout((rectangle.width, rectangle.height), self._style.font_size, {})
         clip = self._homogeneous @ self._projection.clip_from_world_at(self._scene.origin).T
         clip = clip[clip[:, 3] > 0.0]
         with np.errstate(over="ignore", invalid="ignore"):

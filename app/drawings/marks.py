@@ -321,7 +321,6 @@ class MarksDrawing:
         for label, leader, text, spot, away in zip(
             self._labels, self._leaders, self._texts, spots, spots[count:], strict=False
         ):
-            label.set_size(layout.em)
             if not self._over:
                 sides, most = _sides_away(spot, away), len(GAPS_EM) if self._leads else gaps
                 layout.place(label, text, [spot], sides, leader, gaps=most)

@@ -19,12 +19,12 @@ import pyvista as pv
 from PIL import Image
 from PySide6.QtGui import QOpenGLContext
 from PySide6.QtWidgets import QWidget
-from vtkmodules.vtkRenderingCore import vtkRenderWindow
+from vtkmodules.vtkRenderingCore import vtkRenderWindow, vtkTextActor
 
 from app.bootstrap import ROOT
 from app.document.document import Document, parse, read, to_json
 from app.document.view import PANES
-from app.drawings import WORDS
+from app.drawings import WORDS, figures
 from app.drawings.figures import png_bytes, render, write_png
 from app.drawings.off_screen import off_screen
 from app.drawings.stage import StageDrawing
@@ -308,3 +308,30 @@ def test_a_mesh_far_from_the_origin_is_drawn_as_cleanly_as_near_it(tmp_path: Pat
     assert colours_of(near) > 50
     # The eye itself is rounded to 2e-9 there: a pixel on an edge may round the other way.
     assert (near != far).any(axis=2).mean() < 1e-3
+
+
+@pytest.mark.parametrize("scale", [1.0, 2.0])
+@pytest.mark.parametrize("scene", ["letter-f", "similar-triangles", "focus", "clipping"])
+def test_all_letters_of_a_figure_have_one_size(
+    scene: str, scale: float, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """8 points are 8/72 of an inch, at `DPI` pixels an inch, in every pane, however small."""
+    sizes: dict[str, set[int]] = {}
+    original = figures.pixels_of
+
+    def noted(window: Any, *args: Any, **options: Any) -> Any:
+        done = original(window, *args, **options)
+        for renderer in window.GetRenderers():
+            for prop in renderer.GetViewProps():
+                if isinstance(prop, vtkTextActor) and prop.GetVisibility():
+                    points = prop.GetTextProperty().GetFontSize() * window.GetDPI() / 72.0
+                    sizes.setdefault(prop.GetInput(), set()).add(round(points))
+        return done
+
+    monkeypatch.setattr(figures, "pixels_of", noted)
+    shown = load(scene)
+    render(shown, shown.start, PANES, (1500, 500), scale, text_pt=8.0)
+    assert len(sizes) > 4
+    (found,) = set().union(*sizes.values())
+    # Several pixels are drawn for one of the figure's, along each side.
+    assert found / (8.0 * figures.DPI / 72.0 * scale) == pytest.approx(3.0, rel=0.01)
