@@ -42,7 +42,11 @@ from pathlib import Path
 from typing import IO, Literal, NoReturn
 
 ROOT = Path(__file__).resolve().parent.parent
+#: What starts the program: an installed one has no checkout around it.
+PROGRAM = "python3 -m app" if (ROOT / "pyproject.toml").exists() else "frustum-lab"
 EXIT_NOT_SET_UP = 3
+#: Of a fresh environment with the tests' packages, 1.15, and pip's temporary files.
+SPACE_GB = 1.5
 
 #: How often it is said again what is being done: on a terminal, in one line, and elsewhere.
 TICK_S, TICK_ELSEWHERE_S = 0.5, 10.0
@@ -457,6 +461,8 @@ class Environment:
                 progress.say(f"bringing {self.folder} up to date")
                 self._install(held, progress)
             else:
+                if shutil.disk_usage(self.root).free < SPACE_GB * 1e9:
+                    raise _no_space(self.root)
                 progress.say(f"first start: setting up {self.folder} (once; needs the network)")
                 self._make_anew(held, progress)
             lines = [self.line()] + ([self.line(self.extras)] if self.extras else [])
@@ -533,6 +539,11 @@ class Environment:
             )
         # Somebody made it by hand. It is theirs: complete it, or leave it alone.
         tag = self._runs()
+        if tag is None and self._what_is_old() is not None:
+            raise SetupError(
+                f"{self.folder} was made by another program and has no pip; bring it up to date "
+                f"with that, or remove it and start again: {_remove(self.folder)}"
+            )
         if tag is not None and tag != sys.implementation.cache_tag:
             raise SetupError(
                 f"{self.folder} was made by hand for another Python; remove it and start again: "
@@ -540,14 +551,20 @@ class Environment:
             )
         return tag is not None
 
+    def serves(self) -> bool:
+        """Whether somebody else made it, as ``uv run`` does, and it has all that is wanted."""
+        made = self.read_stamp() is None and self.python.exists()
+        return made and self._what_is_old() == ""
+
     def still_lacks(self) -> str | None:
         """What is not as new as it should be; None where anything that is imported is missing."""
+        return self._what_is_old() if self.can_be_kept() else None
+
+    def _what_is_old(self) -> str | None:
         probe = (
             "import sys; sys.path.insert(0, sys.argv[1]); from app import bootstrap; "
             "bootstrap.tell_what_is_old(sys.argv[2:])"
         )
-        if not self.can_be_kept():
-            return None
         command: list[str | Path] = [self.python, "-I", "-c", probe, self.root, *self.extras]
         done = subprocess.run(command, capture_output=True, text=True, check=False)
         return done.stdout.strip() if done.returncode == 0 else None
@@ -603,6 +620,7 @@ class Environment:
 
     def _pip(self, held: Held, progress: _Progress, command: list[str]) -> tuple[int, list[str]]:
         output: list[str] = []
+        told: set[str] = set()  # pip names a package again that it has had to look into
 
         def follow(line: str) -> None:
             output.append(line)
@@ -613,7 +631,8 @@ class Environment:
                     f"  installing {count} packages",
                     lambda: f"{max(0, self._installed() - before)} done",
                 )
-            elif (text := _progress(line)) is not None:
+            elif (text := _progress(line)) is not None and text not in told:
+                told.add(text)
                 progress.say(f"  {text}")
 
         return held.run(command, follow), output
@@ -656,7 +675,8 @@ def _no_space(environment: Path) -> SetupError:
     full = min(folders, key=lambda folder: shutil.disk_usage(folder).free)
     also = " or set TMPDIR to a folder that has it" if full == temporary else ""
     return SetupError(
-        f"no space is left in {full}; free 2 GB there{also}, and run again: {_command_again()}"
+        f"too little space is left in {full}; free {SPACE_GB} GB there{also}, and run again: "
+        f"{_command_again()}"
     )
 
 
@@ -850,7 +870,7 @@ def _in_one_sentence() -> Iterator[None]:
             fail(str(_no_space(ROOT)))
         fail(
             f"the set-up failed ({error}); put Frustum Lab into a folder that you may write to, "
-            f"with 2 GB of space, and run again: {_command_again()}"
+            f"with {SPACE_GB} GB of space, and run again: {_command_again()}"
         )
     except KeyboardInterrupt:  # whoever was setting something up has said so
         raise SystemExit(130) from None
@@ -907,7 +927,8 @@ def _enter(environment: Environment, wanted: Sequence[Requirement]) -> bool:
     if _is_met(wanted, environment):
         os.environ.pop(_AGAIN, None)
         return True
-    if _AGAIN not in os.environ and not environment.is_running() and environment.is_complete():
+    may_go = _AGAIN not in os.environ and not environment.is_running()
+    if may_go and (environment.is_complete() or environment.serves()):
         _again(environment.python)
     return False
 

@@ -41,14 +41,14 @@ def screens(count: int) -> Iterator[dict[str, str]]:
         yield environment
         return
     with contextlib.ExitStack() as stack:
-        displays = [stack.enter_context(_own_screen()) for _ in range(count)]
+        displays = [stack.enter_context(own_screen()) for _ in range(count)]
         environment["DISPLAY"] = displays[0]
         environment["TEST_DISPLAYS"] = " ".join(displays)
         yield environment
 
 
 @contextlib.contextmanager
-def _own_screen() -> Iterator[str]:
+def own_screen() -> Iterator[str]:
     """Yield the name of an X server of our own."""
     reading, writing = os.pipe()
     # No -auth: without it the server lets in nobody but the user who started it.

@@ -180,5 +180,5 @@ def cannot_import(error: ImportError) -> CliError:
     if missing:
         return CliError(f"{bootstrap.advice(missing)}.", CANNOT_DRAW)
     return CliError(
-        f"A library cannot be loaded ({error}); python3 -m app doctor says more.", CANNOT_DRAW
+        f"A library cannot be loaded ({error}); {bootstrap.PROGRAM} doctor says more.", CANNOT_DRAW
     )

@@ -297,7 +297,7 @@ def _check_typed_points(arguments: Sequence[str]) -> None:
     point = ",".join(parts) if len(parts) in (3, 4) else "1,2,3"
     raise CliError(
         f"POINTS = {' '.join(typed)!r}: must be a CSV file, or - for standard input; for a point:"
-        f" echo {point} | python3 -m app project -."
+        f" echo {point} | {bootstrap.PROGRAM} project -."
     )
 
 

@@ -15,7 +15,7 @@ import sys
 from collections.abc import Callable, Iterable, Sequence
 from typing import NoReturn, TextIO, TypeVar
 
-from app import __version__
+from app import __version__, bootstrap
 from app.strangers import printable
 
 _Status = TypeVar("_Status", int, "int | None")
@@ -116,7 +116,7 @@ class Parser(argparse.ArgumentParser):
     """An argument parser whose complaints are sentences, and name the nearest option."""
 
     def __init__(self, command: str, names: str, text: str, epilog: str = "") -> None:
-        usage = " ".join(f"python3 -m app {command} [options] {names}".split())
+        usage = " ".join(f"{bootstrap.PROGRAM} {command} [options] {names}".split())
         super().__init__(
             usage=usage,
             description=SUMMARIES.get(command, "How a camera turns a 3-D scene into a picture."),
@@ -212,7 +212,7 @@ def check_file(word: str) -> None:
     if os.path.lexists(word) or not re.fullmatch(r"\w[\w-]*", word):
         return
     if word in SUMMARIES:
-        raise CliError(f"{word} is a command and must come first: python3 -m app {word} ...")
+        raise CliError(f"{word} is a command and must come first: {bootstrap.PROGRAM} {word} ...")
     near = difflib.get_close_matches(word.lower(), SUMMARIES, 1)
     known = f"nearest command is {near[0]}" if near else f"commands are {', '.join(SUMMARIES)}"
     raise CliError(f"{word!r} is neither a file nor a command; the {known}.")

@@ -29,7 +29,7 @@ def talk(arguments: Sequence[str]) -> int:
     found, (name,) = parser_of("talk").read(arguments)
     if not found.check and found.handout is None:
         raise CliError(
-            f"talk needs --check or --handout OUT.pdf; python3 -m app {name} opens the talk."
+            f"talk needs --check or --handout OUT.pdf; {bootstrap.PROGRAM} {name} opens the talk."
         )
     if found.handout is not None:
         if not found.handout.lower().endswith(".pdf"):

@@ -431,6 +431,46 @@ def test_a_half_made_environment_is_not_trusted_from_inside_either(made: Checkou
     assert (done.returncode, done.stdout) == (3, "")
 
 
+def without_pip(made: Checkout) -> Path:
+    """Make the environment one of uv's, which has no stamp of ours and no pip; its packages."""
+    (made.root / ".venv" / "frustum-lab.stamp").unlink()
+    (packages,) = (made.root / ".venv").glob("*ib/**/site-packages")
+    for name in packages.glob("pip*"):
+        shutil.rmtree(name)
+    return packages
+
+
+def test_an_environment_of_another_program_that_has_all_is_used_as_it_is(made: Checkout) -> None:
+    packages = without_pip(made)
+    before = sorted(packages.iterdir())
+    said = made.assert_runs()
+    assert said == "" and sorted(packages.iterdir()) == before
+    assert not (made.root / ".venv" / "frustum-lab.stamp").exists()
+
+
+def test_an_environment_of_another_program_that_lacks_something_is_left_alone(
+    made: Checkout,
+) -> None:
+    packages = without_pip(made)
+    made.ask_for(">=2,<3", exactly="2.0")
+    before = sorted(packages.iterdir())
+    status, _, said = made.run("-m", "app", "project")
+    assert status == 3 and "was made by another program and has no pip" in said
+    assert sorted(packages.iterdir()) == before
+
+
+def test_a_disk_with_too_little_space_is_told_before_anything_is_downloaded(
+    fresh: Checkout, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    usage = shutil.disk_usage(fresh.root)
+    monkeypatch.setattr(shutil, "disk_usage", lambda _folder: usage._replace(free=300_000_000))
+    with pytest.raises(bootstrap.SetupError, match=r"too little space is left .* free 1\.5 GB"):
+        bootstrap.Environment(fresh.root).make()
+    assert not (fresh.root / ".venv").exists()
+    readme = " ".join((bootstrap.ROOT / "README.md").read_text(encoding="utf-8").split())
+    assert f"{bootstrap.SPACE_GB} GB of free disk" in readme
+
+
 def test_an_environment_made_by_hand_is_completed_not_replaced(made: Checkout) -> None:
     made.stamp.unlink()
     shutil.rmtree(made.package)
@@ -592,6 +632,7 @@ def test_a_full_disk_is_called_that_with_its_folder(
     temporary.mkdir()
     monkeypatch.setattr(tempfile, "tempdir", str(temporary))
     monkeypatch.setattr(bootstrap, "ROOT", fresh.root)
+    monkeypatch.setattr(bootstrap, "SPACE_GB", 0)  # at first it seemed to be enough
     monkeypatch.setattr(bootstrap, "missing_system", lambda _: [])
     monkeypatch.setattr(bootstrap, "venv_module", list)
 
@@ -614,7 +655,7 @@ def test_a_full_disk_is_called_that_with_its_folder(
     said = one_sentence(capsys.readouterr().err)
     assert end.value.code == 3
     place = str(temporary if full == "temporary" else fresh.root)
-    assert f"no space is left in {place}" in said
+    assert f"too little space is left in {place}" in said
     assert ("TMPDIR" in said) == (full == "temporary")
 
 

@@ -11,7 +11,7 @@ import pytest
 
 from app.bootstrap import ROOT
 from tests import PATIENCE_S
-from tests.__main__ import _own_screen
+from tests.__main__ import own_screen
 
 # A program of its own, on a server of its own: Qt knows the screens of its first one only.
 ON_TWO_SCREENS = """
@@ -87,7 +87,7 @@ monitors.close()
 @pytest.mark.skipif(sys.platform != "linux", reason="an X server with RandR")
 def test_the_class_has_the_external_screen_and_the_speaker_the_other(tmp_path: Path) -> None:
     talk = ROOT / "app" / "lessons" / "content" / "talk-000.md"
-    with _own_screen() as display:
+    with own_screen() as display:
         done = subprocess.run(
             [sys.executable, "-c", ON_TWO_SCREENS, display, str(talk)],
             cwd=tmp_path, capture_output=True, text=True, check=False, timeout=PATIENCE_S,

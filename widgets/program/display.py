@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import ctypes
 import os
+import shutil
 import sys
 import time
 from collections.abc import Callable, Iterator
@@ -12,9 +13,13 @@ from functools import partial
 
 from PySide6.QtCore import QLibraryInfo
 
+from app import bootstrap
 from widgets.program.opengl import WITHOUT_OPENGL, DisplayError
 
-WITHOUT_DISPLAY = "“export”, “project” and “matrices” need none."
+WITHOUT_DISPLAY = (
+    "“export”, “project”, “matrices”, “measure”, “lesson”, “talk --check”, “talk --handout” and "
+    "“doctor” need none."
+)
 X_RETRIES_S = (0.1, 0.4, 0.0)
 """Pauses after each try to reach an X server, which may be starting anew."""
 
@@ -57,10 +62,16 @@ def _reach_display() -> Callable[[], object] | None:
         name = "DISPLAY" if x11 else "WAYLAND_DISPLAY"
         raise DisplayError(
             f"There is no screen to open a window on ({name} leads to none): start it in a desktop "
-            "session, over ssh with -X, or with xvfb-run -s '+extension GLX' in front; "
-            + WITHOUT_DISPLAY
+            f"session, over ssh with -X, or with {_virtual()} in front; {WITHOUT_DISPLAY}"
         )
     return _reach_x11(display)
+
+
+def _virtual() -> str:
+    """The command for a virtual display, and the one that brings it where it is not there."""
+    missing = [] if shutil.which("xvfb-run") else [bootstrap.System("xvfb-run", "xvfb xauth")]
+    how = f" ({bootstrap.advice(missing)})" if missing else ""
+    return f"xvfb-run -s '+extension GLX'{how}"
 
 
 def _wayland_answers() -> bool:
@@ -89,7 +100,7 @@ def _reach_x11(display: str) -> Callable[[], object]:
     except OSError as error:
         raise DisplayError(
             f"Qt cannot reach the X server, because a system library is missing ({error}); "
-            "python3 -m app doctor says which package brings it."
+            f"{bootstrap.PROGRAM} doctor says which package brings it."
         ) from error
     xcb.xcb_connect.restype = ctypes.c_void_p
     xcb.xcb_connect.argtypes = [ctypes.c_char_p, ctypes.c_void_p]
@@ -103,6 +114,6 @@ def _reach_x11(display: str) -> Callable[[], object]:
         time.sleep(pause_s)
     raise DisplayError(
         f"The X server DISPLAY = {display} does not answer or does not let this user in: start "
-        "it in a desktop session, over ssh with -X, or with xvfb-run -s '+extension GLX' in "
-        f"front; {WITHOUT_DISPLAY}"
+        f"it in a desktop session, over ssh with -X, or with {_virtual()} in front; "
+        f"{WITHOUT_DISPLAY}"
     )
