@@ -1,6 +1,10 @@
-"""Damaged and hostile meshes, documents and lessons, each opened by ``python3 -m app``.
+"""Damaged and hostile meshes, documents, lessons and talks, each opened by ``python3 -m app``.
 
-Meshes and documents by ``matrices FILE``, lessons by ``lesson check FILE``.
+Meshes and documents by ``matrices FILE``, lessons and talks by ``lesson check FILE``. With
+``--window`` each is then opened in a real window too, where all three panes are drawn and every
+step of a lesson is read and answered: an exception there, a drawing that is taken back, more than
+`LONGEST_STALL_S` of work without the window's events, or a file opened that is none of the lesson's
+is a finding. A window that crashes is a finding, and the next file gets another one.
 
 ``python3 -m tests.hostile --count 5000 --seed 1`` makes so many and tells what became of them. A
 file is sound, or refused in one sentence that begins with its name; anything else is a finding: a
@@ -24,6 +28,7 @@ import json
 import os
 import random
 import re
+import select
 import struct
 import subprocess
 import sys
@@ -37,6 +42,8 @@ ROOT = Path(__file__).parents[1]
 CONFIRMED = 50
 LONGEST_S = 10.0
 LONGEST_WAIT_S = 60.0
+LONGEST_STALL_S = 0.2
+"""Of processor time of the window's thread, which other jobs do not lengthen."""
 LARGEST_BYTES = 2 * 2**30
 
 POINTS = [(0.125, 0, 0.25), (3.25, 0, 0.5), (3.0, 0, 3.125), (0.25, 0, 3), (1.5, 4, 1.75)]
@@ -486,12 +493,140 @@ def _commanded(path: Path) -> Outcome:
     return Outcome(done.returncode, done.stdout, done.stderr, time.perf_counter() - started, 0)
 
 
+# --------------------------------------------------------------------------- in a window
+
+IN_A_WINDOW = "--in-a-window"
+
+
+class InWindow:
+    """Opens files in a window of a process of its own, and tells what is wrong with each."""
+
+    def __init__(self, folder: Path) -> None:
+        self._folder = folder
+        self._process: subprocess.Popen[str] | None = None
+
+    def finding(self, path: Path) -> str:
+        """What is wrong with a file; empty if nothing is."""
+        if self._process is None:
+            command = [sys.executable, "-m", "tests.hostile", IN_A_WINDOW, str(self._folder)]
+            self._process = subprocess.Popen(
+                command, cwd=ROOT, stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True
+            )
+            self._answer()  # the window is there
+        assert self._process.stdin is not None
+        print(path, file=self._process.stdin, flush=True)
+        return self._answer()
+
+    def _answer(self) -> str:
+        assert self._process is not None and self._process.stdout is not None
+        ready, _, _ = select.select([self._process.stdout], [], [], LONGEST_WAIT_S)
+        answer = self._process.stdout.readline() if ready else ""
+        if answer:
+            return str(json.loads(answer))
+        self._process.kill()
+        status, self._process = self._process.wait(), None
+        return f"the window ended with {status}" if ready else "the window hangs"
+
+    def close(self) -> None:
+        """Let the window go."""
+        if self._process is not None:
+            self._process.kill()
+            self._process.wait()
+
+
+def in_a_window(folder: Path) -> None:
+    """Open the files that standard input names, and answer each with what is wrong with it."""
+    from PySide6.QtCore import QTimer
+    from PySide6.QtTest import QTest
+    from PySide6.QtWidgets import QApplication
+
+    from widgets.program.opengl import prepare
+
+    prepare()
+    application = QApplication([])
+    from app.document.document import Document
+    from app.scenes.scene import load
+    from tests.support.opened import opened
+    from widgets.window.settings import Settings
+
+    home = folder / "window.ini"
+    window = opened(Document("cube", load("cube").start), settings=Settings(home))
+    problems: list[str] = []
+    import traceback
+
+    sys.excepthook = lambda _kind, error, _trace: problems.append(
+        "".join(traceback.format_exception(error)[-3:])
+    )
+    allowed = tuple(map(str, (folder, ROOT, sys.prefix, sys.base_prefix, tempfile.gettempdir())))
+    opened_elsewhere: set[str] = set()
+
+    def audit(event: str, arguments: tuple[Any, ...]) -> None:
+        if event in ("socket.connect", "socket.getaddrinfo"):
+            opened_elsewhere.add(event)
+        elif event == "open" and not str(arguments[0]).startswith(allowed):
+            opened_elsewhere.add(str(arguments[0]))
+
+    sys.addaudithook(audit)
+    longest, last = [0.0], [time.thread_time()]
+
+    def beat() -> None:
+        now = time.thread_time()
+        longest[0], last[0] = max(longest[0], now - last[0]), now
+
+    pulse = QTimer(interval=5)
+    pulse.timeout.connect(beat)
+
+    def settle() -> None:
+        for _ in range(4):
+            QTest.qWait(1)
+
+    print(json.dumps("ready"), flush=True)
+    for line in sys.stdin:
+        problems.clear()
+        opened_elsewhere.clear()
+        longest[0], last[0] = 0.0, time.thread_time()
+        pulse.start()
+        is_open = window.files.open(line.rstrip("\n"))
+        settle()
+        if is_open and window.lessons.course is not None:
+            for place in range(len(window.lessons.course.lesson.steps)):
+                window.lesson_card.go_to(place)
+                settle()
+                for block in window.lesson_card.blocks:
+                    block.give_hint()
+                settle()
+            if window.lessons.course.lesson.is_talk:
+                window.talks.open_speaker()
+                settle()
+                window.talks.close_speaker()
+            window.lesson_card.leave()
+            settle()
+        pulse.stop()
+        for pane in window.panes.values():
+            if pane.drawing is None:
+                problems.append(f"{pane.name} shows nothing")
+        if "cannot be drawn" in window.messages.text:
+            problems.append(window.messages.text)
+        if window.shown.document is not window.store.document:
+            problems.append("the window shows another document than the store's")
+        problems.extend(f"opens {name}" for name in sorted(opened_elsewhere))
+        if longest[0] > LONGEST_STALL_S and not line.endswith(".md\n"):  # of many scenes
+            problems.append(f"stalls for {longest[0]:.2f} s")
+        print(json.dumps("; ".join(problems)), flush=True)
+    application.quit()
+
+
 def main() -> int:
     """Open hostile files and tell what became of them; 1 if there are findings."""
+    if IN_A_WINDOW in sys.argv[1:2]:
+        in_a_window(Path(sys.argv[2]))
+        return 0
     parser = argparse.ArgumentParser(description="Open hostile files.")
     parser.add_argument("--count", type=int, default=5000)
     parser.add_argument("--first", type=int, default=0, help="number of the first, to go on from")
     parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--window", action="store_true", help="draw each in a window, too")
+    parser.add_argument("--only", default="", help="endings, such as .obj,.md")
     parser.add_argument("--keep", type=Path, help="a folder for the files of findings")
     found = parser.parse_args()
     forks = hasattr(os, "fork")
@@ -511,8 +646,11 @@ def main() -> int:
         if forks:
             os.mkfifo(folder / "pipe.bin")
             (folder / "link.bin").symlink_to(outer / "out.bin")
+        window = InWindow(folder) if found.window else None
         for number in range(found.first, found.first + found.count):
             ending, kind, data = hostile(found.seed, number)
+            if found.only and ending not in found.only.split(","):
+                continue
             path = folder / f"{number}{ending}"
             path.write_bytes(data)
             outcome = _forked(path, outer) if forks else _commanded(path)
@@ -526,6 +664,8 @@ def main() -> int:
                     outcome.err,
                 ):
                     what = what or f"the whole command says something else: {again.err!r}"
+            if window is not None and (shown := window.finding(path)):
+                what = f"{what}; in the window: {shown}".removeprefix("; ")
             if what:
                 findings += 1
                 print(
@@ -538,6 +678,8 @@ def main() -> int:
             outcomes["opened" if outcome.status == 0 else "refused"] += not what
             slowest, largest = max(slowest, outcome.seconds), max(largest, outcome.largest)
             path.unlink()
+        if window is not None:
+            window.close()
     print(
         f"{found.count} files from {found.first} of seed {found.seed}: "
         f"{outcomes['opened']} opened, {outcomes['refused']} refused in one sentence, "

@@ -16,6 +16,7 @@ from weakref import WeakKeyDictionary
 import numpy as np
 from numpy.typing import NDArray
 
+from app.scenes.mesh_files import merge_points
 from app.scenes.scene import Scene
 
 if TYPE_CHECKING:
@@ -28,7 +29,8 @@ LEAST_TRIANGLES = 1_000
 _DRAGGED = (*SHARES, 0.005, 0.002, 0.001, 0.0005)
 _LEAST_DRAGGED = 500
 """Triangles: with fewer a frame hardly takes less, and says nothing of the shape any more."""
-QUADRIC_TRIANGLES = 100_000
+QUADRIC_TRIANGLES, QUADRIC_VALENCE = 100_000, 500
+"""More triangles, or more at one vertex, are sorted into boxes: the other way takes minutes."""
 
 _MOST_BOXES = 400  # along the longest side; VTK ends the program where memory ends
 _WITHIN = 1.15  # of the share that was asked for
@@ -85,7 +87,8 @@ def _fewer(surface: pv.PolyData, share: float) -> pv.PolyData:
     import pyvista as pv
     from vtkmodules.vtkFiltersCore import vtkQuadricDecimation
 
-    if surface.n_cells <= QUADRIC_TRIANGLES:
+    at_one_vertex = int(np.bincount(surface.regular_faces.ravel()).max())
+    if surface.n_cells <= QUADRIC_TRIANGLES and at_one_vertex <= QUADRIC_VALENCE:
         decimation = vtkQuadricDecimation()
         decimation.SetInputData(surface)
         decimation.SetTargetReduction(1.0 - share)
@@ -116,7 +119,8 @@ def _binned(surface: pv.PolyData, share: float) -> pv.PolyData:
         decimation.ProduceCellDataOn()
         decimation.Update()
         found = pv.wrap(decimation.GetOutput())
-        if abs(math.log(max(1, found.n_cells) / wanted)) < abs(math.log(best.n_cells / wanted)):
+        left = found.n_cells  # 0 where all of them have fallen together
+        if left and abs(math.log(left / wanted)) < abs(math.log(best.n_cells / wanted)):
             best = found
         ratio = wanted / max(1, found.n_cells)
         if 1.0 / _WITHIN < ratio < _WITHIN or (ratio > 1.0 and boxes >= _MOST_BOXES):
@@ -138,5 +142,19 @@ def _plain(mesh: pv.PolyData) -> pv.PolyData:
 
 
 def _nearest_cells(surface: pv.PolyData, fewer: pv.PolyData) -> NDArray[np.integer]:
-    """Of each triangle's middle, which of the former faces is the nearest: its colour is kept."""
-    return np.asarray(surface.find_closest_cell(fewer.cell_centers().points))
+    """Of each triangle, which of the former ones has its middle nearest: its colour is kept.
+
+    By a tree of the middles: VTK's locator of cells looks at all that lie in one place.
+    """
+    import pyvista as pv
+    from vtkmodules.vtkCommonDataModel import vtkKdTreePointLocator
+
+    middles, number = merge_points(np.asarray(surface.cell_centers().points, dtype=np.float64))
+    first = np.empty(len(middles), dtype=np.int64)
+    first[number[::-1]] = np.arange(len(number))[::-1]
+    tree = vtkKdTreePointLocator()
+    tree.SetDataSet(pv.PolyData(middles))
+    tree.BuildLocator()
+    nearest = [tree.FindClosestPoint(middle) for middle in fewer.cell_centers().points.tolist()]
+    found: NDArray[np.integer] = first[np.array(nearest, dtype=np.int64)]
+    return found

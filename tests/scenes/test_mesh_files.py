@@ -19,7 +19,9 @@ from app.document.document import Document
 from app.model.refusal import Cancelled, Refusal
 from app.scenes import mesh_files as meshes
 from app.scenes import reading
+from app.scenes.fewer_triangles import reduced, shares_for_dragging
 from app.scenes.mesh_files import Mesh
+from app.scenes.scene import load
 from tests.support.meshes import PYRAMID, gltf_parts, obj_file, ply_file, write_gltf
 
 THREE = "v 0 0 0\nv 1 0 0\nv 0 1 0\n"
@@ -304,3 +306,18 @@ def test_a_picture_names_a_mesh_without_its_folder(tmp_path: Path) -> None:
         assert "somebody" not in text and '"cow.obj"' in text
         found = document.parse(text, tmp_path)
         assert str(tmp_path / "cow.obj") in (found.scene, found.mesh)
+
+
+@pytest.mark.parametrize("copies", [20_000, 300_000])
+def test_triangles_that_lie_in_one_place_are_reduced_in_no_time(
+    copies: int, tmp_path: Path
+) -> None:
+    """VTK's locator of cells looked at all of them for each; of no triangles, there is no share."""
+    (tmp_path / "m.obj").write_text(f"{THREE}v 0 0 1\nf 1 2 4\n" + "f 1 2 3\n" * copies)
+    began = time.process_time()
+    scene = load(str(tmp_path / "m.obj"))
+    for share in shares_for_dragging(scene):
+        surface = reduced(scene, share).surface
+        assert surface is not None and surface.n_cells > 0
+        assert len(surface.cell_data["rgb"]) == surface.n_cells
+    assert time.process_time() - began < 60.0  # it was many minutes
