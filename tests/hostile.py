@@ -536,6 +536,7 @@ class InWindow:
 
 def in_a_window(folder: Path) -> None:
     """Open the files that standard input names, and answer each with what is wrong with it."""
+    import matplotlib
     from PySide6.QtCore import QTimer
     from PySide6.QtTest import QTest
     from PySide6.QtWidgets import QApplication
@@ -557,14 +558,16 @@ def in_a_window(folder: Path) -> None:
     sys.excepthook = lambda _kind, error, _trace: problems.append(
         "".join(traceback.format_exception(error)[-3:])
     )
-    allowed = tuple(map(str, (folder, ROOT, sys.prefix, sys.base_prefix, tempfile.gettempdir())))
+    places = (folder, ROOT, sys.prefix, sys.base_prefix, tempfile.gettempdir(), os.devnull)
+    allowed = (*map(str, places), matplotlib.get_cachedir())
     opened_elsewhere: set[str] = set()
 
     def audit(event: str, arguments: tuple[Any, ...]) -> None:
         if event in ("socket.connect", "socket.getaddrinfo"):
             opened_elsewhere.add(event)
-        elif event == "open" and not str(arguments[0]).startswith(allowed):
-            opened_elsewhere.add(str(arguments[0]))
+        elif event == "open" and not isinstance(arguments[0], int):  # a pipe that is open
+            if not os.fsdecode(arguments[0]).startswith(allowed):
+                opened_elsewhere.add(os.fsdecode(arguments[0]))
 
     sys.addaudithook(audit)
     longest, last = [0.0], [time.thread_time()]

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import logging
 import re
 from functools import lru_cache
 from typing import Any, NamedTuple
@@ -53,7 +54,8 @@ def outline(tex: str) -> Outline:
     Raises
     ------
     ValueError
-        If something in it cannot be set, or its braces are too deep or its spaces too wide.
+        If something in it cannot be set, a character is not in the font, or its braces are too
+        deep or its spaces too wide.
     """
     depth = 0
     for opened, closed in re.findall(r"(?<!\\)(?:(\{|\\left\b)|(\}|\\right\b))", tex):
@@ -63,6 +65,7 @@ def outline(tex: str) -> Outline:
     from matplotlib.font_manager import FontProperties
     from matplotlib.textpath import TextToPath
 
+    logging.getLogger("matplotlib.mathtext").addFilter(_refuse)
     reader: Any = TextToPath()
     font: Any = FontProperties(size=_EM, math_fontfamily=FONT)
     text = "$" + tex.replace("'", "\u2032") + "$"  # as a sign of its own: it is high enough
@@ -77,6 +80,13 @@ def outline(tex: str) -> Outline:
         np.reshape(np.asarray(vertices, dtype=np.float64), (-1, 2)) / _EM,
         np.asarray(codes),
     )
+
+
+def _refuse(warning: logging.LogRecord) -> bool:
+    """Mathtext warns of a character it does not have, and writes another one in its place."""
+    if warning.levelno >= logging.WARNING:
+        raise ValueError("has a character that the formulas' font lacks")
+    return True
 
 
 def html_of(text: str) -> tuple[str, tuple[str, ...]]:

@@ -135,6 +135,7 @@ def test_lesson_list_names_them_all() -> None:
         ("lens.near=", "lens.naer=", "lens.naer is not known"),
         ("$", "$\\nosuch ", "has a formula that cannot be written: Unknown symbol"),
         ("$", f"${'{' * 60}x{'}' * 60} ", "written: has more than 12 levels of braces"),
+        ("$", "$\u0663$ ", "written: Unknown symbol: \u0663"),
         ("$", f"${'x^{' * 60}x{'}' * 60} ", "written: has more than 12 levels of braces"),
         ("$", "$\\hspace{99999} ", "is less than 0 or more than 400 letters wide"),
         ("$", "$\\hspace{-999} ", "is less than 0 or more than 400 letters wide"),
