@@ -565,9 +565,10 @@ def in_a_window(folder: Path) -> None:
     def audit(event: str, arguments: tuple[Any, ...]) -> None:
         if event in ("socket.connect", "socket.getaddrinfo"):
             opened_elsewhere.add(event)
-        elif event == "open" and not isinstance(arguments[0], int):  # a pipe that is open
-            if not os.fsdecode(arguments[0]).startswith(allowed):
-                opened_elsewhere.add(os.fsdecode(arguments[0]))
+        elif event != "open" or isinstance(arguments[0], int):  # a pipe that is open
+            return
+        elif not os.fsdecode(arguments[0]).startswith(allowed):
+            opened_elsewhere.add(os.fsdecode(arguments[0]))
 
     sys.addaudithook(audit)
     longest, last = [0.0], [time.thread_time()]

@@ -38,6 +38,8 @@ Progress: TypeAlias = Callable[[float], bool]
 
 LARGEST = 20_000_000, 2 * 2**30
 """Most triangles of a mesh, and most bytes that they and their vertices may take."""
+MOST_REPEATED = 50_000
+"""Most triangles of a file with fewer bytes than triangles, which repeats its parts."""
 MOST_CORNERS = 1000
 """Of a face: to divide it into triangles takes time with their square."""
 PAINT_RGB = (184, 194, 208)
@@ -98,6 +100,11 @@ TOO_MUCH = QT_TRANSLATE_NOOP(
     "Refusal",
     "{0}: it would grow to {1} triangles and {2} MiB, and at most {3} triangles and {4} MiB "
     "are shown; make it smaller.",
+)
+REPEATED = QT_TRANSLATE_NOOP(
+    "Refusal",
+    "{0}: it repeats {1} bytes until they are {2} triangles, and at most {3} are shown of so few "
+    "bytes; remove copies.",
 )
 NO_MEMORY = QT_TRANSLATE_NOOP(
     "Refusal",
@@ -858,6 +865,9 @@ def _gltf_mesh(source: _Source, content: dict[str, Any], body: bytes) -> Mesh:
     vertices, triangles = (sum(sizes[index][part] for index, _ in nodes) for part in (0, 1))
     source.check_size(vertices, triangles, 3 * triangles)
     buffers = _gltf_buffers(source, content.get("buffers", ()), body)
+    held = sum(map(len, buffers))
+    if triangles > max(held, MOST_REPEATED):
+        raise Refusal.saying(REPEATED, source.path, held, triangles, MOST_REPEATED)
     source.report(0.2)
     meshes: dict[int, Mesh] = {}
     parts = []

@@ -22,7 +22,8 @@ import numpy as np
 
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
 from app.scenes import mesh_files as meshes
-from app.scenes.mesh_files import TOO_MUCH, Mesh, Progress, open_mesh, report
+from app.scenes.finishing import Finished, finished
+from app.scenes.mesh_files import TOO_MUCH, Progress, open_mesh, report
 
 SMALL = 2**20
 """Most bytes of a file that is read at once: within 0.1 s, which a process takes to begin."""
@@ -38,8 +39,8 @@ ENDED = QT_TRANSLATE_NOOP(
 _POLL_S = 0.05
 
 
-def read(path: Path, progress: Progress | None = None) -> Mesh:
-    """Read a mesh file; see `app.scenes.mesh_files.read`.
+def read(path: Path, progress: Progress | None = None) -> Finished:
+    """Read a mesh file, ready to be drawn; see `app.scenes.mesh_files.read`.
 
     Parameters
     ----------
@@ -52,14 +53,14 @@ def read(path: Path, progress: Progress | None = None) -> Mesh:
         size = os.fstat(file.fileno()).st_size
     if size <= SMALL:
         try:
-            return meshes.read(path, progress, SMALL_MESH)
+            return finished(path, meshes.read(path, progress, SMALL_MESH), progress)
         except Refusal as error:
             if error.bound != TOO_MUCH:  # for here
                 raise
     return _read_apart(path, progress)
 
 
-def _read_apart(path: Path, progress: Progress | None) -> Mesh:
+def _read_apart(path: Path, progress: Progress | None) -> Finished:
     packages = [str(Path(__file__).parents[2]), os.environ.get("PYTHONPATH", "")]
     child = subprocess.Popen(
         [sys.executable, "-P", "-m", "app.scenes.reading", os.fspath(path)],
@@ -83,7 +84,7 @@ def _read_apart(path: Path, progress: Progress | None) -> Mesh:
                 answer = answers.get(timeout=_POLL_S)
             except Empty:
                 continue
-            if isinstance(answer, Mesh):
+            if isinstance(answer, Finished):
                 return answer
             if answer is None:
                 raise Refusal.saying(ENDED, path)
@@ -104,7 +105,7 @@ def _listen(pipe: BinaryIO, answers: SimpleQueue[Any]) -> None:
         while line := pipe.readline():
             answer = json.loads(line)
             if "mesh" in answer:
-                answer = _received(pipe, **answer["mesh"])
+                answer = Finished(*(_received(pipe, *array) for array in answer["mesh"]))
             answers.put(answer)
     except (EOFError, MemoryError, ValueError):  # it ended in the middle of a word
         pass
@@ -112,22 +113,12 @@ def _listen(pipe: BinaryIO, answers: SimpleQueue[Any]) -> None:
         answers.put(None)
 
 
-def _received(
-    pipe: BinaryIO, points: int, faces: int, corners: int, coloured: bool, painted: bool
-) -> Mesh:
-    def array(shape: tuple[int, ...], kind: Any) -> Any:
-        values = np.empty(shape, dtype=kind)
-        if pipe.readinto(values.data.cast("B")) != values.nbytes:  # type: ignore[attr-defined]
-            raise EOFError
-        return values
-
-    return Mesh(
-        array((points, 3), np.float64),
-        array((faces + 1,), np.int64),
-        array((corners,), np.int64),
-        array((faces, 3), np.uint8) if coloured else None,
-        painted,
-    )
+def _received(pipe: BinaryIO, kind: str, shape: list[int]) -> Any:
+    values = np.empty(shape, dtype=kind)
+    octets = values.reshape(-1).view(np.uint8)
+    if pipe.readinto(octets) != octets.size:  # type: ignore[attr-defined]
+        raise EOFError
+    return values
 
 
 # --------------------------------------------------------------------------- in the other process
@@ -152,13 +143,12 @@ def main(path: Path) -> None:
         return True
 
     try:
-        mesh = meshes.read(path, progress)
-        sizes = {"points": len(mesh.points), "faces": len(mesh.offsets) - 1}
-        sizes |= {"corners": len(mesh.corners)}
-        say({"mesh": sizes | {"coloured": mesh.rgb is not None, "painted": mesh.painted}})
-        for values in (mesh.points, mesh.offsets, mesh.corners, mesh.rgb):
-            if values is not None:
-                out.write(np.ascontiguousarray(values).data.cast("B"))
+        arrays = [
+            np.ascontiguousarray(a) for a in finished(path, meshes.read(path, progress), progress)
+        ]
+        say({"mesh": [[array.dtype.str, array.shape] for array in arrays]})
+        for array in arrays:
+            out.write(array.ravel().view(np.uint8).data)
         out.flush()
     except Refusal as error:
         parts = [part if isinstance(part, int) else str(part) for part in error.limits]

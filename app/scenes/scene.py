@@ -35,13 +35,13 @@ from app.model.projection import (
     Vector,
 )
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
+from app.scenes.finishing import Finished, following, vector
 from app.scenes.mesh_files import ENDINGS as ENDINGS
 from app.scenes.mesh_files import (
     PAINT_RGB,
     Colours,
     Floats,
     Ints,
-    Mesh,
     Progress,
     merge_points,
     open_mesh,
@@ -84,22 +84,6 @@ NOT_A_SCENE = QT_TRANSLATE_NOOP(
 NEARLY_A_SCENE = QT_TRANSLATE_NOOP(
     "Refusal", "There is no scene “{0}”, only {1} or {2}; did you mean “{3}”?"
 )
-ONE_POINT = QT_TRANSLATE_NOOP(
-    "Refusal",
-    "{0}: all vertices are at one point, so that there is nothing to see; check the export.",
-)
-ONE_LINE = QT_TRANSLATE_NOOP(
-    "Refusal",
-    "{0}: all vertices are on one line, so that there is nothing to see; check the export.",
-)
-WRONG_SIZE = QT_TRANSLATE_NOOP(
-    "Refusal", "{0}: the mesh is {1} units large, but must be between 1e-30 and 1e30; scale it."
-)
-TOO_FAR = QT_TRANSLATE_NOOP(
-    "Refusal",
-    "{0}: a vertex has the coordinate {1}, but it must be within ±{2}, 1e12 times the mesh's size;"
-    " move the mesh to the origin.",
-)
 NO_OWN_MESH = QT_TRANSLATE_NOOP(
     "Refusal", "mesh = {1}: the scene “{0}” has a subject of its own, no mesh can take its place."
 )
@@ -125,16 +109,8 @@ _TRIES_OF_A_MESH = (
     QT_TRANSLATE_NOOP("phenomena", "Close near and far round it."),
     QT_TRANSLATE_NOOP("phenomena", "What becomes of its shape in the cube?"),
 )
-FARTHEST = 1e12
-"""From the origin, in sizes of a mesh: there four digits are left of where its vertices are."""
-FACES_WITH_EDGES = 5_000
-"""Meshes of more faces get no edge lines: they would be denser than the pixels."""
 SAMPLE = 100_000
 """Vertices of a larger mesh stand for all of them when speed is measured."""
-_BLOCK = 100_000
-"""Faces that are worked on together: progress is told after each."""
-_SHARP = math.cos(math.radians(30.0))
-"""Edges whose faces turn by more than this are drawn."""
 _DEEPEST = 4.0  # times the bounds' longest side, that a mesh may reach which crosses them
 RASTERISED = frozenset({"depth", "texture", "fog", "levels"})
 """What a scene can require of the image's `Rasteriser`."""
@@ -468,7 +444,7 @@ def frame_camera(lower: Sequence[float], upper: Sequence[float]) -> Projection:
     # Rounded to what a reader wants to see in a number field: a thousandth of the size.
     decimals = 3 - math.floor(math.log10(size))
     target = _rounded(_centre(lower, upper), decimals)
-    toward_eye = _vector(np.array(FRAMED_FROM) / math.hypot(*FRAMED_FROM))
+    toward_eye = vector(np.array(FRAMED_FROM) / math.hypot(*FRAMED_FROM))
     u, v, n = Camera(toward_eye, (0.0, 0.0, 0.0)).frame
 
     lens = Perspective()
@@ -585,16 +561,11 @@ def _built_in(
         origin=(0.0, 0.0, 0.0),
         surface=_surface(quads),
         lines=_line_set(lines),
-        lower=_vector(points.min(axis=0)),
-        upper=_vector(points.max(axis=0)),
+        lower=vector(points.min(axis=0)),
+        upper=vector(points.max(axis=0)),
         start=start,
         phenomenon=phenomenon,
     )
-
-
-def _vector(values: ArrayLike) -> Vector:
-    x, y, z = np.asarray(values, dtype=np.float64).tolist()
-    return x, y, z
 
 
 def _letter_f() -> Scene:
@@ -665,71 +636,15 @@ BUILT_IN = (*_BUILDERS, *PHENOMENA)
 # --------------------------------------------------------------------------- meshes from files
 
 
-def _read_mesh(path: Path, progress: Progress | None) -> tuple[Mesh, Vector, Vector]:
-    """A mesh that has a size, and its bounds."""
+def _read_mesh(path: Path, progress: Progress | None) -> Finished:
     if path.suffix.lower() not in ENDINGS:
         open_mesh(path).close()
         raise Refusal.saying(WRONG_ENDING, path, *_but_last(ENDINGS))
-    mesh = read(path, progress)
-    report(progress, 0.5)
-    lower, upper = _vector(mesh.points.min(axis=0)), _vector(mesh.points.max(axis=0))
-    size = math.dist(lower, upper)
-    if size == 0.0:
-        raise Refusal.saying(ONE_POINT, path)
-    if not 1e-30 < size < 1e30:  # the GPU's float32 ends near 1e-38 and 1e38
-        raise Refusal.saying(WRONG_SIZE, path, f"{size:.2g}")
-    most = FARTHEST * size
-    farthest = max((*lower, *upper), key=abs)
-    if abs(farthest) > most:
-        raise Refusal.saying(TOO_FAR, path, f"{farthest:.3g}", f"{most:.1g}")
-    if _is_on_a_line((mesh.points - lower) / size):
-        raise Refusal.saying(ONE_LINE, path)
-    return mesh, lower, upper
+    return read(path, progress)
 
 
-def _surface_of(mesh: Mesh, rgb: Colours) -> pv.PolyData:
-    """A mesh for VTK, with fans of triangles for the polygons that VTK cannot divide.
-
-    Those cross or repeat themselves; VTK would leave them out without a word.
-    """
-    counts = np.diff(mesh.offsets)
-    large = np.flatnonzero(counts > 4)
-    if not large.size:
-        return _poly_data(mesh.points, mesh.offsets, mesh.corners, rgb)
-    ends = np.concatenate([[0], np.cumsum(counts[large])])
-    places = np.arange(ends[-1]) + np.repeat(mesh.offsets[large] - ends[:-1], counts[large])
-    part = _poly_data(mesh.points, ends, mesh.corners[places], rgb[large])
-    part.cell_data["face"] = large
-    lost = np.setdiff1d(large, part.triangulate().cell_data["face"])
-    triangles = counts[lost] - 2
-    face = np.repeat(lost, triangles)
-    step = np.arange(len(face)) - np.repeat(np.cumsum(triangles) - triangles, triangles)
-    first = mesh.offsets[face]
-    fans = mesh.corners[np.stack([first, first + step + 1, first + step + 2], axis=1)]
-    kept = np.ones(len(counts), dtype=bool)
-    kept[lost] = False
-    sizes = np.concatenate([[0], counts[kept], np.full(len(fans), 3)])
-    corners = np.concatenate([mesh.corners[np.repeat(kept, counts)], fans.ravel()])
-    return _poly_data(
-        mesh.points, np.cumsum(sizes), corners, np.concatenate([rgb[kept], rgb[face]])
-    )
-
-
-def _is_on_a_line(points: Floats) -> bool:
-    """Whether points (n, 3) of a mesh of size 1 are thinner than float64 tells, in two directions.
-
-    By the principal axes: the second spread is lost in the rounding of the first.
-    """
-    away = points - points.mean(axis=0)
-    _, second, first = np.linalg.eigvalsh(away.T @ away)
-    return bool(second <= 1e-15 * first)
-
-
-def _edges(mesh: Mesh) -> Coloured:
-    """The edges of a mesh, if they are not denser than pixels."""
-    few = len(mesh.offsets) - 1 <= FACES_WITH_EDGES
-    edges = _feature_edges(mesh) if few else np.empty((0, 2, 3))
-    return edges, flat(EDGE_RGB, len(edges))
+def _drawn_edges(mesh: Finished) -> Coloured:
+    return mesh.edges, flat(EDGE_RGB, len(mesh.edges))
 
 
 def _scene_of_phenomenon(
@@ -740,7 +655,8 @@ def _scene_of_phenomenon(
     scene = _built_in(phenomenon.name, faces, lines, phenomenon.start, phenomenon)
     if not mesh_path:
         return scene
-    mesh, lower, upper = _read_mesh(Path(mesh_path), progress)
+    mesh = _read_mesh(Path(mesh_path), progress)
+    lower, upper = mesh.bounds
     room, sides = np.subtract(scene.upper, scene.lower), np.subtract(upper, lower)
     held, place = np.array(_centre(lower, upper)), np.array(scene.centre)
     if phenomenon.own_mesh_crosses:
@@ -752,18 +668,17 @@ def _scene_of_phenomenon(
     extended = (sides > 0.0) & (room > 0.0)
     fallback = scene.size / math.dist(lower, upper)
     scale = float((room[extended] / sides[extended]).min()) if extended.any() else fallback
-    mesh.points -= held
-    mesh.points *= scale
-    mesh.points += place
-    report(progress, 0.6)
-    rgb = _face_colours(mesh, progress)
+    for ends in (mesh.points, mesh.edges):
+        ends -= held
+        ends *= scale
+        ends += place
     grid = is_grid(lines[1])
     scene = replace(
         scene,
-        surface=_surface_of(mesh, rgb),
-        lines=_line_set(joined((lines[0][grid], lines[1][grid]), _edges(mesh))),
-        lower=_vector(mesh.points.min(axis=0)),
-        upper=_vector(mesh.points.max(axis=0)),
+        surface=_poly_data(mesh.points, mesh.offsets, mesh.corners, mesh.rgb),
+        lines=_line_set(joined((lines[0][grid], lines[1][grid]), _drawn_edges(mesh))),
+        lower=vector(mesh.points.min(axis=0)),
+        upper=vector(mesh.points.max(axis=0)),
         own_mesh=True,
     )
     _ = scene.subject  # of a large mesh, which the first drawing would wait for
@@ -775,10 +690,10 @@ def _own_mesh(surface: pv.PolyData, origin: Vector, pixels: bool) -> OwnMesh:
     """The longest edges of a surface, the triangles with the longest; for pixels all of them."""
     points = np.asarray(surface.points)
     offsets, corners = cells_of(surface.GetPolys())
-    following = corners[_following(offsets)]
+    next_corners = corners[following(offsets)]
     # Most edges are there from either side, and with the copies of their ends that files make.
     places, merged = merge_points(points)
-    starts, ends = merged[corners], merged[following]
+    starts, ends = merged[corners], merged[next_corners]
     apart = starts != ends
     keys = np.minimum(starts, ends)[apart] * len(places) + np.maximum(starts, ends)[apart]
     starts, ends = np.divmod(_distinct(keys), len(places))
@@ -848,20 +763,18 @@ def _largest(values: NDArray[np.floating], count: int) -> Ints:
 
 
 def _scene_of_mesh(name: str, path: Path, progress: Progress | None) -> Scene:
-    mesh, lower, upper = _read_mesh(path, progress)
+    mesh = _read_mesh(path, progress)
+    lower, upper = mesh.bounds
     size = math.dist(lower, upper)
     # A round number near the middle, and 0 for a mesh that is at the origin anyway.
     origin = _rounded(_centre(lower, upper), -math.floor(math.log10(size)))
-    mesh.points -= np.array(origin)
-    report(progress, 0.6)
-    rgb = _face_colours(mesh, progress)
-
-    lines = joined(_ground(lower, upper, origin), _edges(mesh))
+    for ends in (mesh.points, mesh.edges):
+        ends -= np.array(origin)
     scene = Scene(
         name=name,
         origin=origin,
-        surface=_surface_of(mesh, rgb),
-        lines=_line_set(lines),
+        surface=_poly_data(mesh.points, mesh.offsets, mesh.corners, mesh.rgb),
+        lines=_line_set(joined(_ground(lower, upper, origin), _drawn_edges(mesh))),
         lower=lower,
         upper=upper,
         start=frame_camera(lower, upper),
@@ -875,77 +788,6 @@ def _exists(path: Path) -> bool:
         return path.exists()
     except (OSError, ValueError):  # no permission to look, or a name that no file can have
         return False
-
-
-def _face_colours(mesh: Mesh, progress: Progress | None) -> Colours:
-    faces = len(mesh.offsets) - 1
-    if mesh.rgb is not None and mesh.painted and (mesh.rgb != mesh.rgb[0]).any():
-        return mesh.rgb
-    paint = np.asarray(PAINT_RGB if mesh.rgb is None else mesh.rgb, dtype=np.float32)
-    light = np.empty((faces, 1), dtype=np.float32)
-    for first in range(0, faces, _BLOCK):
-        which = slice(first, min(first + _BLOCK, faces))
-        light[which, 0] = brightness(_normals(mesh, which))
-        report(progress, 0.6 + 0.3 * which.stop / faces)
-    return (paint * light).astype(np.uint8)
-
-
-def _normals(mesh: Mesh, which: slice) -> Floats:
-    """Unit normals (m, 3) of some polygons, 0 where the area is 0.
-
-    The area vectors of the triangles of a fan add up to that of the polygon, also of a concave
-    one.
-    """
-    offsets = mesh.offsets[which.start : which.stop + 1] - mesh.offsets[which.start]
-    corners = mesh.corners[mesh.offsets[which.start] : mesh.offsets[which.stop]]
-    counts = np.diff(offsets)
-    if (counts == 3).all():  # of the fan's triangles the others are 0
-        a, b, c = (mesh.points[corners[i::3]] for i in range(3))
-        before, after = (b - a).T, (c - a).T
-        starts = np.arange(len(counts))
-    else:
-        away = mesh.points[corners] - np.repeat(mesh.points[corners[offsets[:-1]]], counts, axis=0)
-        before, after = away.T, away[_following(offsets)].T
-        starts = offsets[:-1]
-    area = np.empty((3, len(counts)))
-    for x, y, z in ((0, 1, 2), (1, 2, 0), (2, 0, 1)):
-        area[x] = np.add.reduceat(before[y] * after[z] - before[z] * after[y], starts)
-    length = np.sqrt((area**2).sum(axis=0))
-    length[length == 0.0] = 1.0
-    normals: Floats = (area / length).T
-    return normals
-
-
-def _feature_edges(mesh: Mesh) -> Floats:
-    """Sharp and free edges (m, 2, 3) of a small mesh, and those of more than two faces.
-
-    Files repeat a vertex for every face, or where its texture or normal changes; only when the
-    copies are one point again do two faces know that they are neighbours. VTK's filter takes the
-    square of the faces at one edge, and a few kilobytes of glTF bring thousands.
-    """
-    points, merged = merge_points(mesh.points)
-    starts = merged[mesh.corners]
-    ends = merged[mesh.corners[_following(mesh.offsets)]]
-    faces = len(mesh.offsets) - 1
-    normals = _normals(mesh, slice(0, faces))
-    apart = starts != ends
-    face = np.repeat(np.arange(faces), np.diff(mesh.offsets))[apart]
-    keys = (np.minimum(starts, ends) * len(points) + np.maximum(starts, ends))[apart]
-    order = np.argsort(keys, kind="stable")
-    found, first, count = np.unique(keys[order], return_index=True, return_counts=True)
-    two = count == 2
-    one_side, other_side = (normals[face[order[first[two] + i]]] for i in (0, 1))
-    drawn = ~two
-    drawn[two] = (one_side * other_side).sum(axis=1) <= _SHARP
-    edges: Floats = points[np.stack(np.divmod(found[drawn], len(points)), axis=1)]
-    return edges
-
-
-def _following(offsets: Ints) -> Ints:
-    """For every place among the corners of faces, that of the next corner of the same face."""
-    following = np.arange(1, offsets[-1] + 1)
-    following[offsets[1:] - 1] = offsets[:-1]
-    return following
 
 
 def _ground(lower: Vector, upper: Vector, origin: Vector) -> Coloured:

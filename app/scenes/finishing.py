@@ -1,0 +1,229 @@
+"""What was read becomes what is drawn: checked, coloured, with its edges, without large polygons.
+
+All that takes long for a large mesh is done here, so that `app.scenes.reading` can do it in the
+other process.
+"""
+
+from __future__ import annotations
+
+import math
+from pathlib import Path
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from app.model.limits import Vector
+from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
+from app.scenes.mesh_files import (
+    PAINT_RGB,
+    Colours,
+    Floats,
+    Ints,
+    Mesh,
+    Progress,
+    merge_points,
+    report,
+)
+from app.scenes.shapes import brightness
+
+ONE_POINT = QT_TRANSLATE_NOOP(
+    "Refusal",
+    "{0}: all vertices are at one point, so that there is nothing to see; check the export.",
+)
+ONE_LINE = QT_TRANSLATE_NOOP(
+    "Refusal",
+    "{0}: all vertices are on one line, so that there is nothing to see; check the export.",
+)
+WRONG_SIZE = QT_TRANSLATE_NOOP(
+    "Refusal", "{0}: the mesh is {1} units large, but must be between 1e-30 and 1e30; scale it."
+)
+TOO_FAR = QT_TRANSLATE_NOOP(
+    "Refusal",
+    "{0}: a vertex has the coordinate {1}, but it must be within ±{2}, 1e12 times the mesh's size;"
+    " move the mesh to the origin.",
+)
+FARTHEST = 1e12
+"""From the origin, in sizes of a mesh: there four digits are left of where its vertices are."""
+FACES_WITH_EDGES = 5_000
+"""Meshes of more faces get no edge lines: they would be denser than the pixels."""
+_BLOCK = 100_000
+"""Faces that are worked on together: progress is told after each."""
+_SHARP = math.cos(math.radians(30.0))
+"""Edges whose faces turn by more than this are drawn."""
+
+
+class Finished(NamedTuple):
+    """A mesh that is ready to be drawn.
+
+    Attributes
+    ----------
+    points : (n, 3) float64
+        World coordinates.
+    offsets, corners : (m + 1,) and (offsets[m],) int64
+        As of `app.scenes.mesh_files.Mesh`, of faces of three or four corners.
+    rgb : (m, 3) uint8
+        What each face looks like.
+    edges : (k, 2, 3) float64
+        Ends of the lines that are drawn.
+    """
+
+    points: Floats
+    offsets: Ints
+    corners: Ints
+    rgb: Colours
+    edges: Floats
+
+    @property
+    def bounds(self) -> tuple[Vector, Vector]:
+        """Least and largest coordinates."""
+        return vector(self.points.min(axis=0)), vector(self.points.max(axis=0))
+
+
+def finished(path: Path, mesh: Mesh, progress: Progress | None) -> Finished:
+    """What is drawn of the mesh of a file.
+
+    Raises
+    ------
+    Refusal
+        For a mesh of no size, too large, too far away, or on one line.
+    """
+    report(progress, 0.5)
+    _check(path, mesh.points)
+    report(progress, 0.6)
+    rgb = _face_colours(mesh, progress)
+    few = len(mesh.offsets) - 1 <= FACES_WITH_EDGES
+    edges = _feature_edges(mesh) if few else np.empty((0, 2, 3))
+    return Finished(mesh.points, *_divided(mesh, rgb), edges)
+
+
+def vector(values: ArrayLike) -> Vector:
+    x, y, z = np.asarray(values, dtype=np.float64).tolist()
+    return x, y, z
+
+
+def _check(path: Path, points: Floats) -> None:
+    lower, upper = points.min(axis=0), points.max(axis=0)
+    size = math.dist(lower, upper)
+    if size == 0.0:
+        raise Refusal.saying(ONE_POINT, path)
+    if not 1e-30 < size < 1e30:  # the GPU's float32 ends near 1e-38 and 1e38
+        raise Refusal.saying(WRONG_SIZE, path, f"{size:.2g}")
+    most = FARTHEST * size
+    farthest = max((*lower, *upper), key=abs)
+    if abs(farthest) > most:
+        raise Refusal.saying(TOO_FAR, path, f"{farthest:.3g}", f"{most:.1g}")
+    if _is_on_a_line((points - lower) / size):
+        raise Refusal.saying(ONE_LINE, path)
+
+
+def _is_on_a_line(points: Floats) -> bool:
+    """Whether points (n, 3) of a mesh of size 1 are thinner than float64 tells, in two directions.
+
+    By the principal axes: the second spread is lost in the rounding of the first.
+    """
+    away = points - points.mean(axis=0)
+    _, second, first = np.linalg.eigvalsh(away.T @ away)
+    return bool(second <= 1e-15 * first)
+
+
+def _face_colours(mesh: Mesh, progress: Progress | None) -> Colours:
+    faces = len(mesh.offsets) - 1
+    if mesh.rgb is not None and mesh.painted and (mesh.rgb != mesh.rgb[0]).any():
+        return mesh.rgb
+    paint = np.asarray(PAINT_RGB if mesh.rgb is None else mesh.rgb, dtype=np.float32)
+    light = np.empty((faces, 1), dtype=np.float32)
+    for first in range(0, faces, _BLOCK):
+        which = slice(first, min(first + _BLOCK, faces))
+        light[which, 0] = brightness(_normals(mesh, which))
+        report(progress, 0.6 + 0.3 * which.stop / faces)
+    return (paint * light).astype(np.uint8)
+
+
+def _normals(mesh: Mesh, which: slice) -> Floats:
+    """Unit normals (m, 3) of some polygons, 0 where the area is 0.
+
+    The area vectors of the triangles of a fan add up to that of the polygon, also of a concave
+    one.
+    """
+    offsets = mesh.offsets[which.start : which.stop + 1] - mesh.offsets[which.start]
+    corners = mesh.corners[mesh.offsets[which.start] : mesh.offsets[which.stop]]
+    counts = np.diff(offsets)
+    if (counts == 3).all():  # of the fan's triangles the others are 0
+        a, b, c = (mesh.points[corners[i::3]] for i in range(3))
+        before, after = (b - a).T, (c - a).T
+        starts = np.arange(len(counts))
+    else:
+        away = mesh.points[corners] - np.repeat(mesh.points[corners[offsets[:-1]]], counts, axis=0)
+        before, after = away.T, away[following(offsets)].T
+        starts = offsets[:-1]
+    area = np.empty((3, len(counts)))
+    for x, y, z in ((0, 1, 2), (1, 2, 0), (2, 0, 1)):
+        area[x] = np.add.reduceat(before[y] * after[z] - before[z] * after[y], starts)
+    length = np.sqrt((area**2).sum(axis=0))
+    length[length == 0.0] = 1.0
+    normals: Floats = (area / length).T
+    return normals
+
+
+def _feature_edges(mesh: Mesh) -> Floats:
+    """Sharp and free edges (m, 2, 3) of a small mesh, and those of more than two faces.
+
+    Files repeat a vertex for every face, or where its texture or normal changes; only when the
+    copies are one point again do two faces know that they are neighbours. VTK's filter takes the
+    square of the faces at one edge, and a few kilobytes of glTF bring thousands.
+    """
+    points, merged = merge_points(mesh.points)
+    starts = merged[mesh.corners]
+    ends = merged[mesh.corners[following(mesh.offsets)]]
+    faces = len(mesh.offsets) - 1
+    normals = _normals(mesh, slice(0, faces))
+    apart = starts != ends
+    face = np.repeat(np.arange(faces), np.diff(mesh.offsets))[apart]
+    keys = (np.minimum(starts, ends) * len(points) + np.maximum(starts, ends))[apart]
+    order = np.argsort(keys, kind="stable")
+    found, first, count = np.unique(keys[order], return_index=True, return_counts=True)
+    two = count == 2
+    one_side, other_side = (normals[face[order[first[two] + i]]] for i in (0, 1))
+    drawn = ~two
+    drawn[two] = (one_side * other_side).sum(axis=1) <= _SHARP
+    edges: Floats = points[np.stack(np.divmod(found[drawn], len(points)), axis=1)]
+    return edges
+
+
+def _divided(mesh: Mesh, rgb: Colours) -> tuple[Ints, Ints, Colours]:
+    """Offsets, corners and colours of faces in which polygons have become triangles.
+
+    VTK divides them, but leaves those out that cross or repeat themselves: these become fans.
+    """
+    counts = np.diff(mesh.offsets)
+    large = np.flatnonzero(counts > 4)
+    if not large.size:
+        return mesh.offsets, mesh.corners, rgb
+    import pyvista as pv
+
+    ends = np.concatenate([[0], np.cumsum(counts[large])])
+    places = np.arange(ends[-1]) + np.repeat(mesh.offsets[large] - ends[:-1], counts[large])
+    part = pv.PolyData()
+    part.points = mesh.points
+    part.SetPolys(pv.CellArray.from_arrays(ends, mesh.corners[places], deep=True))
+    part.cell_data["face"] = large
+    part = part.triangulate()
+    lost = np.setdiff1d(large, part.cell_data["face"])
+    triangles = counts[lost] - 2
+    fan = np.repeat(lost, triangles)
+    step = np.arange(len(fan)) - np.repeat(np.cumsum(triangles) - triangles, triangles)
+    first = mesh.offsets[fan]
+    fans = mesh.corners[np.stack([first, first + step + 1, first + step + 2], axis=1)]
+    kept = counts <= 4
+    corners = [mesh.corners[np.repeat(kept, counts)], part.regular_faces.ravel(), fans.ravel()]
+    face = np.concatenate([np.flatnonzero(kept), part.cell_data["face"], fan])
+    sizes = np.where(kept, counts, 3)[face]
+    return np.concatenate([[0], np.cumsum(sizes)]), np.concatenate(corners), rgb[face]
+
+
+def following(offsets: Ints) -> Ints:
+    """For every place among the corners of faces, that of the next corner of the same face."""
+    following = np.arange(1, offsets[-1] + 1)
+    following[offsets[1:] - 1] = offsets[:-1]
+    return following
