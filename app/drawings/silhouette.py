@@ -7,6 +7,7 @@ only changes with the pane's own camera.
 
 from __future__ import annotations
 
+import math
 from typing import Any
 
 import numpy as np
@@ -20,6 +21,7 @@ _MOST_FACES = 3_000  # of a mesh of more the vertices are close enough
 _MOST_POINTS = 10_000
 _SQUARE_EM = 1.0 / 3.0
 _MOST_STEPS = 256  # across one triangle: one that reaches far out of the pane is sampled coarser
+_MOST_PLACES = 200_000  # looked at together: of more, which lie over one another, fewer are enough
 
 
 class Silhouette:
@@ -60,10 +62,13 @@ class Silhouette:
             spots = spots[((high >= 0.0) & (low <= shape)).all(axis=1)]
             sides = np.ptp(spots, axis=1).max(axis=1)
             steps = 2 ** np.ceil(np.log2(np.clip(sides, 1.0, _MOST_STEPS))).astype(np.int64)
+            places = int(((steps + 1) * (steps + 2) // 2).sum())
+            coarser = math.ceil(math.log(max(places / _MOST_PLACES, 1.0), 4.0))
+            steps = np.maximum(steps >> coarser, 1)
             for count in sorted(set(steps.tolist())):
                 some = spots[steps == count]
-                places = np.tensordot(_lattice(count), some, axes=(1, 1)).reshape(-1, 2)
-                at = np.floor(places).astype(np.int64)
+                spread = np.tensordot(_lattice(count), some, axes=(1, 1)).reshape(-1, 2)
+                at = np.floor(spread).astype(np.int64)
                 at = at[((at >= 0) & (at < shape)).all(axis=1)]
                 held[at[:, 0], at[:, 1]] = True
         return Mask(held, square)
