@@ -1,0 +1,35 @@
+"""README and docs show what the program draws, all of it and nothing else."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+from PIL import Image
+
+from app.bootstrap import ROOT
+from tests import pictures
+
+
+def test_the_pictures_are_what_the_program_draws(tmp_path: Path) -> None:
+    assert pictures.compare(pictures.PICTURES, tmp_path) == {}
+
+
+def test_every_picture_is_shown_somewhere_and_can_be_drawn_anew() -> None:
+    pages = [Path(ROOT) / "README.md", *pictures.DOCS.glob("*.md")]
+    shown = {
+        Path(name).name
+        for page in pages
+        for name in re.findall(r"!\[[^\]]*\]\(([^)]+)\)", page.read_text(encoding="utf-8"))
+    }
+    assert shown == set(pictures.PICTURES) == {path.name for path in pictures.DOCS.glob("*.png")}
+
+
+def test_a_label_in_another_place_is_seen(tmp_path: Path) -> None:
+    path = pictures.DOCS / "scene-focus.png"
+    with Image.open(path) as image:
+        changed = image.convert("RGB")
+    changed.paste(changed.crop((170, 20, 230, 45)), (20, 20))
+    changed.save(tmp_path / "moved.png")
+    assert pictures.different(path, path) == 0.0
+    assert pictures.different(path, tmp_path / "moved.png") > pictures.MOST_DIFFERENT

@@ -1,0 +1,136 @@
+"""``python3 -m tests.pictures``: do README and docs show what the program draws?
+
+``--write`` draws their pictures anew, all of them or those that are named. `PICTURES` says of each
+with what command it is drawn; the charts of measurements are drawn from what was measured once,
+``docs/measured-*.json``, which ``python3 -m app measure --json`` has written.
+"""
+
+from __future__ import annotations
+
+import argparse
+import sys
+import tempfile
+from collections.abc import Iterable
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+from PIL import Image
+
+from app.bootstrap import ROOT
+from app.commands import cli
+from app.measure import chart
+from app.measure.results import from_json
+from app.scenes.phenomena import PHENOMENA
+from tests.support.commands import run
+
+DOCS = Path(ROOT) / "docs"
+MOST_DIFFERENT = 0.002
+"""Of a picture's squares: drivers and fonts differ in the pixels along an edge."""
+_SQUARE_PX, _LEVELS = 8, 24
+
+_PANES = {"view-volumes": "world,ndc", "clipping": "world,ndc", "affine-depth": "ndc,image"}
+"""Of phenomena that are not seen best in the world and in the image."""
+
+
+def _figure(panes: str, size: str, *values: str) -> tuple[str, ...]:
+    sets = [part for value in values for part in ("--set", value)]
+    return ("export", "--panes", panes, "--size", size, *sets)
+
+
+PICTURES: dict[str, tuple[str, ...]] = {
+    "window.png": ("--size", "1366x768", "--screenshot"),
+    "lesson.png": (
+        "app/lessons/content/l05-similar-triangles.md", "--size", "1366x768", "--screenshot",
+    ),
+    "lecture-l1.png": _figure("world", "640x400", "view.frame_step=v", "view.panel=frame"),
+    "lecture-l2.png": _figure(
+        "world,image", "840x320", "object.translate=2,0,-1", "object.rotate_deg=0,30,0"
+    ),
+    "lecture-l7.png": _figure(
+        "image", "840x320", "scene=off-axis-window", "view.compare=proportions"
+    ),
+    "lecture-l9.png": _figure("ndc", "420x320", "view.stage=pyramid"),
+    "lecture-l10.png": _figure("world,image", "840x320", "lens.kind=orthographic"),
+    "lecture-l14.png": _figure("image", "420x320", "view.probes=0.5,2.5,0.5"),
+    "lecture-l16.png": _figure("image", "840x320", "scene=eye-plane", "view.compare=divides"),
+    "lecture-l18.png": _figure(
+        "image", "840x320", "scene=interpolation", "view.compare=interpolation"
+    ),
+    "lecture-l20.png": _figure(
+        "image", "840x320", "scene=field-of-view", "view.compare=photographs"
+    ),
+    **{
+        f"scene-{name}.png": _figure(
+            _PANES.get(name, "world,image"), "840x320", f"scene={name}"
+        )
+        for name in PHENOMENA
+    },
+    "measure-arithmetic.png": ("measured-letter-f.json", "arithmetic"),
+    "measure-interpolation.png": ("measured-letter-f.json", "interpolation"),
+    "measure-depth.png": ("measured-letter-f.json", "depth"),
+    "measure-smoothing.png": ("measured-letter-f.json", "smoothing"),
+    "measure-sweeps.png": ("measured-letter-f.json", ""),
+    "measure-detail.png": ("measured-sphere.json", "detail"),
+}  # fmt: skip
+
+
+def draw(name: str, path: Path) -> None:
+    """Draw a picture of the docs into a file."""
+    command = PICTURES[name]
+    if command[0].endswith(".json"):
+        results = from_json((DOCS / command[0]).read_text(encoding="utf-8"))
+        trades = tuple(trade for trade in results.trades if trade.name == command[1])
+        sweeps = () if trades else results.sweeps
+        path.write_bytes(chart.picture(replace(results, trades=trades, sweeps=sweeps), path.name))
+    elif command[0] == "export":
+        assert cli.main([*command, str(path)]) == 0, name
+    else:
+        done = run(*command, path)
+        assert done.returncode == 0, done.stderr
+
+
+def different(one: Path, other: Path) -> float:
+    """How much of two pictures differs, by their squares: 0 nothing, 1 all, also of the size."""
+    means = []
+    for path in (one, other):
+        with Image.open(path) as image:
+            whole = image.convert("RGB")
+        columns, rows = (side // _SQUARE_PX for side in whole.size)
+        small = whole.resize((columns, rows), Image.Resampling.BOX)
+        means.append(np.asarray(small, dtype=np.int64))
+    if means[0].shape != means[1].shape:
+        return 1.0
+    return float((abs(means[0] - means[1]).max(axis=2) > _LEVELS).mean())
+
+
+def compare(names: Iterable[str], folder: Path) -> dict[str, float]:
+    """The pictures that the program draws otherwise now, into a folder, and how much of each."""
+    found = {}
+    for name in names:
+        draw(name, folder / name)
+        found[name] = different(DOCS / name, folder / name)
+    return {name: share for name, share in found.items() if share > MOST_DIFFERENT}
+
+
+def main() -> int:
+    """Compare or write the pictures; 1 if one of them is not what the program draws."""
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("names", nargs="*", metavar="NAME", help="of pictures (all)")
+    parser.add_argument("--write", action="store_true", help="draw them anew")
+    found = parser.parse_args()
+    names = found.names or list(PICTURES)
+    if found.write:
+        for name in names:
+            draw(name, DOCS / name)
+        return 0
+    with tempfile.TemporaryDirectory() as folder:
+        changed = compare(names, Path(folder))
+    for name, share in changed.items():
+        print(f"docs/{name}: {100.0 * share:.1f} % differs from what the program draws")
+    print(f"{len(names)} pictures, {len(changed)} differ")
+    return 1 if changed else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
