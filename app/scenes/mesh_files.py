@@ -38,7 +38,7 @@ Progress: TypeAlias = Callable[[float], bool]
 
 LARGEST = 20_000_000, 2 * 2**30
 """Most triangles of a mesh, and most bytes that they and their vertices may take."""
-MOST_REPEATED = 50_000
+MOST_REPEATED = 25_000
 """Most triangles of a file with fewer bytes than triangles, which repeats its parts."""
 MOST_CORNERS = 1000
 """Of a face: to divide it into triangles takes time with their square."""

@@ -183,9 +183,9 @@ def test_what_would_grow_too_large_is_refused_by_its_counts(tmp_path: Path) -> N
 
 
 def test_few_bytes_are_repeated_so_often_as_can_be_drawn_at_once(tmp_path: Path) -> None:
-    assert len(reading.read(bomb(tmp_path, 830, 10)).offsets) - 1 == 49_800
-    sentence = refused(bomb(tmp_path, 840, 10))
-    assert "bytes until they are 50400 triangles, and at most 50000" in sentence
+    assert len(reading.read(bomb(tmp_path, 415, 10)).offsets) - 1 == 24_900
+    sentence = refused(bomb(tmp_path, 420, 10))
+    assert "bytes until they are 25200 triangles, and at most 25000" in sentence
 
 
 def test_a_circle_of_nodes_and_a_deep_tree(tmp_path: Path) -> None:
