@@ -699,6 +699,24 @@ def test_packages_are_counted_while_they_are_installed(
     assert out.getvalue().splitlines()[-1].startswith("frustum-lab: set up in ")
 
 
+def test_a_package_is_named_once_while_it_is_fetched(
+    made: Checkout, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Pip names one again that it has had to look into."""
+    out = io.StringIO()
+    monkeypatch.setattr(sys, "stderr", out)
+
+    def pip(_: object, _command: object, follow: Callable[[str], object]) -> int:
+        for _ in range(2):
+            follow("Downloading frustum_extra-1.0-py3-none-any.whl (1 kB)")
+        return 0
+
+    monkeypatch.setattr(bootstrap.Held, "run", pip)
+    made.ask_for(">=0,<2", exactly="1.0")
+    bootstrap.Environment(made.root).make()
+    assert out.getvalue().count("frustum_extra 1.0 (1 kB)") == 1
+
+
 def test_a_folder_that_cannot_be_written_to_is_one_sentence(fresh: Checkout) -> None:
     (fresh.root / ".venv.lock").mkdir()  # stands in for a read-only folder, which root can write to
     status, output, said = fresh.run("-m", "app", "project")
