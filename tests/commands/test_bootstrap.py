@@ -707,8 +707,8 @@ def test_a_package_is_named_once_while_it_is_fetched(
     monkeypatch.setattr(sys, "stderr", out)
 
     def pip(_: object, _command: object, follow: Callable[[str], object]) -> int:
-        for _ in range(2):
-            follow("Downloading frustum_extra-1.0-py3-none-any.whl (1 kB)")
+        for name in ("extra", "more", "extra"):
+            follow(f"Downloading frustum_{name}-1.0-py3-none-any.whl (1 kB)")
         return 0
 
     monkeypatch.setattr(bootstrap.Held, "run", pip)
