@@ -138,9 +138,9 @@ def _window(arguments: Sequence[str]) -> int:
             raise CliError(f"The settings cannot be deleted: {error}.") from error
     path = None if file is None else Path(os.path.abspath(file))
     screenshot = None if found.screenshot is None else Path(found.screenshot)
-    nothing_asked = not words and not found.set
+    is_bare = not words and not found.set
     options = application.Options(
-        found.theme, found.size, screenshot, found.canvas, start_card=nothing_asked
+        found.theme, found.size, screenshot, found.canvas, start_card=is_bare
     )
     try:
         if lesson:

@@ -50,6 +50,7 @@ from tests import PATIENCE_S
 from tests.oracles import exact
 from tests.support.commands import comma_locale, refused, refused_by_a_process, run, run_here
 from tests.support.drawings import colours_of
+from widgets.program import application
 
 __all__ = ["comma_locale"]
 
@@ -1677,3 +1678,27 @@ def test_what_the_window_warns_of_an_export_says_too(
 def test_the_help_says_that_there_are_settings() -> None:
     said = " ".join(run_here("export", "--help").stdout.split())
     assert "mesh" in said and "settings.NAME of the scene's own" in said
+
+
+@pytest.mark.parametrize(
+    ("asked", "is_shown"),
+    [
+        ((), True),
+        (("--theme", "dark"), True),
+        (("--set", "scene=cube"), False),
+        (("docs/scene-focus.png",), False),
+        (("app/lessons/content/l05-similar-triangles.md",), False),
+    ],
+)
+def test_the_start_card_covers_nothing_that_was_asked_for(
+    asked: tuple[str, ...], is_shown: bool, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    shown: list[application.Options] = []
+
+    def run_window(*given: Any, **_named: Any) -> int:
+        shown.append(given[3])
+        return 0
+
+    monkeypatch.setattr(application, "run_window", run_window)
+    assert run_here(*asked).returncode == 0
+    assert [options.start_card for options in shown] == [is_shown]
