@@ -759,6 +759,20 @@ def test_no_points_anywhere_are_off_by_more_than_predicted(
             assert px <= bound.px and off <= bound.depth, (level, point, px, off, bound)
 
 
+@pytest.mark.parametrize(("count", "most"), [(10, 60.0), (100, 25.0)])
+def test_predictions_of_scattered_points_are_no_looser_than_it_says(
+    count: int, most: float
+) -> None:
+    rng, ratios = np.random.default_rng(32), []
+    starts = [load(name).start for name in BUILT_IN] * 2
+    for start in (start.with_depth(depth) for start in starts for depth in DEPTH_RANGES):
+        lens = start.lens.but(near=1.01 * start.lens.near)
+        projection = replace(start, lens=lens)
+        points = seen(projection, points_in_view(projection, rng, count))
+        ratios += check_predictions(start.lens.kind, projection, points, (0.0, 0.0, 0.0))
+    assert np.quantile(ratios, 0.95) <= most
+
+
 DRAWN_IN_FLOAT64 = {"far-plane-popping"}
 
 
