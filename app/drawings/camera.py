@@ -15,7 +15,8 @@ from vtkmodules.vtkRenderingCore import vtkActor
 from app.drawings import actors
 from app.drawings.actors import Canvas, Space, applied
 from app.drawings.frame import LARGER, TIPS, FrameSteps, arrow, arrow_tips, is_built
-from app.drawings.labels import AXES, PaneView
+from app.drawings.labels import AXES
+from app.drawings.pane_view import PaneView
 from app.drawings.pointing import FACES, FAR_FACE, NEAR_FACE
 from app.lecture.highlight import SIDES
 from app.model.projection import Array, Camera

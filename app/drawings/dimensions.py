@@ -27,7 +27,8 @@ from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 
 from app.drawings.actors import Canvas, actor_2d
-from app.drawings.labels import Layout, Leader, Spot, written_distance
+from app.drawings.labels import Layout, Leader, written_distance
+from app.drawings.pane_view import Spot
 from app.drawings.style import rgb
 from app.model.projection import Array, Projection
 from app.picking.handles import has_camera

@@ -42,7 +42,8 @@ from app.drawings.actors import (
     put_in_front,
     unlit_actor,
 )
-from app.drawings.labels import GAPS_EM, Layout, Leader, Spot
+from app.drawings.labels import GAPS_EM, Layout, Leader
+from app.drawings.pane_view import Spot
 from app.drawings.style import rgb
 from app.lecture.highlight import NOTHING, Highlight
 from app.model.clipping import LARGEST_CLIP, clip_polygon, clip_segments

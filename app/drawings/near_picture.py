@@ -18,7 +18,7 @@ from app.drawings import actors
 from app.drawings.actors import Canvas
 from app.drawings.camera import Standing
 from app.drawings.frustum import FrustumDrawing, matrices_between, normalised
-from app.drawings.labels import PaneView
+from app.drawings.pane_view import PaneView
 from app.model.projection import Array, Projection
 from app.scenes.scene import Scene
 

@@ -25,7 +25,7 @@ from numpy.typing import NDArray
 
 from app.drawings.actors import Canvas, axes_of
 from app.drawings.camera import AROUND_PX, SIX_WAYS
-from app.drawings.labels import PaneView
+from app.drawings.pane_view import PaneView
 from app.drawings.pointing import FACES
 from app.drawings.style import TITLE_EM
 from app.model.projection import Array, Camera

@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from app.drawings.labels import PaneView
+from app.drawings.pane_view import PaneView
 from app.model.projection import Array
 from app.scenes.scene import Scene
 

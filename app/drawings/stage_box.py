@@ -26,7 +26,8 @@ from app.drawings.actors import (
     unlit_actor,
 )
 from app.drawings.frustum import CUBE
-from app.drawings.labels import Layout, Leader, Spot
+from app.drawings.labels import Layout, Leader
+from app.drawings.pane_view import Spot
 from app.drawings.pointing import FACES, FAR_FACE, NEAR_FACE, Emphasis
 from app.drawings.stage_view import AXES_LENGTH, CANONICAL_AXES, OVERSHOOT
 from app.drawings.style import rgb
