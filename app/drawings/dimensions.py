@@ -1,4 +1,4 @@
-"""How far and how wide, in the world pane's flat views: the sketch on the blackboard.
+"""Lengths and angles in the world pane's flat views, as in a sketch on the blackboard.
 
 Lines of the screen, in one array of pixels that a step writes, and a text for each::
 
@@ -9,8 +9,7 @@ Lines of the screen, in one array of pixels that a step writes, and a text for e
            d
        far
 
-What a lens does not have is left out, and so is what a pane has no room for; a sentence at the
-bottom says so.
+A lens may lack some of them, and a pane may have no room; a sentence at the bottom says so.
 """
 
 from __future__ import annotations
@@ -61,8 +60,7 @@ class Measured(NamedTuple):
     Attributes
     ----------
     view : str
-        One of `app.document.view.FIXED`, or ``""``: nothing is.
-    projection : Projection
+        One of `app.document.view.FIXED`; ``""`` for nothing.
     eye, target : (3,) array
         Scene-local.
     corners : (8, 3) array or None
@@ -70,10 +68,9 @@ class Measured(NamedTuple):
     objects : (8, 3) array
         Of the box round them.
     distances : tuple of (str, float)
-        What else is measured from the eye along the axis. If none of it is d, that is the
-        target's.
+        Further lengths from the eye along the axis. Without a d among them, d is the target's.
     lengths : tuple of (str, float, (3,) array, (3,) array)
-        What is measured across it: its letter, how long it is, and its ends, scene-local.
+        Lengths across the axis: letter, value, and ends, scene-local.
     """
 
     view: str
@@ -94,7 +91,7 @@ class Half(NamedTuple):
     angle_deg : float or None
         Under which the eye sees it; None for a lens without an eye, or off the axis.
     at_far : float
-        Its length on the far plane; infinite with that.
+        Its length on the far plane; infinite if far is.
     """
 
     angle_deg: float | None
@@ -102,16 +99,8 @@ class Half(NamedTuple):
 
 
 def half_of(projection: Projection, axis: int) -> Half | None:
-    """The right or upper half of a lens' window; None for a typed matrix.
+    """Return the right (axis 0) or upper (axis 1) half of a window; None for a typed matrix.
 
-    Parameters
-    ----------
-    projection : Projection
-    axis : int
-        0 for the right one, 1 for the upper one.
-
-    Notes
-    -----
     Lecture 001: half the height on the far plane is ``f tan(fov/2)``.
     """
     lens = projection.lens
@@ -134,14 +123,7 @@ def half_of(projection: Projection, axis: int) -> Half | None:
 
 
 class Dimensions:
-    """The dimension lines of one pane.
-
-    Parameters
-    ----------
-    canvas : Canvas
-    words : Mapping[str, str]
-        `app.drawings.WORDS` or a translation.
-    """
+    """The dimension lines of one pane."""
 
     def __init__(self, canvas: Canvas, words: Mapping[str, str]) -> None:
         self._canvas, self._words = canvas, words
@@ -173,7 +155,6 @@ class Dimensions:
         self.hide()
 
     def hide(self) -> None:
-        """Show none."""
         self._sentence.set_visible(False)
         self._begin()
         self._points.Modified()
@@ -187,19 +168,12 @@ class Dimensions:
         self._used, self._is_left_out = 0, False
 
     def below_em(self, size_px: tuple[int, int], measured: Measured) -> float:
-        """How much room there is to be under what is drawn, in ems.
-
-        Parameters
-        ----------
-        size_px : (int, int)
-            Of the pane.
-        measured : Measured
-        """
+        """Return how much room the lines and the sentence need below the drawing, in ems."""
         rows_em = self._rows_em(size_px, measured)
         return (rows_em or 0.0) + self._said_em(self._said(size_px, measured, rows_em))
 
     def _rows_em(self, size_px: tuple[int, int], measured: Measured) -> float | None:
-        """What the lines under the drawing take; None if they would leave it too little."""
+        """The height of the lines below the drawing; None if they would leave it too little."""
         if measured.view == "axis":
             rows_em = _ACROSS_EM
         elif measured.view in ("side", "top"):
@@ -216,15 +190,9 @@ class Dimensions:
         size_px: tuple[int, int],
         measured: Measured,
     ) -> None:
-        """Show them, before other labels take their places; draw nothing yet.
+        """Show the dimensions, before other labels take their places; draw nothing yet.
 
-        Parameters
-        ----------
-        layout : Layout
-        seen : callable
-            From scene-local points, (n, 3), to where they are in the pane.
-        size_px : (int, int)
-        measured : Measured
+        `seen` converts scene-local points, (n, 3), to the pane.
         """
         before = layout.so_far
         self._place(layout, seen, size_px, measured, self._rows_em(size_px, measured))
@@ -274,7 +242,7 @@ class Dimensions:
         size_px: tuple[int, int],
         y: float,
     ) -> None:
-        """From the eye to near, target and far, one under the other, the shortest on top."""
+        """From the eye to near, target and far, one below the other, the shortest on top."""
         eye, target = spots[:2, 0].tolist()
         faces = {"near": spots[2:6, 0], "far": spots[6:10, 0]}
         top = y - 0.5 * _ROW_EM * self._em
@@ -294,7 +262,7 @@ class Dimensions:
         layout.keep_free_box([(0.0, 0.0, 1.0), (float(size_px[0]), top, 1.0)])
 
     def _ways(self, measured: Measured) -> list[tuple[str, float]]:
-        """What is measured along the axis, the shortest first."""
+        """The distances along the axis, the shortest first."""
         projection, ways = measured.projection, dict[str, float]()
         if has_camera(projection):
             ways = {"d": projection.camera.distance, **dict(measured.distances)}
@@ -390,7 +358,7 @@ class Dimensions:
         end: Way,
         otherwise: Sequence[Way] = (),
     ) -> None:
-        """Put a text on the middle of its level line, or in its row beside one too short for it."""
+        """Put a text on the middle of its level line, or beside a line that is too short."""
         room_px = end[0] - start[0]
         if layout.half(text)[0] * 2.0 + self._em <= room_px:
             middle = (start[0] + end[0]) / 2.0, start[1]
@@ -433,14 +401,14 @@ class Dimensions:
     def _said(
         self, size_px: tuple[int, int], measured: Measured, rows_em: float | None
     ) -> list[str]:
-        """Line by line, what is left out and why."""
+        """The lines of the sentence that says what is left out, and why."""
         names = (self._lacks(measured), "no room" if rows_em is None else "")
         sentence = " ".join(self._words[name] for name in names if name)
         across = max(12, int((size_px[0] / self._em - 2.0) / 0.58))
         return textwrap.wrap(sentence, across) if sentence else []
 
     def _lacks(self, measured: Measured) -> str:
-        """Which of `app.drawings.WORDS` says what there is not; or none."""
+        """The key in `app.drawings.WORDS` for what the lens lacks; empty for nothing."""
         lens = measured.projection.lens
         if lens.planes is None:
             return "no planes"

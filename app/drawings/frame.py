@@ -1,8 +1,7 @@
-"""The camera's frame in the world pane, step by step: look, up, n, u, v and their right angles.
+"""The construction of the camera's frame: look, up, n, u, v and their right angles.
 
-Made when it is first asked for. Everything but up stands still in view space; up has one matrix
-of its own, a turn about u. A step of the panel switches visibilities, a slider step sets the two
-matrices.
+Created on first use. All but up is fixed in view space; up has a matrix of its own, a turn about
+u. A step of the panel changes visibilities, a slider step sets the two matrices.
 """
 
 from __future__ import annotations
@@ -33,7 +32,7 @@ _SQUARE = 0.55  # side of a right angle's mark
 
 
 class FrameSteps:
-    """The arrows and marks that the ordinary drawing has not."""
+    """The arrows and marks that only the construction shows."""
 
     def __init__(self, canvas: Canvas) -> None:
         self._canvas, style = canvas, canvas.style
@@ -56,7 +55,7 @@ class FrameSteps:
             canvas.add(*made, layer="camera")
 
     def show(self, step: int | None) -> None:
-        """Show what is built up to a step, 0 to ``len(STEPS) - 1``; nothing for None."""
+        """Show the arrows up to a step, 0 to ``len(STEPS) - 1``; nothing for None."""
         for name, made in self._shown_from.items():
             for actor in made:
                 self._canvas.set_visible(actor, is_built(name, step))
@@ -74,25 +73,25 @@ class FrameSteps:
 
 
 def is_built(name: str, step: int | None) -> bool:
-    """Whether one of `STEPS` is reached by a step."""
+    """Return whether a step reaches one of `STEPS`."""
     return step is not None and STEPS.index(name) <= step
 
 
 def arrow_tips(step: int, camera: Camera) -> dict[str, tuple[float, float, float]]:
-    """The tips of all arrows of a step in view space, in sizes of the camera's body."""
+    """Return the tips of a step's arrows in view space, in sizes of the camera's body."""
     y, z = _up_direction(camera)
     tips = {**TIPS, "up": (0.0, _UP * y, _UP * z), "look": _LOOK}
     return {name: tip for name, tip in tips.items() if is_built(name, step)}
 
 
 def _up_direction(camera: Camera) -> tuple[float, float]:
-    """The direction of up in view space, where it has no x: along v, and along n."""
+    """The components of up along v and along n; it has none along u."""
     angle = math.radians(up_and_view(camera).angle_deg)
     return math.sin(angle), -math.cos(angle)
 
 
 def arrow(tip: Array, colour: str, width: float) -> tuple[vtkActor, vtkActor]:
-    """A line from the origin along an axis, and its pointed head."""
+    """Return a line from the origin along an axis, and its pointed head."""
     neck, radius = 0.82 * tip, 0.06 * float(np.linalg.norm(tip))
     along = tip / np.linalg.norm(tip)
     one, two = np.roll(along, 1), np.roll(along, 2)

@@ -1,9 +1,8 @@
-"""The marks by which the camera is taken hold of in a live pane; figures have none.
+"""The marks of the handles of a live pane; figures have none.
 
-One actor holds them all, a disc for a point, a diamond for a plane and a square for a corner, each
-with a rim, and round that a ring of the background's colour, which sets it off from what is drawn
-there: a step writes one small array of pixels. What is pointed out is larger and filled with the
-accent's colour, so that colour is not alone in telling it.
+One actor holds all marks: a disc for a point, a diamond for a plane, a square for a corner. Each
+has a rim, and a ring in the background's colour around it. A step writes one small array of pixels.
+The highlighted mark is larger as well as in the accent's colour: colour is never alone.
 """
 
 from __future__ import annotations
@@ -49,9 +48,9 @@ class HandleMarks:
     Attributes
     ----------
     held : Handle or None
-        The one to point out, from the next `show` on.
+        The highlighted one, from the next `show` on.
     shown : list of (Handle, (float, float))
-        Those that have room, in pixels from the pane's top left.
+        The visible ones, in pixels from the pane's top left.
     """
 
     def __init__(self, canvas: Canvas) -> None:
@@ -86,15 +85,7 @@ class HandleMarks:
         canvas.add(actor_2d(marks), layer="handles")
 
     def show(self, handles: Sequence[tuple[Handle, Spot]], height_px: int) -> None:
-        """Mark these handles, and no others; draw nothing yet.
-
-        Parameters
-        ----------
-        handles : sequence of (Handle, (float, float))
-            Pixels from the pane's top left.
-        height_px : int
-            Of the pane, whose pixels VTK counts from below.
-        """
+        """Mark these handles, at pixels from the pane's top left, and no others."""
         self.shown = list(handles)[:_MOST]
         self._places[len(self.shown) :, ..., :2] = _AWAY_PX
         for i, (handle, (x, y)) in enumerate(self.shown):
@@ -110,7 +101,7 @@ class HandleMarks:
 
 
 def _outline(corners: int, radius: float, factor: float) -> NDArray[np.float32]:
-    """A regular polygon in em, its corners repeated: with its ring, its rim, inside: (3, 16, 2)."""
+    """The outlines of a mark's ring, rim and fill in em, as regular polygons: (3, 16, 2)."""
     standing = corners == 4 and radius == _CORNER[1]  # the square on its side, not on its corner
     turns = np.repeat(np.arange(corners), _POINTS // corners) / corners + 0.125 * standing
     angles = 2.0 * math.pi * turns

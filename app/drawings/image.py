@@ -1,9 +1,8 @@
 """The image pane: exactly the picture, as large as the pane allows, and its pixel axes.
 
-The scene stands under ``clip_from_world`` and nothing else: this pane's camera is the identity.
-Where float32 cannot hold that, its vertices are clip coordinates already (`precisions`).
-The picture does not depend on the depth range, and so it is always drawn with OpenGL's, which is
-what the depth buffer here takes.
+The scene stands under ``clip_from_world`` alone: this pane's camera is the identity. Where float32
+cannot hold that matrix, the vertices are clip coordinates already (`precision`). The picture does
+not depend on the depth range, and is drawn with OpenGL's, which the depth buffer takes.
 """
 
 from __future__ import annotations
@@ -47,24 +46,10 @@ _EM_OF_DIGIT = 0.64  # width of a digit of the labels' font
 class ImageDrawing(Drawing):
     """The picture that the model's camera takes.
 
-    Parameters
-    ----------
-    screen : OffScreen or a canvas of a pane's
-    scene : Scene
-    words : mapping
-        The words written here: ``x``, ``y``.
-    style : Style
-    tolerance_px : float
-        Error up to which the GPU's own float32 may draw.
-    quality : Quality
-        Of which the depth buffer is drawn with, unless the scene is about a buffer itself.
-    framed : bool
-        Draw frame, axes and margins round the picture. Without them it fills the pane as far as
-        its aspect allows: wholly, if the pane has the image's size.
-    caption : str
-        Written above a framed picture; a pane has a title of its own there.
-    middle : float
-        Where, as a part of the picture's width.
+    `tolerance_px` is the error up to which the GPU's own float32 may draw. The depth buffer is that
+    of `quality`, unless the scene is about a buffer itself. Without `framed`, the picture has no
+    frame, no axes and no margins. A framed picture can have a `caption` above it, at `middle` of
+    its width.
     """
 
     def __init__(
@@ -176,7 +161,7 @@ class ImageDrawing(Drawing):
 
     @property
     def _seen(self) -> Projection:
-        """In OpenGL's range, whatever the model's: the picture is the same."""
+        """The projection with OpenGL's depth range; the picture is the same."""
         return self._projection.with_depth("opengl")
 
     def _show_illustration(self, illustration: Illustration | None) -> None:
@@ -285,7 +270,7 @@ class ImageDrawing(Drawing):
         return right_px * width / rectangle.width, down_px * height / rectangle.height
 
     def _scaled(self, rectangle: Rectangle) -> NDArray[np.float64]:
-        """Pixels from the picture's top left, from the image's pixels."""
+        """From the image's pixels to the pane's, from the picture's top left."""
         width, height = self._image_size
         return np.diag([rectangle.width / width, rectangle.height / height, 1.0])
 
@@ -342,7 +327,7 @@ class ImageDrawing(Drawing):
         )  # fmt: skip
 
     def _add_sides(self) -> None:
-        """Bars and squares over the frame that show while a side or a corner is highlighted."""
+        """Bars and squares over the frame for a highlighted side or corner."""
         self._side_bars = {side: Space() for side in SIDES}
         self._corner_squares = [Space() for _ in SIDES]
         for side, space in self._side_bars.items():

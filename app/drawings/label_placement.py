@@ -52,13 +52,12 @@ class Candidate(NamedTuple):
 
     Attributes
     ----------
-    box : Box
     anchor : (float, float) or None
         The point that a leader would join to the label; None for a label without a leader.
     cost : float
-        What the caller charges for this place; 0 for nothing.
+        What the caller charges for this place.
     key : object
-        The caller's own; the placer does not look at it.
+        For the caller; the placer ignores it.
     """
 
     box: Box
@@ -70,16 +69,8 @@ class Candidate(NamedTuple):
 class Placer:
     """Places the labels of one picture, in plain floats: most labels stay where they were.
 
-    Parameters
-    ----------
-    frame : Box
-        Where labels may be.
-    ink : callable, optional
-        Whether a box, ``(left, low, right, high)``, hides something of the subject.
-    samples : sequence of float
-        At which parts of a leader it is checked for crossings.
-    halo_px : float
-        How near a leader counts as crossing.
+    `ink` returns whether a box, ``(left, low, right, high)``, hides something of the subject. A
+    leader is checked for crossings at these parts of its length (`samples`), within `halo_px`.
     """
 
     def __init__(
@@ -102,23 +93,16 @@ class Placer:
         apart_px: float = 0.0,
         at_worst: float = math.inf,
     ) -> Candidate | None:
-        """Take the cheapest free candidate.
+        """Take the cheapest free candidate, and return it with its total cost.
 
         Parameters
         ----------
         candidates : iterable of Candidate
-            In the order of what the caller charges, so that most need not be looked at.
+            In order of their own costs, so that most need not be looked at.
         apart_from : sequence of (float, float)
-            Points of something else, which the label must not seem to belong to.
-        apart_px : float
-            The least distance to those.
+            Points of something else, at least `apart_px` away.
         at_worst : float
             The largest cost that is accepted.
-
-        Returns
-        -------
-        Candidate or None
-            With its total cost; None if no candidate is free and cheap enough.
         """
         frame_left, frame_low, frame_right, frame_high = self.frame
         found: Candidate | None = None
@@ -163,14 +147,12 @@ class Placer:
 def beside(
     points: Floats, sizes: Floats, frame: Floats, along: Floats, gaps: Floats, taken: Floats
 ) -> list[Floats | None]:
-    """Places for the names of points.
+    """Place the names of points; None where a name or its leader has no free place.
 
     Parameters
     ----------
-    points : (n, 2) array
-        In pixels; the first ones choose first.
-    sizes : (n, 2) array
-        Widths and heights of the names; a name without width gets no place.
+    points, sizes : (n, 2) arrays
+        In pixels; the first ones choose first. A name without width gets no place.
     frame : (4,) array
         Left, low, right, high: where names may be.
     along : (m, 2) array
@@ -178,12 +160,7 @@ def beside(
     gaps : (n,) array
         From each point to its name.
     taken : (k, 4) array
-        Boxes like `frame` of other names.
-
-    Returns
-    -------
-    list of n (4,) arrays or None
-        Boxes like `frame`; None where neither name nor leader has a free place.
+        Boxes like `frame` of other names; so is the result.
     """
     placer = Placer(Box(*frame.tolist()), samples=np.linspace(0.1, 0.9, 8).tolist(), halo_px=1.0)
     reach = gaps[:, None] - 1.0
@@ -220,7 +197,7 @@ def beside_curve(
     lines: Floats,
     kept: Floats | None = None,
 ) -> Floats:
-    """A place for a curve's name: beside the curve, free of other names and of curves.
+    """Place a curve's name beside the curve, free of other names and of curves, if possible.
 
     Parameters
     ----------
@@ -229,13 +206,9 @@ def beside_curve(
     along : (n, 2) array
         Places along the curve.
     half : float
-        How far the curve reaches from there.
-    size : (float, float)
-        Of the name.
-    taken : (m, 4) array
-        Boxes like `frame` of other names.
-    lines : (k, 4) array
-        Pieces of all curves, likewise.
+        Half the width of the curve.
+    taken, lines : (m, 4) and (k, 4) arrays
+        Boxes like `frame` of other names, and of pieces of all curves.
     kept : (4,) array, optional
         The name's last place, which is kept while it is free and beside its curve.
 

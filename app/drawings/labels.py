@@ -1,8 +1,7 @@
-"""The words of the world pane: where there is room for them, and lines to what they name.
+"""The words of the world pane, and the layout that all panes share.
 
-`Labels` owns every label of the pane. One `lay_out` finds a place for each, one after the other,
-best first: where it is in the pane, hides nothing that must be seen, and does not seem to belong
-to something else.
+`Labels` owns every label of the world pane. `lay_out` places them one after the other: inside the
+pane, where they hide nothing important and do not seem to belong to something else.
 """
 
 from __future__ import annotations
@@ -67,18 +66,17 @@ class Named(NamedTuple):
 
     Attributes
     ----------
-    eye, target : (3,) array
     arrows : tuple of str
-        The arrows at the camera whose names are written; `AXES`, if nothing else is taught.
+        The arrows at the camera whose names are written.
     tips : (len(arrows) k, 3) array
-        Where they can be, all of them k times, best first.
+        Where these names can be, all of them k times, best first.
     body : (n, 3) array
-        What the camera's body lies between; the planes' labels keep off it.
+        The extent of the camera's body; the planes' labels keep off it.
     corners : (8, 3) array or None
         Of the frustum as it is drawn: left-bottom, right-bottom, right-top, left-top of the near
-        face, then of the far face; None if there is none.
+        face, then of the far face; None without a frustum.
     planes : (float, float) or None
-        Distances of near and far, to be written; None if they have none.
+        The distances of near and far to be written.
     without : frozenset of str
         ``"eye"`` and ``"target"``, if they are not to be named.
     """
@@ -94,15 +92,7 @@ class Named(NamedTuple):
 
 
 class Labels:
-    """Every label of the world pane.
-
-    Parameters
-    ----------
-    canvas : Canvas
-        Where they are added.
-    words : Mapping[str, str]
-        `app.drawings.WORDS` or a translation.
-    """
+    """Every label of the world pane."""
 
     def __init__(self, canvas: Canvas, words: Mapping[str, str]) -> None:
         self._canvas, self._words = canvas, words
@@ -125,7 +115,7 @@ class Labels:
         """Each label by the name of what it is about."""
 
     def add_arrow(self, name: str, colour: str) -> Label:
-        """Make the label of one more arrow than `AXES`."""
+        """Create the label of one more arrow than `AXES`."""
         label = self._canvas.label(self._words[name], plate=colour, bold=True, in_pixels=True)
         self._arrows[name] = label
         return label
@@ -147,28 +137,20 @@ class Labels:
         subject: Mask | None = None,
         held_at: Mapping[str, tuple[float, float]] = _NOWHERE,
     ) -> bool:
-        """Put each label where it hides no other one, at its first place if that is free.
+        """Place every label; return whether one has changed sides.
 
         Parameters
         ----------
-        pane : PaneView
-        named : Named
         afresh : bool
-            Whether the places depend on nothing but `pane` and `named`. If not, a label that is
-            right next to one of its points stays on its side of it as long as it can: words that
-            jump while a control is dragged draw the eye away from what moves.
+            Whether the places depend on nothing but `pane` and `named`. If not, a label next to its
+            point stays on its side as long as possible: jumping words distract from what moves.
         first : callable, optional
             Places other labels before these, given the layout and `PaneView.seen`.
         subject : Mask, optional
             What no label hides while there is a place beside it.
         held_at : mapping of str to (float, float), optional
-            Where the handles of near and far are, from the pane's left and bottom. Where both
-            planes are seen at one place, as from the eye, only that tells which label is whose.
-
-        Returns
-        -------
-        bool
-            Whether a label has changed sides.
+            The handles of near and far, from the pane's left and bottom. Where both planes are seen
+            at one place, as from the eye, only they tell which label is whose.
         """
         words, leaders = self._words, self._leaders
         before = self._kept
@@ -245,16 +227,8 @@ class Labels:
 class Layout:
     """Finds free places for the labels of a pane, one after the other.
 
-    Parameters
-    ----------
-    size_px : (int, int)
-        Of the pane.
-    em : float
-        Height of the labels' font, pixels.
-    kept : mapping of Label to Side
-        Where labels stay if they still can.
-    subject : Mask, optional
-        What no label hides while there is a place beside it.
+    `em` is the height of the labels' font in pixels. Labels stay at their `kept` sides if possible,
+    and do not hide the `subject` while there is a place beside it.
     """
 
     def __init__(
@@ -324,13 +298,11 @@ class Layout:
         ----------
         label : Label
             Anchored at its centre, in pixels.
-        text : str
-            What is written on it.
         points : sequence of Spot
             Best first; those outside the pane do not count.
         sides : sequence of (float, float)
-            Where the label's box is from the point, best first: -1 to the left of or below, 1 to
-            the right of or above, 0 on it.
+            Where the label's box is from the point, best first: -1 to the left or below, 1 to the
+            right or above, 0 on it.
         leader : Leader, optional
             Joins the label to its point if they are far apart.
         gaps : int
@@ -340,7 +312,7 @@ class Layout:
         best : sequence of int, optional
             From `least_hiding`: another order of the places beside a single point.
         at_worst : float
-            Hide the label rather than accept a place of a higher cost.
+            Hide the label rather than accept a higher cost.
 
         Returns
         -------
@@ -438,19 +410,7 @@ class Layout:
 
 
 class Leader:
-    """A thin line in the plane of the screen, from a label to what it names; hidden at first.
-
-    Parameters
-    ----------
-    canvas : Canvas
-        Where it is added.
-    colour : str
-        Of the label's plate.
-    width : float
-        Pixels.
-    renderer : vtkRenderer, optional
-        Where to draw; the pane's own if not given.
-    """
+    """A thin line in the plane of the screen, from a label to its point; hidden at first."""
 
     def __init__(self, canvas: Canvas, colour: str, width: float, renderer: Any = None) -> None:
         self._points = vtkPoints()
@@ -468,11 +428,9 @@ class Leader:
         self.set_visible(False)
 
     def set_visible(self, visible: bool) -> None:
-        """Show or hide."""
         self._canvas.set_visible(self.actor, visible)
 
     def set_colour(self, colour: str) -> None:
-        """Draw it in another colour."""
         self.actor.GetProperty().SetColor(*rgb(colour))
 
     def join(self, start_px: tuple[float, float], end_px: tuple[float, float]) -> None:
@@ -483,7 +441,7 @@ class Leader:
 
 
 def written_distance(value: float) -> str:
-    """A distance as a label says it: 1, 0.025, −10, 1e+06, the sign for infinity."""
+    """Write a distance as a label does: 1, 0.025, −10, 1e+06, the sign for infinity."""
     if math.isinf(value):
         return "\N{INFINITY}"
     text = f"{value:.0f}" if 1e4 <= abs(value) < 1e6 else f"{value:.4g}"

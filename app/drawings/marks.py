@@ -1,17 +1,17 @@
-"""What a phenomenon draws over a pane: lines, faces, dots, letters, and the scene once more.
+"""A phenomenon's marks over a pane: lines, faces, dots, texts, and copies of the scene.
 
 ============  ============================================  =====================================
 what          how it is drawn                               a change writes
 ============  ============================================  =====================================
-lines, faces  among the scene, a little in front of what    points and colours of one mesh for
+lines, faces  in the scene, a little in front of what       points and colours of one mesh for
               they lie on                                   each width, one for the faces
 dots, texts   before everything else, of constant size      the same; pixels of the texts
 copies        the scene's own faces under a further 4x4     16 numbers
 ============  ============================================  =====================================
 
-Actors are made when an illustration has more to show than any before it, and never taken out: a
-slider step shows, hides and moves. Marks reach the GPU relative to the scene's origin, subtracted
-in float64, and cut to a box that float32 can hold; a copy's matrix is moved there likewise::
+Actors are created when an illustration needs more than any earlier one, and never removed: a slider
+step shows, hides and moves. Marks reach the GPU relative to the scene's origin, subtracted in
+float64, and cut to a box that float32 can hold; a copy's matrix is moved there likewise::
 
     local_from_local = world_to_origin . world_from_world . origin_to_world
 """
@@ -71,11 +71,7 @@ _ROUND = (*_BESIDE, (1.0, 0.0), (-1.0, 0.0))
 class Placing(NamedTuple):
     """From the coordinates of marks to those of the pane's actors: ``scale * point + shift``.
 
-    Attributes
-    ----------
-    scale, shift : (3,) array
-    limit : float
-        Half the side of the box, about the actors' origin, that marks are cut to.
+    `limit` is half the side of the box, about the actors' origin, that marks are cut to.
     """
 
     scale: Array
@@ -83,7 +79,7 @@ class Placing(NamedTuple):
     limit: float
 
     def placed(self, points: Array) -> Array:
-        """Points (n, 3), or (n, 2) in a plane, as actors have them, (n, 3)."""
+        """Convert points (n, 3), or (n, 2) in a plane, to (n, 3)."""
         if points.shape[1] == 2:
             points = np.column_stack([points, np.zeros(len(points))])
         with np.errstate(over="ignore", invalid="ignore"):  # what overflows is dropped
@@ -96,19 +92,16 @@ class MarksDrawing:
 
     Parameters
     ----------
-    canvas : Canvas
-    scene : Scene
-        What copies are copies of.
     words : mapping
-        Texts that there is a word for are written with it: of another language.
+        Translations of texts.
     renderer : vtkRenderer, optional
-        Where to draw; the pane's own if not given.
+        The pane's own if not given.
     clip : iterable of vtkPlane
-        As for `SceneActors`; cuts copies.
+        Cuts copies, as in `SceneActors`.
     over : bool
         Whether marks lie in one plane before everything else.
     leads : bool
-        Whether a text that had to move away from its point is joined to it by a line.
+        Whether leaders join texts to their points.
     lifts_copies : bool
         Whether copies are brought forward here, and not by the matrices of `place_copies`.
     """
@@ -151,11 +144,7 @@ class MarksDrawing:
     def show(self, marks: Marks, placing: Placing) -> None:
         """Draw these marks, and no others; the texts wait for `place_texts`.
 
-        Parameters
-        ----------
-        marks : Marks
-            A point that is not finite, or too far away for what it belongs to, is left out.
-        placing : Placing
+        Points that are not finite, or too far away, are dropped.
         """
         self._now = marks, placing
         drawn = [self._show_lines(marks.lines, placing), *self._show_faces(marks.faces, placing)]
@@ -164,7 +153,7 @@ class MarksDrawing:
         self.points = np.concatenate(drawn)
 
     def show_highlight(self, highlighted: Highlight) -> bool:
-        """Let what is about what is highlighted stand out; tell whether that is a change."""
+        """Highlight the marks about these things; return whether anything has changed."""
         before, self._highlighted = self._highlighted, highlighted
         if self._now is None:
             return False
@@ -178,7 +167,7 @@ class MarksDrawing:
         return True
 
     def label_at(self, x_px: float, y_px: float) -> Highlight:
-        """What the label at a pixel from the pane's top left is about."""
+        """Return the subjects of the label at a pixel from the pane's top left."""
         height_px = self._canvas.window.GetSize()[1]
         renderer = self._renderer or self._canvas.renderer
         for label, about in zip(self._labels, self._text_abouts, strict=False):
@@ -305,12 +294,12 @@ class MarksDrawing:
         Parameters
         ----------
         layout : Layout
-            Of the renderer, where other labels have their places already.
+            Of the renderer, with the labels placed so far.
         seen : callable
-            From points of the pane's actors, (n, 3), to where they are in the renderer.
+            From points of the pane's actors, (n, 3), to the renderer.
         subject : (n, 2) array, optional
-            Where `spread_over` of the scene is seen: what texts rather do not hide. If it is not
-            given, they stay on the sides that were best then, so that a drag makes none jump.
+            Where `spread_over` of the scene is seen: what texts avoid. Without it, texts stay on
+            their last sides, so that a drag makes none jump.
         """
         if not self._texts:
             return
@@ -354,35 +343,32 @@ class MarksDrawing:
     def place_copies(self, pane_from_local: Callable[[float], Array]) -> None:
         """Set the copies' matrices.
 
-        Parameters
-        ----------
-        pane_from_local : callable
-            The scene's own matrix in this pane, (4, 4), for a multiple of how far its lines come
-            forward.
+        `pane_from_local` returns the scene's own matrix in this pane, (4, 4), for a multiple of how
+        far its lines come forward.
         """
         for actors, local_from_local in self._shown:
             actors.space.set_projective(pane_from_local(COPY_LIFT) @ local_from_local)
 
     @property
     def copied_faces(self) -> list[tuple[vtkActor, Space]]:
-        """The faces of all copies there ever were, and what they stand under."""
+        """The faces of all copies so far, each with its `Space`."""
         return [(copy.surface, copy.space) for copy in self._copies if copy.surface is not None]
 
     def copied(self, points: Array) -> Array:
-        """Where the copies have these points (n, 3) of the scene's faces, (m, 4), scene-local."""
+        """Return the copies of points (n, 3) of the scene's faces, (m, 4), scene-local."""
         homogeneous = np.column_stack([points, np.ones(len(points))])
         return np.concatenate(
             [np.empty((0, 4)), *(homogeneous @ matrix.T for _, matrix in self._shown)]
         )
 
     def show_detail(self, fewer: Scene | None) -> None:
-        """Draw copies of a scene with fewer triangles, or of all that there are for None."""
+        """Draw copies of a scene with fewer triangles, or of all triangles for None."""
         for copy in self._copies:
             if copy.detail is not None:
                 copy.detail.show(fewer)
 
     def _build(self, actors: _CopyActors) -> None:
-        """Make what a copy needs and has not got."""
+        """Create what a copy needs, once."""
         if actors.detail is not None:
             return
         actors.surface = SceneActors(self._scene, self._style, self._clip).surface
@@ -394,7 +380,7 @@ class MarksDrawing:
             self._canvas.add(actors.surface, renderer=self._renderer)
 
     def _dress(self, actors: _CopyActors, copy: Copy | None) -> None:
-        """Show a copy in its colour, or not at all."""
+        """Show a copy in its colour, or hide it."""
         if actors.surface is None:
             return
         actors.surface.SetVisibility(copy is not None)
@@ -406,7 +392,7 @@ class MarksDrawing:
     # -- shared
 
     def _named(self, colour: str) -> str:
-        """``"#rrggbb"`` for the name of one of the style's colours."""
+        """Return ``"#rrggbb"`` for the name of one of the style's colours."""
         return colour if colour.startswith("#") else str(getattr(self._style, colour))
 
     def _rgba(self, colour: str, opacity: float = 1.0) -> NDArray[np.uint8]:
@@ -452,7 +438,7 @@ def spread_over(scene: Scene) -> Array:
 
 
 class _CopyActors:
-    """What one copy is drawn with, made when it is first needed."""
+    """The actors of one copy, created on first use."""
 
     def __init__(self) -> None:
         self.surface: vtkActor | None = None
@@ -474,7 +460,6 @@ class _Batch:
         self.actor.SetVisibility(False)
 
     def hide(self) -> None:
-        """Draw nothing."""
         self.actor.SetVisibility(False)
 
     def show(
@@ -482,13 +467,8 @@ class _Batch:
     ) -> None:
         """Draw these cells, and no others.
 
-        Parameters
-        ----------
-        points : (m, k, 3) array, or (n, 3) if `sizes` are given
-        rgba : (n, 4) uint8 array
-            Of each point.
-        sizes : sequence of int, optional
-            How many points each cell has.
+        `points` are (m, k, 3), or (n, 3) with the `sizes` of the cells; `rgba`, (n, 4), colours
+        each.
         """
         cells = [points.shape[1]] * len(points) if sizes is None else list(sizes)
         if cells != self._sizes:
@@ -519,13 +499,13 @@ class _Batch:
 
 
 def _away(text: Text) -> Text:
-    """The text where it is not to be."""
+    """The text at the point that it avoids."""
     assert text.away_from is not None
     return replace(text, point=text.away_from)
 
 
 def _sides_away(spot: Spot, away: Spot) -> Sequence[tuple[float, float]]:
-    """Where a text goes beside its point: farthest from another one first, if there is one."""
+    """The sides of a text, those away from another point first."""
     x, y = spot[0] - away[0], spot[1] - away[1]
     if not math.hypot(x, y) > 0.0:
         return _BESIDE
@@ -536,7 +516,7 @@ def _sides_away(spot: Spot, away: Spot) -> Sequence[tuple[float, float]]:
 
 
 def _placed_each(marks: Sequence[Dot | Text], placing: Placing) -> Array:
-    """Where the points of dots or texts are, (n, 3)."""
+    """The points of dots or texts, (n, 3)."""
     if not marks:
         return np.empty((0, 3))
     return placing.placed(np.array([mark.point for mark in marks], dtype=np.float64))
@@ -553,7 +533,7 @@ def _in_box(points: Array, limit: float) -> Array:
 
 
 def _cut_segments(segments: Array, limit: float) -> tuple[Array, NDArray[np.intp]]:
-    """What is inside the box of segments (m, 2, 3), and of which each is left."""
+    """The parts of segments (m, 2, 3) inside the box, and the segment of each."""
     kept = _within(segments, limit).all(axis=1)
     crossing = ~kept & _within(segments, LARGEST_CLIP * min(limit, 1.0)).all(axis=1)
     clip = _in_box(segments[crossing], limit)
@@ -565,7 +545,7 @@ def _cut_segments(segments: Array, limit: float) -> tuple[Array, NDArray[np.intp
 
 
 def _cut_polygon(points: Array, limit: float) -> Array:
-    """What is inside the box of a polygon (k, 3); nothing of one that is not finite."""
+    """The part of a polygon (k, 3) inside the box; nothing of one that is not finite."""
     if _within(points, limit).all():
         return points
     if not _within(points, LARGEST_CLIP * min(limit, 1.0)).all():

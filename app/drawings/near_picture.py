@@ -2,8 +2,8 @@
 
     local_from_film . flatten . clip_from_local
 
-where flatten squeezes all depths into a thin slab at the near face, on the side from which it is
-looked at, so that what is in front stays in front.
+where flatten squeezes all depths into a thin slab at the near face, on the viewer's side, so that
+nearer objects stay in front.
 """
 
 from __future__ import annotations
@@ -31,16 +31,7 @@ _LEAST_PX = 1.5
 
 
 class NearPicture:
-    """The scene, flattened onto the near plane and cut by the picture's window.
-
-    Attributes
-    ----------
-    faces, lines : vtkActor or None
-    space : Space
-        What the faces stand under.
-    actors : list of vtkActor
-        Faces and lines.
-    """
+    """The scene, flattened onto the near plane and cut by the picture's window."""
 
     def __init__(self, canvas: Canvas, scene: Scene) -> None:
         self._canvas = canvas
@@ -94,10 +85,10 @@ class Film(NamedTuple):
     Attributes
     ----------
     surface, lines : (4, 4) float64 array
-        Local from local: from the scene to its picture; that of the lines lies a little in front.
+        Local from local: from the scene to its picture; the lines' lies a little in front.
     planes : (6, 4) float64 array
         Half-spaces ``a x + b y + c z + d >= 0`` of the pane's world, normals of length 1: left,
-        right, bottom, top, near, far. What is outside one of them is not in the picture.
+        right, bottom, top, near, far. They cut the picture.
     """
 
     surface: Array
@@ -117,23 +108,21 @@ def flatten(
 
     Parameters
     ----------
-    projection : Projection
     view : (4, 4) float64 arrays
         View from scene-local coordinates, and back.
     depths : (float, float)
         Least and largest distance of anything in the scene from the eye plane, in front (+) or
         behind (-), in world units. The slab's thickness is spent on them.
     reach : float
-        A length in world units to which a parallel lens' slab is proportioned.
+        A length in world units that a parallel lens' slab is proportional to.
     toward_eye : bool
-        On which side of the near plane the slab lies. On the eye's, the nearest is on top, as
-        seen from there; on the other, the nearest is again on top as seen from *there*: a
-        picture looked at from behind is its mirror image, not the things' back sides.
+        Whether the slab lies on the eye's side of the near plane. Seen from its own side the
+        nearest is on top: from behind, a picture is its mirror image, not the things' back sides.
 
     Notes
     -----
-    In homogeneous coordinates, with depth 1 at the near and 0 at the far end of what is in the
-    picture: ``flatten: z' = w +- slab z``; x, y and w stay, so that each point keeps its ray.
+    In homogeneous coordinates, with depth 1 at the near and 0 at the far end of the picture:
+    ``flatten: z' = w +- slab z``; x, y and w stay, so that each point keeps its ray.
     """
     lens = projection.lens
     near, far = lens.near, lens.far
@@ -151,7 +140,7 @@ def flatten(
 
 
 def flatten_free(projection: Projection, origin: Array, pane_eye: Array) -> Film:
-    """`flatten` under a free matrix: onto the cube's near face, on the side that is looked at."""
+    """`flatten` under a free matrix: onto the cube's near face, on the viewer's side."""
     reversed_range = projection.with_depth("reversed")
     clip_from_local = reversed_range.clip_from_world_at(origin)
     local_from_clip = reversed_range.world_from_clip_at(origin)

@@ -1,4 +1,4 @@
-"""The object's own axes: the columns of `world_from_object`, drawn where they stand."""
+"""The object's own axes: the columns of `world_from_object`, drawn in place."""
 
 from __future__ import annotations
 
@@ -17,14 +17,10 @@ _BEYOND_TIP = (1.12, 1.3, 1.6)
 
 
 class ObjectAxes:
-    """Three arrows, each along a column and so many times as long.
+    """Three arrows, each along a column and `reach` times as long.
 
-    Attributes
-    ----------
-    reach : float
-        How many times: a round number, so that they come out of the object.
-    shafts, colours : mapping from str to vtkActor and to str
-        By `OBJECT_AXES`' names.
+    `reach` is a round number, so that the arrows come out of the object. `shafts` and `colours` are
+    mappings by `OBJECT_AXES`' names.
     """
 
     def __init__(self, canvas: Canvas, size: float) -> None:
@@ -46,7 +42,7 @@ class ObjectAxes:
         canvas.add(*self._actors)
 
     def show(self, local_from_object: Array, shown: bool) -> None:
-        """Stand there, or be hidden."""
+        """Place or hide the axes."""
         self._local_from_object = local_from_object
         self._space.set(local_from_object)
         for actor in self._actors:
@@ -54,13 +50,13 @@ class ObjectAxes:
 
     @property
     def origin(self) -> Array:
-        """Where the object's origin is, scene-local, (3,)."""
+        """The object's origin, scene-local, (3,)."""
         origin: Array = self._local_from_object[:3, 3]
         return origin
 
     @property
     def ways(self) -> Array:
-        """From there to the tips, (3, 3), an axis a row."""
+        """The vectors from the origin to the tips, (3, 3), one axis a row."""
         ways: Array = self.reach * self._local_from_object[:3, :3].T
         return ways
 
@@ -71,7 +67,7 @@ class ObjectAxes:
 
 
 def axes_reach(size: float) -> float:
-    """The largest of 1, 2, 5, 10, ... that is no more than so much of a scene's size."""
+    """Return the largest of 1, 2, 5, 10, ... below a part of a scene's size."""
     most = _PART_OF_SCENE * size
     unit = 10.0 ** math.floor(math.log10(most))
     return next(k * unit for k in (5.0, 2.0, 1.0) if k * unit <= most * (1.0 + 1e-12))

@@ -1,7 +1,7 @@
 """The world pane's own camera, which looks at everything from outside and is not the model's.
 
-Free, it frames what is drawn while nobody has moved it; `OwnView.refit` follows when a gesture
-ends. Fixed, it stands in the model's camera frame and goes with it:
+Free, it frames the drawing until the user moves it; `OwnView.refit` follows when a gesture ends.
+Fixed, it stands in the model's camera frame and moves with it:
 
 ======  =========================  ===========  ==========================
 name    projection                 right, up    looks along
@@ -61,19 +61,15 @@ class Framed(NamedTuple):
     Attributes
     ----------
     camera : Camera
-        The model's.
-    eye : (3,) array
-        Its own, scene-local.
+        The model's; `eye` is its eye, scene-local.
     points : (n, 3) array
-        What is to be in view, but for the camera's body and axes.
-    corners : (8, 3) array or None
-        Of the frustum.
-    objects : (8, 3) array
-        Of the box round them.
+        What must be in view, apart from the camera's body and axes.
+    corners, objects : (8, 3) arrays
+        Of the frustum, or None; of the box round the objects.
     has_eye : bool
         Whether the lens' projectors meet.
     below_em : float
-        What is written under all that in a fixed view, in ems.
+        Height of the text below a fixed view, in ems.
     """
 
     camera: Camera
@@ -88,12 +84,8 @@ class Framed(NamedTuple):
 class _Flat(NamedTuple):
     """Where a fixed view stands, from the model's eye in the pane's own axes.
 
-    Attributes
-    ----------
-    right, up, back : float
-        Of the pane's camera; it looks forward.
-    half_height : float
-        That it sees; as a slope from the eye.
+    The camera looks forward from `right`, `up`, `back` and sees `half_height`, from the eye a
+    slope.
     """
 
     right: float
@@ -103,22 +95,14 @@ class _Flat(NamedTuple):
 
 
 class OwnView:
-    """Where the pane's own camera stands, and what it frames.
-
-    Parameters
-    ----------
-    canvas : Canvas
-    origin : (3,) array
-        World; all else here is relative to it.
-    middle : (3,) array
-        Of the scene's objects.
+    """The place of the pane's own camera, and what it frames.
 
     Attributes
     ----------
     pane : PaneView
-        How it looks just now; a move from outside is seen by `look`.
+        How it looks now; `look` notices a move from outside.
     around : float
-        How much larger than ever the camera's axes are.
+        The enlargement of the camera's axes.
     fixed : str
         One of `app.document.view.FIXED`, or ``""``.
     """
@@ -138,7 +122,7 @@ class OwnView:
         self._take()
 
     def look(self) -> None:
-        """Take over where the camera stands; a fixed view that was turned is fixed no more."""
+        """Take over the camera's place; a fixed view that was turned becomes the free one."""
         if self.fixed and self.was_moved:
             self._was_moved_while_fixed()
         self._take()
@@ -189,7 +173,7 @@ class OwnView:
     # -- the free view
 
     def reset(self, framed: Framed) -> None:
-        """Look from where most is seen of what must be told apart, or as the fixed view does."""
+        """Look from where the parts are seen best, or as the fixed view does."""
         self._framed = self._framed_first = framed
         self._was_shifted = False
         if not self.fixed:
@@ -197,15 +181,10 @@ class OwnView:
         self.place(framed)
 
     def refit(self, framed: Framed) -> bool:
-        """Frame what has left the view or nearly vanished.
+        """Frame what has left the view or nearly vanished; return whether the camera has moved.
 
-        And go back to what `reset` framed as soon as that shows everything again. The direction
-        of looking stays.
-
-        Returns
-        -------
-        bool
-            Whether it has moved.
+        It goes back to what `reset` framed as soon as that shows everything again. The direction of
+        looking stays.
         """
         if self.fixed:
             return self._refit_fixed(framed)
@@ -233,7 +212,7 @@ class OwnView:
         return True
 
     def _fits(self, points: Array, eye: Array) -> bool:
-        """Whether points are in the view from `eye` in the direction of now, and large enough."""
+        """Whether points are in the view from `eye` in the present direction, and large enough."""
         pane = self.pane
         x, y, depth = pane.axes @ (points - eye).T
         if depth.min() <= 0.0:
@@ -247,7 +226,7 @@ class OwnView:
         return inside and largest >= _SHRUNK
 
     def place(self, framed: Framed) -> None:
-        """Stand in the direction of now from the framed points, as near as the window allows."""
+        """Look at the framed points in the present direction, from as near as the window allows."""
         if self.fixed:
             if not self._was_shifted:
                 self._flat = None
@@ -267,7 +246,7 @@ class OwnView:
         self._camera.SetViewAngle(_VIEW_ANGLE_DEG)
 
     def _room(self, below_em: float) -> tuple[float, float]:
-        """What of the pane's width and height is for what is framed, each 1/2 to 1."""
+        """The parts of the pane's width and height for what is framed, each 1/2 to 1."""
         wide, high = self.size_px
         margin = min(2.0 * _MARGIN_EM * self._em, _SMALL_MARGIN * min(wide, high))
         beside = (TITLE_EM + below_em) * self._em
@@ -277,7 +256,7 @@ class OwnView:
         )
 
     def _stand(self, framed: Framed) -> tuple[Array, Array]:
-        """Where to stand for these points, and what to look at: (3,) each."""
+        """Return the camera's place for these points, and its focal point: (3,) each."""
         out, size_px, eye = self._direction, self.size_px, framed.eye
         axes, half = _axes_from(out), math.tan(math.radians(_VIEW_ANGLE_DEG / 2.0))
         wide, high = self._room(0.0)
@@ -296,7 +275,7 @@ class OwnView:
     # -- fixed views
 
     def follow(self, framed: Framed) -> None:
-        """Stand where the model's camera has taken a fixed view."""
+        """Move a fixed view with the model's camera."""
         frame = framed.camera.frame
         right, up, toward = (sign * frame[which] for which, sign in _AXES[self.fixed])
         if self._flat is None:
@@ -350,7 +329,7 @@ class OwnView:
         return _Flat(float(middle[0]), float(middle[1]), 2.0 * deepest, float(half))
 
     def _was_moved_while_fixed(self) -> None:
-        """Keep the fixed view if it was shifted or enlarged; a turn makes the free one of it."""
+        """Keep the fixed view if it was shifted or enlarged; a turn makes it the free one."""
         camera, (right, up, toward), flat = self._camera, self._axes, self._flat
         assert flat is not None
         now = np.array(camera.GetDirectionOfProjection())
@@ -386,14 +365,7 @@ class OwnView:
     # -- what depends on where it stands
 
     def fit_range(self, points: Array, *depths: float) -> float:
-        """Let the camera see all of these points; tell from which depth on it sees.
-
-        Parameters
-        ----------
-        points : (n, 3) array
-        *depths : float
-            Depths of what else is to be seen.
-        """
+        """Let the camera see these points, (n, 3), and depths; return the nearest visible depth."""
         camera = self._camera
         of_points = (points - self.pane.eye) @ self.pane.axes[2]
         closest: float = 0.95 * min(float(of_points.min()), *depths)
@@ -447,7 +419,7 @@ def _axes_from(out: Array) -> Array:
 def _stand_back(
     axes: Array, points: Array, slopes: tuple[float, float], lower: float = 0.0
 ) -> Array:
-    """From where these points just fill a view of these slopes, which is lower by one, (3,)."""
+    """Return where these points just fill a view of these slopes, lowered by one, (3,)."""
     right, up, toward = axes
     x, y, away = axes @ points.T
     centre, distance = [], -math.inf
@@ -461,7 +433,7 @@ def _stand_back(
 
 
 def _directions(frame: Array) -> Iterator[Array]:
-    """From where the pane may be looked at: beside the model's camera, and a little behind it."""
+    """The directions to look from: beside the model's camera, and a little behind it."""
     behind = np.array([frame[2, 0], 0.0, frame[2, 2]])
     beside = np.cross(behind, (0.0, 1.0, 0.0))
     if np.linalg.norm(beside) < 0.2:  # it looks straight down or up: stand at its right
@@ -479,11 +451,10 @@ def _directions(frame: Array) -> Iterator[Array]:
 
 
 def _clearest(framed: Framed, middle: Array) -> Array:
-    """The direction from which most is seen of eye, near plane, objects and far plane, (3,).
+    """The direction that shows eye, near plane, objects and far plane best, (3,).
 
-    By how much of a square pane each of the four takes that none of the others does, and all of
-    the drawing together: the product of these parts is largest. The same for a pane of any other
-    proportions, so that a pane that is enlarged shows what it showed.
+    It maximises the product of the parts of a square pane that each of the four takes alone, and
+    that all of them take together. The result does not depend on the pane's proportions.
     """
     half = math.tan(math.radians(_VIEW_ANGLE_DEG / 2.0))
     eye = framed.eye[None]

@@ -27,12 +27,11 @@ class PaneView(NamedTuple):
     eye : (3,) array
         Scene-local.
     axes : (3, 3) array
-        Rows: right, up and toward what it looks at.
+        Rows: right, up and the direction of view.
     slope : float
-        Tangent of half the vertical angle of view; 0 of a parallel camera.
-    size_px : (int, int)
+        Tangent of half the vertical angle of view; 0 for a parallel camera.
     flat : float
-        Half the height that a parallel camera sees, world units; 0 of one with an eye.
+        Half the height that a parallel camera sees, world units; 0 for one with an eye.
     """
 
     eye: Array
@@ -42,18 +41,13 @@ class PaneView(NamedTuple):
     flat: float = 0.0
 
     def unit(self, depth: Any) -> Any:
-        """The world's size of a pixel at a depth, a float or an array."""
+        """The size of a pixel in the world at a depth, a float or an array."""
         return 2.0 * (self.slope * depth + self.flat) / self.size_px[1]
 
     def brought(self, point: Array, to_depth: float) -> tuple[float, Array]:
-        """Where a point comes that is brought before others without leaving its pixel.
+        """Bring a point to a smaller depth without moving its pixel.
 
-        Returns
-        -------
-        scale : float
-            By which what is there must shrink to look as large.
-        point : (3,) array
-            The same one, if it is as near already.
+        Returns the scale by which its surroundings shrink, and the new point.
         """
         depth = float(self.axes[2] @ (point - self.eye))
         if depth <= to_depth:
@@ -64,7 +58,7 @@ class PaneView(NamedTuple):
         return scale, (1.0 - scale) * self.eye + scale * point
 
     def seen(self, points: Array) -> list[Spot]:
-        """Where scene-local points, (n, 3), are in the pane."""
+        """Return where scene-local points, (n, 3), are in the pane."""
         width_px, height_px = self.size_px
         x, y, depth = self.axes @ (points - self.eye).T
         in_view = (depth > 0.0) | (self.flat > 0.0)  # parallel rays come from anywhere
@@ -78,7 +72,7 @@ class PaneView(NamedTuple):
         return list(spots)
 
     def covered(self, face: Array) -> list[Spot]:
-        """At which of evenly spread places a parallelogram, (4, 3), is in front of the pane."""
+        """Return the evenly spread places of the pane that show a parallelogram, (4, 3)."""
         middle = (face[0] + face[2]) / 2.0 - self.eye
         across, up = (face[1] - face[0]) / 2.0, (face[3] - face[0]) / 2.0
         width_px, height_px = self.size_px
@@ -100,7 +94,7 @@ class PaneView(NamedTuple):
         return list(map(tuple, np.column_stack([px, scale * volume / facing[on]]).tolist()))
 
     def _covered_flat(self, spanned: Array) -> list[Spot]:
-        """`covered` of a parallel camera, by the middle and both halves in its own axes."""
+        """`covered` for a parallel camera; the middle and both half sides in its own axes."""
         middle, across, up = spanned
         area = across[0] * up[1] - across[1] * up[0]
         if abs(area) <= 1e-12 * float(np.abs(spanned[1:]).max()) ** 2:
@@ -114,14 +108,7 @@ class PaneView(NamedTuple):
         return list(map(tuple, np.column_stack([px, depth[on]]).tolist()))
 
     def parts_covered(self, faces: Array, least: float) -> list[float]:
-        """How much of the pane parallelograms cover, 0..1 each; 0 where less than `least`.
-
-        Parameters
-        ----------
-        faces : (4 n, 3) array
-        least : float
-            What matters to the caller: below it most faces are told at a glance.
-        """
+        """Return the parts of the pane that parallelograms (4 n, 3) cover, 0 if below `least`."""
         parts, seen = [], self.seen(faces)
         for first in range(0, len(faces), 4):
             x, y, depth = zip(*seen[first : first + 4], strict=True)

@@ -1,24 +1,24 @@
-"""What the rasteriser does with a scene's faces, where a phenomenon is about the rasteriser itself.
+"""Changes to the rasterising of a scene's faces, for phenomena about the rasteriser itself.
 
-The picture is still the graphics card's own: its triangles, its interpolation, its depth test.
-What differs is said to it in a few lines of shader that stand in VTK's template, once per scene;
-a change of a setting writes uniforms, which costs neither a new shader nor any work per vertex.
+The picture is still the graphics card's own: its triangles, its interpolation, its depth test. A
+few lines of shader in VTK's template, once per scene, make the difference. A setting writes
+uniforms, which costs neither a new shader nor any work per vertex.
 
 ============  ===============================================================================
 depth         each fragment's depth is rounded to the code that a buffer would hold
 texture       s and t as varyings, and s w, t w, w, whose quotients are linear on the screen
 fog           a fragment's colour fades into the background with its distance w
-levels        the vertices of all levels of detail are there; those that are not wanted at an
-              object's distance go where all of them are clipped
+levels        the vertices of all levels of detail are there; those of the wrong level for an
+              object's distance are moved to where they are clipped
 ============  ===============================================================================
 
 The depth that is rounded comes from w, ``1/gl_FragCoord.w``, not from z, which the lens has
-squeezed by then. Formats differ in what they do near the far plane, and so the shader works with
-r, the depth from there: ``r = n f/(f - n) (1 - w/f)/w``, which is small where digits matter. Fixed
-codes count ``round(r (2^bits - 1))``, the same for the standard and the reversed range. What is
-written is ``1 - r`` again, rounded, so that a buffer of 24 bits keeps all codes of up to 24 bits
-apart. VTK's own has 32, of fixed point or of a float, of which a float32 shader fills 24: the codes
-of the formats of 32 bits are spread over it by their logarithm, as many as there are.
+squeezed by then. Formats differ near the far plane, and so the shader works with r, the depth from
+there: ``r = n f/(f - n) (1 - w/f)/w``, which is small where digits matter. Fixed codes count
+``round(r (2^bits - 1))``, the same for the standard and the reversed range. The shader writes
+``1 - r``, rounded again, so that a buffer of 24 bits keeps all codes of up to 24 bits apart. VTK's
+own has 32, of fixed point or of a float, of which a float32 shader fills 24: the codes of the
+formats of 32 bits are spread over it by their logarithm, as many as there are.
 """
 
 from __future__ import annotations
@@ -120,26 +120,23 @@ class Rasteriser:
 
     Parameters
     ----------
-    scene : Scene
-    style : Style
     requires : set of {"depth", "texture", "fog", "levels"}
-        What it is to be able to do.
     add : callable
-        Adds an actor to the pane, for levels of detail: called once, by the first `show` that
-        has some.
+        Adds an actor to the pane, for levels of detail: called once, by the first `show` with
+        levels.
     surface : (vtkActor, Space)
-        The scene's faces and what they stand under.
+        The scene's faces and their matrix.
     others : iterable of (vtkActor, Space)
         Its lines and the faces of its copies, which take part in depth and fog.
     picture : bool
-        Whether the pane shows the picture of the model's own lens. Any other one shows the
-        texture as it is, and nothing else of this.
+        Whether the pane shows the picture of the model's own lens. Other panes show the texture
+        alone.
 
     Attributes
     ----------
     refused : bool
-        Whether this computer's OpenGL did not take the shader: known after the first rendering,
-        in which the faces are missing; from the next one on they are drawn the ordinary way.
+        Whether this computer's OpenGL rejected the shader: known after the first rendering, in
+        which the faces are missing; from the next one on they are drawn the ordinary way.
     """
 
     def __init__(
@@ -178,10 +175,7 @@ class Rasteriser:
         return Phrase(REFUSED) if self.refused else self._note
 
     def show(self, rendering: Rendering, projection: Projection) -> None:
-        """Rasterise like this from now on; draws nothing yet.
-
-        To be called after the actors' spaces have been set.
-        """
+        """Rasterise like this from now on; call it after the actors' spaces have been set."""
         if not self._picture:
             plain = rendering.texture and replace(rendering.texture, affine=False, subdivision=1)
             rendering = Rendering(texture=plain)
@@ -350,13 +344,13 @@ class Rasteriser:
         ]
 
     def _distance(self, projection: Projection) -> tuple[float, ...]:
-        """What scene-local coordinates x, y, z, 1 are to be multiplied by to give w."""
+        """The vector whose product with scene-local x, y, z, 1 is w."""
         n = projection.camera.frame[2]
         eye = np.array(projection.camera.eye) - np.array(self._scene.origin)
         return (*(-n).tolist(), float(n @ eye))
 
     def _subdivide(self, texture: Texture | None) -> None:
-        """Give the faces actor the mesh with so many triangles; built when it is first wanted."""
+        """Give the faces actor the mesh with so many triangles; built on first use."""
         parts = 1 if texture is None else texture.subdivision
         self._note = None
         if "texture" not in self._requires:
@@ -377,7 +371,7 @@ class Rasteriser:
 def textured(
     scene: Scene, canvas: Canvas, *faces: tuple[vtkActor | None, Space]
 ) -> list[Rasteriser]:
-    """What lays a scene's texture over faces that are not the picture; none without a texture."""
+    """Return rasterisers for a scene's texture in a pane that is not the picture."""
     if "texture" not in scene.requires:
         return []
     return [
@@ -399,19 +393,10 @@ def _set(uniforms: Any, name: str, value: float | int | tuple[float, ...]) -> No
 
 
 def subdivided(mesh: pv.PolyData, parts: int) -> pv.PolyData:
-    """Each triangle as ``parts**2`` similar ones, in its own colour.
+    """Divide each triangle into ``parts**2`` similar ones, in its own colour.
 
-    Parameters
-    ----------
-    mesh : pyvista.PolyData
-        Triangles whose last corner carries their colour in ``point_data["rgb"]``, if there is one.
-    parts : int
-        Of each side.
-
-    Returns
-    -------
-    pyvista.PolyData
-        Neighbours get the same points on a common side: no pixel between them is lost.
+    A triangle's last corner carries its colour in ``point_data["rgb"]``. Neighbours get the same
+    points on a common side: no pixel between them is lost.
     """
     column, row = np.meshgrid(np.arange(parts), np.arange(parts))
     start = np.stack([column, row], axis=-1)[column + row < parts]
@@ -452,24 +437,22 @@ def _mesh_of_levels(levels: tuple[Level, ...], origin: tuple[float, ...]) -> pv.
 def counted_wrong_share(
     screen: Any, scene: Scene, projection: Projection, buffer: DepthBuffer, behind: Array
 ) -> float | None:
-    """The share of pixels in which a surface behind is drawn over the one in front, counted.
+    """Count the share of pixels in which a surface behind is drawn over the one in front.
 
     Parameters
     ----------
-    screen : OffScreen or a canvas of a pane's
-        Off screen, and nothing else in it; its size is the picture's.
+    screen : OffScreen
+        Empty; its size is the picture's.
     scene : Scene
-        Whose faces are in front.
-    projection : Projection
-    buffer : DepthBuffer
+        Its faces are in front.
     behind : (4, 4) array
-        World from world: the same faces again, where they are behind.
+        World from world: the same faces again, behind.
 
     Returns
     -------
     float or None
         0..1, of the pixels that both surfaces cover, NaN if they are fewer than `LEAST_COUNTED`;
-        None where this computer's OpenGL refuses the shader.
+        None where this computer's OpenGL rejects the shader.
     """
     if scene.surface is None:
         return None
@@ -528,17 +511,10 @@ def counted_wrong_share(
 
 
 def _over_the_scene(clip_from_local: Array, corners: Array, apart: Array) -> Array:
-    """A parallel lens's matrix whose depths, of all from near to far, are only the scene's own.
+    """A parallel lens's matrix with depths that extend only over the scene and its copy.
 
-    Else a float32 spends its digits on what lies before and behind the scene.
-
-    Parameters
-    ----------
-    clip_from_local : (4, 4) array
-    corners : (8, 3) array
-        Of a box round the scene, in local coordinates.
-    apart : (4, 4) array
-        Local from local: where the scene is once more.
+    A float32 would otherwise spend its digits on the space before and behind the scene. `corners`,
+    (8, 3), are a box round the scene; `apart` is the copy's matrix, local from local.
     """
     points = np.concatenate([corners, corners @ apart[:3, :3].T + apart[:3, 3]])
     z = points @ clip_from_local[2, :3] + clip_from_local[2, 3]

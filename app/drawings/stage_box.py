@@ -1,7 +1,7 @@
-"""What stands round the scene at a stage of the strip: the view volume, the axes, their words.
+"""The surroundings of the scene at a stage of the strip: view volume, axes and words.
 
-The volume is one box under the stage's matrix: at NDC a cube, or half of one where the depth
-range is [0, 1]; elsewhere a pyramid, or the flat frame of the picture.
+The volume is one box under the stage's matrix: at NDC a cube, or half of one in the depth range
+[0, 1]; elsewhere a pyramid, or the flat frame of the picture.
 """
 
 from __future__ import annotations
@@ -74,22 +74,15 @@ _NUMBER_SIDES: dict[str, _Sides] = {
 class StageBox:
     """The view volume at a position of the strip.
 
-    Parameters
-    ----------
-    canvas : Canvas
-    words : mapping
-        The words written here: ``near``, ``far``, ``x``, ``y``, ``z``, ``u``, ``v``, ``n``.
-
     Attributes
     ----------
     near, far : Label
     stop : int
         Whose axes and words are shown.
     display_from_box : (4, 4) array
-        Where the volume is shown; 0 while there is none.
+        Where the volume is shown; 0 without one.
     axes : (3, 3, 3) array
-        Start, end of what lies along the volume, and tip of each axis, in display space; NaN for
-        one that is not shown.
+        Start, end along the volume, and tip of each axis, in display space; NaN for a hidden axis.
     """
 
     def __init__(self, canvas: Canvas, words: Mapping[str, str]) -> None:
@@ -163,7 +156,7 @@ class StageBox:
         self._letters = label("", style.u), label("", style.v), label("", style.n)
 
     def make_emphasis(self, emphasis: Emphasis) -> None:
-        """Let faces, edges, corners, axes and words stand out while they are highlighted."""
+        """Prepare the highlight of faces, edges, corners, axes and words."""
         for face in emphasis.volume(self._space, CUBE):
             put_behind(face)
         for name, line in self._outlines.items():
@@ -177,7 +170,7 @@ class StageBox:
     # -- at a position of the strip
 
     def show(self, morph: Morph, position: float) -> None:
-        """Stand there; `place_words` then writes what is to be read. Draw nothing yet."""
+        """Move there; `place_words` then writes the words. Draw nothing yet."""
         stop, drawn = morph.stop_at(position), morph.has_volume(position)
         box = fitting(morph.display_from_box(position)) if drawn else np.zeros((4, 4))
         has_depth = stop != IMAGE
@@ -288,15 +281,10 @@ class StageBox:
                 self._at[number] = _edge(box, across, up, limit, along)
 
     def place_words(self, layout: Layout, seen: Callable[[Array], Sequence[Spot]]) -> None:
-        """Put every word where it has room in the pane, on no other one; draw nothing yet.
+        """Place every word in the pane; draw nothing yet.
 
-        Numbers only where the volume is large: in a small pane they give way to the names.
-
-        Parameters
-        ----------
-        layout : Layout
-        seen : callable
-            From points of display space, (n, 3), to where they are in the pane.
+        In a small pane the numbers give way to the names. `seen` converts points of display space,
+        (n, 3).
         """
         if not self._at:
             return
@@ -330,7 +318,7 @@ def fitting(matrix: Array) -> Array:
 
 
 def _turn_to(axis: Array) -> Array:
-    """A rotation that takes x to a direction, (3, 3): half a turn about what is between them."""
+    """A rotation that takes x to a direction, (3, 3): half a turn about the axis between them."""
     between = np.add(axis, (1.0, 0.0, 0.0))
     square = float(between @ between)
     if square < 1e-12:  # the other way round
@@ -347,7 +335,7 @@ def _placed(place: Array, turn: Array) -> Array:
 
 
 def _edge(box: Array, across: float, up: float, limit: float, z: float) -> Array:
-    """Where the corner of the view volume is shown, or its edge leaves the ball that is framed."""
+    """Where a corner of the view volume is shown, or where its edge leaves the framed ball."""
     near, far = (box @ (across, up, end, 1.0) for end in (1.0, 0.0))
     start: Array = near[:3] / near[3]
     if z == 1.0 or math.hypot(*start) >= limit:

@@ -1,6 +1,6 @@
-"""The own camera of the pane that shows a stage: a parallel one, placed for each stop of the strip.
+"""The own camera of the stage pane: a parallel one, placed for each stop of the strip.
 
-All foreshortening that is to be seen there is the projection's own.
+Any foreshortening in this pane is the projection's own.
 """
 
 from __future__ import annotations
@@ -46,14 +46,7 @@ _MOST_MARGIN = 1.0 / 2.0, 1.0 / 4.0  # of a small pane's width and height: both 
 
 
 class StageView:
-    """Where the camera stands.
-
-    Parameters
-    ----------
-    canvas : Canvas
-    start : Camera
-        The scene's own: the world stop is looked at from beside it.
-    """
+    """The place of the camera; `start` is the scene's own, from beside which the world is seen."""
 
     def __init__(self, canvas: Canvas, start: Camera) -> None:
         self._canvas, self._start = canvas, start
@@ -80,17 +73,7 @@ class StageView:
         return _axes(*self._looked_from(stop))
 
     def reset(self, position: float, projection: Projection) -> None:
-        """Look from where a stop is seen best, with all of it in the pane.
-
-        Between two stops of the strip, from between the places that suit them.
-
-        Parameters
-        ----------
-        position : float
-            Of the strip.
-        projection : Projection
-            Of its picture the size, of its lens whether it has a pyramid.
-        """
+        """Show all of a stop from the best direction; between two stops, from a mixture."""
         stop = min(int(position), IMAGE)
         part = position - stop
         framing = self._framing(stop, projection)
@@ -107,7 +90,7 @@ class StageView:
         self._placed = self._now
 
     def _framing(self, stop: int, projection: Projection) -> Array:
-        """Where a stop is seen from: centre x, y, z, parallel scale, azimuth, elevation."""
+        """The view of a stop: centre x, y, z, parallel scale, azimuth, elevation."""
         width_px, height_px = self.size_px
         right, up, _ = self.axes(stop)
         if stop <= VIEW:
@@ -175,7 +158,7 @@ class StageView:
         camera.SetParallelScale(view.distance)
 
     def fit_range(self) -> None:
-        """Fit its near and far to what is drawn."""
+        """Fit the clipping range to the drawing."""
         camera = self._camera
         distance = -float(np.dot(camera.GetPosition(), camera.GetDirectionOfProjection()))
         near = distance - _REACH
