@@ -27,7 +27,9 @@ import pyvista as pv
 import vtkmodules.vtkRenderingFreeType
 import vtkmodules.vtkRenderingOpenGL2  # noqa: F401  both register what renders, on import
 from numpy.typing import ArrayLike
-from vtkmodules.vtkCommonDataModel import vtkPlane, vtkPolyData
+from vtkmodules.util.numpy_support import numpy_to_vtk
+from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPlane, vtkPolyData
 from vtkmodules.vtkCommonMath import vtkMatrix4x4
 from vtkmodules.vtkRenderingCore import (
     vtkActor,
@@ -383,6 +385,32 @@ def actor_2d(mesh: vtkPolyData) -> vtkActor2D:
     return actor
 
 
+class ScreenCells:
+    """Cells in the plane of the screen, in one array of pixels that a step writes.
+
+    Attributes
+    ----------
+    px : (cells, points, 3) float32 array
+        From the renderer's left and bottom; call `changed` after writing.
+    actor : vtkActor2D
+    """
+
+    def __init__(self, cells: int, points: int) -> None:
+        self.px = np.zeros((cells, points, 3), dtype=np.float32)
+        self._points, array = vtkPoints(), vtkCellArray()
+        self._points.SetData(numpy_to_vtk(self.px.reshape(-1, 3)))  # type: ignore[no-untyped-call]
+        for first in range(0, cells * points, points):
+            array.InsertNextCell(points, range(first, first + points))
+        self.mesh = vtkPolyData()
+        self.mesh.SetPoints(self._points)
+        (self.mesh.SetLines if points == 2 else self.mesh.SetPolys)(array)
+        self.actor = actor_2d(self.mesh)
+
+    def changed(self) -> None:
+        """Draw what was written."""
+        self._points.Modified()
+
+
 def axes_of(camera: vtkCamera) -> Array:
     """Return right, up and the direction of view of a pane's camera, the rows of a (3, 3)."""
     toward = np.array(camera.GetDirectionOfProjection())
@@ -536,9 +564,7 @@ def line_actor(
     points: ArrayLike, lines: Sequence[Sequence[int]], colour: str, width: float
 ) -> vtkActor:
     """Polylines in one colour: points (n, 3), each line's indices, and the width in pixels."""
-    cells = np.concatenate([[len(line), *line] for line in lines])
-    actor = unlit_actor(pv.PolyData(np.array(points, dtype=np.float64), lines=cells))
-    actor.GetProperty().SetColor(*rgb(colour))
+    actor = _coloured(points, colour, lines=_cells(lines))
     actor.GetProperty().SetLineWidth(width)
     _after_position(actor, _KEEP_OFF_ZERO)
     _cut_behind(actor)
@@ -549,20 +575,27 @@ def face_actor(
     points: ArrayLike, faces: Sequence[Sequence[int]], colour: str, opacity: float = 1.0
 ) -> vtkActor:
     """Polygons in one colour, seen from both sides: points (n, 3) and each face's indices."""
-    cells = np.concatenate([[len(face), *face] for face in faces])
-    actor = unlit_actor(pv.PolyData(np.array(points, dtype=np.float64), faces=cells))
-    actor.GetProperty().SetColor(*rgb(colour))
+    actor = _coloured(points, colour, faces=_cells(faces))
     actor.GetProperty().SetOpacity(opacity)
     return actor
 
 
 def point_actor(points: ArrayLike, colour: str, size: float) -> vtkActor:
     """Round points, (n, 3), in one colour, with a diameter in pixels."""
-    actor = unlit_actor(pv.PolyData(np.array(points, dtype=np.float64)))
-    actor.GetProperty().SetColor(*rgb(colour))
+    actor = _coloured(points, colour)
     actor.GetProperty().SetPointSize(size)
     actor.GetProperty().RenderPointsAsSpheresOn()
     return actor
+
+
+def _coloured(points: ArrayLike, colour: str, **cells: Any) -> vtkActor:
+    actor = unlit_actor(pv.PolyData(np.array(points, dtype=np.float64), **cells))
+    actor.GetProperty().SetColor(*rgb(colour))
+    return actor
+
+
+def _cells(cells: Sequence[Sequence[int]]) -> Any:
+    return np.concatenate([[len(cell), *cell] for cell in cells])
 
 
 def lift_lines(actor: vtkActor, steps: float = 1) -> None:

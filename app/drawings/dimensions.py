@@ -21,11 +21,8 @@ from fractions import Fraction
 from typing import NamedTuple
 
 import numpy as np
-from vtkmodules.util.numpy_support import numpy_to_vtk
-from vtkmodules.vtkCommonCore import vtkPoints
-from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 
-from app.drawings.actors import Canvas, actor_2d
+from app.drawings.actors import Canvas, ScreenCells
 from app.drawings.labels import Layout, Leader, written_distance
 from app.drawings.pane_view import Spot
 from app.drawings.style import rgb
@@ -128,19 +125,9 @@ class Dimensions:
     def __init__(self, canvas: Canvas, words: Mapping[str, str]) -> None:
         self._canvas, self._words = canvas, words
         self._em = canvas.style.font_size
-        self._places = np.full((_SEGMENTS, 2, 3), _AWAY_PX, dtype=np.float32)
-        self._places[..., 2] = 0.0
-        self._used = 0
-        self._points = vtkPoints()
-        places = numpy_to_vtk(self._places.reshape(-1, 3))  # type: ignore[no-untyped-call]
-        self._points.SetData(places)
-        cells = vtkCellArray()
-        for i in range(_SEGMENTS):
-            cells.InsertNextCell(2, (2 * i, 2 * i + 1))
-        lines = vtkPolyData()
-        lines.SetPoints(self._points)
-        lines.SetLines(cells)
-        actor = actor_2d(lines)
+        self._lines, self._used = ScreenCells(_SEGMENTS, 2), 0
+        self._lines.px[..., :2] = _AWAY_PX
+        actor = self._lines.actor
         actor.GetProperty().SetColor(*rgb(canvas.style.ink))
         actor.GetProperty().SetLineWidth(canvas.style.line_width / 2.0)
         canvas.add(actor, layer="labels")
@@ -157,14 +144,14 @@ class Dimensions:
     def hide(self) -> None:
         self._sentence.set_visible(False)
         self._begin()
-        self._points.Modified()
+        self._lines.changed()
 
     def _begin(self) -> None:
         for label in self._texts.values():
             label.set_visible(False)
         for leader in self._leaders.values():
             leader.set_visible(False)
-        self._places[: self._used, :, :2] = _AWAY_PX
+        self._lines.px[: self._used, :, :2] = _AWAY_PX
         self._used, self._is_left_out = 0, False
 
     def below_em(self, size_px: tuple[int, int], measured: Measured) -> float:
@@ -199,7 +186,7 @@ class Dimensions:
         if self._is_left_out:
             layout.go_back(before)
             self._place(layout, seen, size_px, measured, None)
-        self._points.Modified()
+        self._lines.changed()
 
     def _place(
         self,
@@ -381,7 +368,7 @@ class Dimensions:
 
     def _line(self, start: Way, end: Way) -> None:
         if self._used < _SEGMENTS:
-            self._places[self._used, :, :2] = start, end
+            self._lines.px[self._used, :, :2] = start, end
             self._used += 1
 
     # -- what a lens does not have, or a pane no room for

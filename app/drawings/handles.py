@@ -13,10 +13,8 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 from vtkmodules.util.numpy_support import numpy_to_vtk
-from vtkmodules.vtkCommonCore import vtkPoints
-from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 
-from app.drawings.actors import Canvas, actor_2d
+from app.drawings.actors import Canvas, ScreenCells
 from app.drawings.style import rgb
 from app.picking.handles import Handle, Spot
 
@@ -69,20 +67,13 @@ class HandleMarks:
             for name in fills
             for out in (False, True)
         }
-        self._places = np.zeros((_MOST, _LAYERS, _POINTS, 3), dtype=np.float32)
-        self._points = vtkPoints()
-        places = numpy_to_vtk(self._places.reshape(-1, 3))  # type: ignore[no-untyped-call]
-        self._points.SetData(places)
-        cells = vtkCellArray()
-        for i in range(_LAYERS * _MOST):  # ring, rim, fill, ring, ...: the later ones lie on top
-            cells.InsertNextCell(_POINTS, range(i * _POINTS, (i + 1) * _POINTS))
+        # Ring, rim, fill, ring, ...: the later ones lie on top.
+        self._cells = ScreenCells(_MOST * _LAYERS, _POINTS)
+        self._places = self._cells.px.reshape(_MOST, _LAYERS, _POINTS, 3)
         self._colours = np.zeros((_MOST, _LAYERS, 3), dtype=np.uint8)
         self._scalars = numpy_to_vtk(self._colours.reshape(-1, 3))  # type: ignore[no-untyped-call]
-        marks = vtkPolyData()
-        marks.SetPoints(self._points)
-        marks.SetPolys(cells)
-        marks.GetCellData().SetScalars(self._scalars)
-        canvas.add(actor_2d(marks), layer="handles")
+        self._cells.mesh.GetCellData().SetScalars(self._scalars)
+        canvas.add(self._cells.actor, layer="handles")
 
     def show(self, handles: Sequence[tuple[Handle, Spot]], height_px: int) -> None:
         """Mark these handles, at pixels from the pane's top left, and no others."""
@@ -96,7 +87,7 @@ class HandleMarks:
             self._places[i, ..., :2] = self._outlines[kind, out] + (x, height_px - y)
             fill = self._accent if out else self._fills[kind]
             self._colours[i] = self._ring, self._ink, fill
-        self._points.Modified()
+        self._cells.changed()
         self._scalars.Modified()
 
 

@@ -15,10 +15,8 @@ from types import MappingProxyType
 from typing import Any, NamedTuple, TypeAlias
 
 import numpy as np
-from vtkmodules.vtkCommonCore import vtkPoints
-from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 
-from app.drawings.actors import Canvas, Label, actor_2d
+from app.drawings.actors import Canvas, Label, ScreenCells
 from app.drawings.label_placement import INK, LEADER, Box, Candidate, Placer
 from app.drawings.pane_view import PaneView, Spot
 from app.drawings.silhouette import Mask
@@ -413,18 +411,11 @@ class Leader:
     """A thin line in the plane of the screen, from a label to its point; hidden at first."""
 
     def __init__(self, canvas: Canvas, colour: str, width: float, renderer: Any = None) -> None:
-        self._points = vtkPoints()
-        self._points.SetNumberOfPoints(2)
-        cells = vtkCellArray()
-        cells.InsertNextCell(2, (0, 1))
-        line = vtkPolyData()
-        line.SetPoints(self._points)
-        line.SetLines(cells)
-        self.actor = actor_2d(line)
+        self._line, self._canvas = ScreenCells(1, 2), weakref.proxy(canvas)
+        self.actor = self._line.actor
         self.set_colour(colour)
         self.actor.GetProperty().SetLineWidth(width)
         canvas.add(self.actor, renderer=renderer, layer="labels")
-        self._canvas = weakref.proxy(canvas)
         self.set_visible(False)
 
     def set_visible(self, visible: bool) -> None:
@@ -435,9 +426,8 @@ class Leader:
 
     def join(self, start_px: tuple[float, float], end_px: tuple[float, float]) -> None:
         """Draw it between two pixels, counted from the left and from the bottom."""
-        for i, (x, y) in enumerate((start_px, end_px)):
-            self._points.SetPoint(i, x, y, 0.0)
-        self._points.Modified()
+        self._line.px[0, :, :2] = start_px, end_px
+        self._line.changed()
 
 
 def written_distance(value: float) -> str:

@@ -7,7 +7,7 @@ sizes and visibilities, never the number of actors, and costs a slider step noth
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from itertools import pairwise
 from typing import Any, TypeAlias
 
@@ -48,31 +48,34 @@ class Emphasis:
 
     def __init__(self, canvas: Canvas) -> None:
         self._canvas = canvas
-        self._lines: list[tuple[Highlight, Any, float]] = []
-        self._points: list[tuple[Highlight, Any, float]] = []
-        self._hidden: list[tuple[Highlight, Any]] = []
+        self._told: list[tuple[Highlight, Callable[[bool], object]]] = []
         self._labels: list[tuple[str, Label]] = []
-        self._shown = NOTHING
-        self._names = NOTHING
+        self._shown = self._names = NOTHING
+
+    def _tell(self, names: Iterable[str], tell: Callable[[bool], object]) -> None:
+        self._told.append((frozenset(names), tell))
+        self._names |= frozenset(names)
 
     def line(self, actor: vtkActor, *names: str) -> None:
         """Draw these lines wider while one of the names is highlighted."""
-        width = actor.GetProperty().GetLineWidth()
-        self._lines.append((self._known(names), actor.GetProperty(), width))
+        line = actor.GetProperty()
+        width = line.GetLineWidth()
+        self._tell(names, lambda on: line.SetLineWidth(width * (_WIDER if on else 1.0)))
 
     def point(self, actor: vtkActor, *names: str) -> None:
         """Draw these points larger."""
-        size = actor.GetProperty().GetPointSize()
-        self._points.append((self._known(names), actor.GetProperty(), size))
+        point = actor.GetProperty()
+        size = point.GetPointSize()
+        self._tell(names, lambda on: point.SetPointSize(size * (_LARGER if on else 1.0)))
 
     def hidden(self, actor: Any, *names: str) -> None:
         """Draw this only while one of the names is highlighted."""
         actor.SetVisibility(False)
-        self._hidden.append((self._known(names), actor))
+        self._tell(names, actor.SetVisibility)
 
     def label(self, label: Label, name: str) -> None:
         """Put a frame round this label's plate; it can be pointed at, too."""
-        self._known((name,))
+        self._tell((name,), label.set_framed)
         self._labels.append((name, label))
 
     def volume(self, space: Space, corners: Array) -> list[Any]:
@@ -98,25 +101,14 @@ class Emphasis:
             self.hidden(point, name)
         return faces
 
-    def _known(self, names: Iterable[str]) -> Highlight:
-        added = frozenset(names)
-        self._names |= added
-        return added
-
     def show(self, highlighted: Highlight) -> bool:
         """Highlight these things, and nothing else; return whether anything has changed."""
         shown = highlighted & self._names
         if shown == self._shown:
             return False
         self._shown = shown
-        for names, line, width in self._lines:
-            line.SetLineWidth(width * (_WIDER if names & shown else 1.0))
-        for names, point, size in self._points:
-            point.SetPointSize(size * (_LARGER if names & shown else 1.0))
-        for names, actor in self._hidden:
-            actor.SetVisibility(bool(names & shown))
-        for name, label in self._labels:
-            label.set_framed(name in shown)
+        for names, tell in self._told:
+            tell(bool(names & shown))
         return True
 
     def label_at(self, x_px: float, y_px: float) -> Highlight:
