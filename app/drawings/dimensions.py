@@ -222,12 +222,7 @@ class Dimensions:
     # -- what is drawn
 
     def _along(
-        self,
-        layout: Layout,
-        spots: Array,
-        measured: Measured,
-        size_px: tuple[int, int],
-        y: float,
+        self, layout: Layout, spots: Array, measured: Measured, size_px: tuple[int, int], y: float
     ) -> None:
         """From the eye to near, target and far, one below the other, the shortest on top."""
         eye, target = spots[:2, 0].tolist()

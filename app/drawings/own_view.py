@@ -250,10 +250,7 @@ class OwnView:
         wide, high = self.size_px
         margin = min(2.0 * _MARGIN_EM * self._em, _SMALL_MARGIN * min(wide, high))
         beside = (TITLE_EM + below_em) * self._em
-        return (
-            max(0.5, (wide - margin) / wide),
-            max(0.5, (high - margin - beside) / high),
-        )
+        return (max(0.5, (wide - margin) / wide), max(0.5, (high - margin - beside) / high))
 
     def _stand(self, framed: Framed) -> tuple[Array, Array]:
         """Return the camera's place for these points, and its focal point: (3,) each."""

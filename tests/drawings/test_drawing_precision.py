@@ -106,10 +106,7 @@ def expected(
         else:
             x, y = (part * mp.mpf(lens.near) / distance for part in (x, y))
         image.append(
-            (
-                width * (x - window_left) / (right - window_left),
-                height * (top - y) / (top - bottom),
-            )
+            (width * (x - window_left) / (right - window_left), height * (top - y) / (top - bottom))
         )
     middle = [sum(part) / len(image) for part in zip(*image, strict=True)]
     nearest = np.full(columns.shape, np.inf)
@@ -577,9 +574,7 @@ def test_drawings_of_one_scene_draw_with_the_same_vertices_as_each_for_itself(
     assert (pictures[0] == pictures[2]).all() and (pictures[1] == pictures[3]).all()
 
 
-def test_faces_and_lines_choose_for_themselves(
-    off_screen: Callable[[int, int], OffScreen],
-) -> None:
+def test_faces_and_lines_choose_for_themselves(off_screen: Callable[[int, int], OffScreen]) -> None:
     """An avenue whose trees float32 can draw, and not the lines of its ground."""
     scene = load("far-plane-popping")
     faces_px, lines_px = (
@@ -602,9 +597,7 @@ def test_faces_and_lines_choose_for_themselves(
         assert (picture != pictures[0]).any(axis=-1).sum() <= 100
 
 
-def test_what_is_not_drawn_is_not_projected(
-    off_screen: Callable[[int, int], OffScreen],
-) -> None:
+def test_what_is_not_drawn_is_not_projected(off_screen: Callable[[int, int], OffScreen]) -> None:
     """Levels of detail stand in the place of the faces in the image."""
     scene = load("far-plane-popping")
     assert scene.phenomenon is not None

@@ -199,9 +199,7 @@ def test_what_is_in_front_stays_in_front_in_every_depth_range(
     along = np.array([0.0, 0.0, 1.0])
     near, far = (10, 200, 30), (200, 10, 30)
     scene = scene_of(
-        np.vstack([square - along, square + along]),
-        [(0, 1, 2, 3), (4, 5, 6, 7)],
-        [far, near],
+        np.vstack([square - along, square + along]), [(0, 1, 2, 3), (4, 5, 6, 7)], [far, near]
     )
     for kind in (ImageDrawing, StageDrawing):
         for depth in DEPTH_RANGES:

@@ -21,13 +21,7 @@ from app.drawings.stage import StageDrawing
 from app.drawings.style import LIGHT
 from app.drawings.world import WorldDrawing
 from app.lecture.typed_matrix import with_cell
-from app.model.projection import (
-    Array,
-    Camera,
-    Frustum,
-    Orthographic,
-    Projection,
-)
+from app.model.projection import Array, Camera, Frustum, Orthographic, Projection
 from app.picking.handles import TARGET, dragged
 from app.scenes.scene import BUILT_IN, load
 from app.scenes.shapes import GRID_RGB
@@ -394,8 +388,7 @@ def test_a_scenes_distances_stand_in_rows_of_their_own(
     phenomenon = scene.phenomenon
     assert phenomenon is not None
     drawing.show_projection(
-        scene.start,
-        phenomenon.illustration(scene.start, phenomenon.checked({}), scene.subject),
+        scene.start, phenomenon.illustration(scene.start, phenomenon.checked({}), scene.subject)
     )
     drawing.show_fixed("side")
     screen.pixels()

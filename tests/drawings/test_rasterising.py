@@ -130,11 +130,7 @@ def depth_settings(random: np.random.Generator) -> tuple[Projection, Mapping[str
     if random.uniform() < 0.15:
         projection = projection.with_lens("orthographic")
     kinds = ("standard", "reversed") if projection.lens.parallel else RANGES
-    settings = {
-        "format": kind,
-        "range": str(random.choice(kinds)),
-        "gap": 1.0,
-    }
+    settings = {"format": kind, "range": str(random.choice(kinds)), "gap": 1.0}
     buffer = depth_buffer.buffer_of(projection, settings)
     assert isinstance(buffer, DepthBuffer)
     step = min(float(buffer.gap(projection.camera.distance)), 2.0)

@@ -1108,8 +1108,7 @@ def moved(scene: Scene, scale: float, origin: tuple[float, float, float]) -> Sce
 
 
 @pytest.mark.parametrize(
-    ("scale", "origin"),
-    [(1.0, (1e7, -2e7, 3e7)), (1e-6, (0.0, 0.0, 0.0)), (1e9, (0.0, 0.0, 0.0))],
+    ("scale", "origin"), [(1.0, (1e7, -2e7, 3e7)), (1e-6, (0.0, 0.0, 0.0)), (1e9, (0.0, 0.0, 0.0))]
 )
 def test_scenes_far_away_tiny_or_huge_look_the_same(
     make_view: MakeView, scale: float, origin: tuple[float, float, float]
