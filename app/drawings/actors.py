@@ -82,7 +82,6 @@ class Space:
         self.unit = 1.0
 
     def add(self, *actors: vtkActor) -> None:
-        """Put actors under this matrix."""
         for actor in actors:
             actor.SetUserMatrix(self.matrix)
 
@@ -161,7 +160,6 @@ class Canvas:
         prop.SetVisibility(visible and self._layers[prop] not in self.hidden)
 
     def show_layers(self, hidden: frozenset[str]) -> None:
-        """Hide these layers, and no others."""
         self.hidden = hidden
         for prop, layer in self._layers.items():
             prop.SetVisibility(prop not in self._unwanted and layer not in hidden)
@@ -169,7 +167,6 @@ class Canvas:
             label.set_shown("labels" not in hidden)
 
     def label(self, text: str, renderer: Any = None, **options: Any) -> Label:
-        """Add a `Label` with these options."""
         label = Label(text, self.style, **options)
         label.set_shown("labels" not in self.hidden)
         self._labels.append(label)
@@ -182,7 +179,6 @@ class Canvas:
         self._laid_out = None
 
     def remove(self) -> None:
-        """Take everything out of the window."""
         if self._observer is not None:
             self.window.RemoveObserver(self._observer)
             self._observer = None
@@ -279,7 +275,6 @@ class Label:
         self.property.SetColor(*rgb(self._style.text_on(plate)))
 
     def set_position(self, position: ArrayLike) -> None:
-        """Move to a point, (3,)."""
         x, y, z = np.asarray(position, dtype=np.float64).tolist()
         self._place.SetValue(x, y, z)
 
@@ -293,7 +288,6 @@ class Label:
         self.actor.SetVisibility(self._visible and shown)
 
     def set_framed(self, framed: bool) -> None:
-        """Put a frame round the plate, or remove it."""
         self.property.SetFrame(framed)
 
     def box_px(self, renderer: Any) -> tuple[float, float, float, float]:
@@ -368,7 +362,6 @@ def unlit_actor(mesh: pv.PolyData) -> vtkActor:
 
 
 def colour_by_points(actor: vtkActor, name: str) -> None:
-    """Take each point's colour from an array of uint8."""
     mapper = actor.GetMapper()
     mapper.SetScalarModeToUsePointFieldData()
     mapper.SelectColorArray(name)
@@ -407,7 +400,6 @@ class ScreenCells:
         self.actor = actor_2d(self.mesh)
 
     def changed(self) -> None:
-        """Draw what was written."""
         self._points.Modified()
 
 
@@ -465,7 +457,6 @@ class SceneActors:
         return [(actor, space) for actor, space in pairs if actor is not None]
 
     def show_grid(self, shown: bool) -> None:
-        """Draw the ground's lines, or leave them out."""
         self._has_grid = shown
         self._share_out()
 

@@ -162,12 +162,10 @@ class CameraDrawing:
 
     @property
     def box(self) -> Array:
-        """The corners of a box round the body, (8, 3)."""
         return applied(self._local_from_body, _BODY_BOX)
 
     @property
     def around(self) -> Array:
-        """The extreme points of body and axes, (6, 3)."""
         return self._standing.eye + _AROUND * self.axes_size * SIX_WAYS
 
     def depths(self, pane: PaneView) -> tuple[float, float, float]:

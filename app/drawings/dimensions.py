@@ -120,8 +120,6 @@ def half_of(projection: Projection, axis: int) -> Half | None:
 
 
 class Dimensions:
-    """The dimension lines of one pane."""
-
     def __init__(self, canvas: Canvas, words: Mapping[str, str]) -> None:
         self._canvas, self._words = canvas, words
         self._em = canvas.style.font_size
@@ -244,7 +242,6 @@ class Dimensions:
         layout.keep_free_box([(0.0, 0.0, 1.0), (float(size_px[0]), top, 1.0)])
 
     def _ways(self, measured: Measured) -> list[tuple[str, float]]:
-        """The distances along the axis, the shortest first."""
         projection, ways = measured.projection, dict[str, float]()
         if has_camera(projection):
             ways = {"d": projection.camera.distance, **dict(measured.distances)}
@@ -253,7 +250,6 @@ class Dimensions:
         return sorted(ways.items(), key=lambda way: abs(way[1]))
 
     def _length(self, layout: Layout, name: str, length: float, start: Spot, end: Spot) -> None:
-        """An upright line with its letter beside its middle."""
         self._line(start[:2], end[:2])
         middle = (start[0] + end[0]) / 2.0, (start[1] + end[1]) / 2.0
         text = f"{name} = {written_distance(length)}"
@@ -267,7 +263,6 @@ class Dimensions:
             return
 
         def keep_off(face: Array) -> None:
-            """Let no text lie on a plane, which is a line here."""
             layout.keep_free_box([(x, y, 1.0) for x, y in face.tolist()])
 
         eye, far_edge = spots[0], spots[edge]

@@ -202,7 +202,6 @@ def png_bytes(pixels: Pixels, document_json: str | None = None, scale: float = 1
 def usual_text_pt(
     image_size: tuple[int, int], panes: Sequence[str], size: tuple[int, int] | None
 ) -> float:
-    """Return the default height of an em, in points."""
     return max(_LEAST_TEXT_PX, USUAL_TEXT * _shorter_px(image_size, panes, size)) * 72.0 / DPI
 
 
@@ -230,7 +229,6 @@ def _shorter_px(
 
 
 def _own_size(image_size: tuple[int, int], panes: Sequence[str]) -> tuple[int, int]:
-    """The default size of a figure."""
     return image_size if tuple(panes) == ("image",) else (PANE_PX * len(panes), PANE_PX)
 
 

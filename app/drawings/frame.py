@@ -32,8 +32,6 @@ _SQUARE = 0.55  # side of a right angle's mark
 
 
 class FrameSteps:
-    """The arrows and marks that only the construction shows."""
-
     def __init__(self, canvas: Canvas) -> None:
         self._canvas, style = canvas, canvas.style
         self._space, self._up_space = Space(), Space()
@@ -73,7 +71,6 @@ class FrameSteps:
 
 
 def is_built(name: str, step: int | None) -> bool:
-    """Return whether a step reaches one of `STEPS`."""
     return step is not None and STEPS.index(name) <= step
 
 

@@ -31,7 +31,6 @@ class Level(NamedTuple):
 
     @property
     def weight(self) -> float:
-        """The relative amount of drawing."""
         return self.share * (_SMOOTH_COSTS if self.smooth else 1.0)
 
 
@@ -53,7 +52,6 @@ class FrameBudget:
 
     @property
     def level(self) -> Level:
-        """The level of the next frame."""
         return self._levels[self._now]
 
     @property
@@ -102,7 +100,6 @@ class FrameBudget:
         self._recent.clear()
 
     def _expected(self, level: int) -> float:
-        """The expected time of a frame of a level, in ms."""
         known = {i: ms for i, (ms, at) in self._known.items() if self._count - at < _REMEMBERED}
         if level in known:
             return known[level]

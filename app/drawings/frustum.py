@@ -64,7 +64,6 @@ class Reach(NamedTuple):
 
     @property
     def body(self) -> tuple[float, float]:
-        """The part of near..far with unbroken edges."""
         start, end = self.near, self.far
         if self.near_break is not None and self.near_break[0] >= start:
             start = self.near_break[1]

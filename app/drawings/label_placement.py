@@ -42,7 +42,6 @@ class Box(NamedTuple):
         return (self.left + self.right) / 2.0, (self.low + self.high) / 2.0
 
     def nearest(self, spot: tuple[float, float]) -> tuple[float, float]:
-        """Return the point of the box that is nearest to a spot."""
         x, y = spot
         return min(max(x, self.left), self.right), min(max(y, self.low), self.high)
 
@@ -249,7 +248,6 @@ def _boxes(rows: Floats) -> list[Box]:
 
 
 def _overlap(boxes: Floats, others: Floats) -> NDArray[np.bool_]:
-    """Which boxes overlap which others, (m, n)."""
     left, low, right, high = boxes.T[:, :, None]
     other_left, other_low, other_right, other_high = others.T[:, None, :]
     across = (left < other_right) & (other_left < right)

@@ -90,8 +90,6 @@ class Named(NamedTuple):
 
 
 class Labels:
-    """Every label of the world pane."""
-
     def __init__(self, canvas: Canvas, words: Mapping[str, str]) -> None:
         self._canvas, self._words = canvas, words
         style, label = canvas.style, partial(canvas.label, in_pixels=True)
@@ -119,7 +117,6 @@ class Labels:
         return label
 
     def dim_planes(self, light: float) -> None:
-        """Write near and far with this opacity."""
         for name, label in (("near", self._near), ("far", self._far)):
             label.property.SetOpacity(light)
             label.property.SetBackgroundOpacity(light)
@@ -216,7 +213,6 @@ class Labels:
         return self._kept != before
 
     def _are_one(self, planes: tuple[Sequence[Spot], Sequence[Spot]]) -> bool:
-        """Whether both planes' corners are seen at the same places."""
         least = _OTHER_PLANE_EM * self._canvas.style.font_size
         near, far = ([spot[:2] for spot in spots] for spots in planes)
         return all(min(math.dist(one, other) for other in far) < least for one in near)
@@ -245,16 +241,13 @@ class Layout:
 
     @property
     def so_far(self) -> tuple[int, int, dict[Label, Side]]:
-        """What is taken, for `go_back`."""
         return len(self._placer.taken), len(self._placer.bodies), self.settled.copy()
 
     def go_back(self, so_far: tuple[int, int, dict[Label, Side]]) -> None:
-        """Forget what was placed and kept free since then."""
         taken, bodies, self.settled = so_far
         del self._placer.taken[taken:], self._placer.bodies[bodies:]
 
     def shows(self, x: float, y: float) -> bool:
-        """Return whether a pixel is in the pane."""
         width_px, height_px = self._size_px
         return 0.0 <= x <= width_px and 0.0 <= y <= height_px
 

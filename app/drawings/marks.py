@@ -153,7 +153,6 @@ class MarksDrawing:
         self.points = np.concatenate(drawn)
 
     def show_highlight(self, highlighted: Highlight) -> bool:
-        """Highlight the marks about these things; return whether anything has changed."""
         before, self._highlighted = self._highlighted, highlighted
         if self._now is None:
             return False
@@ -362,13 +361,11 @@ class MarksDrawing:
         )
 
     def show_detail(self, fewer: Scene | None) -> None:
-        """Draw copies of a scene with fewer triangles, or of all triangles for None."""
         for copy in self._copies:
             if copy.detail is not None:
                 copy.detail.show(fewer)
 
     def _build(self, actors: _CopyActors) -> None:
-        """Create what a copy needs, once."""
         if actors.detail is not None:
             return
         actors.surface = SceneActors(self._scene, self._style, self._clip).surface
@@ -380,7 +377,6 @@ class MarksDrawing:
             self._canvas.add(actors.surface, renderer=self._renderer)
 
     def _dress(self, actors: _CopyActors, copy: Copy | None) -> None:
-        """Show a copy in its colour, or hide it."""
         if actors.surface is None:
             return
         actors.surface.SetVisibility(copy is not None)
@@ -392,7 +388,6 @@ class MarksDrawing:
     # -- shared
 
     def _named(self, colour: str) -> str:
-        """Return ``"#rrggbb"`` for the name of one of the style's colours."""
         return colour if colour.startswith("#") else str(getattr(self._style, colour))
 
     def _rgba(self, colour: str, opacity: float = 1.0) -> NDArray[np.uint8]:
@@ -499,7 +494,6 @@ class _Batch:
 
 
 def _away(text: Text) -> Text:
-    """The text at the point that it avoids."""
     assert text.away_from is not None
     return replace(text, point=text.away_from)
 
@@ -516,14 +510,12 @@ def _sides_away(spot: Spot, away: Spot) -> Sequence[tuple[float, float]]:
 
 
 def _placed_each(marks: Sequence[Dot | Text], placing: Placing) -> Array:
-    """The points of dots or texts, (n, 3)."""
     if not marks:
         return np.empty((0, 3))
     return placing.placed(np.array([mark.point for mark in marks], dtype=np.float64))
 
 
 def _within(points: Array, limit: float) -> NDArray[np.bool_]:
-    """Which points (..., 3) are in the box."""
     return np.asarray((np.abs(points) <= limit).all(axis=-1))  # NaN is not
 
 

@@ -31,8 +31,6 @@ _LEAST_PX = 1.5
 
 
 class NearPicture:
-    """The scene, flattened onto the near plane and cut by the picture's window."""
-
     def __init__(self, canvas: Canvas, scene: Scene) -> None:
         self._canvas = canvas
         self._planes = [vtkPlane() for _ in range(6)]

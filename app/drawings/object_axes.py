@@ -42,7 +42,6 @@ class ObjectAxes:
         canvas.add(*self._actors)
 
     def show(self, local_from_object: Array, shown: bool) -> None:
-        """Place or hide the axes."""
         self._local_from_object = local_from_object
         self._space.set(local_from_object)
         for actor in self._actors:

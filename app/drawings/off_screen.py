@@ -66,7 +66,6 @@ class OffScreen:
         window.AddRenderer(self.renderer)
 
     def close(self) -> None:
-        """Release what OpenGL holds."""
         self.render_window.Finalize()
 
 

@@ -137,7 +137,6 @@ class OwnView:
 
     @property
     def size_px(self) -> tuple[int, int]:
-        """Width and height of the pane."""
         width_px, height_px = self._window.GetSize()
         return max(1, width_px), max(1, height_px)
 
@@ -149,7 +148,6 @@ class OwnView:
 
     @property
     def was_moved(self) -> bool:
-        """Whether somebody has moved it since it was placed."""
         return self._placed != self._now
 
     @property
@@ -162,7 +160,6 @@ class OwnView:
         return Camera(tuple(origin + eye), tuple(origin + target), camera.GetViewUp())
 
     def show(self, view: Camera) -> None:
-        """Move it to a `view` of before."""
         self.fixed = ""
         self._see_by_perspective()
         camera = self._camera
@@ -272,7 +269,6 @@ class OwnView:
     # -- fixed views
 
     def follow(self, framed: Framed) -> None:
-        """Move a fixed view with the model's camera."""
         frame = framed.camera.frame
         right, up, toward = (sign * frame[which] for which, sign in _AXES[self.fixed])
         if self._flat is None:
@@ -383,7 +379,6 @@ class OwnView:
 
     @property
     def sight(self) -> Sight:
-        """How the pane looks at the world just now."""
         pane = self.pane
         width_px, height_px = pane.size_px
         right, up, toward = pane.axes

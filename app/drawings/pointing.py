@@ -44,8 +44,6 @@ Segment: TypeAlias = tuple[Highlight, Spot, Spot]
 
 
 class Emphasis:
-    """The highlight of one drawing."""
-
     def __init__(self, canvas: Canvas) -> None:
         self._canvas = canvas
         self._told: list[tuple[Highlight, Callable[[bool], object]]] = []

@@ -86,7 +86,6 @@ class ModelActors:
         return "float64" if any(made and made.is_projected for made in self._made) else "float32"
 
     def show_detail(self, fewer: Scene | None) -> None:
-        """Use a scene's fewer triangles, or None for all; then show a projection."""
         self.show_local()
         self._detail.show(fewer)
         self._fewer = fewer
@@ -96,7 +95,6 @@ class ModelActors:
         )
 
     def show_grid(self, shown: bool) -> None:
-        """Draw the ground's lines, or leave them out; then show a projection."""
         self.show_local()
         self.actors.show_grid(shown)
         self.show_detail(self._fewer)
@@ -255,16 +253,13 @@ class _Made:
 
     @property
     def is_seen(self) -> bool:
-        """Whether the mesh has cells and is visible."""
         return bool(self._actor.GetVisibility() and self._mesh.GetNumberOfCells())
 
     @property
     def is_projected(self) -> bool:
-        """Whether it shows the result of a projection."""
         return self._mapper.GetInput() is self._projected
 
     def restore(self) -> None:
-        """Show the original mesh."""
         if self.is_projected:
             self._mapper.SetInputData(self._mesh)
             self._projected.Initialize()
@@ -416,7 +411,6 @@ def _cut(clip: Array, cells: NDArray[np.integer], planes: tuple[Array, Array]) -
 def _cut_at(
     pieces: Array, owner: NDArray[np.integer], normal: Array, offset: float
 ) -> tuple[Array, NDArray[np.integer]]:
-    """Cut points, segments or triangles (m, k, 4) at one plane."""
     values = pieces @ normal + offset
     inside = values >= 0.0
     if inside.all():

@@ -59,8 +59,6 @@ class Mark(NamedTuple):
 
 
 class Probes:
-    """The probes' marks in one pane."""
-
     def __init__(self, canvas: Canvas, renderer: Any = None) -> None:
         self._canvas, self._renderer = canvas, renderer
         self._slots: list[_Slot] = []
@@ -172,8 +170,6 @@ def _traced_at_infinity(projection: Projection, direction: Vector) -> Trace:
 
 
 class _Slot:
-    """The actors of one probe."""
-
     def __init__(self, canvas: Canvas, renderer: Any) -> None:
         self._canvas, self._style = canvas, canvas.style
         style, em = canvas.style, canvas.style.font_size
@@ -242,7 +238,6 @@ def _place(spot_px: Array | None, height_px: int) -> tuple[float, float] | None:
 
 
 def _disc(radius_px: float, colour: str, corners: int = 24, hole_px: float = 0.0) -> vtkActor2D:
-    """A disc, or a ring round a hole."""
     points, cells = vtkPoints(), vtkCellArray()
     for radius in (radius_px, hole_px) if hole_px else (radius_px,):
         for i in range(corners):

@@ -171,7 +171,6 @@ class Rasteriser:
 
     @property
     def problem(self) -> Phrase | None:
-        """Why the picture is not what was asked for, if it is not."""
         return Phrase(REFUSED) if self.refused else self._note
 
     def show(self, rendering: Rendering, projection: Projection) -> None:

@@ -182,7 +182,6 @@ class StageDrawing(Drawing):
     # -- a phenomenon, probes
 
     def _rasterise(self) -> None:
-        """Lay the texture over the faces, at every stop of the strip."""
         if self._illustration is not None and self._illustration.rendering is not None:
             for rasteriser in self._rasterisers:
                 rasteriser.show(self._illustration.rendering, self._seen)

@@ -156,7 +156,6 @@ class StageBox:
         self._letters = label("", style.u), label("", style.v), label("", style.n)
 
     def make_emphasis(self, emphasis: Emphasis) -> None:
-        """Prepare the highlight of faces, edges, corners, axes and words."""
         for face in emphasis.volume(self._space, CUBE):
             put_behind(face)
         for name, line in self._outlines.items():
@@ -235,7 +234,6 @@ class StageBox:
                 self.axes[i] = np.nan
 
     def _shown(self, points: object) -> Array:
-        """Points of the box, (..., 3), in display space."""
         points = np.asarray(points, dtype=np.float64)
         homogeneous = points @ self.display_from_box[:, :3].T + self.display_from_box[:, 3]
         shown: Array = homogeneous[..., :3] / homogeneous[..., 3:]

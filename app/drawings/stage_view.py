@@ -55,12 +55,10 @@ class StageView:
 
     @property
     def size_px(self) -> tuple[int, int]:
-        """Width and height of the pane."""
         width_px, height_px = self._canvas.window.GetSize()
         return max(1, width_px), max(1, height_px)
 
     def _looked_from(self, stop: int) -> tuple[float, float]:
-        """Azimuth and elevation at a stop, degrees."""
         if stop != WORLD:
             return _LOOKED_FROM_DEG[stop]
         # From beside the scene's own camera, and by the shorter way to the next stop's place.
@@ -69,7 +67,6 @@ class StageView:
         return after + math.remainder(azimuth - after, 360.0), _WORLD_ELEVATION_DEG
 
     def axes(self, stop: int) -> Array:
-        """Right, up and toward the reader at a stop, the rows of a (3, 3)."""
         return _axes(*self._looked_from(stop))
 
     def reset(self, position: float, projection: Projection) -> None:
@@ -130,7 +127,6 @@ class StageView:
 
     @property
     def was_moved(self) -> bool:
-        """Whether somebody has moved it since it was placed."""
         return self._now != self._placed
 
     @property
@@ -148,7 +144,6 @@ class StageView:
         return Camera(tuple(eye), tuple(target), camera.GetViewUp())
 
     def show(self, view: Camera) -> None:
-        """Move it to a `view` of before."""
         camera = self._camera
         target = np.array(view.target)
         away = max(_DISTANCE, 1e-9 * float(np.abs(target).max()))  # or it would be the target
@@ -158,7 +153,6 @@ class StageView:
         camera.SetParallelScale(view.distance)
 
     def fit_range(self) -> None:
-        """Fit the clipping range to the drawing."""
         camera = self._camera
         distance = -float(np.dot(camera.GetPosition(), camera.GetDirectionOfProjection()))
         near = distance - _REACH

@@ -192,7 +192,6 @@ class WorldDrawing(Drawing):
 
     @property
     def _light(self) -> float:
-        """How bright the frustum is."""
         return 1.0 if self.camera.step is None else DIMMED
 
     def _name_steps(self) -> None:
@@ -309,7 +308,6 @@ class WorldDrawing(Drawing):
 
     @property
     def _object_axes(self) -> ObjectAxes | None:
-        """The object's axes, if they are drawn."""
         return self._axes if self.has_object_axes else None
 
     @property
@@ -413,7 +411,6 @@ class WorldDrawing(Drawing):
 
     @property
     def _in_fixed_view(self) -> Measured:
-        """What is measured in the present fixed view."""
         at, view = self._stands, self.own.fixed
         lengths = tuple(
             (each.name, each.value, each.start - self._origin, each.end - self._origin)
@@ -533,7 +530,6 @@ class WorldDrawing(Drawing):
         self._place_probes()
 
     def _show_illustration(self, illustration: Illustration | None) -> None:
-        """Show a phenomenon's marks, apart from their texts."""
         if self._marks is None:
             if illustration is None:
                 return
