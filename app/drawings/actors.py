@@ -381,11 +381,7 @@ def actor_2d(mesh: vtkPolyData) -> vtkActor2D:
 class ScreenCells:
     """Cells in the plane of the screen, in one array of pixels that a step writes.
 
-    Attributes
-    ----------
-    px : (cells, points, 3) float32 array
-        From the renderer's left and bottom; call `changed` after writing.
-    actor : vtkActor2D
+    Write `px`, (cells, points, 3), from the renderer's left and bottom; then call `changed`.
     """
 
     def __init__(self, cells: int, points: int) -> None:
@@ -414,17 +410,9 @@ def axes_of(camera: vtkCamera) -> Array:
 class SceneActors:
     """The scene's faces and lines, in scene-local coordinates (origin taken off).
 
-    The ground's lines belong to the lines until the objects move. Then they are an actor of their
-    own, which stays. Each actor has its own 4x4. `clip` are planes in the pane's own world, behind
-    which nothing is drawn.
-
-    Attributes
-    ----------
-    surface, lines, ground : vtkActor or None
-    spaces : tuple of 3 Space
-        Of these actors.
-    is_moved : bool
-        Whether the ground stays behind.
+    The ground's lines belong to the lines until the objects move (`is_moved`). Then they are an
+    actor of their own, which stays. Each of the three actors, None if it has nothing, has its own
+    4x4 in `spaces`. `clip` are planes in the pane's own world, behind which nothing is drawn.
     """
 
     def __init__(self, scene: Scene, style: Style, clip: Iterable[vtkPlane] = ()) -> None:

@@ -40,29 +40,17 @@ _BEYOND_TIP = (1.2, 1.5, 1.9)
 
 
 class Standing(NamedTuple):
-    """How the model's camera stands in a scene; scene-local, world units.
-
-    Attributes
-    ----------
-    origin : (3,) array
-        World point that scene-local coordinates are relative to.
-    depths : (float, float)
-        Least and largest distance of anything in the scene from the eye plane.
-    objects_depth : float
-        The largest one of the scene's objects.
-    extent : float
-        The scene's size plus its distance.
-    """
+    """How the model's camera stands in a scene; scene-local, world units."""
 
     camera: Camera
-    origin: Array
+    origin: Array  # world point that scene-local coordinates are relative to
     eye: Array
     target: Array
     view_from_local: Array
     local_from_view: Array
-    depths: tuple[float, float]
-    objects_depth: float
-    extent: float
+    depths: tuple[float, float]  # least and largest distance of anything from the eye plane
+    objects_depth: float  # the largest one of the scene's objects
+    extent: float  # the scene's size plus its distance
 
 
 class CameraDrawing:
@@ -71,13 +59,11 @@ class CameraDrawing:
     Attributes
     ----------
     solid : tuple of vtkActor
-        The body.
+        The body, `body_size` large in world units.
     shafts, discs : mapping from str to vtkActor
         The axes' lines; the dots at eye and target.
     steps : FrameSteps or None
         What the frame's construction adds; None before it is first shown.
-    body_size : float
-        World units.
     """
 
     def __init__(self, canvas: Canvas) -> None:

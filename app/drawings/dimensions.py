@@ -52,47 +52,27 @@ Way = tuple[float, float]
 
 
 class Measured(NamedTuple):
-    """What is measured.
+    """What is measured; scene-local."""
 
-    Attributes
-    ----------
-    view : str
-        One of `app.document.view.FIXED`; ``""`` for nothing.
-    eye, target : (3,) array
-        Scene-local.
-    corners : (8, 3) array or None
-        Of the frustum as it is drawn.
-    objects : (8, 3) array
-        Of the box round them.
-    distances : tuple of (str, float)
-        Further lengths from the eye along the axis. Without a d among them, d is the target's.
-    lengths : tuple of (str, float, (3,) array, (3,) array)
-        Lengths across the axis: letter, value, and ends, scene-local.
-    """
-
-    view: str
+    view: str  # one of `app.document.view.FIXED`; empty for nothing
     projection: Projection
     eye: Array
     target: Array
-    corners: Array | None
-    objects: Array
-    distances: tuple[tuple[str, float], ...]
-    lengths: tuple[tuple[str, float, Array, Array], ...] = ()
+    corners: Array | None  # (8, 3), of the frustum as drawn
+    objects: Array  # (8, 3), of the box round the objects
+    distances: tuple[
+        tuple[str, float], ...
+    ]  # more lengths from the eye along the axis; d is the target's unless it is here
+    lengths: tuple[
+        tuple[str, float, Array, Array], ...
+    ] = ()  # across the axis: letter, value, two ends
 
 
 class Half(NamedTuple):
-    """Half a window, from the axis to its top or its right.
+    """Half a window, from the axis to its top or its right."""
 
-    Attributes
-    ----------
-    angle_deg : float or None
-        Under which the eye sees it; None for a lens without an eye, or off the axis.
-    at_far : float
-        Its length on the far plane; infinite if far is.
-    """
-
-    angle_deg: float | None
-    at_far: float
+    angle_deg: float | None  # at the eye; None without an eye, or off the axis
+    at_far: float  # its length on the far plane; infinite if far is
 
 
 def half_of(projection: Projection, axis: int) -> Half | None:

@@ -102,19 +102,18 @@ def render(
     quality: Quality = AUTOMATIC,
     text_pt: float | None = None,
 ) -> Pixels:
-    """Draw one pane, or several side by side.
+    """Draw one pane, or several side by side, and return (height, width, 3 or 4) uint8 pixels.
+
+    The first row is the top one; colours are not multiplied by alpha.
 
     Parameters
     ----------
     panes : sequence of {"world", "ndc", "image"}
-        From left to right, in equal widths.
+        From left to right, in equal widths. The image alone is drawn without its frame.
     size : (int, int), optional
-        Width and height in pixels; by default `PANE_PX` squares, or the image's own size for the
-        image alone, which is drawn without its frame.
+        In pixels; by default `PANE_PX` squares, or the image's own size for the image alone.
     scale : float, optional
         Multiplies the size with all lines and letters: the same figure, finer.
-    transparent : bool, optional
-        Leave the background out.
     words : mapping, optional
         The words in the drawings; by default English with the view's letters.
     progress : callable, optional
@@ -125,11 +124,6 @@ def render(
         Its smoothing does not matter: a figure is always averaged.
     text_pt : float, optional
         Height of an em in points, of which 72 are `DPI` pixels; by default `USUAL_TEXT`.
-
-    Returns
-    -------
-    (height, width, 3) uint8 array, or (height, width, 4) if transparent
-        The first row is the top one; colours are not multiplied by alpha.
 
     Raises
     ------
@@ -235,13 +229,7 @@ def _own_size(image_size: tuple[int, int], panes: Sequence[str]) -> tuple[int, i
 def checked_size(
     image_size: tuple[int, int], panes: Sequence[str], size: tuple[int, int] | None, scale: float
 ) -> tuple[int, int]:
-    """Return the figure's width and height in pixels, for `render`'s parameters.
-
-    Raises
-    ------
-    Refusal
-        For an unknown pane, or a size or scale that is not possible.
-    """
+    """Return the figure's width and height in pixels for `render`; refuse an impossible size."""
     if isinstance(panes, str) or not panes:
         raise Refusal.saying(NO_PANES, repr(panes), ", ".join(PANES))
     for pane in panes:

@@ -43,23 +43,15 @@ _CUBE_FROM_PYRAMID = np.eye(4)[[0, 1, 3, 2]]
 
 
 class Reach(NamedTuple):
-    """The distances from the eye plane that are drawn to scale; world units.
+    """The distances from the eye plane that are drawn to scale; world units."""
 
-    Attributes
-    ----------
-    low, high : float
-        The limits; low is negative, behind the eye, for a parallel lens.
-    near, far : float
-        Where the planes are drawn, ``low <= near < far <= high``.
-    near_break, far_break : (float, float) or None
-        Where the frustum's edges are broken, if a plane is not drawn at its own distance.
-    """
-
-    low: float
+    low: float  # the limits; low is negative, behind the eye, for a parallel lens
     high: float
-    near: float
+    near: float  # where the planes are drawn, low <= near < far <= high
     far: float
-    near_break: tuple[float, float] | None
+    near_break: (
+        tuple[float, float] | None
+    )  # where edges are broken, if a plane is not at its own distance
     far_break: tuple[float, float] | None
 
     @property
@@ -80,17 +72,13 @@ class FrustumDrawing:
     space, apex_space : Space
         From the cube's corners to scene-local coordinates; of the pyramid from the eye to near.
     outlines : mapping from str to vtkActor
-        Edges of ``"near"`` and ``"far"``.
-    apex : vtkActor
-        The lines from the eye to near.
+        Edges of ``"near"`` and ``"far"``; `apex` are the lines from the eye to near.
     dimmable : tuple of vtkActor
         All but the planes' tints, which `tint` sets.
     corners : (8, 3) array
         As drawn, scene-local.
     reach : Reach or None
-        None under a typed matrix.
-    seen : bool
-        Whether there is a frustum to draw.
+        None under a typed matrix, which may have no frustum at all (`seen`).
     """
 
     def __init__(self, canvas: Canvas, size: float) -> None:

@@ -43,12 +43,8 @@ _AWAY_PX = -1e4
 class HandleMarks:
     """The marks of the handles in one pane.
 
-    Attributes
-    ----------
-    held : Handle or None
-        The highlighted one, from the next `show` on.
-    shown : list of (Handle, (float, float))
-        The visible ones, in pixels from the pane's top left.
+    `held` is the highlighted one, from the next `show` on. `shown` are the visible ones, in pixels
+    from the pane's top left.
     """
 
     def __init__(self, canvas: Canvas) -> None:

@@ -47,22 +47,12 @@ class Box(NamedTuple):
 
 
 class Candidate(NamedTuple):
-    """A possible place of a label.
-
-    Attributes
-    ----------
-    anchor : (float, float) or None
-        The point that a leader would join to the label; None for a label without a leader.
-    cost : float
-        What the caller charges for this place.
-    key : object
-        For the caller; the placer ignores it.
-    """
+    """A possible place of a label."""
 
     box: Box
-    anchor: tuple[float, float] | None = None
-    cost: float = 0.0
-    key: Any = None
+    anchor: tuple[float, float] | None = None  # what a leader would join to the label
+    cost: float = 0.0  # what the caller charges for this place
+    key: Any = None  # for the caller; the placer ignores it
 
 
 class Placer:
@@ -94,14 +84,9 @@ class Placer:
     ) -> Candidate | None:
         """Take the cheapest free candidate, and return it with its total cost.
 
-        Parameters
-        ----------
-        candidates : iterable of Candidate
-            In order of their own costs, so that most need not be looked at.
-        apart_from : sequence of (float, float)
-            Points of something else, at least `apart_px` away.
-        at_worst : float
-            The largest cost that is accepted.
+        Candidates come in order of their own costs, so that most need not be looked at. The label
+        keeps `apart_px` from the points `apart_from`, which it must not seem to belong to. A higher
+        cost than `at_worst` is not accepted.
         """
         frame_left, frame_low, frame_right, frame_high = self.frame
         found: Candidate | None = None
@@ -152,14 +137,12 @@ def beside(
     ----------
     points, sizes : (n, 2) arrays
         In pixels; the first ones choose first. A name without width gets no place.
-    frame : (4,) array
-        Left, low, right, high: where names may be.
+    frame, taken : (4,) and (k, 4) arrays
+        Left, low, right, high: where names may be, and boxes of other names; so is the result.
     along : (m, 2) array
         Places along curves, which no name hides.
     gaps : (n,) array
         From each point to its name.
-    taken : (k, 4) array
-        Boxes like `frame` of other names; so is the result.
     """
     placer = Placer(Box(*frame.tolist()), samples=np.linspace(0.1, 0.9, 8).tolist(), halo_px=1.0)
     reach = gaps[:, None] - 1.0
@@ -198,23 +181,18 @@ def beside_curve(
 ) -> Floats:
     """Place a curve's name beside the curve, free of other names and of curves, if possible.
 
+    Without a free place the name goes into a list at the top left.
+
     Parameters
     ----------
     frame : (4,) array
-        Left, top, right, bottom: where names may be.
+        Left, top, right, bottom: where names may be; so are all boxes.
     along : (n, 2) array
-        Places along the curve.
-    half : float
-        Half the width of the curve.
+        Places along the curve, which is `half` pixels wide on either side.
     taken, lines : (m, 4) and (k, 4) arrays
-        Boxes like `frame` of other names, and of pieces of all curves.
+        Boxes of other names, and of pieces of all curves.
     kept : (4,) array, optional
         The name's last place, which is kept while it is free and beside its curve.
-
-    Returns
-    -------
-    (4,) array
-        Like `frame`. Without a free place the name goes into a list at the top left.
     """
     width, height = size
     placer = Placer(Box(*frame.tolist()))

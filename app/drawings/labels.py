@@ -60,33 +60,16 @@ Side: TypeAlias = tuple[float, int, tuple[float, float]]
 
 
 class Named(NamedTuple):
-    """What the words name, scene-local.
-
-    Attributes
-    ----------
-    arrows : tuple of str
-        The arrows at the camera whose names are written.
-    tips : (len(arrows) k, 3) array
-        Where these names can be, all of them k times, best first.
-    body : (n, 3) array
-        The extent of the camera's body; the planes' labels keep off it.
-    corners : (8, 3) array or None
-        Of the frustum as it is drawn: left-bottom, right-bottom, right-top, left-top of the near
-        face, then of the far face; None without a frustum.
-    planes : (float, float) or None
-        The distances of near and far to be written.
-    without : frozenset of str
-        ``"eye"`` and ``"target"``, if they are not to be named.
-    """
+    """What the words name; scene-local."""
 
     eye: Array
     target: Array
-    arrows: tuple[str, ...]
-    tips: Array
-    body: Array
-    corners: Array | None
-    planes: tuple[float, float] | None
-    without: frozenset[str] = frozenset()
+    arrows: tuple[str, ...]  # those at the camera whose names are written
+    tips: Array  # (len(arrows) k, 3): places of these names, all of them k times, best first
+    body: Array  # (n, 3): extent of the camera's body
+    corners: Array | None  # (8, 3), of the frustum as drawn, near first
+    planes: tuple[float, float] | None  # distances of near and far to be written
+    without: frozenset[str] = frozenset()  # of eye and target, what is not named
 
 
 class Labels:
@@ -134,18 +117,11 @@ class Labels:
     ) -> bool:
         """Place every label; return whether one has changed sides.
 
-        Parameters
-        ----------
-        afresh : bool
-            Whether the places depend on nothing but `pane` and `named`. If not, a label next to its
-            point stays on its side as long as possible: jumping words distract from what moves.
-        first : callable, optional
-            Places other labels before these, given the layout and `PaneView.seen`.
-        subject : Mask, optional
-            What no label hides while there is a place beside it.
-        held_at : mapping of str to (float, float), optional
-            The handles of near and far, from the pane's left and bottom. Where both planes are seen
-            at one place, as from the eye, only they tell which label is whose.
+        If not `afresh`, a label next to its point stays on its side as long as possible: jumping
+        words distract from what moves. `first` places other labels before these, given the layout
+        and `PaneView.seen`. `held_at` has the handles of near and far, from the pane's left and
+        bottom. Where both planes are seen at one place, as from the eye, only they tell which label
+        is whose.
         """
         words, leaders = self._words, self._leaders
         before = self._kept
@@ -283,7 +259,9 @@ class Layout:
         best: Sequence[int] = (),
         at_worst: float = INK,
     ) -> bool:
-        """Put a label as near as possible to one of these points, or hide it without a place.
+        """Put a label as near as possible to one of these points; hide it if there is no place.
+
+        Returns whether there was one.
 
         Parameters
         ----------
@@ -294,8 +272,6 @@ class Layout:
         sides : sequence of (float, float)
             Where the label's box is from the point, best first: -1 to the left or below, 1 to the
             right or above, 0 on it.
-        leader : Leader, optional
-            Joins the label to its point if they are far apart.
         gaps : int
             How many of `GAPS_EM` to try.
         apart_from : sequence of Spot
@@ -303,12 +279,7 @@ class Layout:
         best : sequence of int, optional
             From `least_hiding`: another order of the places beside a single point.
         at_worst : float
-            Hide the label rather than accept a higher cost.
-
-        Returns
-        -------
-        bool
-            Whether there was a place for it.
+            The largest cost that is accepted.
         """
         half_width, half_height = self.half(text)
         em, has_leader = self.em, leader is not None

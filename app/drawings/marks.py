@@ -69,14 +69,11 @@ _ROUND = (*_BESIDE, (1.0, 0.0), (-1.0, 0.0))
 
 
 class Placing(NamedTuple):
-    """From the coordinates of marks to those of the pane's actors: ``scale * point + shift``.
-
-    `limit` is half the side of the box, about the actors' origin, that marks are cut to.
-    """
+    """From the coordinates of marks to those of the pane's actors: ``scale * point + shift``."""
 
     scale: Array
     shift: Array
-    limit: float
+    limit: float  # half the side of the box, about the actors' origin, that marks are cut to
 
     def placed(self, points: Array) -> Array:
         """Convert points (n, 3), or (n, 2) in a plane, to (n, 3)."""
@@ -90,20 +87,9 @@ class Placing(NamedTuple):
 class MarksDrawing:
     """An illustration in one pane.
 
-    Parameters
-    ----------
-    words : mapping
-        Translations of texts.
-    renderer : vtkRenderer, optional
-        The pane's own if not given.
-    clip : iterable of vtkPlane
-        Cuts copies, as in `SceneActors`.
-    over : bool
-        Whether marks lie in one plane before everything else.
-    leads : bool
-        Whether leaders join texts to their points.
-    lifts_copies : bool
-        Whether copies are brought forward here, and not by the matrices of `place_copies`.
+    `words` translates texts. `clip` are planes that cut copies. With `over`, marks lie in one plane
+    before everything else. With `leads`, leaders join texts to their points. With `lifts_copies`,
+    copies are brought forward here, and not by the matrices of `place_copies`.
     """
 
     def __init__(
@@ -290,15 +276,9 @@ class MarksDrawing:
     ) -> None:
         """Put each text beside its point, where it hides no dot and no other label.
 
-        Parameters
-        ----------
-        layout : Layout
-            Of the renderer, with the labels placed so far.
-        seen : callable
-            From points of the pane's actors, (n, 3), to the renderer.
-        subject : (n, 2) array, optional
-            Where `spread_over` of the scene is seen: what texts avoid. Without it, texts stay on
-            their last sides, so that a drag makes none jump.
+        `seen` converts points of the pane's actors, (n, 3), to the renderer. `subject`, (n, 2), is
+        where `spread_over` of the scene is seen: what texts avoid. Without it, texts stay on their
+        last sides, so that a drag makes none jump.
         """
         if not self._texts:
             return

@@ -78,20 +78,11 @@ class NearPicture:
 
 
 class Film(NamedTuple):
-    """The picture on the near plane.
+    """The picture on the near plane, as matrices local from local."""
 
-    Attributes
-    ----------
-    surface, lines : (4, 4) float64 array
-        Local from local: from the scene to its picture; the lines' lies a little in front.
-    planes : (6, 4) float64 array
-        Half-spaces ``a x + b y + c z + d >= 0`` of the pane's world, normals of length 1: left,
-        right, bottom, top, near, far. They cut the picture.
-    """
-
-    surface: Array
-    lines: Array
-    planes: Array
+    surface: Array  # from the scene to its picture
+    lines: Array  # the same, a little in front
+    planes: Array  # (6, 4): left, right, bottom, top, near, far; a x + b y + c z + d >= 0
 
 
 def flatten(
@@ -104,21 +95,12 @@ def flatten(
 ) -> Film:
     """Squeeze the scene into a thin slab at the near face, every point along its ray to the eye.
 
-    Parameters
-    ----------
-    view : (4, 4) float64 arrays
-        View from scene-local coordinates, and back.
-    depths : (float, float)
-        Least and largest distance of anything in the scene from the eye plane, in front (+) or
-        behind (-), in world units. The slab's thickness is spent on them.
-    reach : float
-        A length in world units that a parallel lens' slab is proportional to.
-    toward_eye : bool
-        Whether the slab lies on the eye's side of the near plane. Seen from its own side the
-        nearest is on top: from behind, a picture is its mirror image, not the things' back sides.
+    `view` are view from scene-local coordinates, (4, 4), and back. `depths` are the least and
+    largest distance of anything in the scene from the eye plane, in front (+) or behind (-); the
+    slab's thickness is spent on them. A parallel lens' slab is proportional to the length `reach`.
+    `toward_eye` is the side of the near plane. Seen from its own side the nearest is on top: from
+    behind, a picture is its mirror image, not the things' back sides.
 
-    Notes
-    -----
     In homogeneous coordinates, with depth 1 at the near and 0 at the far end of the picture:
     ``flatten: z' = w +- slab z``; x, y and w stay, so that each point keeps its ray.
     """

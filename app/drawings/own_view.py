@@ -56,55 +56,31 @@ _AXES = {
 
 
 class Framed(NamedTuple):
-    """What the pane shows, and how it is oriented.
+    """What the pane shows, and how it is oriented; scene-local."""
 
-    Attributes
-    ----------
-    camera : Camera
-        The model's; `eye` is its eye, scene-local.
-    points : (n, 3) array
-        What must be in view, apart from the camera's body and axes.
-    corners, objects : (8, 3) arrays
-        Of the frustum, or None; of the box round the objects.
-    has_eye : bool
-        Whether the lens' projectors meet.
-    below_em : float
-        Height of the text below a fixed view, in ems.
-    """
-
-    camera: Camera
+    camera: Camera  # the model's
     eye: Array
-    points: Array
-    corners: Array | None
-    objects: Array
-    has_eye: bool
-    below_em: float
+    points: Array  # (n, 3): must be in view, as must the camera's body and axes
+    corners: Array | None  # (8, 3), of the frustum
+    objects: Array  # (8, 3), of the box round the objects
+    has_eye: bool  # whether the lens' projectors meet
+    below_em: float  # height of the text below a fixed view
 
 
 class _Flat(NamedTuple):
-    """Where a fixed view stands, from the model's eye in the pane's own axes.
-
-    The camera looks forward from `right`, `up`, `back` and sees `half_height`, from the eye a
-    slope.
-    """
+    """Where a fixed view stands, from the model's eye in the pane's own axes."""
 
     right: float
     up: float
     back: float
-    half_height: float
+    half_height: float  # that it sees; from the eye a slope
 
 
 class OwnView:
     """The place of the pane's own camera, and what it frames.
 
-    Attributes
-    ----------
-    pane : PaneView
-        How it looks now; `look` notices a move from outside.
-    around : float
-        The enlargement of the camera's axes.
-    fixed : str
-        One of `app.document.view.FIXED`, or ``""``.
+    `pane` is how it looks now; `look` notices a move from outside. `around` is the enlargement of
+    the camera's axes, `fixed` one of `app.document.view.FIXED`, or ``""``.
     """
 
     def __init__(self, canvas: Canvas, origin: Array, middle: Array) -> None:

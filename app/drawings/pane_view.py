@@ -20,25 +20,13 @@ Spot: TypeAlias = tuple[float, float, float]
 
 
 class PaneView(NamedTuple):
-    """The pane's own camera and size.
+    """The pane's own camera and size."""
 
-    Attributes
-    ----------
-    eye : (3,) array
-        Scene-local.
-    axes : (3, 3) array
-        Rows: right, up and the direction of view.
-    slope : float
-        Tangent of half the vertical angle of view; 0 for a parallel camera.
-    flat : float
-        Half the height that a parallel camera sees, world units; 0 for one with an eye.
-    """
-
-    eye: Array
-    axes: Array
-    slope: float
+    eye: Array  # scene-local
+    axes: Array  # rows: right, up and the direction of view
+    slope: float  # tangent of half the vertical angle of view; 0 if parallel
     size_px: tuple[int, int]
-    flat: float = 0.0
+    flat: float = 0.0  # half the height that a parallel camera sees, world units
 
     def unit(self, depth: Any) -> Any:
         """The size of a pixel in the world at a depth, a float or an array."""

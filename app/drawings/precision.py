@@ -170,15 +170,8 @@ class _Projected:
 class _Vertices:
     """What is left of a mesh, for the GPU; never changed, so that panes can share it.
 
-    Attributes
-    ----------
-    points : vtkPoints
-        x, y and z of clip space.
-    cells : vtkCellArray or None
-        None if all are left.
-    rgb : list of two vtkDataArray or None
-        Colours of the points and of the cells that are left.
-    clip_from_vertex : (4, 4) array
+    `points` are x, y and z of clip space; `cells` is None if all are left; `rgb` holds the colours
+    of the points and of the cells that are left, where there are any.
     """
 
     def __init__(self, part: _Part, made: _Made, projection: Projection) -> None:
@@ -289,21 +282,12 @@ def _cells(mesh: vtkPolyData, kind: str) -> vtkCellArray:
 
 
 class _Part(NamedTuple):
-    """What is left of a mesh.
+    """What is left of a mesh."""
 
-    Attributes
-    ----------
-    clip : (n, 4) float64 array
-        Vertices in clip space.
-    cells : (m, k) array of int
-    vertex, cell : arrays of int, (n,) and (m,), or None
-        The vertex whose colour each has, and the cell that each was part of; None if all are left.
-    """
-
-    clip: Array
-    cells: NDArray[np.integer]
-    vertex: NDArray[np.integer] | None
-    cell: NDArray[np.integer] | None
+    clip: Array  # (n, 4): vertices in clip space
+    cells: NDArray[np.integer]  # (m, k)
+    vertex: NDArray[np.integer] | None  # (n,): whose colour each has; None if all are left
+    cell: NDArray[np.integer] | None  # (m,): of which cell each was part; likewise
 
 
 class _Clusters(NamedTuple):

@@ -35,27 +35,13 @@ _TRIED = 40  # vertices: of a million each takes a millisecond or two
 
 
 class Mark(NamedTuple):
-    """The mark of a probe in one pane.
+    """The mark of a probe in one pane; pixels from its top left."""
 
-    Attributes
-    ----------
-    number : int
-        Written beside it, unless it is 0.
-    spot_px : (2,) array or None
-        The disc, from the pane's top left; None or NaN for nowhere.
-    solid : bool
-        Whether the point is inside the view volume.
-    line : (2, 3) array or None
-        Ends of the projector, in the coordinates of the pane's actors.
-    crossing_px : (2,) array or None
-        Where the projector meets the near plane.
-    """
-
-    number: int
-    spot_px: Array | None
-    solid: bool = True
-    line: Array | None = None
-    crossing_px: Array | None = None
+    number: int  # written beside it, unless it is 0
+    spot_px: Array | None  # of the disc; None or NaN for nowhere
+    solid: bool = True  # whether the point is inside the view volume
+    line: Array | None = None  # (2, 3): the projector, in the actors' coordinates
+    crossing_px: Array | None = None  # where the projector meets the near plane
 
 
 class Probes:

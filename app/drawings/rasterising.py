@@ -118,25 +118,13 @@ _LEVEL = """
 class Rasteriser:
     """How a scene's actors are rasterised in one pane; for scenes that require it.
 
-    Parameters
-    ----------
-    requires : set of {"depth", "texture", "fog", "levels"}
-    add : callable
-        Adds an actor to the pane, for levels of detail: called once, by the first `show` with
-        levels.
-    surface : (vtkActor, Space)
-        The scene's faces and their matrix.
-    others : iterable of (vtkActor, Space)
-        Its lines and the faces of its copies, which take part in depth and fog.
-    picture : bool
-        Whether the pane shows the picture of the model's own lens. Other panes show the texture
-        alone.
+    `requires` are some of "depth", "texture", "fog" and "levels". `add` adds an actor to the pane,
+    for levels of detail. `surface` are the scene's faces with their matrix; `others` are its lines
+    and the faces of its copies, which take part in depth and fog. A pane that is not the `picture`
+    of the model's own lens shows the texture alone.
 
-    Attributes
-    ----------
-    refused : bool
-        Whether this computer's OpenGL rejected the shader: known after the first rendering, in
-        which the faces are missing; from the next one on they are drawn the ordinary way.
+    `refused` is True if this computer's OpenGL has rejected the shader. It is known after the first
+    rendering, in which the faces are missing; from the next one on they are drawn the ordinary way.
     """
 
     def __init__(
@@ -438,20 +426,9 @@ def counted_wrong_share(
 ) -> float | None:
     """Count the share of pixels in which a surface behind is drawn over the one in front.
 
-    Parameters
-    ----------
-    screen : OffScreen
-        Empty; its size is the picture's.
-    scene : Scene
-        Its faces are in front.
-    behind : (4, 4) array
-        World from world: the same faces again, behind.
-
-    Returns
-    -------
-    float or None
-        0..1, of the pixels that both surfaces cover, NaN if they are fewer than `LEAST_COUNTED`;
-        None where this computer's OpenGL rejects the shader.
+    The picture is as large as the empty `screen`. `behind`, (4, 4), is world from world: the
+    scene's faces again, behind. The share, 0..1, is of the pixels that both surfaces cover, NaN if
+    they are fewer than `LEAST_COUNTED`; None where this computer's OpenGL rejects the shader.
     """
     if scene.surface is None:
         return None

@@ -76,7 +76,6 @@ class StageBox:
 
     Attributes
     ----------
-    near, far : Label
     stop : int
         Whose axes and words are shown.
     display_from_box : (4, 4) array

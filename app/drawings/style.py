@@ -17,46 +17,26 @@ BLACK, WHITE = "#000000", "#ffffff"
 
 @dataclass(frozen=True)
 class Style:
-    """The colours, ``"#rrggbb"``, and the sizes, in device pixels.
+    """The colours, ``"#rrggbb"``, and the sizes, in device pixels."""
 
-    Parameters
-    ----------
-    background : str
-        Behind the scene, in every pane and in the picture itself.
-    margin : str
-        Around the picture in the image pane.
-    ink, muted : str
-        Text and lines; second-rank text and lines.
-    u, v, n : str
-        The axes of the camera's frame; also x, y, z of the spaces after it.
-    accent : str
-        Of highlights.
-    shadow : str
-        On the background or on a ground that is tinted with `muted`.
-    line_width : float
-        Of ordinary lines; thin ones have half of it and thick ones one and a half, so that at a
-        whole scale all are whole pixels: OpenGL would round others differently in each way of
-        drawing.
-    font_size : float
-        Height of an em.
-    """
-
-    background: str
-    margin: str
-    ink: str
-    muted: str
+    background: str  # behind the scene, in every pane and in the picture
+    margin: str  # around the picture in the image pane
+    ink: str  # text and lines
+    muted: str  # second-rank text and lines
     near: str
     far: str
-    u: str
+    u: str  # the axes of the camera's frame; also x, y, z of the spaces after it
     v: str
     n: str
     eye: str
     target: str
     frustum: str
-    accent: str
-    shadow: str
+    accent: str  # highlights
+    shadow: str  # on the background or on a ground that is tinted with `muted`
     line_width: float = 2.0
-    font_size: float = 12.0
+    """Of ordinary lines; thin ones have half of it and thick ones one and a half. At a whole scale
+    all are whole pixels: OpenGL would round others differently in each way of drawing."""
+    font_size: float = 12.0  # height of an em
 
     def enlarged(self, factor: float) -> Style:
         """Enlarge text and lines: for a projector's back row, or a finer screen."""
