@@ -14,8 +14,9 @@ import numpy as np
 import pytest
 
 from app.bootstrap import ROOT
-from app.document import document
+from app.document.codec import parse, picture_json
 from app.document.document import Document
+from app.document.files import read
 from app.model.refusal import Cancelled, Refusal
 from app.scenes import mesh_files as meshes
 from app.scenes import reading
@@ -104,7 +105,7 @@ def test_pipes_and_devices_are_not_opened(tmp_path: Path) -> None:
     for name in ("pipe", "link", "zero"):
         assert "not a regular file" in refused(tmp_path / f"{name}.obj")
         with pytest.raises(Refusal, match="not a regular file"):
-            document.read(tmp_path / f"{name}.json")
+            read(tmp_path / f"{name}.json")
 
 
 @pytest.mark.parametrize(
@@ -157,7 +158,7 @@ def test_a_document_of_millions_of_brackets_is_answered_at_once() -> None:
     text = '{"format": "frustum-lab", "version": 1, "more": [' + "[]," * 5_000_000 + "[]]}"
     started = time.process_time()
     with pytest.raises(Refusal, match="more than 200000 values"):
-        document.parse(text)
+        parse(text)
     assert time.process_time() - started < 2.0
 
 
@@ -306,9 +307,9 @@ def test_hostile_files_are_sound_or_refused_in_one_sentence() -> None:
 def test_a_picture_names_a_mesh_without_its_folder(tmp_path: Path) -> None:
     mesh = str(tmp_path / "somebody" / "cow.obj")
     for shown in (Document(mesh), Document("similar-triangles", mesh=mesh)):
-        text = document.picture_json(shown)
+        text = picture_json(shown)
         assert "somebody" not in text and '"cow.obj"' in text
-        found = document.parse(text, tmp_path)
+        found = parse(text, tmp_path)
         assert str(tmp_path / "cow.obj") in (found.scene, found.mesh)
 
 
