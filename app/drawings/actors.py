@@ -644,3 +644,9 @@ def applied(matrix: Array, points: Array) -> Array:
     homogeneous = np.column_stack([points, np.ones(len(points))]) @ matrix.T
     result: Array = homogeneous[:, :3] / homogeneous[:, 3:]
     return result
+
+
+def fitting(matrix: Array) -> Array:
+    """A homogeneous matrix without a common factor that could keep it from float32."""
+    fitted: Array = matrix * 2.0 ** -math.frexp(float(np.abs(matrix).max()))[1]
+    return fitted

@@ -440,16 +440,11 @@ def _averaged(drawn: Pixels, factor: int, transparent: bool) -> Pixels:
     so, and divided afterwards; then no edge has a dark seam.
     """
     channels = 4 if transparent else 3
-    if factor == 1 and not transparent:
-        return drawn[..., :3].copy()
-    if factor == 1:
-        total = drawn[..., :channels].astype(np.uint16)
-    else:
-        height, width = drawn.shape[0] // factor, drawn.shape[1] // factor
-        total = np.zeros((height, width, channels), dtype=np.uint16)
-        for row in range(factor):
-            for column in range(factor):
-                total += drawn[row::factor, column::factor, :channels]
+    height, width = drawn.shape[0] // factor, drawn.shape[1] // factor
+    total = np.zeros((height, width, channels), dtype=np.uint16)
+    for row in range(factor):
+        for column in range(factor):
+            total += drawn[row::factor, column::factor, :channels]
     count = factor * factor
     if not transparent:
         return ((total + count // 2) // count).astype(np.uint8)

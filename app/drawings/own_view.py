@@ -25,7 +25,7 @@ from numpy.typing import NDArray
 
 from app.drawings.actors import Canvas, axes_of
 from app.drawings.camera import AROUND_PX, SIX_WAYS
-from app.drawings.pane_view import PaneView
+from app.drawings.pane_view import PaneCamera, PaneView
 from app.drawings.pointing import FACES
 from app.drawings.style import TITLE_EM
 from app.model.projection import Array, Camera
@@ -76,7 +76,7 @@ class _Flat(NamedTuple):
     half_height: float  # that it sees; from the eye a slope
 
 
-class OwnView:
+class OwnView(PaneCamera):
     """The place of the pane's own camera, and what it frames.
 
     `pane` is how it looks now; `look` notices a move from outside. `around` is the enlargement of
@@ -84,10 +84,8 @@ class OwnView:
     """
 
     def __init__(self, canvas: Canvas, origin: Array, middle: Array) -> None:
-        self._camera = canvas.renderer.GetActiveCamera()
-        self._window, self._origin, self._middle = canvas.window, origin, middle
-        self._em = canvas.style.font_size
-        self._placed: tuple[float, ...] | None = None
+        super().__init__(canvas)
+        self._origin, self._middle = origin, middle
         self._framed: Framed | None = None
         self._framed_first: Framed | None = None
         self.fixed = ""
@@ -112,21 +110,6 @@ class OwnView:
         self.pane = PaneView(eye, axes_of(camera), slope, self.size_px, flat)
 
     @property
-    def size_px(self) -> tuple[int, int]:
-        width_px, height_px = self._window.GetSize()
-        return max(1, width_px), max(1, height_px)
-
-    @property
-    def _now(self) -> tuple[float, ...]:
-        camera = self._camera
-        scale = camera.GetParallelScale() if camera.GetParallelProjection() else 0.0
-        return (*camera.GetPosition(), *camera.GetFocalPoint(), scale)
-
-    @property
-    def was_moved(self) -> bool:
-        return self._placed != self._now
-
-    @property
     def view(self) -> Camera | None:
         """Where it was moved to, in world coordinates; None if it was not, or is fixed."""
         if self.fixed or not self.was_moved:
@@ -138,10 +121,7 @@ class OwnView:
     def show(self, view: Camera) -> None:
         self.fixed = ""
         self._see_by_perspective()
-        camera = self._camera
-        camera.SetPosition(*(view.eye - self._origin))
-        camera.SetFocalPoint(*(view.target - self._origin))
-        camera.SetViewUp(*view.up)
+        self._stand_at(view.eye - self._origin, view.target - self._origin, view.up)
 
     # -- the free view
 
@@ -206,12 +186,8 @@ class OwnView:
             self.follow(framed)
             return
         assert self._framed is not None
-        camera = self._camera
-        position, seen = self._stand(self._framed)
         self._see_by_perspective()
-        camera.SetPosition(*position)
-        camera.SetFocalPoint(*seen)
-        camera.SetViewUp(0.0, 1.0, 0.0)
+        self._stand_at(*self._stand(self._framed))
         self._placed = self._now
 
     def _see_by_perspective(self) -> None:
@@ -257,9 +233,7 @@ class OwnView:
             camera.SetParallelScale(flat.half_height)
         else:
             camera.SetViewAngle(2.0 * math.degrees(math.atan(flat.half_height)))
-        camera.SetPosition(*position)
-        camera.SetFocalPoint(*(position + away * toward))
-        camera.SetViewUp(*up)
+        self._stand_at(position, position + away * toward, up)
         self._axes = np.stack([right, up, toward])
         self._placed = self._now
 
@@ -314,11 +288,9 @@ class OwnView:
             self._placed, self._was_shifted = self._now, True
             return
         self.fixed = ""
+        distance, focus = camera.GetDistance(), np.array(camera.GetFocalPoint())
         if camera.GetParallelProjection():  # as large as it was, seen from a place
             distance = camera.GetParallelScale() / math.tan(math.radians(_VIEW_ANGLE_DEG) / 2.0)
-            focus = np.array(camera.GetFocalPoint())
-        else:
-            distance, focus = camera.GetDistance(), np.array(camera.GetFocalPoint())
         if abs(now[1]) > _HIGHEST:  # the free view keeps the world's vertical, and needs one
             level = math.copysign(1.0, -now[1]) * np.array([up[0], 0.0, up[2]])
             if not np.linalg.norm(level) > 1e-6:
@@ -326,9 +298,7 @@ class OwnView:
             level *= math.sqrt(1.0 - _HIGHEST**2) / np.linalg.norm(level)
             now = level + np.array([0.0, math.copysign(_HIGHEST, now[1]), 0.0])
         self._see_by_perspective()
-        camera.SetFocalPoint(*focus)
-        camera.SetPosition(*(focus - distance * now))
-        camera.SetViewUp(0.0, 1.0, 0.0)
+        self._stand_at(focus - distance * now, focus)
         self._placed = None
 
     # -- what depends on where it stands

@@ -6,7 +6,10 @@ import math
 from typing import Any, NamedTuple, TypeAlias
 
 import numpy as np
+from numpy.typing import ArrayLike
+from vtkmodules.vtkRenderingCore import vtkCamera
 
+from app.drawings.actors import Canvas
 from app.model.projection import Array
 
 # Where in the pane a plane is looked for, from -1 to 1; what is near the bottom left first.
@@ -108,3 +111,32 @@ class PaneView(NamedTuple):
                 part = len(self.covered(faces[first : first + 4])) / len(_SAMPLES)
             parts.append(part if part >= least else 0.0)
         return parts
+
+
+class PaneCamera:
+    """A pane's own camera, and whether the user has moved it."""
+
+    def __init__(self, canvas: Canvas) -> None:
+        self._camera: vtkCamera = canvas.renderer.GetActiveCamera()
+        self._window, self._em = canvas.window, canvas.style.font_size
+        self._placed: tuple[float, ...] | None = None
+
+    @property
+    def size_px(self) -> tuple[int, int]:
+        width_px, height_px = self._window.GetSize()
+        return max(1, width_px), max(1, height_px)
+
+    @property
+    def _now(self) -> tuple[float, ...]:
+        camera = self._camera
+        scale = camera.GetParallelScale() if camera.GetParallelProjection() else 0.0
+        return (*camera.GetPosition(), *camera.GetFocalPoint(), scale)
+
+    @property
+    def was_moved(self) -> bool:
+        return self._placed != self._now
+
+    def _stand_at(self, position: Array, focus: Array, up: ArrayLike = (0.0, 1.0, 0.0)) -> None:
+        self._camera.SetPosition(*position)
+        self._camera.SetFocalPoint(*focus)
+        self._camera.SetViewUp(*np.asarray(up))

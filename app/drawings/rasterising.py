@@ -59,7 +59,7 @@ MOST_TRIANGLES = 1_000_000
 LEAST_COUNTED = 20
 """Pixels of which a share is counted: of fewer, each is more than 5 points."""
 
-_Uniform: TypeAlias = tuple[str, float | int | tuple[float, ...]]
+_Uniforms: TypeAlias = dict[str, float | int | tuple[float, ...]]
 _RED, _BLUE = (1.0, 0.0, 0.0), (0.0, 0.0, 1.0)
 
 _W = "float flW = flUnit / gl_FragCoord.w;"
@@ -182,7 +182,7 @@ class Rasteriser:
             fragment = shader.GetFragmentCustomUniforms()
             if self._requires & {"depth", "fog"}:
                 _set(fragment, "flUnit", space.unit)
-            for name, value in (*depth, *fog):
+            for name, value in (depth | fog).items():
                 _set(fragment, name, value)
             if actor is self._levels and rendering.levels:
                 vertex = shader.GetVertexCustomUniforms()
@@ -190,7 +190,7 @@ class Rasteriser:
                 vertex.SetUniform2f("flUntil", until)
             if actor is self._surface and "texture" in self._requires:
                 vertex = shader.GetVertexCustomUniforms()
-                for name, value in texture:
+                for name, value in texture.items():
                     where = vertex if name in ("flS", "flT") else fragment
                     _set(where, name, value)
 
@@ -262,14 +262,14 @@ class Rasteriser:
 
     # -- what they are told
 
-    def _depth_uniforms(self, buffer: DepthBuffer | None, projection: Projection) -> list[_Uniform]:
+    def _depth_uniforms(self, buffer: DepthBuffer | None, projection: Projection) -> _Uniforms:
         if "depth" not in self._requires:
-            return []
+            return {}
+        plain = dict.fromkeys(("flA", "flInverseFar", "flLog", "flByNdc"), 0.0)
+        plain |= dict.fromkeys(("flSteps", "flScale"), 1.0)
+        uniforms: _Uniforms = {"flBuffer": 0, "flMapping": 0, **plain}
         if buffer is None:
-            return [
-                *(("flBuffer", 0), ("flMapping", 0), ("flA", 0.0), ("flInverseFar", 0.0)),
-                *(("flSteps", 1.0), ("flScale", 1.0), ("flLog", 0.0), ("flByNdc", 0.0)),
-            ]
+            return uniforms
         near, far, kind = buffer.near, buffer.far, FORMATS[buffer.format]
         a = buffer.lens.depth_slope
         mapping = 1 if a else 0
@@ -290,45 +290,41 @@ class Rasteriser:
             rest = buffer.depth(ends) if reversed_ else 1.0 - buffer.depth(ends)
             largest, smallest = (max(float(part), 1e-30) for part in rest)
             scale, log = scale / largest, 1.0 / (math.log2(largest / smallest) + 1.0)
-        return [
-            *(("flBuffer", which), ("flMapping", mapping), ("flA", a)),
-            *(("flInverseFar", 1.0 / far if mapping else 0.0), ("flSteps", steps)),
-            *(("flScale", scale), ("flLog", log)),
-            # A half, for z in [-1, 1], which costs a float32 a bit; from here, or a compiler
-            # would see that it is for nothing.
-            ("flByNdc", 0.5 if buffer.mapping == "opengl" else 0.0),
-        ]
+        uniforms |= {"flBuffer": which, "flMapping": mapping, "flA": a}
+        uniforms |= {"flInverseFar": 1.0 / far if mapping else 0.0, "flSteps": steps}
+        # A half, for z in [-1, 1], which costs a float32 a bit; from here, or a compiler would see
+        # that it is for nothing.
+        by_ndc = 0.5 if buffer.mapping == "opengl" else 0.0
+        return uniforms | {"flScale": scale, "flLog": log, "flByNdc": by_ndc}
 
-    def _texture_uniforms(self, texture: Texture | None) -> list[_Uniform]:
-        if texture is None:
-            zero = (0.0, 0.0, 0.0, 0.0)
-            return [
-                *(("flS", zero), ("flT", zero), ("flChecks", 0.0)),
-                *(("flAffine", 0), ("flCoordinates", 0)),
-            ]
-        # vertexMC is scene-local, and in float32: the origin is taken off here, in float64.
-        local = texture.texture_from_world.copy()
-        local[:, 3] += local[:, :3] @ np.array(self._scene.origin)
-        s, t = (tuple(row) for row in local.tolist())
-        return [
-            *(("flS", s), ("flT", t), ("flChecks", float(texture.checks))),
-            *(("flAffine", int(texture.affine)), ("flCoordinates", int(texture.coordinates))),
-        ]
+    def _texture_uniforms(self, texture: Texture | None) -> _Uniforms:
+        s, t = [(0.0, 0.0, 0.0, 0.0)] * 2
+        checks, affine, coordinates = 0.0, False, False
+        if texture is not None:
+            # vertexMC is scene-local, and in float32: the origin is taken off here, in float64.
+            local = texture.texture_from_world.copy()
+            local[:, 3] += local[:, :3] @ np.array(self._scene.origin)
+            s, t = (tuple(row) for row in local.tolist())
+            checks, affine = float(texture.checks), texture.affine
+            coordinates = texture.coordinates
+        return {
+            "flS": s, "flT": t, "flChecks": checks,
+            "flAffine": int(affine), "flCoordinates": int(coordinates),
+        }  # fmt: skip
 
-    def _fog_uniforms(self, fog: Fog | None, lens: Lens) -> list[_Uniform]:
+    def _fog_uniforms(self, fog: Fog | None, lens: Lens) -> _Uniforms:
         if "fog" not in self._requires:
-            return []
+            return {}
         which, end, slope = 0, 0.0, 0.0
         if fog is not None and fog.density > 0.0:
             which, slope = 2, fog.density
         elif fog is not None:
             which, end, slope = 1, fog.end, 1.0 / (fog.end - fog.start)
         span = lens.even_extent
-        return [
-            *(("flFog", which), ("flFogEnd", end), ("flFogSlope", slope)),
-            ("flBackground", self._background),
-            *(("flNear", lens.near if span else 0.0), ("flSpan", span)),
-        ]
+        return {
+            "flFog": which, "flFogEnd": end, "flFogSlope": slope, "flBackground": self._background,
+            "flNear": lens.near if span else 0.0, "flSpan": span,
+        }  # fmt: skip
 
     def _distance(self, projection: Projection) -> tuple[float, ...]:
         """The vector whose product with scene-local x, y, z, 1 is w."""

@@ -9,6 +9,7 @@ from __future__ import annotations
 import itertools
 import math
 from collections.abc import Callable, Mapping, Sequence
+from functools import partial
 from typing import TypeAlias
 
 import numpy as np
@@ -20,6 +21,7 @@ from app.drawings.actors import (
     Label,
     Space,
     face_actor,
+    fitting,
     lift_lines,
     line_actor,
     put_behind,
@@ -49,15 +51,8 @@ _NUMBERS_FROM_EM = 8.0  # of the volume's width in the pane: in a smaller one th
 
 # On which sides of their points words can be, best first: right and up, in half labels.
 _Sides: TypeAlias = tuple[tuple[float, float], ...]
-_PLANE: _Sides = (
-    (1.0, 1.0),
-    (-1.0, 1.0),
-    (0.0, 1.0),
-    (1.0, -1.0),
-    (-1.0, -1.0),
-    (0.0, -1.0),
-    (-1.0, 0.0),
-)
+_BESIDE: _Sides = ((1.0, 1.0), (-1.0, 1.0), (0.0, 1.0), (1.0, -1.0), (-1.0, -1.0))
+_PLANE: _Sides = (*_BESIDE, (0.0, -1.0), (-1.0, 0.0))
 _PYRAMID: _Sides = ((-1.0, -0.6), (-1.0, 0.6), (-1.0, -1.0), (0.0, -1.0), *_PLANE)
 _LETTER_SIDES: tuple[_Sides, ...] = (
     ((1.0, 0.0), (1.0, -0.6), (0.0, -1.0), (1.0, 0.6), (0.0, 1.0), (-1.0, 0.0)),
@@ -140,19 +135,17 @@ class StageBox:
     def _add_words(self) -> None:
         style, words = self._canvas.style, self._words
 
-        def label(text: str, plate: str | None = None) -> Label:
-            return self._canvas.label(text, plate=plate, in_pixels=True)
-
+        label = partial(self._canvas.label, in_pixels=True)
         # The leaders before all labels, whose plates hide the ends.
         self._leaders = {
             name: Leader(self._canvas, getattr(style, name), style.line_width)
             for name in ("near", "far")
         }
-        self.near = label(words["near"], style.near)
-        self.far = label(words["far"], style.far)
+        self.near = label(words["near"], plate=style.near)
+        self.far = label(words["far"], plate=style.far)
         # Without plates: they lie over what is drawn, and hide nothing of it.
         self._numbers = {name: [label("") for _ in range(2)] for name in "xyz"}
-        self._letters = label("", style.u), label("", style.v), label("", style.n)
+        self._letters = tuple(label("", plate=colour) for colour in (style.u, style.v, style.n))
 
     def make_emphasis(self, emphasis: Emphasis) -> None:
         for face in emphasis.volume(self._space, CUBE):
@@ -306,12 +299,6 @@ class StageBox:
                 elif number in self._written:
                     beside = _NUMBER_SIDES[name]
                     layout.place(number, number.text, [spots[number]], beside, gaps=2)
-
-
-def fitting(matrix: Array) -> Array:
-    """A homogeneous matrix without a common factor that could keep it from float32."""
-    fitted: Array = matrix * 2.0 ** -math.frexp(float(np.abs(matrix).max()))[1]
-    return fitted
 
 
 def _turn_to(axis: Array) -> Array:

@@ -20,13 +20,12 @@ from app.drawings.actors import Canvas
 from app.drawings.camera import CameraDrawing, Standing, view_matrices
 from app.drawings.dimensions import Dimensions, Measured
 from app.drawings.drawing import Drawing, Rectangle
-from app.drawings.frame import DIMMED, LARGER
+from app.drawings.frame import DIMMED, LARGER, ObjectAxes
 from app.drawings.frustum import CUBE, FrustumDrawing
 from app.drawings.handles import APART_EM, HandleMarks
 from app.drawings.labels import Labels, Layout, Named
 from app.drawings.marks import MarksDrawing, Placing
 from app.drawings.near_picture import NearPicture
-from app.drawings.object_axes import ObjectAxes
 from app.drawings.own_view import Framed, OwnView
 from app.drawings.pane_view import PaneView
 from app.drawings.pointing import Emphasis, Segment, Spot, pointed_at, volume_edges
