@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -33,8 +33,7 @@ from app.scenes.shapes import EDGE_RGB
 from tests.oracles.exact import dot as exact_dot
 from tests.oracles.exact import frame, minus, mp, vector
 from tests.support.bounds import drawing_bound_px
-from tests.support.drawings import OffScreen, drawn, off_screen, scene_of, to_bytes
-from widgets.window.main_window import MainWindow
+from tests.support.drawings import MakeScreen, OffScreen, drawn, off_screen, scene_of, to_bytes
 
 __all__ = ["off_screen"]
 
@@ -195,7 +194,7 @@ EXTREMES: dict[str, tuple[Projection, Any, tuple[float, float, float]]] = {
 
 @pytest.mark.parametrize("name", ["narrow", "off axis", "oblique, small window"])
 def test_the_picture_has_the_digits_of_the_file(
-    name: str, tmp_path: Path, off_screen: Callable[[int, int], OffScreen]
+    name: str, tmp_path: Path, off_screen: MakeScreen
 ) -> None:
     """Float32 would move these vertices by many pixels: the mesh is a million pictures large."""
     projection, _, distances = EXTREMES[name]
@@ -221,7 +220,7 @@ def test_the_picture_has_the_digits_of_the_file(
 @pytest.mark.parametrize("corners", [INSIDE, ACROSS], ids=["inside", "across"])
 @pytest.mark.parametrize("name", EXTREMES)
 def test_the_picture_is_right_where_float32_is_not(
-    name: str, corners: Any, off_screen: Callable[[int, int], OffScreen]
+    name: str, corners: Any, off_screen: MakeScreen
 ) -> None:
     projection, origin, distances = EXTREMES[name]
     places = [(*corner, d) for corner, d in zip(corners, distances, strict=True)]
@@ -243,9 +242,7 @@ def test_the_picture_is_right_where_float32_is_not(
     assert wrong["float32"] > 20, "not an extreme"
 
 
-def test_the_cube_is_right_where_float32_is_not(
-    off_screen: Callable[[int, int], OffScreen],
-) -> None:
+def test_the_cube_is_right_where_float32_is_not(off_screen: MakeScreen) -> None:
     """Looked at from the front, the NDC pane shows the picture, stretched to a square."""
     size = (400, 400)
     for name in ("eye near a vertex", "narrow", "wide", "off axis", "oblique, small window"):
@@ -299,9 +296,7 @@ def random_triangle(random: np.random.Generator, number: int) -> tuple[Projectio
     return Projection(camera, lens, (160, 120)), points.astype(np.float32).astype(float)
 
 
-def test_triangles_are_cut_where_the_model_says(
-    off_screen: Callable[[int, int], OffScreen],
-) -> None:
+def test_triangles_are_cut_where_the_model_says(off_screen: MakeScreen) -> None:
     """Across the eye plane, near, far and the sides, in any combination, every lens."""
     random = np.random.default_rng(7)
     seen, behind = 0, 0
@@ -321,9 +316,7 @@ def test_triangles_are_cut_where_the_model_says(
 
 
 @pytest.mark.parametrize("thickness", [1e-5, 3e-6])
-def test_a_thin_slab_is_cut_where_the_model_says(
-    thickness: float, off_screen: Callable[[int, int], OffScreen]
-) -> None:
+def test_a_thin_slab_is_cut_where_the_model_says(thickness: float, off_screen: MakeScreen) -> None:
     """Near and far hardly differ: their planes cross the picture, a third of it apart."""
     near = 12.0
     projection = Projection(
@@ -347,7 +340,7 @@ def test_a_thin_slab_is_cut_where_the_model_says(
     assert wrong["float32"] > 20
 
 
-def test_lines_are_cut_where_the_model_says(off_screen: Callable[[int, int], OffScreen]) -> None:
+def test_lines_are_cut_where_the_model_says(off_screen: MakeScreen) -> None:
     """One that passes the eye at a hand's breadth, and one 1e6 pictures long across it."""
     random = np.random.default_rng(3)
     screen = off_screen(200, 150)
@@ -387,9 +380,7 @@ def test_lines_are_cut_where_the_model_says(off_screen: Callable[[int, int], Off
         assert np.abs(aside).max() < 1.5, lens
 
 
-def test_what_is_before_far_is_drawn_however_near_the_near_plane(
-    off_screen: Callable[[int, int], OffScreen],
-) -> None:
+def test_what_is_before_far_is_drawn_however_near_the_near_plane(off_screen: MakeScreen) -> None:
     """All of it has a depth that float32 rounds to far's own; 6 of these 150 would vanish."""
     random = np.random.default_rng(5)
     screen = off_screen(120, 90)
@@ -413,7 +404,7 @@ def test_what_is_before_far_is_drawn_however_near_the_near_plane(
 
 @pytest.mark.parametrize("extent_over_near", [1e7, 1e10, 1e14])
 def test_what_is_near_is_drawn_however_large_the_scene(
-    extent_over_near: float, off_screen: Callable[[int, int], OffScreen]
+    extent_over_near: float, off_screen: MakeScreen
 ) -> None:
     """From 1e7 on VTK's own shift and scale would drop it."""
     near = 20.0 / extent_over_near
@@ -456,7 +447,7 @@ def everyday() -> list[tuple[str, Projection]]:
 
 @pytest.mark.parametrize("kind", [ImageDrawing, StageDrawing])
 def test_an_everyday_step_does_nothing_per_vertex(
-    kind: Any, off_screen: Callable[[int, int], OffScreen], monkeypatch: pytest.MonkeyPatch
+    kind: Any, off_screen: MakeScreen, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     calls: list[str] = []
     trace = Projection.trace
@@ -482,9 +473,7 @@ def test_an_everyday_step_does_nothing_per_vertex(
 
 
 @pytest.mark.parametrize("kind", [ImageDrawing, StageDrawing])
-def test_both_precisions_draw_the_same_everyday_picture(
-    kind: Any, off_screen: Callable[[int, int], OffScreen]
-) -> None:
+def test_both_precisions_draw_the_same_everyday_picture(kind: Any, off_screen: MakeScreen) -> None:
     """Also from within the scene, where faces, grid and colours are cut."""
     letter = load("letter-f").start
     inside = Camera((1.2, 1.5, 2.5), (0.0, 2.0, 0.0))
@@ -515,7 +504,7 @@ def meshes(screen: OffScreen) -> dict[Any, Any]:
 
 @pytest.mark.parametrize("kind", [ImageDrawing, StageDrawing])
 def test_there_and_back_is_the_picture_of_a_fresh_drawing(
-    kind: Any, off_screen: Callable[[int, int], OffScreen]
+    kind: Any, off_screen: MakeScreen
 ) -> None:
     """And another drawing of the same scene, which shares its mesh, has not noticed."""
     scene = load("letter-f")
@@ -558,9 +547,7 @@ def projected(screen: OffScreen, own: dict[Any, Any]) -> list[str]:
     ]
 
 
-def test_drawings_of_one_scene_draw_with_the_same_vertices_as_each_for_itself(
-    off_screen: Callable[[int, int], OffScreen],
-) -> None:
+def test_drawings_of_one_scene_draw_the_same_as_each_for_itself(off_screen: MakeScreen) -> None:
     scene = load("letter-f")
     narrow = replace(scene.start, lens=Perspective(0.01, 1, 30))
     pictures: list[Any] = []
@@ -574,7 +561,7 @@ def test_drawings_of_one_scene_draw_with_the_same_vertices_as_each_for_itself(
     assert (pictures[0] == pictures[2]).all() and (pictures[1] == pictures[3]).all()
 
 
-def test_faces_and_lines_choose_for_themselves(off_screen: Callable[[int, int], OffScreen]) -> None:
+def test_faces_and_lines_choose_for_themselves(off_screen: MakeScreen) -> None:
     """An avenue whose trees float32 can draw, and not the lines of its ground."""
     scene = load("far-plane-popping")
     faces_px, lines_px = (
@@ -597,7 +584,7 @@ def test_faces_and_lines_choose_for_themselves(off_screen: Callable[[int, int], 
         assert (picture != pictures[0]).any(axis=-1).sum() <= 100
 
 
-def test_what_is_not_drawn_is_not_projected(off_screen: Callable[[int, int], OffScreen]) -> None:
+def test_what_is_not_drawn_is_not_projected(off_screen: MakeScreen) -> None:
     """Levels of detail stand in the place of the faces in the image."""
     scene = load("far-plane-popping")
     assert scene.phenomenon is not None
@@ -615,7 +602,7 @@ def test_what_is_not_drawn_is_not_projected(off_screen: Callable[[int, int], Off
 
 @pytest.mark.parametrize("fov_y_deg", [45.0, 8.0, 0.5])
 def test_what_float64_leaves_out_at_a_glance_is_not_seen(
-    fov_y_deg: float, off_screen: Callable[[int, int], OffScreen], monkeypatch: pytest.MonkeyPatch
+    fov_y_deg: float, off_screen: MakeScreen, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """From outside, from the middle of a bumpy ball, and close over it: the same pixels."""
     sphere = pv.Sphere(theta_resolution=60, phi_resolution=60)
@@ -649,12 +636,3 @@ def test_what_float64_leaves_out_at_a_glance_is_not_seen(
         assert (pictures[0] != to_bytes(LIGHT.background)).any(axis=-1).sum() > 2000
         whole, kept = counts
         assert kept < {45.0: 0.9, 8.0: 0.3, 0.5: 0.1}[fov_y_deg] * whole or eye[0] == 3.0
-
-
-def test_the_windows_tolerance_chooses_the_precision(window: MainWindow) -> None:
-    used = {name: window.panes[name].drawing.precision for name in ("ndc", "image")}
-    assert used == {"ndc": "float32", "image": "float32"}
-    for tolerance_px, precision in ((1e-4, "float64"), (1.0, "float32")):
-        window.status.tolerance_edited.emit(tolerance_px)
-        used = {name: window.panes[name].drawing.precision for name in ("ndc", "image")}
-        assert used == {"ndc": precision, "image": precision}
