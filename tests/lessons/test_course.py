@@ -9,7 +9,9 @@ from typing import Any
 
 import pytest
 
-from app.document.document import Document, set_values, write
+from app.document.document import Document
+from app.document.files import write
+from app.document.settings import set_values
 from app.lessons import transition
 from app.lessons.course import Course, idea_named, ideas
 from app.lessons.lesson import parse_lesson

@@ -18,7 +18,8 @@ from PySide6.QtGui import QGuiApplication, QTextDocument, QWheelEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QLabel, QWidget
 
-from app.document.document import Document, to_json
+from app.document.codec import to_json
+from app.document.document import Document
 from app.document.store import Store
 from app.document.view import AS_EVER
 from app.drawings.world import WorldDrawing
@@ -42,8 +43,8 @@ from widgets.window.lessons import TRANSITION_S, Lessons
 from widgets.window.main_window import MainWindow
 from widgets.window.settings import Settings
 from widgets.window.speaker import TalkClock, planned
-from widgets.window.talk_band import LEAST_TEXT_SHARE, TalkBand
 from widgets.window.talk_ahead import REST_MS
+from widgets.window.talk_band import LEAST_TEXT_SHARE, TalkBand
 from widgets.window.talk_keys import TYPED_MS
 
 WALKED = """---
@@ -906,9 +907,10 @@ def test_ten_thousand_steps_are_refused_as_they_are_opened(
 
 
 def asked_of(step: Step, *, told: bool) -> str:
-    questions = [part for part in step.parts if part.reveals]
-    question = questions[0] if questions else None
-    return "" if question is None else question.explained("", others=False) if told else question.posed()
+    question = next((part for part in step.parts if part.reveals), None)
+    if question is None:
+        return ""
+    return question.explained("", others=False) if told else question.posed()
 
 
 ASKED = (

@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
-from app.document.document import Document, set_values
+from app.document.document import Document
+from app.document.settings import set_values
 from app.document.view import PANES, View
 from app.lessons.blocks.block import Asked, Here, Trial
 from app.lessons.lines import LACKS, Body, on_line, refused
