@@ -334,7 +334,7 @@ class Dimensions:
         label = self._texts[name]
         label.set_text(text)
         leader = self._leaders.get(name)
-        return layout.place(label, text, [(*place, 1.0)], sides, leader, gaps=gaps)
+        return layout.place(label, [(*place, 1.0)], sides, leader, gaps=gaps)
 
     def _line(self, start: Way, end: Way) -> None:
         if self._used < _SEGMENTS:

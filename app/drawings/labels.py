@@ -25,6 +25,7 @@ from app.model.projection import Array
 
 AXES = ("v", "n", "u")
 """The camera's axes, in the order in which they are written."""
+_THINGS = ("eye", "target", "near", "far")
 
 # Where the planes' labels can be, best first, as parts of the corners that `Named` has: corners,
 # then middles of edges; of the near face, then of the far one.
@@ -79,18 +80,12 @@ class Labels:
         # The leaders before all labels, whose plates hide the ends.
         self._leaders = {
             name: Leader(canvas, getattr(style, name), style.line_width)
-            for name in ("eye", "target", "near", "far", *AXES)
+            for name in (*_THINGS, *AXES)
         }
         self._arrows = {a: label(words[a], plate=getattr(style, a), bold=True) for a in AXES}
-        self._eye = label(words["eye"], plate=style.eye)
-        self._target = label(words["target"], plate=style.target)
-        self._near = label("", plate=style.near)
-        self._far = label("", plate=style.far)
         self._kept: Mapping[Label, Side] = {}
-        self.named = {
-            **self._arrows,
-            "eye": self._eye, "target": self._target, "near": self._near, "far": self._far,
-        }  # fmt: skip
+        things = {name: label(words[name], plate=getattr(style, name)) for name in _THINGS}
+        self.named = {**self._arrows, **things}
         """Each label by the name of what it is about."""
 
     def add_arrow(self, name: str, colour: str) -> Label:
@@ -100,7 +95,8 @@ class Labels:
         return label
 
     def dim_planes(self, light: float) -> None:
-        for name, label in (("near", self._near), ("far", self._far)):
+        for name in ("near", "far"):
+            label = self.named[name]
             label.property.SetOpacity(light)
             label.property.SetBackgroundOpacity(light)
             self._leaders[name].actor.GetProperty().SetOpacity(light)
@@ -128,11 +124,9 @@ class Labels:
         em = self._canvas.style.font_size
         layout = Layout(pane.size_px, em, {} if afresh else before, subject)
         layout.keep_title_free()
-        texts = [words["near"], words["far"]]
-        if named.planes is not None:
-            texts = [f"{t} {written_distance(d)}" for t, d in zip(texts, named.planes, strict=True)]
-        self._near.set_text(texts[0])
-        self._far.set_text(texts[1])
+        for name, distance in zip(("near", "far"), named.planes or (None, None), strict=True):
+            written = "" if distance is None else f" {written_distance(distance)}"
+            self.named[name].set_text(words[name] + written)
         points = [[named.eye], [named.target], named.tips, named.body]
         corners = np.tile(named.eye, (8, 1)) if named.corners is None else named.corners
         seen = pane.seen(np.concatenate([*points, _PLANES_FROM_CORNERS @ corners]))
@@ -151,9 +145,7 @@ class Labels:
             if name in named.arrows:
                 i = named.arrows.index(name)
                 gaps = 1 if name in AXES else 3  # up can be anywhere, even on the view direction
-                by_the_arrow = partial(
-                    layout.place, label, words[name], spots[i:count:step], _ON, at_worst=0.0
-                )
+                by_the_arrow = partial(layout.place, label, spots[i:count:step], _ON, at_worst=0.0)
                 if not by_the_arrow(gaps=gaps) and name in leaders:
                     crowded.append(partial(by_the_arrow, leader=leaders[name]))
             else:
@@ -162,25 +154,22 @@ class Labels:
             [] if name in named.without else [spot]
             for name, spot in (("target", target), ("eye", eye))
         )
-        layout.place(self._target, words["target"], at_target, _RIGHT_BELOW, leaders["target"])
+        layout.place(self.named["target"], at_target, _RIGHT_BELOW, leaders["target"])
         if named.arrows:
             layout.keep_free_box(spots[len(named.tips) : -16])
-        layout.place(self._eye, words["eye"], at_eye, _BELOW, leaders["eye"])
-        for i, (label, sides, leader) in enumerate(
-            ((self._near, _BELOW_PLANE, leaders["near"]), (self._far, _ABOVE_PLANE, leaders["far"]))
-        ):
+        layout.place(self.named["eye"], at_eye, _BELOW, leaders["eye"])
+        for i, (name, sides) in enumerate((("near", _BELOW_PLANE), ("far", _ABOVE_PLANE))):
+            label, leader = self.named[name], leaders[name]
             others = planes[1 - i][:4]
             if len(planes[i]) == 1:  # outwards from its handle
                 sides = _ABOVE_PLANE if planes[i][0][1] >= planes[1 - i][0][1] else _BELOW_HANDLE
             if named.corners is None:
-                layout.place(label, texts[i], [], sides, leader)  # nowhere
+                layout.place(label, [], sides, leader)  # nowhere
                 continue
-            beside = partial(layout.place, label, texts[i], planes[i], sides, leader,
-                             apart_from=others)  # fmt: skip
+            beside = partial(layout.place, label, planes[i], sides, leader, apart_from=others)
             if not beside(at_worst=LEADER):
                 inside = pane.covered(corners[4 * i : 4 * i + 4])[:: 1 - 2 * i]
-                on_it = partial(layout.place, label, texts[i], inside, _ON[:1], gaps=1,
-                                apart_from=others)  # fmt: skip
+                on_it = partial(layout.place, label, inside, _ON[:1], gaps=1, apart_from=others)
                 if not on_it(at_worst=0.0) and not beside():
                     on_it()
         for by_the_arrow in crowded:  # last: they take no other label's place
@@ -249,7 +238,6 @@ class Layout:
     def place(
         self,
         label: Label,
-        text: str,
         points: Sequence[Spot],
         sides: Sequence[tuple[float, float]],
         leader: Leader | None = None,
@@ -281,7 +269,7 @@ class Layout:
         at_worst : float
             The largest cost that is accepted.
         """
-        half_width, half_height = self.half(text)
+        half_width, half_height = self.half(label.text)
         em, has_leader = self.em, leader is not None
         usable = [
             i
@@ -326,7 +314,7 @@ class Layout:
 
     def least_hiding(
         self,
-        text: str,
+        label: Label,
         point: Spot,
         sides: Sequence[tuple[float, float]],
         gaps: int,
@@ -338,7 +326,7 @@ class Layout:
         """
         if not len(subject):
             return []
-        half = np.array(self.half(text))
+        half = np.array(self.half(label.text))
         away = half + self.em * np.repeat(GAPS_EM[:gaps], len(sides))[:, None]
         centres = point[:2] + away * np.tile(sides, (gaps, 1))
         hidden = (np.abs(subject - centres[:, None]) < half).all(axis=2).mean(axis=1)

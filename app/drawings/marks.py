@@ -116,7 +116,6 @@ class MarksDrawing:
         self._best: dict[Label, Sequence[int]] = {}
         self._copies: list[_CopyActors] = []
         self._colours: dict[tuple[str, int], NDArray[np.uint8]] = {}
-        self._texts: list[str] = []
         self._text_abouts: list[tuple[str, ...]] = []
         self._text_points = self._dot_points = self._away_points = np.empty((0, 3))
         self._shown: list[tuple[_CopyActors, Array]] = []
@@ -245,7 +244,7 @@ class MarksDrawing:
         points = _placed_each(texts, placing)
         near = np.flatnonzero(_within(points, placing.limit)).tolist()
         words = [self._words.get(texts[i].text, texts[i].text) for i in near]
-        self._text_points, self._texts = points[near], words
+        self._text_points = points[near]
         self._text_abouts = [texts[i].about for i in near]
         away = [texts[i] if texts[i].away_from is None else _away(texts[i]) for i in near]
         self._away_points = _placed_each(away, placing)
@@ -280,24 +279,23 @@ class MarksDrawing:
         where `spread_over` of the scene is seen: what texts avoid. Without it, texts stay on their
         last sides, so that a drag makes none jump.
         """
-        if not self._texts:
+        count = len(self._text_points)
+        if not count:
             return
-        count = len(self._texts)
         points = (self._text_points, self._away_points, self._dot_points)
         spots = seen(np.concatenate(points))
         layout.keep_free([spot for spot in spots[2 * count :] if spot[2] > 0.0])
         gaps = _GAPS_WITH_LEADER if self._leads else _GAPS
-        for label, leader, text, spot, away in zip(
-            self._labels, self._leaders, self._texts, spots, spots[count:], strict=False
-        ):
+        labels = zip(self._labels, self._leaders, strict=True)
+        for (label, leader), spot, away in zip(labels, spots[:count], spots[count:], strict=False):
             if not self._over:
                 sides, most = _sides_away(spot, away), len(GAPS_EM) if self._leads else gaps
-                layout.place(label, text, [spot], sides, leader, gaps=most)
+                layout.place(label, [spot], sides, leader, gaps=most)
                 continue
             if subject is not None:
-                self._best[label] = layout.least_hiding(text, spot, _BESIDE, gaps, subject)
+                self._best[label] = layout.least_hiding(label, spot, _BESIDE, gaps, subject)
             best = self._best.get(label, ())
-            layout.place(label, text, [spot], _BESIDE, leader, gaps=gaps, best=best)
+            layout.place(label, [spot], _BESIDE, leader, gaps=gaps, best=best)
 
     # -- copies
 

@@ -284,10 +284,10 @@ class StageBox:
         for name, label in (("near", self.near), ("far", self.far)):
             if label in self._written:
                 sides = _PYRAMID if name == "near" and self._is_pyramid else _PLANE
-                layout.place(label, label.text, [spots[label]], sides, self._leaders[name])
+                layout.place(label, [spots[label]], sides, self._leaders[name])
         for letter, beside in zip(self._letters, _LETTER_SIDES, strict=True):
             if letter in self._written:
-                layout.place(letter, letter.text, [spots[letter]], beside, gaps=1)
+                layout.place(letter, [spots[letter]], beside, gaps=1)
         with np.errstate(divide="ignore", invalid="ignore"):  # where far is at infinity
             corners = self._shown(CUBE)
         finite = corners[np.isfinite(corners).all(axis=1)]
@@ -298,7 +298,7 @@ class StageBox:
                     number.set_visible(False)
                 elif number in self._written:
                     beside = _NUMBER_SIDES[name]
-                    layout.place(number, number.text, [spots[number]], beside, gaps=2)
+                    layout.place(number, [spots[number]], beside, gaps=2)
 
 
 def _turn_to(axis: Array) -> Array:

@@ -131,6 +131,23 @@ def scene_at(points: Any, origin: Any, colours: Any = (RED,)) -> Scene:
     return scene
 
 
+def mistakes(
+    screen: OffScreen, projection: Projection, points: Any, origin: Any, **options: float
+) -> tuple[str, int, int]:
+    """Draw a triangle: the precision used, wrong pixels, and pixels that must be lit."""
+    tolerance_px = options.get("tolerance_px", 0.0)
+    scene = scene_at(points, origin)
+    drawing = ImageDrawing(screen, scene, WORDS, LIGHT, tolerance_px, framed=False)
+    drawing.show_projection(projection)
+    lit = drawn(screen.pixels(), RED)
+    drawing.remove()
+    world = points.astype(float) + np.array(origin, dtype=float)
+    band_px = options.get("band_px", 0.02)
+    must, must_not = expected(projection, world, projection.image_size, band_px)
+    wrong = int((must & ~lit).sum() + (must_not & lit).sum())
+    return drawing.precision, wrong, int(must.sum())
+
+
 FAR_AWAY = (1e7, -2e7, 3e7)
 INSIDE = ((-0.7, -0.6), (0.8, -0.3), (0.1, 0.8))
 ACROSS = ((-40.0, -31.0), (60.0, 40.3), (-0.8, 0.7))  # two corners 15 pictures away and more
@@ -141,54 +158,54 @@ def camera_from(eye: Any, direction: Any) -> Camera:
     return Camera(tuple(eye), tuple(eye + direction))
 
 
+LETTER_EYE, LETTER = (6, 5, 9), Camera((6, 5, 9), (0, 2.2, 0))
 EXTREMES: dict[str, tuple[Projection, Any, tuple[float, float, float]]] = {
-    "eye near a vertex": (
-        Projection(camera_from((6, 5, 9), (-6, -3, -9)), Perspective(60, 1e-6, 100), SIZE),
-        (0, 0, 0),
-        (1e-5, 10.0, 4e-6),
-    ),
-    "eye near a vertex, far from the origin": (
-        Projection(
-            camera_from(np.add(FAR_AWAY, (6, 5, 9)), (-6, -3, -9)), Perspective(60, 1e-6, 100), SIZE
+    name: (Projection(camera, lens, SIZE), origin, distances)
+    for name, camera, lens, origin, distances in (
+        (
+            "eye near a vertex",
+            camera_from(LETTER_EYE, (-6, -3, -9)),
+            Perspective(60, 1e-6, 100),
+            (0, 0, 0),
+            (1e-5, 10.0, 4e-6),
         ),
-        FAR_AWAY,
-        (1e-5, 10.0, 4e-6),
-    ),
-    "narrow": (
-        Projection(Camera((6, 5, 9), (0, 2.2, 0)), Perspective(1e-4, 1, 30), SIZE),
-        (3, -1, 2),
-        (11.0, 12.0, 11.5),
-    ),
-    "wide": (
-        Projection(Camera((0.3, 0.4, 9), (0, 0.2, 0)), Perspective(179.9, 1e-6, 30), SIZE),
-        (0, 0, 0),
-        (1e-5, 2e-5, 2e-5),
-    ),
-    "off axis": (
-        Projection(
-            Camera((6, 5, 9), (0, 2.2, 0)), Frustum(0.5, 0.500002, -0.3, -0.299999, 1, 30), SIZE
+        (
+            "eye near a vertex, far from the origin",
+            camera_from(np.add(FAR_AWAY, LETTER_EYE), (-6, -3, -9)),
+            Perspective(60, 1e-6, 100),
+            FAR_AWAY,
+            (1e-5, 10.0, 4e-6),
         ),
-        (3, -1, 2),
-        (11.0, 12.0, 11.5),
-    ),
-    "parallel, eye far away": (
-        Projection(
+        ("narrow", LETTER, Perspective(1e-4, 1, 30), (3, -1, 2), (11.0, 12.0, 11.5)),
+        (
+            "wide",
+            Camera((0.3, 0.4, 9), (0, 0.2, 0)),
+            Perspective(179.9, 1e-6, 30),
+            (0, 0, 0),
+            (1e-5, 2e-5, 2e-5),
+        ),
+        (
+            "off axis",
+            LETTER,
+            Frustum(0.5, 0.500002, -0.3, -0.299999, 1, 30),
+            (3, -1, 2),
+            (11.0, 12.0, 11.5),
+        ),
+        (
+            "parallel, eye far away",
             Camera((1e7, 2e7, 3e7), (0, 2.2, 0)),
             Orthographic(-4e-5, 4e-5, -3e-5, 3e-5, 1, 1e8),
-            SIZE,
+            (3, -1, 2),
+            (37416573.0, 37416574.0, 37416573.0),
         ),
-        (3, -1, 2),
-        (37416573.0, 37416574.0, 37416573.0),
-    ),
-    "oblique, small window": (
-        Projection(
-            Camera((6, 5, 9), (0, 2.2, 0)),
+        (
+            "oblique, small window",
+            LETTER,
             Oblique(-4e-6, 4e-6, -4e-6, 4e-6, 1, 30, alpha_deg=50, beta_deg=70),
-            SIZE,
+            (3, -1, 2),
+            (11.0, 12.0, 11.5),
         ),
-        (3, -1, 2),
-        (11.0, 12.0, 11.5),
-    ),
+    )
 }
 
 
@@ -225,19 +242,12 @@ def test_the_picture_is_right_where_float32_is_not(
     projection, origin, distances = EXTREMES[name]
     places = [(*corner, d) for corner, d in zip(corners, distances, strict=True)]
     points = triangle_at(projection, places, origin)
-    scene = scene_at(points, origin)
-    wrong = {}
-    for tolerance_px in (math.inf, DRAWING_TOLERANCE_PX):
-        screen = off_screen(*SIZE)
-        drawing = ImageDrawing(screen, scene, WORDS, LIGHT, tolerance_px, framed=False)
-        drawing.show_projection(projection)
-        lit = drawn(screen.pixels(), RED)
-        band_px = 1.0 if tolerance_px == math.inf else 0.02
-        must, must_not = expected(
-            projection, points.astype(float) + np.array(origin, dtype=float), SIZE, band_px
+    screen, wrong = off_screen(*SIZE), {}
+    for tolerance_px, band_px in ((math.inf, 1.0), (DRAWING_TOLERANCE_PX, 0.02)):
+        precision, wrong[precision], lit = mistakes(
+            screen, projection, points, origin, tolerance_px=tolerance_px, band_px=band_px
         )
-        assert must.sum() > 2000 and must_not.sum() > 2000
-        wrong[drawing.precision] = int((must & ~lit).sum() + (must_not & lit).sum())
+        assert 2000 < lit < SIZE[0] * SIZE[1] - 2000
     assert wrong["float64"] == 0
     assert wrong["float32"] > 20, "not an extreme"
 
@@ -303,15 +313,11 @@ def test_triangles_are_cut_where_the_model_says(off_screen: MakeScreen) -> None:
     screen = off_screen(160, 120)
     for number in range(320):
         projection, points = random_triangle(random, number)
-        drawing = ImageDrawing(screen, scene_at(points, (0, 0, 0)), WORDS, LIGHT, 0.0, framed=False)
-        drawing.show_projection(projection)
-        lit = drawn(screen.pixels(), RED)
-        must, must_not = expected(projection, points, (160, 120), 0.02)
-        assert drawing.precision == "float64" or not must.any()  # what is not seen costs nothing
-        assert not (must & ~lit).any() and not (must_not & lit).any(), (number, projection, points)
-        seen += bool(must.any())
-        behind += bool(must.any() and (projection.trace(points).clip[:, 3] < 0.0).any())
-        drawing.remove()
+        precision, wrong, lit = mistakes(screen, projection, points, (0, 0, 0))
+        assert precision == "float64" or not lit  # what is not seen costs nothing
+        assert wrong == 0, (number, projection, points)
+        seen += bool(lit)
+        behind += bool(lit and (projection.trace(points).clip[:, 3] < 0.0).any())
     assert seen > 120 and behind > 25, (seen, behind)
 
 
@@ -326,16 +332,12 @@ def test_a_thin_slab_is_cut_where_the_model_says(thickness: float, off_screen: M
     origin = np.array(projection.camera.eye) - near * projection.camera.frame[2]
     origin = origin.astype(np.float32).astype(float)
     points = triangle_at(projection, places, origin)
-    wrong = {}
+    screen, wrong = off_screen(*SIZE), {}
     for tolerance_px in (math.inf, 0.0):
-        screen = off_screen(*SIZE)
-        scene = scene_at(points, origin)
-        drawing = ImageDrawing(screen, scene, WORDS, LIGHT, tolerance_px, framed=False)
-        drawing.show_projection(projection)
-        lit = drawn(screen.pixels(), RED)
-        must, must_not = expected(projection, points.astype(float) + origin, SIZE, 0.02)
-        assert must.sum() > 2000 and must_not.sum() > 2000
-        wrong[drawing.precision] = int((must & ~lit).sum() + (must_not & lit).sum())
+        precision, wrong[precision], lit = mistakes(
+            screen, projection, points, origin, tolerance_px=tolerance_px
+        )
+        assert 2000 < lit < SIZE[0] * SIZE[1] - 2000
     assert wrong["float64"] == 0
     assert wrong["float32"] > 20
 
@@ -393,13 +395,8 @@ def test_what_is_before_far_is_drawn_however_near_the_near_plane(off_screen: Mak
         projection = Projection(camera, Perspective(60, near, far), (120, 90))
         places = [(*corner, d) for corner, d in zip(INSIDE, distances, strict=True)]
         points = triangle_at(projection, places, (0, 0, 0))
-        scene = scene_at(points, (0, 0, 0))
-        drawing = ImageDrawing(screen, scene, WORDS, LIGHT, 0.0, framed=False)
-        drawing.show_projection(projection)
-        lit = drawn(screen.pixels(), RED)
-        drawing.remove()
-        must, _ = expected(projection, points.astype(float), (120, 90), 0.02)
-        assert must.any() and not (must & ~lit).any(), projection
+        _, wrong, lit = mistakes(screen, projection, points, (0, 0, 0))
+        assert lit and not wrong, projection
 
 
 @pytest.mark.parametrize("extent_over_near", [1e7, 1e10, 1e14])
@@ -415,13 +412,8 @@ def test_what_is_near_is_drawn_however_large_the_scene(
         (*corner, d) for corner, d in zip(INSIDE, (3.0 * near, 20.0, 1.5 * near), strict=True)
     ]
     points = triangle_at(projection, places, (0, 0, 0))
-    screen = off_screen(*SIZE)
-    drawing = ImageDrawing(screen, scene_at(points, (0, 0, 0)), WORDS, LIGHT, 0.0, framed=False)
-    drawing.show_projection(projection)
-    lit = drawn(screen.pixels(), RED)
-    must, must_not = expected(projection, points.astype(float), SIZE, 0.02)
-    assert must.sum() > 2000
-    assert not (must & ~lit).any() and not (must_not & lit).any()
+    _, wrong, lit = mistakes(off_screen(*SIZE), projection, points, (0, 0, 0))
+    assert lit > 2000 and wrong == 0
 
 
 # --------------------------------------------------------------------------- both precisions

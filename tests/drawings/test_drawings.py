@@ -226,22 +226,6 @@ def test_what_is_in_front_stays_in_front_in_every_depth_range(off_screen: MakeSc
                     assert hidden_share == 0.0
 
 
-def test_only_what_is_before_the_eye_is_drawn(off_screen: MakeScreen) -> None:
-    """A long wall through the eye's plane: the half behind would be upside down elsewhere."""
-    wall = [(-1.0, -1.0, 20.0), (-1.0, -1.0, -20.0), (-1.0, 1.0, -20.0), (-1.0, 1.0, 20.0)]
-    scene = scene_of(wall, [(0, 1, 2, 3)], [(200, 30, 30)])
-    size = (200, 200)
-    projection = Projection(Camera((0, 0, 0), (0, 0, -1)), Perspective(90, 0.1, 100), size)
-    screen = off_screen(*size)
-    wall_px = drawn(shown(screen, scene, projection), (200, 30, 30))
-    # By hand: x = -1, w = -z; on the picture x_ndc = -1/w, |y_ndc| <= 1/w, so all of the left
-    # triangle |y_ndc| <= -x_ndc out to w = 20, x_ndc = -0.05.
-    x, y = np.meshgrid((np.arange(200) + 0.5) / 100 - 1, 1 - (np.arange(200) + 0.5) / 100)
-    expected = (np.abs(y) < -x) & (x < -0.05)
-    assert (wall_px != expected).sum() <= 200  # the edge's pixels
-    assert not wall_px[:, 100:].any()
-
-
 def test_what_reaches_behind_the_eye_is_not_culled_by_its_bounds(off_screen: MakeScreen) -> None:
     """A strip whose ends, divided by w, are both right of the picture, and its middle in it.
 
@@ -515,19 +499,6 @@ def test_a_step_sets_matrices_and_nothing_else(kind: Any, off_screen: MakeScreen
     assert renders == []
     assert state() == before
     assert [m.GetMTime() for m in matrices] != times
-
-
-@pytest.mark.parametrize("kind", [StageDrawing, ImageDrawing])
-def test_a_step_changes_what_is_seen(kind: Any, off_screen: MakeScreen) -> None:
-    scene = load("letter-f")
-    screen = off_screen(300, 300)
-    drawing = kind(screen, scene, WORDS, LIGHT)
-    drawing.show_projection(scene.start)
-    first = screen.pixels()
-    drawing.show_projection(replace(scene.start, lens=Perspective(60.0, 2.0, 20.0)))
-    assert (screen.pixels() != first).any()
-    drawing.show_projection(scene.start)
-    assert (screen.pixels() == first).all()
 
 
 @pytest.mark.parametrize("kind", [StageDrawing, ImageDrawing])

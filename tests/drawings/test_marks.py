@@ -18,7 +18,7 @@ from app.drawings.stage import StageDrawing
 from app.drawings.style import DARK, LIGHT
 from app.drawings.world import WorldDrawing
 from app.lecture.stages import IMAGE, NDC, VIEW
-from app.model.projection import DEPTH_RANGES, Camera, Orthographic, Perspective, Projection
+from app.model.projection import DEPTH_RANGES, Camera, Perspective, Projection
 from app.scenes.phenomena.illustration import Illustration
 from app.scenes.phenomena.marks import Copy, Dot, Face, Line, Marks, Text
 from app.scenes.scene import Scene, load
@@ -548,22 +548,6 @@ def test_the_world_pane_is_framed_with_its_marks_but_not_with_what_is_far(
     assert (one.drawing.sight.eye != plain).any()
     assert not framed(40.0 * size)
     assert (one.drawing.sight.eye == plain).all()
-
-
-@pytest.mark.parametrize(
-    "lens", [Perspective(45.0, 1.0, math.inf), Orthographic(-4, 4, -3, 3, 1, 30)]
-)
-def test_copies_and_marks_hold_for_other_lenses(lens: Any, shown: Callable[..., Shown]) -> None:
-    one = shown("image", square(0.0, (10, 120, 10)))
-    one.projection = Projection(START.camera, lens, START.image_size)
-    one.drawing.show_projection(one.projection)
-    image = one.show(
-        replace(one.marks([PLACES[0]], dots), copies=(Copy(TRANSLATED, ("image",), BLUE),))
-    )
-    assert np.abs(middle(drawn(image, (255, 0, 0))) - one.seen([PLACES[0]])[0]).max() < 0.75
-    corners = one.seen(moved(TRANSLATED, [(-1, 0, 0), (1, 0, 0), (1, 2, 0), (-1, 2, 0)]))
-    x, y = corners.mean(axis=0).astype(int)
-    assert drawn(image, (0, 0, 255))[y, x]
 
 
 # --------------------------------------------------------------------------- in a pane
