@@ -61,7 +61,7 @@ from app.picking.picking import Probe
 from app.scenes.phenomena import PHENOMENA
 from tests import PATIENCE_S
 from tests.random_documents import outcome, outcome_of
-from tests.support.phenomenon import EVERYTHING
+from tests.support.phenomenon import EVERYTHING, called
 
 DESIGN = """
 {"format": "frustum-lab", "version": 2, "scene": "letter-f",
@@ -1702,7 +1702,7 @@ def test_another_scene_brings_its_default_settings(
     back = set_value(moved, "scene", "everything")
     assert back.settings == EVERYTHING.checked({})
     # Also where the two call their settings alike.
-    monkeypatch.setitem(app.document.document.PHENOMENA, "alike", replace(EVERYTHING, name="alike"))  # type: ignore[arg-type]
+    monkeypatch.setitem(app.document.document.PHENOMENA, "alike", called("alike"))  # type: ignore[arg-type]
     assert set_value(used, "scene", "alike").settings == EVERYTHING.checked({})
 
 

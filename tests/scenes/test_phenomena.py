@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import ast
+import inspect
 import math
 import random
 import re
@@ -11,13 +13,16 @@ from typing import Any
 import numpy as np
 import pytest
 
-from app.bootstrap import ROOT
+from app.model.lenses import central, oblique, parallel
+from app.model.limits import PLANES
 from app.model.refusal import Refusal
 from app.scenes.phenomena import PHENOMENA
 from app.scenes.phenomena.illustration import Illustration, Phenomenon
 from app.scenes.phenomena.readout import Phrase
 from app.scenes.phenomena.settings import Setting, Settings
 from tests.oracles.illustrations import assert_sound, projections, subject_of
+from tests.support.marked import marked
+from tests.texts import content_texts
 
 EVERY = pytest.mark.parametrize("phenomenon", PHENOMENA.values(), ids=list(PHENOMENA))
 LEAST_SEEN = {
@@ -133,7 +138,7 @@ def test_bad_settings_are_refused_by_name(phenomenon: Phenomenon) -> None:
             assert caught.value.field == setting.path
 
 
-SETTING = Setting("size", "Size", "How large it is", 2.0, low=1.0, high=5.0, whole=True)
+SETTING = Setting("size", 2.0, 1.0, 5.0, whole=True)
 
 
 @pytest.mark.parametrize("value", [0.5, 6.0, 2.5, True, "2", math.nan])
@@ -169,34 +174,27 @@ def texts_shown(illustration: Illustration) -> set[str]:
     return found
 
 
-def marked_texts() -> set[str]:
-    """What lupdate will find: the literals inside QT_TRANSLATE_NOOP("phenomena", ...)."""
-    import ast
-
-    found: set[str] = set()
-    files = [*Path(ROOT, "app", "scenes", "phenomena").glob("*.py")]
-    for path in sorted([*files, *Path(ROOT, "app", "model", "lenses").glob("*.py")]):
-        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
-            if isinstance(node, ast.Call) and getattr(node.func, "id", "") == "QT_TRANSLATE_NOOP":
-                context, text = (ast.literal_eval(part) for part in node.args)
-                assert context in ("phenomena", "Refusal", "Lens"), text
-                found.add(text)
-    return found
+@EVERY
+def test_the_code_uses_every_word_of_the_content_file(phenomenon: Phenomenon) -> None:
+    """A name that the file lacks is a KeyError; a name that nothing uses is found here."""
+    source = ast.parse(Path(inspect.getfile(phenomenon.show)).read_text(encoding="utf-8"))
+    used = {node.value for node in ast.walk(source) if isinstance(node, ast.Constant)}
+    used |= set(PLANES)
+    assert [key for key in phenomenon.words if not used & {key, key[:-1]}] == []
 
 
 @EVERY
 def test_every_text_can_be_translated(phenomenon: Phenomenon) -> None:
     """A text without a word of its own (``x_p = d·x / w``) is the same in every language."""
     subject = subject_of(phenomenon)
-    shown = {phenomenon.title, phenomenon.explanation}
-    for setting in phenomenon.settings:
-        shown |= {setting.label, setting.tip, *(label for _, label in setting.choices)}
+    shown: set[str] = set()
     for settings in wild_settings(phenomenon):
         shown |= texts_shown(phenomenon.show(phenomenon.start, settings, subject))
     for projection in projections(phenomenon):
         shown |= texts_shown(phenomenon.show(projection, phenomenon.checked({}), subject))
     words = re.compile(r"(?!arctan|atan|cot|tan|sin|cos)\b[^\W\d_]{3,}")
-    missing = {text for text in shown - marked_texts() if words.search(text)}
+    marked_texts = content_texts() | marked(central, oblique, parallel, context="phenomena")
+    missing = {text for text in shown - marked_texts if words.search(text)}
     assert not missing
 
 

@@ -17,38 +17,19 @@ from numpy.typing import NDArray
 
 from app.model.clipping import NOT_CUT, clip_segments
 from app.model.projection import Array, Camera, Perspective, Projection
-from app.model.refusal import QT_TRANSLATE_NOOP
 from app.scenes.phenomena.illustration import Illustration, OwnMesh, Phenomenon, Subject
 from app.scenes.phenomena.marks import Dot, Grip, Line, Mark, Marks, Text, named
 from app.scenes.phenomena.picture import image_from_ndc
 from app.scenes.phenomena.readout import Phrase, Reading, figure, of_parallel
 from app.scenes.phenomena.settings import Setting, Settings, point
+from app.scenes.phenomena.words import Words
 from app.scenes.shapes import letter_f_edges, letter_f_on_grid
+
+WORDS = Words("affine-depth")
 
 _STEPS = np.linspace(0.0, 1.0, 65)
 _EDGE_STEPS = np.linspace(0.0, 1.0, 9)
 
-_INFINITE = QT_TRANSLATE_NOOP(
-    "phenomena",
-    "with far at infinity no affine z' = A z + B holds all depths: choose a finite far plane",
-)
-_PARALLEL = QT_TRANSLATE_NOOP(
-    "phenomena", "a parallel lens divides by 1: its own z' is affine, and nothing is bent"
-)
-_OUTSIDE = QT_TRANSLATE_NOOP("phenomena", "the segment lies outside the view volume")
-_AWAY = QT_TRANSLATE_NOOP("phenomena", "no edge of the letter lies in the view volume")
-_MESH_AWAY = QT_TRANSLATE_NOOP(
-    "phenomena", "none of the mesh's edges that are looked at lies in the view volume"
-)
-_STRAIGHT = QT_TRANSLATE_NOOP("phenomena", "its image is straight: no place is the farthest")
-_SHORT = QT_TRANSLATE_NOOP("phenomena", "the segment is a single point of the cube")
-_CUT = QT_TRANSLATE_NOOP(
-    "phenomena", "the view volume cuts PQ: what is measured is the part inside it, from P' to Q'"
-)
-
-_SOME_EDGES = QT_TRANSLATE_NOOP(
-    "phenomena", "of the mesh's {1} edges only the {0} longest are drawn so and counted"
-)
 
 _MOST_EDGES = 200
 """Of a mesh of the user's."""
@@ -186,11 +167,14 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Illus
     grips = Grip("start", ends[0]), Grip("end", ends[1])
     mesh = subject.mesh
     if projection.lens.far == math.inf:
-        readings, why = _readings(None, None, Phrase(_INFINITE), mesh), Phrase(_INFINITE)
+        readings, why = (
+            _readings(None, None, WORDS.phrase("infinite"), mesh),
+            WORDS.phrase("infinite"),
+        )
         return Illustration(readings, world, warning=why, grips=grips)
     others = letter_f_edges()[0] if mesh is None else mesh.edges[:_MOST_EDGES]
     part = inside(projection, np.concatenate([ends[None], others]))
-    parallel = of_parallel(projection, _PARALLEL)
+    parallel = of_parallel(projection, WORDS["parallel"])
     if parallel is not None:
         lines = [Line(pair, "muted") for pair in part.ndc[part.rows > 0]]
         lines += [Line(pair, "accent", 2.0) for pair in part.ndc[part.rows == 0]]
@@ -232,13 +216,13 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Illus
         ]
     note = None
     if not own.any():
-        note = Phrase(_OUTSIDE)
+        note = WORDS.phrase("outside")
     elif not math.isfinite(found.percent[0]):
-        note = Phrase(_SHORT)
+        note = WORDS.phrase("short")
     at = None if note else (float(found.percent[0]), float(found.w[0]))
     cut = note is None and bool(part.cut[0])
     return Illustration(
-        _readings(at, worst, Phrase(_CUT) if cut else note, mesh, cut),
+        _readings(at, worst, WORDS.phrase("cut") if cut else note, mesh, cut),
         world,
         Marks.of(*ndc),
         _in_picture(projection, part.ndc[own]),
@@ -262,69 +246,45 @@ def _readings(
 ) -> tuple[Reading, ...]:
     """The readout: of PQ percent and distance, of the letter's or the mesh's edges percent."""
     percent, w = own or (None, None)
-    where = QT_TRANSLATE_NOOP("phenomena", "where: w = √(w_P·w_Q)")
+    where = WORDS["where"]
     if cut:
-        where = QT_TRANSLATE_NOOP("phenomena", "where: w = √(w_P'·w_Q')")
-    label, away = QT_TRANSLATE_NOOP("phenomena", "worst edge of the letter F, inside"), _AWAY
+        where = WORDS["where-cut"]
+    label, away = WORDS["worst-of-letter"], WORDS["away"]
     some = None
     if mesh is not None:
-        label, away = QT_TRANSLATE_NOOP("phenomena", "worst edge of the mesh, inside"), _MESH_AWAY
+        label, away = WORDS["worst-of-mesh"], WORDS["mesh-away"]
         if mesh.edge_count > _MOST_EDGES:
-            some = Phrase(_SOME_EDGES, (str(_MOST_EDGES), str(mesh.edge_count)))
+            some = WORDS.phrase("some-edges", str(_MOST_EDGES), str(mesh.edge_count))
     straight = percent == 0.0
     return (
-        Reading(
-            QT_TRANSLATE_NOOP("phenomena", "largest deviation, of the length"), percent, "%", note
-        ),
+        Reading(WORDS["deviation"], percent, "%", note),
         Reading(
             where,
             None if straight else w,
-            note=Phrase(_STRAIGHT) if straight and (cut or note is None) else note,
+            note=WORDS.phrase("straight") if straight and (cut or note is None) else note,
         ),
         Reading(
             label,
             worst,
             "%",
-            some if worst is not None else note if note == Phrase(_INFINITE) else Phrase(away),
+            some
+            if worst is not None
+            else note
+            if note == WORDS.phrase("infinite")
+            else Phrase(away),
         ),
     )
 
 
 PHENOMENON = Phenomenon(
-    name="affine-depth",
-    title=QT_TRANSLATE_NOOP("phenomena", "Bent by an affine z"),
-    explanation=QT_TRANSLATE_NOOP(
-        "phenomena",
-        "x and y are divided by the distance w. If z were only scaled and shifted, z' = A z + B, a"
-        " straight segment PQ would come into the cube as a bow, and nothing between its ends could"
-        " be interpolated or clipped as a line. With z' = A + B / z it stays straight.",
-    ),
-    tries=(
-        QT_TRANSLATE_NOOP("phenomena", "Is the line PQ straight in the cube?"),
-        QT_TRANSLATE_NOOP("phenomena", "Drag P towards the eye: and now?"),
-        QT_TRANSLATE_NOOP("phenomena", "Do near and far change the bow?"),
-    ),
+    WORDS,
     lectures=("000", "002"),
     start=Projection(
-        Camera((3.2, 3.4, 5.0), (-0.2, 2.3, 0.0)),
-        Perspective(fov_y_deg=60.0, near=1.0, far=14.0),
+        Camera((3.2, 3.4, 5.0), (-0.2, 2.3, 0.0)), Perspective(fov_y_deg=60.0, near=1.0, far=14.0)
     ),
     geometry=partial(letter_f_on_grid, (-4.0, -4.0), (4.0, 4.0)),
     show=_show,
-    settings=(
-        Setting(
-            "start",
-            QT_TRANSLATE_NOOP("phenomena", "End P"),
-            QT_TRANSLATE_NOOP("phenomena", "One end of the segment, in world coordinates"),
-            (3.0, 2.9, 4.0),
-        ),
-        Setting(
-            "end",
-            QT_TRANSLATE_NOOP("phenomena", "End Q"),
-            QT_TRANSLATE_NOOP("phenomena", "Its other end, in world coordinates"),
-            (-9.0, 3.5, -2.5),
-        ),
-    ),
+    adjustable=(Setting("start", (3.0, 2.9, 4.0)), Setting("end", (-9.0, 3.5, -2.5))),
     controls=("lens.near", "lens.far"),
     leading="ndc",
     own_mesh=True,

@@ -20,34 +20,21 @@ from numpy.typing import NDArray
 from app.model.clipping import clip_polygon
 from app.model.limits import PLANES
 from app.model.projection import DEPTH_RANGES, Array, Camera, Perspective, Projection
-from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
+from app.model.refusal import Refusal
 from app.scenes.phenomena.diagram import Curve, Diagram
 from app.scenes.phenomena.illustration import Illustration, Phenomenon, Subject
 from app.scenes.phenomena.marks import Dot, Face, Line, Mark, Marks, Text, outline, plate
 from app.scenes.phenomena.picture import SIDES, drawn_planes, image_from_ndc, section
-from app.scenes.phenomena.readout import Phrase, Reading
+from app.scenes.phenomena.readout import Reading
 from app.scenes.phenomena.settings import Setting, Settings, number
+from app.scenes.phenomena.words import Words
 from app.scenes.shapes import Coloured, flat, ground_grid
+
+WORDS = Words("clipping")
 
 TRIANGLE = np.array([(2.25, 3.0, 5.75), (4.0, 11.0, -7.0), (-8.0, 2.0, -0.5)])
 """World corners A, B, C of the polygon that is cut: each of the six planes adds one corner."""
 
-_UNCUT = QT_TRANSLATE_NOOP("phenomena", "none yet")
-_ALL = QT_TRANSLATE_NOOP("phenomena", "all")
-_TOO_LARGE = QT_TRANSLATE_NOOP(
-    "phenomena", "clip coordinates are too large for float64 numbers, or lie on one ray of the eye"
-)
-_BEHIND = QT_TRANSLATE_NOOP(
-    "phenomena", "a corner is behind the eye: until near has cut, there is nothing to draw in NDC"
-)
-_NAMES = (
-    QT_TRANSLATE_NOOP("phenomena", "near"),
-    QT_TRANSLATE_NOOP("phenomena", "far"),
-    QT_TRANSLATE_NOOP("phenomena", "left"),
-    QT_TRANSLATE_NOOP("phenomena", "right"),
-    QT_TRANSLATE_NOOP("phenomena", "bottom"),
-    QT_TRANSLATE_NOOP("phenomena", "top"),
-)
 # Corners of each plane's face: of the near section 0 to 3, of the far one 4 to 7, and in the NDC
 # cube likewise.
 _FACES = ((0, 1, 2, 3), (4, 5, 6, 7), (3, 0, 4, 7), (1, 2, 6, 5), (0, 1, 5, 4), (2, 3, 7, 6))
@@ -242,7 +229,7 @@ def _lit(box: Array, step: int) -> Marks:
         return Marks()
     face, colour = box[list(_FACES[step - 1])], _colour(step)
     with np.errstate(over="ignore", invalid="ignore"):
-        name = Text(_NAMES[step - 1], (face[2] + face[3]) / 2.0, colour)
+        name = Text(WORDS[PLANES[step - 1]], (face[2] + face[3]) / 2.0, colour)
     return Marks.of(plate(face, colour, 2.5, 0.2), *([] if step < 3 else [name]))
 
 
@@ -292,7 +279,7 @@ def _show(projection: Projection, settings: Settings, _subject: Subject) -> Illu
         veil = _paled(projection, outside, crossing)
         image = _image(projection, clip, step, cuts[step].new)
     except Refusal:  # said in the illustration, where it belongs to the camera
-        return Illustration((), warning=Phrase(_TOO_LARGE))
+        return Illustration((), warning=WORDS.phrase("too-large"))
     now, off = cuts[step], [cut.off for cut in cuts[1 : step + 1] if len(cut.off)]
     before, after = len(cuts[max(step - 1, 0)].corners), len(now.corners)
     parts = [now.corners, now.new, *off]
@@ -315,7 +302,7 @@ def _show(projection: Projection, settings: Settings, _subject: Subject) -> Illu
         ndc=_somewhere(_lit(cube, step), _pieces(in_ndc, step)),
         image=image,
         diagrams=(_diagram(shares[0], shares[1], step),),
-        warning=Phrase(_BEHIND) if not step and not (clip[:, 3] > 0.0).all() else None,
+        warning=WORDS.phrase("behind") if not step and not (clip[:, 3] > 0.0).all() else None,
         about=about,
     )
 
@@ -332,7 +319,7 @@ def _about(step: int, depth: str) -> tuple[str, ...]:
 def _condition(about: tuple[str, ...], step: int, depth: str) -> str:
     """What holds of a point that a step's plane keeps: ``w + x ≥ 0``."""
     if not about:
-        return _ALL
+        return WORDS["all"]
     _, row, *w = about
     is_low = step % 2 == 1 if step > 2 else DEPTH_RANGES[depth][step - 1] < 0.0
     row = row.removeprefix("clip_")
@@ -345,15 +332,15 @@ def _readings(
 ) -> tuple[Reading, ...]:
     whole, outside, crossing = map(float, cards)
     before, after = map(float, corners)
-    plane = about[0] if about else _UNCUT
+    plane = about[0] if about else WORDS["uncut"]
     return (
-        Reading(QT_TRANSLATE_NOOP("phenomena", "plane of this step"), plane, about=about[:1]),
-        Reading(QT_TRANSLATE_NOOP("phenomena", "it keeps"), condition, about=about[1:]),
-        Reading(QT_TRANSLATE_NOOP("phenomena", "corners before it"), before),
-        Reading(QT_TRANSLATE_NOOP("phenomena", "corners after it"), after),
-        Reading(QT_TRANSLATE_NOOP("phenomena", "cards whole inside"), whole),
-        Reading(QT_TRANSLATE_NOOP("phenomena", "cards outside"), outside),
-        Reading(QT_TRANSLATE_NOOP("phenomena", "cards crossing: to be cut"), crossing),
+        Reading(WORDS["plane"], plane, about=about[:1]),
+        Reading(WORDS["keeps"], condition, about=about[1:]),
+        Reading(WORDS["before"], before),
+        Reading(WORDS["after"], after),
+        Reading(WORDS["inside"], whole),
+        Reading(WORDS["outside"], outside),
+        Reading(WORDS["crossing"], crossing),
     )
 
 
@@ -375,13 +362,13 @@ def _diagram(now: Array, new: Array, step: int) -> Diagram:
     if len(now):
         curves.append(Curve(now, "accent", width=2.5, closed=True))
     if len(new):
-        curves.append(Curve(new, _colour(step), _NAMES[step - 1], 2.5))
+        curves.append(Curve(new, _colour(step), WORDS[PLANES[step - 1]], 2.5))
         curves.append(Curve(new, _colour(step), dots=True))
     curves += [Curve(_FLAT[i : i + 1], "ink", "ABC"[i], dots=True) for i in range(3)]
     (left, bottom), (right, top) = _FLAT.min(axis=0), _FLAT.max(axis=0)
     margin = 0.12 * (right - left)
     return Diagram(
-        QT_TRANSLATE_NOOP("phenomena", "in its own plane"),
+        WORDS["flat"],
         tuple(curves),
         *(left - margin, right + margin, bottom - margin, top + margin),
         equal=True,
@@ -389,41 +376,14 @@ def _diagram(now: Array, new: Array, step: int) -> Diagram:
 
 
 PHENOMENON = Phenomenon(
-    name="clipping",
-    title=QT_TRANSLATE_NOOP("phenomena", "Clipping, plane by plane"),
-    explanation=QT_TRANSLATE_NOOP(
-        "phenomena",
-        "What is whole inside the view volume is drawn, what is outside is not; what crosses is cut"
-        " by each plane in turn, with a new corner where an edge goes through it. Near keeps away"
-        " what is at the eye or behind it, where w ≤ 0 and the divide fails, and far bounds the"
-        " depths. It is done in the canonical volume, before the divide, because there the planes"
-        " are the same for every lens: −w ≤ x, y, z ≤ w in OpenGL's.",
-    ),
-    tries=(
-        QT_TRANSLATE_NOOP("phenomena", "Step on: which plane adds a corner?"),
-        QT_TRANSLATE_NOOP("phenomena", "Go back: which planes leave it as it is?"),
-        QT_TRANSLATE_NOOP("phenomena", "Move near and far: which cards cross?"),
-    ),
+    WORDS,
     lectures=("001", "004"),
     start=Projection(
         Camera((0.0, 4.0, 8.0), (0.0, 4.0, 0.0)), Perspective(fov_y_deg=40.0, near=3.0, far=13.0)
     ),
     geometry=_geometry,
     show=_show,
-    settings=(
-        Setting(
-            "step",
-            QT_TRANSLATE_NOOP("phenomena", "Planes that have cut"),
-            QT_TRANSLATE_NOOP(
-                "phenomena", "0: uncut; then near, far, left, right, bottom and top, one by one"
-            ),
-            1.0,
-            low=0.0,
-            high=6.0,
-            whole=True,
-            per_second=0.8,
-        ),
-    ),
+    adjustable=(Setting("step", 1.0, 0.0, 6.0, whole=True, per_second=0.8),),
     controls=("lens.near", "lens.far", "camera.distance"),
     numbers=7,
     leading="ndc",

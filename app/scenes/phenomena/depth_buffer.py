@@ -19,7 +19,7 @@ from numpy.typing import NDArray
 from app.model.clipping import clip_polygon
 from app.model.depth import FORMATS, DepthBuffer
 from app.model.projection import Array, Camera, Perspective, Projection
-from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
+from app.model.refusal import Refusal
 from app.scenes.phenomena.diagram import Curve, Diagram
 from app.scenes.phenomena.illustration import Illustration, Phenomenon, Subject
 from app.scenes.phenomena.marks import Copy, Line, Marks, Rendering, Text, outline
@@ -27,36 +27,17 @@ from app.scenes.phenomena.picture import SIDES, seen_texts
 from app.scenes.phenomena.readout import Phrase, Reading
 from app.scenes.phenomena.sampling import seen_distances
 from app.scenes.phenomena.settings import Setting, Settings, number
+from app.scenes.phenomena.words import Words
 from app.scenes.shapes import Coloured, flat, ground_grid
+
+WORDS = Words("depth-buffer")
 
 FINEST = 2.0**-17
 """Relative to the distance: what is finer than this drowns in the graphics card's own float32."""
 _FINEST_PARALLEL = 2.0**-21
 """The same of a parallel lens, whose depth is linear, relative to far - near."""
 
-_NO_LOG = QT_TRANSLATE_NOOP(
-    "phenomena",
-    "a logarithmic depth buffer needs a perspective lens and a far plane that is not at infinity",
-)
-_NO_INFINITE = QT_TRANSLATE_NOOP(
-    "phenomena", "a parallel lens cannot have its far plane at infinity"
-)
-_NOT_IN_PICTURE = QT_TRANSLATE_NOOP("phenomena", "no pixel of the picture shows both surfaces")
-_TOO_FEW = QT_TRANSLATE_NOOP(
-    "phenomena", "too few pixels of the picture show both surfaces to count them"
-)
-_NONE_IS_SURE = QT_TRANSLATE_NOOP(
-    "phenomena", "what lies behind the target may share its code, as far away as the far plane is"
-)
-_TARGET_OUTSIDE = QT_TRANSLATE_NOOP("phenomena", "the target is not between near and far")
-_TOO_FINE = QT_TRANSLATE_NOOP(
-    "phenomena",
-    "computed: gap and codes are finer than the graphics card's own float32, so that the picture"
-    " shows its noise instead",
-)
 
-_FRONT_NAME = QT_TRANSLATE_NOOP("phenomena", "surface 1")
-_BEHIND_NAME = QT_TRANSLATE_NOOP("phenomena", "surface 2")
 _FRONT_RGB, _FRONT, _BEHIND = (230, 159, 0), "#e69f00", "#0072b2"
 _CORNERS = np.array([(-5.0, 0, 4), (5, 0, 4), (5, 6, -44), (-5, 6, -44)])
 """A ramp that leads away, so that one picture has many distances."""
@@ -81,7 +62,7 @@ def buffer_of(projection: Projection, settings: Settings) -> DepthBuffer | Phras
             lens = lens.but(far=math.inf)
         return DepthBuffer(str(settings["format"]), _MAPPINGS.get(chosen, chosen), lens)
     except Refusal:
-        return Phrase(_NO_INFINITE if chosen == "infinite" else _NO_LOG)
+        return Phrase(WORDS["no-infinite"] if chosen == "infinite" else WORDS["no-log"])
 
 
 def moved_behind(projection: Projection, gap: float) -> Array:
@@ -192,7 +173,7 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Illus
     marks = image = Marks()
     if subject.mesh is None:
         moved = _CORNERS + matrix[:3, 3]
-        names = Text(_FRONT_NAME, _CORNERS[3], _FRONT), Text(_BEHIND_NAME, moved[2], _BEHIND)
+        names = Text(WORDS["first"], _CORNERS[3], _FRONT), Text(WORDS["second"], moved[2], _BEHIND)
         marks = Marks.of(Line(outline(moved), _BEHIND, 1.5), *names)
         image = Marks.of(*seen_texts(projection.trace([name.point for name in names]), names))
     buffer = buffer_of(projection, settings)
@@ -200,42 +181,30 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Illus
         return Illustration((), world=marks, image=image, copies=copies, warning=buffer)
     first, second = distances(projection, gap, subject)
     share: float | None = None
-    note: Phrase | None = Phrase(_NOT_IN_PICTURE)
+    note: Phrase | None = WORDS.phrase("not-in-picture")
     if len(first):
         share, note = 100.0 * wrong_share(buffer, first, second), None
         w = min(max(float(first.mean()), buffer.near), buffer.far)  # a mean is rounded
         finest = FINEST * (w + math.dist(subject.lower, subject.upper))
         finest = max(finest, _FINEST_PARALLEL * buffer.lens.even_extent)
         if max(gap, float(buffer.gap(w))) < finest:
-            note = Phrase(_TOO_FINE)
+            note = WORDS.phrase("too-fine")
     w = projection.camera.distance
     known = buffer.near <= w <= buffer.far
     smallest = float(buffer.gap(w)) if known else math.nan
-    why = Phrase(_NONE_IS_SURE if smallest == math.inf else _TARGET_OUTSIDE)
+    why = Phrase(WORDS["none-is-sure"] if smallest == math.inf else WORDS["target-outside"])
     readings = (
+        Reading(WORDS["wrong"], share, "%", note),
         Reading(
-            QT_TRANSLATE_NOOP("phenomena", "pixels that show surface 2, which is behind"),
-            share,
-            "%",
-            note,
-        ),
-        Reading(
-            QT_TRANSLATE_NOOP("phenomena", "the same, counted in the picture"),
+            WORDS["counted"],
             None,
             "%",
-            note if share is None else Phrase(_TOO_FEW),
+            note if share is None else WORDS.phrase("too-few"),
             counted=True,
         ),
-        Reading.or_why(
-            QT_TRANSLATE_NOOP("phenomena", "smallest gap that is sure at the target"),
-            smallest if math.isfinite(smallest) else None,
-            why=why,
-        ),
-        Reading(QT_TRANSLATE_NOOP("phenomena", "distance of the target, w"), w),
-        Reading(
-            QT_TRANSLATE_NOOP("phenomena", "codes of the buffer"),
-            float(FORMATS[buffer.format].largest) + 1.0,
-        ),
+        Reading.or_why(WORDS["smallest"], smallest if math.isfinite(smallest) else None, why=why),
+        Reading(WORDS["distance"], w),
+        Reading(WORDS["codes"], float(FORMATS[buffer.format].largest) + 1.0),
     )
     return Illustration(
         readings,
@@ -265,7 +234,7 @@ def _diagram(buffer: DepthBuffer, target: float | None) -> Diagram:
     x_ticks = np.sort(buffer.decode(codes))
     x_ticks = x_ticks[x_ticks <= right]
     return Diagram(
-        QT_TRANSLATE_NOOP("phenomena", "d over w, 32 of the codes"),
+        WORDS["diagram"],
         tuple(curves),
         near,
         right,
@@ -280,21 +249,7 @@ def _diagram(buffer: DepthBuffer, target: float | None) -> Diagram:
 
 
 PHENOMENON = Phenomenon(
-    name="depth-buffer",
-    title=QT_TRANSLATE_NOOP("phenomena", "Depth buffer"),
-    explanation=QT_TRANSLATE_NOOP(
-        "phenomena",
-        "Surface 2 lies behind surface 1 by the gap. Where the depth buffer stores both"
-        " as one code, the surface drawn last is seen: z-fighting. With a perspective lens and the"
-        " standard range most codes lie just behind near, so near decides, far hardly: as the"
-        " scene opens, with its ramp, 63 % of the pixels are wrong, 0 % with near 0.1, 62 % with"
-        " far 60. Codes of up to 24 bits are kept apart exactly.",
-    ),
-    tries=(
-        QT_TRANSLATE_NOOP("phenomena", "Set near to 0.1: what is mended?"),
-        QT_TRANSLATE_NOOP("phenomena", "Set far to 60: does it help as much?"),
-        QT_TRANSLATE_NOOP("phenomena", "Choose 24 bits: is it enough?"),
-    ),
+    WORDS,
     lectures=("000", "001"),
     start=Projection(
         Camera((3.0, 7.0, 15.0), (0.0, 1.5, -8.0)),
@@ -302,47 +257,10 @@ PHENOMENON = Phenomenon(
     ),
     geometry=_geometry,
     show=_show,
-    settings=(
-        Setting(
-            "gap",
-            QT_TRANSLATE_NOOP("phenomena", "Gap"),
-            QT_TRANSLATE_NOOP(
-                "phenomena", "How far surface 2 lies behind surface 1, along the view"
-            ),
-            0.25,
-            low=1e-9,
-            high=1e6,
-            span=(1e-6, 1.0),
-            logarithmic=True,
-        ),
-        Setting(
-            "format",
-            QT_TRANSLATE_NOOP("phenomena", "Format"),
-            QT_TRANSLATE_NOOP("phenomena", "How a depth is stored: whole numbers, or floats"),
-            "fixed16",
-            choices=(
-                ("fixed8", QT_TRANSLATE_NOOP("phenomena", "8 bits")),
-                ("fixed16", QT_TRANSLATE_NOOP("phenomena", "16 bits")),
-                ("fixed24", QT_TRANSLATE_NOOP("phenomena", "24 bits")),
-                ("fixed32", QT_TRANSLATE_NOOP("phenomena", "32 bits")),
-                ("float16", QT_TRANSLATE_NOOP("phenomena", "float of 16 bits")),
-                ("float32", QT_TRANSLATE_NOOP("phenomena", "float of 32 bits")),
-            ),
-        ),
-        Setting(
-            "range",
-            QT_TRANSLATE_NOOP("phenomena", "Depth range"),
-            QT_TRANSLATE_NOOP(
-                "phenomena", "How distance becomes depth; infinite puts the far plane at infinity"
-            ),
-            "standard",
-            choices=(
-                ("standard", QT_TRANSLATE_NOOP("phenomena", "standard, 0 at near")),
-                ("reversed", QT_TRANSLATE_NOOP("phenomena", "reversed, 1 at near")),
-                ("infinite", QT_TRANSLATE_NOOP("phenomena", "standard, far at infinity")),
-                ("logarithmic", QT_TRANSLATE_NOOP("phenomena", "logarithmic")),
-            ),
-        ),
+    adjustable=(
+        Setting("gap", 0.25, 1e-9, 1e6, span=(1e-6, 1.0), logarithmic=True),
+        Setting("format", "fixed16"),
+        Setting("range", "standard"),
     ),
     controls=("lens.near",),
     leading="image",

@@ -20,56 +20,22 @@ from numpy.typing import NDArray
 
 from app.model.clipping import LARGEST_CLIP, clip_segments, cut_at_eye, naive_ndc
 from app.model.projection import Array, Camera, Perspective, Projection
-from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
+from app.model.refusal import Refusal
 from app.scenes.phenomena.diagram import Curve, Diagram, broken
-from app.scenes.phenomena.illustration import Comparison, Illustration, OwnMesh, Phenomenon, Subject
+from app.scenes.phenomena.illustration import Illustration, OwnMesh, Phenomenon, Subject
 from app.scenes.phenomena.marks import Dot, Face, Grip, Line, Mark, Marks, Text, named, plate
 from app.scenes.phenomena.picture import SIDES, image_from_ndc, rectangle
 from app.scenes.phenomena.readout import Phrase, Reading, of_parallel
 from app.scenes.phenomena.settings import Setting, Settings, point
+from app.scenes.phenomena.words import Words
 from app.scenes.shapes import letter_f_edges, letter_f_on_grid
+
+WORDS = Words("eye-plane")
 
 _THROUGH_EYE = 1e-14  # sine of the angle between the ends' rays below which they are one ray
 _RADIUS = 0.93  # of the arc of the naive divide, inside the circle of radius 1
 _STEPS = np.linspace(0.0, 1.0, 65)
 _MARGIN = 0.02  # of the picture's size, round the frame
-
-CASES = (
-    QT_TRANSLATE_NOOP("phenomena", "1: both ends before it"),
-    QT_TRANSLATE_NOOP("phenomena", "2: both ends behind it"),
-    QT_TRANSLATE_NOOP("phenomena", "3: only A behind it"),
-    QT_TRANSLATE_NOOP("phenomena", "4: only B behind it"),
-)
-"""Lecture 004's four cases, as `app.model.clipping.EyeCut` counts them; its cut is before the
-eye."""
-
-_PARALLEL = QT_TRANSLATE_NOOP(
-    "phenomena",
-    "a parallel lens has no eye plane, and divides by 1: choose a perspective lens to cross it",
-)
-_THROUGH = QT_TRANSLATE_NOOP(
-    "phenomena", "the segment points at the eye: its whole line has one point for an image"
-)
-_WITHIN = QT_TRANSLATE_NOOP(
-    "phenomena", "the segment lies in the eye plane: all of its image is at infinity"
-)
-_NONE_BEHIND = QT_TRANSLATE_NOOP("phenomena", "no end is behind the eye, so none is mirrored")
-_AT_INFINITY = QT_TRANSLATE_NOOP("phenomena", "the end lies in the eye plane: its image is at ∞")
-_OFF_AXIS = QT_TRANSLATE_NOOP(
-    "phenomena",
-    "the two agree where the lens' axis meets the middle of the picture; here it meets ({0}, {1})"
-    " px, and their sum is twice that",
-)
-
-_NAIVE = QT_TRANSLATE_NOOP("phenomena", "divided, not cut")
-_CUT = QT_TRANSLATE_NOOP("phenomena", "cut at z = −0.01")
-_CLIPPED = QT_TRANSLATE_NOOP("phenomena", "clipped, then divided")
-
-_SOME_EDGES = QT_TRANSLATE_NOOP(
-    "phenomena",
-    "of the mesh's {1} edges only {0} are drawn so and counted: first those that cross the eye"
-    " plane, then the longest",
-)
 
 _MOST_EDGES = 300
 """Of a mesh of the user's."""
@@ -267,17 +233,17 @@ def _circle(angles: tuple[float, float] | None, in_front: bool) -> Diagram:
         a, b = angles
         # Back into the turn between two infinities, where s itself runs from A' to B'.
         from_a, to_b = (math.remainder(angle, 2.0 * math.pi) for angle in angles)
-        naive = QT_TRANSLATE_NOOP("phenomena", "naive divide")
+        naive = WORDS["arc"]
         curves.append(Curve(_arc(from_a, to_b, _RADIUS), "u", naive, 2.0))
         if in_front:  # of what is behind the eye there is no image
-            image = QT_TRANSLATE_NOOP("phenomena", "image of AB")
+            image = WORDS["image"]
             curves.append(Curve(_arc(a, b, 1.0), "accent", image, 2.5))
         dots += [
             Curve(_arc(a, a, 1.0)[:1], "ink", "A'", dots=True),
             Curve(_arc(b, b, 1.0)[:1], "ink", "B'", dots=True),
         ]
     return Diagram(
-        QT_TRANSLATE_NOOP("phenomena", "the line as a circle"),
+        WORDS["circle"],
         (*curves, *dots), left=-1.4, right=1.4, bottom=-1.4, top=1.4, equal=True,
     )  # fmt: skip
 
@@ -285,7 +251,7 @@ def _circle(angles: tuple[float, float] | None, in_front: bool) -> Diagram:
 def _show(projection: Projection, settings: Settings, subject: Subject) -> Illustration:
     a, b = np.array(point(settings, "start")), np.array(point(settings, "end"))
     mesh = subject.mesh
-    if (parallel := of_parallel(projection, _PARALLEL)) is not None:
+    if (parallel := of_parallel(projection, WORDS["parallel"])) is not None:
         return Illustration((), warning=parallel)
     others = letter_f_edges()[0] if mesh is None else _edges_that_matter(projection.camera, mesh)
     segments = np.concatenate([[(a, b)], others])
@@ -294,12 +260,12 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Illus
     angles = circle_angles(projection, trace.clip[0])
     warning = None
     if angles is None and (a != b).any():
-        warning = Phrase(_THROUGH if trace.view[0, :, 2].any() else _WITHIN)
+        warning = Phrase(WORDS["through"] if trace.view[0, :, 2].any() else WORDS["within"])
     size, way = projection.image_size, str(settings["drawn"])
     diagrams = (
-        _picture(_NAIVE, drawn.naive, "u", size),
-        _picture(_CUT, drawn.cut, "accent", size),
-        _picture(_CLIPPED, drawn.right, "accent", size),
+        _picture(WORDS["naive"], drawn.naive, "u", size),
+        _picture(WORDS["cut"], drawn.cut, "accent", size),
+        _picture(WORDS["clipped"], drawn.right, "accent", size),
         _circle(angles, bool((trace.view[0, :, 2] < 0.0).any())),
     )  # fmt: skip
     return Illustration(
@@ -330,45 +296,33 @@ def _readings(
 ) -> tuple[Reading, ...]:
     behind = [end for end in (1, 0) if view[end, 2] > 0.0]
     ends = mirrored_end(projection, view[behind[0]]) if behind else None
-    absent = None if ends else Phrase(_AT_INFINITY if behind else _NONE_BEHIND)
+    absent = None if ends else Phrase(WORDS["at-infinity"] if behind else WORDS["none-behind"])
     principal, middle = principal_point(projection), [side / 2.0 for side in projection.image_size]
     off_axis = None
     if any(abs(p - m) > 1e-6 * m for p, m in zip(principal, middle, strict=True)):
-        off_axis = Phrase(_OFF_AXIS, tuple(map(float, principal)))
-    wrongly = QT_TRANSLATE_NOOP("phenomena", "F drawn wrongly")
-    missed = QT_TRANSLATE_NOOP("phenomena", "F missed")
+        off_axis = Phrase(WORDS["off-axis"], tuple(map(float, principal)))
+    wrongly = WORDS["letter-wrong"]
+    missed = WORDS["letter-missed"]
     if mesh is not None:
-        wrongly = QT_TRANSLATE_NOOP("phenomena", "mesh drawn wrongly")
-        missed = QT_TRANSLATE_NOOP("phenomena", "mesh missed")
+        wrongly = WORDS["mesh-wrong"]
+        missed = WORDS["mesh-missed"]
     readings = [
-        Reading(
-            QT_TRANSLATE_NOOP("phenomena", "case, by the cut at z = −0.01"),
-            CASES[int(drawn.case[0]) - 1],
-        ),
-        Reading(QT_TRANSLATE_NOOP("phenomena", "AB drawn wrongly"), float(drawn.wrong_px[0]), "px"),
-        Reading(QT_TRANSLATE_NOOP("phenomena", "AB missed"), float(drawn.missed_px[0]), "px"),
-        Reading(
-            QT_TRANSLATE_NOOP("phenomena", "AB left out by the cut at z = −0.01"),
-            float(drawn.left_out_px[0]),
-            "px",
-        ),
+        Reading(WORDS["case"], WORDS[f"case-{drawn.case[0]}"]),
+        Reading(WORDS["ab-wrong"], float(drawn.wrong_px[0]), "px"),
+        Reading(WORDS["ab-missed"], float(drawn.missed_px[0]), "px"),
+        Reading(WORDS["ab-left-out"], float(drawn.left_out_px[0]), "px"),
     ]
     some = None
     counted = len(drawn.case) - 1
     if mesh is not None and counted < mesh.edge_count:
-        some = Phrase(_SOME_EDGES, (str(counted), str(mesh.edge_count)))
-        label = QT_TRANSLATE_NOOP("phenomena", "edges of the mesh that are counted, and all")
+        some = WORDS.phrase("some-edges", str(counted), str(mesh.edge_count))
+        label = WORDS["counted"]
         readings.append(Reading(label, (float(counted), float(mesh.edge_count))))
     readings += [
         Reading(wrongly, float(drawn.wrong_px[1:].sum()), "px", some),
         Reading(missed, float(drawn.missed_px[1:].sum()), "px", some),
-        Reading(QT_TRANSLATE_NOOP("phenomena", "mirrored end"), ends and ends[0], "px", absent),
-        Reading(
-            QT_TRANSLATE_NOOP("phenomena", "frame size minus right end"),
-            ends and ends[1],
-            "px",
-            absent or off_axis,
-        ),
+        Reading(WORDS["mirrored"], ends and ends[0], "px", absent),
+        Reading(WORDS["minus-right"], ends and ends[1], "px", absent or off_axis),
     ]
     return tuple(readings)
 
@@ -419,7 +373,7 @@ def _image_marks(drawn: Pictures) -> Marks:
     marks: list[Mark] = []
     right, wrong = drawn.right[0], drawn.naive[0]
     if drawn.wrong_px[0] > 0.0:
-        word = QT_TRANSLATE_NOOP("phenomena", "wrong")
+        word = WORDS["wrong"]
         marks += [Line(wrong, "u", 1.0), Text(word, wrong.mean(axis=0), "u")]
     if np.isfinite(right).all():
         marks.append(_segment(right, "accent", 2.0))
@@ -443,68 +397,20 @@ def _edges_alone(drawn: Pictures, way: str, size: tuple[int, int]) -> Marks:
 
 
 PHENOMENON = Phenomenon(
-    name="eye-plane",
-    title=QT_TRANSLATE_NOOP("phenomena", "Crossing the eye plane"),
-    explanation=QT_TRANSLATE_NOOP(
-        "phenomena",
-        "A point behind the eye has w < 0: divided by w all the same, its image is mirrored. With"
-        " one end behind, AB is then drawn along the wrong part of its line: the right part goes"
-        " through infinity. So AB must be cut before the divide: at z = −0.01 as in lecture 004,"
-        " or in homogeneous coordinates, which need no such number.",
-    ),
-    tries=(
-        QT_TRANSLATE_NOOP("phenomena", "B is behind the eye: where is it drawn?"),
-        QT_TRANSLATE_NOOP("phenomena", "Go back until AB is drawn right."),
-        QT_TRANSLATE_NOOP("phenomena", "What does cutting before the divide do?"),
-    ),
+    WORDS,
     lectures=("001", "004"),
     start=Projection(
-        Camera((0.8, 2.4, 1.2), (-1.2, 2.4, 0.2)),
-        Perspective(fov_y_deg=75.0, near=0.05, far=30.0),
+        Camera((0.8, 2.4, 1.2), (-1.2, 2.4, 0.2)), Perspective(fov_y_deg=75.0, near=0.05, far=30.0)
     ),
     geometry=partial(letter_f_on_grid, (-4.0, -6.0), (4.0, 6.0)),
     show=_show,
-    settings=(
-        Setting(
-            "start",
-            QT_TRANSLATE_NOOP("phenomena", "Start A"),
-            QT_TRANSLATE_NOOP("phenomena", "Where the segment starts, in world coordinates"),
-            (-2.5, 1.5, 0.0),
-        ),
-        Setting(
-            "end",
-            QT_TRANSLATE_NOOP("phenomena", "End B"),
-            QT_TRANSLATE_NOOP("phenomena", "Where it ends; behind the eye its image is mirrored"),
-            (2.5, 1.8, 2.5),
-        ),
-        Setting(
-            "drawn",
-            QT_TRANSLATE_NOOP("phenomena", "Picture"),
-            QT_TRANSLATE_NOOP(
-                "phenomena",
-                "The faces with AB over them, or the edges alone, drawn in one of the three ways",
-            ),
-            "faces",
-            choices=(
-                ("faces", QT_TRANSLATE_NOOP("phenomena", "faces, with both images of AB")),
-                ("naive", _NAIVE),
-                ("cut", _CUT),
-                ("clipped", _CLIPPED),
-            ),
-        ),
+    adjustable=(
+        Setting("start", (-2.5, 1.5, 0.0)),
+        Setting("end", (2.5, 1.8, 2.5)),
+        Setting("drawn", "faces"),
     ),
     controls=("camera.distance",),
     leading="image",
     own_mesh=True,
-    own_mesh_crosses=True,  # what lies on the floor beside the eye crosses nothing
-    comparisons=(
-        Comparison(
-            "divides",
-            (
-                (QT_TRANSLATE_NOOP("phenomena", "naive"), ("settings.drawn=naive",)),
-                (QT_TRANSLATE_NOOP("phenomena", "cut"), ("settings.drawn=cut",)),
-                (QT_TRANSLATE_NOOP("phenomena", "clipped"), ("settings.drawn=clipped",)),
-            ),
-        ),
-    ),
+    own_mesh_crosses=True,
 )

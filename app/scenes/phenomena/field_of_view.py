@@ -26,24 +26,16 @@ from app.model.projection import (
     fov_x_from_fov_y,
     fov_y_from_focal_length_35mm,
 )
-from app.model.refusal import QT_TRANSLATE_NOOP
-from app.scenes.phenomena.illustration import Comparison, Illustration, Phenomenon, Subject
+from app.scenes.phenomena.illustration import Illustration, Phenomenon, Subject
 from app.scenes.phenomena.marks import Line, Marks, Text
 from app.scenes.phenomena.picture import cut_in_picture, seen_lines, seen_texts
 from app.scenes.phenomena.readout import Phrase, Reading, of_parallel
 from app.scenes.phenomena.settings import CLOSE, Found, Setting, Settings, number
+from app.scenes.phenomena.words import Words
 from app.scenes.shapes import Coloured, box_faces, edges_of, flat, ground_grid, joined
 
-_PARALLEL = QT_TRANSLATE_NOOP("phenomena", "a parallel lens has no field of view, only a width")
-_BEHIND_EYE = QT_TRANSLATE_NOOP("phenomena", "part of the subject is beside the eye or behind it")
-_NOT_SEEN = QT_TRANSLATE_NOOP("phenomena", "nothing of the subject is in the picture")
-_BAR_NOT_SEEN = QT_TRANSLATE_NOOP(
-    "phenomena", "its height in the plane through the target is not in the picture"
-)
-_TOO_LARGE = QT_TRANSLATE_NOOP("phenomena", "too large or too small for a number in pixels")
+WORDS = Words("field-of-view")
 
-_NEAREST = QT_TRANSLATE_NOOP("phenomena", "nearest")
-_FARTHEST = QT_TRANSLATE_NOOP("phenomena", "farthest")
 
 _WIDE_MM, _TELE_MM = 29.0, 105.0
 _WIDE_DISTANCE, _TELE_DISTANCE = 3.0, 36.0
@@ -180,16 +172,12 @@ def _found(projection: Projection, settings: Settings) -> Found:
 
 def _angles(projection: Projection) -> tuple[Reading, ...]:
     lens = projection.lens
-    labels = (
-        (QT_TRANSLATE_NOOP("phenomena", "vertical field of view"), "°"),
-        (QT_TRANSLATE_NOOP("phenomena", "horizontal field of view"), "°"),
-        (QT_TRANSLATE_NOOP("phenomena", "focal length, 35-mm camera"), "mm"),
-    )
+    labels = ((WORDS["vertical"], "°"), (WORDS["horizontal"], "°"), (WORDS["focal"], "mm"))
     angles = lens.angles(Fraction(*projection.image_size))
     values: tuple[float | None, ...] = (None, None, None)
     if angles is not None:
         values = angles.fov_y_deg, angles.fov_x_deg, angles.focal_mm
-    note = of_parallel(projection, _PARALLEL)
+    note = of_parallel(projection, WORDS["parallel"])
     return tuple(
         Reading(label, value, unit, note)
         for (label, unit), value in zip(labels, values, strict=True)
@@ -224,8 +212,9 @@ def _show(projection: Projection, _settings: Settings, subject: Subject) -> Illu
         polylines += [_square(camera, 0.45 * height, depth) for depth in (w_near, w_far)]
         colours += ["near", "far"]
         at_squares = [
-            Text(_NEAREST, polylines[-2][2], "near"), Text(_FARTHEST, polylines[-1][2], "far")
-        ]  # fmt: skip
+            Text(WORDS["nearest"], polylines[-2][2], "near"),
+            Text(WORDS["farthest"], polylines[-1][2], "far"),
+        ]
     at_bar = [] if size is None else [Text(f"{size:.0f} px", bar[1], "accent")]
     at_target = Text(f"d = {distance:.4g}", np.array(camera.target), "accent")
     image_texts = [*at_bar, *at_squares]
@@ -235,19 +224,9 @@ def _show(projection: Projection, _settings: Settings, subject: Subject) -> Illu
     trace = projection.trace(np.array([*segments.reshape(-1, 3), *places]).reshape(-1, 3))
 
     readings = (
-        Reading(QT_TRANSLATE_NOOP("phenomena", "distance d to the target"), distance),
-        Reading(
-            QT_TRANSLATE_NOOP("phenomena", "subject's height, at the target's distance"),
-            size,
-            "px",
-            why,
-        ),
-        Reading.or_why(
-            QT_TRANSLATE_NOOP("phenomena", "foreshortening, nearest : farthest"),
-            ratio,
-            "×",
-            Phrase(_BEHIND_EYE),
-        ),
+        Reading(WORDS["distance"], distance),
+        Reading(WORDS["height"], size, "px", why),
+        Reading.or_why(WORDS["foreshortening"], ratio, "×", WORDS.phrase("behind-eye")),
         *_angles(projection),
     )
     axis = Line(np.array([camera.eye, camera.target]), "accent", 1.0)
@@ -270,12 +249,12 @@ def _size_px(
     subject_trace, trace = projection.trace(subject.points), projection.trace(bar)
     # Beyond one and the same plane all of it is, whatever there is between its vertices.
     if subject_trace.outside.all(axis=0).any():
-        return None, Phrase(_NOT_SEEN)
+        return None, WORDS.phrase("not-seen")
     size_px = float(trace.image[0, 1] - trace.image[1, 1])
     if not size_px > 0.0:  # NaN, too
-        return None, Phrase(_TOO_LARGE)
+        return None, WORDS.phrase("too-large")
     if cut_in_picture(projection, trace.clip[:1], trace.clip[1:])[0] is None:
-        return None, Phrase(_BAR_NOT_SEEN)
+        return None, WORDS.phrase("bar-not-seen")
     return size_px, None
 
 
@@ -308,84 +287,21 @@ def _start() -> Projection:
 
 
 PHENOMENON = Phenomenon(
-    name="field-of-view",
-    title=QT_TRANSLATE_NOOP("phenomena", "Field of view"),
-    explanation=QT_TRANSLATE_NOOP(
-        "phenomena",
-        "The wider the field of view, the nearer the camera must stand for a subject of the same"
-        " size, and the more its near parts outgrow its far ones: the foreshortening is a matter"
-        " of the distance alone. Ride to and fro, and the field of view follows so that things at"
-        " the target's distance keep their size (a dolly zoom). One unit is 10 cm.",
-    ),
-    tries=(
-        QT_TRANSLATE_NOOP("phenomena", "Drag the distance: what keeps its size?"),
-        QT_TRANSLATE_NOOP("phenomena", "Which parts grow when you come near?"),
-        QT_TRANSLATE_NOOP("phenomena", "Compare 29 mm with 105 mm."),
-    ),
+    WORDS,
     lectures=("001", "003"),
     start=_start(),
     geometry=_geometry,
     show=_show,
-    settings=(
+    adjustable=(
+        Setting("preset", "wide"),
         Setting(
-            "preset",
-            QT_TRANSLATE_NOOP("phenomena", "Seen as by"),
-            QT_TRANSLATE_NOOP(
-                "phenomena",
-                "A field of view of lecture 001; the camera stands where things at the target's"
-                " distance have their size",
-            ),
-            "wide",
-            choices=(
-                ("wide", QT_TRANSLATE_NOOP("phenomena", "Photograph: 29 mm at 30 cm")),
-                ("tele", QT_TRANSLATE_NOOP("phenomena", "Photograph: 105 mm at 360 cm")),
-                ("eye", QT_TRANSLATE_NOOP("phenomena", "Human eye: 120° across")),
-                ("monitor", QT_TRANSLATE_NOOP("phenomena", "Monitor: 30° across")),
-                ("phone", QT_TRANSLATE_NOOP("phenomena", "Phone: 5° across")),
-            ),
+            "distance", 1.0, 0.05, 20.0, span=(0.4, 8.0), unit="×", logarithmic=True, per_second=0.5
         ),
-        Setting(
-            "distance",
-            QT_TRANSLATE_NOOP("phenomena", "Distance, times the preset's"),
-            QT_TRANSLATE_NOOP(
-                "phenomena",
-                "Moves the eye to and fro; the field of view holds sizes at the target's distance",
-            ),
-            1.0,
-            low=0.05,
-            high=20.0,
-            span=(0.4, 8.0),
-            unit="×",
-            logarithmic=True,
-            per_second=0.5,
-        ),
-        Setting(
-            "enlarged",
-            QT_TRANSLATE_NOOP("phenomena", "Enlarge the 105-mm photograph"),
-            QT_TRANSLATE_NOOP(
-                "phenomena",
-                "Until things at the target's distance are as large as on the 29-mm one: the middle"
-                " of the picture, and so a narrower field of view",
-            ),
-            True,
-            only_with=("preset", "tele"),
-        ),
+        Setting("enlarged", True, only_with=("preset", "tele")),
     ),
     controls=("lens.fov_y_deg",),
     leading="image",
     follow=_follow,
     found=_found,
     own_mesh=True,
-    comparisons=(
-        Comparison(
-            "photographs",
-            (
-                (QT_TRANSLATE_NOOP("phenomena", "29 mm"), ("settings.preset=wide",)),
-                (
-                    QT_TRANSLATE_NOOP("phenomena", "105 mm"),
-                    ("settings.preset=tele", "settings.enlarged=true"),
-                ),
-            ),
-        ),
-    ),
 )

@@ -25,13 +25,13 @@ import numpy as np
 
 from app.model.lenses.closed_form import FULL_FRAME_DIAGONAL_MM
 from app.model.projection import Array, Camera, Perspective, Projection
-from app.model.refusal import QT_TRANSLATE_NOOP
 from app.scenes.phenomena.diagram import Curve, Diagram
 from app.scenes.phenomena.illustration import Illustration, Phenomenon, Subject
 from app.scenes.phenomena.marks import Dot, Face, Line, Mark, Marks, Text, plate
 from app.scenes.phenomena.picture import section, seen, seen_lines
 from app.scenes.phenomena.readout import Phrase, Reading
 from app.scenes.phenomena.settings import Setting, Settings, number
+from app.scenes.phenomena.words import Words
 from app.scenes.shapes import (
     EDGE_RGB,
     SIDE_RGB,
@@ -44,32 +44,9 @@ from app.scenes.shapes import (
     written_number,
 )
 
+WORDS = Words("focus")
+
 _MM = 1e-3  # in world units, which are metres
-
-_PARALLEL = QT_TRANSLATE_NOOP(
-    "phenomena", "a parallel lens has no focal length: choose a perspective lens to focus it"
-)
-_TOO_CLOSE = QT_TRANSLATE_NOOP(
-    "phenomena",
-    "the focal distance {0} m is not beyond the focal length {1} m: nothing so close has an image",
-)
-_TO_INFINITY = QT_TRANSLATE_NOOP(
-    "phenomena", "∞: focused at the hyperfocal distance or beyond, all that is far away is sharp"
-)
-
-_BOUNDLESS = QT_TRANSLATE_NOOP(
-    "phenomena", "the target is so close to the lens that its disc has no finite size"
-)
-
-_ELLIPSE = QT_TRANSLATE_NOOP(
-    "phenomena",
-    "the picture is stretched: the target's disc is drawn as an ellipse, so wide and so high",
-)
-
-SHARP_FROM = QT_TRANSLATE_NOOP("phenomena", "sharp from")
-SHARP_TO = QT_TRANSLATE_NOOP("phenomena", "sharp to")
-IN_FOCUS = QT_TRANSLATE_NOOP("phenomena", "in focus")
-SHARP = QT_TRANSLATE_NOOP("phenomena", "sharp")
 
 
 class Sharpness(NamedTuple):
@@ -161,12 +138,12 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Illus
     n, focus, c_mm = (number(settings, name) for name in ("aperture", "focus", "confusion"))
     angles = projection.lens.angles(Fraction(*projection.image_size))
     if angles is None:
-        note = Phrase(_PARALLEL)
+        note = WORDS.phrase("parallel")
         readings = (*_readings(None, None, None, note), _target_reading(None, note))
         return Illustration(readings, warning=note)
     f_mm = angles.focal_mm
     if focus <= f_mm * _MM:
-        note = Phrase(_TOO_CLOSE, (focus, f_mm * _MM))
+        note = WORDS.phrase("too-close", focus, f_mm * _MM)
         readings = (*_readings(f_mm, f_mm / n, None, note), _target_reading(None, note))
         return Illustration(readings, warning=note)
     sharp = sharpness(f_mm, n, focus, c_mm)
@@ -175,7 +152,7 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Illus
         disc_mm = float(blur_mm(f_mm, n, focus, target))
     return Illustration(
         (
-            *_readings(f_mm, f_mm / n, sharp, Phrase(_TO_INFINITY)),
+            *_readings(f_mm, f_mm / n, sharp, WORDS.phrase("to-infinity")),
             _drawn_disc(projection, disc_mm),
         ),
         world=_planes(projection, focus, sharp, subject),
@@ -196,12 +173,12 @@ def _readings(
         if sharp.far < math.inf:
             far, depth = sharp.far, sharp.far - sharp.near
     lines = (
-        (SHARP_FROM, near, "m"),
-        (SHARP_TO, far, "m"),
-        (QT_TRANSLATE_NOOP("phenomena", "depth of field"), depth, "m"),
-        (QT_TRANSLATE_NOOP("phenomena", "hyperfocal distance H"), hyperfocal, "m"),
-        (QT_TRANSLATE_NOOP("phenomena", "focal length f"), f_mm, "mm"),
-        (QT_TRANSLATE_NOOP("phenomena", "opening f / N"), opening_mm, "mm"),
+        (WORDS["sharp-from"], near, "m"),
+        (WORDS["sharp-to"], far, "m"),
+        (WORDS["depth-of-field"], depth, "m"),
+        (WORDS["hyperfocal"], hyperfocal, "m"),
+        (WORDS["focal"], f_mm, "mm"),
+        (WORDS["opening"], opening_mm, "mm"),
     )
     return tuple(Reading.or_why(*line, note) for line in lines)
 
@@ -212,8 +189,12 @@ def _drawn_disc(projection: Projection, disc_mm: float) -> Reading:
     stretched = across != up
     blur_px = (across, up) if stretched else (across,)
     if not np.isfinite(blur_px).all():
-        return _target_reading(None, Phrase(_BOUNDLESS))
-    return _target_reading(blur_px, Phrase(_ELLIPSE)) if stretched else _target_reading(blur_px[0])
+        return _target_reading(None, WORDS.phrase("boundless"))
+    return (
+        _target_reading(blur_px, WORDS.phrase("ellipse"))
+        if stretched
+        else _target_reading(blur_px[0])
+    )
 
 
 def _px_per_mm(projection: Projection) -> tuple[float, float]:
@@ -234,7 +215,7 @@ def _px_per_mm(projection: Projection) -> tuple[float, float]:
 def _target_reading(
     blur_px: float | tuple[float, ...] | None, note: Phrase | None = None
 ) -> Reading:
-    return Reading(QT_TRANSLATE_NOOP("phenomena", "blur of the target"), blur_px, "px", note)
+    return Reading(WORDS["blur"], blur_px, "px", note)
 
 
 def _planes(projection: Projection, focus: float, sharp: Sharpness, subject: Subject) -> Marks:
@@ -244,7 +225,7 @@ def _planes(projection: Projection, focus: float, sharp: Sharpness, subject: Sub
     for name, distance, colour, opacity in _crossing(projection, focus, sharp):
         corners = section(projection, distance)
         marks.append(plate(corners, colour, 1.0, opacity))
-        marks.append(Text(name, corners[_NAMED_AT[name]], colour))
+        marks.append(Text(WORDS[name], corners[_NAMED_AT[name]], colour))
     # The frustum's edges, thick where what is between them is sharp.
     low, high = max(near, sharp.near), min(far, sharp.far, 4.0 * (focus + subject.size))
     if low < high:
@@ -253,7 +234,7 @@ def _planes(projection: Projection, focus: float, sharp: Sharpness, subject: Sub
     return Marks.of(*marks)
 
 
-_NAMED_AT = {SHARP_FROM: 0, IN_FOCUS: 2, SHARP_TO: 3}
+_NAMED_AT = {"sharp-from": 0, "in-focus": 2, "sharp-to": 3}
 """At which corner of its plane: the three lie close together, and each name points at its own."""
 
 
@@ -263,9 +244,9 @@ def _crossing(
     """Name, distance, colour and opacity of near limit, focus and far limit in the frustum."""
     near, far = projection.lens.near, projection.lens.far
     planes = (
-        (SHARP_FROM, sharp.near, "v", 0.12),
-        (IN_FOCUS, focus, "accent", 0.3),
-        (SHARP_TO, sharp.far, "v", 0.12),
+        ("sharp-from", sharp.near, "v", 0.12),
+        ("in-focus", focus, "accent", 0.3),
+        ("sharp-to", sharp.far, "v", 0.12),
     )
     return [plane for plane in planes if near <= plane[1] <= far and plane[1] < math.inf]
 
@@ -300,7 +281,7 @@ def _sharp_in_picture(
     sides = np.stack([corners, np.roll(corners, -1, axis=1)], axis=2).reshape(-1, 2, 4)
     lines = seen_lines(projection, sides, ["v"] * len(sides), 2.0)
     tops = projection.trace(_FRONTS[:, 2:].mean(axis=1))  # a number's face, the middle of its top
-    names = [Text(SHARP, top, "v") for top in tops.image[is_sharp & seen(tops)]][:1]
+    names = [Text(WORDS["sharp"], top, "v") for top in tops.image[is_sharp & seen(tops)]][:1]
     with np.errstate(all="ignore"):
         discs_mm = blur_mm(f_mm, n, focus, -tops.view[:, 2])
     half = np.outer(discs_mm / 2.0, _px_per_mm(projection))
@@ -332,81 +313,32 @@ def _diagram(f_mm: float, n: float, focus: float, c_mm: float, sharp: Sharpness)
     limits = [part for part in (sharp.near, sharp.far) if left <= part <= right]
     curve[curve[:, 1] > 1e3 * top] = np.nan
     return Diagram(
-        QT_TRANSLATE_NOOP("phenomena", "blur disc on the film"),
+        WORDS["diagram"],
         (
             Curve(np.array([(left, c_mm), (right, c_mm)]), "muted",
-                  QT_TRANSLATE_NOOP("phenomena", "circle of confusion")),
-            Curve(curve, "ink", QT_TRANSLATE_NOOP("phenomena", "blur disc"), 2.0),
+                  WORDS["confusion"]),
+            Curve(curve, "ink", WORDS["disc"], 2.0),
             *(Curve(np.array([(limit, 0.0), (limit, c_mm)]), "v", width=1.5) for limit in limits),
-            Curve(np.array([(focus, 0.0)]), "accent", IN_FOCUS, dots=True),
+            Curve(np.array([(focus, 0.0)]), "accent", WORDS["in-focus"], dots=True),
         ),
         left=left, right=right, bottom=0.0, top=top,
-        x_label=QT_TRANSLATE_NOOP("phenomena", "distance, m"),
-        y_label=QT_TRANSLATE_NOOP("phenomena", "diameter, mm"),
+        x_label=WORDS["x-label"],
+        y_label=WORDS["y-label"],
     )  # fmt: skip
 
 
 PHENOMENON = Phenomenon(
-    name="focus",
-    title=QT_TRANSLATE_NOOP("phenomena", "Lens and focus"),
-    explanation=QT_TRANSLATE_NOOP(
-        "phenomena",
-        "The synthetic camera has a point for a lens, and all of its picture is sharp; of a real"
-        " lens only what is at the focal distance is drawn as points, and the rest as discs."
-        " Between the two limits the discs are no larger than the circle of confusion and pass for"
-        " points. One world unit is 1 m. The picture itself is not blurred: what is sharp in it is"
-        " outlined, and on top of every other post is the disc as which a point there is drawn.",
-    ),
-    tries=(
-        QT_TRANSLATE_NOOP("phenomena", "Focus on the post at 10 m."),
-        QT_TRANSLATE_NOOP("phenomena", "Make N small: how much stays sharp?"),
-        QT_TRANSLATE_NOOP("phenomena", "From where on is all that is far sharp?"),
-    ),
+    WORDS,
     lectures=("001",),
     start=Projection(
-        Camera((0.0, 1.3, 0.0), (0.0, 1.0, -5.0)),
-        Perspective(fov_y_deg=28.0, near=1.7, far=22.0),
+        Camera((0.0, 1.3, 0.0), (0.0, 1.0, -5.0)), Perspective(fov_y_deg=28.0, near=1.7, far=22.0)
     ),
     geometry=_geometry,
     show=_show,
-    settings=(
-        Setting(
-            "focus",
-            QT_TRANSLATE_NOOP("phenomena", "Focal distance s"),
-            QT_TRANSLATE_NOOP("phenomena", "From the lens to what is in focus"),
-            5.0,
-            low=1e-6,
-            high=1e6,
-            span=(0.3, 30.0),
-            unit="m",
-            logarithmic=True,
-        ),
-        Setting(
-            "aperture",
-            QT_TRANSLATE_NOOP("phenomena", "Aperture N"),
-            QT_TRANSLATE_NOOP(
-                "phenomena",
-                "The f-number: the lens is opened to f / N, and no lens opens wider than f / 0.5",
-            ),
-            2.8,
-            low=0.5,
-            high=1e6,
-            span=(1.0, 64.0),
-            logarithmic=True,
-        ),
-        Setting(
-            "confusion",
-            QT_TRANSLATE_NOOP("phenomena", "Circle of confusion c"),
-            QT_TRANSLATE_NOOP(
-                "phenomena", "Largest disc on 35-mm film that passes for a point: 0.03 mm is usual"
-            ),
-            0.03,
-            low=1e-6,
-            high=10.0,
-            span=(0.005, 0.2),
-            unit="mm",
-            logarithmic=True,
-        ),
+    adjustable=(
+        Setting("focus", 5.0, 1e-6, 1e6, span=(0.3, 30.0), unit="m", logarithmic=True),
+        Setting("aperture", 2.8, 0.5, 1e6, span=(1.0, 64.0), logarithmic=True),
+        Setting("confusion", 0.03, 1e-6, 10.0, span=(0.005, 0.2), unit="mm", logarithmic=True),
     ),
     controls=("lens.fov_y_deg",),
     own_mesh=True,

@@ -15,6 +15,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
+from functools import cached_property
 from types import MappingProxyType
 from typing import Any
 
@@ -26,6 +27,7 @@ from app.scenes.phenomena.diagram import Diagram
 from app.scenes.phenomena.marks import Copy, Grip, Length, Marks, Rendering
 from app.scenes.phenomena.readout import Phrase, Reading
 from app.scenes.phenomena.settings import Found, Setting, Settings, number
+from app.scenes.phenomena.words import Comparison, Words
 from app.scenes.shapes import Coloured
 
 _FREE = QT_TRANSLATE_NOOP(
@@ -136,60 +138,38 @@ def _any(_settings: Settings) -> None:
     """Every combination of settings can be shown."""
 
 
-@dataclass(frozen=True)
-class Comparison:
-    """Pictures of a phenomenon that belong side by side.
-
-    Attributes
-    ----------
-    name : str
-        In the document's words: ``view.compare=NAME``.
-    pictures : tuple of (str, tuple of str)
-        From left to right: what each is called, translatable, and what it has for itself, as
-        ``--set`` has it: ``"settings.preset=wide"``. They follow the document in all else. The
-        document is one of them, the last if it is none of them yet.
-    """
-
-    name: str
-    pictures: tuple[tuple[str, tuple[str, ...]], ...]
-
-
 @dataclass(frozen=True, eq=False)
 class Phenomenon:
     """A phenomenon that the lectures name, as a scene.
 
     Attributes
     ----------
-    name : str
-        Of the scene: ``similar-triangles``.
-    title, explanation : str
-        Translatable; the explanation is two or three sentences.
+    words : Words
+        Its name and its texts.
     lectures : tuple of str
-        Numbers of those that it is from, "000" to "004".
+        The numbers of the lectures that show it, "000" to "004".
     start : Projection
-        From where it is best seen.
+        The camera and lens with which it opens.
     geometry : callable
-        Makes the faces and the lines of the scene: ``geometry() -> (faces, lines)``.
+        ``geometry() -> (faces, lines)`` makes the scene.
     show : callable
         ``show(projection, settings, subject) -> Illustration``.
-    settings : tuple of Setting
+    adjustable : tuple of Setting
+        Its settings, without their words.
     controls : tuple of str
         The model's controls that matter here: ``lens.near``, ``camera.distance``. With the settings
         there are 2 to 4 at a time.
     replaces : tuple of str
-        The model's controls whose work settings do here, so that none is there twice: the lens's
-        ``preset``.
-    tries : tuple of 3 str
-        Translatable: what to try, in short imperatives and questions.
+        The model's controls that the settings replace, such as the lens's ``preset``.
     numbers : int
-        How many readings are seen without being unfolded.
+        How many readings are shown before the readout is unfolded.
     follow : callable
-        ``follow(projection, before, after)``: the projection that goes with changed settings,
-        where a setting moves the camera; before it is what `found` found.
+        ``follow(projection, before, after)`` returns the projection for changed settings, where a
+        setting moves the camera; `before` comes from `found`.
     found : callable
-        ``found(projection, settings)``: those settings that `follow` follows, as camera and lens
-        have them, which may be moved without the settings. Of several values with one outcome
-        those in `settings`; None, or no number, where it is no value's outcome.
+        ``found(projection, settings)`` returns the values that `follow` would need for this
+        projection. Where several values give the same projection it keeps those in `settings`; a
+        value is None, or not finite, where no value gives it.
     check : callable
         Raises a `Refusal` for settings that do not go together.
     requires : frozenset of str
@@ -197,26 +177,20 @@ class Phenomenon:
     leading : str
         The pane that shows it best: ``"world"``, ``"ndc"`` or ``"image"``.
     own_mesh : bool
-        Whether a mesh of the user's can take the place of the built-in subject: scaled and moved
-        into its bounds.
+        Whether a user's mesh, scaled and moved into its bounds, can replace the built-in subject.
     own_mesh_crosses : bool
-        Whether that mesh is rather to reach beyond the bounds: as wide or as high as they are,
-        its front where theirs is, and its right side a sixth of their width farther out.
-    comparisons : tuple of Comparison
-        Those that the lectures make.
+        Whether that mesh reaches beyond the bounds instead: as wide or as high as they are, its
+        front where theirs is, and its right side a sixth of their width farther out.
     """
 
-    name: str
-    title: str
-    explanation: str
+    words: Words
     lectures: tuple[str, ...]
     start: Projection
     geometry: Callable[[], tuple[Coloured, Coloured]]
     show: Callable[[Projection, Settings, Subject], Illustration]
-    settings: tuple[Setting, ...] = ()
+    adjustable: tuple[Setting, ...] = ()
     controls: tuple[str, ...] = ()
     replaces: tuple[str, ...] = ()
-    tries: tuple[str, ...] = ()
     numbers: int = 3
     follow: Callable[[Projection, Found, Settings], Projection] = _keep
     found: Callable[[Projection, Settings], Found] = _nothing
@@ -225,7 +199,31 @@ class Phenomenon:
     leading: str = "world"
     own_mesh: bool = False
     own_mesh_crosses: bool = False
-    comparisons: tuple[Comparison, ...] = ()
+
+    @property
+    def name(self) -> str:
+        """The scene's name: ``similar-triangles``."""
+        return self.words.name
+
+    @property
+    def title(self) -> str:
+        return self.words.title
+
+    @property
+    def explanation(self) -> str:
+        return self.words.explanation
+
+    @property
+    def tries(self) -> tuple[str, ...]:
+        return self.words.tries
+
+    @cached_property
+    def comparisons(self) -> tuple[Comparison, ...]:
+        return self.words.comparisons
+
+    @cached_property
+    def settings(self) -> tuple[Setting, ...]:
+        return tuple(map(self.words.worded, self.adjustable))
 
     def illustration(
         self, projection: Projection, settings: Settings, subject: Subject

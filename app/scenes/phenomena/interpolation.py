@@ -25,14 +25,16 @@ from functools import cache
 import numpy as np
 
 from app.model.projection import Array, Camera, Perspective, Projection
-from app.model.refusal import QT_TRANSLATE_NOOP
 from app.scenes.phenomena.diagram import Curve, Diagram, Spot
-from app.scenes.phenomena.illustration import Comparison, Illustration, Phenomenon, Subject
+from app.scenes.phenomena.illustration import Illustration, Phenomenon, Subject
 from app.scenes.phenomena.marks import Line, Mark, Marks, Rendering, Texture, named
 from app.scenes.phenomena.picture import seen, seen_lines
 from app.scenes.phenomena.readout import Phrase, Reading, of_parallel
 from app.scenes.phenomena.settings import Setting, Settings, number
+from app.scenes.phenomena.words import Words
 from app.scenes.shapes import Coloured, flat, ground_grid
+
+WORDS = Words("interpolation")
 
 TEXELS = 256
 """Of the board's texture, each side."""
@@ -47,29 +49,6 @@ _STEPS = np.linspace(0.0, 1.0, 33)
 """Along the edge that is plotted, on the screen."""
 _MOST_PARTS = 1000
 """Of this many sides of a mesh's triangles, after they are cut, the readings are found."""
-
-_LAID = QT_TRANSLATE_NOOP(
-    "phenomena",
-    "the mesh has the texture laid over its two largest extents; coordinates of its own file are"
-    " not used",
-)
-_SOME = QT_TRANSLATE_NOOP(
-    "phenomena",
-    "the mesh has the texture laid over its two largest extents; only its {0} triangles with the"
-    " longest sides are looked at",
-)
-_CUT = QT_TRANSLATE_NOOP(
-    "phenomena",
-    "the board reaches behind the near plane: there is no picture of the edges that are cut there",
-)
-_PARALLEL = QT_TRANSLATE_NOOP(
-    "phenomena",
-    "with a parallel lens half-way on the screen is half-way in the world: affine is correct",
-)
-_MESH_CUT = QT_TRANSLATE_NOOP(
-    "phenomena",
-    "the mesh reaches behind the near plane: there is no picture of the edges that are cut there",
-)
 
 
 def _geometry() -> tuple[Coloured, Coloured]:
@@ -181,10 +160,7 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Illus
     part = 1.0 / (float(w[1] / w[0]) + 1.0)
     in_world = np.stack([ends.mean(axis=0), ends[0] + part * (ends[1] - ends[0])])
     middles = projection.trace(in_world)
-    words = (
-        QT_TRANSLATE_NOOP("phenomena", "½ in the world"),
-        QT_TRANSLATE_NOOP("phenomena", "½ on the screen"),
-    )
+    words = (WORDS["half-in-world"], WORDS["half-on-screen"])
     world: list[Mark] = [Line(ends, "ink", 1.5)]
     image: list[Mark] = [*seen_lines(projection, trace.clip[None], ("ink",), 1.5)]
     in_image = (middles.image[0], trace.image.mean(axis=0))
@@ -194,7 +170,7 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Illus
         world.append(named(word, place, colour, 1.4))
         if shown:
             image.append(named(word, pixel, colour, 1.4))
-    parallel = of_parallel(projection, _PARALLEL)
+    parallel = of_parallel(projection, WORDS["parallel"])
     return Illustration(
         _readings(errors, part, note, said),
         world=Marks.of(*world),
@@ -227,23 +203,17 @@ def _along_edge(projection: Projection, ends: Array, w: Array) -> tuple[Diagram,
     diagrams = []
     for title, y_label, y, wrong, bounds in (
         (
-            QT_TRANSLATE_NOOP("phenomena", "1/w along the marked edge is straight"),
+            WORDS["one-over-w"],
             "1/w = −1/z",
             1.0 / trace.clip[:, 3],
             affine,
             (0.0, 1.1 / float(w.min())),
         ),
-        (
-            QT_TRANSLATE_NOOP("phenomena", "depth z' = A + B/z along the marked edge is, too"),
-            "z'",
-            trace.ndc[:, 2],
-            None,
-            (low, high),
-        ),
+        (WORDS["depth"], "z'", trace.ndc[:, 2], None, (low, high)),
     ):
         curves = [Curve(np.column_stack([_STEPS, y]), "accent", "", 2.0)]
         if wrong is not None:
-            linear = QT_TRANSLATE_NOOP("phenomena", "if w were linear")
+            linear = WORDS["linear"]
             curves.append(Curve(np.column_stack([_STEPS, wrong]), "u", linear))
         marked = Spot(0.5, float(y[half]), "t = ½", colour="accent")
         diagrams.append(
@@ -254,7 +224,7 @@ def _along_edge(projection: Projection, ends: Array, w: Array) -> tuple[Diagram,
                 right=1.0,
                 bottom=bounds[0],
                 top=bounds[1],
-                x_label=QT_TRANSLATE_NOOP("phenomena", "t, part of the edge on the screen"),
+                x_label=WORDS["t"],
                 y_label=y_label,
                 spots=(marked,),
             )
@@ -266,110 +236,40 @@ def _looked_at(subject: Subject, parts: int) -> tuple[Array, Array, Phrase | Non
     """Triangles, the edge that is marked, what is to be said of them, and what if near cuts."""
     mesh = subject.mesh
     if mesh is None:
-        return _BOARD, _CORNERS[[0, 3]], None, _CUT
+        return _BOARD, _CORNERS[[0, 3]], None, WORDS["cut"]
     triangles = mesh.triangles[: max(1, _MOST_PARTS // parts)]
     some = mesh.more_triangles or len(triangles) < len(mesh.triangles)
-    said = Phrase(_SOME, (str(len(triangles)),)) if some else Phrase(_LAID)
-    return triangles, mesh.edges[0], said, _MESH_CUT
+    said = Phrase(WORDS["some"], (str(len(triangles)),)) if some else WORDS.phrase("laid")
+    return triangles, mesh.edges[0], said, WORDS["mesh-cut"]
 
 
 def _readings(
-    errors: tuple[float, float] | None,
-    part: float | None,
-    note: Phrase | None,
-    said: Phrase | None,
+    errors: tuple[float, float] | None, part: float | None, note: Phrase | None, said: Phrase | None
 ) -> tuple[Reading, ...]:
     """The readout; `note` says why there is none, `said` what it is of."""
     texels, px = (None, None) if errors is None else errors
     return (
-        Reading(
-            QT_TRANSLATE_NOOP("phenomena", "largest error of affine, in texels of 256"),
-            texels,
-            note=note or said,
-        ),
-        Reading(
-            QT_TRANSLATE_NOOP("phenomena", "largest error of affine, on the screen"),
-            px,
-            "px",
-            note,
-        ),
-        Reading.or_why(
-            QT_TRANSLATE_NOOP(
-                "phenomena",
-                "half-way along the marked edge on the screen, in the world, from its nearer end",
-            ),
-            None if part is None else 100.0 * part,
-            "%",
-            note,
-        ),
+        Reading(WORDS["texels"], texels, note=note or said),
+        Reading(WORDS["px"], px, "px", note),
+        Reading.or_why(WORDS["half-way"], None if part is None else 100.0 * part, "%", note),
     )
 
 
 PHENOMENON = Phenomenon(
-    name="interpolation",
-    title=QT_TRANSLATE_NOOP("phenomena", "Perspective-correct interpolation"),
-    explanation=QT_TRANSLATE_NOOP(
-        "phenomena",
-        "What is half-way on the screen is not half-way in the world: along an edge 1/w is linear"
-        " on the screen, and so is s/w, but s is not. Interpolated linearly (affine), a texture"
-        " bends at the diagonal of every quadrangle. Smaller triangles hide it: twice as many"
-        " parts leave more than a quarter of the error while they are few, a quarter in the limit.",
-    ),
-    tries=(
-        QT_TRANSLATE_NOOP("phenomena", "Where does the texture bend?"),
-        QT_TRANSLATE_NOOP("phenomena", "Choose “correct”: what has moved?"),
-        QT_TRANSLATE_NOOP("phenomena", "Double the parts: is the error halved?"),
-    ),
+    WORDS,
     lectures=("002", "003"),
     start=Projection(
-        Camera((1.5, 4.0, 10.0), (0.0, 0.0, 0.5)),
-        Perspective(fov_y_deg=50.0, near=3.0, far=24.0),
+        Camera((1.5, 4.0, 10.0), (0.0, 0.0, 0.5)), Perspective(fov_y_deg=50.0, near=3.0, far=24.0)
     ),
     geometry=_geometry,
     show=_show,
-    settings=(
-        Setting(
-            "interpolation",
-            QT_TRANSLATE_NOOP("phenomena", "Interpolation"),
-            QT_TRANSLATE_NOOP("phenomena", "How the texture's coordinates are spread over a face"),
-            "affine",
-            choices=(
-                ("affine", QT_TRANSLATE_NOOP("phenomena", "affine: s linear on the screen")),
-                ("correct", QT_TRANSLATE_NOOP("phenomena", "correct: s/w and 1/w, divided")),
-            ),
-        ),
-        Setting(
-            "subdivision",
-            QT_TRANSLATE_NOOP("phenomena", "Parts a side"),
-            QT_TRANSLATE_NOOP("phenomena", "Into how many parts the board's sides are cut"),
-            1.0,
-            low=1.0,
-            high=64.0,
-            logarithmic=True,
-            whole=True,
-        ),
-        Setting(
-            "pattern",
-            QT_TRANSLATE_NOOP("phenomena", "Texture"),
-            QT_TRANSLATE_NOOP("phenomena", "Checks, or the coordinates themselves as colours"),
-            "checks",
-            choices=(
-                ("checks", QT_TRANSLATE_NOOP("phenomena", "checks")),
-                ("coordinates", QT_TRANSLATE_NOOP("phenomena", "s red, t green")),
-            ),
-        ),
+    adjustable=(
+        Setting("interpolation", "affine"),
+        Setting("subdivision", 1.0, 1.0, 64.0, logarithmic=True, whole=True),
+        Setting("pattern", "checks"),
     ),
     controls=("camera.azimuth_deg",),
     leading="image",
     requires=frozenset({"texture"}),
     own_mesh=True,
-    comparisons=(
-        Comparison(
-            "interpolation",
-            (
-                (QT_TRANSLATE_NOOP("phenomena", "affine"), ("settings.interpolation=affine",)),
-                (QT_TRANSLATE_NOOP("phenomena", "correct"), ("settings.interpolation=correct",)),
-            ),
-        ),
-    ),
 )

@@ -22,12 +22,12 @@ from app.model.projection import (
     oblique_angles,
     receding_of,
 )
-from app.model.refusal import QT_TRANSLATE_NOOP
 from app.scenes.phenomena.illustration import Illustration, Phenomenon, Subject
 from app.scenes.phenomena.marks import Dot, Line, Mark, Marks, Text
 from app.scenes.phenomena.picture import seen_lines, seen_texts, world_from_view
-from app.scenes.phenomena.readout import Phrase, Reading, figure
+from app.scenes.phenomena.readout import Reading, figure
 from app.scenes.phenomena.settings import CLOSE, Found, Setting, Settings, number
+from app.scenes.phenomena.words import Words
 from app.scenes.shapes import (
     SIDE_RGB,
     Coloured,
@@ -38,22 +38,9 @@ from app.scenes.shapes import (
     joined,
 )
 
-_NOT_PARALLEL = QT_TRANSLATE_NOOP(
-    "phenomena", "with a perspective lens equal edges are drawn unequal: choose the oblique lens"
-)
-_END_ON = QT_TRANSLATE_NOOP("phenomena", "receding edges are seen end on, as points")
-_UNMEASURED = QT_TRANSLATE_NOOP(
-    "phenomena", "the edge's pixels are too many or too few for float64 to measure"
-)
+WORDS = Words("oblique-drawing")
 
-_STRETCHED = QT_TRANSLATE_NOOP(
-    "phenomena",
-    "the picture is stretched {0} times as much upwards as across: faces do not keep their shape",
-)
-_BEFORE = QT_TRANSLATE_NOOP(
-    "phenomena",
-    "the angles α and β give scale and angle as they are before it is stretched",  # noqa: RUF001
-)
+
 _SQUARE = 1e-6
 """Relative to 1: how much longer v may be than u."""
 
@@ -197,27 +184,22 @@ def _show(projection: Projection, _settings: Settings, subject: Subject) -> Illu
     named = np.array([segments[0, 1], *segments[1:].mean(axis=1)])  # where beside them is room
     trace = projection.trace(np.concatenate([ends, corners, named]))
     by_formula = receding_of(lens)
-    warning = Phrase(_NOT_PARALLEL) if lens.central else None
+    warning = WORDS.phrase("not-parallel") if lens.central else None
     drawn = measured(trace.image[:4]) if warning is None else None
     note = None
     if drawn is None:
-        note = warning or Phrase(_UNMEASURED)
+        note = warning or WORDS.phrase("unmeasured")
     elif abs(drawn.up - 1.0) > _SQUARE:
-        note = Phrase(_STRETCHED, (float(drawn.up),))
+        note = WORDS.phrase("stretched", float(drawn.up))
     end_on = drawn is not None and by_formula[0] == 0.0
     has_angle = drawn is not None and not end_on
     readings = [
+        Reading(WORDS["scale"], None if drawn is None else drawn.scale, "×", note),
         Reading(
-            QT_TRANSLATE_NOOP("phenomena", "receding scale as drawn"),
-            None if drawn is None else drawn.scale,
-            "×",
-            note,
-        ),
-        Reading(
-            QT_TRANSLATE_NOOP("phenomena", "receding angle as drawn"),
+            WORDS["angle"],
             drawn.angle_deg if drawn is not None and has_angle else None,
             "°",
-            Phrase(_END_ON) if end_on else note,
+            WORDS.phrase("end-on") if end_on else note,
         ),
     ]
     if isinstance(lens, Oblique):
@@ -226,13 +208,13 @@ def _show(projection: Projection, _settings: Settings, subject: Subject) -> Illu
                 "√(cot²α + cot²β)",  # noqa: RUF001
                 by_formula[0],
                 "×",
-                Phrase(_BEFORE) if drawn is not None and note is not None else None,
+                WORDS.phrase("before") if drawn is not None and note is not None else None,
             ),
             Reading(
                 "atan2(−cot β, −cot α)",  # noqa: RUF001
                 None if end_on or by_formula[0] == 0.0 else by_formula[1],
                 "°",
-                Phrase(_END_ON) if by_formula[0] == 0.0 else None,
+                WORDS.phrase("end-on") if by_formula[0] == 0.0 else None,
             ),
             Reading("α, β", (lens.alpha_deg, lens.beta_deg), "°"),  # noqa: RUF001
         ]
@@ -257,8 +239,7 @@ def _show(projection: Projection, _settings: Settings, subject: Subject) -> Illu
         tuple(readings),
         world=Marks.of(*world),
         image=Marks.of(
-            *seen_lines(projection, segments_clip, colours, 2.0),
-            *seen_texts(trace, texts(named)),
+            *seen_lines(projection, segments_clip, colours, 2.0), *seen_texts(trace, texts(named))
         ),
         warning=warning,
     )
@@ -276,19 +257,7 @@ def _projectors(projection: Projection, corners: Array, view: Array) -> Marks:
 
 
 PHENOMENON = Phenomenon(
-    name="oblique-drawing",
-    title=QT_TRANSLATE_NOOP("phenomena", "Oblique drawing"),
-    explanation=QT_TRANSLATE_NOOP(
-        "phenomena",
-        "All projectors are parallel, but slant towards the image: faces parallel to it keep their"
-        " shape, and receding edges are drawn at one angle and one scale. With scale 1 it is a"
-        " cavalier drawing, with 1/2 a cabinet drawing, and with 0 the orthographic one.",
-    ),
-    tries=(
-        QT_TRANSLATE_NOOP("phenomena", "Play “From orthographic”."),
-        QT_TRANSLATE_NOOP("phenomena", "Which faces keep their shape?"),
-        QT_TRANSLATE_NOOP("phenomena", "Cavalier or cabinet: which looks right?"),
-    ),
+    WORDS,
     replaces=("preset", "receding", "receding_deg"),
     lectures=("002",),
     start=oblique(
@@ -301,53 +270,13 @@ PHENOMENON = Phenomenon(
     ),
     geometry=_geometry,
     show=_show,
-    settings=(
+    adjustable=(
+        Setting("drawing", "cavalier"),
         Setting(
-            "drawing",
-            QT_TRANSLATE_NOOP("phenomena", "Drawing"),
-            QT_TRANSLATE_NOOP("phenomena", "How long receding edges are drawn"),
-            "cavalier",
-            choices=(
-                ("cavalier", QT_TRANSLATE_NOOP("phenomena", "Cavalier: 1 ×")),
-                ("cabinet", QT_TRANSLATE_NOOP("phenomena", "Cabinet: 1/2 ×")),
-                ("free", QT_TRANSLATE_NOOP("phenomena", "Free scale")),
-            ),
+            "receding", 0.7, 0.0, 100.0, span=(0.0, 2.0), unit="×", only_with=("drawing", "free")
         ),
-        Setting(
-            "receding",
-            QT_TRANSLATE_NOOP("phenomena", "Free receding scale"),
-            QT_TRANSLATE_NOOP(
-                "phenomena", "Drawn length of receding edges per true length, of the free drawing"
-            ),
-            0.7,
-            low=0.0,
-            high=100.0,
-            span=(0.0, 2.0),
-            unit="×",
-            only_with=("drawing", "free"),
-        ),
-        Setting(
-            "angle_deg",
-            QT_TRANSLATE_NOOP("phenomena", "Receding angle"),
-            QT_TRANSLATE_NOOP(
-                "phenomena", "Direction in which things recede, from the right, anticlockwise"
-            ),
-            45.0,
-            low=-360.0,
-            high=360.0,
-            span=(-180.0, 180.0),
-            unit="°",
-        ),
-        Setting(
-            "morph",
-            QT_TRANSLATE_NOOP("phenomena", "From orthographic"),
-            QT_TRANSLATE_NOOP("phenomena", "0 is the orthographic drawing, 1 the oblique one"),
-            1.0,
-            low=0.0,
-            high=1.0,
-            unit="",
-            per_second=0.5,
-        ),
+        Setting("angle_deg", 45.0, -360.0, 360.0, span=(-180.0, 180.0), unit="°"),
+        Setting("morph", 1.0, 0.0, 1.0, per_second=0.5),
     ),
     leading="image",
     follow=_follow,

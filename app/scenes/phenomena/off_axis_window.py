@@ -14,33 +14,17 @@ from fractions import Fraction
 import numpy as np
 
 from app.model.projection import Array, Camera, Frustum, Projection
-from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
-from app.scenes.phenomena.illustration import Comparison, Illustration, Phenomenon, Subject
+from app.model.refusal import Refusal
+from app.scenes.phenomena.illustration import Illustration, Phenomenon, Subject
 from app.scenes.phenomena.marks import Line, Mark, Marks, Text, plate
 from app.scenes.phenomena.picture import section
 from app.scenes.phenomena.readout import Phrase, Reading, figure, of_parallel
 from app.scenes.phenomena.settings import Found, Setting, Settings, number
+from app.scenes.phenomena.words import Words
 from app.scenes.shapes import SIDE_RGB, Coloured, box_faces, edges_of, ground_grid, joined, letter_f
 
-_ONE_SCREEN = QT_TRANSLATE_NOOP("phenomena", "there is only one screen, and so no join")
-_TOO_NARROW = QT_TRANSLATE_NOOP("phenomena", "this window is too narrow for two screens")
-_NOT_SEEN = QT_TRANSLATE_NOOP(
-    "phenomena", "no point of the subject that is compared is in the picture"
-)
-_PARALLEL = QT_TRANSLATE_NOOP(
-    "phenomena",
-    "with a parallel lens it is a box that goes through the window, not a frustum from the eye",
-)
-_UNMEASURED = QT_TRANSLATE_NOOP(
-    "phenomena", "the subject's pixels are more than float64 can hold on one of the screens"
-)
-_LEFT = QT_TRANSLATE_NOOP("phenomena", "left screen")
-_RIGHT = QT_TRANSLATE_NOOP("phenomena", "right screen")
-_WINDOW = QT_TRANSLATE_NOOP("phenomena", "window")
-_SIDES_LEFT = QT_TRANSLATE_NOOP("phenomena", "{l}, {r} of the left screen")
-_SIDES_RIGHT = QT_TRANSLATE_NOOP("phenomena", "{l}, {r} of the right screen")
-_SIDES_WINDOW = QT_TRANSLATE_NOOP("phenomena", "{l}, {r} of the window")
-_JOIN = QT_TRANSLATE_NOOP("phenomena", "join")
+WORDS = Words("off-axis-window")
+
 
 _SAMPLE = 100  # about as many vertices are compared at every step
 
@@ -154,17 +138,21 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Illus
         try:
             screens = halves(projection)
         except Refusal:  # said in the illustration, where it belongs to the camera
-            warning = Phrase(_TOO_NARROW)
-    names = (_LEFT, _RIGHT) if len(screens) == 2 else (_WINDOW,)
-    readings = _join_readings(projection, screens, subject, warning or Phrase(_ONE_SCREEN))
-    sides = (_SIDES_LEFT, _SIDES_RIGHT) if len(screens) == 2 else (_SIDES_WINDOW,)
+            warning = WORDS.phrase("too-narrow")
+    names = (WORDS["left"], WORDS["right"]) if len(screens) == 2 else (WORDS["window"],)
+    readings = _join_readings(projection, screens, subject, warning or WORDS.phrase("one-screen"))
+    sides = (
+        (WORDS["sides-left"], WORDS["sides-right"])
+        if len(screens) == 2
+        else (WORDS["sides-window"],)
+    )
     for label, screen in zip(sides, screens, strict=True):
         readings.append(Reading(label, screen.window[:2], about=("left", "right")))
     left, right, bottom, top = projection.window
     readings += [
-        Reading(QT_TRANSLATE_NOOP("phenomena", "{b}, {t}"), (bottom, top), about=("bottom", "top")),
+        Reading(WORDS["bottom-top"], (bottom, top), about=("bottom", "top")),
         Reading(
-            QT_TRANSLATE_NOOP("phenomena", "off the axis, ({r} + {l})/({r} − {l})"),
+            WORDS["off-axis"],
             (left / 2.0 + right / 2.0) / (right / 2.0 - left / 2.0),
             about=("left", "right"),
         ),
@@ -174,7 +162,7 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Illus
         world=_world_marks(projection, screens, names),
         ndc=_ndc_marks(projection, screens),
         image=_image_marks(projection, screens, names),
-        warning=warning or of_parallel(projection, _PARALLEL),
+        warning=warning or of_parallel(projection, WORDS["parallel"]),
     )
 
 
@@ -189,12 +177,12 @@ def _join_readings(
         join = join_error_px(pair)
         points = subject.points[:: max(1, len(subject.points) // _SAMPLE)]
         difference = largest_difference_px(projection, pair, points)
-        unmeasured = Phrase(_NOT_SEEN if difference is None else _UNMEASURED)
+        unmeasured = Phrase(WORDS["not-seen"] if difference is None else WORDS["unmeasured"])
         if difference == math.inf:
             difference = None
-    against = QT_TRANSLATE_NOOP("phenomena", "wall against one picture, float64")
+    against = WORDS["wall"]
     return [
-        Reading.or_why(QT_TRANSLATE_NOOP("phenomena", "error of the join"), join, "px", why),
+        Reading.or_why(WORDS["join-error"], join, "px", why),
         Reading.or_why(against, difference, "px", unmeasured),
     ]
 
@@ -245,7 +233,7 @@ def _ndc_marks(projection: Projection, screens: tuple[Projection, ...]) -> Marks
     x = 2.0 * screens[0].image_size[0] / projection.image_size[0] - 1.0
     z_near, z_far = projection.depth_range
     corners = np.array([(x, -1.0, z_near), (x, 1.0, z_near), (x, 1.0, z_far), (x, -1.0, z_far)])
-    return Marks.of(plate(corners, "accent", 1.5, 0.2), Text(_JOIN, corners[1], "accent"))
+    return Marks.of(plate(corners, "accent", 1.5, 0.2), Text(WORDS["join"], corners[1], "accent"))
 
 
 def _image_marks(
@@ -258,9 +246,9 @@ def _image_marks(
         across = screen.image_size[0]
         end = x + across
         corners = [(end, 0.0), (x, 0.0), (x, height), (end, height)]
-        if name == _RIGHT:  # each is open towards the join, which has a line of its own
+        if name == WORDS["right"]:  # each is open towards the join, which has a line of its own
             corners = [(x, 0.0), (end, 0.0), (end, height), (x, height)]
-        elif name == _WINDOW:
+        elif name == WORDS["window"]:
             corners.append(corners[0])
         marks.append(Line(np.array(corners, dtype=float), colour, 2.0))
         marks.append(Text(name, np.array([x + 0.03 * width, 0.06 * height]), colour))
@@ -268,7 +256,7 @@ def _image_marks(
     if len(screens) == 2:
         column = float(screens[0].image_size[0])
         marks.append(Line(np.array([(column, 0.0), (column, height)]), "accent", 1.5))
-        marks.append(Text(_JOIN, np.array([column, 0.94 * height]), "accent"))
+        marks.append(Text(WORDS["join"], np.array([column, 0.94 * height]), "accent"))
     return Marks.of(*marks)
 
 
@@ -300,20 +288,7 @@ def _follow(projection: Projection, before: Found, after: Settings) -> Projectio
 
 
 PHENOMENON = Phenomenon(
-    name="off-axis-window",
-    title=QT_TRANSLATE_NOOP("phenomena", "Off-axis window"),
-    explanation=QT_TRANSLATE_NOOP(
-        "phenomena",
-        "Walk past a window: it stays in its wall, so the frustum from the eye through it leans,"
-        " and left and right of the near plane's window are no longer opposite. What lies in the"
-        " window's own plane keeps its place in the image. Two screens side by side are two such"
-        " frusta with one eye, and their pictures join without a gap.",
-    ),
-    tries=(
-        QT_TRANSLATE_NOOP("phenomena", "Walk past the window: drag the eye."),
-        QT_TRANSLATE_NOOP("phenomena", "Which way does the frustum lean?"),
-        QT_TRANSLATE_NOOP("phenomena", "What stays in its place in the image?"),
-    ),
+    WORDS,
     lectures=("000", "002", "003"),
     start=Projection(
         Camera((1.5, 2.4, 8.0), (1.5, 2.4, 0.0)),
@@ -322,46 +297,12 @@ PHENOMENON = Phenomenon(
     ),
     geometry=_geometry,
     show=_show,
-    settings=(
-        Setting(
-            "shift",
-            QT_TRANSLATE_NOOP("phenomena", "Eye right of the middle"),
-            QT_TRANSLATE_NOOP(
-                "phenomena",
-                "From the window's middle; moves the eye: the window stays in the world",
-            ),
-            1.5,
-            low=-1e4,
-            high=1e4,
-            span=(-5.0, 5.0),
-            per_second=1.0,
-        ),
-        Setting(
-            "screens",
-            QT_TRANSLATE_NOOP("phenomena", "Screens"),
-            QT_TRANSLATE_NOOP("phenomena", "One window, or a wall of two screens side by side"),
-            "2",
-            choices=(
-                ("1", QT_TRANSLATE_NOOP("phenomena", "One window")),
-                ("2", QT_TRANSLATE_NOOP("phenomena", "A wall of two")),
-            ),
-        ),
+    adjustable=(
+        Setting("shift", 1.5, -1e4, 1e4, span=(-5.0, 5.0), per_second=1.0),
+        Setting("screens", "2"),
     ),
     controls=("lens.left", "lens.right"),
     follow=_follow,
     found=_found,
     own_mesh=True,
-    comparisons=(
-        Comparison(  # which an image of the window's own aspect would not show
-            "proportions",
-            (
-                (QT_TRANSLATE_NOOP("phenomena", "stretch"), ("lens.keep=stretch",)),
-                (QT_TRANSLATE_NOOP("phenomena", "keep x"), ("lens.keep=x",)),
-                (
-                    QT_TRANSLATE_NOOP("phenomena", "keep y"),
-                    ("lens.keep=y", "image.width=720", "image.height=720"),
-                ),
-            ),
-        ),
-    ),
 )

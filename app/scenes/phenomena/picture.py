@@ -71,10 +71,7 @@ def image_from_clip(projection: Projection, points_clip: Array) -> Array:
 
 
 def cut_in_picture(
-    projection: Projection,
-    starts_clip: Array,
-    ends_clip: Array,
-    planes: Iterable[str] = PLANES,
+    projection: Projection, starts_clip: Array, ends_clip: Array, planes: Iterable[str] = PLANES
 ) -> list[Array | None]:
     """What the picture shows of segments between clip points, in pixels.
 

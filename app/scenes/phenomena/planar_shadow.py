@@ -30,7 +30,10 @@ from app.scenes.phenomena.marks import Copy, Dot, Grip, Line, Mark, Marks, Text,
 from app.scenes.phenomena.picture import seen
 from app.scenes.phenomena.readout import Phrase, Reading, figure
 from app.scenes.phenomena.settings import Setting, Settings, number, point
+from app.scenes.phenomena.words import Words
 from app.scenes.shapes import letter_f_on_grid
+
+WORDS = Words("planar-shadow")
 
 ABOVE_THE_PLANE = QT_TRANSLATE_NOOP(
     "Refusal",
@@ -41,25 +44,6 @@ FROM_ABOVE = QT_TRANSLATE_NOOP(
     "must point upward, to the sun: parallel to the plane or from under it, its rays never meet it",
 )
 
-_IN_THE_OBJECT = QT_TRANSLATE_NOOP(
-    "phenomena", "the light is inside the object's bounds: move it out to see the whole shadow"
-)
-_NO_SHADOW = QT_TRANSLATE_NOOP(
-    "phenomena", "every vertex is as high as the light or higher: none has a shadow on the plane"
-)
-_FAR_AWAY = QT_TRANSLATE_NOOP("phenomena", "the shadow is farther than 1e30 away")
-
-_OF_LAMP = QT_TRANSLATE_NOOP(
-    "phenomena", "S = (p·L) I − L pᵀ, plane p = (0, 1, 0, {0}), L = ({1}, {2}, {3}, 1)"
-)
-_OF_SUN = QT_TRANSLATE_NOOP(
-    "phenomena",
-    "S = (p·L) I − L pᵀ, plane p = (0, 1, 0, {0}), L = ({1}, {2}, {3}, 0): the direction over"
-    " its largest part, {4}",
-)
-
-_LAMP = QT_TRANSLATE_NOOP("phenomena", "light")
-_SUN = QT_TRANSLATE_NOOP("phenomena", "sun")
 
 _PANES = ("world", "ndc", "image")
 _TRUSTED = 1e30  # how far away a mark may be
@@ -166,9 +150,9 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Illus
         low <= part <= high
         for low, part, high in zip(subject.lower, light[:3], subject.upper, strict=True)
     )
-    warning = Phrase(_IN_THE_OBJECT) if inside else None
+    warning = WORDS.phrase("in-the-object") if inside else None
     if warning is None and chosen is None:
-        warning = Phrase(_NO_SHADOW)
+        warning = WORDS.phrase("no-shadow")
     return Illustration(
         _readings(
             matrix, _formula(settings, light), light, height, subject, shadows, chosen, too_high
@@ -185,9 +169,9 @@ def _formula(settings: Settings, light: Array) -> Phrase:
     """What S is made of."""
     parts = [-number(settings, "height"), *light[:3].tolist()]
     if light[3] == 1.0:
-        return Phrase(_OF_LAMP, tuple(parts))
+        return Phrase(WORDS["of-lamp"], tuple(parts))
     largest = max(map(abs, point(settings, "light")))
-    return Phrase(_OF_SUN, (*parts, largest))
+    return WORDS.phrase("of-sun", *parts, largest)
 
 
 def _readings(
@@ -201,29 +185,23 @@ def _readings(
     too_high: int,
 ) -> tuple[Reading, ...]:
     place = shadow = met = None
-    note = Phrase(_NO_SHADOW)
+    note = WORDS.phrase("no-shadow")
     if chosen is not None:
         place = subject.points[chosen]
-        note = Phrase(_FAR_AWAY)
+        note = WORDS.phrase("far-away")
         met = on_ray(light, height, place)
         if met is not None and np.isfinite(shadows.places[chosen]).all():
             shadow = shadows.places[chosen]
     off = None if shadow is None or met is None else float(np.linalg.norm(shadow - met))
     return (
         Reading("S", tuple(float(part) + 0.0 for part in matrix.reshape(-1)), note=formula),
-        Reading.or_why(QT_TRANSLATE_NOOP("phenomena", "vertex P"), _three(place), why=note),
-        Reading.or_why(
-            QT_TRANSLATE_NOOP("phenomena", "its shadow S·P / w"), _three(shadow), why=note
-        ),
-        Reading.or_why(
-            QT_TRANSLATE_NOOP("phenomena", "from there to the ray's end"), off, why=note
-        ),
+        Reading.or_why(WORDS["vertex"], _three(place), why=note),
+        Reading.or_why(WORDS["shadow"], _three(shadow), why=note),
+        Reading.or_why(WORDS["off"], off, why=note),
         Reading(
-            QT_TRANSLATE_NOOP("phenomena", "vertices not below the light"),
+            WORDS["too-high"],
             float(too_high),
-            note=Phrase(
-                QT_TRANSLATE_NOOP("phenomena", "of {0} vertices"), (str(len(subject.points)),)
-            ),
+            note=Phrase(WORDS["of-all"], (str(len(subject.points)),)),
         ),
     )
 
@@ -293,7 +271,7 @@ def _marks(
         world.append(Line(np.array([head, foot]), "ink", 1.0))
         above = "L_y − h" if height else "L_y"
         world.append(Text(f"{above} = {figure(head[1] - height, 4)}", (head + foot) / 2.0))
-    world.append(named(_SUN if sun else _LAMP, head, size=1.6))
+    world.append(named(WORDS["sun"] if sun else WORDS["lamp"], head, size=1.6))
     image = Marks()
     if chosen is not None:
         place, shadow = subject.points[chosen], shadows.places[chosen]
@@ -308,68 +286,18 @@ def _marks(
 
 
 PHENOMENON = Phenomenon(
-    name="planar-shadow",
-    title=QT_TRANSLATE_NOOP("phenomena", "Planar shadow"),
-    explanation=QT_TRANSLATE_NOOP(
-        "phenomena",
-        "A shadow is a projection with its centre in the light: the object is drawn once more, in"
-        " one colour, under the matrix S; for the sun, a light at infinity with w = 0, the"
-        " projection is parallel. With a lamp lower than the object's top, what is higher has"
-        " w < 0, and unless it is clipped it is drawn on the other side as an anti-shadow.",
-    ),
-    tries=(
-        QT_TRANSLATE_NOOP("phenomena", "Drag the lamp: where is the shadow?"),
-        QT_TRANSLATE_NOOP("phenomena", "Lower it below the top of the F."),
-        QT_TRANSLATE_NOOP("phenomena", "Stop the clipping: what appears?"),
-    ),
+    WORDS,
     lectures=("002",),
     start=Projection(
-        Camera((6.0, 7.5, 12.0), (1.9, 1.7, -0.6)),
-        Perspective(fov_y_deg=32.0, near=4.0, far=24.0),
+        Camera((6.0, 7.5, 12.0), (1.9, 1.7, -0.6)), Perspective(fov_y_deg=32.0, near=4.0, far=24.0)
     ),
     geometry=partial(letter_f_on_grid, (-8.0, -8.0), (8.0, 8.0)),
     show=_show,
-    settings=(
-        Setting(
-            "kind",
-            QT_TRANSLATE_NOOP("phenomena", "Kind of light"),
-            QT_TRANSLATE_NOOP("phenomena", "A lamp at a point, or the sun: a point at infinity"),
-            "point",
-            choices=(
-                ("point", QT_TRANSLATE_NOOP("phenomena", "Lamp at a point")),
-                ("sun", QT_TRANSLATE_NOOP("phenomena", "Sun")),
-            ),
-        ),
-        Setting(
-            "light",
-            QT_TRANSLATE_NOOP("phenomena", "Light L"),
-            QT_TRANSLATE_NOOP(
-                "phenomena",
-                "Where the lamp is, in world coordinates; of the sun, the direction to it",
-            ),
-            (-4.0, 9.0, 3.0),
-        ),
-        Setting(
-            "height",
-            QT_TRANSLATE_NOOP("phenomena", "Height of the plane"),
-            QT_TRANSLATE_NOOP(
-                "phenomena", "World y of the plane; at most 0, where the object stands"
-            ),
-            0.0,
-            low=-1e6,
-            high=0.0,
-            span=(-4.0, 0.0),
-        ),
-        Setting(
-            "clip",
-            QT_TRANSLATE_NOOP("phenomena", "Clip what is above the light"),
-            QT_TRANSLATE_NOOP(
-                "phenomena",
-                "Only what is between light and plane casts a shadow; without clipping the rest"
-                " casts an anti-shadow, with w < 0",
-            ),
-            True,
-        ),
+    adjustable=(
+        Setting("kind", "point"),
+        Setting("light", (-4.0, 9.0, 3.0)),
+        Setting("height", 0.0, -1e6, 0.0, span=(-4.0, 0.0)),
+        Setting("clip", True),
     ),
     numbers=3,
     check=_check,

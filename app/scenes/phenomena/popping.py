@@ -22,13 +22,16 @@ from numpy.typing import NDArray
 
 from app.model.limits import ABOVE
 from app.model.projection import LARGEST, Array, Camera, Perspective, Projection
-from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
+from app.model.refusal import Refusal
 from app.scenes.phenomena.diagram import Curve, Diagram
 from app.scenes.phenomena.illustration import Illustration, Phenomenon, Subject
 from app.scenes.phenomena.marks import Fog, Level, Rendering
-from app.scenes.phenomena.readout import Phrase, Reading
+from app.scenes.phenomena.readout import Reading
 from app.scenes.phenomena.settings import Found, Setting, Settings, number
+from app.scenes.phenomena.words import Words
 from app.scenes.shapes import Coloured, box_corners, brightness, ground_grid
+
+WORDS = Words("far-plane-popping")
 
 SPEED = 12.0
 """World units a second, when the position is played."""
@@ -39,9 +42,6 @@ TREES = 60
 """In a row."""
 HEIGHT = 5.0
 
-_FAR_AT_INFINITY = QT_TRANSLATE_NOOP("phenomena", "the far plane is at infinity: nothing pops in")
-
-_NONE_POPS = QT_TRANSLATE_NOOP("phenomena", "no tree passes the far plane in the picture")
 
 _TRUNK_RGB, _CROWN_RGB = (150, 100, 60), (0, 158, 115)
 # Of each level: sides of the trunk and of the crown, and radius and height of the crown's rings.
@@ -245,43 +245,20 @@ def _show(projection: Projection, settings: Settings, _subject: Subject) -> Illu
         Level(faces, objects, end)
         for (faces, objects), end in zip(_levels(), (*until, math.inf), strict=True)
     )
-    note = Phrase(_FAR_AT_INFINITY) if far == math.inf else None
+    note = WORDS.phrase("far-at-infinity") if far == math.inf else None
     contrast = 1.0 if fog is None else fog.left(far)
     popped_in, popped_out = popped_per_second(projection, until)
-    why = note if note is not None or popped_in + popped_out > 0.0 else Phrase(_NONE_POPS)
+    why = note if note is not None or popped_in + popped_out > 0.0 else WORDS.phrase("none-pops")
     seen = trees_in_view(projection)
     readings = (
-        Reading(
-            QT_TRANSLATE_NOOP("phenomena", "vertices drawn"),
-            float(vertices_drawn(projection, seen, until)),
-        ),
-        Reading(
-            QT_TRANSLATE_NOOP("phenomena", "vertices drawn without level of detail"),
-            float(VERTICES[0] * int(seen.sum())),
-        ),
-        Reading(
-            QT_TRANSLATE_NOOP(
-                "phenomena", "trees that pop in each second, driving on at 12 units a second"
-            ),
-            popped_in,
-            note=note,
-        ),
-        Reading(
-            QT_TRANSLATE_NOOP("phenomena", "trees that pop out each second, driving on"),
-            popped_out,
-            note=note,
-        ),
-        Reading(
-            QT_TRANSLATE_NOOP("phenomena", "contrast left where they pop"),
-            100.0 * contrast if why is None else None,
-            "%",
-            why,
-        ),
+        Reading(WORDS["vertices"], float(vertices_drawn(projection, seen, until))),
+        Reading(WORDS["without-detail"], float(VERTICES[0] * int(seen.sum()))),
+        Reading(WORDS["pop-in"], popped_in, note=note),
+        Reading(WORDS["pop-out"], popped_out, note=note),
+        Reading(WORDS["contrast"], 100.0 * contrast if why is None else None, "%", why),
     )
     return Illustration(
-        readings,
-        diagrams=(_diagram(fog, far),),
-        rendering=Rendering(fog=fog, levels=levels),
+        readings, diagrams=(_diagram(fog, far),), rendering=Rendering(fog=fog, levels=levels)
     )
 
 
@@ -292,35 +269,15 @@ def _diagram(fog: Fog | None, far: float) -> Diagram:
     left = np.array([1.0 if fog is None else fog.left(at) for at in w.tolist()])
     curves = [Curve(np.stack([w, 100.0 * left], axis=1), "accent", width=2.0)]
     if 0.0 < far <= 1.1 * right:
-        word = QT_TRANSLATE_NOOP("phenomena", "far")
+        word = WORDS["far"]
         curves.append(Curve(np.array([(far, 0.0), (far, 100.0)]), "far", word))
     return Diagram(
-        QT_TRANSLATE_NOOP("phenomena", "Contrast left by fog"),
-        tuple(curves),
-        0.0,
-        1.1 * right,
-        0.0,
-        100.0,
-        x_label="w",
-        y_label="%",
+        WORDS["diagram"], tuple(curves), 0.0, 1.1 * right, 0.0, 100.0, x_label="w", y_label="%"
     )
 
 
 PHENOMENON = Phenomenon(
-    name="far-plane-popping",
-    title=QT_TRANSLATE_NOOP("phenomena", "Popping at the far plane"),
-    explanation=QT_TRANSLATE_NOOP(
-        "phenomena",
-        "What is beyond the far plane is not drawn: on a drive along the avenue, trees appear out"
-        " of nothing, or vanish into it on the way back. Fog hides it if little contrast is left at"
-        " the far plane. Level of detail draws far trees with fewer vertices, which pays for a far"
-        " plane farther away.",
-    ),
-    tries=(
-        QT_TRANSLATE_NOOP("phenomena", "Play the drive: where do trees appear?"),
-        QT_TRANSLATE_NOOP("phenomena", "Choose a fog that hides it."),
-        QT_TRANSLATE_NOOP("phenomena", "Switch the detail on: what is saved?"),
-    ),
+    WORDS,
     lectures=("001",),
     start=Projection(
         Camera((0.5, 2.2, _START_Z), (0.0, 2.0, -40.0)),
@@ -328,85 +285,24 @@ PHENOMENON = Phenomenon(
     ),
     geometry=_geometry,
     show=_show,
-    settings=(
-        Setting(
-            "position",
-            QT_TRANSLATE_NOOP("phenomena", "Position"),
-            QT_TRANSLATE_NOOP("phenomena", "How far the camera has driven along the avenue"),
-            0.0,
-            low=0.0,
-            high=300.0,
-            per_second=SPEED,
-        ),
-        Setting(
-            "fog",
-            QT_TRANSLATE_NOOP("phenomena", "Fog"),
-            QT_TRANSLATE_NOOP("phenomena", "How colours fade into the background with distance"),
-            "none",
-            choices=(
-                ("none", QT_TRANSLATE_NOOP("phenomena", "none")),
-                ("linear", QT_TRANSLATE_NOOP("phenomena", "linear, from start to end")),
-                ("exponential", QT_TRANSLATE_NOOP("phenomena", "exponential, by its density")),
-            ),
-        ),
-        Setting(
-            "fog_start",
-            QT_TRANSLATE_NOOP("phenomena", "Fog starts at"),
-            QT_TRANSLATE_NOOP("phenomena", "Distance at which linear fog begins"),
-            15.0,
-            low=0.0,
-            high=1e6,
-            span=(0.0, 200.0),
-            only_with=("fog", "linear"),
-        ),
-        Setting(
-            "fog_end",
-            QT_TRANSLATE_NOOP("phenomena", "Fog ends at"),
-            QT_TRANSLATE_NOOP("phenomena", "Distance at which linear fog leaves nothing"),
-            66.0,
-            low=1e-3,
-            high=1e6,
-            span=(1.0, 400.0),
-            only_with=("fog", "linear"),
-        ),
+    adjustable=(
+        Setting("position", 0.0, 0.0, 300.0, per_second=SPEED),
+        Setting("fog", "none"),
+        Setting("fog_start", 15.0, 0.0, 1e6, span=(0.0, 200.0), only_with=("fog", "linear")),
+        Setting("fog_end", 66.0, 1e-3, 1e6, span=(1.0, 400.0), only_with=("fog", "linear")),
         Setting(
             "fog_density",
-            QT_TRANSLATE_NOOP("phenomena", "Fog density"),
-            QT_TRANSLATE_NOOP("phenomena", "Of exponential fog: what is left is exp(-density w)"),
             0.05,
-            low=1e-6,
-            high=10.0,
+            1e-6,
+            10.0,
             span=(1e-3, 1.0),
             unit="1/w",
             logarithmic=True,
             only_with=("fog", "exponential"),
         ),
-        Setting(
-            "detail",
-            QT_TRANSLATE_NOOP("phenomena", "Level of detail"),
-            QT_TRANSLATE_NOOP("phenomena", "Draw simpler trees where they are far"),
-            False,
-        ),
-        Setting(
-            "detail_1",
-            QT_TRANSLATE_NOOP("phenomena", "Simpler from"),
-            QT_TRANSLATE_NOOP("phenomena", "Distance from which trees have fewer vertices"),
-            20.0,
-            low=0.0,
-            high=1e6,
-            span=(0.0, 200.0),
-            only_with=("detail", True),
-        ),
-        Setting(
-            "detail_2",
-            QT_TRANSLATE_NOOP("phenomena", "Simplest from"),
-            QT_TRANSLATE_NOOP("phenomena", "Distance from which trees have fewest vertices"),
-            40.0,
-            low=1e-3,
-            high=1e6,
-            span=(1.0, 200.0),
-            only_with=("detail", True),
-        ),
+        Setting("detail", False),
+        Setting("detail_1", 20.0, 0.0, 1e6, span=(0.0, 200.0), only_with=("detail", True)),
+        Setting("detail_2", 40.0, 1e-3, 1e6, span=(1.0, 200.0), only_with=("detail", True)),
     ),
     controls=("lens.far",),
     leading="image",

@@ -29,44 +29,44 @@ YES_OR_NO = QT_TRANSLATE_NOOP("Refusal", "must be true or false")
 class Setting:
     """One thing that can be changed about a phenomenon, beside camera and lens.
 
-    What it is follows from its default: a bool is a switch, a str one of `choices`, a tuple a
-    point or direction of the world, a float a number with a slider.
+    The type of its default says what it is: a bool is a switch, a str one of `choices`, a tuple a
+    point or a direction of the world, a float a number with a slider.
 
     Attributes
     ----------
     name : str
         In the document, ``settings.NAME``.
-    label, tip : str
-        For the control; translatable.
     default : float, bool, str or tuple of 3 floats
     low, high : float
         Bounds of a number, included.
     span : (float, float), optional
-        What the slider covers, within the bounds; all of them if not given.
+        The range of the slider within the bounds; all of it if not given.
     unit : str
-    choices : tuple of (str, str)
-        Values of a choice and their translatable labels.
     logarithmic, whole : bool
-        Of a number: whether its slider runs over powers; whether it counts.
+        Of a number: its slider is logarithmic; it is an integer.
     per_second : float
-        How fast a number moves while it is played; 0 if it is not.
+        How fast a number moves while it is played; 0 if it cannot be played.
     only_with : (str, value), optional
-        Another setting's name, and the value of it without which this one has no effect.
+        The name of another setting, and the only value of it with which this one has an effect.
+    label, tip : str
+        Translatable; like `choices`, they come from the content file (`Words.worded`).
+    choices : tuple of (str, str)
+        The values of a choice and their translatable labels.
     """
 
     name: str
-    label: str
-    tip: str
     default: Value
     low: float = -math.inf
     high: float = math.inf
     span: tuple[float, float] | None = None
     unit: str = ""
-    choices: tuple[tuple[str, str], ...] = ()
     logarithmic: bool = False
     whole: bool = False
     per_second: float = 0.0
     only_with: tuple[str, Value] | None = None
+    label: str = ""
+    tip: str = ""
+    choices: tuple[tuple[str, str], ...] = ()
 
     @property
     def path(self) -> str:

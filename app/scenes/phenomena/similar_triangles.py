@@ -29,19 +29,15 @@ from app.scenes.phenomena.marks import (
     plate,
 )
 from app.scenes.phenomena.picture import section, seen, world_from_view
-from app.scenes.phenomena.readout import Phrase, Reading, figure, of_parallel
+from app.scenes.phenomena.readout import Reading, figure, of_parallel
 from app.scenes.phenomena.settings import Setting, Settings, number, point
+from app.scenes.phenomena.words import Words
 from app.scenes.shapes import box_corners, letter_f_on_grid
+
+WORDS = Words("similar-triangles")
 
 NOT_THE_EYE_PLANE = QT_TRANSLATE_NOOP(
     "Refusal", "must not be 0: the plane would go through the eye, where nothing is cut"
-)
-_BEHIND = QT_TRANSLATE_NOOP(
-    "phenomena", "the point is behind the eye or beside it: its projector meets no plane in front"
-)
-_PARALLEL = QT_TRANSLATE_NOOP(
-    "phenomena",
-    "a parallel lens has no eye that projectors meet in: choose a perspective lens to see them",
 )
 
 _MINUS_ONE_OVER_D = 4 * 3 + 2  # the cell that d is in: row 4, column 3
@@ -118,7 +114,7 @@ def onto_plane(projection: Projection, distance: float, slab: float = 0.0) -> Ar
 def _show(projection: Projection, settings: Settings, subject: Subject) -> Illustration:
     distance = number(settings, "distance")
     place = np.array(point(settings, "point"))
-    if (parallel := of_parallel(projection, _PARALLEL)) is not None:
+    if (parallel := of_parallel(projection, WORDS["parallel"])) is not None:
         return Illustration((), warning=parallel)
     eye = np.array(projection.camera.eye)
 
@@ -162,36 +158,24 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Illus
             Length("top", "x", x, axis, at(x, 0.0, z)),
             Length("top", "x_p", x_p, foot, at(x_p, 0.0, -distance)),
         )
-    note = Phrase(_BEHIND) if x_p is None else None
+    note = WORDS.phrase("behind") if x_p is None else None
     matrix = lecture_matrix(distance)
     readings = (
         Reading(
-            QT_TRANSLATE_NOOP("phenomena", "projection, with −1/d"),
-            tuple(matrix.reshape(-1).tolist()),
-            about=_OF_D,
-            cell=_MINUS_ONE_OVER_D,
+            WORDS["matrix"], tuple(matrix.reshape(-1).tolist()), about=_OF_D, cell=_MINUS_ONE_OVER_D
         ),
         Reading(
-            QT_TRANSLATE_NOOP("phenomena", "of P: (x, y, z, −z/d)"),
+            WORDS["product"],
             tuple((matrix @ (x, y, z, 1.0) + 0.0).tolist()),
             about=(*_OF_D, *_OF_W, *_OF_POINT),
         ),
         Reading("x_p = d·x / w", x_p, note=note, about=_OF_X_P),
         Reading("y_p = d·y / w", y_p, note=note, about=_OF_Y_P),
         Reading(
-            QT_TRANSLATE_NOOP("phenomena", "scale d / w"),
-            None if x_p is None else distance / w,
-            "×",
-            note,
-            about=(*_OF_D, *_OF_W),
+            WORDS["scale"], None if x_p is None else distance / w, "×", note, about=(*_OF_D, *_OF_W)
         ),
         Reading("w", w, about=_OF_W),
-        Reading(
-            QT_TRANSLATE_NOOP("phenomena", "the image on the plane"),
-            QT_TRANSLATE_NOOP("phenomena", "upright")
-            if distance > 0.0
-            else QT_TRANSLATE_NOOP("phenomena", "upside down and left for right"),
-        ),
+        Reading(WORDS["image"], WORDS["upright"] if distance > 0.0 else WORDS["upside-down"]),
     )
     slab = _SLAB * abs(distance) * (nearest if nearest < math.inf else 1.0)
     here = bool(seen(trace))
@@ -223,45 +207,16 @@ def _through(eye: Array, end: Array, hit: Array, distance: float, w: float) -> A
 
 
 PHENOMENON = Phenomenon(
-    name="similar-triangles",
-    title=QT_TRANSLATE_NOOP("phenomena", "Similar triangles"),
-    explanation=QT_TRANSLATE_NOOP(
-        "phenomena",
-        "Every projector runs from a point, of the object or beside it, to the eye; where it meets"
-        " the plane at distance d is the point's image. The two triangles between eye, axis and"
-        " projector are similar, so x_p : d = x : w. With d below 0 the plane is behind the eye, as"
-        " in a camera obscura: the image is upside down.",
-    ),
-    tries=(
-        QT_TRANSLATE_NOOP("phenomena", "Drag d: how large is the image of P?"),
-        QT_TRANSLATE_NOOP("phenomena", "Double d: what are x_p and y_p now?"),
-        QT_TRANSLATE_NOOP("phenomena", "Make d negative: what turns over?"),
-    ),
+    WORDS,
     lectures=("000", "001", "002", "004"),
     start=Projection(
-        Camera((5.5, 3.6, 9.5), (0.3, 2.4, 0.0)),
-        Perspective(fov_y_deg=40.0, near=2.0, far=14.0),
+        Camera((5.5, 3.6, 9.5), (0.3, 2.4, 0.0)), Perspective(fov_y_deg=40.0, near=2.0, far=14.0)
     ),
     geometry=partial(letter_f_on_grid, (-4.0, -2.0), (4.0, 10.0)),
     show=_show,
-    settings=(
-        Setting(
-            "distance",
-            QT_TRANSLATE_NOOP("phenomena", "Plane distance d"),
-            QT_TRANSLATE_NOOP(
-                "phenomena", "From the eye to the plane of projection; below 0 behind the eye"
-            ),
-            4.0,
-            low=-1e6,
-            high=1e6,
-            span=(-8.0, 12.0),
-        ),
-        Setting(
-            "point",
-            QT_TRANSLATE_NOOP("phenomena", "Point P"),
-            QT_TRANSLATE_NOOP("phenomena", "The point whose projector is followed"),
-            (1.5, 5.0, 0.5),
-        ),
+    adjustable=(
+        Setting("distance", 4.0, -1e6, 1e6, span=(-8.0, 12.0)),
+        Setting("point", (1.5, 5.0, 0.5)),
     ),
     controls=("lens.fov_y_deg", "camera.distance"),
     numbers=6,

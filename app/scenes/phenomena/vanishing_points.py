@@ -16,7 +16,6 @@ from typing import NamedTuple
 import numpy as np
 
 from app.model.projection import Array, Camera, Orbit, Perspective, Projection, Trace
-from app.model.refusal import QT_TRANSLATE_NOOP
 from app.scenes.phenomena.diagram import Curve, Diagram, broken
 from app.scenes.phenomena.illustration import Illustration, Phenomenon, Subject
 from app.scenes.phenomena.marks import Line, Mark, Marks, Text, named
@@ -29,6 +28,7 @@ from app.scenes.phenomena.picture import (
 )
 from app.scenes.phenomena.readout import Phrase, Reading, of_parallel
 from app.scenes.phenomena.settings import CLOSE, Found, Setting, Settings, number
+from app.scenes.phenomena.words import Words
 from app.scenes.shapes import (
     EDGE_RGB,
     SIDE_RGB,
@@ -40,29 +40,9 @@ from app.scenes.shapes import (
     joined,
 )
 
-_AT_INFINITY = QT_TRANSLATE_NOOP(
-    "phenomena",
-    "V_{0} is at infinity: edges along {0} stay parallel, at {1}° from the right",
-)
-_END_ON = QT_TRANSLATE_NOOP("phenomena", "edges along {0} are seen end on, as points")
-_PARALLEL = QT_TRANSLATE_NOOP(
-    "phenomena", "with a parallel lens parallel edges stay parallel in the image"
-)
-_P_AT_INFINITY = QT_TRANSLATE_NOOP("phenomena", "P's image is at infinity")
-_OUT_OF_RANGE = QT_TRANSLATE_NOOP("phenomena", "{0} is beyond what float64 can hold in pixels")
+WORDS = Words("vanishing-points")
 
-_KINDS = (
-    QT_TRANSLATE_NOOP("phenomena", "parallel projection"),
-    QT_TRANSLATE_NOOP("phenomena", "1-point perspective"),
-    QT_TRANSLATE_NOOP("phenomena", "2-point perspective"),
-    QT_TRANSLATE_NOOP("phenomena", "3-point perspective"),
-)
-_LABELS = (
-    QT_TRANSLATE_NOOP("phenomena", "V_x of edges along x"),
-    QT_TRANSLATE_NOOP("phenomena", "V_y of edges along y"),
-    QT_TRANSLATE_NOOP("phenomena", "V_z of edges along z"),
-)
-_HORIZON = QT_TRANSLATE_NOOP("phenomena", "horizon")
+
 _AXES, _COLOURS = ("x", "y", "z"), ("u", "v", "n")
 
 _VIEWS = {"1": (0.0, 0.0), "2": (40.0, 0.0), "3": (44.0, 30.0)}  # azimuth, elevation, degrees
@@ -276,7 +256,7 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Illus
     there = running(projection, from_corner, (toward, size * point.clip), number(settings, "t"))
 
     finite = sum(p.clip[3] > 0.0 for p in points)
-    readings = [Reading(QT_TRANSLATE_NOOP("phenomena", "kind of projection"), _KINDS[finite])]
+    readings = [Reading(WORDS["kind"], WORDS[f"kind-{finite}"])]
     readings += [_pixel_reading(projection, number, p) for number, p in enumerate(points)]
     why_no_v = readings[1 + axis].note
     readings += _running_readings(point, there, why_no_v)
@@ -285,21 +265,22 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Illus
         world=_world_marks(projection, points, subject, start, there),
         image=_image_marks(projection, points, trace.clip, from_corner[1], there),
         diagrams=_diagrams(projection, points, trace),
-        warning=of_parallel(projection, _PARALLEL),
+        warning=of_parallel(projection, WORDS["parallel"]),
     )
 
 
 def _pixel_reading(projection: Projection, axis: int, point: Vanishing) -> Reading:
-    label, name = _LABELS[axis], _AXES[axis]
+    name = _AXES[axis]
+    label = WORDS[name]
     if point.pixel is not None:
         x, y = point.pixel.tolist()
         return Reading(label, (x, y), "px")
     if point.clip[3] > 0.0:
-        return Reading(label, None, "px", Phrase(_OUT_OF_RANGE, (f"V_{name}",)))
+        return Reading(label, None, "px", WORDS.phrase("out-of-range", f"V_{name}"))
     angle_deg = drawn_angle_deg(projection, point.clip)
     if angle_deg is None:
-        return Reading(label, None, "px", Phrase(_END_ON, (name,)))
-    return Reading(label, None, "px", Phrase(_AT_INFINITY, (name, float(angle_deg))))
+        return Reading(label, None, "px", WORDS.phrase("end-on", name))
+    return Reading(label, None, "px", WORDS.phrase("at-infinity", name, float(angle_deg)))
 
 
 def _running_readings(point: Vanishing, at: Running, why_no_v: Phrase | None) -> list[Reading]:
@@ -307,16 +288,20 @@ def _running_readings(point: Vanishing, at: Running, why_no_v: Phrase | None) ->
     rest: float | None = None
     note = None
     if at.pixel is None:
-        note = Phrase(_P_AT_INFINITY) if at.clip[3] == 0.0 else Phrase(_OUT_OF_RANGE, ("P",))
+        note = (
+            WORDS.phrase("p-at-infinity")
+            if at.clip[3] == 0.0
+            else WORDS.phrase("out-of-range", "P")
+        )
     else:
         pixel = tuple(at.pixel.tolist())
     if at.pixel is not None and point.pixel is not None:
         rest = math.dist(at.pixel, point.pixel)
     why_no_rest = note if point.pixel is not None else why_no_v
-    to_v = QT_TRANSLATE_NOOP("phenomena", "from P to V")
+    to_v = WORDS["to-v"]
     return [
-        Reading(QT_TRANSLATE_NOOP("phenomena", "w of P = (1 − t)·C + t·(D : 0)"), at.w),
-        Reading(QT_TRANSLATE_NOOP("phenomena", "image of P"), pixel, "px", note),
+        Reading(WORDS["w"], at.w),
+        Reading(WORDS["image"], pixel, "px", note),
         Reading.or_why(to_v, rest, "px", why_no_rest),
     ]
 
@@ -355,7 +340,10 @@ def _image_marks(
     line = horizon(projection)
     held = None if line is None else line_in_rectangle(line, (0.0, 0.0), size)
     if held is not None:
-        marks += [Line(held, "ink", 1.0), Text(_HORIZON, held[0] + 0.25 * (held[1] - held[0]))]
+        marks += [
+            Line(held, "ink", 1.0),
+            Text(WORDS["horizon"], held[0] + 0.25 * (held[1] - held[0])),
+        ]
     return Marks.of(*marks)
 
 
@@ -420,12 +408,12 @@ def _diagrams(
     if line is not None:
         held = line_in_rectangle(line, (low[0], low[1]), (high[0], high[1]))
     if held is not None:
-        curves.append(Curve(held, "ink", _HORIZON, 1.2))
+        curves.append(Curve(held, "ink", WORDS["horizon"], 1.2))
     for axis, pixel in shown:
         curves.append(Curve(pixel[None], _COLOURS[axis], f"V_{_AXES[axis]}", dots=True))
     return (
         Diagram(
-            QT_TRANSLATE_NOOP("phenomena", "Vanishing points"),
+            WORDS["diagram"],
             tuple(curves),
             *(float(low[0]), float(high[0]), float(high[1]), float(low[1])),
             x_label="x (px)",
@@ -452,20 +440,7 @@ def _found(projection: Projection, settings: Settings) -> Found:
 
 
 PHENOMENON = Phenomenon(
-    name="vanishing-points",
-    title=QT_TRANSLATE_NOOP("phenomena", "Vanishing points"),
-    explanation=QT_TRANSLATE_NOOP(
-        "phenomena",
-        "Edges that are parallel in the world meet in the image, at the vanishing point of their"
-        " direction: where the ray from the eye along it meets the picture. A direction parallel to"
-        " the picture has none, so a box has one, two or three. As w of the point P goes to 0, P"
-        " runs to infinity, and its image to the vanishing point.",
-    ),
-    tries=(
-        QT_TRANSLATE_NOOP("phenomena", "Which edges meet, and where?"),
-        QT_TRANSLATE_NOOP("phenomena", "Drag t to 1: where does P go?"),
-        QT_TRANSLATE_NOOP("phenomena", "Turn the azimuth: when is V at infinity?"),
-    ),
+    WORDS,
     lectures=("002", "003"),
     start=Projection(
         Camera.from_orbit((0.0, 1.3, 0.0), Orbit(*_VIEWS["2"], 6.0)),
@@ -474,39 +449,10 @@ PHENOMENON = Phenomenon(
     ),
     geometry=_geometry,
     show=_show,
-    settings=(
-        Setting(
-            "points",
-            QT_TRANSLATE_NOOP("phenomena", "Perspective"),
-            QT_TRANSLATE_NOOP("phenomena", "Turns the camera about its target"),
-            "2",
-            choices=(
-                ("1", QT_TRANSLATE_NOOP("phenomena", "1-point")),
-                ("2", QT_TRANSLATE_NOOP("phenomena", "2-point")),
-                ("3", QT_TRANSLATE_NOOP("phenomena", "3-point")),
-                ("free", QT_TRANSLATE_NOOP("phenomena", "Free: turn the camera yourself")),
-            ),
-        ),
-        Setting(
-            "edge",
-            QT_TRANSLATE_NOOP("phenomena", "P runs along"),
-            QT_TRANSLATE_NOOP("phenomena", "The direction D of the edge that P follows"),
-            "z",
-            choices=tuple((axis, axis) for axis in _AXES),
-        ),
-        Setting(
-            "t",
-            QT_TRANSLATE_NOOP("phenomena", "t, to infinity at 1"),
-            QT_TRANSLATE_NOOP(
-                "phenomena",
-                "P = (1 − t)·C + t·(D : 0): at the corner C for 0, at infinity for 1, beyond it,"
-                " coming back from the other side, above 1",
-            ),
-            0.6,
-            low=0.0,
-            high=2.0,
-            per_second=0.15,
-        ),
+    adjustable=(
+        Setting("points", "2"),
+        Setting("edge", "z"),
+        Setting("t", 0.6, 0.0, 2.0, per_second=0.15),
     ),
     controls=("camera.azimuth_deg",),
     numbers=4,

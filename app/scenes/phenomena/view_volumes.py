@@ -15,23 +15,16 @@ import numpy as np
 from numpy.typing import NDArray
 
 from app.model.projection import Camera, Perspective, Projection
-from app.model.refusal import QT_TRANSLATE_NOOP
 from app.scenes.phenomena.illustration import Illustration, Phenomenon, Subject
 from app.scenes.phenomena.marks import Dot, Face, Line, Mark, Marks, Text
 from app.scenes.phenomena.picture import drawn_planes, image_from_ndc, seen_texts, world_from_view
 from app.scenes.phenomena.readout import Phrase, Reading, of_parallel
 from app.scenes.phenomena.settings import Found, Setting, Settings
+from app.scenes.phenomena.words import Words
 from app.scenes.shapes import Coloured, box_faces, edges_of, flat, ground_grid, joined
 
-_INFINITE = QT_TRANSLATE_NOOP("phenomena", "far is infinite, and so is the volume")
-_OUT_OF_RANGE = QT_TRANSLATE_NOOP("phenomena", "too large or too small for a float64 number")
-_NO_CONE = QT_TRANSLATE_NOOP(
-    "phenomena", "a parallel lens has no eye for a cone to start in: its own volume is shown"
-)
-_CONE = QT_TRANSLATE_NOOP(
-    "phenomena", "no lens makes a cone: what is drawn is all that lies in the pyramid round it"
-)
-_TRUNCATED_CONE = QT_TRANSLATE_NOOP("phenomena", "truncated cone")
+WORDS = Words("view-volumes")
+
 _LENS = {
     "pyramid": "perspective", "cone": "perspective", "box": "orthographic", "oblique": "oblique",
 }  # fmt: skip
@@ -161,24 +154,26 @@ def _cone_marks(projection: Projection) -> tuple[Marks, Marks, Marks]:
 
 def _show(projection: Projection, settings: Settings, _subject: Subject) -> Illustration:
     asked = settings["volume"] == "cone"
-    no_cone = of_parallel(projection, _NO_CONE)
+    no_cone = of_parallel(projection, WORDS["no-cone"])
     cone = asked and no_cone is None
     size = volume(projection, cone)
     note = None
     if size is None:
-        note = Phrase(_INFINITE if projection.lens.far == math.inf else _OUT_OF_RANGE)
+        note = Phrase(
+            WORDS["infinite"] if projection.lens.far == math.inf else WORDS["out-of-range"]
+        )
     inside = held(projection, cone)
     names = [name for name, here in zip(POINTS, inside, strict=True) if here]
-    none = QT_TRANSLATE_NOOP("phenomena", "none")
+    none = WORDS["none"]
     readings = (
         Reading(
-            QT_TRANSLATE_NOOP("phenomena", "view volume"),
-            _TRUNCATED_CONE if cone else projection.lens.shape,
-            note=Phrase(_CONE) if cone else None,
+            WORDS["kind"],
+            WORDS["truncated-cone"] if cone else projection.lens.shape,
+            note=WORDS.phrase("cone") if cone else None,
         ),
-        Reading(QT_TRANSLATE_NOOP("phenomena", "its volume, cubic units"), size, note=note),
-        Reading(QT_TRANSLATE_NOOP("phenomena", "test points inside"), float(len(names))),
-        Reading(QT_TRANSLATE_NOOP("phenomena", "these are"), ", ".join(names) or none),
+        Reading(WORDS["size"], size, note=note),
+        Reading(WORDS["count"], float(len(names))),
+        Reading(WORDS["names"], ", ".join(names) or none),
     )
     texts = [
         Text(name, place, "accent") if here else Text(f"({name})", place)
@@ -217,43 +212,14 @@ def _found(projection: Projection, settings: Settings) -> Found:
 
 
 PHENOMENON = Phenomenon(
-    name="view-volumes",
-    title=QT_TRANSLATE_NOOP("phenomena", "View volumes"),
-    explanation=QT_TRANSLATE_NOOP(
-        "phenomena",
-        "Only what lies in the view volume is drawn. An eye sees a truncated cone; a perspective"
-        " lens takes the pyramid round it, because a picture is a rectangle; a parallel lens has"
-        " a box, straight or oblique, which is the view from very far away. A test point in"
-        " brackets lies outside.",
-    ),
-    tries=(
-        QT_TRANSLATE_NOOP("phenomena", "Move near and far past the points."),
-        QT_TRANSLATE_NOOP("phenomena", "Which of A to E are inside now?"),
-        QT_TRANSLATE_NOOP("phenomena", "Choose the box: which come, which go?"),
-    ),
+    WORDS,
     lectures=("001",),
     start=Projection(
-        Camera((0.0, 3.0, 8.0), (0.0, 3.0, 0.0)),
-        Perspective(fov_y_deg=40.0, near=3.0, far=13.0),
+        Camera((0.0, 3.0, 8.0), (0.0, 3.0, 0.0)), Perspective(fov_y_deg=40.0, near=3.0, far=13.0)
     ),
     geometry=_geometry,
     show=_show,
-    settings=(
-        Setting(
-            "volume",
-            QT_TRANSLATE_NOOP("phenomena", "View volume"),
-            QT_TRANSLATE_NOOP(
-                "phenomena", "Changes the lens; the picture of the target's plane stays"
-            ),
-            "pyramid",
-            choices=(
-                ("pyramid", QT_TRANSLATE_NOOP("phenomena", "Pyramid (perspective)")),
-                ("box", QT_TRANSLATE_NOOP("phenomena", "Box (orthographic)")),
-                ("oblique", QT_TRANSLATE_NOOP("phenomena", "Oblique box (oblique)")),
-                ("cone", QT_TRANSLATE_NOOP("phenomena", "Cone (the eye's own)")),
-            ),
-        ),
-    ),
+    adjustable=(Setting("volume", "pyramid"),),
     controls=("lens.near", "lens.far"),
     numbers=4,
     follow=_follow,
