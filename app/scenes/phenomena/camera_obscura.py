@@ -17,7 +17,7 @@ from app.scenes.phenomena.diagram import Curve, Diagram
 from app.scenes.phenomena.illustration import Illustration, Phenomenon, Subject
 from app.scenes.phenomena.marks import Copy, Dot, Line, Mark, Marks, Text, named, plate
 from app.scenes.phenomena.picture import section, seen, seen_lines, world_from_view
-from app.scenes.phenomena.readout import Reading, of_parallel
+from app.scenes.phenomena.readout import Reading
 from app.scenes.phenomena.settings import Found, Setting, Settings, number
 from app.scenes.phenomena.similar_triangles import onto_plane
 from app.scenes.phenomena.words import Words
@@ -61,7 +61,7 @@ def _arrow(projection: Projection, subject: Subject) -> Array:
 
 
 def _show(projection: Projection, _settings: Settings, subject: Subject) -> Illustration:
-    if (parallel := of_parallel(projection, WORDS["parallel"])) is not None:
+    if (parallel := WORDS.parallel(projection)) is not None:
         return Illustration((), warning=parallel)
     camera, d = projection.camera, projection.lens.near
     hole, arrow = np.array(camera.eye), _arrow(projection, subject)

@@ -29,7 +29,7 @@ from app.model.projection import (
 from app.scenes.phenomena.illustration import Illustration, Phenomenon, Subject
 from app.scenes.phenomena.marks import Line, Marks, Text
 from app.scenes.phenomena.picture import cut_in_picture, seen_lines, seen_texts
-from app.scenes.phenomena.readout import Phrase, Reading, of_parallel
+from app.scenes.phenomena.readout import Phrase, Reading
 from app.scenes.phenomena.settings import CLOSE, Found, Setting, Settings, number
 from app.scenes.phenomena.words import Words
 from app.scenes.shapes import Coloured, box_faces, edges_of, flat, ground_grid, joined
@@ -177,7 +177,7 @@ def _angles(projection: Projection) -> tuple[Reading, ...]:
     values: tuple[float | None, ...] = (None, None, None)
     if angles is not None:
         values = angles.fov_y_deg, angles.fov_x_deg, angles.focal_mm
-    note = of_parallel(projection, WORDS["parallel"])
+    note = WORDS.parallel(projection)
     return tuple(
         Reading(label, value, unit, note)
         for (label, unit), value in zip(labels, values, strict=True)

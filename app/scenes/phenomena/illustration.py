@@ -5,9 +5,9 @@ A phenomenon of the lectures is a scene with settings of its own and one functio
     show(projection, settings, subject) -> Illustration
 
 The illustration holds the readout (numbers with their units), marks to draw over each pane, copies
-of the scene under further matrices, diagrams beside the panes, and how the scene is to be
-rasterised. It is made anew at every change, from nothing but the arguments, so that panes, panel,
-figures and tests all show the same. `settings`, `readout`, `marks` and `diagram` hold its parts.
+of the scene under further matrices, diagrams beside the panes, and how the scene is rasterised. It
+is made anew at every change, from the arguments alone, so that panes, panel, figures and tests all
+show the same. `settings`, `readout`, `marks` and `diagram` define its parts, `words` its texts.
 """
 
 from __future__ import annotations
@@ -41,23 +41,16 @@ class Illustration:
 
     Attributes
     ----------
-    readings : tuple of Reading
-    world, ndc, image : Marks
-    copies : tuple of Copy
-    diagrams : tuple of Diagram
-    rendering : Rendering, optional
     warning : Phrase, optional
-        Why something cannot be shown as things are.
-    grips : tuple of Grip
+        Why something cannot be shown at present.
     measured : tuple of (str, float)
-        Distances from the eye plane that the scene has letters for: what the flat views of the
-        world measure. Without one of its own, d is the target's.
-    lengths : tuple of Length
+        Distances from the eye plane and their letters, which the flat views of the world measure.
+        Unless there is a d among them, d is the target's.
     idle : bool
-        Whether nothing of the phenomenon is shown, whatever its settings; `warning` says why.
+        The phenomenon shows nothing, whatever its settings; `warning` says why.
     about : tuple of str
-        What it is about just now, by the names of `app.lecture.highlight`: it stands out in all
-        panes and panels, until somebody points at something else.
+        Names of `app.lecture.highlight` that are highlighted in all panes and panels until the user
+        points at something else.
     """
 
     readings: tuple[Reading, ...]
@@ -77,21 +70,20 @@ class Illustration:
 
 @dataclass(frozen=True, eq=False)
 class OwnMesh:
-    """Of a mesh of the user's what a phenomenon reckons edge by edge, in world coordinates.
+    """The parts of a user's mesh that a phenomenon computes with, in world coordinates.
 
     Attributes
     ----------
     edges : (m, 2, 3) array
-        Of its faces, each once, the longest first; of a large mesh only those.
+        The edges of its faces, each once, the longest first; of a large mesh only the longest.
     edge_count : int
-        How many it has, all of them.
+        The number of all its edges.
     triangles : (t, 3, 3) array
         As they are rasterised, those with the longest sides first; of a larger mesh only those.
     more_triangles : bool
         Whether it has more than these.
     surface : (s, 3, 3) array
-        All of its triangles, those of a large mesh brought together to fewer; none where its
-        pixels are not reckoned.
+        All its triangles, simplified for a large mesh; empty unless its pixels are computed.
     """
 
     edges: Array
@@ -103,16 +95,16 @@ class OwnMesh:
 
 @dataclass(frozen=True, eq=False)
 class Subject:
-    """What is looked at, without the ground grid.
+    """The object of the scene, without the ground grid.
 
     Attributes
     ----------
     lower, upper : tuple of 3 floats
         World bounds.
     points : (n, 3) array
-        Its vertices in world coordinates; those of a large mesh are sampled.
+        Its vertices in world coordinates; a sample of those of a large mesh.
     mesh : OwnMesh, optional
-        If it is the user's, in the place of the built-in subject.
+        The user's mesh, if it replaces the built-in subject.
     """
 
     lower: Vector
@@ -122,7 +114,7 @@ class Subject:
 
     @property
     def size(self) -> float:
-        """Diagonal of its bounds."""
+        """The diagonal of its bounds."""
         return math.dist(self.lower, self.upper)
 
 
@@ -228,20 +220,20 @@ class Phenomenon:
     def illustration(
         self, projection: Projection, settings: Settings, subject: Subject
     ) -> Illustration:
-        """What is shown; of a free matrix, that has no lens to show it with, only that."""
+        """The illustration, or only a warning for a free matrix, which has no lens to show."""
         if is_free(projection):
             return Illustration((), warning=Phrase(_FREE), idle=True)
         return self.show(projection, settings, subject)
 
     def at_hand(self, projection: Projection, settings: Settings) -> Found:
-        """All settings as camera and lens have them, perhaps beyond the bounds of what is chosen.
+        """All settings as camera and lens have them, perhaps beyond the bounds of a setting.
 
-        A free matrix has none, and leaves all as they were chosen.
+        For a free matrix the settings stay as they were chosen.
         """
         if is_free(projection):
             return settings
         found = dict(self.found(projection, settings))
-        for setting in self.settings:
+        for setting in self.adjustable:
             value = found.get(setting.name)
             if isinstance(value, float):
                 found[setting.name] = setting.rounded(value, number(settings, setting.name))
@@ -250,29 +242,29 @@ class Phenomenon:
     def changed(
         self, projection: Projection, settings: Settings, values: Mapping[str, Any]
     ) -> tuple[Projection, Settings]:
-        """Choose some settings: the projection that goes with them, and all settings then.
+        """Choose some settings; returns the projection for them, and all settings then.
 
-        What camera and lens have of the others is chosen with them. A value that was chosen once
-        and holds no more can be chosen again.
+        The other settings take the values that camera and lens have now. A value that was chosen
+        before, but no longer holds, can be chosen again.
 
         Raises
         ------
         Refusal
-            If the scene cannot have them, or no projection goes with them.
+            If the scene cannot have these values, or no projection fits them.
         """
         found = self.at_hand(projection, settings)
-        # What nobody asks for stays, on both sides, where it cannot be chosen as it is.
+        # A setting that is not changed here keeps its value if what was found cannot be chosen.
         before = {**self._possible(found, settings), **{name: found.get(name) for name in values}}
         after = self.checked({**before, **values})
         if after == before:
             return projection, settings
         projection = self.follow(projection, before, after)
-        if None in before.values():  # what was off goes with others now, which it has put right
+        if None in before.values():  # `follow` has also corrected the others
             after = self.checked(self._possible(self.at_hand(projection, after), after))
         return projection, after
 
     def _possible(self, found: Found, chosen: Settings) -> Settings:
-        """What was found, and what had been chosen where that is no value to choose."""
+        """The found values that can be chosen, and the chosen ones in place of the others."""
         values = {**chosen}
         for setting in self.settings:
             value = found[setting.name]
@@ -281,23 +273,20 @@ class Phenomenon:
         return values
 
     def checked(self, values: Mapping[str, Any]) -> Settings:
-        """Complete and check settings.
+        """Complete the settings with their defaults, and check them.
 
         Raises
         ------
         Refusal
-            For a value that one of them cannot have, and for values that do not go together.
+            For a value that its setting cannot have, and for values that do not go together.
         """
         settings = MappingProxyType(
-            {
-                setting.name: setting.checked(values.get(setting.name, setting.default))
-                for setting in self.settings
-            }
+            {each.name: each.checked(values.get(each.name, each.default)) for each in self.settings}
         )
         self.check(settings)
         return settings
 
 
 def is_free(projection: Projection) -> bool:
-    """Whether a matrix was typed in the place of the lens that a phenomenon is shown with."""
+    """Whether a typed matrix replaces the lens."""
     return projection.lens.former is not projection.lens

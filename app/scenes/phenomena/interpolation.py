@@ -29,7 +29,7 @@ from app.scenes.phenomena.diagram import Curve, Diagram, Spot
 from app.scenes.phenomena.illustration import Illustration, Phenomenon, Subject
 from app.scenes.phenomena.marks import Line, Mark, Marks, Rendering, Texture, named
 from app.scenes.phenomena.picture import seen, seen_lines
-from app.scenes.phenomena.readout import Phrase, Reading, of_parallel
+from app.scenes.phenomena.readout import Phrase, Reading
 from app.scenes.phenomena.settings import Setting, Settings, number
 from app.scenes.phenomena.words import Words
 from app.scenes.shapes import Coloured, flat, ground_grid
@@ -170,7 +170,7 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Illus
         world.append(named(word, place, colour, 1.4))
         if shown:
             image.append(named(word, pixel, colour, 1.4))
-    parallel = of_parallel(projection, WORDS["parallel"])
+    parallel = WORDS.parallel(projection)
     return Illustration(
         _readings(errors, part, note, said),
         world=Marks.of(*world),

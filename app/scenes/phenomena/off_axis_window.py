@@ -18,7 +18,7 @@ from app.model.refusal import Refusal
 from app.scenes.phenomena.illustration import Illustration, Phenomenon, Subject
 from app.scenes.phenomena.marks import Line, Mark, Marks, Text, plate
 from app.scenes.phenomena.picture import section
-from app.scenes.phenomena.readout import Phrase, Reading, figure, of_parallel
+from app.scenes.phenomena.readout import Phrase, Reading, figure
 from app.scenes.phenomena.settings import Found, Setting, Settings, number
 from app.scenes.phenomena.words import Words
 from app.scenes.shapes import SIDE_RGB, Coloured, box_faces, edges_of, ground_grid, joined, letter_f
@@ -162,7 +162,7 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Illus
         world=_world_marks(projection, screens, names),
         ndc=_ndc_marks(projection, screens),
         image=_image_marks(projection, screens, names),
-        warning=warning or of_parallel(projection, WORDS["parallel"]),
+        warning=warning or WORDS.parallel(projection),
     )
 
 

@@ -29,7 +29,7 @@ from app.scenes.phenomena.marks import (
     plate,
 )
 from app.scenes.phenomena.picture import section, seen, world_from_view
-from app.scenes.phenomena.readout import Reading, figure, of_parallel
+from app.scenes.phenomena.readout import Reading, figure
 from app.scenes.phenomena.settings import Setting, Settings, number, point
 from app.scenes.phenomena.words import Words
 from app.scenes.shapes import box_corners, letter_f_on_grid
@@ -114,7 +114,7 @@ def onto_plane(projection: Projection, distance: float, slab: float = 0.0) -> Ar
 def _show(projection: Projection, settings: Settings, subject: Subject) -> Illustration:
     distance = number(settings, "distance")
     place = np.array(point(settings, "point"))
-    if (parallel := of_parallel(projection, WORDS["parallel"])) is not None:
+    if (parallel := WORDS.parallel(projection)) is not None:
         return Illustration((), warning=parallel)
     eye = np.array(projection.camera.eye)
 

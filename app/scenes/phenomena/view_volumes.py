@@ -18,7 +18,7 @@ from app.model.projection import Camera, Perspective, Projection
 from app.scenes.phenomena.illustration import Illustration, Phenomenon, Subject
 from app.scenes.phenomena.marks import Dot, Face, Line, Mark, Marks, Text
 from app.scenes.phenomena.picture import drawn_planes, image_from_ndc, seen_texts, world_from_view
-from app.scenes.phenomena.readout import Phrase, Reading, of_parallel
+from app.scenes.phenomena.readout import Phrase, Reading
 from app.scenes.phenomena.settings import Found, Setting, Settings
 from app.scenes.phenomena.words import Words
 from app.scenes.shapes import Coloured, box_faces, edges_of, flat, ground_grid, joined
@@ -154,7 +154,7 @@ def _cone_marks(projection: Projection) -> tuple[Marks, Marks, Marks]:
 
 def _show(projection: Projection, settings: Settings, _subject: Subject) -> Illustration:
     asked = settings["volume"] == "cone"
-    no_cone = of_parallel(projection, WORDS["no-cone"])
+    no_cone = WORDS.parallel(projection)
     cone = asked and no_cone is None
     size = volume(projection, cone)
     note = None

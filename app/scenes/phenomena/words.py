@@ -30,6 +30,7 @@ from functools import cached_property
 from pathlib import Path
 from typing import NamedTuple
 
+from app.model.projection import Projection
 from app.scenes.phenomena.readout import Phrase
 from app.scenes.phenomena.settings import Setting
 
@@ -106,6 +107,10 @@ class Words:
     def phrase(self, key: str, *values: str | float) -> Phrase:
         """A sentence, and the values to fill in."""
         return Phrase(self[key], values)
+
+    def parallel(self, projection: Projection) -> Phrase | None:
+        """The sentence "parallel" for a lens whose projectors do not meet in an eye."""
+        return None if projection.lens.central else self.phrase("parallel")
 
     @property
     def title(self) -> str:
