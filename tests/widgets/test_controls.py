@@ -53,7 +53,7 @@ from app.model.projection import (
     fov_x_from_fov_y,
 )
 from app.model.refusal import Refusal
-from app.scenes import mesh_files as meshes
+from app.scenes import mesh as meshes
 from app.scenes import scene
 from app.scenes.phenomena import PHENOMENA
 from tests.support.controls import (
