@@ -45,7 +45,7 @@ class Inside(NamedTuple):
     cut: NDArray[np.bool_]
 
     def of(self, chosen: NDArray[np.bool_]) -> Inside:
-        return Inside(*(part[chosen] for part in self))
+        return Inside(self.rows[chosen], self.ndc[chosen], self.w[chosen], self.cut[chosen])
 
 
 def inside(projection: Projection, segments_world: Array) -> Inside:
@@ -152,7 +152,7 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Illus
     # Over the picture, where x' and y' are straight either way.
     pixels = image_from_ndc(projection, part.ndc[own])
     image = Marks(tuple(Line(pair, "accent", 2.0) for pair in pixels))
-    note = WORDS.parallel(projection)
+    note = WORDS.of_parallel(projection)
     if note is not None:
         lines = [Line(pair, "muted") for pair in part.ndc[~own]]
         lines += [Line(pair, "accent", 2.0) for pair in part.ndc[own]]

@@ -61,7 +61,7 @@ def _arrow(projection: Projection, subject: Subject) -> Array:
 
 
 def _show(projection: Projection, _settings: Settings, subject: Subject) -> Illustration:
-    if (parallel := WORDS.parallel(projection)) is not None:
+    if (parallel := WORDS.of_parallel(projection)) is not None:
         return Illustration((), warning=parallel)
     camera, d = projection.camera, projection.lens.near
     hole, arrow = np.array(camera.eye), _arrow(projection, subject)

@@ -209,8 +209,8 @@ def _circle(angles: tuple[float, float] | None, in_front: bool) -> Diagram:
     dots = [Curve(np.array([(0.0, 1.0)]), "ink", "∞", dots=True)]
     if angles is not None:
         # Back into the turn between two infinities, where s itself runs from A' to B'.
-        naive = _arc(*(math.remainder(angle, 2.0 * math.pi) for angle in angles), _RADIUS)
-        curves.append(Curve(naive, "u", WORDS["arc"], 2.0))
+        from_a, to_b = (math.remainder(angle, 2.0 * math.pi) for angle in angles)
+        curves.append(Curve(_arc(from_a, to_b, _RADIUS), "u", WORDS["arc"], 2.0))
         if in_front:  # nothing behind the eye has an image
             curves.append(Curve(_arc(*angles, 1.0), "accent", WORDS["image"], 2.5))
         for angle, name in zip(angles, ("A'", "B'"), strict=True):
@@ -221,7 +221,7 @@ def _circle(angles: tuple[float, float] | None, in_front: bool) -> Diagram:
 def _show(projection: Projection, settings: Settings, subject: Subject) -> Illustration:
     a, b = np.array(point(settings, "start")), np.array(point(settings, "end"))
     mesh = subject.mesh
-    if (parallel := WORDS.parallel(projection)) is not None:
+    if (parallel := WORDS.of_parallel(projection)) is not None:
         return Illustration((), warning=parallel)
     others = letter_f_edges()[0] if mesh is None else _edges_that_matter(projection.camera, mesh)
     trace = projection.trace(np.concatenate([[(a, b)], others]))

@@ -170,7 +170,7 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Illus
         world.append(named(word, place, colour, 1.4))
         if shown:
             image.append(named(word, pixel, colour, 1.4))
-    parallel = WORDS.parallel(projection)
+    parallel = WORDS.of_parallel(projection)
     return Illustration(
         _readings(errors, part, note, said),
         world=Marks.of(*world),

@@ -114,7 +114,7 @@ def onto_plane(projection: Projection, distance: float, slab: float = 0.0) -> Ar
 def _show(projection: Projection, settings: Settings, subject: Subject) -> Illustration:
     distance = number(settings, "distance")
     place = np.array(point(settings, "point"))
-    if (parallel := WORDS.parallel(projection)) is not None:
+    if (parallel := WORDS.of_parallel(projection)) is not None:
         return Illustration((), warning=parallel)
     eye = np.array(projection.camera.eye)
 

@@ -253,7 +253,7 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Illus
         world=_world_marks(projection, points, subject, start, there),
         image=_image_marks(projection, points, trace.clip, from_corner[1], there),
         diagrams=(_diagram(projection, points, trace),),
-        warning=WORDS.parallel(projection),
+        warning=WORDS.of_parallel(projection),
     )
 
 

@@ -108,7 +108,7 @@ class Words:
         """A sentence, and the values to fill in."""
         return Phrase(self[key], values)
 
-    def parallel(self, projection: Projection) -> Phrase | None:
+    def of_parallel(self, projection: Projection) -> Phrase | None:
         """The sentence "parallel" for a lens whose projectors do not meet in an eye."""
         return None if projection.lens.central else self.phrase("parallel")
 
