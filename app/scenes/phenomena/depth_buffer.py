@@ -1,9 +1,10 @@
-"""The depth buffer: two surfaces a little apart, and the pixels that show the wrong one.
+"""The depth buffer: two surfaces close together, and the pixels that show the wrong one.
 
-A depth buffer keeps one code a pixel, so that two surfaces nearer to each other than a step of
-the codes are stored as one; what is drawn last then wins, and stripes of the hidden surface
-appear (z-fighting). A perspective lens with the standard range spends most codes just behind the
-near plane: at w >> n the step is ``w^2/(n 2^bits)`` (lectures 000 and 001; `app.model.depth`).
+A depth buffer keeps one code for each pixel, so that two surfaces nearer to each other than a step
+of the codes are stored as one. The one that is drawn last then wins, and stripes of the hidden
+surface appear (z-fighting). A perspective lens with the standard range spends most codes just
+behind the near plane: at w >> n the step is ``w^2/(n 2^bits)`` (lectures 000 and 001;
+`app.model.depth`).
 
 The hidden surface is the visible one moved away along n by the gap. On a plane with normal m, in
 view space, that is a gap of ``gap / (1 - (m_x X + m_y Y)/m_z)`` along the projector ``(X, Y, -1)``.
@@ -33,16 +34,14 @@ from app.scenes.shapes import Coloured, flat, ground_grid
 WORDS = Words("depth-buffer")
 
 FINEST = 2.0**-17
-"""Relative to the distance: what is finer than this drowns in the graphics card's own float32."""
-_FINEST_PARALLEL = 2.0**-21
-"""The same of a parallel lens, whose depth is linear, relative to far - near."""
-
+"""Relative to the distance: anything finer drowns in the graphics card's own float32."""
+_FINEST_PARALLEL = 2.0**-21  # the same for a parallel lens, whose depth is linear, of far - near
 
 _FRONT_RGB, _FRONT, _BEHIND = (230, 159, 0), "#e69f00", "#0072b2"
+# A ramp that leads away, so that one picture has many distances.
 _CORNERS = np.array([(-5.0, 0, 4), (5, 0, 4), (5, 6, -44), (-5, 6, -44)])
-"""A ramp that leads away, so that one picture has many distances."""
+# A Fibonacci lattice has as many rows and columns as places: stripes are rows or columns.
 _SAMPLES, _STRIDE = 1597, 987
-"""A Fibonacci lattice: as many rows and columns as places, since stripes are rows or columns."""
 _LATTICE = (np.arange(_SAMPLES)[:, None] * (1, _STRIDE) % _SAMPLES + 0.5) / _SAMPLES
 _TICKS = 32  # of all codes, evenly spread
 _MAPPINGS = {"standard": "opengl", "infinite": "opengl"}
@@ -55,14 +54,14 @@ def _geometry() -> tuple[Coloured, Coloured]:
 
 
 def buffer_of(projection: Projection, settings: Settings) -> DepthBuffer | Phrase:
-    """The depth buffer that the settings describe, or why there is none."""
+    """The depth buffer of the settings, or why there is none."""
     lens, chosen = projection.lens, str(settings["range"])
     try:
         if chosen == "infinite":
             lens = lens.but(far=math.inf)
         return DepthBuffer(str(settings["format"]), _MAPPINGS.get(chosen, chosen), lens)
     except Refusal:
-        return Phrase(WORDS["no-infinite"] if chosen == "infinite" else WORDS["no-log"])
+        return WORDS.phrase("no-infinite" if chosen == "infinite" else "no-log")
 
 
 def moved_behind(projection: Projection, gap: float) -> Array:
@@ -75,19 +74,9 @@ def moved_behind(projection: Projection, gap: float) -> Array:
 def distances(projection: Projection, gap: float, subject: Subject) -> tuple[Array, Array]:
     """Distances of both surfaces from the eye plane, at places spread evenly over the picture.
 
-    Parameters
-    ----------
-    projection : Projection
-    gap : float
-        Along n.
-    subject : Subject
-        The ramp: rays through a lattice of places are cut with its plane. A mesh of the user's:
-        its triangles are cut with rays through places of a grid.
-
-    Returns
-    -------
-    (first, second) : (k,) arrays
-        Between near and far; none where the picture does not show both.
+    Both (k,), between near and far; empty if the picture does not show both. Rays through a lattice
+    of places are cut with the plane of the ramp, rays through a grid with the triangles of a user's
+    mesh.
     """
     near, far = projection.lens.near, projection.lens.far
     if subject.mesh is not None:
@@ -96,9 +85,8 @@ def distances(projection: Projection, gap: float, subject: Subject) -> tuple[Arr
     rays = _rays(projection, corners.clip)
     if rays is None:
         return np.empty(0), np.empty(0)
-    starts, directions = rays
-    first, inside_first = _cut(corners.view, starts, directions)
-    second, inside_second = _cut(corners.view - (0.0, 0.0, gap), starts, directions)
+    first, inside_first = _cut(corners.view, *rays)
+    second, inside_second = _cut(corners.view - (0.0, 0.0, gap), *rays)
     low, high = np.minimum(first, second), np.maximum(first, second)
     seen = inside_first & inside_second & (low >= near) & (high <= far)
     return first[seen], second[seen]
@@ -107,7 +95,7 @@ def distances(projection: Projection, gap: float, subject: Subject) -> tuple[Arr
 def wrong_share(buffer: DepthBuffer, first: Array, second: Array) -> float:
     """The share of places where the second surface, drawn last, hides a first one in front of it.
 
-    Drawn last it wins where the codes are the same: the depth test lets equal depths pass.
+    It wins where the codes are the same, because the depth test lets equal depths pass.
     """
     if not len(first):
         return math.nan
@@ -116,11 +104,11 @@ def wrong_share(buffer: DepthBuffer, first: Array, second: Array) -> float:
 
 
 def _rays(projection: Projection, corners_clip: Array) -> tuple[Array, Array] | None:
-    """Rays in view space through a lattice over what the ramp covers: ``start + w direction``."""
+    """View-space rays ``start + w direction`` through a lattice over what the ramp covers."""
     largest = float(np.abs(corners_clip).max())
     if not 0.0 < largest < math.inf:
         return None
-    # Near and far are looked at later, with all their digits.
+    # Near and far are compared later, with all their digits.
     polygon = clip_polygon(corners_clip / largest, projection.depth, SIDES).points_clip
     if not len(polygon) or not (polygon[:, 3] >= 0.0).all():
         return None
@@ -152,7 +140,7 @@ def _spread(polygon: Array) -> Array:
 
 
 def _cut(corners: Array, starts: Array, directions: Array) -> tuple[Array, NDArray[np.bool_]]:
-    """Where rays meet a parallelogram's plane, as w, and whether it is inside."""
+    """The w at which rays meet a parallelogram's plane, and whether that is inside."""
     origin, across, along = corners[0], corners[1] - corners[0], corners[3] - corners[0]
     normal = np.cross(across, along)
     with np.errstate(all="ignore"):
@@ -168,52 +156,56 @@ def _cut(corners: Array, starts: Array, directions: Array) -> tuple[Array, NDArr
 def _show(projection: Projection, settings: Settings, subject: Subject) -> Illustration:
     gap = number(settings, "gap")
     matrix = moved_behind(projection, gap)
-    # In the other panes, whose depth buffers are their own, its outline is enough.
+    # The other panes have their own depth buffers, so there its outline is enough.
     copies = (Copy(matrix, panes=("image",), colour=_BEHIND),)
     marks = image = Marks()
     if subject.mesh is None:
         moved = _CORNERS + matrix[:3, 3]
-        names = Text(WORDS["first"], _CORNERS[3], _FRONT), Text(WORDS["second"], moved[2], _BEHIND)
+        names = (
+            Text(WORDS["first"], _CORNERS[3], _FRONT),
+            Text(WORDS["second"], moved[2], _BEHIND),
+        )
         marks = Marks.of(Line(outline(moved), _BEHIND, 1.5), *names)
         image = Marks.of(*seen_texts(projection.trace([name.point for name in names]), names))
     buffer = buffer_of(projection, settings)
     if isinstance(buffer, Phrase):
         return Illustration((), world=marks, image=image, copies=copies, warning=buffer)
-    first, second = distances(projection, gap, subject)
-    share: float | None = None
-    note: Phrase | None = WORDS.phrase("not-in-picture")
-    if len(first):
-        share, note = 100.0 * wrong_share(buffer, first, second), None
-        w = min(max(float(first.mean()), buffer.near), buffer.far)  # a mean is rounded
-        finest = FINEST * (w + math.dist(subject.lower, subject.upper))
-        finest = max(finest, _FINEST_PARALLEL * buffer.lens.even_extent)
-        if max(gap, float(buffer.gap(w))) < finest:
-            note = WORDS.phrase("too-fine")
+    share, note = _share(buffer, gap, distances(projection, gap, subject), subject)
     w = projection.camera.distance
     known = buffer.near <= w <= buffer.far
     smallest = float(buffer.gap(w)) if known else math.nan
-    why = Phrase(WORDS["none-is-sure"] if smallest == math.inf else WORDS["target-outside"])
-    readings = (
-        Reading(WORDS["wrong"], share, "%", note),
-        Reading(
-            WORDS["counted"],
-            None,
-            "%",
-            note if share is None else WORDS.phrase("too-few"),
-            counted=True,
-        ),
-        Reading.or_why(WORDS["smallest"], smallest if math.isfinite(smallest) else None, why=why),
-        Reading(WORDS["distance"], w),
-        Reading(WORDS["codes"], float(FORMATS[buffer.format].largest) + 1.0),
-    )
+    why = WORDS.phrase("none-is-sure" if smallest == math.inf else "target-outside")
+    sure = smallest if math.isfinite(smallest) else None
+    too_few = WORDS.phrase("too-few") if note is None or share is not None else note
     return Illustration(
-        readings,
+        (
+            Reading(WORDS["wrong"], share, "%", note),
+            Reading(WORDS["counted"], None, "%", too_few, counted=True),
+            Reading.or_why(WORDS["smallest"], sure, why=why),
+            Reading(WORDS["distance"], w),
+            Reading(WORDS["codes"], float(FORMATS[buffer.format].largest) + 1.0),
+        ),
         world=marks,
         image=image,
         copies=copies,
         diagrams=(_diagram(buffer, w if known else None),),
         rendering=Rendering(buffer=buffer),
     )
+
+
+def _share(
+    buffer: DepthBuffer, gap: float, surfaces: tuple[Array, Array], subject: Subject
+) -> tuple[float | None, Phrase | None]:
+    """The percentage of wrong pixels, and why there is none or why the picture differs."""
+    first, second = surfaces
+    if not len(first):
+        return None, WORDS.phrase("not-in-picture")
+    w = min(max(float(first.mean()), buffer.near), buffer.far)  # a mean is rounded
+    finest = FINEST * (w + math.dist(subject.lower, subject.upper))
+    finest = max(finest, _FINEST_PARALLEL * buffer.lens.even_extent)
+    is_finer = max(gap, float(buffer.gap(w))) < finest
+    share = 100.0 * wrong_share(buffer, first, second)
+    return share, WORDS.phrase("too-fine") if is_finer else None
 
 
 def _diagram(buffer: DepthBuffer, target: float | None) -> Diagram:
@@ -236,10 +228,7 @@ def _diagram(buffer: DepthBuffer, target: float | None) -> Diagram:
     return Diagram(
         WORDS["diagram"],
         tuple(curves),
-        near,
-        right,
-        0.0,
-        1.0,
+        *(near, right, 0.0, 1.0),
         x_label="w",
         y_label="d",
         x_log=in_ratios,
