@@ -16,7 +16,8 @@ from functools import partial
 
 from PySide6.QtCore import QObject
 
-from app.document.document import Document, set_values
+from app.document.document import Document
+from app.document.settings import set_values
 from app.document.store import Store
 from app.drawings.scene_bounds import bounds_px
 from app.model.refusal import Refusal

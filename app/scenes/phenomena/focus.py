@@ -24,7 +24,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from app.model.lenses.closed_form import FULL_FRAME_DIAGONAL_MM
+from app.model.lenses.central import FULL_FRAME_DIAGONAL_MM
 from app.model.projection import Array, Camera, Perspective, Projection
 from app.scenes.phenomena.diagram import Curve, Diagram
 from app.scenes.phenomena.illustration import Illustration, Phenomenon, Subject

@@ -178,23 +178,24 @@ def _along_edge(projection: Projection, ends: Array, w: Array) -> tuple[Diagram,
     affine = 1.0 / ((1.0 - _STEPS) * w[0] + _STEPS * w[1])
 
     def diagram(
-        title: str, y_label: str, y: Array, low: float, high: float, *more: Curve
+        title: str, y_label: str, y: Array, bounds: tuple[float, float], *more: Curve
     ) -> Diagram:
         half = Spot(0.5, float(y[len(_STEPS) // 2]), "t = ½", colour="accent")
         return Diagram(
             WORDS[title],
             (Curve(np.column_stack([_STEPS, y]), "accent", "", 2.0), *more),
-            *(0.0, 1.0, low, high),
+            *(0.0, 1.0, *bounds),
             x_label=WORDS["t"],
             y_label=y_label,
             spots=(half,),
         )
 
     linear = Curve(np.column_stack([_STEPS, affine]), "u", WORDS["linear"])
+    low, high = sorted(projection.depth_range)
     one_over_w = 1.0 / trace.clip[:, 3]
     return (
-        diagram("one-over-w", "1/w = −1/z", one_over_w, 0.0, 1.1 / float(w.min()), linear),
-        diagram("depth", "z'", trace.ndc[:, 2], *sorted(projection.depth_range)),
+        diagram("one-over-w", "1/w = −1/z", one_over_w, (0.0, 1.1 / float(w.min())), linear),
+        diagram("depth", "z'", trace.ndc[:, 2], (low, high)),
     )
 
 
