@@ -1014,7 +1014,7 @@ def test_the_title_names_what_is_shown(make_window: MakeWindow, tmp_path: Path) 
 
 def test_the_keys_that_help_names_are_those_of_the_window(make_window: MakeWindow) -> None:
     window = make_window(shown=False)
-    window.help.show_keys()
+    window.menus.help.trigger()
     (box,) = (each for each in window.findChildren(QDialog) if each.isVisible())
     assert box.height() <= 0.9 * box.screen().availableSize().height()
     text = box.findChild(QTextEdit).toPlainText()
