@@ -12,6 +12,7 @@ from __future__ import annotations
 from PySide6.QtCore import QObject
 
 from app.document.compare import Picture
+from app.document.settings import compared
 from app.document.store import Store
 from app.model.refusal import Refusal
 from widgets.controls.scene_card import SceneCard
@@ -79,12 +80,12 @@ class Comparing(QObject):
     def begin(self, name: str) -> None:
         """Show one of the scene's own comparisons, with the document as one of its pictures."""
         try:
-            compared = self._store.seen.compared(name)
+            document = compared(self._store.seen, name)
         except Refusal as error:
             self._messages.say(sentence(error))
             return
-        self._store.set_document(compared)  # an undo step, if it differs
-        self._show(compared.view.compare, compared.view.dividers)
+        self._store.set_document(document)  # an undo step, if it differs
+        self._show(document.view.compare, document.view.dividers)
 
     def end(self) -> None:
         """Show the document's own picture alone, in the slot that it had before."""
