@@ -836,7 +836,7 @@ def test_a_name_without_its_ending_writes_over_no_file_unasked(
     monkeypatch.setattr(QDialog, "exec", lambda _: QDialog.DialogCode.Accepted)  # the talk's title
     monkeypatch.setattr(QMessageBox, "exec", lambda box: asked.append(box.text()) or answers.pop())
     for ending, save in (
-        (".md", window.talks.begin_new),
+        (".md", window.talks.writer.begin_new),
         (".json", window.files.save_as),
         (".png", window.pictures.export_dialog),
     ):
