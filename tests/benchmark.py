@@ -18,7 +18,6 @@ import random
 import statistics
 import subprocess
 import sys
-import tempfile
 import time
 import weakref
 from collections.abc import Callable, Iterator
@@ -28,6 +27,7 @@ from pathlib import Path
 from typing import Any
 
 from app import bootstrap
+from tests.__main__ import at_home
 
 VERTICES = (100, 10_000, 1_000_000)
 PANES = ("world", "ndc", "image")
@@ -46,12 +46,8 @@ def main() -> int:
         return 0
     # The libraries that the points are compared with are wanted for that only.
     extras = ("test", "bench") if options.only in (None, "points") else ("test",)
-    bootstrap.start("tests", extras=extras)
-    from tests.__main__ import screens
-
     figures: dict[str, Any] = {}
-    with screens(1) as environment, tempfile.TemporaryDirectory() as home:
-        environment |= {"HOME": home, "XDG_DATA_HOME": home, "XDG_CONFIG_HOME": home}
+    with at_home(extras) as environment:
         for part in [options.only] if options.only else PARTS:
             command = [sys.executable, "-m", "tests.benchmark", "--inside", part]
             command += ["--quick"] if options.quick else []

@@ -500,7 +500,7 @@ def test_an_environment_made_by_hand_for_another_python_is_left_alone(made: Chec
     made.stamp.unlink()
     python = made.root / ".venv" / "bin" / "python"
     python.unlink()
-    python.write_text("#!/bin/sh\necho cpython-399\n")
+    python.write_text("#!/bin/sh\necho cpython-399\necho pip\n")
     python.chmod(0o755)
     status, _, said = made.run("-m", "app", "project")
     assert status == 3
