@@ -1,4 +1,4 @@
-"""The drawings, by the pixels that reach the screen."""
+"""The pixels that the image and the NDC drawings paint."""
 
 from __future__ import annotations
 
@@ -110,10 +110,10 @@ def drawn_vertices(screen: OffScreen, tolerance_px: float) -> tuple[ImageDrawing
 
 
 def check_lit(image: Any, trace: Trace, unsure: Any = False) -> tuple[int, float]:
-    """How many vertices are seen whole where the model says, and how far off the worst is, px.
+    """How many vertices are seen whole where the model says, and the largest error in px.
 
-    The pane is twice as large as the image, so that snapping points to whole pixels costs a
-    quarter of an image pixel only.
+    The pane is twice as large as the image, so that snapping points to whole pixels costs only a
+    quarter of an image pixel.
     """
     rows, columns = np.nonzero(drawn(image[..., 1:], (0, 200)))
     lit_by = image[rows, columns, 0]
@@ -250,7 +250,7 @@ def test_what_reaches_behind_the_eye_is_not_culled_by_its_bounds(off_screen: Mak
 
 
 def test_ndc_clips_the_scene_at_the_cube(off_screen: MakeScreen) -> None:
-    """A scene that surrounds everything: nothing of it outside the cube's silhouette."""
+    """A scene that surrounds everything stays inside the cube's silhouette."""
     red = (201, 33, 32)
     big = 40.0 * np.array([(-1, -1, 0), (1, -1, 0), (1, 1, 0), (-1, 1, 0)], dtype=float)
     tilted = big[:, [0, 2, 1]] + [0.0, -0.5, 0.0]
@@ -279,7 +279,7 @@ def test_ndc_clips_the_scene_at_the_cube(off_screen: MakeScreen) -> None:
 
 
 def display_px(screen: OffScreen, point: tuple[float, float, float]) -> tuple[float, float]:
-    """Where VTK's own camera puts a point of the pane's world, pixels from the top left."""
+    """Where VTK's own camera shows a point of the pane's world, in pixels from the top left."""
     renderer = screen.renderer
     renderer.SetWorldPoint(*point, 1.0)
     renderer.WorldToDisplay()
@@ -298,9 +298,9 @@ def distance_outside(corners: NDArray[np.float64], points: NDArray[np.float64]) 
 def test_ndc_shows_the_near_face_to_the_reader_and_x_to_the_right(
     depth: Any, off_screen: MakeScreen
 ) -> None:
-    """From the front the cube looks like the picture: neither mirrored nor turned.
+    """From the front the cube looks like the picture, neither mirrored nor turned.
 
-    Without the words, which lie on it here, where the cube is all of the pane.
+    The words are hidden: they lie on the cube, which fills the pane here.
     """
     scene = without_lines(load("letter-f"))
     projection = replace(scene.start, depth=depth, image_size=(400, 400))
@@ -347,7 +347,7 @@ def test_ndc_writes_the_ends_of_its_depth_range(depth: Any, off_screen: MakeScre
 def test_ndc_is_wholly_in_view_at_any_pane_size(
     size: tuple[int, int], style: Style, off_screen: MakeScreen
 ) -> None:
-    """Nothing touches the pane's border, also after the pane got this size only later."""
+    """Nothing touches the pane's border, even if the pane is resized later."""
     scene = without_lines(load("cube"))
     screen = off_screen(640, 480)
     drawing = StageDrawing(screen, scene, WORDS, style)
@@ -424,7 +424,7 @@ def test_the_frame_touches_the_picture_and_its_axes_are_coloured(off_screen: Mak
 
 
 def test_edges_are_not_eaten_by_faces_nor_seen_through_them(off_screen: MakeScreen) -> None:
-    """Front edges of the cube are ink all along, the back ones hidden, also at extreme near."""
+    """Front edges of the cube are ink all along and the back ones hidden, even at extreme near."""
     corners = np.array([(x, y, z) for z in (-1, 1) for y in (-1, 1) for x in (-1, 1)], dtype=float)
     faces = [(0, 1, 3, 2), (4, 5, 7, 6), (0, 1, 5, 4), (2, 3, 7, 6), (0, 2, 6, 4), (1, 3, 7, 5)]
     front, back = (0, 0, 0), (250, 0, 250)
@@ -557,7 +557,7 @@ def test_far_from_the_origin_the_picture_is_the_same(off_screen: MakeScreen) -> 
 
 
 def test_extreme_projections_draw_without_a_word(off_screen: MakeScreen) -> None:
-    """Neither NumPy nor VTK has anything to say; `off_screen` and pytest hold both to it."""
+    """NumPy and VTK must not warn; pytest and `off_screen` see to that."""
     scene = load("letter-f")
     cameras = (
         scene.start.camera,
