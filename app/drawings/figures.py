@@ -69,7 +69,7 @@ _MOST_DRAWN_PX = 40_000_000  # of one pane before averaging: about 0.5 GB with d
 
 NO_PANES = QT_TRANSLATE_NOOP("Refusal", "panes = {0}: must name at least one of {1}.")
 UNKNOWN_PANE = QT_TRANSLATE_NOOP("Refusal", "pane = {0}: must be one of {1}.")
-SCALE = QT_TRANSLATE_NOOP("Refusal", "scale = {0}: must lie between 0, excluded, and {1}.")
+SCALE = QT_TRANSLATE_NOOP("Refusal", "scale = {0}: must be greater than 0 and at most {1}.")
 WIDTH = QT_TRANSLATE_NOOP(
     "Refusal", "width = {0}: must be a whole number of pixels from {1} to {2}."
 )

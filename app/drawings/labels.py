@@ -289,16 +289,16 @@ class Layout:
             return Candidate(box, anchor, key=side)
 
         others = [(x, y) for x, y, depth in apart_from if depth > 0.0]
-        search = partial(self._placer.place, apart_from=others, apart_px=_OTHER_PLANE_EM * em)
+        apart_px, search = _OTHER_PLANE_EM * em, self._placer.place
         kept, found = self._kept.get(label), None
         if kept is not None and has_leader and kept[1] in usable:
-            found = search([candidate(kept)], at_worst=min(LEADER, at_worst))
+            found = search([candidate(kept)], others, apart_px, min(LEADER, at_worst))
         if found is None:
             ordered: Iterable[Side] = product(GAPS_EM[:gaps], usable, sides)
             if best and usable:
                 places = list(ordered)
                 ordered = [places[i] for i in best]
-            found = search(map(candidate, ordered), at_worst=at_worst)
+            found = search(map(candidate, ordered), others, apart_px, at_worst)
         label.set_visible(found is not None)
         if found is None:
             if leader is not None:

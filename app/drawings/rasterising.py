@@ -48,12 +48,12 @@ from app.scenes.scene import Scene
 
 REFUSED = QT_TRANSLATE_NOOP(
     "phenomena",
-    "this computer's OpenGL does not take the shader that this scene needs: the picture is drawn"
-    " the ordinary way, and only the computed numbers are right",
+    "this computer's OpenGL rejects the shader that this scene needs: the picture is drawn without"
+    " it, and only the computed numbers are right",
 )
 TOO_FINE = QT_TRANSLATE_NOOP(
     "phenomena",
-    "{0} faces in {1} parts a side are more triangles than can be drawn: the picture has {2}",
+    "{0} faces with {1} parts a side are too many triangles to draw: the picture has {2} parts",
 )
 MOST_TRIANGLES = 1_000_000
 LEAST_COUNTED = 20

@@ -465,10 +465,10 @@ def test_dimensions_follow_a_slider_and_reach_the_screen(off_screen: MakeScreen)
 
 
 SENTENCES = {
-    "parallel": "A parallel lens has no angle: it is as wide at every distance.",
+    "parallel": "A parallel lens has no angle: it is equally wide at every distance.",
     "eye": "A parallel lens has no eye: this is the view along its axis.",
     "typed": "A typed matrix has no near, no far and no angle.",
-    "aside": "This window is off the axis, which does not halve its angle.",
+    "aside": "This window is off-axis: the axis does not halve its angle.",
 }
 
 

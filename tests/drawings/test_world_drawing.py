@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-import gc
 import math
-import weakref
 from collections.abc import Callable, Iterator
 from dataclasses import replace
 from typing import Any
@@ -25,15 +23,12 @@ from app.drawings.style import DARK, LIGHT, Style, rgb
 from app.drawings.world import WorldDrawing
 from app.lecture.typed_matrix import with_cell
 from app.model.projection import (
-    DEPTH_RANGES,
-    LENSES,
     OBLIQUE_PRESETS,
     PLANES,
     Array,
     Camera,
     FreeMatrix,
     Frustum,
-    Lens,
     Oblique,
     Orthographic,
     Perspective,
@@ -41,6 +36,7 @@ from app.model.projection import (
 )
 from app.scenes.phenomena import PHENOMENA
 from app.scenes.scene import Scene, load
+from tests.support.cameras import random_projections
 from tests.support.drawings import (
     MakeScreen,
     boxes_of,
@@ -170,37 +166,6 @@ def oblique(preset: str = "cabinet-63.4", **values: Any) -> Projection:
     alpha_deg, beta_deg = OBLIQUE_PRESETS[preset]
     lens = Oblique(alpha_deg=alpha_deg, beta_deg=beta_deg, **values)
     return replace(START, lens=lens)
-
-
-def random_projections(count: int, seed: int = 0) -> Iterator[Projection]:
-    """Cameras round the letter F; every lens and depth range has its turn."""
-    random = np.random.default_rng(seed)
-    for number in range(count):
-        direction = random.normal(size=3)
-        eye = random.uniform(2.0, 40.0) * direction / np.linalg.norm(direction)
-        target, up = random.uniform((-1, 1, -1), (1, 3, 1)), random.normal(size=3)
-        near = 10.0 ** random.uniform(-4.0, 0.0)
-        far = near + 10.0 ** random.uniform(-2.0, 6.0)
-        kind = list(LENSES)[number % 4]
-        low, high = random.uniform(-8.0, -0.5, 2), random.uniform(0.5, 8.0, 2)
-        keep = random.choice(["stretch", "x", "y"])
-        lens: Lens
-        if kind == "perspective":
-            lens = Perspective(
-                10.0 ** random.uniform(0.0, 2.2), near, math.inf if number % 5 == 0 else far
-            )
-        elif kind == "frustum":
-            sides = 0.2 * near * np.array([low[0], high[0], low[1], high[1]])
-            sides += 0.1 * near * (number % 3) * low[0]  # the axis may be outside the picture
-            lens = Frustum(*sides, near, math.inf if number % 5 == 0 else far, keep)
-        elif kind == "orthographic":
-            lens = Orthographic(low[0], high[0], low[1], high[1], near - 1.0, far, keep)
-        else:
-            angles = random.uniform(25.0, 155.0, 2)
-            lens = Oblique(low[0], high[0], low[1], high[1], near - 1.0, far, keep, *angles)
-        camera = Camera(tuple(eye), tuple(target), tuple(up))
-        depth = list(DEPTH_RANGES)[number % 3]
-        yield Projection(camera, lens, (640, 480), depth)  # type: ignore[arg-type]
 
 
 # --------------------------------------------------------------------------- matrices
@@ -796,28 +761,6 @@ def test_what_is_covered_does_not_depend_on_the_unit(make_view: MakeView) -> Non
 # --------------------------------------------------------------------------- behaviour
 
 
-def test_a_step_sets_matrices_and_nothing_else(make_view: MakeView) -> None:
-    view = make_view()
-    view.pixels()
-    renders: list[str] = []
-    view.window.AddObserver("StartEvent", lambda _window, event: renders.append(event))
-    renderer, camera = view.plotter.renderer, view.camera
-    props = list(renderer.GetViewProps())
-    matrices = [actor.GetUserMatrix() for actor in renderer.GetActors()]
-    meshes = [actor.GetMapper().GetInput().GetMTime() for actor in renderer.GetActors()]
-    mappers = [actor.GetMapper().GetMTime() for actor in renderer.GetActors()]
-    place = (*camera.GetPosition(), *camera.GetFocalPoint(), *camera.GetViewUp())
-    for projection in random_projections(50, seed=6):
-        view.drawing.show_projection(projection)
-    assert list(renderer.GetViewProps()) == props
-    actors = list(renderer.GetActors())
-    assert [actor.GetUserMatrix() for actor in actors] == matrices
-    assert [actor.GetMapper().GetInput().GetMTime() for actor in actors] == meshes
-    assert [actor.GetMapper().GetMTime() for actor in actors] == mappers
-    assert (*camera.GetPosition(), *camera.GetFocalPoint(), *camera.GetViewUp()) == place
-    assert renders == []
-
-
 def test_the_scene_and_its_picture_share_their_points(make_view: MakeView) -> None:
     """Otherwise a large mesh would be on the GPU twice."""
     view = make_view()
@@ -953,51 +896,6 @@ def test_a_frustum_too_wide_to_be_framed_does_not_make_the_scene_tiny(make_view:
     assert min(tall) > 0.5 * tall[0] > 20.0
 
 
-def moved(scene: Scene, scale: float, origin: tuple[float, float, float]) -> Scene:
-    """The same scene and camera, scaled and then carried to `origin`."""
-
-    def carry(point: tuple[float, float, float]) -> tuple[float, float, float]:
-        x, y, z = (o + scale * p for o, p in zip(origin, point, strict=True))
-        return x, y, z
-
-    meshes = []
-    for mesh in (scene.surface, scene.lines):
-        assert mesh is not None
-        copy = mesh.copy()
-        copy.points = copy.points * scale
-        meshes.append(copy)
-    camera, lens = scene.start.camera, scene.start.lens
-    start = replace(
-        scene.start,
-        camera=Camera(carry(camera.eye), carry(camera.target), camera.up),
-        lens=replace(lens, near=lens.near * scale, far=lens.far * scale),
-    )
-    return replace(
-        scene,
-        origin=origin,
-        surface=meshes[0],
-        lines=meshes[1],
-        lower=carry(scene.lower),
-        upper=carry(scene.upper),
-        start=start,
-    )
-
-
-@pytest.mark.parametrize(
-    ("scale", "origin"), [(1.0, (1e7, -2e7, 3e7)), (1e-6, (0.0, 0.0, 0.0)), (1e9, (0.0, 0.0, 0.0))]
-)
-def test_scenes_far_away_tiny_or_huge_look_the_same(
-    make_view: MakeView, scale: float, origin: tuple[float, float, float]
-) -> None:
-    images = []
-    for scene in (load("letter-f"), moved(load("letter-f"), scale, origin)):
-        view = make_view(scene)
-        view.hide_labels()  # their distances differ
-        images.append(view.pixels())
-    differing = (images[0] != images[1]).any(axis=-1)
-    assert differing.mean() < 0.002
-
-
 @pytest.mark.parametrize(
     "projection",
     [
@@ -1065,18 +963,6 @@ def test_a_flat_scene_in_the_eye_plane(make_view: MakeView) -> None:
     )
     view = make_view(scene)
     assert drawn(view.pixels(), (200, 0, 0)).sum() > 100
-
-
-def test_removing_leaves_nothing_behind(make_view: MakeView) -> None:
-    view = make_view()
-    view.pixels()
-    alive = weakref.ref(view.drawing)
-    view.drawing.remove()
-    assert view.plotter.renderer.GetViewProps().GetNumberOfItems() == 0
-    view.pixels()
-    view.drawing = make_view().drawing
-    gc.collect()
-    assert alive() is None
 
 
 # --------------------------------------------------------------------------- free matrices
