@@ -102,12 +102,10 @@ class Step:
 
     @cached_property
     def words(self) -> tuple[Words, ...]:
-        """Return the texts between the blocks."""
         return of_kind(self.blocks, Words)
 
     @cached_property
     def asked(self) -> tuple[Asked, ...]:
-        """Return what the student has to do."""
         return of_kind(self.blocks, Asked)
 
     @cached_property
@@ -117,12 +115,10 @@ class Step:
 
     @cached_property
     def note(self) -> Note | None:
-        """Return what only the speaker reads."""
         return next(iter(of_kind(self.blocks, Note)), None)
 
     @property
     def samples(self) -> tuple[Sample, ...]:
-        """Return the sample answers."""
         return tuple(each for block in of_kind(self.blocks, Samples) for each in block.samples)
 
 
@@ -132,15 +128,12 @@ class Lesson:
 
     Attributes
     ----------
-    path : Path
-    title, lecture, language : str
     topics : tuple of str
         ``L1`` to ``L24``.
     letters : str, optional
         The lecture whose letters the formulas have; None for those of the window.
     minutes : float
         Planned for all of it.
-    steps : tuple of Step
     """
 
     path: Path
@@ -171,18 +164,13 @@ def is_lesson(path: str) -> bool:
 
 
 def read(path: AnyPath, complain: Complain | None = None) -> Lesson:
-    """Read a lesson from its file.
+    """Read a lesson from its file; a `Refusal` names the line that is wrong.
 
     Parameters
     ----------
     path : path
     complain : callable, optional
         Gets the refusal of every wrong step; the lesson is then without these steps.
-
-    Raises
-    ------
-    Refusal
-        If the file is missing, or something in it is wrong: then with its line.
     """
     with blamed_on(path, UNREADABLE):
         with open_regular(path) as file:
@@ -197,7 +185,7 @@ def read(path: AnyPath, complain: Complain | None = None) -> Lesson:
 
 
 class Head(NamedTuple):
-    """What a list of lessons says of one; attributes as of `Lesson`."""
+    """What a list of lessons says of one: as topics a talk has its lecture."""
 
     path: Path
     title: str
@@ -206,13 +194,7 @@ class Head(NamedTuple):
 
 
 def head_of(path: Path) -> Head:
-    """Read only what a list of lessons says of one.
-
-    Raises
-    ------
-    Refusal
-        If the file is missing, or its top is wrong.
-    """
+    """Read only what a list of lessons says of one."""
     with blamed_on(path, UNREADABLE):
         with open_regular(path) as file:
             text = file.read(LARGEST).decode("utf-8-sig", "replace")

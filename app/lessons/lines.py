@@ -68,15 +68,8 @@ def number_in(text: str, line: int, low: float, high: float) -> float:
 class Item(NamedTuple):
     """A line that begins with a key or is a choice, joined with the lines indented below it.
 
-    Attributes
-    ----------
-    key : str
-        ``choice`` for a choice.
-    about : str
-        The word behind the key (``wrong ABOUT: ...``), or ``x`` for a right choice.
-    text : str
-    line : int
-    below : list of Item
+    The key of a choice is ``choice``. `about` is the word behind the key (``wrong ABOUT: ...``), or
+    ``x`` for a right choice.
     """
 
     key: str
@@ -127,16 +120,7 @@ class Items(tuple[Item, ...]):
 
 
 class Body(NamedTuple):
-    """A block as its file has it.
-
-    Attributes
-    ----------
-    kind, name : str
-    line : int
-        Of its first line, which names the kind.
-    lines : Lines
-        What stands between its first line and its last.
-    """
+    """A block as its file has it; `line` is that of the kind, `lines` are those inside."""
 
     kind: str
     name: str
@@ -144,15 +128,7 @@ class Body(NamedTuple):
     lines: Lines
 
     def items(self, *keys: str, choices: bool = False) -> tuple[str, Items]:
-        """Read the text that the body begins with, and the items that follow it.
-
-        Parameters
-        ----------
-        *keys : str
-            Those that may begin a line.
-        choices : bool
-            Whether lines may be choices.
-        """
+        """Read the text that the body begins with, and the items, with these keys, that follow."""
         question: list[str] = []
         items: list[Item] = []
         for number, text in self.lines:

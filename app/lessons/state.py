@@ -15,17 +15,7 @@ BESIDE = QT_TRANSLATE_NOOP("Refusal", "must be a file beside the lesson, or in a
 
 
 class State(NamedTuple):
-    """What the window shows at a step.
-
-    Attributes
-    ----------
-    line : int
-    values : tuple of (int, str)
-        ``NAME=VALUE``, each with its line.
-    document : str
-        Path of a document, from the lesson's folder; empty for none.
-    document_line : int
-    """
+    """What the window shows: ``NAME=VALUE``, each with its line, or a document beside the file."""
 
     line: int
     values: tuple[tuple[int, str], ...] = ()

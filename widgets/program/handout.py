@@ -56,13 +56,7 @@ NOTE_CHARACTERS = 36
 
 
 def handout(course: Course) -> bytes:
-    """Return a talk as the content of a PDF file.
-
-    Raises
-    ------
-    Refusal
-        If one of its states is impossible.
-    """
+    """Return a talk as the content of a PDF file; a `Refusal` if a state is impossible."""
     application = QCoreApplication.instance() or QGuiApplication(["app", "-platform", "offscreen"])
     assert isinstance(application, QGuiApplication)
     buffer = QBuffer()
@@ -93,17 +87,7 @@ def handout(course: Course) -> bytes:
 
 @dataclass
 class _Block:
-    """A part of a page over its whole width; lengths in points.
-
-    Attributes
-    ----------
-    height : float
-    what : QTextDocument, QImage, or tuple of Typeset
-    left : float
-        Its indent, marked by a vertical line.
-    kept : bool
-        Whether the next block must begin on the same page.
-    """
+    """A part of a page over its width, in points; `kept` on the page where the next one begins."""
 
     height: float
     what: QTextDocument | QImage | tuple[Typeset, ...]

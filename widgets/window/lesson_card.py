@@ -80,13 +80,7 @@ def heads(*, talks: bool) -> tuple[Head, ...]:
 
 
 class LessonCard(QFrame):
-    """The open lesson at its step; hidden while no lesson is open.
-
-    Attributes
-    ----------
-    blocks : list of BlockView
-        What the step asks, as far as it is shown.
-    """
+    """The open lesson at its step; hidden while no lesson is open."""
 
     toggled = Signal(bool)
     """The card appeared, or has gone."""
@@ -529,13 +523,7 @@ def _push(text: str, tip: str, act: object) -> QPushButton:
 
 
 class Side(QSplitter):
-    """The column beside the pictures, with the lesson's card above the controls.
-
-    Parameters
-    ----------
-    around : QSplitter
-        The column is added to it.
-    """
+    """The column beside the pictures, added to a splitter: the lesson's card above the controls."""
 
     def __init__(self, around: QSplitter) -> None:
         super().__init__(Qt.Orientation.Vertical)

@@ -38,13 +38,7 @@ _GAP_PX, _EDGE_PX = 10, 2
 
 
 class TalkBand(QFrame):
-    """A step's title, words and questions, as large as there is room for.
-
-    Attributes
-    ----------
-    note : str
-        A message beside the number of the step.
-    """
+    """A step's title, words and questions, as large as there is room for."""
 
     def __init__(self) -> None:
         super().__init__()

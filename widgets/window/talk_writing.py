@@ -101,16 +101,7 @@ class TalkWriter(QObject):
 
 
 class TitleDialog(QDialog):
-    """Asks for the title of a step.
-
-    Parameters
-    ----------
-    name, title : str
-        Of the dialog, and the proposed title of the step.
-    turned : bool
-        Whether a pane was turned: then the dialog offers to keep that.
-    parent : QWidget
-    """
+    """Asks for the title of a step, and whether turned panes are kept if there are any."""
 
     def __init__(self, name: str, title: str, turned: bool, parent: QWidget) -> None:
         super().__init__(parent)

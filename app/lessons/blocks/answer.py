@@ -18,15 +18,7 @@ EITHER = QT_TRANSLATE_NOOP("Refusal", "has choices and a value: only one of them
 
 @dataclass(frozen=True, kw_only=True)
 class Answer(Question):
-    """A question whose answer is a number.
-
-    Attributes
-    ----------
-    formula : Formula
-        Of the right number.
-    formula_line : int
-    unit : str
-    """
+    """A question whose answer is a number, that of a formula."""
 
     kind = "answer"
     formula: Formula
@@ -60,17 +52,10 @@ class Answer(Question):
         return self.formula, self.formula_line
 
     def answer(self, here: Here) -> float:
-        """Return the right number."""
         return self.value(here, *self.key)
 
     def mark(self, here: Here, typed: str) -> Verdict:
-        """Return what is said to a number as it was typed.
-
-        Raises
-        ------
-        Refusal
-            If it is not a number, of the field ``answer``; or if the question has no value.
-        """
+        """Return what is said to a typed text; a `Refusal` of ``answer`` if it is not a number."""
         number, value = marking.read(typed, self.unit), self.answer(here)
         if marking.equals(number, value):
             return Verdict(True, says=self.why, value=value)

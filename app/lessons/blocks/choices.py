@@ -65,14 +65,7 @@ class Choice(Reply):
 
 @dataclass(frozen=True, kw_only=True)
 class Choices(Question):
-    """A question with choices.
-
-    Attributes
-    ----------
-    replies : tuple of Choice
-    retries : bool
-        Whether one may choose again after a wrong choice.
-    """
+    """A question with choices; `retries` tells whether one may choose again."""
 
     retries: ClassVar[bool] = True
     replies: tuple[Choice, ...]

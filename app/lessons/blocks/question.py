@@ -37,13 +37,12 @@ class Verdict(NamedTuple):
 
     Attributes
     ----------
-    right : bool
     idea : str
         Name of the wrong idea behind it; empty if it has none.
     says : str
         Markdown.
     state : Document, optional
-        That shows it.
+        Shows what is said.
     too_short : bool
         Whether it only lacks digits.
     value : float, optional
@@ -65,20 +64,7 @@ class Verdict(NamedTuple):
 
 @dataclass(frozen=True, kw_only=True)
 class Reply:
-    """An answer that the lesson knows, and what is said to it.
-
-    Attributes
-    ----------
-    line : int
-    formula : Formula, optional
-        What its number comes from.
-    idea : str
-        Name of the wrong idea that leads there.
-    says : str
-        Markdown.
-    state : State, optional
-        That shows it.
-    """
+    """An answer that the lesson knows, where its number comes from, and what is said to it."""
 
     line: int
     right: bool = False
@@ -149,13 +135,7 @@ class Question(Asked):
         return here.quantities(here.shown_by(self.show) if self.show is not None else None)
 
     def value(self, here: Here, formula: Formula, line: int) -> float:
-        """Return the value of one of its formulas.
-
-        Raises
-        ------
-        Refusal
-            If it has none; it names the line.
-        """
+        """Return the value of one of its formulas; a `Refusal` names the line."""
         known = self.known(here)
         with on_line(line, "formula"):
             try:
