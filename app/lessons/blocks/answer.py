@@ -58,12 +58,12 @@ class Answer(Question):
         """Return what is said to a typed text; a `Refusal` of ``answer`` if it is not a number."""
         number, value = marking.read(typed, self.unit), self.answer(here)
         if marking.equals(number, value):
-            return Verdict(True, says=self.why, value=value)
+            return Verdict(True, says=self.why)
         for wrong in self.replies:
             assert wrong.formula is not None
             if marking.equals(number, self.value(here, wrong.formula, wrong.line)):
-                return wrong.verdict(here, value=value)
-        return Verdict(False, too_short=marking.is_too_short(number, value), value=value)
+                return wrong.verdict(here)
+        return Verdict(False, too_short=marking.is_too_short(number, value))
 
     def verdict(self, here: Here, sample: str, line: int) -> str:
         try:

@@ -45,8 +45,6 @@ class Verdict(NamedTuple):
         Shows what is said.
     too_short : bool
         Whether it only lacks digits.
-    value : float, optional
-        The right one.
     """
 
     right: bool
@@ -54,7 +52,6 @@ class Verdict(NamedTuple):
     says: str = ""
     state: Document | None = None
     too_short: bool = False
-    value: float | None = None
 
     @property
     def word(self) -> str:
@@ -73,17 +70,17 @@ class Reply:
     says: str = ""
     state: State | None = None
 
-    def verdict(self, here: Here, why: str = "", value: float | None = None) -> Verdict:
+    def verdict(self, here: Here, why: str = "") -> Verdict:
         """Return what is said to it; a known idea adds its sentences and state if it has none."""
         says = self.says
         state = here.shown_by(self.state) if self.state is not None else None
         if self.right:
-            return Verdict(True, says=says or why, state=state, value=value)
+            return Verdict(True, says=says or why, state=state)
         idea = here.idea(self.idea)
         if idea is not None:
             says = says or idea.says
             state = state or idea.state
-        return Verdict(False, self.idea, says, state, value=value)
+        return Verdict(False, self.idea, says, state)
 
     def check(self, here: Here, trial: Trial) -> None:
         """Complain about an unknown idea without a sentence, and a state that cannot be."""
@@ -157,33 +154,23 @@ class Question(Asked):
         if formula is not None:
             with trial.kept():
                 value = self.value(here, formula, line)
+                for reply in self.replies:
+                    if reply.right:
+                        reply.check_number(value)
         found: list[tuple[int, float]] = []
-        for reply in sorted(self.replies, key=lambda reply: not reply.right):
-            if reply.right and value is not None:
+        for reply in self.replies:
+            if reply.right or reply.formula is None:
+                continue
+            with trial.kept():
+                wrong = self.value(here, reply.formula, reply.line)
                 with trial.kept():
-                    reply.check_number(value)
-            elif reply.formula is not None and not reply.right:
-                with trial.kept():
-                    wrong = self.value(here, reply.formula, reply.line)
-                    self._check_apart(reply, wrong, value, found, trial)
-                    found.append((reply.line, wrong))
-
-    @staticmethod
-    def _check_apart(
-        reply: Reply,
-        wrong: float,
-        value: float | None,
-        found: Sequence[tuple[int, float]],
-        trial: Trial,
-    ) -> None:
-        """Complain about a wrong value that three digits do not tell from another one."""
-        with trial.kept():
-            reply.check_number(wrong)
-        if value is not None and _alike(wrong, value):
-            trial.complain(refused(reply.line, ALSO_RIGHT, f"{value:.6g}"))
-        for line, other in found:
-            if _alike(wrong, other):
-                trial.complain(refused(reply.line, SAME_WRONG, line, f"{other:.6g}"))
+                    reply.check_number(wrong)
+                if value is not None and _alike(wrong, value):
+                    trial.complain(refused(reply.line, ALSO_RIGHT, f"{value:.6g}"))
+                for line, other in found:
+                    if _alike(wrong, other):
+                        trial.complain(refused(reply.line, SAME_WRONG, line, f"{other:.6g}"))
+                found.append((reply.line, wrong))
 
 
 def _alike(one: float, other: float) -> bool:
