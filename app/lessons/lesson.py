@@ -44,10 +44,10 @@ MOST_STEPS = 500
 """Of a talk."""
 
 TOP = QT_TRANSLATE_NOOP(
-    "Refusal", "must begin the lesson: ---, then lines as “title: ...”, then --- again"
+    "Refusal", "must begin the lesson: ---, then lines like “title: ...”, then --- again"
 )
 TOP_UNCLOSED = QT_TRANSLATE_NOOP(
-    "Refusal", "has no line --- above it, which must end the lines as “title: ...”"
+    "Refusal", "lacks a line --- above it, which ends the lines like “title: ...”"
 )
 NOT_UTF8 = QT_TRANSLATE_NOOP("Refusal", "is not UTF-8 text: save the file in that encoding")
 TOP_KEY = QT_TRANSLATE_NOOP("Refusal", "must be one of {0}, a colon, and its value")
@@ -56,11 +56,11 @@ NEWER = QT_TRANSLATE_NOOP(
     "Refusal",
     "was written for a newer Frustum Lab, which reads version {0}; this one reads up to {1}",
 )
-NO_BLOCK = QT_TRANSLATE_NOOP("Refusal", "has a block that there is not, {0}; the nearest is {1}")
-NO_HEADING = QT_TRANSLATE_NOOP("Refusal", "must begin a step with its title, as “# Title”")
+NO_BLOCK = QT_TRANSLATE_NOOP("Refusal", "has an unknown kind of block, {0}; the nearest is {1}")
+NO_HEADING = QT_TRANSLATE_NOOP("Refusal", "must begin a step with its title, like “# Title”")
 NO_STEPS = QT_TRANSLATE_NOOP("Refusal", "has no steps")
 TOO_MANY_STEPS = QT_TRANSLATE_NOOP("Refusal", "has more than {0} steps")
-TWICE = QT_TRANSLATE_NOOP("Refusal", "has the name of line {0} again; every one needs its own")
+TWICE = QT_TRANSLATE_NOOP("Refusal", "repeats the name of line {0}; each needs its own")
 BAD_NAME = QT_TRANSLATE_NOOP("Refusal", "must be a name of letters, digits and -")
 UNCLOSED = QT_TRANSLATE_NOOP("Refusal", "begins a block that is not closed: a line ``` must end it")
 UNCLOSED_ABOVE = QT_TRANSLATE_NOOP(
@@ -70,12 +70,12 @@ UNCLOSED_ABOVE = QT_TRANSLATE_NOOP(
 )
 CODE_UNCLOSED = QT_TRANSLATE_NOOP(
     "Refusal",
-    "begins code that is not closed: there is a line ``` too many, or one without its kind",
+    "begins code that is not closed: a line ``` is one too many, or lacks its kind",
 )
 BLOCK_IN_CODE = QT_TRANSLATE_NOOP(
     "Refusal",
-    "begins code, not a block, and the block of line {0} is in it: there is a line ``` too many, or"
-    " one without its kind",
+    "begins code, not a block, and the block of line {0} is in it: a line ``` is one too many, or"
+    " lacks its kind",
 )
 STEP_IN_STEP = QT_TRANSLATE_NOOP("Refusal", "has the title of a step, but no line --- above it")
 BLOCK_INDENTED = QT_TRANSLATE_NOOP(

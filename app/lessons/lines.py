@@ -17,9 +17,7 @@ from app.model.formula import Formula, parse
 from app.model.refusal import QT_TRANSLATE_NOOP, Bound, Refusal
 
 UNEXPECTED = QT_TRANSLATE_NOOP("Refusal", "must be one of {0}, a colon, and its value")
-INDENTED = QT_TRANSLATE_NOOP(
-    "Refusal", "is indented, but there is nothing above that it belongs to"
-)
+INDENTED = QT_TRANSLATE_NOOP("Refusal", "is indented, but belongs to nothing above it")
 LACKS = QT_TRANSLATE_NOOP("Refusal", "needs {0}")
 ONLY_ONCE = QT_TRANSLATE_NOOP("Refusal", "has {0} twice")
 NO_CHOICE = QT_TRANSLATE_NOOP("Refusal", "must begin with “- [x]”, if it is right, or “- [ ]”")
@@ -150,7 +148,7 @@ class Body(NamedTuple):
                 raise refused(number, bound, ", ".join(keys), value=text.strip()[:60])
         asked = "\n".join(question).strip()
         if not asked:
-            raise refused(self.line, LACKS, "a question or what is to be done")
+            raise refused(self.line, LACKS, "a question or a task")
         return asked, Items(items)
 
 

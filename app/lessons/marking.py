@@ -24,7 +24,7 @@ _LONGEST = 60
 
 EMPTY = QT_TRANSLATE_NOOP("Refusal", "must be a number; nothing is typed yet")
 NO_NUMBER = QT_TRANSLATE_NOOP(
-    "Refusal", "must be a number, as 0.5, 0,5, 1/2, -3 or 2e-3; {0} is none"
+    "Refusal", "must be a number like 0.5, 0,5, 1/2, -3 or 2e-3, and not {0}"
 )
 OVER_ZERO = QT_TRANSLATE_NOOP("Refusal", "must be a number: nothing can be divided by 0")
 TOO_LARGE = QT_TRANSLATE_NOOP(

@@ -34,10 +34,10 @@ NO_NAME = QT_TRANSLATE_NOOP("Refusal", "has no such name, {0}; the nearest is {1
 NO_FUNCTION = QT_TRANSLATE_NOOP(
     "Refusal", "has no such function or matrix, {0}; the nearest is {1}"
 )
-NO_CELL = QT_TRANSLATE_NOOP("Refusal", "asks {0} for something that it does not have")
+NO_CELL = QT_TRANSLATE_NOOP("Refusal", "asks for a part that {0} does not have")
 DIVIDES_BY_ZERO = QT_TRANSLATE_NOOP("Refusal", "divides by zero")
 TOO_LARGE = QT_TRANSLATE_NOOP("Refusal", "has a value that is too large")
-NOT_DEFINED = QT_TRANSLATE_NOOP("Refusal", "has a function of a value that it is not defined for")
+NOT_DEFINED = QT_TRANSLATE_NOOP("Refusal", "has a function that is not defined for its argument")
 NO_CONDITION = QT_TRANSLATE_NOOP(
     "Refusal",
     "must be a condition: two formulas with =, <, >, <= or >= between them, or NAME = WORD",

@@ -8,9 +8,7 @@ from typing import NamedTuple
 from app.lessons.lines import LACKS, ONLY_ONCE, Item, Lines, refused
 from app.model.refusal import QT_TRANSLATE_NOOP
 
-AN_ASSIGNMENT = QT_TRANSLATE_NOOP(
-    "Refusal", "must be written as NAME=VALUE, or document: FILE.json"
-)
+AN_ASSIGNMENT = QT_TRANSLATE_NOOP("Refusal", "must be NAME=VALUE, or document: FILE.json")
 BESIDE = QT_TRANSLATE_NOOP("Refusal", "must be a file beside the lesson, or in a folder there")
 
 

@@ -28,11 +28,11 @@ from app.lessons.state import BESIDE
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
 from app.scenes.phenomena import PHENOMENA
 
-NOT_IN_WORDS = QT_TRANSLATE_NOOP("Refusal", "cannot be said by NAME=VALUE alone")
+NOT_IN_WORDS = QT_TRANSLATE_NOOP("Refusal", "cannot be written as NAME=VALUE alone")
 OURS = QT_TRANSLATE_NOOP(
-    "Refusal", "comes with the program and stays as it is: copy it, and open the copy"
+    "Refusal", "comes with the program and cannot be changed: copy it, and open the copy"
 )
-A_TITLE = QT_TRANSLATE_NOOP("Refusal", "must be some words on one line")
+A_TITLE = QT_TRANSLATE_NOOP("Refusal", "must be one line of text")
 NEW_TALK_MINUTES = 2
 """Planned for the first step of a talk, until its teacher says otherwise."""
 

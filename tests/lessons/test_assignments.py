@@ -220,7 +220,7 @@ def test_a_mesh_must_stand_beside_the_file(talk: Path, tmp_path: Path) -> None:
 
 def test_nothing_is_written_where_it_cannot_be(talk: Path) -> None:
     for title in ("", "  ", "a\x1bb"):
-        with pytest.raises(Refusal, match=r"title = .*must be some words on one line"):
+        with pytest.raises(Refusal, match=r"title = .*must be one line of text"):
             add_step(talk, "two", title, a_state())
     talk.chmod(0o400)
     if os.getuid():

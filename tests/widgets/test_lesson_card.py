@@ -448,7 +448,8 @@ def test_a_new_kind_of_block_is_a_class_and_a_view(
     card.open(lesson)
     (view,) = card.blocks
     card.give_hint()
-    assert "Odd." in texts(view)
+    settle()
+    assert texts(view) == "Which number?\nHint: Odd."
     view.settled.emit("7")
     assert window.settings.progress[str(lesson)].answers == {"one/mine": "7"}
     present(window)

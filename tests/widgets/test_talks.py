@@ -648,7 +648,7 @@ def test_a_state_is_added_and_shown_as_a_step(window: MainWindow, talk: Path) ->
     assert talk.read_text().startswith(TALK.rstrip("\n"))
     assert window.band.accessibleName() == "By hand"
     assert not window.talks.writer.write_step("", panes=False)
-    assert "must be some words on one line" in window.messages.text
+    assert "must be one line of text" in window.messages.text
     text = talk.read_text()
     talk.unlink()
     assert not window.talks.writer.write_step("More", panes=False)

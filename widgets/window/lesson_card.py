@@ -108,7 +108,7 @@ class LessonCard(QFrame):
         self.blocks: list[BlockView] = []
         self._title = Label(wordWrap=True)
         self._title.setObjectName("paneTitle")
-        forget = self.tr("Begin again: forget what was answered here")
+        forget = self.tr("Begin again: forget the answers of this lesson")
         self.anew = _tool("reset", forget, self.begin_again)
         close = _tool("close", self.tr("Close the lesson"), self.leave)
         self._marks = QWidget()
@@ -138,10 +138,10 @@ class LessonCard(QFrame):
             QKeySequence(key).toString(QKeySequence.SequenceFormat.NativeText)
             for key in (BACK_KEY, AGAIN_KEY, NEXT_KEY)
         )
-        before = self.tr("The step before ({0})").format(back_key)
-        shown = self.tr("Show the step again, whatever was tried ({0})").format(again_key)
-        hints = self.tr("A hint, one after the other (Alt+I)")
-        following = self.tr("The next step ({0})").format(next_key)
+        before = self.tr("Previous step ({0})").format(back_key)
+        shown = self.tr("Show the step again, as its file has it ({0})").format(again_key)
+        hints = self.tr("Show the next hint (Alt+I)")
+        following = self.tr("Next step ({0})").format(next_key)
         self.back = _push(self.tr("&Back"), before, self.go_back)
         self.again = _push(self.tr("Show again"), shown, self.show_again)
         self.again.setAccessibleName(self.tr("Show the step again"))
@@ -377,9 +377,7 @@ class LessonCard(QFrame):
         """Go to a step, from 0; an open prediction keeps the student from going on."""
         held = self._uncommitted
         if held is not None and place > self._lessons.place:
-            self._say(
-                self.tr("Make your prediction first: choose one, and Commit. Then it goes on.")
-            )
+            self._say(self.tr("Make your prediction first: choose one, then Commit."))
             if held.first is not None:
                 held.first.setFocus(Qt.FocusReason.OtherFocusReason)
                 self._area.ensureWidgetVisible(held)

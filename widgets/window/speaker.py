@@ -143,7 +143,7 @@ class SpeakerWindow(QWidget):
         forward = self._button(self.tr("&Next ▶"), self.next_wanted.emit)
         blank = self._button(self.tr("B&lank"), self.blank_wanted.emit)
         swap = self._button(self.tr("S&wap screens"), self.swap_wanted.emit)
-        set_tip(swap, self.tr("Let class and notes change screens (W); it is remembered"))
+        set_tip(swap, self.tr("Swap the screens of class and notes (W); the choice is remembered"))
         times = (self._clock, 8, self._elapsed, 8, self.pause, 8, self.reset, 8, (self._plan, 1))
         layout = QGridLayout()
         layout.addLayout(in_row(*times), 0, 0, 1, 2)

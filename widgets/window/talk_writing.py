@@ -110,8 +110,8 @@ class TitleDialog(QDialog):
         self.field = QLineEdit(title)
         self.field.setMinimumWidth(24 * self.fontMetrics().averageCharWidth())
         label.setBuddy(self.field)
-        self.panes = QCheckBox(self.tr("With the &panes turned as they are"))
-        set_tip(self.panes, self.tr("Then the state is a document beside the file"))
+        self.panes = QCheckBox(self.tr("Keep the &panes turned as they are"))
+        set_tip(self.panes, self.tr("The state is then a document beside the file"))
         self.panes.setVisible(turned)
         buttons = QDialogButtonBox(
             QDialogButtonBox.StandardButton.Ok | QDialogButtonBox.StandardButton.Cancel

@@ -248,7 +248,7 @@ class Talks(QObject):
     def open_speaker(self) -> None:
         """Open the speaker's window, on another screen if there is one."""
         if not self.has_lesson:
-            self._messages.say(self.tr("Open a talk first: its notes are what the speaker sees."))
+            self._messages.say(self.tr("Open a talk first: the speaker's window shows its notes."))
             return
         if self.speaker is None:
             self.speaker = speaker = SpeakerWindow(self._settings, self._window)

@@ -13,7 +13,7 @@ from app.lessons.lines import LACKS, Body, refused
 from app.model.formula import Formula
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
 
-EITHER = QT_TRANSLATE_NOOP("Refusal", "has choices and a value: only one of them can be")
+EITHER = QT_TRANSLATE_NOOP("Refusal", "has both choices and a value: keep one of them")
 
 
 @dataclass(frozen=True, kw_only=True)

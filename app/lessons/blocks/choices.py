@@ -18,7 +18,7 @@ from app.model.refusal import QT_TRANSLATE_NOOP
 ONE_RIGHT = QT_TRANSLATE_NOOP(
     "Refusal", "needs at least two choices, just one of them right: “- [x]”, the others “- [ ]”"
 )
-OTHER_NUMBER = QT_TRANSLATE_NOOP("Refusal", "says another number than its formula, which gives {0}")
+OTHER_NUMBER = QT_TRANSLATE_NOOP("Refusal", "says another number than its formula's value, {0}")
 A_NUMBER_OF = QT_TRANSLATE_NOOP("Refusal", "must be the number of a choice, from 1 to {0}")
 
 LETTERS = "ABCDEFGHIJ"

@@ -16,11 +16,10 @@ from app.lessons.state import State, state_in
 from app.model.formula import Formula
 from app.model.refusal import QT_TRANSLATE_NOOP
 
-NO_VALUE = QT_TRANSLATE_NOOP("Refusal", "has no value in this state: there is no {0}")
+NO_VALUE = QT_TRANSLATE_NOOP("Refusal", "has no value in this state, which has no {0}")
 NO_IDEA = QT_TRANSLATE_NOOP(
     "Refusal",
-    "names a wrong idea that the program does not know (the nearest is {0}), and has no “says:” of"
-    " its own",
+    "names an unknown wrong idea (the nearest is {0}), and has no “says:” of its own",
 )
 ALSO_RIGHT = QT_TRANSLATE_NOOP("Refusal", "is wrong, but its formula gives the right value, {0}")
 SAME_WRONG = QT_TRANSLATE_NOOP("Refusal", "cannot be told from the wrong value of line {0}, {1}")

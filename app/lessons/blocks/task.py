@@ -14,7 +14,7 @@ from app.lessons.quantities import Condition
 from app.model.limits import ONE_OF
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
 
-NOTHING_TO_DO = QT_TRANSLATE_NOOP("Refusal", "is done before anything was done")
+NOTHING_TO_DO = QT_TRANSLATE_NOOP("Refusal", "is done before the student does anything")
 _PANES = "view.panes="
 
 
