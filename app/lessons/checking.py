@@ -53,7 +53,6 @@ class Report:
             self.take(lesson)
 
     def take(self, lesson: Lesson) -> Course:
-        """Check a lesson, and add what was found."""
         self.lessons += not lesson.is_talk
         self.talks += lesson.is_talk
         course, trial = Course(lesson), Trial(lesson.path)
@@ -64,7 +63,6 @@ class Report:
 
 
 def counted(count: int, word: str) -> str:
-    """Write a number of things in English."""
     return f"{count} {word}{'' if count == 1 else 's'}"
 
 

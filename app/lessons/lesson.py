@@ -19,11 +19,10 @@ from app.document.codec import Path as AnyPath
 from app.document.files import TOO_LARGE, UNREADABLE, blamed_on
 from app.lecture.notation import LETTERS, Letters
 from app.lessons.blocks import KINDS
-from app.lessons.blocks.block import Asked, Block, Part, of_kind
+from app.lessons.blocks.block import Asked, Block, Part, Words, of_kind
 from app.lessons.blocks.note import Note
 from app.lessons.blocks.samples import Sample, Samples
 from app.lessons.blocks.shown import ShownState
-from app.lessons.blocks.words import Words
 from app.lessons.lines import ONLY_ONCE, Body, Lines, number_in, refused
 from app.lessons.state import State
 from app.lessons.text import markdown
@@ -159,7 +158,6 @@ class Lesson:
 
 
 def is_lesson(path: str) -> bool:
-    """Tell by its name whether a file is a lesson or a talk."""
     return path.lower().endswith(ENDINGS)
 
 
@@ -257,7 +255,6 @@ def _top(lines: Sequence[str]) -> tuple[dict[str, Any], int]:
 
 
 def _check_top(key: str, value: str, line: int) -> None:
-    """Refuse a wrong value of the front matter."""
     if key == "version":
         wanted = number_in(value, line, 1, 1e6)
         if wanted > VERSION:
@@ -354,7 +351,6 @@ class _StepReader:
         self._words: list[Token] = []
 
     def step(self) -> Step:
-        """Read the step."""
         name, title, line = self._heading()
         for token in self._tokens[1:]:
             self._take(token)
@@ -398,7 +394,6 @@ class _StepReader:
         self._blocks.append(cls.read(Body(kind, name, line, self._body(token))))
 
     def _end_words(self) -> None:
-        """Make one text of the words since the last block."""
         if self._words:
             begin, end = self._words[0].map[0], self._words[-1].map[1]  # type: ignore[index]
             text = "\n".join(self._lines[self._first + begin : self._first + end])

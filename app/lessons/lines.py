@@ -53,7 +53,6 @@ def on_line(line: int, what: str = "") -> Iterator[None]:
 
 
 def number_in(text: str, line: int, low: float, high: float) -> float:
-    """Read a number between two bounds."""
     try:
         number = float(text)
     except ValueError:
@@ -77,7 +76,6 @@ class Item(NamedTuple):
     below: Sequence[Item] = ()
 
     def formula(self) -> Formula:
-        """Read the text as a formula."""
         with on_line(self.line, self.key):
             return parse(self.text)
 

@@ -289,7 +289,6 @@ def _part(name: str, value: Any, places: tuple[float, ...]) -> float:
 
 
 def _numeric(name: str, value: Any) -> Any:
-    """Return a setting or a reading as a number, or as several."""
     if value is None:
         raise NotThere(name)
     if isinstance(value, str):
@@ -416,7 +415,6 @@ class Condition:
 
     @classmethod
     def read(cls, text: str) -> Condition:
-        """Read a condition."""
         signs = list(_SIGN.finditer(text))
         if len(signs) != 1:
             raise Refusal("condition", text, NO_CONDITION)

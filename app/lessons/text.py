@@ -60,7 +60,6 @@ def _math(state: StateInline, silent: bool) -> bool:
 
 
 def formulas_in(text: str) -> list[str]:
-    """Return the TeX of every formula in a text."""
     tokens = markdown().parse(text)
     return [
         part.content for token in tokens for part in token.children or () if part.type == "math"

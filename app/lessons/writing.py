@@ -200,13 +200,8 @@ def begin_talk(path: AnyPath, title: str, document: Document, *, panes: bool = F
         write_bytes_atomically(path, text.encode())
 
 
-def is_ours(path: AnyPath) -> bool:
-    """Whether a file is one of the lessons that come with the program."""
-    return Path(os.path.realpath(path)).is_relative_to(os.path.realpath(CONTENT))
-
-
 def _check_own(path: AnyPath) -> None:
-    if is_ours(path):
+    if Path(os.path.realpath(path)).is_relative_to(os.path.realpath(CONTENT)):
         error = Refusal.in_document(OURS)
         error.file = os.fspath(path)
         raise error

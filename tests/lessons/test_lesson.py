@@ -79,7 +79,7 @@ def test_what_is_read_is_what_was_written() -> None:
     assert (lesson.title, lesson.lecture) == ("How wide is 60 degrees?", "003")
     assert (lesson.letters, lesson.is_talk) == ("003", False)
     first, second = lesson.steps
-    assert (first.name, first.title, first.line) == ("typed", "The angle that is typed", 6)
+    assert (first.name, first.title, first.line) == ("typed", "The angle that you type", 6)
     assert first.state is not None
     assert first.state.values == ((10, "scene=letter-f"), (11, "lens.fov_y_deg=60"))
     assert formulas_in(first.words[0].text) == ["a = 9/16"]

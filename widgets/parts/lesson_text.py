@@ -97,7 +97,6 @@ def set_text(
 
 
 def _before(document: QTextDocument, cursor: QTextCursor) -> str:
-    """Return the letter before a place."""
     return str(cast(Any, document).characterAt(cursor.position() - 1))
 
 
@@ -211,7 +210,6 @@ class LessonText(QTextEdit):
         self.say(text)
 
     def say(self, text: str) -> None:
-        """Show another text."""
         self._text = text
         self._heights.clear()
         set_text(self.document(), text, title=self._is_title, palette=self.palette())

@@ -207,7 +207,6 @@ def _readout(document: Document, width: float) -> Iterator[_Block]:
 
 
 def _side_by_side(formulas: Iterable[str], width: float) -> Iterator[_Block]:
-    """Place formulas from left to right, in as many rows as they need."""
     font = QFont("DejaVu Sans")
     font.setPixelSize(FORMULA_PX)
     scale = FORMULA_PT / FORMULA_PX
@@ -235,7 +234,6 @@ class _Pages:
         self._y, self._number = 0.0, 1
 
     def head(self, course: Course) -> None:
-        """Draw the title of the talk, and its length."""
         minutes = course.lesson.minutes or sum(
             step.note.minutes for step in course.lesson.steps if step.note is not None
         )
@@ -259,7 +257,6 @@ class _Pages:
             self._draw(block)
 
     def foot(self) -> None:
-        """Draw the foot of the page."""
         painter = self._painter
         painter.save()
         font = QFont("DejaVu Sans")

@@ -330,7 +330,6 @@ class LessonCard(QFrame):
 
     @property
     def _hinting(self) -> BlockView | None:
-        """Return the block that the next hint is for."""
         return next((block for block in self.blocks if block.is_open and block.hints), None)
 
     def _is_done(self, step: Step) -> bool:
@@ -349,7 +348,6 @@ class LessonCard(QFrame):
         self.look_again()
 
     def _note(self, block: str, answer: str) -> None:
-        """Keep an answer."""
         answers = {**self._progress.answers, self._key(block): answer}
         self._progress = replace(self._progress, answers=answers)
         self._keep()
@@ -401,7 +399,6 @@ class LessonCard(QFrame):
             self._finish(lesson)
 
     def go_back(self) -> None:
-        """Go to the step before."""
         self._lessons.previous()
 
     def show_again(self) -> None:
@@ -534,12 +531,10 @@ class Side(QSplitter):
         self.setChildrenCollapsible(False)
 
     def take_card(self, card: LessonCard) -> None:
-        """Put the lesson's card above the controls."""
         self._card = card
         self.insertWidget(0, card)
 
     def show_parts(self, *, card: bool, controls: bool) -> None:
-        """Show some of it."""
         assert self._card is not None
         self._card.setVisible(card)
         self.controls.setVisible(controls)

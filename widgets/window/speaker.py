@@ -59,12 +59,10 @@ class TalkClock:
 
     @property
     def is_running(self) -> bool:
-        """Whether it counts."""
         return self._since is not None
 
     @property
     def seconds(self) -> float:
-        """Return the seconds that it has counted."""
         return self._before + (self._now() - self._since if self._since is not None else 0.0)
 
     def begin(self) -> None:
@@ -73,7 +71,6 @@ class TalkClock:
             self._since = self._now()
 
     def toggle(self) -> None:
-        """Pause, or go on."""
         if self._since is None:
             self._since = self._now()
         else:
@@ -299,7 +296,6 @@ class SpeakerWindow(QWidget):
 
 
 def _drawn(document: Document, theme: str) -> QImage:
-    """Draw the leading pane of a state."""
     from app.drawings.figures import render
 
     current = QOpenGLContext.currentContext()

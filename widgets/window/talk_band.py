@@ -116,7 +116,6 @@ class TalkBand(QFrame):
 
     @property
     def _room(self) -> QRectF:
-        """Return the area inside the edges."""
         return QRectF(self.rect()).adjusted(_GAP_PX, _EDGE_PX, -_GAP_PX, -_EDGE_PX)
 
     def _columns(self) -> tuple[QRectF, QRectF]:

@@ -162,7 +162,6 @@ class Talks(QObject):
             self._lessons.next()
 
     def previous(self) -> None:
-        """Go back."""
         self._unblank()
         self._lessons.previous()
 
@@ -207,7 +206,6 @@ class Talks(QObject):
             self.speaker.say(text or self._refusal or self._complaint)
 
     def _say(self, text: str) -> None:
-        """Say something for a moment."""
         self._keys.forget_later()
         self._band.say(text)
         if self.speaker is not None:
@@ -269,7 +267,6 @@ class Talks(QObject):
         self._show()
 
     def close_speaker(self) -> None:
-        """Close the speaker's window, if it is open."""
         if self.speaker is not None:
             self.speaker.close()
 

@@ -161,6 +161,13 @@ class Part(Block):
         return ""
 
 
+class Words(Part):
+    """The text between two blocks."""
+
+    def texts(self) -> Iterator[tuple[int, str]]:
+        yield self.line, self.text
+
+
 @dataclass(frozen=True, kw_only=True)
 class Asked(Part):
     """A block that the student has to answer.

@@ -72,7 +72,6 @@ class Choices(Question):
 
     @classmethod
     def of(cls, body: Body, text: str, items: Items, **more: Any) -> Choices:
-        """Make the block of what was read of its body."""
         choices = tuple(Choice.read(item) for item in items if item.key == "choice")
         if len(choices) < 2 or sum(each.right for each in choices) != 1:
             raise refused(body.line, ONE_RIGHT)

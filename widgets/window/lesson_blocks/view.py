@@ -123,7 +123,6 @@ class BlockView(QFrame):
         """See what of it is done in the window as it stands."""
 
     def give_hint(self) -> None:
-        """Say the next hint."""
         if self.hints:
             count = len(self.block.hints) - len(self.hints) + 1
             many = len(self.block.hints) > 1
@@ -200,7 +199,6 @@ def _row(icon: str, sign: str, text: str) -> QWidget:
 
 
 def on_holder(*parts: Part, gap: int) -> QWidget:
-    """Put parts side by side on one widget."""
     holder = QWidget()
     in_row(*parts, on=holder, margins=(0, 0, 0, 0), gap=gap)
     return holder
