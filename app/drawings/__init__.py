@@ -46,4 +46,4 @@ class Words(dict[str, str]):
 WORDS: Mapping[str, str] = Words()
 
 AXES = "axes"
-"""A layer that no document names: the pixel axes, which pictures beside each other do without."""
+"""A layer that no document names: the pixel axes, which compared pictures hide."""

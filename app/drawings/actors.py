@@ -138,7 +138,7 @@ class Canvas:
     def make_ready(renderer: Any) -> None:
         """Make a renderer draw everything it is given, in the order it is given, and opaquely."""
         renderer.GetCullers().RemoveAllItems()
-        renderer.SetBackgroundAlpha(1.0)  # or Qt adds what lies under it, in a window of OpenGL's
+        renderer.SetBackgroundAlpha(1.0)  # or Qt blends it with the window behind it
         renderer.SetUseOIT(False)
 
     def add(self, *props: vtkProp, renderer: Any = None, layer: str = "") -> None:
@@ -428,7 +428,7 @@ class SceneActors:
             if lines is not None:
                 lines.GetProperty().SetLineWidth(style.line_width / 2.0)
                 _after_position(lines, _KEEP_OFF_ZERO)
-                if not planes:  # which would have to be cut as well
+                if not planes:  # a clipped line would need another cut
                     _cut_behind(lines)
         self._share_out()
         for actor in self:
@@ -607,10 +607,10 @@ def _cut_behind(actor: vtkActor) -> None:
     behind.
     """
     properties = actor.GetShaderProperty()
-    start = "//VTK::System::Dec"  # in every shader of VTK's: no use of the function is without it
+    start = "//VTK::System::Dec"  # VTK has it in every shader that uses the function
     properties.AddGeometryShaderReplacement(start, True, start + _IN_FRONT, True)
     for end, other in (("0", "1"), ("1", "0"), ("i", "1 - i")):
-        # In brackets, so that what replaces one is not what is looked for as another.
+        # In brackets, so that one replacement does not match the next search.
         cut = f"inFront((gl_in[{end}]).gl_Position, (gl_in[{other}]).gl_Position)"
         properties.AddGeometryShaderReplacement(f"gl_in[{end}].gl_Position", True, cut, True)
 

@@ -78,7 +78,7 @@ class ImageDrawing(Drawing):
         self._probes = Probes(self._canvas, self._picture)
         self._marks: MarksDrawing | None = None
         self._homogeneous = np.empty((0, 4))
-        """Points all over the scene's faces, (n, 4), which texts rather do not hide."""
+        """Points all over the scene's faces, (n, 4), which texts avoid."""
         self._rasteriser: Rasteriser | None = None
         self._rendering = Rendering()
         self._quality = quality
@@ -415,7 +415,7 @@ class ImageDrawing(Drawing):
         gap = 0.35 * em
         self._width_label.set_text(str(self._image_size[0]))
         self._height_label.set_text(str(self._image_size[1]))
-        # Above the picture and below it, where they leave it the width of the pane.
+        # Above and below the picture, which keeps the width of the pane.
         zero, above = left - 1.6 * em, top - thick - gap
         least = zero + (len("0, 0") + len(str(self._image_size[0]))) * _EM_OF_DIGIT * em
         width_end = max(right - gap, least)

@@ -26,7 +26,7 @@ _DIRECTIONS = np.array(
 )
 """From a point to its name, the better ones first."""
 _STEPS = 7
-"""Heights of a name that it may be away from its point."""
+"""How many of its heights a name may be away from its point."""
 
 
 class Box(NamedTuple):

@@ -86,7 +86,7 @@ class Probes:
             crossing = sight.seen(line[:1])[0] if line is not None and has_near else None
             spot = sight.seen([point])[0]
             way: Array | None = np.stack([start, point]) - origin
-            if line is None and not projection.lens.central:  # no eye that it would start in
+            if line is None and not projection.lens.central:  # there is no eye to start from
                 way = None
             marks.append(Mark(probe.number, spot, not trace.outside.any(), way, crossing))
         return marks
@@ -257,7 +257,7 @@ def sort_ahead(scene: Scene) -> None:
     points: NDArray[Any] = np.empty((0, 3), np.float32)
     triangles: NDArray[Any] = np.empty((0, 3), np.int32)
     if mesh is not None:
-        if not mesh.is_all_triangles:  # VTK does not let go of Python: here as well as there
+        if not mesh.is_all_triangles:  # VTK holds the GIL, so that a thread would not help
             mesh = mesh.triangulate()
         points, triangles = np.asarray(mesh.points), mesh.regular_faces
     surface = _sorting.submit(Surface, points, triangles, scene.origin)

@@ -85,7 +85,7 @@ class StageBox:
         self._at: dict[Label, Array] = {}
         self._is_pyramid = False
         self._written: set[Label] = set()
-        """What stands in the pane if it has room."""
+        """The labels to show if there is room."""
         self._add_volume()
         self._add_axes()
         self._add_words()
