@@ -35,7 +35,6 @@ from vtkmodules.vtkRenderingCore import (
     vtkActor,
     vtkActor2D,
     vtkCamera,
-    vtkCoordinate,
     vtkPolyDataMapper,
     vtkPolyDataMapper2D,
     vtkProp,
@@ -202,11 +201,11 @@ class Canvas:
 
 
 class Label:
-    """A word at a point of the pane's own world, of constant size.
+    """A text at a pixel of a renderer, of constant size.
 
-    `plate` is the colour of a plate behind the text, which is then black or white. With
-    `in_pixels`, positions are pixels from the renderer's bottom left. `anchor` says which part of
-    the text is at the position: -1 left, 0 centre, 1 right; -1 bottom, 0 middle, 1 top.
+    `plate` is the colour of a plate behind the text, which is then black or white. `anchor` says
+    which part of the text is at the position: -1 left, 0 centre, 1 right; -1 bottom, 0 middle,
+    1 top.
     """
 
     def __init__(
@@ -215,7 +214,6 @@ class Label:
         style: Style,
         *,
         plate: str | None = None,
-        in_pixels: bool = False,
         anchor: tuple[int, int] = (0, 0),
         bold: bool = False,
     ) -> None:
@@ -227,15 +225,8 @@ class Label:
         self._pad = " " if plate else ""
         self._font_px, self._dpi = style.font_size, _DPI
         self._text: str | None = None
-        self._place = vtkCoordinate()
-        if in_pixels:
-            self._place.SetCoordinateSystemToViewport()
-        else:
-            self._place.SetCoordinateSystemToWorld()
-        of_text = self.actor.GetPositionCoordinate()
-        of_text.SetCoordinateSystemToViewport()
-        of_text.SetReferenceCoordinate(self._place)
-        of_text.SetValue(0.0, 0.0, 0.0)
+        self._place = self.actor.GetPositionCoordinate()
+        self._place.SetCoordinateSystemToViewport()
         self.property = self.actor.GetTextProperty()
         self.property.SetFontFamily(_VTK_FONT_FILE)
         self.property.SetFontFile(font_file(bold))
@@ -248,7 +239,7 @@ class Label:
             self.set_plate(plate)
         self.set_dpi(_DPI)
         self.set_text(text)
-        self.set_position((0.0, 0.0, 0.0))
+        self.set_position(0.0, 0.0)
 
     def set_text(self, text: str) -> None:
         """Write another text; the same one costs nothing."""
@@ -274,9 +265,9 @@ class Label:
         self.property.SetBackgroundOpacity(1.0)
         self.property.SetColor(*rgb(self._style.text_on(plate)))
 
-    def set_position(self, position: ArrayLike) -> None:
-        x, y, z = np.asarray(position, dtype=np.float64).tolist()
-        self._place.SetValue(x, y, z)
+    def set_position(self, x_px: float, y_px: float) -> None:
+        """Move to a pixel, counted from the renderer's left and bottom."""
+        self._place.SetValue(x_px, y_px, 0.0)
 
     def set_visible(self, visible: bool) -> None:
         self._visible = visible

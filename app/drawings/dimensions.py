@@ -115,8 +115,8 @@ class Dimensions:
             for name in ("angle", "height")
         }
         plate = canvas.style.background
-        self._texts = {name: canvas.label("", plate=plate, in_pixels=True) for name in _NAMES}
-        self._sentence = canvas.label("", anchor=(-1, -1), plate=plate, in_pixels=True)
+        self._texts = {name: canvas.label("", plate=plate) for name in _NAMES}
+        self._sentence = canvas.label("", anchor=(-1, -1), plate=plate)
         self.hide()
 
     def hide(self) -> None:
@@ -348,7 +348,7 @@ class Dimensions:
         if not said:
             return
         self._sentence.set_text("\n ".join(said))
-        self._sentence.set_position((0.5 * self._em, 0.5 * self._em, 0.0))
+        self._sentence.set_position(0.5 * self._em, 0.5 * self._em)
         top = self._said_em(said) * self._em
         layout.keep_free_box([(0.0, 0.0, 1.0), (float(size_px[0]), top, 1.0)])
 

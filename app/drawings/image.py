@@ -9,7 +9,6 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
-from functools import partial
 from typing import Any
 
 import numpy as np
@@ -96,9 +95,7 @@ class ImageDrawing(Drawing):
             self._caption: Any = None
             self._middle = middle
             if caption:
-                self._caption = self._canvas.label(
-                    caption, anchor=(0, -1), in_pixels=True, bold=True
-                )
+                self._caption = self._canvas.label(caption, anchor=(0, -1), bold=True)
 
     def show_highlight(self, highlighted: Highlight) -> bool:
         return self._emphasis.show(highlighted)
@@ -313,7 +310,7 @@ class ImageDrawing(Drawing):
             ("y head", style.v, ((-1.0, 0.0, 0.0), (0.0, 2.0, 0.0), (1.0, 0.0, 0.0))),
         ):
             self._add_face(name, colour, points, "" if name == "frame" else AXES)
-        label = partial(self._canvas.label, in_pixels=True)
+        label = self._canvas.label
         self._zero = label("0, 0", anchor=(-1, -1))
         self._width_label = label("", anchor=(1, -1))
         self._height_label = label("", anchor=(-1, 1))
@@ -410,7 +407,7 @@ class ImageDrawing(Drawing):
             self._spaces[name].set(matrix)
 
         def move(label: Any, x: float, y: float) -> None:
-            label.set_position((x, pane_height_px - y, 0.0))
+            label.set_position(x, pane_height_px - y)
 
         gap = 0.35 * em
         self._width_label.set_text(str(self._image_size[0]))

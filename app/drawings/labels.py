@@ -76,7 +76,7 @@ class Named(NamedTuple):
 class Labels:
     def __init__(self, canvas: Canvas, words: Mapping[str, str]) -> None:
         self._canvas, self._words = canvas, words
-        style, label = canvas.style, partial(canvas.label, in_pixels=True)
+        style, label = canvas.style, canvas.label
         # The leaders before all labels, whose plates hide the ends.
         self._leaders = {
             name: Leader(canvas, getattr(style, name), style.line_width)
@@ -90,7 +90,7 @@ class Labels:
 
     def add_arrow(self, name: str, colour: str) -> Label:
         """Create the label of one more arrow than `AXES`."""
-        label = self._canvas.label(self._words[name], plate=colour, bold=True, in_pixels=True)
+        label = self._canvas.label(self._words[name], plate=colour, bold=True)
         self._arrows[name] = label
         return label
 
@@ -309,7 +309,7 @@ class Layout:
             if found.cost < INK and side[0] <= _STAYS_WITHIN_EM:
                 self.settled[label] = side
             self._join(leader, points[side[1]][:2], found.box)
-        label.set_position((*found.box.middle, 0.0))
+        label.set_position(*found.box.middle)
         return True
 
     def least_hiding(

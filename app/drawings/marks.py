@@ -250,9 +250,7 @@ class MarksDrawing:
         self._away_points = _placed_each(away, placing)
         style = self._style
         while len(self._labels) < len(near):
-            label = self._canvas.label(
-                "", renderer=self._renderer, plate=style.ink, in_pixels=True, bold=True
-            )
+            label = self._canvas.label("", self._renderer, plate=style.ink, bold=True)
             self._labels.append(label)
             leader = None
             if self._leads:

@@ -175,7 +175,7 @@ class _Slot:
             _disc(outer * em, colour, 48, inner * em)
             for (inner, outer), colour in zip(_RING_EM, (style.ink, style.accent), strict=True)
         )
-        self._label = Label("", style, plate=style.accent, in_pixels=True, bold=True)
+        self._label = Label("", style, plate=style.accent, bold=True)
         canvas.add(
             self._line, *self._crossing, *self._ring, self._rim, self._fill, self._label.actor,
             renderer=renderer,
@@ -207,7 +207,7 @@ class _Slot:
             em, (x, y) = self._style.font_size, spot
             to_right = 1.0 if x + 2.2 * em < size_px[0] else -1.0
             to_top = 1.0 if y + 2.0 * em < height_px else -1.0
-            self._label.set_position((x + 1.3 * em * to_right, y + 1.2 * em * to_top, 0.0))
+            self._label.set_position(x + 1.3 * em * to_right, y + 1.2 * em * to_top)
         crossing = _place(None if mark is None else mark.crossing_px, height_px)
         for actor in self._crossing:
             actor.SetVisibility(crossing is not None)

@@ -9,7 +9,6 @@ from __future__ import annotations
 import itertools
 import math
 from collections.abc import Callable, Mapping, Sequence
-from functools import partial
 from typing import TypeAlias
 
 import numpy as np
@@ -135,7 +134,7 @@ class StageBox:
     def _add_words(self) -> None:
         style, words = self._canvas.style, self._words
 
-        label = partial(self._canvas.label, in_pixels=True)
+        label = self._canvas.label
         # The leaders before all labels, whose plates hide the ends.
         self._leaders = {
             name: Leader(self._canvas, getattr(style, name), style.line_width)
