@@ -223,7 +223,7 @@ class Label:
         self._visible = self._shown = True
         self._style, self._plate = style, ""
         self._pad = " " if plate else ""
-        self._font_px, self._dpi = style.font_size, _DPI
+        self._font_px = style.font_size
         self._text: str | None = None
         self._place = self.actor.GetPositionCoordinate()
         self._place.SetCoordinateSystemToViewport()
@@ -297,7 +297,6 @@ class Label:
 
     def set_dpi(self, dpi: int) -> None:
         """Keep the size in pixels, whatever the window's dots per inch."""
-        self._dpi = dpi
         self.property.SetFontSize(max(1, round(self._font_px * _DPI / dpi)))
 
 

@@ -130,7 +130,7 @@ class OwnView(PaneCamera):
         self._framed = self._framed_first = framed
         self._was_shifted = False
         if not self.fixed:
-            self._direction = _clearest(framed, self._middle)
+            self._direction = _clearest(framed)
         self.place(framed)
 
     def refit(self, framed: Framed) -> bool:
@@ -388,7 +388,7 @@ def _directions(frame: Array) -> Iterator[Array]:
         yield math.cos(rise) * level + np.array([0.0, math.sin(rise), 0.0])
 
 
-def _clearest(framed: Framed, middle: Array) -> Array:
+def _clearest(framed: Framed) -> Array:
     """The direction that shows eye, near plane, objects and far plane best, (3,).
 
     It maximises the product of the parts of a square pane that each of the four takes alone, and

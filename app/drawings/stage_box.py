@@ -177,7 +177,7 @@ class StageBox:
                 is_written = has_depth or name != "z"
                 number.set_visible(stop >= CANONICAL_PERSPECTIVE and is_written)
         if drawn:
-            self._place_words(morph, position, stop)
+            self._place_words(morph, stop)
         labels = self.near, self.far, *self._letters, *itertools.chain(*self._numbers.values())
         self._written = {label for label in labels if label.is_visible and label.text}
 
@@ -230,7 +230,7 @@ class StageBox:
         shown: Array = homogeneous[..., :3] / homogeneous[..., 3:]
         return shown
 
-    def _place_words(self, morph: Morph, position: float, stop: int) -> None:
+    def _place_words(self, morph: Morph, stop: int) -> None:
         """Put near, far and the ends of the axes at the corners of the view volume."""
         box, lens, words = self.display_from_box, morph.projection.lens, self._words
         limit = RADIUS if stop <= VIEW else 2.0
