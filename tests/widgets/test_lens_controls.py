@@ -44,7 +44,8 @@ from tests.support.controls import (
 from tests.support.frustum import corners_world
 from tests.support.shown import show
 from widgets.controls.controls import Controls
-from widgets.parts.fields import Linear, Log, NumberRow
+from widgets.parts.fields import NumberRow
+from widgets.parts.scales import Linear, Log
 
 SHOWN = {p.lens.kind: p for p in (START, OFF_AXIS, BOX, SLANTED)}
 

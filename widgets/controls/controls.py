@@ -28,12 +28,14 @@ from widgets.controls.animation import AnimationBar
 from widgets.controls.finder import Known, SearchBox, find, known
 from widgets.controls.lens_controls import LensControls
 from widgets.controls.scene_card import SceneCard
-from widgets.parts.fields import Choice, Linear, Log, NumberRow, Row, RowHolder, Scale, short_text
+from widgets.parts.fields import Choice, NumberRow, Row, RowHolder
 from widgets.parts.focus import FocusRing, lay_out
 from widgets.parts.layouts import FREE, in_column
 from widgets.parts.messages import field_name, seen_from, sentence, translated
+from widgets.parts.number_text import short_text
 from widgets.parts.panel import EVERYTHING, Changed, Shown
 from widgets.parts.plain import Label, set_tip
+from widgets.parts.scales import Linear, Log, Scale
 from widgets.parts.section import GAP_PX, PARTS, Binding, Of, Part, Rows, Section, Typed
 
 WIDTH_PX, LEAST_PX = 285, 270

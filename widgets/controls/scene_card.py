@@ -35,19 +35,7 @@ from app.scenes.phenomena.readout import Phrase, Reading
 from app.scenes.phenomena.settings import Found, Setting, Settings, Value
 from widgets.parts.buttons import tool_button
 from widgets.parts.clock import Clock, Playing
-from widgets.parts.fields import (
-    CheckRow,
-    Choice,
-    ChoiceRow,
-    Doubling,
-    Linear,
-    Log,
-    NumberRow,
-    Row,
-    RowHolder,
-    Scale,
-    VectorRow,
-)
+from widgets.parts.fields import CheckRow, Choice, ChoiceRow, NumberRow, Row, RowHolder, VectorRow
 from widgets.parts.icons import RefusalLabel, show_icon
 from widgets.parts.layouts import FREE, in_column, in_row
 from widgets.parts.messages import (
@@ -62,6 +50,7 @@ from widgets.parts.note import Balanced
 from widgets.parts.panel import Changed, Shown
 from widgets.parts.plain import Label, set_tip, show_tip
 from widgets.parts.readable import Readable
+from widgets.parts.scales import Doubling, Linear, Log, Scale
 from widgets.parts.section import GAP_PX
 from widgets.parts.typeset import TypesetLabel, in_line, matrix
 from widgets.parts.writing import all_digits, lettering

@@ -10,10 +10,10 @@ from PySide6.QtWidgets import QDialog, QDialogButtonBox, QWidget
 
 from app.model.limits import within
 from app.model.refusal import Refusal
-from widgets.parts.fields import NumberField, refusal
 from widgets.parts.icons import RefusalLabel
 from widgets.parts.layouts import in_column
 from widgets.parts.messages import sentence
+from widgets.parts.number_field import NumberField, refusal
 from widgets.parts.plain import Label
 
 
