@@ -62,6 +62,22 @@ def column_with_the_keyboard(qtbot: Any, *sections: str) -> Column:
     return controls
 
 
+class Reader:
+    """Another column with all its rows in view, to compare with what a column shows."""
+
+    def __init__(self, qtbot: Any) -> None:
+        self._column = Controls()
+        qtbot.addWidget(self._column)
+        self._column.set_scene(6.0, START)
+        for section in self._column.sections.values():
+            section.set_open(True)
+
+    def read(self, key: str, shown: Projection) -> float:
+        """Return the number that a row shows of a projection."""
+        show(self._column, shown)
+        return number(self._column, key).value()
+
+
 class Record:
     """What the column says, in order."""
 

@@ -9,6 +9,7 @@ from dataclasses import replace
 from itertools import pairwise
 from typing import Any
 
+import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
@@ -37,22 +38,21 @@ STEPS = Motion(height="steps", lowest=3.0, highest=9.0)
 # -- the walk as a function of time
 
 
-def test_the_camera_walks_from_the_z_side_to_the_x_side() -> None:
-    camera = camera_at(START, QUARTER_S, Motion(speed_deg_s=20.0))
-    assert camera.eye == pytest.approx((5.0, 5.0, 0.0))
-    assert camera.target == START.target and camera.up == START.up
-    assert camera.orbit.azimuth_deg == pytest.approx(90.0)
-
-
-def test_the_other_way_round_below_0() -> None:
-    camera = camera_at(START, QUARTER_S, Motion(speed_deg_s=-20.0))
-    assert camera.eye == pytest.approx((-5.0, 5.0, 0.0))
-
-
-def test_the_walk_goes_round_the_target_not_the_origin() -> None:
-    start = Camera((101.0, 5.0, 55.0), (101.0, 2.0, 50.0))
-    camera = camera_at(start, QUARTER_S, Motion(speed_deg_s=20.0))
-    assert camera.eye == pytest.approx((106.0, 5.0, 50.0))
+@pytest.mark.parametrize(
+    ("speed_deg_s", "moved", "eye"),
+    [
+        (20.0, (0.0, 0.0, 0.0), (5.0, 5.0, 0.0)),  # from the z side to the x side
+        (-20.0, (0.0, 0.0, 0.0), (-5.0, 5.0, 0.0)),
+        (20.0, (101.0, 0.0, 50.0), (106.0, 5.0, 50.0)),  # round the target, not the origin
+    ],
+)
+def test_the_camera_walks_round_the_target(
+    speed_deg_s: float, moved: Any, eye: tuple[float, ...]
+) -> None:
+    ends: Any = [np.add(point, moved).tolist() for point in (START.eye, START.target)]
+    camera = camera_at(Camera(*map(tuple, ends)), QUARTER_S, Motion(speed_deg_s=speed_deg_s))
+    assert camera.eye == pytest.approx(eye)
+    assert camera.target == tuple(ends[1]) and camera.up == START.up
 
 
 def test_a_full_turn_comes_back_to_the_digit() -> None:
@@ -180,22 +180,16 @@ def motion(bar: AnimationBar) -> Motion:
 
 
 def test_play_and_pause_enclose_one_gesture(bar: AnimationBar, record: Record) -> None:
+    bar.advance(1.0)  # without effect
     QTest.mouseClick(bar.button, Qt.MouseButton.LeftButton)
     assert bar.playing and bar.button.accessibleName() == "Pause"
     bar.advance(1.0)
     bar.advance(1.0)
     QTest.mouseClick(bar.button, Qt.MouseButton.LeftButton)
     assert not bar.playing and bar.button.accessibleName() == "Play"
+    bar.advance(1.0)
     assert record.events == ["start", True, "finish", False]
     assert record.cameras == [camera_at(START, t, motion(bar)) for t in (1.0, 2.0)]
-
-
-def test_nothing_moves_before_play_and_after_pause(bar: AnimationBar, record: Record) -> None:
-    bar.advance(1.0)
-    bar.play()
-    bar.pause()
-    bar.advance(1.0)
-    assert record.cameras == []
 
 
 def test_the_timer_makes_one_frame_after_another(
@@ -491,11 +485,8 @@ def type_into(row: NumberRow, text: str) -> None:
     ("name", "text", "said"),
     [
         ("speed", "inf", "Speed = ∞: must be at most 3600."),
-        ("speed", "-inf", "Speed = -∞: must be at least -3600."),
         ("speed", "1e308", "Speed = 1e+308: must be at most 3600."),
         ("speed", "-3600.5", "Speed = -3600.5: must be at least -3600."),
-        ("lowest", "-inf", "Lowest = -∞: must be at least -1e+100."),
-        ("highest", "inf", "Highest = ∞: must be at most 1e+100."),
         ("highest", "1e101", "Highest = 1e+101: must be at most 1e+100."),
         (
             "speed", "fast",
