@@ -18,8 +18,9 @@ import numpy as np
 import pytest
 
 from app.bootstrap import ROOT
-from app.document import document
+from app.document.codec import parse, picture_json
 from app.document.document import Document
+from app.document.files import read
 from app.model.refusal import Cancelled, Refusal
 from app.scenes import finishing, mesh, mesh_files, reading
 from app.scenes.fewer_triangles import reduced, shares_for_dragging
@@ -688,7 +689,7 @@ def test_pipes_and_devices_are_not_opened(tmp_path: Path) -> None:
     for name in ("pipe", "link", "zero"):
         assert "not a regular file" in str(refused(tmp_path / f"{name}.obj"))
         with pytest.raises(Refusal, match="not a regular file"):
-            document.read(tmp_path / f"{name}.json")
+            read(tmp_path / f"{name}.json")
 
 
 @pytest.mark.parametrize(
@@ -721,7 +722,7 @@ def test_a_document_of_millions_of_brackets_is_answered_at_once() -> None:
     text = '{"format": "frustum-lab", "version": 1, "more": [' + "[]," * 5_000_000 + "[]]}"
     started = time.process_time()
     with pytest.raises(Refusal, match="more than 200000 values"):
-        document.parse(text)
+        parse(text)
     assert time.process_time() - started < 2.0
 
 
@@ -868,7 +869,7 @@ def test_hostile_files_are_sound_or_refused_in_one_sentence() -> None:
 def test_a_picture_names_a_mesh_without_its_folder(tmp_path: Path) -> None:
     path = str(tmp_path / "somebody" / "cow.obj")
     for shown in (Document(path), Document("similar-triangles", mesh=path)):
-        text = document.picture_json(shown)
+        text = picture_json(shown)
         assert "somebody" not in text and '"cow.obj"' in text
-        found = document.parse(text, tmp_path)
+        found = parse(text, tmp_path)
         assert str(tmp_path / "cow.obj") in (found.scene, found.mesh)
