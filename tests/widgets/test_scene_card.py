@@ -31,7 +31,9 @@ from app.scenes.phenomena.settings import Setting, Settings
 from tests.support.controls import choose
 from tests.support.phenomenon import EVERYTHING, called
 from tests.support.window import enter, show_scene
-from widgets.controls.scene_card import NONE, Player, SceneCard, make_row, scale_of
+from widgets.controls.readout import NONE
+from widgets.controls.scene_card import SceneCard
+from widgets.controls.setting_rows import Player, make_row, scale_of
 from widgets.parts import palette
 from widgets.parts.fields import CheckRow, ChoiceRow, NumberRow, VectorRow
 from widgets.parts.messages import Words, number_text

@@ -11,17 +11,13 @@ Everything here is made from the data of a `Phenomenon`; no phenomenon has code 
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Iterable
 from dataclasses import replace
-from fractions import Fraction
 from functools import partial
-from typing import Any
 
 from PySide6.QtCore import QEvent, QObject, Qt, Signal
-from PySide6.QtGui import QHelpEvent, QHideEvent, QPalette, QShowEvent
+from PySide6.QtGui import QHelpEvent, QHideEvent, QShowEvent
 from PySide6.QtWidgets import (
-    QGridLayout,
-    QSizePolicy,
     QToolButton,
     QVBoxLayout,
     QWidget,
@@ -34,40 +30,29 @@ from app.scenes.phenomena.illustration import Illustration, Phenomenon
 from app.scenes.phenomena.readout import Phrase, Reading
 from app.scenes.phenomena.settings import Found, Setting, Settings, Value
 from app.scenes.phenomena.words import Comparison
+from widgets.controls.readout import Readout, full_sentence
+from widgets.controls.setting_rows import Player, make_row
 from widgets.parts.buttons import tool_button
-from widgets.parts.clock import Clock, Playing
-from widgets.parts.fields import CheckRow, Choice, ChoiceRow, NumberRow, Row, RowHolder, VectorRow
-from widgets.parts.icons import RefusalLabel, show_icon
+from widgets.parts.fields import ChoiceRow, NumberRow, Row, RowHolder
+from widgets.parts.icons import RefusalLabel
 from widgets.parts.layouts import FREE, in_column, in_row
 from widgets.parts.messages import (
     breakable,
-    limits_text,
-    number_text,
     of_phenomena,
     read_text,
     sentence,
 )
 from widgets.parts.note import Balanced
 from widgets.parts.panel import Changed, Shown
-from widgets.parts.plain import Label, set_tip, show_tip
+from widgets.parts.plain import show_tip
 from widgets.parts.readable import Readable
-from widgets.parts.scales import Doubling, Linear, Log, Scale
 from widgets.parts.section import GAP_PX
-from widgets.parts.typeset import TypesetLabel, in_line, matrix
-from widgets.parts.writing import all_digits, lettering
+from widgets.parts.writing import all_digits
 
 WORD = 16
 """Characters of a file's name that find room in the narrowest dock."""
-TITLE, LARGE = 1.25, 1.15
-"""Size of the scene's name, and of a reading's number, against ordinary text."""
-BESIDE, ON_A_LINE = 13, 30
-"""Longest text of a value beside its label, and of numbers that is not broken in two."""
-LABEL_EM, WORDS_EM = 6, 7
-"""Widths in heights of a line, beyond which labels, and words as values, may wrap."""
-BETWEEN_EM = 0.35
-"""Between two readings, whose labels may have several lines."""
-NONE = "–"
-"""Stands for a reading that there is not."""
+TITLE = 1.25
+"""Size of the scene's name, against ordinary text."""
 
 
 class SceneCard(QWidget, RowHolder):
@@ -462,336 +447,3 @@ def _remove(layout: QVBoxLayout, widgets: Iterable[QWidget]) -> None:
         layout.removeWidget(widget)
         widget.hide()
         widget.deleteLater()
-
-
-# --------------------------------------------------------------------------- settings
-
-
-def make_row(setting: Setting, none: str = "") -> Row:
-    """A row of the kind that a setting's default asks for, with its reset.
-
-    `none` is what a choice says while what it is about is none of what can be chosen.
-    """
-    name, tip = of_phenomena(setting.label), of_phenomena(setting.tip)
-    tip = tip if tip.endswith(".") else f"{tip}."
-    row: Row
-    if isinstance(setting.default, bool):
-        row = CheckRow(name, tip)
-    elif isinstance(setting.default, str):
-        choices = [Choice(key, of_phenomena(text)) for key, text in setting.choices]
-        row = ChoiceRow(name, tip, choices, none=none)
-    elif isinstance(setting.default, tuple):
-        row = VectorRow(name, tip)
-    else:
-        number = NumberRow(name, tip, scale_of(setting), of_phenomena(setting.unit))
-        number.limits = partial(limits_text, setting.low, setting.high)
-        number.accepts = setting.can_be
-        row = number
-    default: Any = setting.default
-    row.setValue(default)
-    row.setDefault(default)
-    return row
-
-
-def ends_of(setting: Setting) -> tuple[float, float]:
-    """From where to where a number's slider goes."""
-    low, high = setting.span or (setting.low, setting.high)
-    default = setting.default
-    assert isinstance(default, float | int)
-    reach = 10.0 * max(1.0, abs(default))  # where there are no ends
-    return max(low, default - reach) if math.isinf(low) else low, (
-        min(high, default + reach) if math.isinf(high) else high
-    )
-
-
-def scale_of(setting: Setting) -> Scale:
-    """The slider's scale: within the bounds, to the last position."""
-    low, high = ends_of(setting)
-    if setting.logarithmic and setting.whole:
-        return Doubling(low, high)
-    if setting.logarithmic and high >= 2.0 * low:
-        return Log(low, high)
-    step = 1.0 if setting.whole else Linear.about((low + high) / 2.0, (high - low) / 2.0).step
-    fraction = Fraction(repr(step))
-    first, last = math.ceil(Fraction(low) / fraction), math.floor(Fraction(high) / fraction)
-    parts = 1 if setting.whole else Linear.parts
-    return Linear(float(first * fraction), float(last * fraction), step, parts)
-
-
-# --------------------------------------------------------------------------- playing
-
-
-class Player(QObject, Playing):
-    """Lets a number run to and fro between the ends of its slider, until it is paused.
-
-    A frame is asked for only when the one before has been handled, so that frames never queue up
-    behind a slow renderer. Whatever else changes the number meanwhile is gone on from.
-
-    Parameters
-    ----------
-    setting : Setting
-        One with `per_second`: in its unit, or in powers of ten if it is logarithmic.
-    """
-
-    stepped = Signal(float)
-    """The number's next value, once per frame."""
-    started = Signal()
-    paused = Signal()
-
-    def __init__(self, setting: Setting, parent: QObject | None = None) -> None:
-        super().__init__(parent)
-        self._setting = setting
-        self._low, self._high = map(self._place, ends_of(setting))
-        self.speed = setting.per_second
-        self._at = self._low
-        self._shown: float | None = None
-        self._clock = Clock(self)
-        self._clock.ticked.connect(self.advance)
-        self.button = tool_button(act=self.toggle)
-        self._show_state()
-
-    def play(self) -> None:
-        """Run on from where the number is."""
-        if not self.playing:
-            self._clock.start()
-            self._show_state()
-            self.started.emit()
-
-    def pause(self) -> None:
-        """Stand still."""
-        if self.playing:
-            self._clock.stop()
-            self._show_state()
-            self.paused.emit()
-
-    def show_value(self, value: float) -> None:
-        """Note the number; one that is not the last frame's is where to go on from."""
-        if value != self._shown:
-            self._shown, self._at = value, self._place(value)
-
-    def advance(self, seconds: float) -> None:
-        """Run for some seconds and emit the number; without effect while paused."""
-        if not self.playing:
-            return
-        if (self._at >= self._high and self.speed > 0.0) or (
-            self._at <= self._low and self.speed < 0.0
-        ):
-            self.speed = -self.speed
-        inside = self._low <= self._at <= self._high
-        self._at += self.speed * seconds
-        if inside:  # both ends are shown, for a frame
-            self._at = min(max(self._at, self._low), self._high)
-        value = 10.0**self._at if self._setting.logarithmic else self._at
-        value = float(round(value)) if self._setting.whole else float(f"{value:.7g}")
-        if value != self._shown:
-            self._shown = value
-            self.stepped.emit(value)
-
-    def _place(self, value: float) -> float:
-        return math.log10(value) if self._setting.logarithmic else value
-
-    def _show_state(self) -> None:
-        self._name_button(
-            f"{{0}}: {of_phenomena(self._setting.label)}",
-            self.tr("Let it run to and fro between the ends of its slider"),
-            self.tr("Let it stand still; playing again goes on from here"),
-        )
-
-
-# --------------------------------------------------------------------------- readout
-
-
-def full_sentence(sentence: str) -> str:
-    """A clause as a sentence, from its first letter to its full stop."""
-    sentence = sentence[:1].upper() + sentence[1:]
-    return sentence if sentence.endswith((".", "!", "?")) else f"{sentence}."
-
-
-def _side(value: Any) -> int:
-    """How many rows a reading's matrix has; 0 for what is none."""
-    side = math.isqrt(len(value)) if isinstance(value, tuple) else 0
-    return side if side >= 3 and side * side == len(value) else 0
-
-
-def value_text(value: Any, write: Callable[[float], str]) -> str:
-    """A reading's value: a number, several, a matrix to be typeset, or a translated word."""
-    if value is None:
-        return NONE
-    if isinstance(value, str):
-        return of_phenomena(value)
-    if not isinstance(value, tuple):
-        return write(value)
-    side, parts = _side(value), [write(part) for part in value]
-    if not side:
-        text, half = f"({', '.join(parts)})", (len(parts) + 1) // 2
-        if len(text) > ON_A_LINE:
-            return f"({', '.join(parts[:half])},\n{', '.join(parts[half:])})"
-        return text
-    return matrix(parts[first : first + side] for first in range(0, len(parts), side))
-
-
-class _Value(TypesetLabel):
-    """What is read of a reading; what is copied has all the digits.
-
-    Attributes
-    ----------
-    is_below : bool
-        Whether it stands below its label.
-    """
-
-    def __init__(self) -> None:
-        super().__init__()
-        self.is_below, self.shrinks = False, True
-        self.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
-
-
-class Readout(QWidget):
-    """The numbers that the scene is about: label, value and unit of each reading.
-
-    The first of them are seen; the others are folded, and not written until they are unfolded.
-    What has no value shows why in a sentence below, once for all that have the same reason.
-    """
-
-    highlighted = Signal(object)
-    """The `Highlight` that the mouse draws to what a reading is about."""
-
-    def __init__(self) -> None:
-        super().__init__()
-        self._highlight = NOTHING
-        self.lines: list[tuple[Label, _Value, Label]] = []
-        self._readings: Sequence[Reading] = ()
-        self._first = 0
-        self._grid = QGridLayout()
-        self._dress()
-        self._grid.setContentsMargins(0, 0, 0, 0)
-        self._grid.setHorizontalSpacing(4)
-        self._grid.setColumnStretch(0, 1)
-        self.more = tool_button(
-            self.tr("More numbers"), self.tr("Show the other numbers of this scene, or fold them"),
-            icon="unfold", name=self.tr("More numbers"), flat=True, checkable=True, by_click=True,
-        )  # fmt: skip
-        self.more.toggled.connect(self._show)
-        self.more.hide()
-        self.note = Label(wordWrap=True)
-        self.note.hide()
-        in_column(self._grid, self.note, self.more, on=self, margins=(0, 0, 0, 0), gap=2)
-        self.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Preferred)
-        all_digits.changed.connect(self._show)
-        lettering.changed.connect(self._show)
-
-    def begin(self, first: int) -> None:
-        """Be the readout of another scene: so many of its readings are always seen."""
-        self._first = first
-        self.more.setChecked(False)
-
-    def show_readings(self, readings: Sequence[Reading]) -> None:
-        """Show these readings and no others."""
-        self._readings = readings
-        self._show()
-
-    def _show(self) -> None:
-        many = len(self._readings) > self._first + 1  # a fold of one would take as much room
-        unfolded = not many or self.more.isChecked()
-        readings = self._readings if unfolded else self._readings[: self._first]
-        self.more.setVisible(many)
-        show_icon(self.more, "choose" if unfolded else "unfold")
-        while len(self.lines) < len(readings):
-            self._add_line()
-        labels = [of_phenomena(reading.label) for reading in readings]
-        anew = labels != [label.text() for label, _, _ in self.lines if not label.isHidden()]
-        self._mark()
-        for place, line in enumerate(self.lines):
-            if anew:
-                for widget in line:
-                    widget.setVisible(place < len(readings))
-                line[1].setMinimumWidth(0)
-            if place < len(readings):
-                self._write(line, readings[place], labels[place])
-        reasons = [
-            full_sentence(reading.note.sentence(of_phenomena, read_text))
-            for reading in readings
-            if reading.note is not None
-        ]
-        self.note.setText("\n".join(dict.fromkeys(reasons)))
-        self.note.setVisible(bool(reasons))
-
-    def show_highlight(self, highlighted: Highlight) -> None:
-        """Mark the numbers that speak of what is highlighted."""
-        self._highlight = highlighted
-        self._mark()
-
-    def _mark(self) -> None:
-        for reading, (_, value, _) in zip(self._readings, self.lines, strict=False):
-            value.set_marked(bool(self._highlight.intersection(reading.about)))
-
-    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        if event.type() in (QEvent.Type.Enter, QEvent.Type.Leave):
-            about: Highlight = NOTHING
-            for reading, line in zip(self._readings, self.lines, strict=False):
-                if watched in line and event.type() == QEvent.Type.Enter:
-                    about = frozenset(reading.about)
-            self.highlighted.emit(about)
-        return super().eventFilter(watched, event)
-
-    def _add_line(self) -> None:
-        label, value, unit = Balanced(), _Value(), Label()
-        unit.setForegroundRole(QPalette.ColorRole.PlaceholderText)
-        row = 2 * len(self.lines)
-        for column, part in enumerate((label, value, unit)):
-            part.hide()
-            part.installEventFilter(self)
-            self._grid.addWidget(part, row, column)
-        value.setObjectName("number")
-        self.lines.append((label, value, unit))
-
-    def _write(self, line: tuple[Label, _Value, Label], reading: Reading, name: str) -> None:
-        label, value, unit = line
-        value.cell = reading.cell
-        exact = in_line(value_text(reading.value, number_text))
-        text = value_text(reading.value, read_text)
-        is_word = isinstance(reading.value, str)
-        if is_word != value.wordWrap():
-            value.setWordWrap(is_word)
-            value.setMinimumWidth(WORDS_EM * self.fontMetrics().height() if is_word else 0)
-        if text != (value.formula or value.text()):
-            (value.set_formula if _side(reading.value) else value.set_words)(text)
-            self._place(value, max(map(len, text.split("\n"))) > BESIDE and not is_word)
-            if not is_word and not _side(reading.value):
-                # It only grows: a number with a digit less does not shift the others.
-                value.setMinimumWidth(max(value.minimumWidth(), value.sizeHint().width()))
-        if value.exact != exact:
-            value.set_exact(exact)
-            set_tip(value, exact)
-        if label.text() != name:
-            label.setText(name)
-            value.setAccessibleDescription(name)  # a name would be read instead of the number
-            self._widen(label)
-        unit.setText("" if reading.value is None else of_phenomena(reading.unit))
-
-    def _place(self, value: _Value, below: bool) -> None:
-        """Put a value beside its label, or below it where it is too long for that."""
-        row = 2 * [each[1] for each in self.lines].index(value)
-        if below != value.is_below:
-            value.is_below = below
-            self._grid.addWidget(value, row + below, 0 if below else 1, 1, 3 if below else 1)
-
-    def _widen(self, label: Label) -> None:
-        """Let a label wrap only if it is long."""
-        natural = label.fontMetrics().horizontalAdvance(label.text()) + 4
-        label.setMinimumWidth(min(natural, LABEL_EM * self.fontMetrics().height()))
-
-    def _dress(self) -> None:
-        """Give numbers their size; a font set by hand ends with the theme."""
-        size = self.font().pointSizeF()
-        self._grid.setVerticalSpacing(round(BETWEEN_EM * self.fontMetrics().height()))
-        sheet = f"#number {{ font-size: {LARGE * size:g}pt; font-weight: 600; }}"
-        if sheet != self.styleSheet():
-            self.setStyleSheet(sheet)
-            for label, value, _ in self.lines:
-                value.setMinimumWidth(0)
-                self._widen(label)
-
-    def changeEvent(self, event: QEvent) -> None:
-        super().changeEvent(event)
-        if event.type() == QEvent.Type.FontChange:
-            self._dress()

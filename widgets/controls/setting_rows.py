@@ -1,0 +1,145 @@
+"""The row of a setting, its slider's scale, and the player that lets its number run."""
+
+from __future__ import annotations
+
+import math
+from fractions import Fraction
+from functools import partial
+from typing import Any
+
+from PySide6.QtCore import QObject, Signal
+
+from app.scenes.phenomena.settings import Setting
+from widgets.parts.buttons import tool_button
+from widgets.parts.clock import Clock, Playing
+from widgets.parts.fields import CheckRow, Choice, ChoiceRow, NumberRow, Row, VectorRow
+from widgets.parts.messages import limits_text, of_phenomena
+from widgets.parts.scales import Doubling, Linear, Log, Scale
+
+
+def make_row(setting: Setting, none: str = "") -> Row:
+    """A row of the kind that a setting's default asks for, with its reset.
+
+    `none` is what a choice says while what it is about is none of what can be chosen.
+    """
+    name, tip = of_phenomena(setting.label), of_phenomena(setting.tip)
+    tip = tip if tip.endswith(".") else f"{tip}."
+    row: Row
+    if isinstance(setting.default, bool):
+        row = CheckRow(name, tip)
+    elif isinstance(setting.default, str):
+        choices = [Choice(key, of_phenomena(text)) for key, text in setting.choices]
+        row = ChoiceRow(name, tip, choices, none=none)
+    elif isinstance(setting.default, tuple):
+        row = VectorRow(name, tip)
+    else:
+        number = NumberRow(name, tip, scale_of(setting), of_phenomena(setting.unit))
+        number.limits = partial(limits_text, setting.low, setting.high)
+        number.accepts = setting.can_be
+        row = number
+    default: Any = setting.default
+    row.setValue(default)
+    row.setDefault(default)
+    return row
+
+
+def ends_of(setting: Setting) -> tuple[float, float]:
+    """From where to where a number's slider goes."""
+    low, high = setting.span or (setting.low, setting.high)
+    default = setting.default
+    assert isinstance(default, float | int)
+    reach = 10.0 * max(1.0, abs(default))  # where there are no ends
+    return max(low, default - reach) if math.isinf(low) else low, (
+        min(high, default + reach) if math.isinf(high) else high
+    )
+
+
+def scale_of(setting: Setting) -> Scale:
+    """The slider's scale: within the bounds, to the last position."""
+    low, high = ends_of(setting)
+    if setting.logarithmic and setting.whole:
+        return Doubling(low, high)
+    if setting.logarithmic and high >= 2.0 * low:
+        return Log(low, high)
+    step = 1.0 if setting.whole else Linear.about((low + high) / 2.0, (high - low) / 2.0).step
+    fraction = Fraction(repr(step))
+    first, last = math.ceil(Fraction(low) / fraction), math.floor(Fraction(high) / fraction)
+    parts = 1 if setting.whole else Linear.parts
+    return Linear(float(first * fraction), float(last * fraction), step, parts)
+
+
+class Player(QObject, Playing):
+    """Lets a number run to and fro between the ends of its slider, until it is paused.
+
+    A frame is asked for only when the one before has been handled, so that frames never queue up
+    behind a slow renderer. Whatever else changes the number meanwhile is gone on from.
+
+    Parameters
+    ----------
+    setting : Setting
+        One with `per_second`: in its unit, or in powers of ten if it is logarithmic.
+    """
+
+    stepped = Signal(float)
+    """The number's next value, once per frame."""
+    started = Signal()
+    paused = Signal()
+
+    def __init__(self, setting: Setting, parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self._setting = setting
+        self._low, self._high = map(self._place, ends_of(setting))
+        self.speed = setting.per_second
+        self._at = self._low
+        self._shown: float | None = None
+        self._clock = Clock(self)
+        self._clock.ticked.connect(self.advance)
+        self.button = tool_button(act=self.toggle)
+        self._show_state()
+
+    def play(self) -> None:
+        """Run on from where the number is."""
+        if not self.playing:
+            self._clock.start()
+            self._show_state()
+            self.started.emit()
+
+    def pause(self) -> None:
+        """Stand still."""
+        if self.playing:
+            self._clock.stop()
+            self._show_state()
+            self.paused.emit()
+
+    def show_value(self, value: float) -> None:
+        """Note the number; one that is not the last frame's is where to go on from."""
+        if value != self._shown:
+            self._shown, self._at = value, self._place(value)
+
+    def advance(self, seconds: float) -> None:
+        """Run for some seconds and emit the number; without effect while paused."""
+        if not self.playing:
+            return
+        if (self._at >= self._high and self.speed > 0.0) or (
+            self._at <= self._low and self.speed < 0.0
+        ):
+            self.speed = -self.speed
+        inside = self._low <= self._at <= self._high
+        self._at += self.speed * seconds
+        if inside:  # both ends are shown, for a frame
+            self._at = min(max(self._at, self._low), self._high)
+        value = 10.0**self._at if self._setting.logarithmic else self._at
+        value = float(round(value)) if self._setting.whole else float(f"{value:.7g}")
+        if value != self._shown:
+            self._shown = value
+            self.stepped.emit(value)
+
+    def _place(self, value: float) -> float:
+        return math.log10(value) if self._setting.logarithmic else value
+
+    def _show_state(self) -> None:
+        self._name_button(
+            f"{{0}}: {of_phenomena(self._setting.label)}",
+            self.tr("Let it run to and fro between the ends of its slider"),
+            self.tr("Let it stand still; playing again goes on from here"),
+        )
