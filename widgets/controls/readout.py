@@ -22,31 +22,31 @@ from widgets.parts.typeset import TypesetLabel, in_line, matrix
 from widgets.parts.writing import all_digits, lettering
 
 LARGE = 1.15
-"""Size of a reading's number, against ordinary text."""
+"""Size of a reading's number, relative to ordinary text."""
 BESIDE, ON_A_LINE = 13, 30
-"""Longest text of a value beside its label, and of numbers that is not broken in two."""
+"""Longest value beside its label, and longest list of numbers on one line."""
 LABEL_EM, WORDS_EM = 6, 7
 """Widths in heights of a line, beyond which labels, and words as values, may wrap."""
 BETWEEN_EM = 0.35
-"""Between two readings, whose labels may have several lines."""
+"""Gap between two readings."""
 NONE = "–"
 """Stands for a missing reading."""
 
 
 def full_sentence(sentence: str) -> str:
-    """A clause as a sentence, from its first letter to its full stop."""
+    """Turn a clause into a sentence, with a capital and a full stop."""
     sentence = sentence[:1].upper() + sentence[1:]
     return sentence if sentence.endswith((".", "!", "?")) else f"{sentence}."
 
 
 def _side(value: Any) -> int:
-    """How many rows a reading's matrix has; 0 for what is none."""
+    """Return the number of rows of a matrix; 0 for another value."""
     side = math.isqrt(len(value)) if isinstance(value, tuple) else 0
     return side if side >= 3 and side * side == len(value) else 0
 
 
 def value_text(value: Any, write: Callable[[float], str]) -> str:
-    """A reading's value: a number, several, a matrix to be typeset, or a translated word."""
+    """Write the value of a reading: a number, several, a matrix to typeset, or a word."""
     if value is None:
         return NONE
     if isinstance(value, str):
@@ -63,29 +63,25 @@ def value_text(value: Any, write: Callable[[float], str]) -> str:
 
 
 class _Value(TypesetLabel):
-    """What is read of a reading; what is copied has all the digits.
-
-    Attributes
-    ----------
-    is_below : bool
-        Whether it stands below its label.
-    """
+    """The value of a reading; a copy has all digits."""
 
     def __init__(self) -> None:
         super().__init__()
-        self.is_below, self.shrinks = False, True
+        self.is_below = False
+        """Whether the value is below its label."""
+        self.shrinks = True
         self.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
 
 
 class Readout(QWidget):
-    """The numbers that the scene is about: label, value and unit of each reading.
+    """Label, value and unit of each reading of the scene.
 
-    The first of them are seen; the others are folded, and not written until they are unfolded.
-    What has no value shows why in a sentence below, once for all that have the same reason.
+    The first readings are always visible; the others are folded, and not written until they are
+    unfolded. A sentence below says why values are missing.
     """
 
     highlighted = Signal(object)
-    """The `Highlight` that the mouse draws to what a reading is about."""
+    """The `Highlight` of the reading under the mouse."""
 
     def __init__(self) -> None:
         super().__init__()
@@ -112,17 +108,17 @@ class Readout(QWidget):
         lettering.changed.connect(self._show)
 
     def begin(self, first: int) -> None:
-        """Be the readout of another scene: so many of its readings are always seen."""
+        """Begin with another scene, whose first readings (so many) are always visible."""
         self._first = first
         self.more.setChecked(False)
 
     def show_readings(self, readings: Sequence[Reading]) -> None:
-        """Show these readings and no others."""
+        """Show these readings only."""
         self._readings = readings
         self._show()
 
     def _show(self) -> None:
-        many = len(self._readings) > self._first + 1  # a fold of one would take as much room
+        many = len(self._readings) > self._first + 1  # folding one would save no room
         unfolded = not many or self.more.isChecked()
         readings = self._readings if unfolded else self._readings[: self._first]
         self.more.setVisible(many)
@@ -148,7 +144,7 @@ class Readout(QWidget):
         self.note.setVisible(bool(reasons))
 
     def show_highlight(self, highlighted: Highlight) -> None:
-        """Mark the numbers that speak of what is highlighted."""
+        """Mark the readings about what is highlighted."""
         self._highlight = highlighted
         self._mark()
 
@@ -189,31 +185,33 @@ class Readout(QWidget):
             (value.set_formula if _side(reading.value) else value.set_words)(text)
             self._place(value, max(map(len, text.split("\n"))) > BESIDE and not is_word)
             if not is_word and not _side(reading.value):
-                # It only grows: a number with a digit less does not shift the others.
+                # It only grows: a shorter number does not shift the others.
                 value.setMinimumWidth(max(value.minimumWidth(), value.sizeHint().width()))
         if value.exact != exact:
             value.set_exact(exact)
             set_tip(value, exact)
         if label.text() != name:
             label.setText(name)
-            value.setAccessibleDescription(name)  # a name would be read instead of the number
+            value.setAccessibleDescription(
+                name
+            )  # a screen reader would read a name instead of the number
             self._widen(label)
         unit.setText("" if reading.value is None else of_phenomena(reading.unit))
 
     def _place(self, value: _Value, below: bool) -> None:
-        """Put a value beside its label, or below it where it is too long for that."""
+        """Put a value beside its label, or below it."""
         row = 2 * [each[1] for each in self.lines].index(value)
         if below != value.is_below:
             value.is_below = below
             self._grid.addWidget(value, row + below, 0 if below else 1, 1, 3 if below else 1)
 
     def _widen(self, label: Label) -> None:
-        """Let a label wrap only if it is long."""
+        """Let only a long label wrap."""
         natural = label.fontMetrics().horizontalAdvance(label.text()) + 4
         label.setMinimumWidth(min(natural, LABEL_EM * self.fontMetrics().height()))
 
     def _dress(self) -> None:
-        """Give numbers their size; a font set by hand ends with the theme."""
+        """Set the size of numbers by a style sheet: a theme would reset a font."""
         size = self.font().pointSizeF()
         self._grid.setVerticalSpacing(round(BETWEEN_EM * self.fontMetrics().height()))
         sheet = f"#number {{ font-size: {LARGE * size:g}pt; font-weight: 600; }}"

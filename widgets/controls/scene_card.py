@@ -1,11 +1,11 @@
-"""The scene at the top of the dock: what to try, its own settings, and the numbers it is about.
+"""The scene at the top of the dock: what to try, its settings, and its numbers.
 
 ::
 
-    user, Play -> settings_edited({name: value}) -> owner takes it, or calls refuse(error)
-    owner -> take                                    never answered by a signal
+    user, Play -> settings_edited({name: value}) -> owner accepts, or calls refuse(error)
+    owner -> take                                    no signal follows
 
-Everything here is made from the data of a `Phenomenon`; no phenomenon has code of its own.
+The card is built from the data of a `Phenomenon`; no phenomenon has code here.
 """
 
 from __future__ import annotations
@@ -50,38 +50,33 @@ from widgets.parts.section import GAP_PX
 from widgets.parts.writing import all_digits
 
 WORD = 16
-"""Characters of a file's name that find room in the narrowest dock."""
+"""Longest word that fits the narrowest dock."""
 TITLE = 1.25
-"""Size of the scene's name, against ordinary text."""
+"""Size of the scene's name, relative to ordinary text."""
 
 
 class SceneCard(QWidget, RowHolder):
-    """Title, what to try, settings and readout of the scene at hand, one below the other.
+    """Title, what to try, settings and readout of the scene, one below the other.
 
-    Attributes
-    ----------
-    rows : dict of str to Row
-        Of the settings, by their names.
-    players : dict of str to Player
-        Of the settings that can be played, by their names.
+    `rows` and `players` have the names of the settings as keys.
     """
 
     settings_edited = Signal(object)
-    """The user chose, or a player reached, these settings: a dict of values by name."""
+    """The user or a player set these values, by the names of the settings."""
     mesh_wanted = Signal()
-    """The user wants to choose a mesh for the place of the scene's own objects."""
+    """The user wants to replace the scene's objects by a mesh."""
     mesh_removed = Signal()
     """The user wants the scene's own objects back."""
     comparison_wanted = Signal(str)
-    """The user wants to see this one of the scene's own comparisons."""
+    """The user wants to see this comparison of the scene."""
     highlighted = Signal(str, object)
-    """Which row or reading the user is at, and the `Highlight` it draws; `NOTHING` after it."""
+    """The row or reading that the user is at, and its `Highlight`; `NOTHING` afterwards."""
     explanation_wanted = Signal()
-    """The user wants to read more about the scene, and to see its diagrams."""
+    """The user wants to see the explanation and the diagrams of the scene."""
 
     def __init__(self) -> None:
         super().__init__()
-        self.rows = {}  # first: a change of font comes with the first child
+        self.rows = {}  # first: adding a child already changes the font
         self._phenomenon: Phenomenon | None = None
         self._settings: Settings = {}
         self._illustration: Illustration | None = None
@@ -127,7 +122,7 @@ class SceneCard(QWidget, RowHolder):
         )  # fmt: skip
         self._dress()
 
-    # -- what the owner says
+    # -- set by the owner
 
     def show_scene(
         self, title: str, tries: Iterable[str], phenomenon: Phenomenon | None, mesh: str = ""
@@ -139,20 +134,20 @@ class SceneCard(QWidget, RowHolder):
         title : str
             Translated.
         tries : iterable of str
-            What to try with it, a line each; to be translated.
+            Lines about what to try; not yet translated.
         phenomenon : Phenomenon or None
-            None for a scene that has no settings and no numbers of its own.
+            None for a scene without settings and numbers.
         mesh : str
-            Name of the user's mesh in the place of its objects, or nothing.
+            Name of the user's mesh in place of the objects, if there is one.
         """
         if phenomenon is not self._phenomenon:
             self.pause()
-            for row in self.rows.values():  # which shows the last of the scene that is left
-                row.finish_gesture()  # a burst of keys that has not gone quiet yet, and never would
+            for row in self.rows.values():  # this shows the last values of the scene before
+                row.finish_gesture()  # a burst of keys may still be open
             self._phenomenon, self._settings, self._illustration = phenomenon, {}, None
             self._problem = None
             self._make_rows(() if phenomenon is None else phenomenon.settings)
-            self._be_about(())  # which marks these rows
+            self._be_about(())  # marks these rows
             self._offer_comparisons(() if phenomenon is None else phenomenon.comparisons)
             self.readout.begin(0 if phenomenon is None else phenomenon.numbers)
             self.readout.show_readings(())
@@ -174,7 +169,7 @@ class SceneCard(QWidget, RowHolder):
             self._rows.addWidget(row)
 
     def show_some(self, found: set[QWidget] | None) -> None:
-        """Show only those of its rows that are among these; None shows the scene as it is."""
+        """Show only the found rows; None shows the whole card."""
         self._found = found
         for name, row in self.rows.items():
             there = name not in self._without_effect if found is None else row in found
@@ -188,31 +183,25 @@ class SceneCard(QWidget, RowHolder):
             button.setVisible(found is None)
 
     def set_presenting(self, on: bool) -> None:
-        """Show a class what to try, its controls and its numbers, and nothing else."""
+        """Hide the buttons that a class does not need."""
         self._is_for_class = on
         self.show_some(self._found)
 
     @property
     def has_controls(self) -> bool:
-        """Whether there is something in it to be set."""
+        """Whether the card has rows."""
         return self._rows.count() > 0
 
     def take(self, shown: Shown, changed: Changed) -> None:
-        """Show settings, readout and warning; a setting in the hand follows it at once."""
+        """Show settings, readout and warning; an edited setting follows at once."""
         self.show_illustration(shown.illustration, shown.document.settings, shown.projection)
 
     def show_illustration(
         self, illustration: Illustration | None, settings: Settings, projection: Projection
     ) -> None:
-        """Likewise, of an illustration.
+        """Show an illustration of a projection with the settings that were chosen last.
 
-        Parameters
-        ----------
-        illustration : Illustration or None
-        settings : mapping of str to value
-            As they were chosen last.
-        projection : Projection
-            That the illustration is of: it may be moved so that they hold no more.
+        The projection may have been moved since, so that the settings no longer hold.
         """
         if illustration is self._illustration and settings == self._settings:
             return
@@ -225,32 +214,32 @@ class SceneCard(QWidget, RowHolder):
         if self._edits in settings and self.isVisible():
             self.rows[self._edits].setValue(settings[self._edits])
         self._readable.changed()
-        if anew:  # of the scene before, nothing is to be seen
+        if anew:  # values of the scene before must not stay
             self._readable.settle()
 
     def _be_about(self, names: Iterable[str]) -> None:
-        """Let what the scene is about just now stand out."""
+        """Highlight what the scene is about."""
         about = frozenset(names)
         if about != self._about:
             self._about = about
             self.highlighted.emit("scene", about)
 
     def begin_gesture(self) -> None:
-        """Until `end_gesture`, values run: a control is dragged, or something plays."""
+        """Begin a gesture: a control is dragged, or something plays."""
         self._readable.begin_gesture()
 
     def end_gesture(self) -> None:
-        """End the gesture that `begin_gesture` began."""
+        """End the gesture."""
         self._readable.end_gesture()
 
     def show_count(self, illustration: Illustration, share: float) -> None:
-        """Show what was counted in the picture of an illustration, as long as that is shown."""
+        """Show what was counted in the picture of an illustration, while it is shown."""
         self._counted = illustration, 100.0 * share
         if illustration is self._illustration:
             self._readable.changed()
 
     def show_problem(self, problem: Phrase | None) -> bool:
-        """Say why the picture is not drawn as the scene asks, if so; tell whether that is new."""
+        """Say why the picture is not drawn as the scene asks; return whether that is new."""
         if problem == self._problem:
             return False
         self._problem = problem
@@ -258,13 +247,13 @@ class SceneCard(QWidget, RowHolder):
         return True
 
     def refuse(self, error: Refusal) -> None:
-        """Say at the row that was just edited why that cannot be; the last value stays."""
+        """Show a refusal at the row that was just edited; the last value stays."""
         row = self.rows[self._edits or next(iter(self.rows))]
-        self._readable.settle()  # or what was accepted before would take the sentence back
+        self._readable.settle()  # otherwise values accepted before would remove the sentence
         row.show_error(sentence(self.named(error)))
 
     def named(self, error: Refusal) -> Refusal:
-        """A refusal under the label of the setting that it is about."""
+        """Name a refusal by the label of its setting."""
         assert self._phenomenon is not None
         labels = {setting.path: setting.label for setting in self._phenomenon.settings}
         if error.field not in labels:
@@ -273,7 +262,7 @@ class SceneCard(QWidget, RowHolder):
         return Refusal(name, error.value, error.bound, *error.limits)
 
     def pause(self) -> None:
-        """Let all that is played stand still."""
+        """Pause all players."""
         for player in self.players.values():
             player.pause()
 
@@ -307,7 +296,7 @@ class SceneCard(QWidget, RowHolder):
                 names, f"{about}\n{tip}", partial(self.comparison_wanted.emit, comparison.name),
                 icon="compare", name=about, by_click=True,
             )  # fmt: skip
-            button.setMinimumWidth(1)  # it widens no dock
+            button.setMinimumWidth(1)  # it must not widen the dock
             self._compares.addWidget(button, 0, Qt.AlignmentFlag.AlignLeft)
             self.comparisons.append(button)
 
@@ -315,9 +304,9 @@ class SceneCard(QWidget, RowHolder):
         self.highlighted.emit(path, frozenset((path,)) if is_highlighted else NOTHING)
 
     def show_highlight(self, highlighted: Highlight) -> None:
-        """Mark the rows and the readings that are about what is highlighted."""
+        """Mark the rows and readings about what is highlighted."""
         for setting in () if self._phenomenon is None else self._phenomenon.settings:
-            if setting.name in self.rows:  # one that loses the focus goes before others come
+            if setting.name in self.rows:  # while another scene comes, there are none
                 self.rows[setting.name].set_marked(setting.path in highlighted)
         self.readout.show_highlight(highlighted)
 
@@ -352,7 +341,7 @@ class SceneCard(QWidget, RowHolder):
 
     def hideEvent(self, event: QHideEvent) -> None:
         super().hideEvent(event)
-        if not event.spontaneous():  # nobody sees it, and nobody could stop it
+        if not event.spontaneous():  # nobody could stop a hidden player
             self.pause()
 
     def _fill(self) -> None:
@@ -362,7 +351,7 @@ class SceneCard(QWidget, RowHolder):
         for name, value in found.items():
             row = self.rows[name]
             if row.error and not row.in_hand and name != self._edits:
-                row.clear_error()  # what another value has cured
+                row.clear_error()  # another value has made it possible
             is_choice = isinstance(row, ChoiceRow)
             row.setValue(self._settings[name] if value is None and not is_choice else value)
             if name in self.players and isinstance(value, float):
@@ -378,7 +367,7 @@ class SceneCard(QWidget, RowHolder):
         self._let_choose(found, why if illustration is not None and illustration.idle else "")
 
     def _with_count(self, reading: Reading) -> Reading:
-        """A counted reading with its value, or with its note if there was nothing to count."""
+        """Give a counted reading its value, or its note if there was nothing to count."""
         share = None
         if self._counted is not None and self._counted[0] is self._illustration:
             share = self._counted[1]
@@ -387,7 +376,7 @@ class SceneCard(QWidget, RowHolder):
         return replace(reading, value=share, note=None)
 
     def _let_choose(self, found: Found, why_not: str) -> None:
-        """Let the settings be changed, unless a sentence says why that would change nothing."""
+        """Enable the settings that have an effect; `why_not` says why none has."""
         without_effect = set()
         for setting in () if self._phenomenon is None else self._phenomenon.settings:
             name, row = setting.name, self.rows[setting.name]
@@ -409,7 +398,7 @@ class SceneCard(QWidget, RowHolder):
             self.show_some(self._found)
 
     def _without_another(self, setting: Setting, found: Found) -> str:
-        """With what value of another one alone a setting changes something, if it has another."""
+        """Say which value of another setting this one needs, if it has another value."""
         assert self._phenomenon is not None
         name, wanted = setting.only_with or ("", None)
         if not name or found[name] == wanted:
@@ -425,12 +414,12 @@ class SceneCard(QWidget, RowHolder):
         if isinstance(event, QHelpEvent) and event.type() == QEvent.Type.ToolTip:
             why = self._why_not.get(watched) if isinstance(watched, QWidget) else None
             if why:
-                show_tip(event.globalPos(), why)  # instead of what it would do
+                show_tip(event.globalPos(), why)  # instead of its own
                 return True
         return super().eventFilter(watched, event)
 
     def _dress(self) -> None:
-        """Give the name its size; a font set by hand ends with the theme."""
+        """Set the size of the name by a style sheet: a theme would reset a font."""
         sheet = f"font-size: {TITLE * self.font().pointSizeF():g}pt; font-weight: 600;"
         if sheet != self.title.styleSheet():
             self.title.setStyleSheet(sheet)
@@ -442,7 +431,7 @@ class SceneCard(QWidget, RowHolder):
 
 
 def _remove(layout: QVBoxLayout, widgets: Iterable[QWidget]) -> None:
-    """Take widgets out of a layout, for good."""
+    """Remove widgets from a layout and delete them."""
     for widget in widgets:
         layout.removeWidget(widget)
         widget.hide()

@@ -18,9 +18,9 @@ from widgets.parts.scales import Doubling, Linear, Log, Scale
 
 
 def make_row(setting: Setting, none: str = "") -> Row:
-    """A row of the kind that a setting's default asks for, with its reset.
+    """Make the row for a setting's type, with its reset.
 
-    `none` is what a choice says while what it is about is none of what can be chosen.
+    `none` is the text of a choice whose value is none of its choices.
     """
     name, tip = of_phenomena(setting.label), of_phenomena(setting.tip)
     tip = tip if tip.endswith(".") else f"{tip}."
@@ -44,7 +44,7 @@ def make_row(setting: Setting, none: str = "") -> Row:
 
 
 def ends_of(setting: Setting) -> tuple[float, float]:
-    """From where to where a number's slider goes."""
+    """Return the ends of a number's slider."""
     low, high = setting.span or (setting.low, setting.high)
     default = setting.default
     assert isinstance(default, float | int)
@@ -55,7 +55,7 @@ def ends_of(setting: Setting) -> tuple[float, float]:
 
 
 def scale_of(setting: Setting) -> Scale:
-    """The slider's scale: within the bounds, to the last position."""
+    """Return a slider's scale, all of whose values are within the bounds."""
     low, high = ends_of(setting)
     if setting.logarithmic and setting.whole:
         return Doubling(low, high)
@@ -69,19 +69,14 @@ def scale_of(setting: Setting) -> Scale:
 
 
 class Player(QObject, Playing):
-    """Lets a number run to and fro between the ends of its slider, until it is paused.
+    """Lets a number run to and fro between the ends of its slider.
 
-    A frame is asked for only when the one before has been handled, so that frames never queue up
-    behind a slow renderer. Whatever else changes the number meanwhile is gone on from.
-
-    Parameters
-    ----------
-    setting : Setting
-        One with `per_second`: in its unit, or in powers of ten if it is logarithmic.
+    The setting's `per_second` is in its unit, or in powers of ten if it is logarithmic. If
+    something else changes the number meanwhile, the player continues from there.
     """
 
     stepped = Signal(float)
-    """The number's next value, once per frame."""
+    """The next value, once per frame."""
     started = Signal()
     paused = Signal()
 
@@ -98,26 +93,24 @@ class Player(QObject, Playing):
         self._show_state()
 
     def play(self) -> None:
-        """Run on from where the number is."""
         if not self.playing:
             self._clock.start()
             self._show_state()
             self.started.emit()
 
     def pause(self) -> None:
-        """Stand still."""
         if self.playing:
             self._clock.stop()
             self._show_state()
             self.paused.emit()
 
     def show_value(self, value: float) -> None:
-        """Note the number; one that is not the last frame's is where to go on from."""
+        """Note the number; if it is not that of the last frame, continue from it."""
         if value != self._shown:
             self._shown, self._at = value, self._place(value)
 
     def advance(self, seconds: float) -> None:
-        """Run for some seconds and emit the number; without effect while paused."""
+        """Run for some seconds and emit the number, unless paused."""
         if not self.playing:
             return
         if (self._at >= self._high and self.speed > 0.0) or (

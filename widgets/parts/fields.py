@@ -19,7 +19,7 @@ from collections.abc import Callable, Sequence
 from functools import partial
 from typing import Any, NamedTuple
 
-from PySide6.QtCore import QEvent, QRectF, QSignalBlocker, Qt, QTimer, Signal
+from PySide6.QtCore import QEvent, QSignalBlocker, Qt, QTimer, Signal
 from PySide6.QtGui import (
     QAction,
     QEnterEvent,
@@ -27,8 +27,6 @@ from PySide6.QtGui import (
     QHideEvent,
     QKeyEvent,
     QMouseEvent,
-    QPainter,
-    QPaintEvent,
     QPalette,
     QWheelEvent,
 )
@@ -51,7 +49,7 @@ from widgets.parts.buttons import tool_button
 from widgets.parts.combo import Combo
 from widgets.parts.escape import HeldSlider
 from widgets.parts.gestures import Gestures
-from widgets.parts.highlight import paint_highlight
+from widgets.parts.highlight import Marked
 from widgets.parts.icons import RefusalLabel
 from widgets.parts.layouts import in_row
 from widgets.parts.messages import (
@@ -182,7 +180,7 @@ class _Combo(Combo):
             event.ignore()
 
 
-class Row(QWidget, Gestures):
+class Row(Marked, QWidget, Gestures):
     """The name, the reset, the error line and the gestures that all rows share.
 
     Parameters
@@ -201,8 +199,6 @@ class Row(QWidget, Gestures):
     def __init__(self, name: str, tip: str) -> None:
         super().__init__()
         self.name, self.tip = name, tip
-        self.is_marked = False
-        """Whether the row shows that it is about what is highlighted."""
         self.error = ""
         """The sentence shown below the row, or nothing."""
         self._attending: set[str] = set()  # of mouse and keyboard
@@ -323,24 +319,11 @@ class Row(QWidget, Gestures):
 
     # -- highlight
 
-    def set_marked(self, marked: bool) -> None:
-        """Tint the row, or remove the tint."""
-        if marked != self.is_marked:
-            self.is_marked = marked
-            self.update()
-
     def _attend(self, by: str, is_here: bool) -> None:
         before = bool(self._attending)
         (self._attending.add if is_here else self._attending.discard)(by)
         if bool(self._attending) != before:
             self.highlighted.emit(not before)
-
-    def paintEvent(self, event: QPaintEvent) -> None:
-        super().paintEvent(event)
-        if self.is_marked:
-            painter = QPainter(self)
-            paint_highlight(self, painter, QRectF(self.rect()))
-            painter.end()
 
     def enterEvent(self, event: QEnterEvent) -> None:
         super().enterEvent(event)
