@@ -16,12 +16,12 @@ from hypothesis import strategies as st
 from app.model.projection import Camera, Perspective, Projection
 from app.model.refusal import Cancelled, Refusal
 from app.scenes import finishing
+from app.scenes.own_mesh import SUBJECT_TRIANGLES
 from app.scenes.phenomena import PHENOMENA
 from app.scenes.scene import (
     BUILT_IN,
     ENDINGS,
     SUBJECT_SAMPLE,
-    SUBJECT_TRIANGLES,
     frame_camera,
     load,
 )
@@ -275,7 +275,7 @@ def test_a_mesh_in_a_phenomenon_has_its_edges_once(kind: str, tmp_path: Path) ->
 def test_a_large_mesh_in_a_phenomenon_has_its_longest_edges(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr("app.scenes.scene.SUBJECT_EDGES", 200)
+    monkeypatch.setattr("app.scenes.own_mesh.SUBJECT_EDGES", 200)
     random = np.random.default_rng(2)
     points = random.normal(size=(900, 3))
     lines = [f"v {x} {y} {z}" for x, y, z in points.tolist()]

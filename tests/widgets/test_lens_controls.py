@@ -271,16 +271,6 @@ def test_a_box_keeps_the_scenes_sliders(column: Column) -> None:
     assert column.projection.lens.far == math.inf
 
 
-@pytest.mark.parametrize("kind", ["frustum", "orthographic", "oblique"])
-def test_keep_is_the_models(column: Column, kind: str) -> None:
-    show(column, SHOWN[kind])
-    for keep in ("x", "y", "stretch"):
-        choose(choice(column, "keep"), keep)
-        assert column.projection.lens.keep == keep  # type: ignore[union-attr]
-    show(column, replace(SHOWN[kind], lens=replace(SHOWN[kind].lens, keep="y")))
-    assert choice(column, "keep").value() == "y"
-
-
 # -- oblique: angles, and how things recede
 
 
@@ -456,14 +446,13 @@ def test_the_row_in_hand_keeps_its_place_when_the_lens_becomes_another(
         assert row.field.hasFocus()
 
 
-@pytest.mark.parametrize("kind", ["frustum", "oblique"])
 def test_a_reset_goes_back_to_how_the_scene_opens_with_this_lens(
-    column: Column, reader: Reader, kind: str
+    column: Column, reader: Reader
 ) -> None:
-    show(column, SHOWN[kind])
-    alike = START.with_lens(kind)
+    show(column, OFF_AXIS)
+    alike = START.with_lens("frustum")
     for key, row in lens_rows(column).items():
-        show(column, SHOWN[kind])
+        show(column, OFF_AXIS)
         QTest.mouseDClick(row.name_label, Qt.MouseButton.LeftButton)
         assert row.error == "", key
         if not row.isHidden():

@@ -97,15 +97,13 @@ def test_a_flattened_object_says_what_is_gone(window: MainWindow) -> None:
     assert "inverse" in window.store.document.projection.stages[0].note
 
 
-@pytest.mark.parametrize("typed", ["nan", "1e308", "2e30", "one"])
-def test_a_wrong_scale_is_refused_and_the_last_good_one_stays(
-    window: MainWindow, typed: str
-) -> None:
+def test_a_wrong_scale_is_refused_and_the_last_good_one_stays(window: MainWindow) -> None:
     window.controls.sections["object"].set_open(True)
     row = number(window.controls, "scale_x")
-    enter(row, typed)
-    settle()
-    assert row.error and window.store.document.projection.placement.is_identity
+    for typed in ("nan", "1e308", "2e30"):
+        enter(row, typed)
+        settle()
+        assert row.error and window.store.document.projection.placement.is_identity, typed
 
 
 def test_l2_what_was_prepared_comes_back(window: MainWindow, tmp_path: Path) -> None:
