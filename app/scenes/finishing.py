@@ -27,14 +27,15 @@ from app.scenes.shapes import brightness, distinct_rows
 
 ONE_POINT = QT_TRANSLATE_NOOP(
     "Refusal",
-    "{0}: all vertices are at one point, so that there is nothing to see; check the export.",
+    "{0}: all vertices are at one point, so there is nothing to see; check the export.",
 )
 ONE_LINE = QT_TRANSLATE_NOOP(
     "Refusal",
-    "{0}: all vertices are on one line, so that there is nothing to see; check the export.",
+    "{0}: all vertices are on one line, so there is nothing to see; check the export.",
 )
 WRONG_SIZE = QT_TRANSLATE_NOOP(
-    "Refusal", "{0}: the mesh is {1} units large, but must be between 1e-30 and 1e30; scale it."
+    "Refusal",
+    "{0}: the size of the mesh is {1} units, but must be between 1e-30 and 1e30; scale it.",
 )
 TOO_FAR = QT_TRANSLATE_NOOP(
     "Refusal",

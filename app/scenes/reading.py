@@ -33,8 +33,8 @@ MEMORY = 6 * 2**30
 """Memory limit of the process: `app.scenes.mesh.LARGEST` and the text of the file."""
 ENDED = QT_TRANSLATE_NOOP(
     "Refusal",
-    "{0}: the program that reads it ended before it was done; make it smaller, or export or "
-    "download the file again.",
+    "{0}: the process that reads it ended too early; make it smaller, or export or download the "
+    "file again.",
 )
 _POLL_S = 0.05
 

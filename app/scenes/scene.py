@@ -67,12 +67,12 @@ NEARLY_A_SCENE = QT_TRANSLATE_NOOP(
     "Refusal", "There is no scene “{0}”, only {1} or {2}; did you mean “{3}”?"
 )
 NO_OWN_MESH = QT_TRANSLATE_NOOP(
-    "Refusal", "mesh = {1}: the scene “{0}” has a subject of its own, no mesh can take its place."
+    "Refusal", "mesh = {1}: the scene “{0}” has a subject of its own, which no mesh can replace."
 )
 _TRIES_OF_A_MESH = (
     QT_TRANSLATE_NOOP("phenomena", "Walk round it: drag the azimuth."),
-    QT_TRANSLATE_NOOP("phenomena", "Close near and far round it."),
-    QT_TRANSLATE_NOOP("phenomena", "What becomes of its shape in the cube?"),
+    QT_TRANSLATE_NOOP("phenomena", "Move near and far close to it."),
+    QT_TRANSLATE_NOOP("phenomena", "What happens to its shape in the cube?"),
 )
 SAMPLE = 100_000
 """Speed is measured with so many vertices of a larger mesh."""

@@ -330,7 +330,7 @@ def test_a_mesh_that_no_scene_can_take_is_refused(tmp_path: Path) -> None:
     with pytest.raises(Refusal) as caught:
         load("cube", mesh=path)
     assert str(caught.value) == (
-        f"mesh = {path}: the scene “cube” has a subject of its own, no mesh can take its place."
+        f"mesh = {path}: the scene “cube” has a subject of its own, which no mesh can replace."
     )
     for wrong in (str(tmp_path / "m.xyz"), str(tmp_path / "none.obj")):
         with pytest.raises(Refusal, match="no such file"):

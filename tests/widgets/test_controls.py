@@ -1700,7 +1700,7 @@ def test_of_another_lens_a_control_says_of_which(controls: Column) -> None:
     shown = [label.text() for label in said if label.isVisible()]
     assert shown == ["Alpha: only with the lens “oblique”."]
     look_for(controls, "flux capacitor")
-    assert [label.text() for label in said if label.isVisible()] == ["No control is called so."]
+    assert [label.text() for label in said if label.isVisible()] == ["No control has this name."]
     show(controls, SLANTED)
     assert look_for(controls, "alpha") == ["alpha_deg"]
 

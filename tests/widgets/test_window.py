@@ -845,7 +845,7 @@ def test_a_name_without_its_ending_writes_over_no_file_unasked(
         answers = [QMessageBox.StandardButton.Yes, QMessageBox.StandardButton.Cancel]
         asked.clear()
         save()
-        assert asked == [f"mine{ending} is there already."] and path.read_text() == "mine"
+        assert asked == [f"mine{ending} already exists."] and path.read_text() == "mine"
         save()
         assert len(asked) == 2 and path.read_bytes() != b"mine"
     assert not (tmp_path / "mine").exists()

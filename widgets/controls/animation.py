@@ -161,8 +161,8 @@ class AnimationBar(QWidget, Playing, Gestures):
         self._error = WarningLabel()
         self.speed = NumberRow(
             self.tr("Speed"),
-            self.tr("How fast the camera walks round the vertical through the target; below 0 it"
-                    " walks the other way."),
+            self.tr("Angle per second of the walk round the vertical through the target; below 0"
+                    " the camera walks the other way."),
             Linear(-90.0, 90.0, 1.0), self.tr("°/s"), self.tr("degrees per second"),
         )  # fmt: skip
         self.height_mode = ChoiceRow(
@@ -191,8 +191,7 @@ class AnimationBar(QWidget, Playing, Gestures):
             (
                 Choice("target", self.tr("at the target"), self.tr("The target stays in place.")),
                 Choice("level", self.tr("level"),
-                       self.tr("The y of the target is the eye's y: the camera looks"
-                               " horizontally.")),
+                       self.tr("The target gets the eye's y: the camera looks horizontally.")),
             ),
         )  # fmt: skip
         self.rows: tuple[Row, ...] = (
@@ -364,7 +363,7 @@ class AnimationBar(QWidget, Playing, Gestures):
         word = self._name_button(
             "{0}",
             self.tr("Walk round the target, as in the exercise of lecture 004."),
-            self.tr("Stand still; playing again goes on from here."),
+            self.tr("Pause here; playing continues from here."),
         )
         self.button.setText(word)
         for row in (self.lowest, self.highest):

@@ -31,8 +31,8 @@ class CameraControls(QObject):
         self._make_image(image)
         self.fixed = Label(
             self.tr(
-                "The objects of this scene are fixed: what it shows is reckoned with them. Those of"
-                " the letter F, the cube, the posts and of any mesh can be moved."
+                "The objects of this scene are fixed, because its numbers depend on them. You can"
+                " move those of the letter F, the cube, the posts and any mesh."
             ),
             wordWrap=True,
         )
@@ -48,9 +48,10 @@ class CameraControls(QObject):
             (front, "elevation_deg", height_deg, angle,
              self.tr("Height above the target's horizon as an angle: 90 looks straight down.")),
             (front, "distance", Log(1.0, 10.0), self._lengths,
-             self.tr("From the target to the eye.")),
+             self.tr("Distance from the target to the eye.")),
             (more, "roll_deg", round_deg, angle,
-             self.tr("Turns the camera about its view direction; clockwise for who holds it.")),
+             self.tr("Turns the camera about its view direction; clockwise as the photographer"
+                     " sees it.")),
         )  # fmt: skip
         typed = Typed(lambda p: p.camera, lambda p: p.camera.orbit, _with_orbit)
         for part, name, scale, unit, tip in orbit:
@@ -61,7 +62,7 @@ class CameraControls(QObject):
             ("target", self._lengths,
              self.tr("The point that the camera looks at, in world coordinates.")),
             ("up", ("", ""),
-             self.tr("The direction that shall be vertical in the picture (the lectures'"
+             self.tr("The direction that is vertical in the picture (the lectures'"
                      " view-up vector); its length does not matter.")),
         ):  # fmt: skip
             self._add_vector(more, "camera", vector, tip, _NOT_YET, unit)
@@ -83,7 +84,7 @@ class CameraControls(QObject):
         )  # fmt: skip
         placement.add_choice(
             "order", "placement",
-            self.tr("Which factor comes first: of column vectors, the one on the right."),
+            self.tr("Which factor is applied first (the rightmost, for column vectors)."),
             choices, lambda p: p.placement.order,
             lambda p, order: replace(p, placement=replace(p.placement, order=order)),
             buttons=True,

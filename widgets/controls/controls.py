@@ -307,7 +307,7 @@ class Controls(Dock, RowHolder):
             for each in self._bindings.values()
             if each.row in others
         ]
-        return "\n".join(lines) or self.tr("No control is called so.")
+        return "\n".join(lines) or self.tr("No control has this name.")
 
     def _show_found(self, found: set[QWidget] | None) -> None:
         self._found = found

@@ -103,8 +103,8 @@ class SearchBox(QLineEdit):
         super().__init__(parent)
         self.setPlaceholderText(self.tr("Find a control"))
         self.setAccessibleName(self.tr("Find a control"))
-        tip = self.tr("Shows the controls that are called so, wherever they are folded; Enter goes"
-                      " to the first of them, Esc shows all again (Ctrl+F)")  # fmt: skip
+        tip = self.tr("Shows the controls with this name, also folded ones; Enter goes to the"
+                      " first, Esc shows all again (Ctrl+F)")  # fmt: skip
         set_tip(self, tip)
         self.setAccessibleDescription(tip)
         self.setClearButtonEnabled(True)

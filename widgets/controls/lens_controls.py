@@ -88,7 +88,7 @@ class LensControls(QObject):
         ]
         kind = self._front.add_choice(
             "kind", "lens",
-            self.tr("Kind of projection. What lies at the target keeps its size when it changes."),
+            self.tr("Kind of projection. Objects at the target keep their size when it changes."),
             kinds, lambda p: p.lens.kind, lambda p, kind: p.with_lens(kind),
         )  # fmt: skip
         quiet(kind.name_label)
@@ -126,15 +126,14 @@ class LensControls(QObject):
             choices.append(Choice(key, text.format(angle), rising))
         self._front.add_choice(
             "preset", "lens",
-            self.tr("The textbooks' drawings. What lies at the target stays in its place in the"
-                    " picture."),
+            self.tr("The textbooks' drawings. The target stays in its place in the picture."),
             choices, _preset, _with_preset, none=self.tr("free"), lenses=oblique,
         )  # fmt: skip
         degrees = self.tr("degrees")
         receding = Typed(_angles, lambda p: Receding(*receding_of(p.lens)), _with_receding)
         self._front.add_number(
             "receding", "lens",
-            self.tr("Drawn length of what goes straight into the picture, per true length: 1 is a"
+            self.tr("Drawn length of a line straight into the picture, per true length: 1 is a"
                     " cavalier, 0.5 a cabinet drawing, 0 orthographic. The target stays in its"
                     " place in the picture."),
             Linear(0.0, 2.0, 0.01), self.tr("×"), self.tr("times the true length"),
@@ -229,8 +228,8 @@ class LensControls(QObject):
     def _make_camera_matrix(self) -> None:
         tips = {
             "fx": self.tr("Focal length in pixel widths: K's first diagonal entry."),
-            "fy": self.tr("Focal length in pixel heights: K's second diagonal entry. As large as"
-                          " fx if the pixels are square."),
+            "fy": self.tr("Focal length in pixel heights: K's second diagonal entry. Equal to fx"
+                          " if the pixels are square."),
             "cx": self.tr("Principal point, from the centre of the first pixel to the right. In"
                           " the image's middle the lens is symmetric, elsewhere off-axis."),
             "cy": self.tr("Principal point, from the centre of the first pixel downwards. In the"

@@ -95,7 +95,7 @@ class Readout(QWidget):
         self._grid.setHorizontalSpacing(4)
         self._grid.setColumnStretch(0, 1)
         self.more = tool_button(
-            self.tr("More numbers"), self.tr("Show the other numbers of this scene, or fold them"),
+            self.tr("More numbers"), self.tr("Show or fold the other numbers of this scene"),
             icon="unfold", name=self.tr("More numbers"), flat=True, checkable=True, by_click=True,
         )  # fmt: skip
         self.more.toggled.connect(self._show)

@@ -99,16 +99,16 @@ class SceneCard(QWidget, RowHolder):
         self.readout.highlighted.connect(partial(self.highlighted.emit, "reading"))
         self.use_mesh = tool_button(
             self.tr("My mesh…"),
-            self.tr("Put a mesh from a file into the place of the scene's own objects"),
+            self.tr("Replace the scene's own objects by a mesh from a file"),
             self.mesh_wanted, name=self.tr("My mesh"), by_click=True,
         )  # fmt: skip
         self.remove_mesh = tool_button(
-            self.tr("Own objects"), self.tr("Put the scene's own objects back"),
+            self.tr("Own objects"), self.tr("Restore the scene's own objects"),
             self.mesh_removed, name=self.tr("Own objects"), by_click=True,
         )  # fmt: skip
         self.explanation = tool_button(
             self.tr("Explanation…"),
-            self.tr("What the scene shows, in which lectures, and its diagrams, below the panes"),
+            self.tr("Show what the scene is about, its lectures and its diagrams, below the panes"),
             self.explanation_wanted, name=self.tr("Explanation and diagrams"), by_click=True,
         )  # fmt: skip
         self.comparisons: list[QToolButton] = []
@@ -291,7 +291,7 @@ class SceneCard(QWidget, RowHolder):
         for comparison in comparisons:
             names = " | ".join(of_phenomena(name) for name, _ in comparison.pictures)
             about = self.tr("Compare: {0}").format(names.replace(" | ", ", "))
-            tip = self.tr("Show these pictures beside each other, in large")
+            tip = self.tr("Show these pictures side by side, enlarged")
             button = tool_button(
                 names, f"{about}\n{tip}", partial(self.comparison_wanted.emit, comparison.name),
                 icon="compare", name=about, by_click=True,

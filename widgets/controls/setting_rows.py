@@ -133,6 +133,6 @@ class Player(QObject, Playing):
     def _show_state(self) -> None:
         self._name_button(
             f"{{0}}: {of_phenomena(self._setting.label)}",
-            self.tr("Let it run to and fro between the ends of its slider"),
-            self.tr("Let it stand still; playing again goes on from here"),
+            self.tr("Move it back and forth between the ends of its slider"),
+            self.tr("Pause it here; playing continues from here"),
         )

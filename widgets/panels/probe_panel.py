@@ -650,7 +650,7 @@ class _TableView(QTableView):
         super().__init__()
         self.setModel(model)
         self.setItemDelegateForColumn(0, _FormulaDelegate(self))
-        copy = QAction(self.tr("Copy, with all digits"), self)
+        copy = QAction(self.tr("Copy with all digits"), self)
         copy.triggered.connect(self._copy)
         self.addAction(copy)
         self.setContextMenuPolicy(Qt.ContextMenuPolicy.ActionsContextMenu)

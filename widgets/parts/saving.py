@@ -20,8 +20,8 @@ def ask_where(parent: QWidget, title: str, proposed: str, kinds: str, ending: st
         return path
     path += ending
     if os.path.exists(path):
-        text = QCoreApplication.translate("Saving", "{0} is there already.")
-        question = QCoreApplication.translate("Saving", "Write over it?")
+        text = QCoreApplication.translate("Saving", "{0} already exists.")
+        question = QCoreApplication.translate("Saving", "Overwrite it?")
         box = message_box(parent, text.format(os.path.basename(path)), question)
         buttons = QMessageBox.StandardButton
         box.setStandardButtons(buttons.Yes | buttons.Cancel)

@@ -317,7 +317,7 @@ class TypesetLabel(MarkedLabel):
         super().__init__()
         self.formula, self.exact, self.shrinks = "", "", False
         self.cell: int | None = None
-        self._copy = QAction(self.tr("Copy, with all digits"), self)
+        self._copy = QAction(self.tr("Copy with all digits"), self)
         self._copy.triggered.connect(self._to_clipboard)
 
     def set_formula(self, text: str) -> None:
