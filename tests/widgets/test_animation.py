@@ -352,7 +352,7 @@ def test_undo_of_a_level_walk_brings_the_aim_back(bar: AnimationBar, record: Rec
     assert record.cameras[-1].target == START.target
 
 
-def test_a_walk_that_cannot_be_stops_and_says_why(bar: AnimationBar, record: Record) -> None:
+def test_an_impossible_walk_stops_and_says_why(bar: AnimationBar, record: Record) -> None:
     bar.show_camera(Camera((0.0, 9.0, 0.0), (0.0, 2.0, 0.0), (0.0, 0.0, -1.0)))
     choose(bar.look, "level")
     bar.play()
@@ -380,7 +380,7 @@ def stop(bar: AnimationBar) -> None:
     assert refusal(bar)
 
 
-def test_why_the_walk_stopped_is_forgotten_when_it_is_no_longer_so(bar: AnimationBar) -> None:
+def test_the_reason_for_a_stop_goes_when_it_no_longer_holds(bar: AnimationBar) -> None:
     stop(bar)
     bar.show_camera(START)  # a reset, an undo, a slider
     assert not refusal(bar)
@@ -495,7 +495,7 @@ def type_into(row: NumberRow, text: str) -> None:
         ),
     ],
 )  # fmt: skip
-def test_what_no_walk_can_have_is_refused_and_the_walk_goes_on(
+def test_an_impossible_value_is_refused_and_the_walk_continues(
     bar: AnimationBar, record: Record, name: str, text: str, said: str
 ) -> None:
     choose(bar.height_mode, "swing")

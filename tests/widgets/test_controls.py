@@ -280,7 +280,7 @@ def test_a_typed_number_is_one_edit(controls: Column) -> None:
         assert number(controls, key).field.text() == messages.number_text(float(text)), key
 
 
-def test_a_shown_projection_writes_each_row_and_says_nothing(controls: Column) -> None:
+def test_a_shown_projection_updates_each_row_without_a_signal(controls: Column) -> None:
     for key, record in each(controls, NUMBERS):
         _, _, shown, text = NUMBERS[key]
         row = number(controls, key)
@@ -311,7 +311,7 @@ def test_a_chosen_thing_is_one_edit(controls: Column) -> None:
         assert holds(record.edits[-1]), key
 
 
-def test_a_shown_choice_says_nothing(controls: Column) -> None:
+def test_a_shown_choice_emits_no_signal(controls: Column) -> None:
     for key, record in each(controls, CHOICES):
         wanted, _, shown = CHOICES[key]
         show(controls, shown)
@@ -363,7 +363,7 @@ def test_an_aspect_that_is_no_preset_chooses_none(controls: Column) -> None:
     assert [b.isChecked() for b in buttons if isinstance(b, QToolButton)] == [True, False, False]
 
 
-def test_the_controls_show_their_own_edit_before_they_tell_of_it(controls: Column) -> None:
+def test_the_controls_show_their_own_edit_before_they_emit_it(controls: Column) -> None:
     texts: list[str] = []
     controls.sections["more_lens"].set_open(True)
     controls.edited.connect(lambda _edit: texts.append(number(controls, "fov_x_deg").field.text()))
@@ -776,7 +776,7 @@ def test_an_angle_past_a_full_turn_is_taken_as_typed(controls: Column, record: R
     assert row.field.text() in ("270", "-90")
 
 
-def test_the_camera_of_someone_else_is_read_back(controls: Column) -> None:
+def test_a_camera_set_elsewhere_is_shown_in_the_orbit_rows(controls: Column) -> None:
     enter(number(controls, "azimuth_deg"), "30")
     camera = Camera.from_orbit((0.0, 2.0, 0.0), Orbit(50.0, -20.0, 8.0, 10.0))
     show(controls, replace(START, camera=camera))
@@ -900,7 +900,7 @@ REFUSED = [
 ]  # fmt: skip
 
 
-def test_what_the_model_refuses_is_explained_at_the_row(controls: Column) -> None:
+def test_a_refusal_of_the_model_is_explained_at_the_row(controls: Column) -> None:
     keys = (key for key, _, _ in REFUSED)
     for (key, text, expected), (_, record) in zip(REFUSED, each(controls, keys), strict=True):
         row = number(controls, key)
@@ -1212,7 +1212,7 @@ def test_any_size_of_scene_has_sliders(controls: Column, size: float) -> None:
 # -- folding
 
 
-def test_what_is_folded_is_shown_when_it_opens(controls: Column, record: Record) -> None:
+def test_a_folded_section_is_updated_when_it_opens(controls: Column, record: Record) -> None:
     section, row = controls.sections["more_camera"], number(controls, "roll_deg")
     assert not section.is_open and not row.isVisible()
     before = row.value()
@@ -1662,7 +1662,7 @@ def look_for(controls: Column, text: str) -> list[str]:
         ("half", ["e", "window_right", "window_top"]),
     ],
 )
-def test_a_control_is_found_by_all_that_it_is_called(
+def test_a_control_is_found_by_each_of_its_names(
     controls: Column, record: Record, text: str, found: list[str]
 ) -> None:
     open_before = {key: section.is_open for key, section in controls.sections.items()}
@@ -1679,7 +1679,7 @@ def test_a_control_is_found_by_all_that_it_is_called(
     assert record.events == []
 
 
-def test_what_was_found_can_be_set_and_stays_unfolded(controls: Column, record: Record) -> None:
+def test_a_found_row_can_be_edited_and_stays_unfolded(controls: Column, record: Record) -> None:
     look_for(controls, "width pixels")
     row = number(controls, "width")
     assert row.isVisible() and row.field.text() == "1280"
@@ -1694,7 +1694,7 @@ def test_what_was_found_can_be_set_and_stays_unfolded(controls: Column, record: 
     assert controls.animation.isVisible()
 
 
-def test_of_another_lens_a_control_says_of_which(controls: Column) -> None:
+def test_a_control_of_another_lens_names_that_lens(controls: Column) -> None:
     said = [label for label in controls.widget().findChildren(QLabel) if not label.isVisible()]
     assert look_for(controls, "alpha") == []
     shown = [label.text() for label in said if label.isVisible()]

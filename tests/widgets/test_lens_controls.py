@@ -160,7 +160,7 @@ def test_lenses_follow_each_other_in_any_order_and_come_back(column: Column) -> 
         (SLANTED, "receding_deg", "inf", "Direction = ∞: must be a finite number."),
     ],
 )
-def test_what_a_lens_refuses_is_explained_at_the_row(
+def test_a_refusal_of_a_lens_is_explained_at_the_row(
     column: Column, shown: Projection, key: str, text: str, expected: str
 ) -> None:
     show(column, shown)

@@ -62,7 +62,7 @@ def test_l2_the_orders_are_a_choice(window: MainWindow) -> None:
     assert places == [[2.0, 0.0, 0.0], [0.0, 0.0, -2.0]]
 
 
-def test_l2_a_column_lights_its_axis_and_an_axis_its_column(window: MainWindow) -> None:
+def test_l2_a_column_highlights_its_axis_and_an_axis_its_column(window: MainWindow) -> None:
     window.controls.rows["rotate_deg_y"].edited.emit(30.0)  # type: ignore[attr-defined]
     settle()
     drawing = window.panes["world"].drawing
@@ -79,7 +79,7 @@ def test_l2_a_column_lights_its_axis_and_an_axis_its_column(window: MainWindow) 
     assert (pixels(window, "world") != before)[around].any(), "the axis, not only its letter"
 
 
-def test_objects_of_a_phenomenon_are_fixed_and_it_is_said(window: MainWindow) -> None:
+def test_objects_of_a_phenomenon_are_fixed_and_a_text_says_so(window: MainWindow) -> None:
     section = window.controls.sections["object"]
     section.set_open(True)
     show_scene(window, "eye-plane")
@@ -106,7 +106,7 @@ def test_a_wrong_scale_is_refused_and_the_last_good_one_stays(window: MainWindow
         assert row.error and window.store.document.projection.placement.is_identity, typed
 
 
-def test_l2_what_was_prepared_comes_back(window: MainWindow, tmp_path: Path) -> None:
+def test_l2_a_prepared_document_comes_back(window: MainWindow, tmp_path: Path) -> None:
     placement = ObjectTransform((1.0, 0.0, -2.0), (0.0, 30.0, 0.0), (1.0, 2.0, 1.0), "rts")
     document = Document("cube", replace(load("cube").start, placement=placement))
     path = tmp_path / "moved.json"

@@ -148,7 +148,7 @@ CHOSEN: dict[str, Callable[[QWidget], tuple[QWidget, QRect]]] = {
 
 @pytest.mark.parametrize("dark", [False, True])
 @pytest.mark.parametrize("name", CHOSEN)
-def test_what_is_chosen_can_be_read(
+def test_selected_text_can_be_read(
     dressed: Callable[..., None], qtbot: QtBot, name: str, dark: bool
 ) -> None:
     """4.5 : 1, as WCAG 2.1 has it for text (1.4.3)."""

@@ -192,7 +192,7 @@ def test_a_refusal_goes_when_another_setting_is_accepted(owner: Owner) -> None:
     assert not light.error and light.fields[1].text() == "3.6"
 
 
-def test_of_a_free_matrix_nothing_can_be_chosen_and_a_tooltip_says_why(
+def test_a_free_matrix_disables_the_settings_and_a_tooltip_says_why(
     owner: Owner, qapp: QApplication
 ) -> None:
     card = owner.card
@@ -217,7 +217,7 @@ def test_of_a_free_matrix_nothing_can_be_chosen_and_a_tooltip_says_why(
     assert "choose a lens" not in tip_of(row.field)
 
 
-def test_shown_values_are_never_answered(owner: Owner) -> None:
+def test_shown_values_emit_no_signal(owner: Owner) -> None:
     owner.settings = EVERYTHING.checked(
         {"gap": 3.0, "turn": 10.0, "kind": "b", "correct": False, "light": (0.0, 1.0, -2.0)}
     )
@@ -285,7 +285,7 @@ def test_a_refusal_names_the_row_the_value_and_the_bound(
     assert row.error == f"Not possible. {sentence}"
 
 
-def test_what_another_value_cures_is_no_error_any_more(owner: Owner) -> None:
+def test_an_error_goes_when_another_value_removes_its_cause(owner: Owner) -> None:
     gap = number_row(owner.card, "gap")
     gap.slider.setSliderDown(True)
     gap.slider.setValue(gap.slider.maximum() - 10)  # above ten times the count
@@ -308,7 +308,7 @@ def test_a_drag_is_one_gesture_and_a_typed_number_another(owner: Owner) -> None:
     assert owner.gestures == ["started", "finished"] * 2
 
 
-def test_while_values_run_the_hand_has_its_own_and_the_rest_is_read_at_its_end(
+def test_during_a_gesture_only_the_edited_value_is_updated(
     owner: Owner, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     card, turn = owner.card, number_row(owner.card, "turn")
@@ -343,7 +343,7 @@ def test_a_refusal_stays_when_what_was_accepted_before_it_is_shown_at_last(
     assert card.rows["turn"].value() == 5.0
 
 
-def test_another_scene_is_shown_at_once_whatever_runs(
+def test_another_scene_is_shown_at_once_during_a_gesture(
     owner: Owner, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     card = owner.card
@@ -426,7 +426,7 @@ def played(player: Player, *seconds: float) -> list[float]:
     return values
 
 
-def test_a_number_runs_to_and_fro_between_the_ends(owner: Owner) -> None:
+def test_a_number_runs_back_and_forth_between_the_ends(owner: Owner) -> None:
     player = owner.card.players["turn"]
     assert played(player, 1.0) == []  # it is not playing
     player.play()
@@ -478,7 +478,7 @@ def test_a_count_counts_and_powers_run_evenly(qtbot: QtBot) -> None:
         player.pause()
 
 
-def test_a_value_that_cannot_be_is_said_and_passed_over(owner: Owner) -> None:
+def test_playing_reports_a_refused_value_and_passes_over_it(owner: Owner) -> None:
     owner.edited({"gap": 30.0, "count": 4.0})
     player, row = owner.card.players["count"], owner.card.rows["count"]
     player.show_value(4.0)
@@ -559,7 +559,7 @@ def test_the_parts_of_the_board_can_be_doubled_up_to_its_bound(desk: Desk) -> No
     assert store.document.settings["subdivision"] == 5.0  # others can be typed
 
 
-def test_what_is_not_there_says_why_once(owner: Owner) -> None:
+def test_missing_readings_give_their_reason_once(owner: Owner) -> None:
     owner.projection = replace(
         EVERYTHING.start, camera=Camera((0.0, 0.0, 0.0), (0.0, 0.0, -1.0), (0.0, 1.0, 0.0))
     )
@@ -791,7 +791,7 @@ def test_a_camera_that_was_turned_is_free_and_can_be_turned_back(desk: Desk) -> 
     assert shown(card, "points") == ["2"]
 
 
-def test_an_oblique_drawing_is_as_its_lens_is(desk: Desk) -> None:
+def test_the_drawing_follows_an_oblique_lens(desk: Desk) -> None:
     store, card = desk("oblique-drawing")
     start = store.document.projection
     rows = card.rows
@@ -822,7 +822,7 @@ def test_an_oblique_drawing_is_as_its_lens_is(desk: Desk) -> None:
     assert shown(card, "drawing") == ["cavalier"] and rows["angle_deg"].isEnabled()
 
 
-def test_a_photograph_is_none_any_more_when_the_camera_has_been_moved(desk: Desk) -> None:
+def test_a_moved_camera_is_none_of_the_photographs(desk: Desk) -> None:
     store, card = desk("field-of-view")
     start = store.document.projection
     target, orbit = start.camera.target, start.camera.orbit
@@ -853,7 +853,7 @@ def test_a_photograph_is_none_any_more_when_the_camera_has_been_moved(desk: Desk
     assert store.document.projection.camera == far
 
 
-def test_the_eye_is_beside_the_middle_that_the_window_has(desk: Desk) -> None:
+def test_the_shift_follows_the_middle_of_the_window(desk: Desk) -> None:
     store, card = desk("off-axis-window")
     start = store.document.projection
     assert shown(card, "shift") == [1.5]
@@ -872,7 +872,7 @@ def test_the_eye_is_beside_the_middle_that_the_window_has(desk: Desk) -> None:
     assert store.document.projection.window == pytest.approx(start.window)
 
 
-def test_the_drive_is_as_far_as_the_camera_is(desk: Desk) -> None:
+def test_the_position_follows_the_camera(desk: Desk) -> None:
     store, card = desk("far-plane-popping")
     start = store.document.projection
     for z in (-20.0, -400.0):
@@ -885,7 +885,7 @@ def test_the_drive_is_as_far_as_the_camera_is(desk: Desk) -> None:
     assert store.document.projection.camera.eye == pytest.approx(start.camera.eye)
 
 
-def test_a_setting_without_effect_says_with_what_it_would_have_one(desk: Desk) -> None:
+def test_a_setting_without_effect_names_the_setting_it_needs(desk: Desk) -> None:
     store, card = desk("far-plane-popping")
     rows = card.rows
 
