@@ -1,4 +1,4 @@
-"""The control column under a test: what a hand does to it, and what it says."""
+"""Helpers for tests of the dock: actions of a user, and a record of its signals."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ SLANTED = replace(START, lens=Oblique(near=2.0))
 
 
 class Column(Controls):
-    """The column, and what its owner has.
+    """The dock and the projection of its owner.
 
     Attributes
     ----------
@@ -47,7 +47,7 @@ class Column(Controls):
 
 
 def column_with_the_keyboard(qtbot: Any, *sections: str) -> Column:
-    """The column showing `START`, with these sections open too."""
+    """Make a dock that shows `START`, with these sections open."""
     controls = Column()
     qtbot.addWidget(controls)
     controls.resize(320, 900)
@@ -63,7 +63,7 @@ def column_with_the_keyboard(qtbot: Any, *sections: str) -> Column:
 
 
 class Reader:
-    """Another column with all its rows in view, to compare with what a column shows."""
+    """Another dock with all rows in view, for comparison."""
 
     def __init__(self, qtbot: Any) -> None:
         self._column = Controls()
@@ -79,7 +79,7 @@ class Reader:
 
 
 class Record:
-    """What the column says, in order."""
+    """Records the signals of the dock in order."""
 
     def __init__(self, controls: Controls) -> None:
         self.edits: list[Projection] = []
@@ -117,7 +117,7 @@ def choose(row: ChoiceRow, key: str) -> None:
 
 
 def enter(row: NumberRow, text: str) -> None:
-    """Type over what the field holds, and press Return."""
+    """Replace the text of the field, and press Return."""
     row.field.setFocus()
     row.field.selectAll()
     QTest.keyClick(row.field, KEY.Key_Delete)
@@ -131,7 +131,7 @@ def enter(row: NumberRow, text: str) -> None:
 
 
 def handle(slider: QSlider) -> QPoint:
-    """Where the slider's handle is."""
+    """Return the place of the slider's handle."""
     from PySide6.QtWidgets import QStyle, QStyleOptionSlider
 
     option = QStyleOptionSlider()

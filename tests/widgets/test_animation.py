@@ -140,7 +140,7 @@ def test_from_straight_above_there_is_no_level_view() -> None:
 
 
 class Record:
-    """What the bar says, in order."""
+    """Records the signals of the bar in order."""
 
     def __init__(self, bar: AnimationBar) -> None:
         self.cameras: list[Camera] = []
@@ -168,7 +168,7 @@ def record(bar: AnimationBar) -> Record:
 
 
 def motion(bar: AnimationBar) -> Motion:
-    """How a camera at `START` walks, as the rows say."""
+    """Return the walk from `START` that the rows describe."""
     said = Motion(
         bar.speed.value(),
         bar.height_mode.value(),  # type: ignore[arg-type]
@@ -367,7 +367,7 @@ def test_an_impossible_walk_stops_and_says_why(bar: AnimationBar, record: Record
 
 
 def refusal(bar: AnimationBar) -> str:
-    """Why it stopped, as long as that stands there."""
+    """Return the visible reason for a stop, if there is one."""
     shown = [label.text() for label in bar.findChildren(QLabel) if label.isVisible()]
     return "".join(text for text in shown if text.startswith("Stopped"))
 

@@ -1,4 +1,4 @@
-"""The control column with real widgets, both ways: the user's action out, the model's value in."""
+"""The dock with real widgets: edits of the user go out, values of the model come in."""
 
 from __future__ import annotations
 
@@ -86,7 +86,7 @@ from widgets.parts.scales import Doubling, Linear, Log
 from widgets.parts.writing import all_digits
 
 CLOSE = replace(START, lens=Perspective(45.0, 3.5, 5.0))
-"""Near and far bound each other, where their sliders go on."""
+"""Near and far limit each other within the range of their sliders."""
 
 
 @pytest.fixture
@@ -115,7 +115,7 @@ def in_mode(controls: Column, key: str) -> None:
 
 
 def each(controls: Column, keys: Iterable[str]) -> Iterator[tuple[str, Record]]:
-    """Each row in turn, in view in a column as at the start, and what the column says of it."""
+    """Yield each row in turn, in view in a column as at the start, with a fresh record."""
     record = Record(controls)
     for key in keys:
         show(controls, START)
@@ -222,8 +222,8 @@ NUMBERS: dict[str, tuple[str, Any, Projection, str]] = {
     "width": ("640", lambda p: p.image_size == (640, 720), sized(99, 9), "99"),
     "height": ("400", lambda p: p.image_size == (1280, 400), sized(99, 9), "9"),
 }  # fmt: skip
-"""What the user types into each row, what the model becomes; another value of the model, and its
-text."""
+"""For each row: a text that the user types, a check of the resulting model, another value of the
+model, and the text of that value."""
 
 
 def _component(part: str, vector: str, axis: int, typed: str) -> Callable[[Projection], bool]:
@@ -495,7 +495,7 @@ NO_KEY, SHIFT, CTRL = (
 
 
 def wheel(slider: QSlider, keys: Qt.KeyboardModifier = NO_KEY, turned: int = 120) -> bool:
-    """Turn it; whether the slider takes that as its own."""
+    """Turn the wheel; return whether the slider accepts the event."""
     centre = QPointF(slider.rect().center())
     event = QWheelEvent(
         centre,
@@ -598,7 +598,7 @@ def test_a_pixel_of_near_is_at_most_two_percent_of_it(controls: Column, name: st
 
 
 def dragged_over(row: NumberRow) -> Iterator[float]:
-    """What a hand sets that moves the handle from one end to the other, pixel by pixel."""
+    """Drag the handle from one end to the other pixel by pixel, and yield the values."""
     slider, left = row.slider, Qt.MouseButton.LeftButton
     slider.setValue(0)
     place = QPointF(press(slider))
@@ -654,7 +654,7 @@ def test_an_impossible_place_of_the_slider_is_explained_and_left_on_release(
 
 
 def test_a_refused_key_is_explained_until_the_next_change_of_any_kind(controls: Column) -> None:
-    """The key after it starts from the value that holds."""
+    """The next key starts from the accepted value."""
     show(controls, CLOSE)
     row = number(controls, "near")
     last = within(row, 3.5, 5.0)[-1]
@@ -1327,7 +1327,7 @@ def test_every_control_has_a_name_and_a_tip(controls: Column) -> None:
     assert row.field.accessibleDescription() == row.error != ""
     QTest.keyClick(row.field, KEY.Key_Escape)
     assert row.field.accessibleDescription() == tip
-    # Of a slider a screen reader has but the position: the value comes when the hand rests.
+    # A screen reader knows only a slider's position: it gets the value when the hand rests.
     for act, value in (
         (row.slider.setFocus, "1 world units. "),
         (lambda: QTest.keyClick(row.slider, KEY.Key_Right), "1 world units. "),
@@ -1355,7 +1355,7 @@ def unfold(controls: Column) -> None:
 
 
 def cut(controls: Column) -> list[str]:
-    """The texts of which a part is not seen, and what is out of its dock."""
+    """Return the texts that are cut, and the widgets that reach out of the dock."""
     told = []
     kinds = (QLabel, QLineEdit, QComboBox, QAbstractButton, QSlider)
     for widget in [each for kind in kinds for each in controls.findChildren(kind)]:
@@ -1580,7 +1580,7 @@ def test_the_controls_that_matter_stand_at_the_top_and_nowhere_else(
     assert far.y() < controls.card.height() and far.mapTo(controls, QPoint()).y() < (
         near.mapTo(controls, QPoint()).y()
     )
-    # One of a section that is folded is read and written like all that are seen.
+    # A row of a folded section is read and written like the visible ones.
     assert controls.rows["roll_deg"].isVisible() and not controls.sections["more_camera"].is_open
     rolled = Camera.from_orbit((0.0, 2.0, 0.0), Orbit(50.0, -20.0, 8.0, 10.0))
     show(controls, replace(START, camera=rolled))
@@ -1637,7 +1637,7 @@ def test_every_scene_has_three_lines_to_try_and_few_controls(controls: Column, n
 
 
 def look_for(controls: Column, text: str) -> list[str]:
-    """What is seen of the column after this is typed into its search box."""
+    """Type into the search box and return the rows that are visible then."""
     controls.search.setFocus()
     controls.search.selectAll()
     QTest.keyClicks(controls.search, text)
@@ -1776,7 +1776,7 @@ def test_a_refusal_stays_where_the_user_is_still_typing(
 
 @pytest.mark.parametrize("kind", [*LENSES, FreeMatrix.kind])
 def test_a_reset_of_another_lens_s_row_changes_nothing(controls: Column, kind: str) -> None:
-    """It is hidden, and the lens in hand has no such value."""
+    """The row is hidden, and the current lens has no such value."""
     for other in LENSES:
         show(controls, START.with_lens(other))
     show(controls, START.with_lens(kind))

@@ -1,4 +1,4 @@
-"""The Lens section for all four lenses: every number that a lens can be given by, both ways."""
+"""The rows of the lens for every lens: every number that can define it, in both directions."""
 
 from __future__ import annotations
 
@@ -56,7 +56,7 @@ def column(display: Any, qtbot: Any) -> Column:
 
 
 def lens_rows(controls: Column) -> dict[str, NumberRow]:
-    """The numbers that this kind of lens is shown by."""
+    """The visible numbers of this kind of lens."""
     others = {*Orbit._fields, "width", "height"}
     return {
         key: row
@@ -322,7 +322,7 @@ def test_a_preset_is_known_by_its_angles(column: Column, preset: str) -> None:
 
 
 def test_a_free_drawing_says_so_on_the_screen(column: Column) -> None:
-    """The placeholder is painted: the picture of the box is not that of an empty one."""
+    """The placeholder is painted: the box differs from an empty one."""
     show(column, replace(SLANTED, lens=Oblique(alpha_deg=100.0)))
     box = combo(column, "preset")
     said = box.grab().toImage()

@@ -24,7 +24,7 @@ from widgets.window.main_window import MainWindow
 
 
 def spots(window: MainWindow, *points: Any) -> list[tuple[float, float]]:
-    """Where points are in the world pane, in its pixels; of a scene that stands at the origin."""
+    """Return the pixels of points in the world pane, for a scene at the origin."""
     pane = window.panes["world"].drawing.own.pane
     return [(x, pane.size_px[1] - y) for x, y, _ in pane.seen(np.array(points))]
 
@@ -119,7 +119,7 @@ def test_l2_a_prepared_document_comes_back(window: MainWindow, tmp_path: Path) -
 
 
 def test_a_vertex_is_picked_where_it_is_seen(window: MainWindow) -> None:
-    """By the keyboard, which goes to what is really there."""
+    """The keyboard goes to the moved vertices."""
     from app.drawings.probes import next_vertex, pick_in, vertex_of
 
     window.controls.rows["translate_x"].edited.emit(2.0)  # type: ignore[attr-defined]
@@ -134,7 +134,7 @@ def test_a_vertex_is_picked_where_it_is_seen(window: MainWindow) -> None:
     ((x, y),) = sight.seen([place]).tolist()
     hit = pick_in(scene, projection, sight, (x, y))
     assert hit is not None and hit.vertex == number_at and hit.point == pytest.approx(place)
-    # The ground is found where it always was.
+    # The ground stays where it was.
     ((x, y),) = sight.seen([(-5.0, 0.0, 0.0)]).tolist()
     ground = pick_in(scene, projection, sight, (x, y))
     assert ground is not None and ground.point == pytest.approx((-5.0, 0.0, 0.0), abs=1e-5)
@@ -158,7 +158,7 @@ def test_l2_a_probe_is_read_in_the_objects_coordinates_too(window: MainWindow) -
 
 
 def test_l2_axes_and_handles_are_there_before_anything_is_moved(window: MainWindow) -> None:
-    """While its numbers are unfolded; and nothing of them in the first picture."""
+    """They are visible while the numbers are unfolded, and not in the first picture."""
     drawing, section = window.panes["world"].drawing, window.controls.sections["object"]
 
     def held() -> dict[str, tuple[float, float]]:

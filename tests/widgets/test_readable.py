@@ -1,4 +1,4 @@
-"""What is read is shown as often as it can be read; the clock is the tests' own."""
+"""Running numbers are shown as often as they can be read; the tests have their own clock."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from widgets.parts.readable import READ_MS, STEPS, Readable
 
 
 class Shown(QWidget):
-    """Shows one number, and remembers what it showed."""
+    """Shows one number, and records what it showed."""
 
     def __init__(self) -> None:
         super().__init__()

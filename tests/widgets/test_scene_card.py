@@ -52,7 +52,7 @@ SUBJECT = Subject((0.0, 0.0, 0.0), (1.0, 1.0, 1.0), np.zeros((1, 3)))
 
 
 def tip_of(part: QWidget) -> str:
-    """The tooltip that the mouse gets of a part."""
+    """Return the tooltip that a part shows."""
     QToolTip.hideText()
     place = part.rect().center()
     QApplication.sendEvent(part, QHelpEvent(QEvent.Type.ToolTip, place, part.mapToGlobal(place)))
@@ -60,7 +60,7 @@ def tip_of(part: QWidget) -> str:
 
 
 class Owner:
-    """Does what the window does with a card, and remembers it."""
+    """Handles a card as the window does, and records its signals."""
 
     def __init__(self, card: SceneCard) -> None:
         self.card = card
@@ -418,7 +418,7 @@ def test_a_setting_without_ends_has_a_slider_about_its_default(qtbot: QtBot) -> 
 
 
 def played(player: Player, *seconds: float) -> list[float]:
-    """The values that it steps to."""
+    """Advance a player and return its values."""
     values: list[float] = []
     player.stepped.connect(values.append)
     for step in seconds:
@@ -635,7 +635,7 @@ def test_no_number_is_cut(owner: Owner) -> None:
     assert value.width() >= value.fontMetrics().horizontalAdvance(value.text())
     least = value.minimumWidth()
     owner.edited({"gap": 2.0})
-    # It does not jump to and fro.
+    # It does not jump back.
     assert value.minimumWidth() == least > value.fontMetrics().horizontalAdvance(value.text())
 
 
@@ -784,7 +784,7 @@ def test_a_camera_that_was_turned_is_free_and_can_be_turned_back(desk: Desk) -> 
     choose(card.rows["points"], "2")
     assert shown(card, "points") == ["2"]
     np.testing.assert_allclose(store.document.projection.camera.frame, start.camera.frame)
-    # Nearer, but from the same side: still two of them.
+    # Nearer, but in the same direction: still two points.
     camera = store.document.projection.camera
     near = Camera.from_orbit(camera.target, camera.orbit._replace(distance=4.0))
     store.set_projection(replace(store.document.projection, camera=near))
@@ -804,7 +804,7 @@ def test_the_drawing_follows_an_oblique_lens(desk: Desk) -> None:
     scale, direction = receding_of(lens)
     assert receding == pytest.approx(scale, rel=1e-9)
     assert angle_deg == pytest.approx(direction, rel=1e-9)
-    # The others stay as they are seen when one is changed.
+    # An edit of one number keeps the others as they are shown.
     number_row(card, "angle_deg").edited.emit(30.0)
     drawn = store.document.projection.lens
     assert isinstance(drawn, Oblique)
@@ -812,7 +812,7 @@ def test_the_drawing_follows_an_oblique_lens(desk: Desk) -> None:
     choose(card.rows["drawing"], "cavalier")
     drawn = store.document.projection.lens
     assert isinstance(drawn, Oblique) and receding_of(drawn) == pytest.approx((1.0, 30.0))
-    # Another lens draws none of them.
+    # Another lens makes no oblique drawing.
     store.set_projection(store.document.projection.with_lens("perspective"))
     assert in_words(card, "drawing") == "none of these"
     assert not rows["angle_deg"].isEnabled() and not rows["morph"].isEnabled()
@@ -837,15 +837,15 @@ def test_a_moved_camera_is_none_of_the_photographs(desk: Desk) -> None:
     assert now.lens.fov_y_deg == pytest.approx(start.lens.fov_y_deg)
     assert shown(card, "preset", "distance") == ["wide", 1.0]
     assert store.document.settings["distance"] == 1.0
-    # From the control itself the photograph stays what it is: the size is held.
+    # An edit of the distance keeps the photograph: the size stays.
     card.settings_edited.emit({"distance": 2.0})
     assert shown(card, "preset", "distance") == ["wide", 2.0]
-    # Away from it, the distance moves the eye on from where it is.
+    # Away from a photograph the distance moves the eye from where it is.
     store.set_projection(replace(start, camera=away))
     card.settings_edited.emit({"distance": 1.5})
     assert store.document.projection.camera.distance == pytest.approx(4.5)
     assert shown(card, "distance") == [1.5] and in_words(card, "preset") == "none of these"
-    # What is farther than can be chosen is shown, too, and stays when something else is.
+    # A distance beyond the slider is shown, and stays when another setting is edited.
     far = Camera.from_orbit(target, orbit._replace(distance=300.0))
     store.set_projection(replace(start, camera=far))
     assert shown(card, "distance") == [pytest.approx(100.0)]
