@@ -13,7 +13,8 @@ from PySide6.QtWidgets import QApplication, QComboBox, QSlider
 from app.model.projection import Camera, Frustum, Oblique, Orthographic, Perspective, Projection
 from tests.support.shown import show
 from widgets.controls.controls import Controls
-from widgets.parts.fields import ChoiceRow, NumberRow
+from widgets.parts.fields import ChoiceRow
+from widgets.parts.number_rows import NumberRow
 from widgets.parts.panel import Changed, Shown
 
 KEY = Qt.Key

@@ -25,7 +25,7 @@ from tests.support.shown import show
 from widgets.controls.animation import PERIOD_S, STEP_S, AnimationBar, Motion, camera_at
 from widgets.controls.controls import Controls
 from widgets.parts.clock import LONGEST_FRAME_S, Clock
-from widgets.parts.fields import NumberRow
+from widgets.parts.number_rows import NumberRow
 
 # 5 to the +z side of the target and 3 above it.
 START = Camera((0.0, 5.0, 5.0), (0.0, 2.0, 0.0))

@@ -79,8 +79,8 @@ from tests.support.controls import (
 from tests.support.shown import show
 from widgets.controls.controls import Controls
 from widgets.parts import messages
-from widgets.parts.fields import QUIET_MS, NumberRow
 from widgets.parts.messages import A_NUMBER, sentence
+from widgets.parts.number_rows import QUIET_MS, NumberRow
 from widgets.parts.number_text import parse_number, short_text
 from widgets.parts.scales import Doubling, Linear, Log
 from widgets.parts.writing import all_digits

@@ -43,7 +43,7 @@ from tests.support.controls import (
 )
 from tests.support.frustum import corners_world
 from tests.support.shown import show
-from widgets.parts.fields import NumberRow
+from widgets.parts.number_rows import NumberRow
 from widgets.parts.scales import Linear, Log
 
 SHOWN = {p.lens.kind: p for p in (START, OFF_AXIS, BOX, SLANTED)}

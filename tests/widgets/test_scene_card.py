@@ -39,8 +39,9 @@ from widgets.controls.readout import NONE
 from widgets.controls.scene_card import SceneCard
 from widgets.controls.setting_rows import Player, make_row, scale_of
 from widgets.parts import palette
-from widgets.parts.fields import CheckRow, ChoiceRow, NumberRow, VectorRow
+from widgets.parts.fields import CheckRow, ChoiceRow
 from widgets.parts.messages import Words, number_text
+from widgets.parts.number_rows import NumberRow, VectorRow
 from widgets.parts.panel import EVERYTHING as EVERY_CHANGE
 from widgets.parts.panel import Shown
 from widgets.parts.readable import Readable

@@ -19,11 +19,12 @@ from app.model.projection import LARGEST, NOT_THE_EYE, Camera, Vector
 from app.model.refusal import Refusal
 from widgets.parts.buttons import tool_button
 from widgets.parts.clock import Clock, Playing
-from widgets.parts.fields import Choice, ChoiceRow, NumberRow, Row
+from widgets.parts.fields import Choice, ChoiceRow, Row
 from widgets.parts.gestures import Gestures
 from widgets.parts.icons import WarningLabel
 from widgets.parts.layouts import FREE, in_column, in_row
 from widgets.parts.messages import limits_text, sentence
+from widgets.parts.number_rows import NumberRow
 from widgets.parts.scales import Linear
 
 HeightMode: TypeAlias = Literal["fixed", "swing", "steps"]

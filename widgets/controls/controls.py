@@ -23,17 +23,17 @@ from PySide6.QtWidgets import QWidget
 from app.drawings.style import Style
 from app.lecture.highlight import NOTHING, Highlight, made_of
 from app.model.projection import FINITE_NUMBER, LARGEST, LENSES, Camera, Projection
-from app.model.refusal import Refusal
+from app.model.refusal import Refusal, shown_limits
 from widgets.controls.animation import AnimationBar
 from widgets.controls.camera_controls import CameraControls
 from widgets.controls.dock import Dock
 from widgets.controls.finder import Known, find, known
 from widgets.controls.lens_controls import LensControls
 from widgets.controls.scene_card import SceneCard
-from widgets.parts.fields import NumberRow, Row, RowHolder
+from widgets.parts.fields import Row, RowHolder
 from widgets.parts.focus import lay_out
 from widgets.parts.messages import seen_from, sentence, translated
-from widgets.parts.number_text import short_text
+from widgets.parts.number_rows import NumberRow
 from widgets.parts.panel import EVERYTHING, Changed, Shown
 from widgets.parts.plain import Label, set_tip
 from widgets.parts.scales import Linear, Log
@@ -425,7 +425,7 @@ class Controls(Dock, RowHolder):
             error = self._limit(binding, value)
             if error is not None:
                 bound = translated(error.bound)
-                clauses.append(bound.format(*_as_shown(error, value).limits))
+                clauses.append(bound.format(*shown_limits(error.limits, value)))
         return "; ".join(dict.fromkeys(clauses))
 
     def _adopt(self, projection: Projection) -> None:
@@ -472,21 +472,8 @@ def _about(binding: Binding) -> Highlight:
 
 
 def _as_shown(error: Refusal, value: Any) -> Refusal:
-    """Shorten the numbers of an error as the fields do, except for the edited one."""
-    refused = error.value
-    if isinstance(refused, tuple):
-        refused = tuple(part if part == value else float(f"{part:.6g}") for part in refused)
-    limits = (_short_limit(limit, value) for limit in error.limits)
-    return Refusal(error.field, refused, error.bound, *limits)
-
-
-def _short_limit(limit: Any, value: Any) -> Any:
-    """Shorten a limit as its field does, unless the value lies between the two."""
-    try:
-        number = float(limit)
-        shown = float(short_text(number))
-    except ValueError:  # words, or infinity
-        return limit
-    if isinstance(value, str) or (value > number, value < number) != (value > shown, value < shown):
-        return limit
-    return short_text(number)
+    """Shorten the components of a refused vector, except for the edited one."""
+    if not isinstance(error.value, tuple):
+        return error
+    refused = tuple(part if part == value else float(f"{part:.6g}") for part in error.value)
+    return Refusal(error.field, refused, error.bound, *error.limits)

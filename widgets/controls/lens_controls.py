@@ -35,8 +35,9 @@ from app.model.projection import (
     receding_of,
 )
 from app.model.refusal import Refusal
-from widgets.parts.fields import Choice, NumberRow
+from widgets.parts.fields import Choice
 from widgets.parts.messages import translated
+from widgets.parts.number_rows import NumberRow
 from widgets.parts.plain import Label
 from widgets.parts.scales import Linear, Log, Scale
 from widgets.parts.section import Binding, Read, Rows, Typed, Write, quiet, tidy

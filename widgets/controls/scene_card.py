@@ -33,7 +33,7 @@ from app.scenes.phenomena.words import Comparison
 from widgets.controls.readout import Readout, full_sentence
 from widgets.controls.setting_rows import Player, make_row
 from widgets.parts.buttons import tool_button
-from widgets.parts.fields import ChoiceRow, NumberRow, Row, RowHolder
+from widgets.parts.fields import ChoiceRow, Row, RowHolder
 from widgets.parts.icons import RefusalLabel
 from widgets.parts.layouts import FREE, in_column, in_row
 from widgets.parts.messages import (
@@ -43,6 +43,7 @@ from widgets.parts.messages import (
     sentence,
 )
 from widgets.parts.note import Balanced
+from widgets.parts.number_rows import NumberRow
 from widgets.parts.panel import Changed, Shown
 from widgets.parts.plain import show_tip
 from widgets.parts.readable import Readable

@@ -12,8 +12,9 @@ from PySide6.QtCore import QObject, Signal
 from app.scenes.phenomena.settings import Setting
 from widgets.parts.buttons import tool_button
 from widgets.parts.clock import Clock, Playing
-from widgets.parts.fields import CheckRow, Choice, ChoiceRow, NumberRow, Row, VectorRow
+from widgets.parts.fields import CheckRow, Choice, ChoiceRow, Row
 from widgets.parts.messages import limits_text, of_phenomena
+from widgets.parts.number_rows import NumberRow, VectorRow
 from widgets.parts.scales import Doubling, Linear, Log, Scale
 
 

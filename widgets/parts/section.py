@@ -16,10 +16,11 @@ from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from app.model.projection import Projection
 from widgets.parts.buttons import tool_button
-from widgets.parts.fields import Choice, ChoiceRow, NumberRow, Row
+from widgets.parts.fields import Choice, ChoiceRow, Row
 from widgets.parts.icons import show_icon
 from widgets.parts.layouts import in_column
 from widgets.parts.messages import field_name
+from widgets.parts.number_rows import NumberRow
 from widgets.parts.plain import Label, set_tip
 from widgets.parts.scales import Log, Scale
 
