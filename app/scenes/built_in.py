@@ -51,6 +51,11 @@ TRIES = {
     ),
 }
 """Three lines about what to try with each scene, translated like the phenomena's texts."""
+TRIES_OF_A_MESH = (
+    QT_TRANSLATE_NOOP("phenomena", "Walk round it: drag the azimuth."),
+    QT_TRANSLATE_NOOP("phenomena", "Move near and far close to it."),
+    QT_TRANSLATE_NOOP("phenomena", "What happens to its shape in the cube?"),
+)
 
 
 def _letter_f() -> Parts:

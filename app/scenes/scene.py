@@ -35,9 +35,9 @@ from app.model.projection import (
     Vector,
 )
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
-from app.scenes.built_in import BUILDERS, TRIES
+from app.scenes.built_in import BUILDERS, TRIES, TRIES_OF_A_MESH
 from app.scenes.finishing import Finished, vector
-from app.scenes.mesh import Colours, Floats, Ints, Progress, open_mesh, report
+from app.scenes.mesh import Colours, Progress, open_mesh, report
 from app.scenes.mesh_files import ENDINGS as ENDINGS
 from app.scenes.own_mesh import cells_of, own_mesh
 from app.scenes.phenomena import PHENOMENA, Phenomenon
@@ -47,6 +47,7 @@ from app.scenes.shapes import (
     EDGE_RGB,
     Coloured,
     box_corners,
+    boxes_by_size,
     distinct_rows,
     flat,
     ground_grid,
@@ -69,11 +70,6 @@ NEARLY_A_SCENE = QT_TRANSLATE_NOOP(
 NO_OWN_MESH = QT_TRANSLATE_NOOP(
     "Refusal", "mesh = {1}: the scene “{0}” has a subject of its own, which no mesh can replace."
 )
-_TRIES_OF_A_MESH = (
-    QT_TRANSLATE_NOOP("phenomena", "Walk round it: drag the azimuth."),
-    QT_TRANSLATE_NOOP("phenomena", "Move near and far close to it."),
-    QT_TRANSLATE_NOOP("phenomena", "What happens to its shape in the cube?"),
-)
 SAMPLE = 100_000
 """Speed is measured with so many vertices of a larger mesh."""
 _DEEPEST = 4.0  # of a mesh that crosses the bounds, in longest sides of the bounds
@@ -81,8 +77,6 @@ RASTERISED = frozenset({"depth", "texture", "fog", "levels"})
 """Features of the image's `Rasteriser` that a scene can require."""
 SUBJECT_SAMPLE = 2_000
 """A phenomenon computes with so many vertices of a larger subject at each step."""
-SIZES = 4
-"""Size classes of cells with boxes of their own: as large as the scene, half as large, ..."""
 MOST_IN_BOXES = 50_000
 """A mesh of more cells gets one box."""
 
@@ -185,7 +179,7 @@ class Scene:
         """Three short lines about what to try; translated like the phenomena's texts."""
         if self.phenomenon is not None:
             return self.phenomenon.tries
-        return TRIES.get(self.name, _TRIES_OF_A_MESH)
+        return TRIES.get(self.name, TRIES_OF_A_MESH)
 
     @cached_property
     def requires(self) -> frozenset[str]:
@@ -301,7 +295,7 @@ class Scene:
                         mesh.GetLines() if name == "lines" else mesh.GetPolys()
                     )
                 if 1 < len(offsets) <= MOST_IN_BOXES:
-                    ends = _by_size_and_place(np.asarray(mesh.points), offsets, corners)
+                    ends = boxes_by_size(np.asarray(mesh.points), offsets, corners)
             boxes.append(np.array([self._box(*pair) for pair in ends]).reshape(-1, 8, 3))
         return Boxes(*boxes)
 
@@ -413,21 +407,6 @@ def frame_camera(lower: Sequence[float], upper: Sequence[float]) -> Projection:
 def _centre(lower: Sequence[float], upper: Sequence[float]) -> Vector:
     x, y, z = (low + (high - low) / 2.0 for low, high in zip(lower, upper, strict=True))
     return x, y, z
-
-
-def _by_size_and_place(points: Floats, offsets: Ints, corners: Ints) -> Floats:
-    """Return the ends (n, 2, 3) of boxes around cells of a size class, small cells by place."""
-    used = points[corners]
-    low, high = (ends.reduceat(used, offsets[:-1]) for ends in (np.minimum, np.maximum))
-    least, most = low.min(axis=0), high.max(axis=0)
-    sizes, extent = (high - low).max(axis=1), (most - least).max()
-    halvings = np.sum([sizes <= extent / 2.0**n for n in range(1, SIZES)], axis=0)
-    octants = (low + high > least + most) @ np.array([1, 2, 4])
-    kinds = 8 * halvings + np.where(halvings > 1, octants, 0)
-    order = np.argsort(kinds, kind="stable")
-    starts = np.flatnonzero(np.diff(kinds[order], prepend=-1))
-    lower, upper = np.minimum.reduceat(low[order], starts), np.maximum.reduceat(high[order], starts)
-    return np.stack([lower, upper], axis=1)
 
 
 def _rounded(point: Sequence[float], decimals: int) -> Vector:

@@ -20,6 +20,9 @@ Floats: TypeAlias = NDArray[np.float64]
 Colours: TypeAlias = NDArray[np.uint8]
 Coloured: TypeAlias = tuple[Floats, Colours]
 
+SIZES = 4
+"""Size classes of cells with boxes of their own: as large as the scene, half as large, ..."""
+
 # --------------------------------------------------------------------------- colours
 
 # Okabe-Ito, one hue for each axis, the lighter shade on the positive side. The two sides of an axis
@@ -98,6 +101,21 @@ def distinct_rows(rows: NDArray[Any]) -> tuple[NDArray[Any], NDArray[np.intp]]:
     places = np.empty(len(rows), dtype=np.intp)
     places[order] = np.cumsum(first) - 1
     return by_size[first], places
+
+
+def boxes_by_size(points: Floats, offsets: NDArray[np.int64], corners: NDArray[np.int64]) -> Floats:
+    """Return the ends (n, 2, 3) of boxes around cells of a size class, small cells by place."""
+    used = points[corners]
+    low, high = (ends.reduceat(used, offsets[:-1]) for ends in (np.minimum, np.maximum))
+    least, most = low.min(axis=0), high.max(axis=0)
+    sizes, extent = (high - low).max(axis=1), (most - least).max()
+    halvings = np.sum([sizes <= extent / 2.0**n for n in range(1, SIZES)], axis=0)
+    octants = (low + high > least + most) @ np.array([1, 2, 4])
+    kinds = 8 * halvings + np.where(halvings > 1, octants, 0)
+    order = np.argsort(kinds, kind="stable")
+    starts = np.flatnonzero(np.diff(kinds[order], prepend=-1))
+    lower, upper = np.minimum.reduceat(low[order], starts), np.maximum.reduceat(high[order], starts)
+    return np.stack([lower, upper], axis=1)
 
 
 def edges_of(quads: Floats) -> Coloured:
