@@ -30,9 +30,9 @@ from app.scenes.phenomena.readout import Reading
 if TYPE_CHECKING:
     from app.scenes.scene import Scene
 
-NO_NAME = QT_TRANSLATE_NOOP("Refusal", "has no such name, {0}; the nearest is {1}")
+NO_NAME = QT_TRANSLATE_NOOP("Refusal", "uses an unknown name, {0}; the nearest is {1}")
 NO_FUNCTION = QT_TRANSLATE_NOOP(
-    "Refusal", "has no such function or matrix, {0}; the nearest is {1}"
+    "Refusal", "uses an unknown function or matrix, {0}; the nearest is {1}"
 )
 NO_CELL = QT_TRANSLATE_NOOP("Refusal", "asks for a part that {0} does not have")
 DIVIDES_BY_ZERO = QT_TRANSLATE_NOOP("Refusal", "divides by zero")
