@@ -236,7 +236,7 @@ def test_work_that_another_file_took_the_place_of_is_offered_by_the_next_window(
     assert other.messages.text == "", "the window lives that can undo to it"
     assert window.close(), "of what is before it nothing is unsaved"
     other.recovery.offer()
-    assert other.messages.text.startswith("Work of ")
+    assert other.messages.text.startswith("There is unsaved work from ")
     other.messages.choices[0].click()
     assert other.store.document == work and other.store.modified
     other.history.undo()

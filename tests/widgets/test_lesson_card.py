@@ -301,7 +301,7 @@ def test_what_is_forgotten_can_be_had_again(window: MainWindow, lesson: Path) ->
     answered(window, "98.2")
     assert not card.blocks[0].is_open
     card.begin_again()
-    assert "is forgotten" in window.messages.text and window.lessons.place == 0
+    assert "were deleted" in window.messages.text and window.lessons.place == 0
     go_to(window.lessons, 2)
     assert card.blocks[0].is_open
     (undo,) = window.messages.choices

@@ -540,7 +540,7 @@ def test_repeated_exceptions_do_not_pile_up_windows(
         fail(display, ValueError(f"number {number}"))
     assert len(display.topLevelWidgets()) == before + 1
     assert watch.report is not None
-    assert "number 0" in said(watch.report) and "4 more times" in said(watch.report)
+    assert "number 0" in said(watch.report) and "occurred 4 more times" in said(watch.report)
     watch.report.close()
     fail(display, KeyError("another day"))
     assert "another day" in said(watch.report) and "more times" not in said(watch.report)
@@ -625,7 +625,7 @@ window.close()
     program[2] = "from PySide6.QtWidgets import QApplication, QLabel" + BROKEN + program[2]
     done = subprocess.run(program, cwd=ROOT, capture_output=True, text=True, timeout=PATIENCE_S)
     told = "An error in the program: LookupError: no drawing. Your work is still there."
-    assert done.stdout == f"1 {told} It or others came 2 more times.\n", done.stderr
+    assert done.stdout == f"1 {told} This or other errors occurred 2 more times.\n", done.stderr
     assert done.returncode == 1
     assert done.stderr.count("Traceback") == 3
     assert log_path().read_text(encoding="utf-8").count("no drawing") >= 3

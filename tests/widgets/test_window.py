@@ -548,7 +548,7 @@ def test_a_scene_whose_drawing_fails_leaves_everything_as_it_was(
     assert act[way]() in (None, False) or way == "lesson"
     assert not is_armed
     assert window.messages.text == (
-        "bad.obj cannot be drawn, and what was shown before stays: IndexError('no such corner')"
+        "bad.obj cannot be drawn, so the previous scene stays: IndexError('no such corner')"
     )
     window.messages.done()
     for old, new in zip(before, state(), strict=True):

@@ -145,7 +145,7 @@ class LessonCard(QFrame):
             for key in (BACK_KEY, AGAIN_KEY, NEXT_KEY)
         )
         before = self.tr("The step before ({0})").format(back_key)
-        shown = self.tr("Show the step again, whatever was tried ({0})").format(again_key)
+        shown = self.tr("Show the step again, without your changes ({0})").format(again_key)
         hints = self.tr("A hint, one after the other (Alt+I)")
         following = self.tr("The next step ({0})").format(next_key)
         self.back = _push(self.tr("&Back"), before, self.go_back)

@@ -55,7 +55,7 @@ class LessonMenu(QMenu):
         self.addSeparator()
         self.again = make(
             self.tr("&Show the step again"), None, AGAIN_KEY,
-            self.tr("Show the lesson's step as its file has it, whatever was tried"),
+            self.tr("Show the step as the lesson's file has it, without your changes"),
         )  # fmt: skip
         self.next = make(self.tr("&Next step"), None, NEXT_KEY)
         self.back = make(self.tr("Step &before"), None, BACK_KEY)

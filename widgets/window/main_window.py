@@ -246,13 +246,14 @@ class MainWindow(QMainWindow):
             (self.frame_panel, self.tr("Camera frame"),
              self.tr("The camera's axes, step by step: eye, target and up make the view matrix")),
             (self.kinds_panel, self.tr("Kinds of projection"),
-             self.tr("The tree of planar projections: which one the picture is, and a click"
-                     " makes it another")),
+             self.tr("The tree of planar projections: it marks the kind of the picture; click a"
+                     " kind to change to it")),
             (self.probe_panel, self.tr("Probe"), self.tr("Follow points through every stage")),
             (self.scene_panel, self.tr("Explanation and diagrams"),
-             self.tr("What the scene shows, in which lectures, and its diagrams")),
+             self.tr("What the scene shows, the lectures that use it, and its diagrams")),
             (self.measure_panel, self.tr("Precision"),
-             self.tr("How exact picture and numbers are, and what speed costs, measured here")),
+             self.tr("How exact the picture and its numbers are, and what speed costs on this"
+                     " computer")),
         )  # fmt: skip
         for panel, name, tip in panels:
             self.panels.add(name, panel, tip)
@@ -337,7 +338,7 @@ class MainWindow(QMainWindow):
         )
 
     def offer_answers(self, title: str, take_back: Callable[[], object]) -> None:
-        text = self.tr("What was answered in “{0}” is forgotten.").format(title)
+        text = self.tr("The answers in “{0}” were deleted.").format(title)
         self.messages.say(text, (self.tr("Undo"), take_back))
 
     def _tell_unsaved(self, path: Path) -> None:
@@ -373,7 +374,7 @@ class MainWindow(QMainWindow):
             log.exception("the scene %r cannot be drawn", document.mesh or document.scene)
             self.files.keep(before.document, before.scene)
             self.store.refuse()
-            text = self.tr("{0} cannot be drawn, and what was shown before stays: {1}")
+            text = self.tr("{0} cannot be drawn, so the previous scene stays: {1}")
             name = os.path.basename(document.mesh or document.scene)
             self.messages.say(text.format(name, repr(error)))
 
