@@ -6,7 +6,7 @@ What depends on the document is told by `MainWindow`, in the order of its notifi
 from __future__ import annotations
 
 from functools import partial
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from app.document.store import Store
 from widgets.controls.scene_card import SceneCard
@@ -15,19 +15,16 @@ from widgets.parts.gestures import Gestures
 from widgets.parts.panel import Panel
 from widgets.parts.writing import all_digits, lettering
 
-if TYPE_CHECKING:
-    from widgets.window.main_window import MainWindow
 
-
-def wire(window: MainWindow) -> None:
-    """Connect the window's components to each other."""
+def wire(window: Any) -> None:
+    """Connect the components of a `MainWindow`, which imports this module, to each other."""
     _wire_components(window)
     _wire_lesson(window)
     _wire_gestures(window)
     _wire_highlight(window)
 
 
-def _wire_components(window: MainWindow) -> None:
+def _wire_components(window: Any) -> None:
     store, controls, menus, strip, world = (
         window.store, window.controls, window.menus, window.strip, window.panes["world"]
     )  # fmt: skip
@@ -90,7 +87,7 @@ def _wire_components(window: MainWindow) -> None:
         look.built.connect(panel.set_style)
 
 
-def _wire_lesson(window: MainWindow) -> None:
+def _wire_lesson(window: Any) -> None:
     """Connect the lesson's card to its keys, and to everything that a task may ask for."""
     card, menus = window.lesson_card, window.menus
     menus.lesson_menu.wire(card, window.settings)
@@ -113,7 +110,7 @@ def _wire_lesson(window: MainWindow) -> None:
         signal.connect(card.look_again)
 
 
-def _wire_gestures(window: MainWindow) -> None:
+def _wire_gestures(window: Any) -> None:
     """Announce each gesture, such as a drag: the store makes one undo step of it."""
     store, controls, panels = window.store, window.controls, window.panels.all
     sources: tuple[Gestures, ...] = (controls, controls.animation, window.manipulation, *panels)
@@ -127,7 +124,7 @@ def _wire_gestures(window: MainWindow) -> None:
     window.strip.gesture_finished.connect(window.measure_panel.end_gesture)
 
 
-def _wire_highlight(window: MainWindow) -> None:
+def _wire_highlight(window: Any) -> None:
     """Let every pane and panel highlight things, and show what is highlighted."""
     mark = window.highlighter.mark
     window.controls.highlighted.connect(mark)
