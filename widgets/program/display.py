@@ -18,7 +18,7 @@ from widgets.program.opengl import WITHOUT_OPENGL, DisplayError
 
 WITHOUT_DISPLAY = (
     "“export”, “project”, “matrices”, “measure”, “lesson”, “talk --check”, “talk --handout” and "
-    "“doctor” need none."
+    "“doctor” need no screen."
 )
 X_RETRIES_S = (0.1, 0.4, 0.0)
 """Pauses after each attempt to reach an X server, which may be restarting."""
@@ -56,8 +56,8 @@ def _reach_display() -> Callable[[], object] | None:
     if not x11 or not display:
         name = "DISPLAY" if x11 else "WAYLAND_DISPLAY"
         raise DisplayError(
-            f"There is no screen to open a window on ({name} leads to none): start it in a desktop "
-            f"session, over ssh with -X, or with {_virtual()} in front; {WITHOUT_DISPLAY}"
+            f"There is no screen to open a window on ({name} leads to none): start the program in a "
+            f"desktop session, over ssh with -X, or with {_virtual()} in front; {WITHOUT_DISPLAY}"
         )
     return _reach_x11(display)
 
@@ -109,6 +109,6 @@ def _reach_x11(display: str) -> Callable[[], object]:
         time.sleep(pause_s)
     raise DisplayError(
         f"The X server DISPLAY = {display} does not answer or does not let this user in: start "
-        f"it in a desktop session, over ssh with -X, or with {_virtual()} in front; "
+        f"the program in a desktop session, over ssh with -X, or with {_virtual()} in front; "
         f"{WITHOUT_DISPLAY}"
     )
