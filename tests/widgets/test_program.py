@@ -182,7 +182,7 @@ def test_probe_finds_what_vtk_draws_with(display: Any) -> None:
     assert found.software == ("llvmpipe" in found.renderer)
 
 
-def test_a_program_that_draws_is_told_from_a_graphics_card() -> None:
+def test_software_renderers_are_recognised() -> None:
     for renderer in (
         "llvmpipe (LLVM 15.0.6, 256 bits)",
         "ANGLE (Google, Vulkan 1.3.0 (SwiftShader Device (LLVM 16.0.0)), SwiftShader)",
@@ -443,7 +443,7 @@ def test_a_log_on_a_full_disk_ends_with_one_line(
     assert said.count("\n") == 1 and "the log ends: [Errno 28]" in said
 
 
-def test_a_log_that_cannot_be_written_is_done_without(
+def test_an_unwritable_log_is_left_out(
     own_home: Path, own_logging: logging.Logger, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     (own_home / "file").write_text("in the way")

@@ -157,7 +157,7 @@ def test_a_drag_repaints_once_a_step_and_without_a_gpu_once_to_refine(
     assert counts == dict.fromkeys(window.panes, 4 if software else 1)
 
 
-def test_a_change_reaches_whom_it_concerns_and_nobody_else(
+def test_a_change_is_told_only_to_those_whom_it_concerns(
     make_window: MakeWindow, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     told: set[str] = set()
@@ -785,7 +785,7 @@ def test_closing_with_unsaved_work_asks(window: MainWindow, tmp_path: Path) -> N
     assert read(tmp_path / "kept.json") == window.store.document
 
 
-def test_what_another_program_wrote_is_not_saved_over_unasked(
+def test_saving_over_the_work_of_another_program_asks(
     make_window: MakeWindow, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     window, path = make_window(shown=False), tmp_path / "lesson.json"
@@ -822,7 +822,7 @@ def test_what_another_program_wrote_is_not_saved_over_unasked(
     assert window.files.save() and path.exists(), "what is gone is written again"
 
 
-def test_a_name_without_its_ending_writes_over_no_file_unasked(
+def test_saving_over_a_file_whose_ending_was_not_typed_asks(
     make_window: MakeWindow, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """Qt asks about the typed name only, which belongs to another file."""
@@ -1060,7 +1060,7 @@ def test_recovered_work_is_in_a_copy_at_every_moment(
     caplog.clear()  # the errors hold the window
 
 
-def test_work_whose_mesh_is_not_there_can_be_recovered_when_it_is(
+def test_work_can_be_recovered_once_its_missing_mesh_is_back(
     make_window: MakeWindow, tmp_path: Path
 ) -> None:
     window = make_window(shown=False)
@@ -1115,7 +1115,7 @@ def test_a_copy_that_cannot_be_removed_keeps_no_window_open(
 # -- scenes
 
 
-def test_a_window_of_a_screen_that_has_gone_opens_on_one_that_is_there(
+def test_a_window_of_a_missing_screen_opens_on_an_existing_one(
     make_window: MakeWindow,
 ) -> None:
     window, settings = make_window(), Settings(None)
@@ -1128,14 +1128,14 @@ def test_a_window_of_a_screen_that_has_gone_opens_on_one_that_is_there(
     assert screen.contains(again.frameGeometry()) and again.size().toTuple() == (900, 650)
 
 
-def test_a_damaged_place_of_the_window_is_as_none(make_window: MakeWindow) -> None:
+def test_damaged_geometry_of_the_window_is_ignored(make_window: MakeWindow) -> None:
     whole, settings = make_window(shown=False), Settings(None)
     for geometry in (b"\x00", b"x" * 70, bytes(range(256))):
         settings.geometry = geometry
         assert make_window(settings=settings, shown=False).size() == whole.size()
 
 
-def test_what_a_scene_sets_by_itself_is_not_in_the_dock_twice(window: MainWindow) -> None:
+def test_no_control_of_a_scene_is_in_the_dock_twice(window: MainWindow) -> None:
     show_scene(window, "oblique-drawing")
     rows, card = window.controls.rows, window.controls.card
     seen_rows = [row for row in {*rows.values(), *card.rows.values()} if row.isVisible()]
@@ -1499,7 +1499,7 @@ def test_a_picture_asks_for_a_mesh_that_is_not_beside_it(
     assert window.store.document.mesh == str(beside)
 
 
-def test_a_mesh_of_the_user_s_takes_the_place_of_the_objects_and_leaves_it(
+def test_a_mesh_replaces_the_objects_and_is_removed_again(
     make_window: MakeWindow, tmp_path: Path
 ) -> None:
     window = make_window(on_triangles(settings={"distance": 5.0}))
@@ -1668,7 +1668,7 @@ def test_a_grid_that_runs_behind_the_pane_is_lines(
     assert 0.001 < share_of(window, np.array(GRID_RGB) / 255.0) < 0.0125, "0.015 with ribbons"
 
 
-def test_lines_are_drawn_where_their_shader_declares_itself_in_other_words(
+def test_lines_are_drawn_with_another_form_of_their_shader_declaration(
     make_widened: MakeWindow,
 ) -> None:
     """Another VTK may write it so; our insertion must compile there as well."""
@@ -1685,7 +1685,7 @@ def test_lines_are_drawn_where_their_shader_declares_itself_in_other_words(
     assert np.array_equal(*pictures)
 
 
-def test_a_note_beside_a_panes_title_ends_in_an_ellipsis_where_it_is_cut(
+def test_a_cut_note_beside_a_panes_title_ends_in_an_ellipsis(
     window: MainWindow,
 ) -> None:
     note = window.panes["ndc"].note
@@ -1706,7 +1706,7 @@ def test_a_note_beside_a_panes_title_ends_in_an_ellipsis_where_it_is_cut(
     assert QLabel.text(note) == ""
 
 
-def test_a_panes_title_has_all_the_room_there_is_before_its_note(window: MainWindow) -> None:
+def test_the_note_of_a_pane_is_cut_before_its_title(window: MainWindow) -> None:
     pane = window.panes["image"]
     title, note = pane.title, pane.note
     window.slots.toggle_float("image")
