@@ -30,7 +30,6 @@ from app.drawings.actors import Canvas, actor_2d
 from app.drawings.labels import Layout, Leader, Spot, written_distance
 from app.drawings.style import rgb
 from app.model.projection import Array, Projection
-from app.picking.handles import has_camera
 
 _SEGMENTS = 64  # there is room for
 _AWAY_PX = -1e4
@@ -94,10 +93,13 @@ class Half(NamedTuple):
         Under which the eye sees it; None for a lens without an eye, or off the axis.
     at_far : float
         Its length on the far plane; infinite with that.
+    has_eye : bool
+        Whether the projectors meet in the eye.
     """
 
     angle_deg: float | None
     at_far: float
+    has_eye: bool = True
 
 
 def half_of(projection: Projection, axis: int) -> Half | None:
@@ -119,7 +121,7 @@ def half_of(projection: Projection, axis: int) -> Half | None:
     near, far = lens.planes
     low, high = projection.window[2 * axis : 2 * axis + 2]
     if not lens.central:
-        return Half(None, high)
+        return Half(None, high, has_eye=False)
     aspect = Fraction(*projection.image_size)
     angles = lens.angles(aspect) if lens.symmetric else None
     if angles is not None:
@@ -295,7 +297,7 @@ class Dimensions:
     def _ways(self, measured: Measured) -> list[tuple[str, float]]:
         """What is measured along the axis, the shortest first."""
         projection, ways = measured.projection, dict[str, float]()
-        if has_camera(projection):
+        if projection.has_camera:
             ways = {"d": projection.camera.distance, **dict(measured.distances)}
         if projection.lens.planes is not None and measured.corners is not None:
             ways["near"], ways["far"] = projection.lens.planes
@@ -312,7 +314,7 @@ class Dimensions:
         """Half the angle at the eye, and half the window on the far plane."""
         axis, edge = (1, 8) if measured.view == "side" else (0, 7)  # of top, of right
         half = half_of(measured.projection, axis)
-        if half is None or not measured.projection.lens.central:
+        if half is None or not half.has_eye:
             return
 
         def keep_off(face: Array) -> None:
@@ -348,7 +350,7 @@ class Dimensions:
             return
         # The projectors of a parallel lens need not be parallel to its axis.
         # Beside the face, not across it: the picture is there.
-        eye, face = spots[0], spots[6:10] if measured.projection.lens.central else spots[2:6]
+        eye, face = spots[0], spots[6:10] if upper.has_eye else spots[2:6]
         x, y = float(eye[0]), float(eye[1])
         right, top = face[2].tolist()
         aside = right + 0.7 * self._em
@@ -440,12 +442,10 @@ class Dimensions:
 
     def _lacks(self, measured: Measured) -> str:
         """Which of `app.drawings.WORDS` says what there is not; or none."""
-        lens = measured.projection.lens
-        if lens.planes is None:
+        half = half_of(measured.projection, 1 if measured.view == "side" else 0)
+        if half is None:
             return "no planes"
-        if not lens.central:
+        if not half.has_eye:
             return "no eye" if measured.view == "eye" else "no angle"
-        if measured.view in ("side", "top"):
-            half = half_of(measured.projection, 1 if measured.view == "side" else 0)
-            return "" if half is None or half.angle_deg is not None else "no half angle"
-        return ""
+        has_angle = half.angle_deg is not None or measured.view not in ("side", "top")
+        return "" if has_angle else "no half angle"

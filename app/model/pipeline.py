@@ -172,6 +172,11 @@ class Pipeline:
         """NDC z of the near and of the far plane."""
         return DEPTH_RANGES[self.depth]
 
+    @property
+    def has_camera(self) -> bool:
+        """Whether the view is a camera's, and not a view matrix that somebody typed."""
+        return self.lens.own_view is None
+
     @cached_property
     def window(self) -> Window:
         """Left, right, bottom, top of the picture on the near plane, in world units."""

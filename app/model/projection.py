@@ -316,6 +316,10 @@ class Projection(Pipeline):
         seen = Seen(self.lens, self.window, self.camera.distance)
         return replace(self, lens=LENSES[kind].showing(seen))
 
+    def with_eye(self) -> Projection:
+        """The same camera with a lens whose projectors meet in the eye: its own, if they do."""
+        return self if self.lens.central else self.with_lens("perspective")
+
     def between(self, near: float, far: float) -> Projection:
         """The same view volume, and so the same picture, cut by other near and far planes.
 
