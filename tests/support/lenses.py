@@ -25,9 +25,9 @@ _VARIED: tuple[tuple[str, Lens], ...] = (
     ("infinite", Perspective(60.0, 0.5, math.inf)),
     ("frustum", Frustum(-0.6, 0.9, -0.4, 0.5, 1.0, 40.0)),
     ("frustum, kept", Frustum(-0.6, 0.9, -0.4, 0.5, 1.0, 40.0, "x")),
-    ("frustum, infinite", Frustum(0.1, 0.9, -0.7, -0.2, 0.5, math.inf)),
-    ("orthographic", Orthographic(-4.0, 4.0, -3.0, 3.0, 1.0, 40.0)),
-    ("orthographic, kept", Orthographic(-1.0, 7.0, -9.0, 3.0, -5.0, 40.0, "y")),
+    ("frustum, infinite", Frustum(-0.3, 0.5, -0.4, 0.2, 0.5, math.inf)),
+    ("orthographic", Orthographic(-4.0, 4.0, -3.0, 3.0, 1.0, 30.0)),
+    ("orthographic, kept", Orthographic(-1.0, 7.0, -5.0, 3.0, -5.0, 30.0, "y")),
     ("oblique", Oblique(-5.0, 5.0, -3.0, 3.0, 8.0, 40.0, alpha_deg=60.0, beta_deg=50.0)),
 )
 LENSES: dict[str, Lens] = dict(_VARIED) | {
