@@ -189,7 +189,7 @@ def scale_factors(projection: Projection) -> Vector | None:
         None for a lens whose pictures shrink with the distance, and for a typed matrix, whose
         picture has no size in world units.
     """
-    if not projection.lens.parallel:
+    if not projection.lens.even_extent:  # only parallel projectors show lengths
         return None
     left, right, bottom, top = projection.window
     clips = (trace_at_infinity(projection, axis).clip.tolist() for axis in AXES)

@@ -366,7 +366,7 @@ class EyeFirst:
 
     def half_spaces(self, least_w: float) -> HalfSpaces:
         """Half-spaces of OpenGL's clip space: between near and far, and w at least positive."""
-        if self._lens.parallel:
+        if not self._lens.central:
             return [((0.0, 0.0, 1.0, 0.0), 1.0), ((0.0, 0.0, -1.0, 0.0), 1.0)]
         # By w itself: z and w have not enough digits left to compare if far/near is large.
         found: HalfSpaces = [((0.0, 0.0, 0.0, 1.0), -self._lens.near)]

@@ -35,6 +35,7 @@ from app.document.view import FIELDS as VIEW_FIELDS
 from app.document.view import FIXED, LAYERS, LAYOUTS, MOST_PROBES, PANELS, PANES, View
 from app.lecture.camera_frame import STEPS
 from app.lecture.notation import LETTERS
+from app.model.lenses import LENSES, kinds
 from app.model.limits import ABOVE
 from app.model.projection import (
     Camera,
@@ -333,10 +334,9 @@ BAD_VALUES: list[tuple[str, object, str]] = [
     ("lens.fov_y_deg", 1e308,
      "lens.fov_y_deg = 1e+308: must lie between 0 and 180, both excluded."),
     ("lens.kind", "fisheye",
-     "lens.kind = 'fisheye': must be one of perspective, frustum, orthographic, oblique, matrix."),
+     f"lens.kind = 'fisheye': must be one of {', '.join(kinds())}."),
     ("lens.kind", ["perspective"],
-     "lens.kind = ['perspective']: must be one of perspective, frustum, orthographic, oblique, "
-     "matrix."),
+     f"lens.kind = ['perspective']: must be one of {', '.join(kinds())}."),
     ("camera.eye", [0, 2.2, 0],
      "camera.target = [0, 2.2, 0]: must differ from the eye, or the camera looks nowhere."),
     ("camera.eye", [1, 2], "camera.eye = [1, 2]: must be three finite numbers x, y, z."),
@@ -597,8 +597,8 @@ BAD_SETTINGS = [
     ("lens.beta_deg=40", "lens.beta_deg belongs to another lens: set lens.kind as well (oblique)."),
     ("lens.near", "lens.near must be written as NAME=VALUE."),
     ("", "'' must be written as NAME=VALUE."),
-    ("lens.kind=frustrum", "lens.kind = 'frustrum': must be one of perspective, frustum, "
-     "orthographic, oblique, matrix."),
+    ("lens.kind=frustrum",
+     f"lens.kind = 'frustrum': must be one of {', '.join(kinds())}."),
     ("depth=gl", "depth = 'gl': must be one of opengl, direct3d, reversed."),
     ("scene=", "scene = '': must be the name of a scene or of a mesh file."),
     ("lens.near=", "lens.near = '': must be a finite number."),
@@ -1437,8 +1437,7 @@ FOUR_ROWS = "must be four rows of four finite numbers"
         ({"former": {"kind": "perspective", "fov_y_deg": 45, "near": 0, "far": 2}},
          "lens.former.near = 0: must be greater than 0."),
         ({"former": {"kind": "matrix"}},
-         "lens.former.kind = 'matrix': must be one of perspective, frustum, orthographic, "
-         "oblique."),
+         f"lens.former.kind = 'matrix': must be one of {', '.join(LENSES)}."),
         ({"former": 7}, "lens.former = 7: must be an object with named values in braces."),
         ({"former": {"kind": "perspective"}}, "lens.former.fov_y_deg is missing."),
     ],

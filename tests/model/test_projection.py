@@ -6,7 +6,7 @@ import math
 import re
 import subprocess
 import sys
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from dataclasses import FrozenInstanceError, replace
 from fractions import Fraction
 from functools import reduce
@@ -50,12 +50,12 @@ from app.model.projection import (
 )
 from app.model.refusal import Refusal, shown_limits, six_digits
 from tests.oracles import exact
-from tests.support.lenses import LENSES, ONE_OF_EACH, SLANTED
+from tests.support.lenses import LENSES, ONE_OF_EACH, SLANTED, made
 from tests.support.marked import marked
-from tests.support.samples import pairwise
 
 EPS = float(np.finfo(np.float64).eps)
 QUICK = settings(max_examples=60)
+
 
 def in_world(projection: Projection, *points_view: tuple[float, float, float]) -> Array:
     """Points given along u, v, n from the eye, in world coordinates."""
@@ -172,9 +172,7 @@ def test_what_lies_on_a_plane_is_inside(kind: str) -> None:
     window = (-4, 4, -4, 4, 1, 8) if kind == "orthographic" else (-1, 1, -1, 1, 1, 8)
     on = [(0, 0, -1), (0, 0, -8), (4, 0, -4), (-4, 0, -4), (0, 4, -4), (0, -4, -4)]
     assert (
-        not Projection(AXIS, type(ONE_OF_EACH[kind])(*window), (800, 800))
-        .trace(on)
-        .outside.any()
+        not Projection(AXIS, type(ONE_OF_EACH[kind])(*window), (800, 800)).trace(on).outside.any()
     )
 
 
@@ -630,8 +628,8 @@ def test_with_lens_keeps_the_picture_of_the_plane_through_the_target(
     changed = projection.with_lens(kind)
     assert changed.lens.kind == kind
     assert (changed.camera, changed.image_size) == (projection.camera, projection.image_size)
-    if kind == "perspective" and lens.kind != "perspective":
-        # It has no window off the axis, and none of another shape: only the height is kept.
+    if lens.window_stays and not changed.lens.window_stays:
+        # It may have no window off the axis, and none of another shape: only the height is kept.
         (_, _, bottom, top), (_, _, low, high) = projection.window, changed.window
         scale = 1.0 if not lens.parallel else distance / changed.lens.near
         assert (high - low) * scale == pytest.approx(top - bottom, rel=1e-9)
@@ -873,103 +871,90 @@ def worst_px(projection: Projection, points: Array) -> float:
 
 OFFSETS = [0.0, 1e3, 1e6, 1e9]
 FARS = [10.0, 1e3, 1e9, math.inf]
-
-
-FIELDS_DEG = (1e-4, 0.01, 1, 10, 45, 90, 90.001, 150, 179, 179.9, 179.99)
-
-
-@pytest.mark.parametrize(("fov_y_deg", "offset"), [*product(FIELDS_DEG, OFFSETS[::3])])
-def test_pixels_against_80_digits(offset: float, fov_y_deg: float) -> None:
-    """5e-12 px, also where a radian is 3e8 pixels: there the digits are doubled."""
-    rng = np.random.default_rng([int(offset), int(fov_y_deg * 1e4)])
-    for far in FARS:
-        projection = Projection(
-            camera_at(rng, offset),
-            Perspective(fov_y_deg, 1.0, far),
-            (1920, 1080),
-            str(rng.choice(sorted(DEPTH_RANGES))),
-        )
-        points = points_in_view(projection, rng.uniform(0.0, 1.0, (8, 3)))
-        assert worst_px(projection, points) < 5e-12
-
-
-@pytest.mark.parametrize(("aspect", "offset"), [*product((1e-6, 1.0, 1e6), OFFSETS[:3:2])])
-def test_pixels_of_a_frustum_against_80_digits(offset: float, aspect: float) -> None:
-    """5e-12 px about the axis at any aspect: stretched windows, and images of 1 x 16384 pixels."""
-    rng = np.random.default_rng([int(offset), int(math.log10(aspect)) + 9])
-    for size in (0.4, 10.0):
-        right, top = size * min(aspect, 1.0), size * min(1.0 / aspect, 1.0)
-        lens = Frustum(-right, right, -top, top, 1.0, float(rng.choice(FARS)))
-        points = rng.uniform(0.0, 1.0, (8, 3))
-        projection = Projection(camera_at(rng, offset), lens, (1920, 1080))
-        assert worst_px(projection, points_in_view(projection, points)) < 5e-12
-        if offset > 1e3:  # where points cannot be told apart across such pictures
-            continue
-        for image_size, keep in (((LARGEST_IMAGE_PX, 1), "x"), ((1, LARGEST_IMAGE_PX), "y")):
-            projection = replace(projection, lens=replace(lens, keep=keep), image_size=image_size)
-            error = worst_px(projection, points_in_view(projection, points))
-            assert error < 5e-12 * LARGEST_IMAGE_PX / 1920
-
-
+FULL_HD = (1920, 1080)
 WINDOWED = [kind for kind, lens in ONE_OF_EACH.items() if lens.window_stays]
+Measured = tuple[Lens, tuple[int, int], float]
+"""A lens, the size of its image, and the error that it may have, in pixels."""
 
 
-@pytest.mark.parametrize(
-    ("kind", "offset", "off_axis"), pairwise(product(WINDOWED, OFFSETS, (0.5, 10.0, 1e3, 1e6)))
-)
-def test_pixels_off_the_axis_against_80_digits(kind: str, offset: float, off_axis: float) -> None:
+def symmetric(fov_y_deg: float) -> Iterator[Measured]:
+    """5e-12 px, also where a radian is 3e8 pixels: there the digits are doubled."""
+    for far in FARS:
+        yield Perspective(fov_y_deg, 1.0, far), FULL_HD, 5e-12
+
+
+def stretched(aspect: float) -> Iterator[Measured]:
+    """5e-12 px about the axis at any aspect: stretched windows, and images of 1 x 16384 pixels."""
+    long, short = LARGEST_IMAGE_PX, 1
+    for size, far in product((0.4, 10.0), FARS[::3]):
+        right, top = size * min(aspect, 1.0), size * min(1.0 / aspect, 1.0)
+        yield Frustum(-right, right, -top, top, 1.0, far), FULL_HD, 5e-12
+        for image_size, keep in (((long, short), "x"), ((short, long), "y")):
+            lens = Frustum(-right, right, -top, top, 1.0, far, keep)
+            yield lens, image_size, 5e-12 * LARGEST_IMAGE_PX / 1920
+
+
+def off_axis(away: float) -> Iterator[Measured]:
     """1e-12 px times how far the window is from the axis, in units of its own width.
 
     A point's place is compared with the window's sides, as far from the axis as they are, so that
     it is rounded in units of their distance: a window a million widths off has lost 6 of 16 digits
     (3.5e-7 px). `keep` moves both sides alike, and loses none.
     """
-    rng = np.random.default_rng([int(offset), int(off_axis), len(kind)])
-    width, height = rng.uniform(0.5, 2.0, 2)
-    sides = width * (off_axis - 0.5), width * (off_axis + 0.5), -0.3 * height, 0.7 * height
-    for keep in ("stretch", "x", "y"):
-        for far in (10.0, 1e3):
-            lens = ONE_OF_EACH[kind]
-            lens = type(lens)(*sides, -3.0 if lens.parallel else 1.0, far, keep)
-            if isinstance(lens, Oblique):
-                lens = replace(lens, alpha_deg=89.9, beta_deg=90.1)
-            projection = Projection(camera_at(rng, offset), lens, (1920, 1080))
-            left, right, bottom, top = projection.window
-            loss = max(off_axis * width / (right - left), 1.0 / (top - bottom), 1.0)
-            points = points_in_view(projection, rng.uniform(0, 1, (6, 3)))
-            assert worst_px(projection, points) < 1e-12 * (loss + 0.01 * far)
+    for kind, keep, far in product(WINDOWED, ("stretch", "x", "y"), (10.0, 1e3)):
+        width, sides = 1.7, (1.7 * (away - 0.5), 1.7 * (away + 0.5), -0.3, 0.7)
+        near = -3.0 if ONE_OF_EACH[kind].parallel else 1.0
+        lens = made(kind, sides, near, far, keep=keep, alpha_deg=89.9, beta_deg=90.1)
+        left, right, bottom, top = Projection(AXIS, lens, FULL_HD).window
+        loss = max(away * width / (right - left), 1.0 / (top - bottom), 1.0)
+        yield lens, FULL_HD, 1e-12 * (loss + 0.01 * far)
 
 
-@pytest.mark.parametrize(("size", "offset"), [*product((1e-6, 1.0, 1e9), OFFSETS[::3])])
-def test_pixels_of_a_parallel_lens_against_80_digits(offset: float, size: float) -> None:
+def boxed(size: float) -> Iterator[Measured]:
     """5e-12 px about the axis, whatever the window's size and however deep the box."""
-    rng = np.random.default_rng([int(offset), int(size * 1e6)])
     for near, far in ((1.0, 30.0), (-1e3, 1e9)):
-        lens = Orthographic(-size, size, -size, size, near, far)
-        projection = Projection(camera_at(rng, offset), lens, (1920, 1080))
-        points = points_in_view(projection, rng.uniform(0, 1, (8, 3)))
-        assert worst_px(projection, points) < 5e-12
+        yield Orthographic(-size, size, -size, size, near, far), FULL_HD, 5e-12
 
 
-@pytest.mark.parametrize(
-    ("alpha_deg", "offset"), [*product((1e-4, 0.01, 20.0, 109.47, 179.999), OFFSETS[::3])]
-)
-def test_pixels_of_an_oblique_lens_against_80_digits(offset: float, alpha_deg: float) -> None:
+def leaning(alpha_deg: float) -> Iterator[Measured]:
     """1e-12 px times the shear of the whole depth, in units of the window.
 
     A point and its shear are each as far from the window as the shear is long, and are rounded in
     units of that before they meet: 2e-12 px for a cavalier box 4 windows deep, 1e-2 px where the
     projectors lean by 2e12 windows.
     """
-    rng = np.random.default_rng([int(offset), int(alpha_deg * 1e4)])
     for far in (9.0, 30.0, 1e6):
         lens = Oblique(-4.0, 4.0, -3.0, 3.0, 1.0, far, "stretch", alpha_deg, 60.0)
-        projection = Projection(camera_at(rng, offset), lens, (1920, 1080))
         cot_alpha, cot_beta = map(abs, lens.shear)
         shear = 1.0 + max(cot_alpha / 8.0, cot_beta / 6.0) * far
-        points = points_in_view(projection, rng.uniform(0.1, 0.9, (8, 3)))
         if shear < 1e11:  # or rounding the points to float64 moves them out of the picture
-            assert worst_px(projection, points) < 1e-12 * shear
+            yield lens, FULL_HD, 1e-12 * shear
+
+
+MEASURED: list[tuple[Callable[[float], Iterator[Measured]], float]] = [
+    *((symmetric, fov) for fov in (1e-4, 0.01, 1, 10, 45, 90, 90.001, 150, 179, 179.9, 179.99)),
+    *((stretched, aspect) for aspect in (1e-6, 1.0, 1e6)),
+    *((off_axis, away) for away in (0.5, 10.0, 1e3, 1e6)),
+    *((boxed, size) for size in (1e-6, 1.0, 1e9)),
+    *((leaning, alpha_deg) for alpha_deg in (1e-4, 0.01, 20.0, 109.47, 179.999)),
+]
+
+
+@pytest.mark.parametrize("offset", OFFSETS[::3])
+@pytest.mark.parametrize(
+    ("lenses", "figure"), MEASURED, ids=[f"{make.__name__} {figure}" for make, figure in MEASURED]
+)
+def test_pixels_against_80_digits(
+    lenses: Callable[[float], Iterator[Measured]], figure: float, offset: float
+) -> None:
+    rng = np.random.default_rng(int(offset))
+    for lens, size, error in lenses(figure):
+        if offset and size != FULL_HD:  # across such pictures points cannot be told apart there
+            continue
+        depth = str(rng.choice(sorted(DEPTH_RANGES)))
+        projection = Projection(camera_at(rng, offset), lens, size, depth)
+        points = points_in_view(projection, rng.uniform(0.1, 0.9, (8, 3)))
+        assert worst_px(projection, points) < error, lens
 
 
 @given(projections(), st.lists(PARTS, min_size=1, max_size=3))

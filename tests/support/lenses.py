@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import dataclasses
 import math
+from collections.abc import Iterable
 
 from app.model import lenses
 from app.model.projection import (
@@ -45,3 +47,12 @@ def free_matrix() -> FreeMatrix:
     cells[0, 1] += 0.2
     cells[3] += 0.05, -0.03, 0.0, 0.1
     return FreeMatrix(cells.tolist())
+
+
+def made(kind: str, window: Iterable[float], near: float, far: float, **own: object) -> Lens:
+    """A lens of a kind from the sides of a window, planes, and values of the fields that it has."""
+    values = dict(zip(("left", "right", "bottom", "top"), window, strict=True))
+    values |= {"near": near, "far": far, **own}
+    names = {field.name for field in dataclasses.fields(lenses.LENSES[kind])}
+    lens: Lens = lenses.LENSES[kind](**{name: values[name] for name in names & set(values)})
+    return lens
