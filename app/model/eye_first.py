@@ -73,7 +73,7 @@ class EyeFirst:
 
         A constant alone means that points are divided already.
         """
-        (a, b), (c, d) = self._of.clip_from_view[2:, 2:].tolist()
+        (a, b), (c, d) = self._of.clip_from_view[2:, 2:]
         return c / a + 0.0, d - c * b / a
 
     @cached_property
