@@ -264,20 +264,6 @@ def test_the_circle_has_the_two_arcs() -> None:
     assert 25 <= across <= 110
 
 
-def test_pictures_stay_in_the_frame_and_the_cut_is_part_of_the_right_one() -> None:
-    rng = np.random.default_rng(10)
-    for _ in range(20):
-        projection, _, _ = draw(rng)
-        trace = projection.trace(rng.uniform(-4, 4, (40, 2, 3)))
-        drawn = pictures(projection, trace.view, trace.clip)
-        for part in (drawn.naive, drawn.cut, drawn.right):
-            inside = part[np.isfinite(part).all(axis=(1, 2))]
-            assert len(inside) > 0
-            assert (inside >= -1e-9).all() and (inside <= np.array(SIZE) + 1e-9).all()
-        cut = np.isfinite(drawn.cut).all(axis=(1, 2))
-        assert np.isfinite(drawn.right[cut]).all()
-
-
 @pytest.mark.parametrize("end", [(0, 0, 4), (0, 0, 0), (0, 0, -9)])
 def test_a_segment_that_points_at_the_eye_has_one_point(end: tuple[float, ...]) -> None:
     projection = Projection(Camera((0, 0, 0), (0, 0, -1)), LENSES[0], SIZE)
