@@ -251,7 +251,7 @@ def test_what_cannot_be_focused_says_why() -> None:
     for lens in (Orthographic(), Oblique()):
         parallel = show(Projection(EYE, lens))
         assert parallel.warning is not None
-        assert set(readings(parallel).readings()) == {None}
+        assert set(readings(parallel).values()) == {None}
         assert parallel.diagrams == () and parallel.world.faces == ()
 
 
