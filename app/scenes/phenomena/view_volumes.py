@@ -142,7 +142,7 @@ def _cone_marks(projection: Projection) -> tuple[Marks, Marks, Marks]:
 
 def _show(projection: Projection, settings: Settings, _subject: Subject) -> Illustration:
     asked = settings["volume"] == "cone"
-    no_cone = WORDS.of_parallel(projection)
+    no_cone = None if projection.lens.central else WORDS.phrase("no-cone")
     cone = asked and no_cone is None
     size = volume(projection, cone)
     note = None
