@@ -1,7 +1,7 @@
-"""``python3 -m tests.near``: the rooms that one step of the near slider visits.
+"""``python3 -m tests.near``: the modules that one step of the near slider visits.
 
-A step that visits many rooms is hard to follow and slow. It is counted with ``sys.setprofile`` in
-the window as it opens with the letter F, from the key press to the last repaint.
+A step that visits many modules is hard to follow and slow. ``sys.setprofile`` counts the calls from
+the key press to the last repaint, in the window with the letter F.
 """
 
 from __future__ import annotations
@@ -11,12 +11,12 @@ import collections
 import os
 import subprocess
 import sys
-import tempfile
 from pathlib import Path
 from types import FrameType
 from typing import Any
 
 from app import bootstrap
+from tests.__main__ import at_home
 
 
 def main() -> int:
@@ -26,11 +26,7 @@ def main() -> int:
     if parser.parse_args().inside:
         _count()
         return 0
-    bootstrap.start("tests", extras=("test",))
-    from tests.__main__ import screens
-
-    with screens(1) as environment, tempfile.TemporaryDirectory() as home:
-        environment |= {"HOME": home, "XDG_DATA_HOME": home, "XDG_CONFIG_HOME": home}
+    with at_home() as environment:
         command = [sys.executable, "-m", "tests.near", "--inside"]
         return subprocess.run(command, env=environment, cwd=bootstrap.ROOT, check=False).returncode
 

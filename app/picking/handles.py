@@ -111,7 +111,7 @@ def shown(
         placed_at = sight.seen(np.array(list(points.values()))).tolist()
         spots |= zip(placed, map(tuple, placed_at), strict=True)
         held += placed
-    cameras = [EYE, TARGET] if has_camera(projection) else []
+    cameras = [EYE, TARGET] if projection.has_camera else []
     cameras = [handle for handle in cameras if handle.name not in without]
     places = np.array([projection.camera.eye, projection.camera.target])
     if has_faces:
@@ -151,11 +151,6 @@ def shown(
         if handle != kept:
             take(handle)
     return found
-
-
-def has_camera(projection: Projection) -> bool:
-    """Whether the view is a camera's, and not a typed view matrix."""
-    return projection.lens.own_view is None
 
 
 def nearest(handles: Sequence[tuple[Handle, Spot]], pixel: Spot, within_px: float) -> Handle | None:
@@ -250,7 +245,7 @@ def dollied(projection: Projection, factor: float) -> Change:
     Refusal
         If a typed view matrix has replaced the camera.
     """
-    if not has_camera(projection):
+    if not projection.has_camera:
         raise Refusal("kind", projection.lens.kind, ONE_OF, ", ".join(LENSES))
     eye, target = np.array(projection.camera.eye), np.array(projection.camera.target)
     return {"eye": _vector(target + factor * (eye - target))}

@@ -1,4 +1,4 @@
-"""From where the world is looked at, and which layers of the drawings are seen.
+"""Fixed viewpoints of the world pane, and the visible layers of all drawings.
 
 ::
 
@@ -23,21 +23,16 @@ from widgets.window.actions import Actions
 
 
 class FixedViews(QWidget):
-    """A button for each place that the world can be looked at from.
-
-    Attributes
-    ----------
-    menu : QToolButton
-        All of them in one, for a narrow pane.
-    """
+    """A button for each viewpoint; `menu` holds all of them in one button, for a narrow pane."""
 
     def __init__(self) -> None:
         super().__init__()
         self.setObjectName("fixedViews")
         texts = {
-            "": (self.tr("Free"), self.tr("From where the hand has turned it")),
+            "": (self.tr("Free"), self.tr("From where you have turned it")),
             "side": (self.tr("Side"),
-                     self.tr("From the side: the flat sketch of the blackboard, with its lengths")),
+                     self.tr("From the side, flat like a sketch on the blackboard, with its"
+                             " lengths")),
             "top": (self.tr("Above"), self.tr("From above, flat, with its lengths")),
             "axis": (self.tr("Axis"), self.tr("Along the camera's axis, flat")),
             "eye": (self.tr("Eye"), self.tr("From the eye, as the camera sees it")),
@@ -49,7 +44,7 @@ class FixedViews(QWidget):
         for button in self.buttons.values():
             self.group.addButton(button)
         in_row(*self.buttons.values(), on=self, margins=(8, 0, 0, 0), gap=0)
-        tip = self.tr("From where the world is looked at")
+        tip = self.tr("Viewpoint of the world")
         self.menu = tool_button(texts[""][0], tip, icon="choose", flat=True)
         self.menu.setObjectName("fixedViewsMenu")
         self.menu.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
@@ -57,21 +52,16 @@ class FixedViews(QWidget):
         self.mark("")
 
     def mark(self, name: str) -> None:
-        """Show which of them is taken."""
+        """Mark a viewpoint as the current one."""
         self.buttons[name].setChecked(True)
         self.menu.setText(self.buttons[name].text())
         self.menu.setAccessibleName(f"{self.menu.toolTip()}: {self.menu.text()}")
 
 
 class WorldLook(QObject):
-    """Lets the world be looked at from fixed places, and layers be hidden.
+    """Shows the world from a fixed viewpoint, and hides layers.
 
-    Attributes
-    ----------
-    fixed : str
-        One of `FIXED`, or "" for freely.
-    hidden : frozenset of str
-        Of `LAYERS`.
+    `fixed` is one of `FIXED`, or "" for a free view; `hidden` holds some of `LAYERS`.
     """
 
     def __init__(self, panes: Mapping[str, Pane], menus: Actions) -> None:
@@ -89,14 +79,7 @@ class WorldLook(QObject):
         self._world.fixed_left.connect(self._leave)
 
     def show(self, fixed: str, hidden: frozenset[str] | None = None) -> None:
-        """Look so from now on.
-
-        Parameters
-        ----------
-        fixed : str
-        hidden : frozenset of str or None
-            None to leave the layers as they are.
-        """
+        """Set the viewpoint, and the hidden layers unless they are None."""
         if hidden is not None and hidden != self.hidden:
             self.hidden = hidden
             for pane in self._panes.values():
@@ -111,7 +94,7 @@ class WorldLook(QObject):
         self.show(self.fixed, frozenset(n for n in LAYERS if not layers[n].isChecked()))
 
     def _leave(self) -> None:
-        """A hand has turned it: it is looked at freely from there."""
+        """Return to a free view, because the user has turned the world by hand."""
         if self.fixed:
             self.show("")
 

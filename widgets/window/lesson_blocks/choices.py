@@ -71,14 +71,12 @@ class Chooses(BlockView):
     def __init__(self, here: AtStep, question: Choices) -> None:
         super().__init__(here, question)
         self.question = question
-        self._column.addWidget(LessonText(question.text))
         self._choices = [_Choice(choice.text) for choice in question.replies]
         self._group = QButtonGroup(self)
         for number, choice in enumerate(self._choices):
             self._group.addButton(choice.button, number)
             choice.button.installEventFilter(self)
-            self._column.addWidget(choice)
-        self._column.addLayout(self._said)
+            self._insert(choice)
         name, tip = self.tr("Chec&k"), self.tr("Enter")
         if not question.retries:
             name, tip = self.tr("&Commit"), self.tr("This is my prediction (Enter)")
@@ -144,14 +142,14 @@ class Chooses(BlockView):
             for choice in self._choices:
                 choice.button.setEnabled(False)
             self._commit.hide()
-            self._choices[right].mark("check", self.tr("The model says so"))
+            self._choices[right].mark("check", self.tr("The model's answer"))
         if verdict.right:
             self._praise(verdict)
             show = show or verdict.state
         elif question.retries:
             self._refute(verdict)
         else:
-            self._choices[number].mark("close", self.tr("You said so"))
+            self._choices[number].mark("close", self.tr("Your choice"))
             said = self.tr("You said {0}; the model says {1}.").format(
                 *(_quoted(question.replies[each].text) for each in (number, right))
             )
