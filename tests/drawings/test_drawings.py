@@ -103,13 +103,17 @@ def check_lit(image: Any, trace: Trace, unsure: Any = False) -> tuple[int, float
 
 
 def test_a_vertex_lights_the_pixel_that_the_model_says(off_screen: MakeScreen) -> None:
-    """Every vertex of the letter F from 200 random cameras."""
+    """Every vertex of the letter F from 200 random cameras, and more for lenses that see few."""
     screen = off_screen(1280, 720)
     drawing, points = drawn_vertices(screen, DRAWING_TOLERANCE_PX)
     checked = dict.fromkeys(LENSES, 0)
-    for projection in random_projections(200, seed=20, size=SIZE):
+    for number, projection in enumerate(random_projections(1600, seed=20, size=SIZE)):
+        trace = projection.trace(points)
+        sees_few = (~trace.outside.any(axis=1)).sum() < 8
+        if number >= 200 and (checked[projection.lens.kind] > 200 or sees_few):
+            continue
         drawing.show_projection(projection)
-        found, worst = check_lit(screen.pixels(), projection.trace(points))
+        found, worst = check_lit(screen.pixels(), trace)
         checked[projection.lens.kind] += found
         assert worst <= 0.26, projection
     assert min(checked.values()) > 200, checked
