@@ -56,6 +56,13 @@ def reading(illustration: Illustration, label: str) -> Reading:
     return found
 
 
+def why(illustration: Illustration, label: str) -> str:
+    """What is said of the reading that has no value."""
+    found = reading(illustration, label)
+    assert found.value is None and found.note is not None, label
+    return found.note.sentence()
+
+
 def value(illustration: Illustration, label: str) -> float:
     """The number that it reads."""
     found = reading(illustration, label).value

@@ -13,7 +13,7 @@ from app.lecture.notation import in_letters
 from app.model.projection import Camera, Oblique, Orbit, Projection
 from app.scenes.phenomena.oblique_drawing import PHENOMENON, oblique
 from tests.oracles.exact import cotangent_deg, mp
-from tests.oracles.illustrations import random_projection, reading, showing, subject_of, value
+from tests.oracles.illustrations import random_projection, reading, showing, subject_of, value, why
 
 SUBJECT = subject_of(PHENOMENON)
 
@@ -121,8 +121,7 @@ def test_the_morph_starts_at_the_orthographic_drawing() -> None:
     orthographic = PHENOMENON.start.with_lens("orthographic")
     points = SUBJECT.points
     assert np.allclose(straight.trace(points).image, orthographic.trace(points).image, atol=1e-9)
-    found = reading(shown(straight), "receding angle")
-    assert found.value is None and found.note is not None
+    assert why(shown(straight), "receding angle")
     assert value(shown(straight), "receding scale") == pytest.approx(0.0, abs=1e-12)
     # On the way every point goes straight and evenly.
     half = followed(PHENOMENON.start, morph=0.5).trace(points).image
@@ -133,12 +132,12 @@ def test_the_morph_starts_at_the_orthographic_drawing() -> None:
 def test_that_no_scale_can_be_read_has_its_own_reason() -> None:
     start = PHENOMENON.start
     tiny = replace(start, camera=replace(start.camera, eye=(1e15, 1e15, 1e15)))
-    for projection, why in (
+    for projection, said in (
         (start.with_lens("perspective"), "choose the oblique lens"),
         (replace(tiny, lens=Oblique(-1e60, 1e60, -1e60, 1e60)), "too many or too few"),
     ):
         found = reading(shown(projection), "receding scale")
-        assert found.value is None and found.note is not None and why in found.note.template
+        assert found.value is None and found.note is not None and said in found.note.template
 
 
 def test_the_plane_through_the_target_stays() -> None:
