@@ -138,7 +138,7 @@ def test_a_ride_keeps_the_size_with_every_lens() -> None:
 
 
 def test_the_height_is_that_of_the_targets_plane_and_only_of_what_is_seen() -> None:
-    """A part of the subject nearer than the target is drawn larger: the name says which plane."""
+    """The label names the plane, because nearer parts of the subject are drawn larger."""
     illustration = shown(PHENOMENON.start)
     found = reading(illustration, "subject's height")
     assert "target" in found.label

@@ -142,7 +142,7 @@ def test_half_way_on_the_screen_is_less_in_the_world() -> None:
     assert 50 < marked < 100
 
 
-def test_what_is_outside_the_view_volume_is_not_marked_in_the_picture() -> None:
+def test_points_outside_the_view_volume_are_not_marked_in_the_picture() -> None:
     start = PHENOMENON.start
     near_by = shown(replace(start, lens=replace(start.lens, far=5.0))).image
     assert near_by.lines == near_by.dots == near_by.texts == ()
@@ -166,7 +166,7 @@ def test_twice_as_many_parts_leave_a_quarter_in_the_limit_and_more_before() -> N
     assert left[0].min() > 0.3 and left[-1].max() < 0.262
 
 
-def test_what_near_cuts_has_no_error() -> None:
+def test_triangles_that_near_cuts_have_no_error() -> None:
     above = Camera((0.0, 1.0, 3.0), (0.0, 0.5, -4.0), (0.0, 1.0, 0.0))
     for subject, name in ((SUBJECT, "the board"), (own(TRIANGLES), "the mesh")):
         illustration = shown(replace(PHENOMENON.start, camera=above), subject)
@@ -187,7 +187,7 @@ def test_a_mesh_has_its_texture_over_its_two_largest_extents() -> None:
     assert np.isfinite(needle).all()
 
 
-def test_of_a_mesh_the_longest_edge_is_marked() -> None:
+def test_the_longest_edge_of_a_mesh_is_marked() -> None:
     random = np.random.default_rng(31)
     for _ in range(20):
         projection = random_projection(random)
@@ -208,7 +208,7 @@ def test_of_a_mesh_the_longest_edge_is_marked() -> None:
             assert said is not None and "two largest extents" in said.template and not said.values
 
 
-def test_of_a_large_mesh_so_many_triangles_are_looked_at_as_is_said() -> None:
+def test_a_large_mesh_examines_as_many_triangles_as_it_says() -> None:
     random = np.random.default_rng(5)
     triangles = random.uniform((-4.0, -1.0, -5.0), (4.0, 2.0, 5.0), (1000, 3, 3))
     for parts, count in ((1, 1000), (4, 250), (64, 15)):

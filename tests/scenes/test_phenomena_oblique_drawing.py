@@ -174,8 +174,8 @@ def test_no_scale_is_written_where_there_is_none() -> None:
 
 
 @pytest.mark.parametrize("angle_deg", [30.0, -45.0, 135.0, 180.0])
-def test_beside_the_edges_that_are_measured_is_room_for_their_names(angle_deg: float) -> None:
-    """Of v the one farthest to the right is marked, and u's name is at the end of its edge."""
+def test_the_measured_edges_have_room_for_their_names(angle_deg: float) -> None:
+    """The rightmost edge along v is marked, and the name of u stands at the end of its edge."""
     seen = followed(PHENOMENON.start, drawing="cabinet", angle_deg=angle_deg)
     # The middle of the marked edge, 2 units high, is at y = 1.
     (place,) = (text.point for text in shown(seen).image.texts if text.text.startswith("{axis_v}"))

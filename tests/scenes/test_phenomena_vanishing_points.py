@@ -110,7 +110,7 @@ def test_a_parallel_lens_becomes_perspective_and_free_turns_nothing() -> None:
     assert turned("free") == PHENOMENON.start
 
 
-def test_what_is_at_infinity_is_decided_by_the_roundings_of_eye_and_target() -> None:
+def test_the_rounding_of_eye_and_target_decides_which_points_are_at_infinity() -> None:
     """One ulp of the eye's height is rounding; a thousandth of a degree is not."""
     eye_y = math.nextafter(2.2, 3.0)
     level = replace(PHENOMENON.start, camera=Camera((3.0, eye_y, 8.0), (0.0, 2.2, 0.0)))
