@@ -12,19 +12,16 @@ import numpy as np
 import pytest
 
 from app.model.clipping import EYE_Z
-from app.model.projection import Camera, Frustum, Lens, Perspective, Projection
+from app.model.projection import Camera, Perspective, Projection
 from app.scenes.phenomena.eye_plane import PHENOMENON, circle_angles, pictures, principal_point
 from app.scenes.phenomena.illustration import Illustration, OwnMesh, Subject
 from app.scenes.shapes import edges_of, letter_f
 from tests.oracles.exact import Exact, mp
 from tests.oracles.illustrations import readings
+from tests.support.lenses import LENSES
 
 SIZE = (1280, 720)
-LENSES: tuple[Lens, ...] = (
-    Perspective(60.0, 0.5, 30.0),
-    Perspective(120.0, 0.5, math.inf),
-    Frustum(-0.3, 0.9, -0.7, 0.2, 0.8, 30.0),
-)
+CENTRAL = [lens for lens in LENSES.values() if lens.central]
 FACES = letter_f()[0].reshape(-1, 3)
 SUBJECT = Subject((-1.5, 0.0, -0.5), (1.5, 5.0, 0.5), np.unique(FACES, axis=0))
 START = PHENOMENON.start
@@ -120,14 +117,14 @@ def draw(rng: np.random.Generator) -> tuple[Projection, tuple[float, ...], tuple
     if rng.random() < 1 / 3:
         start, end = eye + (start - eye) / 300, eye + (end - eye) / 300
     eye, target, start, end = (tuple(map(float, place)) for place in (eye, target, start, end))
-    return Projection(Camera(eye, target), LENSES[rng.integers(3)], SIZE), start, end
+    return Projection(Camera(eye, target), CENTRAL[rng.integers(len(CENTRAL))], SIZE), start, end
 
 
 def test_cases_and_lengths_match_the_formula() -> None:
     rng = np.random.default_rng(7)
     seen = set()
     drawn_wrongly = cut_off = 0
-    for _ in range(50):
+    for _ in range(80):
         projection, start, end = draw(rng)
         illustration = show(projection, start, end)
         naive, cut, right = lengths(projection, start, end)
@@ -266,7 +263,7 @@ def test_the_circle_has_the_two_arcs() -> None:
 
 @pytest.mark.parametrize("end", [(0, 0, 4), (0, 0, 0), (0, 0, -9)])
 def test_a_segment_that_points_at_the_eye_has_one_point(end: tuple[float, ...]) -> None:
-    projection = Projection(Camera((0, 0, 0), (0, 0, -1)), LENSES[0], SIZE)
+    projection = Projection(Camera((0, 0, 0), (0, 0, -1)), CENTRAL[0], SIZE)
     illustration = show(projection, (0, 0, -2), end)
     assert illustration.warning is not None
     assert value(illustration, "AB missed") == 0.0

@@ -168,9 +168,8 @@ def _follow(projection: Projection, before: Found, after: Settings) -> Projectio
     if before["volume"] == after["volume"]:
         return projection
     kind = _LENS[str(after["volume"])]
-    if kind == "perspective" and projection.lens.central:
-        return projection  # an off-axis pyramid is one, too
-    return projection.with_lens(kind)
+    # An off-axis pyramid is one, too.
+    return projection.with_eye() if kind == "perspective" else projection.with_lens(kind)
 
 
 def _found(projection: Projection, settings: Settings) -> Found:
