@@ -38,6 +38,7 @@ from app.lecture.notation import LETTERS
 from app.model.limits import ABOVE
 from app.model.projection import (
     DEPTH_RANGES,
+    LENSES,
     Camera,
     FreeMatrix,
     Frustum,
@@ -1210,8 +1211,8 @@ WRONG_VIEWS: list[tuple[object, str]] = [
                              " probes."),
     ({"probes": [[1, 2, 3], 4]}, f".probes[1] = 4: {NO_PROBE}"),
     ({"probes": [[1, True, 2]]}, f".probes[0] = [1, true, 2]: {NO_PROBE}"),
-    ({"probes": [[0, 0, 0, 0]]}, ".probes[0] = [0, 0, 0, 0]: must not be 0 where x, y and z are:"
-                                 " (0, 0, 0, 0) is no point and no direction."),
+    ({"probes": [[0, 0, 0, 0]]}, ".probes[0] = [0, 0, 0, 0]: must not be 0 if x, y and z are 0:"
+                                 " (0, 0, 0, 0) is neither a point nor a direction."),
     ({"probes": [[1, 2, 1e200]]}, ".probes[0] = 1e+200: must be at most 1e+100."),
     ({"probes": [None, [16385, 2]]}, ".probes[1] = 16385: must be at most 16384."),
     ({"pinned": [1]}, ".pinned = [1]: must be a list of the numbers of probes."),
@@ -1318,8 +1319,7 @@ FOUR_ROWS = "must be four rows of four finite numbers"
         ({"former": {"kind": "perspective", "fov_y_deg": 45, "near": 0, "far": 2}},
          "lens.former.near = 0: must be greater than 0."),
         ({"former": {"kind": "matrix"}},
-         "lens.former.kind = 'matrix': must be one of perspective, frustum, orthographic, "
-         "oblique."),
+         f"lens.former.kind = 'matrix': must be one of {', '.join(LENSES)}."),
         ({"former": 7}, "lens.former = 7: must be an object with named values in braces."),
         ({"former": {"kind": "perspective"}}, "lens.former.fov_y_deg is missing."),
     ],

@@ -122,6 +122,7 @@ def test_every_control_has_its_letters(kind: str, depth: str, rows: bool) -> Non
     projection = replace(START.with_lens(kind), depth=depth)
     known = {*"uvn", *PLANES, "eye", "fov", "image", "depth", "keep", "alpha_deg", "beta_deg"}
     known |= {*OBJECT_AXES, "translate", "rotate_deg", "scale"}
+    known |= set().union(*projection.lens.table.fields.values())
     spoken: set[str] = set()
     for matrix in matrices(projection, rows=rows, running=True):
         for i in range(4):

@@ -757,7 +757,8 @@ def test_l13_another_w_divides_and_four_zeros_are_refused(panel: ProbePanel) -> 
     for text, said in (
         (
             "0",
-            "w = 0: must not be 0 where x, y and z are: (0, 0, 0, 0) is no point and no direction.",
+            "w = 0: must not be 0 if x, y and z are 0: "
+            "(0, 0, 0, 0) is neither a point nor a direction.",
         ),
         ("1e308", f"w = 1e+308: must be at most {LARGEST}."),
         ("nan", "w = “nan”: must be a number, such as 0.5 or 2e-3."),

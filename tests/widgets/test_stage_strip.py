@@ -22,20 +22,15 @@ from app.drawings.off_screen import OffScreen
 from app.drawings.stage import StageDrawing
 from app.drawings.style import DARK, LIGHT, Style, rgb
 from app.lecture.stages import IMAGE, NDC, STOPS, VIEW, WORLD, Morph, morph_of
-from app.model.projection import DEPTH_RANGES, Frustum, Lens, Oblique, Perspective
+from app.model.projection import DEPTH_RANGES, Lens, Perspective
 from app.scenes.scene import load
 from tests.support.drawings import rendered
+from tests.support.lenses import LENSES
 from tests.support.window import activate, counted_repaints, move_mouse, picture, present, settle
 from widgets.panes.stage_strip import CATCH, REST_S, STEP_S, STEPS, StageStrip
 from widgets.window.main_window import MainWindow
 
 Pixels = NDArray[np.uint8]
-LENSES: tuple[Lens, ...] = (
-    Perspective(45.0, 1.0, 30.0),
-    Perspective(45.0, 1.0, math.inf),
-    Frustum(-0.2, 0.9, -0.3, 0.5, 1.0, 40.0),
-    Oblique(-6.0, 6.0, -4.0, 4.0, 2.0, 25.0, alpha_deg=45.0, beta_deg=60.0),
-)
 
 
 class Shown:
@@ -78,7 +73,7 @@ def lit(pixels: Pixels, colour: str) -> NDArray[np.bool_]:
 # -- the drawing
 
 
-@pytest.mark.parametrize("lens", LENSES, ids=lambda lens: f"{lens.kind} {lens.far}")
+@pytest.mark.parametrize("lens", LENSES.values(), ids=LENSES)
 def test_back_at_ndc_every_pixel_is_as_before(lens: Lens, shown: Callable[..., Shown]) -> None:
     screen = shown()
     screen.drawing.show_projection(replace(screen.scene.start, lens=lens))
@@ -89,7 +84,7 @@ def test_back_at_ndc_every_pixel_is_as_before(lens: Lens, shown: Callable[..., S
 
 
 @pytest.mark.parametrize("style", [LIGHT, DARK, LIGHT.enlarged(1.6)], ids=["light", "dark", "big"])
-@pytest.mark.parametrize("lens", LENSES, ids=lambda lens: f"{lens.kind} {lens.far}")
+@pytest.mark.parametrize("lens", LENSES.values(), ids=LENSES)
 def test_the_scene_is_in_the_pane_at_every_stop(
     lens: Lens, style: Style, shown: Callable[..., Shown]
 ) -> None:
@@ -141,7 +136,9 @@ def test_at_the_image_stop_the_cube_is_the_picture(shown: Callable[..., Shown]) 
 
 
 @pytest.mark.parametrize("position", [2.0, 3.0])
-@pytest.mark.parametrize("lens", [LENSES[0], LENSES[3]], ids=["perspective", "oblique"])
+@pytest.mark.parametrize(
+    "lens", [LENSES["perspective"], LENSES["oblique"]], ids=["perspective", "oblique"]
+)
 def test_l9_a_canonical_volume_fills_its_pane(
     position: float, lens: Lens, shown: Callable[..., Shown]
 ) -> None:
@@ -439,7 +436,7 @@ def test_what_is_said_of_a_stage_is_whole_and_moves_nothing(
     if presents:
         present(window)
     start, words, heights = window.store.document.projection, window.panes["ndc"].note, set()
-    for lens in (*LENSES, replace(LENSES[0], near=0.00123, far=30.0)):
+    for lens in (*LENSES.values(), replace(LENSES["perspective"], near=0.00123, far=30.0)):
         window.store.set_projection(replace(start, lens=lens))
         for half in range(2 * IMAGE + 1):
             window.strip.go_to(half / 2.0)

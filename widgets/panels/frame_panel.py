@@ -36,12 +36,13 @@ from app.model.formula import ARROW, stacked_fraction
 from app.model.projection import Camera, Projection
 from app.model.refusal import Refusal, format_value
 from widgets.parts.buttons import push_button
-from widgets.parts.fields import Log, NumberRow
 from widgets.parts.icons import WarningLabel
 from widgets.parts.layouts import FREE, in_column, in_row, scrolled
 from widgets.parts.messages import read_text, sentence
+from widgets.parts.number_rows import NumberRow
 from widgets.parts.panel import PROJECTION, Changed, Panel, Shown
 from widgets.parts.plain import Label, set_tip
+from widgets.parts.scales import Log
 from widgets.parts.section import tidy
 from widgets.parts.typeset import TypesetLabel, in_line, matrix
 from widgets.parts.writing import all_digits, lettering
@@ -287,7 +288,7 @@ class FramePanel(Panel):
     def take(self, shown: Shown, changed: Changed) -> None:
         before, self._projection = self._projection, shown.projection
         if before.camera != shown.projection.camera or (
-            _has_own_view(before) != _has_own_view(shown.projection)
+            before.has_camera != shown.projection.has_camera
         ):
             self._refresh()
 
@@ -325,7 +326,7 @@ class FramePanel(Panel):
                 "Up is only {0}° from the line of sight: up × n is nearly 0, and an error of"
                 " {1}° in up turns the picture by up to {2}°."
             ).format(*map(read_text, (off_deg, NUDGE_DEG, turned_deg)))
-        typed = _has_own_view(self._projection)
+        typed = not self._projection.has_camera
         if typed:
             text = self.tr(
                 "The view matrix was typed, and no camera has it: these are the numbers of the"
@@ -390,11 +391,6 @@ class FramePanel(Panel):
 
 def _button(text: str, tip: str, act: Callable[[], object]) -> QPushButton:
     return push_button(text, tip, act, name=tip)
-
-
-def _has_own_view(projection: Projection) -> bool:
-    """Whether the scene is seen through a view matrix that is no camera's."""
-    return projection.lens.own_view is not None
 
 
 def _numbers(

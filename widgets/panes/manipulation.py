@@ -33,7 +33,6 @@ from app.picking.handles import (
     dollied,
     dragged,
     dragged_grip,
-    has_camera,
     panned,
     place,
     present,
@@ -44,10 +43,10 @@ from app.scenes.phenomena.settings import Settings
 from widgets.panes.canvas import ZOOM_PER_WHEEL_STEP
 from widgets.panes.pane import Pane
 from widgets.parts.escape import EscapeKey
-from widgets.parts.fields import QUIET_MS
 from widgets.parts.gestures import Gestures
 from widgets.parts.message_bar import MessageBar
 from widgets.parts.messages import field_name, of_phenomena, read_text, seen_from, sentence
+from widgets.parts.number_rows import QUIET_MS
 from widgets.parts.panel import PROJECTION, Changed, Shown
 from widgets.parts.plain import Label, set_tip
 
@@ -177,7 +176,7 @@ class Manipulation(Gestures, QObject):
             drawing = self._world.drawing
             is_gone = drawing is None or not drawing.has_object_axes
         else:
-            is_gone = not has_camera(projection)
+            is_gone = not projection.has_camera
             if handle.face:
                 is_gone = projection.lens.planes is None
         if is_gone:
