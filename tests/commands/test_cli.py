@@ -405,7 +405,7 @@ def test_a_name_of_a_point_cannot_write_to_the_terminal() -> None:
         (b"x,y,z\n", ["no points"]),
         (b"1,2,3\n1,2\n", ["line 2", "2 columns", "three"]),
         (b"1,2,3,4,5\n", ["line 1", "5 columns", "three"]),
-        (b"0,0,0,0\n", ["line 1: w = 0: must not be 0 where x, y and z are"]),
+        (b"0,0,0,0\n", ["line 1: w = 0: must not be 0 if x, y and z are 0"]),
         (b"1,2,3,nan\n", ["line 1", "w = 'nan'", "finite number"]),
         (b"1,2,3,1e308\n", ["line 1", "w = 1e308", f"{LARGEST}"]),
         (b"1e100,2,3,1e-300\n", ["line 1", "x/w = inf", "finite number"]),
