@@ -52,10 +52,11 @@ from app.model.refusal import Refusal
 from widgets.panels.matrix_view import VIEW, MatrixView, is_a_cameras, rich
 from widgets.parts.buttons import tool_button
 from widgets.parts.combo import Combo
-from widgets.parts.fields import parse_number, refusal
 from widgets.parts.icons import REFUSAL_SHEET, WarningLabel, show_icon
 from widgets.parts.layouts import FREE, Part, in_column, in_row, scrolled
 from widgets.parts.messages import field_name, read_text, sentence, stage_title, translated
+from widgets.parts.number_field import refusal
+from widgets.parts.number_text import parse_number
 from widgets.parts.panel import PROJECTION, Changed, Shown
 from widgets.parts.plain import Label, set_tip
 from widgets.parts.readable import ReadablePanel

@@ -52,11 +52,11 @@ from app.picking.picking import Probe, projector
 from app.precision.levels import precision_for_reading, predict, trace_homogeneous
 from widgets.parts.buttons import push_button
 from widgets.parts.combo import Combo
-from widgets.parts.fields import ShortField, refusal
 from widgets.parts.highlight import faded
 from widgets.parts.icons import RefusalLabel, icon
 from widgets.parts.layouts import in_column, in_row
 from widgets.parts.messages import number_text, plane_name, read_text, sentence
+from widgets.parts.number_field import ShortField, refusal
 from widgets.parts.panel import PROJECTION, Changed, Shown
 from widgets.parts.plain import Label, set_tip
 from widgets.parts.readable import ReadablePanel
@@ -650,7 +650,7 @@ class _TableView(QTableView):
         super().__init__()
         self.setModel(model)
         self.setItemDelegateForColumn(0, _FormulaDelegate(self))
-        copy = QAction(self.tr("Copy, with all digits"), self)
+        copy = QAction(self.tr("Copy with all digits"), self)
         copy.triggered.connect(self._copy)
         self.addAction(copy)
         self.setContextMenuPolicy(Qt.ContextMenuPolicy.ActionsContextMenu)
