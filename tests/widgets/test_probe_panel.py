@@ -51,7 +51,8 @@ from tests.support.window import (
     pixels,
     settle,
 )
-from widgets.panels.probe_panel import FORMULA, ProbePanel
+from widgets.panels.probe_panel import ProbePanel
+from widgets.panels.probe_table import FORMULA
 from widgets.parts.readable import Readable
 from widgets.parts.typeset import typeset
 from widgets.window.main_window import MainWindow

@@ -1,13 +1,7 @@
 """The camera's frame, step by step: eye, look, up, n, u, v, and the view matrix made of them.
 
-Formulas with the numbers of the camera in hand: n, u, v and the matrix are the model's own, and
-what is copied has the digits that `python -m app matrices` prints. The panel computes nothing
-while it is folded.
-
-::
-
-    Back, Next, Play, Show all --step_changed(0..6, None when folded)--> the world pane
-    angle of up, nudge --edited(Projection)--> the store
+The formulas are filled with the model's own numbers; copied numbers have the digits that
+`python -m app matrices` prints. A folded panel computes nothing.
 """
 
 from __future__ import annotations
@@ -47,17 +41,15 @@ from widgets.parts.typeset import TypesetLabel, in_line, matrix
 from widgets.parts.writing import all_digits, lettering
 
 STEP_MS = 2500
-"""While playing, how long each step can be read."""
+"""Time to read each step while playing."""
 NUDGE_DEG = 0.1
 CLOSE_DEG = 1.0
-"""From here on up is near the view direction."""
+"""At most this angle, up is near the view direction."""
 _UP: Highlight = frozenset(("up",))
 _ABOUT: tuple[Highlight, ...] = tuple(
     frozenset(names)
     for names in (("eye",), ("target",), ("up",), ("n",), ("u",), ("v",), ("u", "v", "n", "eye"))
 )
-
-
 _E, _N, _U, _V, _LOOK, _UP_VECTOR, _TARGET = (
     f"{name}{ARROW}" for name in ("e", "n", "u", "v", "look", "up", "target")
 )
@@ -72,7 +64,7 @@ class _Step(NamedTuple):
 
 
 class FramePanel(Panel):
-    """Builds u, v and n in front of the reader.
+    """Builds u, v and n step by step.
 
     Attributes
     ----------
@@ -82,7 +74,7 @@ class FramePanel(Panel):
 
     concerns = PROJECTION
     step_changed = Signal(object)
-    """The step that is to be drawn; None while the panel is folded."""
+    """The step to draw; None while the panel is folded."""
 
     def __init__(self) -> None:
         super().__init__()
@@ -95,8 +87,12 @@ class FramePanel(Panel):
         self._timer.setInterval(STEP_MS)
         self._timer.timeout.connect(self._play_on)
 
-        self.back = _button(self.tr("Back"), self.tr("One step back"), self._go_back)
-        self.next = _button(self.tr("Next"), self.tr("The next step"), self._go_on)
+        self.back = _button(
+            self.tr("Back"), self.tr("One step back"), lambda: self.go_to(self.step - 1)
+        )
+        self.next = _button(
+            self.tr("Next"), self.tr("The next step"), lambda: self.go_to(self.step + 1)
+        )
         self.play = push_button("", act=self.toggle)
         self.all = _button(
             self.tr("Show all"), self.tr("All steps at once"), lambda: self.go_to(len(STEPS) - 1)
@@ -114,13 +110,12 @@ class FramePanel(Panel):
         self._show_step()
 
     def _write_anew(self) -> None:
-        """In another lecture's letters."""
         self._steps = self._make_steps()
         self._show_step()
         self._refresh()
 
     def _lettered(self, text: str) -> str:
-        """A formula with a lecture's letters under its arrows."""
+        """Replace the letters under arrows by the lecture's."""
         letters = frame_letters(lettering.now)
         return re.sub(
             f"([a-z]+){ARROW}", lambda found: f"{letters.get(found[1], found[1])}{ARROW}", text
@@ -129,7 +124,7 @@ class FramePanel(Panel):
     # -- making
 
     def _of_length_1(self, unit: str, whole: str, vector: str) -> str:
-        """How a vector is brought to length 1; lecture 004 has a name for it as it is before."""
+        """Divide a vector by its length; lecture 004 names the undivided vector."""
         if lettering.now == "004":
             return f"{whole} = {vector},   {unit} = {stacked_fraction(whole, f'|{whole}|')}"
         return f"{unit} = {stacked_fraction(vector, f'|{vector}|')}"
@@ -219,12 +214,12 @@ class FramePanel(Panel):
     # -- steps
 
     def go_to(self, step: int) -> None:
-        """Show a step and all before it, and play no more."""
+        """Show a step and all steps before it, and stop playing."""
         self.pause()
         self._set_step(step)
 
     def toggle(self) -> None:
-        """Play on from here, or from the first step if this is the last; or pause."""
+        """Play from here, or from the first step if this is the last; or pause."""
         if self.playing:
             self.pause()
             return
@@ -234,25 +229,19 @@ class FramePanel(Panel):
         self._show_playing()
 
     def pause(self) -> None:
-        """Stay at this step."""
+        """Stop playing."""
         self._timer.stop()
         self._show_playing()
 
     @property
     def playing(self) -> bool:
-        """Whether one step follows the other by itself."""
+        """Whether the steps follow each other automatically."""
         return self._timer.isActive()
 
     def _play_on(self) -> None:
         self._set_step(self.step + 1)
         if self.step == len(STEPS) - 1:
             self.pause()
-
-    def _go_on(self) -> None:
-        self.go_to(min(self.step + 1, len(STEPS) - 1))
-
-    def _go_back(self) -> None:
-        self.go_to(max(self.step - 1, 0))
 
     def _set_step(self, step: int) -> None:
         if step != self.step:
@@ -274,13 +263,12 @@ class FramePanel(Panel):
         self.all.setEnabled(self.step < len(STEPS) - 1)
 
     def _show_playing(self) -> None:
-        text = self.tr("Pause") if self.playing else self.tr("Play")
+        text, tip = self.tr("Play"), self.tr("One step after the other")
+        if self.playing:
+            text, tip = self.tr("Pause"), self.tr("Stay at this step")
         self.play.setText(text)
         self.play.setAccessibleName(text)
-        set_tip(
-            self.play,
-            self.tr("Stay at this step") if self.playing else self.tr("One step after the other"),
-        )
+        set_tip(self.play, tip)
 
     # -- the model
 
@@ -353,7 +341,6 @@ class FramePanel(Panel):
     # -- highlight
 
     def show_highlight(self, highlighted: Highlight) -> None:
-        """Mark the formula if it is about what is highlighted."""
         self._highlight = highlighted
         self.angle.set_marked(bool(highlighted & _UP))
         self._mark()
@@ -377,7 +364,7 @@ class FramePanel(Panel):
 
     def showEvent(self, event: QShowEvent) -> None:
         super().showEvent(event)
-        self._set_fonts()  # not before: the first polish of a style sheet takes it back
+        self._set_fonts()  # the first polish of a style sheet resets fonts that were set before
         self._refresh()
         self.step_changed.emit(self.step)
 
@@ -393,16 +380,16 @@ def _button(text: str, tip: str, act: Callable[[], object]) -> QPushButton:
 
 
 def _has_own_view(projection: Projection) -> bool:
-    """Whether the scene is seen through a view matrix that is no camera's."""
+    """Whether the view matrix was typed and belongs to no camera."""
     return projection.lens.own_view is not None
 
 
 def _numbers(
     step: str, camera: Camera, write: Callable[[float], str], has_wholes: bool = False
 ) -> str:
-    """What a step comes to, line by line, as of `widgets.parts.typeset`.
+    """Return the numbers of a step, line by line, as of `widgets.parts.typeset`.
 
-    With lecture 004's names N and U of what is yet to be brought to length 1, if it `has_wholes`.
+    If it `has_wholes`, the undivided vectors have lecture 004's names N and U.
     """
 
     def vector(parts: Iterable[float]) -> str:
