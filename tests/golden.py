@@ -631,7 +631,7 @@ class Window:
 
     def set_first(self) -> None:
         """Move the first slider of the scene's own settings, and choose what comes next."""
-        region = self.find("QScrollArea", "Settings of this scene")
+        region = next(w for w in self._visible(self.window) if type(w).__name__ == "SceneCard")
         for slider in region.findChildren(self.parts.QSlider):
             if slider.isVisible() and slider.isEnabled():
                 self.drag(slider.accessibleName().removesuffix(", slider"), 4, 3)
@@ -734,6 +734,8 @@ def script(user: Window) -> Iterator[tuple[str, Callable[[], object]]]:
     yield "undo", lambda: user.act("Undo")
     yield "undo twice", lambda: (user.act("Undo"), user.act("Undo"))
     yield "redo", lambda: user.act("Redo")
+    for section in ("Image and depth range", "More of the lens"):
+        yield f"unfold {section}", lambda section=section: user.press(section)
     yield "direct3d", lambda: user.choose("NDC z", "Direct3D: 0 to 1")
     yield "reversed", lambda: user.choose("NDC z", "reversed: 1 to 0")
     yield "4:3", lambda: user.press("Aspect: 4:3")

@@ -18,7 +18,7 @@ from typing import Any
 
 import numpy as np
 
-from app.document.document import parse
+from app.document.codec import parse
 from app.model.projection import DEPTH_RANGES, LENSES, Projection
 from app.model.refusal import Refusal
 

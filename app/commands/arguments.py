@@ -13,7 +13,9 @@ from typing import TYPE_CHECKING
 
 from app import bootstrap
 from app.commands.options import CANNOT_DRAW, CliError, check_file
-from app.document.document import Document, is_mesh, read, set_values
+from app.document.document import Document, is_mesh
+from app.document.files import read
+from app.document.settings import set_values
 from app.model.limits import NOT_THE_TARGET
 from app.model.projection import (
     NOT_THE_EYE,

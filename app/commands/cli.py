@@ -45,7 +45,8 @@ from app.commands.options import (
     parser_of,
     write_out,
 )
-from app.document.document import MESH_ENDINGS, is_mesh, picture_json
+from app.document.codec import picture_json
+from app.document.document import MESH_ENDINGS, is_mesh
 from app.lecture.notation import latex_name, latex_number
 from app.lecture.typed_matrix import properties
 from app.lessons.lesson import is_lesson

@@ -20,7 +20,7 @@ from app.commands.options import (
     standard_output,
     write_out,
 )
-from app.document.document import write_bytes_atomically
+from app.document.files import write_bytes_atomically
 from app.drawings.off_screen import check_off_screen
 from app.measure import chart, measuring
 from app.measure.arithmetic import SWEEPS

@@ -8,7 +8,8 @@ from pathlib import Path
 from app import bootstrap
 from app.commands.arguments import cannot_import, check_out
 from app.commands.options import CANNOT_DRAW, CliError, parser_of, write_out
-from app.document.document import Document, write_bytes_atomically
+from app.document.document import Document
+from app.document.files import write_bytes_atomically
 from app.lessons.checking import Report, counted
 from app.lessons.course import Course, scene_of
 from app.lessons.lesson import Lesson, Question, Step, read

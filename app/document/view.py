@@ -5,7 +5,7 @@ It is no part of the model: a change of it is no undo step and no unsaved work.
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, fields
 from typing import Any
 
@@ -172,7 +172,7 @@ def read_view(
     Parameters
     ----------
     values : mapping
-        What is not there has its default; what is no field of a view is left alone.
+        A field that is missing gets its default; what is no field of a view is ignored.
     panes : dict of str to Camera
     compare : tuple of Picture
         Both read already.
@@ -182,51 +182,74 @@ def read_view(
     Refusal
         For a value that no view has.
     """
-    found = {name: values[name] for name in FIELDS if name in values}
-    found |= {"panes": panes, "compare": compare}
-    stage = found.get("stage")
-    if isinstance(stage, str) and stage in STAGES:
-        found["stage"] = STAGES.index(stage)
-    if "panel" in found:
-        _check_name("panel", found["panel"], PANELS, ONE_OR_NONE)  # null is no panel
-    if "layers" in found:
-        found["layers"] = _set_of("layers", found["layers"], SOME_OF, ", ".join(LAYERS))
-    if "pinned" in found:
-        found["pinned"] = _set_of("pinned", found["pinned"], PROBE_NUMBERS)
-    if "probes" in found:
-        found["probes"] = _probes(found["probes"])
-    if "dividers" in found:
-        if not isinstance(found["dividers"], list):
-            raise Refusal("dividers", found["dividers"], SOME_DIVIDERS)
-        found["dividers"] = tuple(found["dividers"])
-    return View(**found)
+    found = {
+        name: _AS_READ.get(name, _same)(values[name])
+        for name in FIELDS
+        if name in values and name not in ("panes", "compare")
+    }
+    return View(**found, panes=panes, compare=compare)
+
+
+def view_tree(view: View) -> dict[str, Any]:
+    """A document's part for a view: what is not as ever, without cameras and pictures."""
+    values = {name: getattr(view, name) for name in FIELDS if name not in ("panes", "compare")}
+    return {
+        name: _AS_WRITTEN.get(name, _same)(value)
+        for name, value in values.items()
+        if value != getattr(AS_EVER, name)
+    }
+
+
+def _same(value: Any) -> Any:
+    return value
+
+
+def _stage(value: Any) -> Any:
+    return STAGES.index(value) if isinstance(value, str) and value in STAGES else value
+
+
+def _panel(value: Any) -> Any:
+    _check_name("panel", value, PANELS, ONE_OR_NONE)  # null is no panel
+    return value
+
+
+def _layers(value: Any) -> frozenset[Any]:
+    return _set_of("layers", value, SOME_OF, ", ".join(LAYERS))
+
+
+def _pinned(value: Any) -> frozenset[Any]:
+    return _set_of("pinned", value, PROBE_NUMBERS)
 
 
 def _set_of(name: str, value: Any, bound: Bound, *limits: object) -> frozenset[Any]:
-    """A list's names or numbers; of what kind they are, the view checks."""
+    """A list's names or numbers; the view checks them."""
     if not isinstance(value, list) or any(isinstance(part, (list, dict)) for part in value):
         raise Refusal(name, value, bound, *limits)
     return frozenset(value)
 
 
+def _dividers(value: Any) -> tuple[Any, ...]:
+    if not isinstance(value, list):
+        raise Refusal("dividers", value, SOME_DIVIDERS)
+    return tuple(value)
+
+
 def _probes(value: Any) -> tuple[Probe, ...]:
     if not isinstance(value, list) or len(value) > MOST_PROBES:
         raise Refusal("probes", value, SOME_PROBES, MOST_PROBES)
-    probes = []
-    for number, part in enumerate(value, 1):
-        if part is None:
-            continue
-        where = f"probes[{number - 1}]"
-        count = len(part) if isinstance(part, list) else 0
-        if count not in (2, 3, 4) or not all(map(_is_number, part)):
-            raise Refusal(where, part, A_PROBE)
-        if count == 2:
-            probes.append(Probe(number, pixel=(real(where, part[0]), real(where, part[1]))))
-        elif count == 3:
-            probes.append(Probe(number, point=finite_vector(where, part)))
-        else:
-            probes.append(Probe.of(number, _finite_row(where, part)))
-    return tuple(probes)
+    return tuple(_probe(number, part) for number, part in enumerate(value, 1) if part is not None)
+
+
+def _probe(number: int, part: Any) -> Probe:
+    where = f"probes[{number - 1}]"
+    count = len(part) if isinstance(part, list) else 0
+    if count not in (2, 3, 4) or not all(map(_is_number, part)):
+        raise Refusal(where, part, A_PROBE)
+    if count == 2:
+        return Probe(number, pixel=(real(where, part[0]), real(where, part[1])))
+    if count == 3:
+        return Probe(number, point=finite_vector(where, part))
+    return Probe.of(number, _finite_row(where, part))
 
 
 def _finite_row(where: str, values: Sequence[Any]) -> Row:
@@ -237,24 +260,23 @@ def _finite_row(where: str, values: Sequence[Any]) -> Row:
         raise Refusal(where, list(values), error.bound, *error.limits) from None
 
 
-def view_tree(view: View) -> dict[str, Any]:
-    """What of a view is not as ever, as a document has it, without cameras and pictures."""
-    tree: dict[str, Any] = {}
-    for name in FIELDS:
-        value = getattr(view, name)
-        if name not in ("panes", "compare") and value != getattr(AS_EVER, name):
-            tree[name] = value
-    if "stage" in tree:
-        tree["stage"] = STAGES[int(view.stage)] if view.stage.is_integer() else view.stage
-    if "layers" in tree:
-        tree["layers"] = [name for name in LAYERS if name in view.layers]
-    if "dividers" in tree:
-        tree["dividers"] = list(view.dividers)
-    if "pinned" in tree:
-        tree["pinned"] = sorted(view.pinned)
-    if "probes" in tree:
-        places: list[Any] = [None] * view.probes[-1].number
-        for probe in view.probes:
-            places[probe.number - 1] = list(probe.point or probe.pixel or probe.row or ())
-        tree["probes"] = places
-    return tree
+def _probe_places(probes: tuple[Probe, ...]) -> list[Any]:
+    """Each probe at the place of its number, with null between them."""
+    by_number = {probe.number: probe.point or probe.pixel or probe.row for probe in probes}
+    return [by_number.get(number) for number in range(1, max(by_number) + 1)]
+
+
+_AS_READ: dict[str, Callable[[Any], Any]] = {
+    "stage": _stage,
+    "panel": _panel,
+    "layers": _layers,
+    "pinned": _pinned,
+    "probes": _probes,
+    "dividers": _dividers,
+}
+_AS_WRITTEN: dict[str, Callable[[Any], Any]] = {
+    "stage": lambda stage: STAGES[int(stage)] if stage.is_integer() else stage,
+    "layers": lambda layers: [name for name in LAYERS if name in layers],
+    "pinned": sorted,
+    "probes": _probe_places,
+}

@@ -1,24 +1,6 @@
-"""What the three panes show, as VTK actors; no Qt.
+"""The three pictures of a scene as VTK actors; no Qt.
 
-Every drawing is made once per scene, ``Drawing(screen, scene, words, style)``, into a render
-window that it does not own, and has
-
-- ``show_layers(hidden)``: switches off what it has of `app.document.view.LAYERS`,
-- ``show_projection(projection, illustration=None)``: takes the model over by setting matrices, and
-  what a phenomenon shows for it; never renders,
-- ``reset_view()``: puts the pane's own camera back,
-- ``refit()``: at a gesture's end, fits a view that nobody has moved to what has left it,
-- ``reset_clipping_range()``: to be called after that camera was moved from outside,
-- ``view`` and ``show_view(view)``: where that camera was moved to, as a `Camera`, and back there,
-- ``show_probes(probes)``: marks these points and rays; ``sight``: how the pane looks at the world,
-  for picking,
-- ``remove()``: takes everything out of the window again.
-
-The world's has besides ``show_fixed(view)`` and ``fixed``, one of `app.document.view.FIXED` or
-``""`` for the view that a hand turns freely; and, if it is ``live``, marks to take hold of the
-camera by: ``hold(handle)``, ``held``, ``handle_at(pixel, within_px)``; a figure has none.
-
-`actors` holds what they share, `style` their colours and sizes.
+`drawing` states what all three can do, `actors` holds what they share, `style` has the colours.
 """
 
 from __future__ import annotations

@@ -18,12 +18,15 @@ from itertools import pairwise, starmap
 from typing import Any
 
 import numpy as np
-from PIL import Image, ImageDraw, ImageFont
+from PIL import Image, ImageDraw, ImageFont, PngImagePlugin
 from vtkmodules.vtkRenderingCore import vtkTextActor
 
+from app.document.codec import FORMAT
 from app.document.compare import Written, in_words
-from app.document.document import Document, embed, write_bytes_atomically
+from app.document.document import Document
 from app.document.field_names import FIELDS
+from app.document.files import write_bytes_atomically
+from app.document.settings import name_of, pictured
 from app.document.view import AS_EVER, PANES, View
 from app.drawings import AXES, WORDS, Words
 from app.drawings.actors import font_file
@@ -209,9 +212,11 @@ def png_bytes(pixels: Pixels, document_json: str | None = None, scale: float = 1
     """The file that `write_png` writes, for a clipboard; parameters as there."""
     buffer = io.BytesIO()
     dpi = max(1.0, DPI * scale)
-    Image.fromarray(pixels).save(buffer, "PNG", dpi=(dpi, dpi))
-    png = buffer.getvalue()
-    return png if document_json is None else embed(png, document_json)
+    info = PngImagePlugin.PngInfo()
+    if document_json is not None:
+        info.add_itxt(FORMAT, document_json)
+    Image.fromarray(pixels).save(buffer, "PNG", dpi=(dpi, dpi), pnginfo=info)
+    return buffer.getvalue()
 
 
 def usual_text_pt(
@@ -301,11 +306,11 @@ def _compared(
     pictures, dividers = document.view.compare, document.view.dividers
     shown = []
     for picture in pictures:
-        of = document.pictured(picture)
+        of = pictured(document, picture)
         phenomenon, illustration = scene.phenomenon, None
         if phenomenon is not None:
             illustration = phenomenon.illustration(of.projection, of.settings, scene.subject)
-        name = document.name_of(picture)
+        name = name_of(document, picture)
         shown.append((of.projection, illustration, words.get(name, name)))
     aspects = [projection.aspect for projection, _, _ in shown]
     is_divided = bool(dividers) and len(set(aspects)) == 1
@@ -368,7 +373,7 @@ def _in_words(
         lambda text: words.get(text, text),
         lambda value: figure(value, 4),
     )
-    states = [document.pictured(picture).state for picture in document.view.compare]
+    states = [pictured(document, picture).state for picture in document.view.compare]
     settings = () if phenomenon is None else phenomenon.settings
     font = ImageFont.truetype(font_file(bold=False), style.font_size)
     room = width - 2.0 * BARE_EM * style.font_size

@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -18,6 +18,7 @@ from vtkmodules.vtkRenderingCore import vtkRenderer
 
 from app.drawings import AXES
 from app.drawings.actors import Canvas, Space, face_actor, identity_camera, lifted
+from app.drawings.drawing import Drawing, Rectangle
 from app.drawings.labels import Layout
 from app.drawings.marks import MarksDrawing, Placing, spread_over
 from app.drawings.pointing import Emphasis, Segment, Spot, pointed_at
@@ -27,7 +28,7 @@ from app.drawings.rasterising import Rasteriser
 from app.drawings.side_by_side import BARE_EM
 from app.drawings.style import TITLE_EM, Style, rgb
 from app.lecture.highlight import SIDES, Highlight, corner_at
-from app.model.projection import Array, Camera, Projection
+from app.model.projection import Array, Projection
 from app.model.refusal import Refusal
 from app.picking.picking import Probe, Sight
 from app.precision.levels import DRAWING_TOLERANCE_PX, Precision
@@ -43,16 +44,7 @@ _FARTHEST_MARK = 1e3  # of half a picture: where lines toward infinity end
 _EM_OF_DIGIT = 0.64  # width of a digit of the labels' font
 
 
-class Rectangle(NamedTuple):
-    """A rectangle of whole device pixels, from the pane's top left."""
-
-    left: int
-    top: int
-    width: int
-    height: int
-
-
-class ImageDrawing:
+class ImageDrawing(Drawing):
     """The picture that the model's camera takes.
 
     Parameters
@@ -107,8 +99,7 @@ class ImageDrawing:
         self._rasterised = scene.requires & RASTERISED
         if quality.has_depth:
             self._rasterised |= {"depth"}
-        self.refused_depth: Refusal | None = None
-        """Why the picture does not have the depth buffer that was chosen, if it has not."""
+        self._refused_depth: Refusal | None = None
         self._own_camera = self._canvas.renderer.GetActiveCamera()
         self._canvas.renderer.SetActiveCamera(identity_camera())
         self._emphasis = Emphasis(self._canvas)
@@ -124,11 +115,9 @@ class ImageDrawing:
                 )
 
     def show_highlight(self, highlighted: Highlight) -> bool:
-        """Let what is highlighted stand out, and nothing else; tell whether that is a change."""
         return self._emphasis.show(highlighted)
 
     def highlight_at(self, x_px: float, y_px: float) -> Highlight:
-        """What is at a pixel from the pane's top left: a side or a corner of the picture."""
         found = self._emphasis.label_at(x_px, y_px)
         if found:
             return found
@@ -145,18 +134,15 @@ class ImageDrawing:
 
     @property
     def picture_rectangle_px(self) -> Rectangle:
-        """Where the picture lies in the pane of its present size."""
         return self.rectangle_in(*self._canvas.window.GetSize())
 
     @property
     def precision(self) -> Precision:
-        """The arithmetic that the picture is drawn with."""
         return self._model.precision
 
     def show_projection(
         self, projection: Projection, illustration: Illustration | None = None
     ) -> None:
-        """Take the model's matrices, and what a phenomenon shows for it; draws nothing yet."""
         if projection.image_size != self._image_size:
             self._image_size = projection.image_size
             self._canvas.relayout()
@@ -171,7 +157,6 @@ class ImageDrawing:
             self._place_probes()
 
     def show_layers(self, hidden: frozenset[str]) -> None:
-        """Switch labels and grid off, if they are among these layers; then show a projection."""
         if ("grid" in hidden) != ("grid" in self._canvas.hidden):
             self._model.show_grid("grid" not in hidden)
         if self._framed and (AXES in hidden) != (AXES in self._canvas.hidden):
@@ -181,13 +166,11 @@ class ImageDrawing:
         self._canvas.show_layers(hidden)
 
     def show_detail(self, fewer: Scene | None) -> None:
-        """Take a scene's fewer triangles, or all for None; then show a projection."""
         self._model.show_detail(fewer)
         if self._marks is not None:
             self._marks.show_detail(fewer)
 
     def show_probes(self, probes: Sequence[Probe]) -> None:
-        """Mark these probes, and no others."""
         self._probes.probes = probes
         self._place_probes()
 
@@ -232,8 +215,11 @@ class ImageDrawing:
         self._place_texts()
 
     @property
+    def refused_depth(self) -> Refusal | None:
+        return self._refused_depth
+
+    @property
     def problem(self) -> Phrase | None:
-        """Why the picture is not rasterised as the phenomenon asks, once that is known."""
         return None if self._rasteriser is None else self._rasteriser.problem
 
     def _rasterise(self) -> None:
@@ -252,13 +238,13 @@ class ImageDrawing:
                 [*copies, *lines],
             )
         rendering = self._rendering
-        self.refused_depth = None
+        self._refused_depth = None
         if self._quality.has_depth and rendering.buffer is None:
             try:
                 buffer = self._quality.depth_buffer(self._projection)
                 rendering = replace(rendering, buffer=buffer)
             except Refusal as error:
-                self.refused_depth = error
+                self._refused_depth = error
         self._rasteriser.show(rendering, self._seen)
 
     def _place_texts(self) -> None:
@@ -280,14 +266,12 @@ class ImageDrawing:
 
     @property
     def sight(self) -> Sight:
-        """How this pane looks at the world just now: as the model does, in the pane's pixels."""
         left, top, *_ = rectangle = self.picture_rectangle_px
         scaled = self._scaled(rectangle)
         scaled[:2, 2] = left, top
         return Sight.of(self._projection).scaled(scaled)
 
     def image_pixel(self, x_px: float, y_px: float) -> tuple[float, float] | None:
-        """The image's pixel at a pixel of the pane; None beside the picture."""
         left, top, width, height = rectangle = self.picture_rectangle_px
         x, y = x_px - left, y_px - top
         if not (0.0 <= x <= width and 0.0 <= y <= height):
@@ -296,7 +280,6 @@ class ImageDrawing:
         return float(x / scale[0, 0]), float(y / scale[1, 1])
 
     def image_shift(self, right_px: float, down_px: float) -> tuple[float, float]:
-        """A way in the pane's pixels, in the image's."""
         rectangle = self.picture_rectangle_px
         width, height = self._image_size
         return right_px * width / rectangle.width, down_px * height / rectangle.height
@@ -311,25 +294,7 @@ class ImageDrawing:
         marks = self._probes.in_image(self._projection, self._scaled(rectangle))
         self._probes.show(marks, (rectangle.width, rectangle.height))
 
-    def reset_view(self) -> None:
-        """Do nothing: the view of this pane is the model's."""
-
-    def refit(self) -> bool:
-        """The view of this pane is the model's."""
-        return False
-
-    def reset_clipping_range(self) -> None:
-        """Do nothing: near and far of this pane are the model's."""
-
-    @property
-    def view(self) -> None:
-        """None: the view of this pane is the model's."""
-
-    def show_view(self, view: Camera) -> None:
-        """Do nothing: the view of this pane is the model's."""
-
     def remove(self) -> None:
-        """Take everything out of the screen again."""
         self._canvas.remove()
         self._canvas.window.RemoveRenderer(self._picture)
         self._canvas.window.SetNumberOfLayers(self._layers)
@@ -408,7 +373,6 @@ class ImageDrawing:
     # -- changed when the pane's or the image's size changes
 
     def rectangle_in(self, pane_width_px: int, pane_height_px: int) -> Rectangle:
-        """The largest rectangle of the image's aspect inside the pane and its margins."""
         left, top, right, bottom = self._margins_px if self._framed else (0, 0, 0, 0)
         room_x = max(1, pane_width_px - left - right)
         room_y = max(1, pane_height_px - top - bottom)

@@ -26,6 +26,7 @@ import numpy as np
 from vtkmodules.vtkCommonDataModel import vtkPlane
 
 from app.drawings.actors import Canvas, lift_lines
+from app.drawings.drawing import Drawing, Rectangle
 from app.drawings.frustum import CUBE
 from app.drawings.labels import Layout
 from app.drawings.marks import MarksDrawing, Placing
@@ -49,7 +50,7 @@ _FARTHEST_MARK = 1e3  # where lines toward infinity end
 _BOX_FROM_NDC = np.array([[1.0, 0, 0, 0], [0, 1, 0, 0], [0, 0, -0.5, 0.5], [0, 0, 0, 1]])
 
 
-class StageDrawing:
+class StageDrawing(Drawing):
     """The scene and the view volume at a stage.
 
     Parameters
@@ -103,7 +104,6 @@ class StageDrawing:
 
     @property
     def precision(self) -> Precision:
-        """The arithmetic that the scene is drawn with."""
         return self._model.precision
 
     # -- the model, and where it is on the strip
@@ -111,10 +111,6 @@ class StageDrawing:
     def show_projection(
         self, projection: Projection, illustration: Illustration | None = None
     ) -> None:
-        """Take the model's matrices, and what a phenomenon shows for it; draws nothing yet.
-
-        Marks and copies are those of NDC: at any other stop of the strip there are none.
-        """
         before = self._projection
         reshaped = projection.image_size != before.image_size
         reshaped |= projection.lens.has_pyramid != before.lens.has_pyramid
@@ -140,25 +136,16 @@ class StageDrawing:
         return self._made
 
     def show_layers(self, hidden: frozenset[str]) -> None:
-        """Switch labels and grid off, if they are among these layers; then show a projection."""
         if ("grid" in hidden) != ("grid" in self._canvas.hidden):
             self._model.show_grid("grid" not in hidden)
         self._canvas.show_layers(hidden)
 
     def show_detail(self, fewer: Scene | None) -> None:
-        """Take a scene's fewer triangles, or all for None; then show a projection."""
         self._model.show_detail(fewer)
         if self._marks is not None:
             self._marks.show_detail(fewer)
 
     def show_stage(self, position: float) -> None:
-        """Move to a position of the stage strip; draws nothing yet.
-
-        Parameters
-        ----------
-        position : float
-            0 to 5; whole at `stages.STOPS`. The NDC stop is what the pane shows at first.
-        """
         if position == self._position:
             return
         was_moved = self.own.was_moved
@@ -250,7 +237,6 @@ class StageDrawing:
             self._marks.place_texts(layout, seen)
 
     def show_probes(self, probes: Sequence[Probe]) -> None:
-        """Mark these probes, and no others."""
         self._probes.probes = probes
         self._place_probes()
 
@@ -261,8 +247,11 @@ class StageDrawing:
         self._probes.show(marks, self._canvas.window.GetSize())
 
     @property
+    def picture_rectangle_px(self) -> Rectangle:
+        return Rectangle(0, 0, *self.own.size_px)
+
+    @property
     def sight(self) -> Sight:
-        """How this pane looks at the world just now, by way of the displayed cube."""
         projection = self._seen
         clip = projection.clip_from_eye
         limits = np.concatenate([clip[3] - clip[:3], clip[3] + clip[:3]])
@@ -272,27 +261,19 @@ class StageDrawing:
     # -- the pane's own camera
 
     def reset_view(self) -> None:
-        """Look at the stage from where it is seen best, all of it in the pane."""
         self.own.reset(self._position, self._projection)
         self.reset_clipping_range()
 
-    def refit(self) -> bool:
-        """Nothing leaves the cube: no other view is needed."""
-        return False
-
     def reset_clipping_range(self) -> None:
-        """Fit this pane's near and far to the cube; call it after its camera was moved."""
         self.own.fit_range()
         self._place_probes()
         self._place_texts()
 
     @property
     def view(self) -> Camera | None:
-        """Where the pane's own camera was moved to, in the displayed cube; None if it was not."""
         return self.own.view
 
     def show_view(self, view: Camera) -> None:
-        """Move the pane's own camera to a `view` of before."""
         self.own.show(view)
         self.reset_clipping_range()
 
@@ -303,13 +284,11 @@ class StageDrawing:
             self.reset_clipping_range()
 
     def remove(self) -> None:
-        """Take everything out of the screen again."""
         self._canvas.remove()
 
     # -- pointing
 
     def show_highlight(self, highlighted: Highlight) -> bool:
-        """Let what is highlighted stand out, and nothing else; tell whether that is a change."""
         self._highlighted = highlighted
         return self._show_highlighted()
 
@@ -322,7 +301,6 @@ class StageDrawing:
         return frozenset(AXES) if self.box.stop == WORLD else NOTHING
 
     def highlight_at(self, x_px: float, y_px: float) -> Highlight:
-        """What is at a pixel from the pane's top left."""
         found = self._emphasis.label_at(x_px, y_px)
         if not found:
             pane = self.own.pane_from_display

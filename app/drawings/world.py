@@ -20,6 +20,7 @@ from app.drawings import actors
 from app.drawings.actors import Canvas
 from app.drawings.camera import CameraDrawing, Standing, view_matrices
 from app.drawings.dimensions import Dimensions, Measured
+from app.drawings.drawing import Drawing, Rectangle
 from app.drawings.frame import DIMMED, LARGER
 from app.drawings.frustum import CUBE, FrustumDrawing
 from app.drawings.handles import APART_EM, HandleMarks
@@ -47,7 +48,7 @@ _PICTURE_PART = 0.5  # of the pane's width: a near plane on which words are rath
 _FRAMED_MARK = 5.0  # of the scene's size: marks farther from it are not brought into view
 
 
-class WorldDrawing:
+class WorldDrawing(Drawing):
     """The scene with the camera and its frustum in it.
 
     Parameters
@@ -137,24 +138,15 @@ class WorldDrawing:
         return emphasis
 
     def remove(self) -> None:
-        """Take everything out of the screen again."""
         self._canvas.remove()
 
     # -- fixed views and layers
 
     @property
     def fixed(self) -> str:
-        """The fixed view that is shown; ``""`` once it was turned by hand, and before."""
         return self.own.fixed
 
     def show_fixed(self, view: str) -> None:
-        """Look from the side, from above, along the axis or from the eye; draw nothing yet.
-
-        Parameters
-        ----------
-        view : str
-            One of `app.document.view.FIXED`; ``""`` for the free view, as it opens.
-        """
         if view == self.own.fixed:
             return
         if view and self._dimensions is None:
@@ -165,20 +157,12 @@ class WorldDrawing:
         self.reset_view()
 
     def show_object_axes(self, wanted: bool) -> None:
-        """Show the object's axes also where they are the world's, or not; draw nothing yet."""
         if wanted != self._wants_axes:
             self._wants_axes = wanted
             self._show_axes()
             self._follow_pane(afresh=True)
 
     def show_layers(self, hidden: frozenset[str]) -> None:
-        """Switch these layers off, and no others; draw nothing yet.
-
-        Parameters
-        ----------
-        hidden : frozenset of str
-            Of `app.document.view.LAYERS`.
-        """
         for drawn in (self._actors, self.picture.actors):
             drawn.show_grid("grid" not in hidden)
         self._hidden = hidden
@@ -200,19 +184,11 @@ class WorldDrawing:
     # -- pointing
 
     def show_highlight(self, highlighted: Highlight) -> bool:
-        """Let what is highlighted stand out, and nothing else; tell whether that is a change."""
         self._highlighted = highlighted
         of_scene = self._marks is not None and self._marks.show_highlight(highlighted)
         return self._emphasis.show(highlighted) or of_scene
 
     def show_step(self, step: int | None) -> None:
-        """Build the camera's frame up to a step before a dimmed frustum; None for neither.
-
-        Parameters
-        ----------
-        step : int or None
-            Index into `app.lecture.camera_frame.STEPS`.
-        """
         camera = self.camera
         if step == camera.step:
             return
@@ -249,7 +225,6 @@ class WorldDrawing:
         self._emphasis.show(self._highlighted)
 
     def highlight_at(self, x_px: float, y_px: float) -> Highlight:
-        """What is at a pixel from the pane's top left."""
         found = self._emphasis.label_at(x_px, y_px)
         if not found and self._marks is not None:
             found = self._marks.label_at(x_px, y_px)
@@ -293,7 +268,6 @@ class WorldDrawing:
     # -- the model
 
     def show_detail(self, fewer: Scene | None) -> None:
-        """Take the faces of a scene with fewer triangles, or all for None; draw nothing yet."""
         self._detail.show(fewer)
         if self._marks is not None:
             self._marks.show_detail(fewer)
@@ -301,14 +275,6 @@ class WorldDrawing:
     def show_projection(
         self, projection: Projection, illustration: Illustration | None = None
     ) -> None:
-        """Take over the model's matrices, and what a phenomenon shows for it; draw nothing yet.
-
-        Parameters
-        ----------
-        projection : Projection
-        illustration : Illustration or None
-            Nothing of another one stays.
-        """
         self._projection = projection
         is_placed = self._place(projection.placement)
         if is_placed:
@@ -357,7 +323,6 @@ class WorldDrawing:
 
     @property
     def has_object_axes(self) -> bool:
-        """Whether the object's axes are drawn."""
         return self._actors.is_moved or self._wants_axes
 
     @property
@@ -444,18 +409,16 @@ class WorldDrawing:
     def _held_at(self) -> dict[str, tuple[float, float]]:
         """Where near and far are held, from the pane's left and bottom."""
         height_px = self.own.pane.size_px[1]
-        marked = () if self.handles is None else self.handles.shown
         return {
             handle.name: (x, height_px - y)
-            for handle, (x, y) in marked
+            for handle, (x, y) in self.handles_shown
             if handle.name in ("near", "far")
         }
 
     def _place_first(self, layout: Layout, seen: Callable[[Array], Sequence[Spot]]) -> None:
         """What the labels keep off: the handles, and the texts of a scene."""
-        if self.handles is not None:
-            height_px = self.own.pane.size_px[1]
-            layout.keep_free([(x, height_px - y, 1.0) for _, (x, y) in self.handles.shown])
+        height_px = self.own.pane.size_px[1]
+        layout.keep_free([(x, height_px - y, 1.0) for _, (x, y) in self.handles_shown])
         if self.own.fixed and self._dimensions is not None:
             own, corners = self.own, self._corners_seen
             self._dimensions.place(layout, seen, own.pane.size_px, self._in_fixed_view)
@@ -491,7 +454,6 @@ class WorldDrawing:
     # -- the pane's own camera
 
     def reset_view(self) -> None:
-        """Put the pane's own camera beside the model's, with all that is drawn in view."""
         self.own.reset(self._framed())
         self.reset_clipping_range()
 
@@ -525,11 +487,9 @@ class WorldDrawing:
 
     @property
     def view(self) -> Camera | None:
-        """Where the pane's own camera was moved to, in world coordinates; None if it was not."""
         return self.own.view
 
     def show_view(self, view: Camera) -> None:
-        """Move the pane's own camera to a `view` of before."""
         self.own.show(view)
         self.reset_clipping_range()
 
@@ -558,7 +518,6 @@ class WorldDrawing:
         self.reset_clipping_range()
 
     def reset_clipping_range(self) -> None:
-        """Follow the pane's own camera after it was moved."""
         self._follow_camera(afresh=True)
 
     def _follow_camera(self, *, afresh: bool) -> None:
@@ -596,7 +555,6 @@ class WorldDrawing:
     # -- a phenomenon, probes, handles
 
     def show_probes(self, probes: Sequence[Probe]) -> None:
-        """Mark these probes, and no others."""
         self._probes.probes = probes
         self._place_probes()
 
@@ -625,8 +583,11 @@ class WorldDrawing:
         self._marked = np.concatenate([marks.points, copied])
 
     @property
+    def picture_rectangle_px(self) -> Rectangle:
+        return Rectangle(0, 0, *self.own.size_px)
+
+    @property
     def sight(self) -> Sight:
-        """How this pane looks at the world just now."""
         return self.own.sight
 
     def _place_probes(self) -> None:
@@ -636,27 +597,24 @@ class WorldDrawing:
 
     @property
     def planes_drawn(self) -> tuple[float, float]:
-        """Distances from the eye plane at which near and far are drawn, cut or not.
-
-        A free matrix has none: its numbers here are nobody's.
-        """
         reach = self.frustum.reach
         return (0.0, 1.0) if reach is None else (reach.near, reach.far)
 
     @property
+    def handles_shown(self) -> Sequence[tuple[Handle, tuple[float, float]]]:
+        return () if self.handles is None else self.handles.shown
+
+    @property
     def held(self) -> Handle | None:
-        """The handle that is pointed out."""
         return None if self.handles is None else self.handles.held
 
     def hold(self, handle: Handle | None) -> None:
-        """Point a handle out, and keep it whatever moves; draw nothing yet."""
         if self.handles is not None:
             self.handles.held = handle
             self._place_handles()
 
     def handle_at(self, pixel: tuple[float, float], within_px: float) -> Handle | None:
-        """The handle that is seen at a pixel, from the pane's top left, if there is one."""
-        return None if self.handles is None else nearest(self.handles.shown, pixel, within_px)
+        return nearest(self.handles_shown, pixel, within_px)
 
     def _place_handles(self) -> None:
         if self.handles is not None:

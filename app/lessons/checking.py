@@ -15,7 +15,8 @@ from fractions import Fraction
 from functools import partial
 from pathlib import Path
 
-from app.document.document import Document, set_values
+from app.document.document import Document
+from app.document.settings import set_values
 from app.document.view import PANES
 from app.lessons import marking
 from app.lessons.course import Course, idea_named, ideas, word_of

@@ -13,8 +13,9 @@ from functools import cache, cached_property, lru_cache
 from pathlib import Path
 from typing import Any, NamedTuple
 
-from app.document import document as documents
-from app.document.document import Document, is_mesh, set_values
+from app.document import files
+from app.document.document import Document, is_mesh
+from app.document.settings import set_values
 from app.document.view import AS_EVER, FIELDS, View
 from app.lessons import marking
 from app.lessons.lesson import (
@@ -210,11 +211,10 @@ class Course:
     def _read(self, state: State) -> Document:
         path = self._beside(state.document, state.document_line)
         try:
-            document = documents.read(path)
+            document = files.read(path)
         except Refusal as error:
-            raise refused(
-                state.document_line, documents.UNREADABLE, str(error).rstrip(".")
-            ) from error
+            why = str(error).rstrip(".")
+            raise refused(state.document_line, files.UNREADABLE, why) from error
         for file in (document.scene if is_mesh(document.scene) else "", document.mesh):
             if file and not self._is_beside(file):
                 raise refused(state.document_line, BESIDE, value=os.path.basename(file))

@@ -16,8 +16,8 @@ from functools import cache
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple, TypeAlias
 
-from app.document.document import TOO_LARGE, UNREADABLE, blamed_on
-from app.document.document import Path as AnyPath
+from app.document.codec import Path as AnyPath
+from app.document.files import TOO_LARGE, UNREADABLE, blamed_on
 from app.lecture.notation import LETTERS, Letters
 from app.lessons.quantities import Condition
 from app.model.formula import Formula, parse

@@ -15,17 +15,11 @@ from dataclasses import replace
 from pathlib import Path
 from typing import NamedTuple
 
-from app.document.document import (
-    UNREADABLE,
-    Document,
-    blamed_on,
-    is_mesh,
-    set_values,
-    to_json,
-    write,
-    write_bytes_atomically,
-)
-from app.document.document import Path as AnyPath
+from app.document.codec import Path as AnyPath
+from app.document.codec import to_json
+from app.document.document import Document, is_mesh
+from app.document.files import UNREADABLE, blamed_on, write, write_bytes_atomically
+from app.document.settings import set_values
 from app.document.view import AS_EVER
 from app.lecture.notation import Letters
 from app.lessons.course import CONTENT, Course, scene_of

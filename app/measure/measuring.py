@@ -14,7 +14,8 @@ import pyvista as pv
 import vtkmodules
 
 from app import __version__
-from app.document.document import Document, to_json
+from app.document.codec import to_json
+from app.document.document import Document
 from app.measure import arithmetic, depth, detail, interpolation, smoothing
 from app.measure.results import Results, Sweep, Trade
 from app.measure.run import Watch, part_of, unwatched

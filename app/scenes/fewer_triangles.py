@@ -16,8 +16,8 @@ from weakref import WeakKeyDictionary
 import numpy as np
 from numpy.typing import NDArray
 
-from app.scenes.mesh_files import merge_points
 from app.scenes.scene import Scene
+from app.scenes.shapes import distinct_rows
 
 if TYPE_CHECKING:
     import pyvista as pv
@@ -149,7 +149,7 @@ def _nearest_cells(surface: pv.PolyData, fewer: pv.PolyData) -> NDArray[np.integ
     import pyvista as pv
     from vtkmodules.vtkCommonDataModel import vtkKdTreePointLocator
 
-    middles, number = merge_points(np.asarray(surface.cell_centers().points, dtype=np.float64))
+    middles, number = distinct_rows(np.asarray(surface.cell_centers().points))
     first = np.empty(len(middles), dtype=np.int64)
     first[number[::-1]] = np.arange(len(number))[::-1]
     tree = vtkKdTreePointLocator()

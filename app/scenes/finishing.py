@@ -15,17 +15,16 @@ from numpy.typing import ArrayLike
 
 from app.model.limits import Vector
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
-from app.scenes.mesh_files import (
+from app.scenes.mesh import (
     PAINT_RGB,
     Colours,
     Floats,
     Ints,
     Mesh,
     Progress,
-    merge_points,
     report,
 )
-from app.scenes.shapes import brightness
+from app.scenes.shapes import brightness, distinct_rows
 
 ONE_POINT = QT_TRANSLATE_NOOP(
     "Refusal",
@@ -61,7 +60,7 @@ class Finished(NamedTuple):
     points : (n, 3) float64
         World coordinates.
     offsets, corners : (m + 1,) and (offsets[m],) int64
-        As of `app.scenes.mesh_files.Mesh`, of faces of three or four corners.
+        As of `app.scenes.mesh.Mesh`, of faces of three or four corners.
     rgb : (m, 3) uint8
         What each face looks like.
     edges : (k, 2, 3) float64
@@ -173,7 +172,7 @@ def _feature_edges(mesh: Mesh) -> Floats:
     copies are one point again do two faces know that they are neighbours. VTK's filter takes the
     square of the faces at one edge, and a few kilobytes of glTF bring thousands.
     """
-    points, merged = merge_points(mesh.points)
+    points, merged = distinct_rows(mesh.points)
     starts = merged[mesh.corners]
     ends = merged[mesh.corners[following(mesh.offsets)]]
     faces = len(mesh.offsets) - 1

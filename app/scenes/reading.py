@@ -23,7 +23,7 @@ import numpy as np
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
 from app.scenes import mesh_files as meshes
 from app.scenes.finishing import Finished, finished
-from app.scenes.mesh_files import TOO_MUCH, Progress, open_mesh, report
+from app.scenes.mesh import TOO_MUCH, Progress, open_mesh, report
 
 SMALL = 2**20
 """Most bytes of a file that is read at once: within 0.1 s, which a process takes to begin."""

@@ -36,17 +36,16 @@ from app.model.projection import (
 )
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
 from app.scenes.finishing import Finished, following, vector
-from app.scenes.mesh_files import ENDINGS as ENDINGS
-from app.scenes.mesh_files import (
+from app.scenes.mesh import (
     PAINT_RGB,
     Colours,
     Floats,
     Ints,
     Progress,
-    merge_points,
     open_mesh,
     report,
 )
+from app.scenes.mesh_files import ENDINGS as ENDINGS
 from app.scenes.phenomena import PHENOMENA, Phenomenon
 from app.scenes.phenomena.illustration import OwnMesh, Subject
 from app.scenes.reading import read
@@ -692,7 +691,7 @@ def _own_mesh(surface: pv.PolyData, origin: Vector, pixels: bool) -> OwnMesh:
     offsets, corners = cells_of(surface.GetPolys())
     next_corners = corners[following(offsets)]
     # Most edges are there from either side, and with the copies of their ends that files make.
-    places, merged = merge_points(points)
+    places, merged = distinct_rows(points)
     starts, ends = merged[corners], merged[next_corners]
     apart = starts != ends
     keys = np.minimum(starts, ends)[apart] * len(places) + np.maximum(starts, ends)[apart]

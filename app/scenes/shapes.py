@@ -94,7 +94,7 @@ def distinct_rows(rows: NDArray[Any]) -> tuple[NDArray[Any], NDArray[np.intp]]:
     """
     order = np.lexsort(rows.T[::-1])
     by_size = rows[order]
-    first = np.append(True, (by_size[1:] != by_size[:-1]).any(axis=1))
+    first = np.append(True, (by_size[1:] != by_size[:-1]).any(axis=1))[: len(rows)]
     places = np.empty(len(rows), dtype=np.intp)
     places[order] = np.cumsum(first) - 1
     return by_size[first], places

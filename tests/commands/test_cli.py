@@ -9,10 +9,8 @@ import io
 import json
 import os
 import re
-import struct
 import subprocess
 import sys
-import zlib
 from collections.abc import Callable
 from dataclasses import fields, replace
 from importlib import metadata
@@ -25,7 +23,10 @@ from PIL import Image
 
 from app.bootstrap import ROOT
 from app.commands import cli, options
-from app.document.document import Document, embed, read, set_values, to_json, write
+from app.document.codec import to_json
+from app.document.document import Document
+from app.document.files import read, write
+from app.document.settings import set_values
 from app.document.view import View
 from app.model.limits import SMALLEST_WINDOW
 from app.model.object_transform import SPACES
@@ -48,6 +49,7 @@ from app.scenes.phenomena import PHENOMENA
 from app.scenes.scene import load
 from tests import PATIENCE_S
 from tests.oracles import exact
+from tests.support.carrier import carrier
 from tests.support.commands import comma_locale, refused, refused_by_a_process, run, run_here
 from tests.support.drawings import colours_of
 from widgets.program import application
@@ -579,20 +581,8 @@ def test_options_may_stand_between_the_names(by_hand: Path) -> None:
 
 def test_a_document_in_a_picture_is_read(tmp_path: Path, by_hand: Path) -> None:
     picture = tmp_path / "picture.png"
-    picture.write_bytes(embed(one_pixel_png(), to_json(BY_HAND)))
+    picture.write_bytes(carrier(to_json(BY_HAND)))
     assert run_here("matrices", picture).stdout == run_here("matrices", by_hand).stdout
-
-
-def one_pixel_png() -> bytes:
-    def chunk(kind: bytes, body: bytes) -> bytes:
-        return (
-            struct.pack(">I", len(body)) + kind + body + struct.pack(">I", zlib.crc32(kind + body))
-        )
-
-    header = struct.pack(">IIBBBBB", 1, 1, 8, 2, 0, 0, 0)
-    pixels = zlib.compress(b"\0\1\2\3")
-    chunks = chunk(b"IHDR", header) + chunk(b"IDAT", pixels) + chunk(b"IEND", b"")
-    return b"\x89PNG\r\n\x1a\n" + chunks
 
 
 def buffered() -> dict[str, str]:
@@ -1118,11 +1108,12 @@ def test_the_lens_comes_first_as_it_is_used(typed: str, line: str) -> None:
 
 def test_the_names_in_the_help_are_those_that_there_are() -> None:
     """They are written twice, because help is given where nothing is installed yet."""
-    from app.document import document, view
+    from app.document import view
+    from app.document.fields import model_paths
     from app.measure import measuring
     from app.measure.arithmetic import SWEEPS
 
-    paths = {"scene", "mesh", "depth", *document.model_paths().values()} - {"lens.former"}
+    paths = {"scene", "mesh", "depth", *model_paths().values()} - {"lens.former"}
     paths |= {f"quality.{field.name}" for field in fields(Quality)}
     paths |= {f"view.{key}" for key in view.FIELDS if key not in ("panes", "pinned")}
     assert set(options.SETTABLE) == paths
@@ -1237,7 +1228,7 @@ FILES: dict[str, tuple[str, Callable[[Path], object], list[str]]] = {
     "not JSON": ("text.json", lambda path: path.write_text("hello"), ["not JSON"]),
     "another ending": ("notes.txt", lambda path: path.write_text("hello"), ["neither", ".stl"]),
     "no PNG": ("broken.png", lambda path: path.write_bytes(b"\x89PNG\r\n\x1a\nxx"), ["PNG"]),
-    "plain picture": ("plain.png", lambda path: path.write_bytes(one_pixel_png()), ["document"]),
+    "plain picture": ("plain.png", lambda path: path.write_bytes(carrier()), ["document"]),
     "text named .stl": ("text.stl", lambda path: path.write_text("hello"), ["text.stl"]),
     "cut short": ("cut.json", lambda path: (write(BY_HAND, path), cut(path)), ["cut short"]),
     "a newline in its name": ("a\nb.stl", lambda path: None, ["b.stl"]),

@@ -9,8 +9,10 @@ from typing import Any
 import numpy as np
 import pytest
 
+from app.document.codec import parse, to_json
 from app.document.compare import Held, Picture, differences
-from app.document.document import Document, parse, set_values, to_json
+from app.document.document import Document
+from app.document.settings import compared, name_of, pictured, set_values
 from app.document.view import View
 from app.model.projection import FreeMatrix
 from app.model.refusal import Refusal
@@ -25,10 +27,10 @@ def of(scene: str) -> Document:
     return Document(scene, load(scene).start)
 
 
-def compared(scene: str, name: str) -> list[Document]:
+def ready_made(scene: str, name: str) -> list[Document]:
     """The pictures of a ready-made comparison, from left to right."""
-    document = of(scene).compared(name)
-    return [document.pictured(picture) for picture in document.view.compare]
+    document = compared(of(scene), name)
+    return [pictured(document, picture) for picture in document.view.compare]
 
 
 def shown(document: Document) -> Illustration:
@@ -53,14 +55,14 @@ def test_what_is_compared_is_in_the_document_and_no_part_of_the_model(held: Docu
     again = parse(to_json(held))
     assert again.view == held.view
     assert again == replace(held, view=View())
-    first, own, follows = (again.pictured(picture) for picture in again.view.compare)
+    first, own, follows = (pictured(again, picture) for picture in again.view.compare)
     assert first.projection.depth == "opengl" and own == again
     assert (follows.projection.lens.far, follows.projection.depth) == (30.0, "direct3d")
 
 
 def test_what_follows_has_its_own_values_and_else_those_of_the_document(held: Document) -> None:
     moved = set_values(held, ["camera.eye=1,2,9", "lens.near=2"])
-    before, _, follows = (moved.pictured(picture) for picture in moved.view.compare)
+    before, _, follows = (pictured(moved, picture) for picture in moved.view.compare)
     assert before.projection == of("interpolation").projection
     assert follows.projection.camera == moved.projection.camera
     assert (follows.projection.lens.near, follows.projection.lens.far) == (2.0, 30.0)
@@ -108,7 +110,7 @@ def test_a_picture_that_the_document_has_not_just_now_does_not_keep_it_from_open
     )
     again = parse(to_json(nearer))
     with pytest.raises(Refusal, match=r"lens.near = 6"):
-        again.pictured(again.view.compare[0])
+        pictured(again, again.view.compare[0])
 
 
 @pytest.mark.parametrize(
@@ -134,7 +136,7 @@ def test_pictures_are_set_by_their_values_or_by_the_name_of_what_is_ready_made()
     document = set_values(
         of("letter-f"), ["view.compare=lens.near=2;lens.far=40|lens.fov_y_deg=60"]
     )
-    near, wide, own = (document.pictured(each).projection for each in document.view.compare)
+    near, wide, own = (pictured(document, each).projection for each in document.view.compare)
     assert (near.lens.near, near.lens.far) == (2.0, 40.0)
     assert wide == replace(own, lens=own.lens.but(fov_y_deg=60.0))
     document = set_values(of("eye-plane"), ["view.compare=divides", "view.dividers=0.2,0.7"])
@@ -148,19 +150,19 @@ def test_every_ready_made_comparison_is_of_pictures_that_differ() -> None:
     found = 0
     for name, phenomenon in PHENOMENA.items():
         for comparison in phenomenon.comparisons:
-            pictures = compared(name, comparison.name)
+            pictures = ready_made(name, comparison.name)
             assert all(one != other for one in pictures for other in pictures if one is not other)
             found += 1
     assert found >= 4
 
 
 def test_the_live_picture_has_its_name_as_long_as_it_has_its_values() -> None:
-    document = of("interpolation").compared("interpolation")
-    names = [document.name_of(picture) for picture in document.view.compare]
+    document = compared(of("interpolation"), "interpolation")
+    names = [name_of(document, picture) for picture in document.view.compare]
     assert names == ["affine", "correct"] and document.view.compare[0].live
     other = document.with_settings({"interpolation": "correct"})
-    assert [other.name_of(picture) for picture in document.view.compare] == ["now", "correct"]
-    assert document.name_of(Picture(held=document.state)) == "held"
+    assert [name_of(other, picture) for picture in document.view.compare] == ["now", "correct"]
+    assert name_of(document, Picture(held=document.state)) == "held"
 
 
 # -- in what they differ
@@ -179,7 +181,7 @@ def test_what_differs_is_found_and_nothing_else() -> None:
 
 def test_a_ride_towards_the_target_differs_in_its_distance_alone() -> None:
     start = of("field-of-view")
-    near, far = (each.state for each in compared("field-of-view", "photographs"))
+    near, far = (each.state for each in ready_made("field-of-view", "photographs"))
     found = dict(differences([near, far]))
     assert found["settings.preset"] == ("wide", "tele")
     assert found["camera.distance"] == pytest.approx((3.0, 36.0))
@@ -217,7 +219,7 @@ def test_l7_the_window_is_stretched_or_keeps_x_or_y() -> None:
 
     Lecture 000, variants X and Y; the window is as far away as the target, and near is less far.
     """
-    stretch, keep_x, keep_y = (each.projection for each in compared("off-axis-window",
+    stretch, keep_x, keep_y = (each.projection for each in ready_made("off-axis-window",
                                                                     "proportions"))  # fmt: skip
     part = stretch.lens.near / stretch.camera.distance
     left, right, bottom, top = -5.5 * part, 2.5 * part, -2.25 * part, 2.25 * part
@@ -237,7 +239,7 @@ def test_l7_the_window_is_stretched_or_keeps_x_or_y() -> None:
 
 
 def test_l18_one_picture_interpolates_affinely_and_the_other_divides() -> None:
-    affine, correct = compared("interpolation", "interpolation")
+    affine, correct = ready_made("interpolation", "interpolation")
     assert affine.projection == correct.projection
     textures = [shown(each).rendering for each in (affine, correct)]
     assert [each and each.texture and each.texture.affine for each in textures] == [True, False]
@@ -253,12 +255,12 @@ def test_l20_29_mm_at_30_cm_and_105_mm_at_360_cm_show_one_size(size: tuple[int, 
     """One unit is 10 cm; a subject of height h is drawn h H / (2 d tan(fov/2)) high."""
     start = set_values(of("field-of-view"), [f"image.width={size[0]}", f"image.height={size[1]}"])
     start = start.with_settings({"preset": "eye"}).with_settings({"preset": "wide"})
-    document = start.compared("photographs")
+    document = compared(start, "photographs")
     subject = load("field-of-view").subject
     high = subject.upper[1] - subject.lower[1]
     sizes = []
     for picture, distance in zip(document.view.compare, (3.0, 36.0), strict=True):
-        of_it = document.pictured(picture)
+        of_it = pictured(document, picture)
         projection = of_it.projection
         assert projection.camera.distance == pytest.approx(distance)
         half = math.radians(projection.lens.fov_y_deg) / 2.0
@@ -267,16 +269,16 @@ def test_l20_29_mm_at_30_cm_and_105_mm_at_360_cm_show_one_size(size: tuple[int, 
         assert found == pytest.approx(expected, rel=1e-9)
         sizes.append(found)
     assert sizes[0] == pytest.approx(sizes[1], rel=1e-12)
-    wide = document.pictured(document.view.compare[0])
+    wide = pictured(document, document.view.compare[0])
     assert value(wide, "focal length, 35-mm camera") == pytest.approx(29.0)
     # Foreshortening is a matter of the distance alone.
-    depths = [value(document.pictured(each), "foreshortening, nearest : farthest")
+    depths = [value(pictured(document, each), "foreshortening, nearest : farthest")
               for each in document.view.compare]  # fmt: skip
     assert depths[0] > 1.5 and 1.0 < depths[1] < 1.1
 
 
 def test_l16_naive_cut_and_clipped_are_three_drawings_of_the_same_edges() -> None:
-    naive, cut, clipped = compared("eye-plane", "divides")
+    naive, cut, clipped = ready_made("eye-plane", "divides")
     assert naive.projection == cut.projection == clipped.projection
     projection = naive.projection
     camera, (width, height) = projection.camera, projection.image_size

@@ -9,8 +9,9 @@ import numpy as np
 import pytest
 
 from app.document.compare import Written, in_words
-from app.document.document import Document, set_values
+from app.document.document import Document
 from app.document.field_names import FIELDS
+from app.document.settings import compared, pictured, set_values
 from app.drawings.figures import DPI, LINE_EM, Pixels, render, usual_text_pt
 from app.drawings.side_by_side import cells
 from app.drawings.style import LIGHT, rgb
@@ -36,7 +37,7 @@ def figure(
 
 def alone(document: Document, place: int) -> Document:
     """One of the pictures, compared with nothing."""
-    picture = document.pictured(document.view.compare[place])
+    picture = pictured(document, document.view.compare[place])
     return replace(picture, view=replace(document.view, compare=(), dividers=()))
 
 
@@ -75,7 +76,7 @@ def bar_px(pixels: Pixels) -> int:
 
 
 def test_l20_the_measured_subject_is_as_high_in_both_photographs() -> None:
-    document = Document("field-of-view", load("field-of-view").start).compared("photographs")
+    document = compared(Document("field-of-view", load("field-of-view").start), "photographs")
     pixels = figure(document, size=(800, 300))
     (_, _, wide, _), (left, _, _, _) = cells(800, 300, [16 / 9, 16 / 9], 12.0)
     assert wide == left == 400
@@ -92,7 +93,7 @@ def written_rows(pixels: Pixels) -> int:
 
 
 def test_what_differs_is_written_below_pictures_side_by_side() -> None:
-    document = Document("field-of-view", load("field-of-view").start).compared("photographs")
+    document = compared(Document("field-of-view", load("field-of-view").start), "photographs")
     first, second = (
         figure(document, size=(800, height), text_pt=12.0 * 72.0 / DPI) for height in (300, 320)
     )
@@ -112,7 +113,7 @@ def test_in_what_pictures_differ_in_words() -> None:
     document = set_values(
         Document("letter-f", start), ["view.compare=lens.near=6;lens.fov_y_deg=30;camera.up=0,2,1"]
     )
-    states = [document.pictured(picture).state for picture in document.view.compare]
+    states = [pictured(document, picture).state for picture in document.view.compare]
     plain = Written(lambda name: FIELDS[name], str, "{:g}".format)
     unnamed = [replace(picture, changes=()) for picture in document.view.compare]
     assert in_words(unnamed, states, (), plain) == [

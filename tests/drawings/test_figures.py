@@ -22,7 +22,9 @@ from PySide6.QtWidgets import QWidget
 from vtkmodules.vtkRenderingCore import vtkRenderWindow, vtkTextActor
 
 from app.bootstrap import ROOT
-from app.document.document import Document, parse, read, to_json
+from app.document.codec import parse, to_json
+from app.document.document import Document
+from app.document.files import read
 from app.document.view import PANES
 from app.drawings import WORDS, figures
 from app.drawings.figures import png_bytes, render, write_png

@@ -275,7 +275,7 @@ def test_every_package_in_use_is_declared() -> None:
 
 def test_numbers_start_without_pictures() -> None:
     """In a fresh interpreter, because this one has long imported everything."""
-    modules = ["bootstrap", "model.projection", "document.document", "commands.cli"]
+    modules = ["bootstrap", "model.projection", "document.settings", "commands.cli"]
     probe = f"""import sys, {", ".join(f"app.{name}" for name in modules)}, app.__main__
 print(*sorted({{name.partition(".")[0] for name in sys.modules}}))"""
     done = subprocess.run(

@@ -11,7 +11,10 @@ from pathlib import Path
 
 import pytest
 
-from app.document.document import Document, parse, read, set_values, to_json
+from app.document.codec import parse, to_json
+from app.document.document import Document
+from app.document.files import read
+from app.document.settings import set_values
 from app.document.view import AS_EVER
 from app.lessons.course import CONTENT, Course, contained, scene_of
 from app.lessons.lesson import parse_lesson

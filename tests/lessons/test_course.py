@@ -8,7 +8,9 @@ from pathlib import Path
 
 import pytest
 
-from app.document.document import Document, set_values, write
+from app.document.document import Document
+from app.document.files import write
+from app.document.settings import set_values
 from app.lessons import transition
 from app.lessons.course import Course, idea_named, ideas
 from app.lessons.lesson import Question, Task, parse_lesson

@@ -7,7 +7,8 @@ import math
 import pytest
 from mpmath import atan, mp, mpf, pi, tan
 
-from app.document.document import Document, set_values
+from app.document.document import Document
+from app.document.settings import set_values
 from app.lessons.course import scene_of
 from app.lessons.quantities import Condition, NotThere, Quantities, reading_name
 from app.model.formula import parse

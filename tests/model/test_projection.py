@@ -1739,7 +1739,7 @@ def test_matrices_are_called_target_from_source() -> None:
 
 def test_the_core_needs_neither_qt_nor_vtk() -> None:
     code = (
-        "import sys, app.model.projection, app.document.document;"
+        "import sys, app.model.projection, app.document.files;"
         "print([m for m in sys.modules if m.split('.')[0] in"
         " ('PySide6', 'vtk', 'vtkmodules', 'pyvista', 'pyvistaqt', 'matplotlib')])"
     )

@@ -21,7 +21,9 @@ from PySide6.QtWidgets import QComboBox
 
 from app.arithmetic.double_double import cotangent_deg
 from app.commands import cli
-from app.document import document
+from app.document.codec import parse, to_json
+from app.document.document import Document
+from app.document.files import read
 from app.document.view import PANES
 from app.drawings.figures import render
 from app.lecture import typed_matrix
@@ -189,14 +191,14 @@ def test_it_is_read(letters: Any) -> None:
 
 
 def test_it_is_documented() -> None:
-    made = document.Document(projection=Projection(lens=SHIFT))
-    text = document.to_json(made)
+    made = Document(projection=Projection(lens=SHIFT))
+    text = to_json(made)
     assert '"kind": "shift", "fov_y_deg": 50, "rise": 0.4, "near": 1, "far": 40' in text
-    assert document.parse(text) == made
-    with pytest.raises(document.Refusal, match="rise"):
-        document.parse(text.replace('"rise": 0.4, ', ""))
-    typed = document.Document(projection=made.projection.with_lens("matrix"))
-    assert document.parse(document.to_json(typed)) == typed
+    assert parse(text) == made
+    with pytest.raises(Refusal, match="rise"):
+        parse(text.replace('"rise": 0.4, ', ""))
+    typed = Document(projection=made.projection.with_lens("matrix"))
+    assert parse(to_json(typed)) == typed
 
 
 def test_its_matrix_is_recognised() -> None:
@@ -255,7 +257,7 @@ def test_it_is_in_the_dock(display: Any, qtbot: Any) -> None:
 
 def test_the_commands_know_it(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     file = tmp_path / "shift.json"
-    file.write_text(document.to_json(document.Document(projection=Projection(lens=SHIFT))))
+    file.write_text(to_json(Document(projection=Projection(lens=SHIFT))))
     assert cli.main(["matrices", str(file), "--format", "json"]) == 0
     told = json.loads(capsys.readouterr().out)
     assert told["clip_from_view"][1][2] == 0.4
@@ -282,6 +284,6 @@ def test_it_is_drawn() -> None:
 
 def test_it_is_exported(tmp_path: Path) -> None:
     file, out = tmp_path / "shift.json", tmp_path / "shift.png"
-    file.write_text(document.to_json(document.Document(projection=Projection(lens=SHIFT))))
+    file.write_text(to_json(Document(projection=Projection(lens=SHIFT))))
     assert cli.main(["export", str(out), str(file), "--panes=image", "--size=160x90"]) == 0
-    assert document.read(out).projection.lens == SHIFT
+    assert read(out).projection.lens == SHIFT

@@ -15,7 +15,9 @@ from PySide6.QtCore import QPoint, Qt, QTimer
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QProgressDialog
 
-from app.document.document import Document, parse, set_values, to_json
+from app.document.codec import parse, to_json
+from app.document.document import Document
+from app.document.settings import set_values
 from app.drawings.figures import render
 from app.drawings.frame_budget import FrameBudget, Level
 from app.measure import smoothing

@@ -14,7 +14,8 @@ import pytest
 
 from app.bootstrap import ROOT
 from app.commands import cli
-from app.document.document import Document, write
+from app.document.document import Document
+from app.document.files import write
 from app.model.projection import Projection
 from tests import PATIENCE_S
 

@@ -1,24 +1,48 @@
-"""Files of meshes, written by hand."""
+"""Mesh files written by hand, and the faces and lines of a scene in world coordinates."""
 
 from __future__ import annotations
 
 import base64
 import json
 import struct
+from collections.abc import Callable
+from itertools import pairwise
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
+from app.model.projection import Projection
+from app.scenes.scene import Scene
+
+# A square pyramid: one quad and four triangles. All coordinates are multiples of 1/8: at 1e7 from
+# the origin they are exact in float64, and lost in float32, whose step there is 1.
 PYRAMID = np.array(
     [[0.125, 0, 0.25], [3, 0, 0.375], [3.25, 0, 3], [0.5, 0, 3.125], [1.625, 2.875, 1.5]]
 )
 TRIANGLES = np.array([[0, 4, 1], [1, 4, 2], [2, 4, 3], [3, 4, 0], [0, 1, 2], [0, 2, 3]])
+QUAD_AND_TRIANGLES = ([0, 1, 2, 3], [0, 4, 1], [1, 4, 2], [2, 4, 3], [3, 4, 0])
+FAR = 1e7
 
 
 def obj_file(path: Path, points: np.ndarray) -> None:
     rows = [f"v {x!r} {y!r} {z!r}" for x, y, z in points.tolist()]
     path.write_text("\n".join(rows) + "\nf 1 2 3 4\nf 1 5 2\nf 2 5 3\nf 3 5 4\nf -2 -1 -5\n")
+
+
+def stl_text_file(path: Path, points: np.ndarray) -> None:
+    text = "solid the vertex loop of a facet\n"
+    for corners in points[TRIANGLES].tolist():
+        rows = "".join(f"      vertex {x!r} {y!r} {z!r}\n" for x, y, z in corners)
+        text += f"  facet normal 0 0 0\n    outer loop\n{rows}    endloop\n  endfacet\n"
+    path.write_text(text + "endsolid the vertex loop of a facet\n")
+
+
+def stl_file(path: Path, points: np.ndarray, header: bytes = b"solid but binary") -> None:
+    data = header.ljust(80) + struct.pack("<I", len(TRIANGLES))
+    for corners in points[TRIANGLES]:
+        data += struct.pack("<12fH", 0, 0, 0, *corners.ravel(), 0)
+    path.write_bytes(data)
 
 
 def ply_header(
@@ -32,7 +56,11 @@ def ply_header(
     )
 
 
-QUAD_AND_TRIANGLES = ([0, 1, 2, 3], [0, 4, 1], [1, 4, 2], [2, 4, 3], [3, 4, 0])
+def ply_text_file(path: Path, points: np.ndarray) -> None:
+    text = ply_header("ascii", len(points), 5)
+    text += "".join(f"{x!r} {y!r} {z!r}\n" for x, y, z in points.tolist())
+    text += "".join(f"{len(face)} {' '.join(map(str, face))}\n" for face in QUAD_AND_TRIANGLES)
+    path.write_text(text)
 
 
 def ply_file(path: Path, points: np.ndarray, order: str = "<") -> None:
@@ -41,6 +69,10 @@ def ply_file(path: Path, points: np.ndarray, order: str = "<") -> None:
     for face in QUAD_AND_TRIANGLES:
         data += struct.pack(f"{order}B{len(face)}i", len(face), *face)
     path.write_bytes(data)
+
+
+def ply_big_endian_file(path: Path, points: np.ndarray) -> None:
+    ply_file(path, points, ">")
 
 
 def gltf_parts(
@@ -88,3 +120,74 @@ def write_gltf(path: Path, content: dict[str, Any], body: bytes) -> None:
         + struct.pack("<I4s", len(body), b"BIN\0")
         + body
     )
+
+
+def gltf_file(path: Path, points: np.ndarray) -> None:
+    """The float32 vertices are near 0, and the node moves them to their place."""
+    offset = points.min(axis=0).round()
+    write_gltf(path, *gltf_parts(points - offset, offset.tolist()))
+
+
+Writer = Callable[[Path, np.ndarray], None]
+WRITERS: dict[str, tuple[str, Writer, int]] = {
+    "obj": ("m.obj", obj_file, 5),
+    "stl text": ("m.stl", stl_text_file, 6),
+    "stl binary": ("m.stl", stl_file, 6),
+    "ply text": ("m.ply", ply_text_file, 5),
+    "ply binary": ("m.ply", ply_file, 5),
+    "ply big-endian": ("m.ply", ply_big_endian_file, 5),
+    "gltf": ("m.gltf", gltf_file, 6),
+    "glb": ("m.glb", gltf_file, 6),
+}
+"""File name, writer and number of faces of the pyramid in each format."""
+
+
+def pyramid_file(folder: Path, kind: str, offset: float = 0.0) -> Path:
+    name, write, _ = WRITERS[kind]
+    write(folder / name, PYRAMID + offset)
+    return folder / name
+
+
+# --------------------------------------------------------------------------- what a scene has
+
+
+def world_points(scene: Scene) -> np.ndarray:
+    assert scene.surface is not None
+    return np.asarray(scene.surface.points, dtype=np.float64) + np.array(scene.origin)
+
+
+def faces(scene: Scene) -> list[np.ndarray]:
+    """World corners of every face, (k, 3) each."""
+    assert scene.surface is not None
+    points = world_points(scene)
+    offsets = scene.surface.GetPolys().GetOffsetsArray()
+    ends = [int(offsets.GetValue(i)) for i in range(scene.surface.n_cells + 1)]
+    corners = np.asarray(scene.surface.GetPolys().cell_connectivity)
+    return [points[corners[a:b]] for a, b in pairwise(ends)]
+
+
+def rgb(scene: Scene) -> np.ndarray:
+    assert scene.surface is not None
+    colours = np.asarray(scene.surface.cell_data["rgb"])
+    assert colours.dtype == np.uint8
+    assert colours.shape == (scene.surface.n_cells, 3)
+    return colours
+
+
+def segments(scene: Scene) -> np.ndarray:
+    """World ends of every line, (m, 2, 3)."""
+    assert scene.lines is not None
+    assert scene.lines.cell_data["rgb"].shape == (scene.lines.n_cells, 3)
+    ends = np.asarray(scene.lines.points, dtype=np.float64) + np.array(scene.origin)
+    return ends[np.asarray(scene.lines.GetLines().cell_connectivity).reshape(-1, 2)]
+
+
+def side(face: np.ndarray) -> str:
+    """The direction in which an axis-parallel face looks, from the order of its corners."""
+    normal = np.cross(face[1] - face[0], face[2] - face[0])
+    axis = int(abs(normal).argmax())
+    return ("+" if normal[axis] > 0 else "-") + "xyz"[axis]
+
+
+def outside(projection: Projection, points: Any) -> bool:
+    return bool(projection.trace(np.asarray(points, dtype=np.float64)).outside.any())

@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+import sys
 from dataclasses import replace
 
 import numpy as np
+import pytest
 
 from app.model.projection import Camera, Projection
 from app.model.refusal import Refusal
+from app.scenes.phenomena import PHENOMENA
 from app.scenes.phenomena.diagram import Curve, Diagram
 from app.scenes.phenomena.illustration import Illustration, Phenomenon, Subject
 from app.scenes.phenomena.marks import Dot, Marks, Text
@@ -74,3 +77,11 @@ EVERYTHING = Phenomenon(
     check=_check,
     own_mesh=True,
 )
+
+
+def make_known(monkeypatch: pytest.MonkeyPatch, *phenomena: Phenomenon) -> None:
+    """Let every module that has been imported know some phenomena more."""
+    known = {**PHENOMENA, **{each.name: each for each in phenomena}}
+    for name, module in list(sys.modules.items()):
+        if name.startswith("app.") and getattr(module, "PHENOMENA", None) is PHENOMENA:
+            monkeypatch.setattr(module, "PHENOMENA", known)

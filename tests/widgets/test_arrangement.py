@@ -19,7 +19,8 @@ from PySide6.QtWidgets import (
     QToolButton,
 )
 
-from app.document.document import Document, read, write
+from app.document.document import Document
+from app.document.files import read, write
 from app.document.view import STAGES, View
 from app.drawings.figures import DPI, render
 from app.drawings.style import Style

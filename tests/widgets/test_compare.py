@@ -13,7 +13,8 @@ from PySide6.QtCore import QPoint, QSize, Qt
 from PySide6.QtTest import QTest
 
 from app.document.compare import Picture
-from app.document.document import read
+from app.document.files import read
+from app.document.settings import compared
 from app.document.view import View
 from app.model.projection import Projection
 from app.scenes.scene import load
@@ -243,7 +244,7 @@ def test_it_comes_back_from_a_file_and_goes_with_another_scene(
 def test_a_window_opens_with_what_is_compared(make_window: MakeWindow) -> None:
     from app.document.document import Document
 
-    document = Document("interpolation", load("interpolation").start).compared("interpolation")
+    document = compared(Document("interpolation", load("interpolation").start), "interpolation")
     window = make_window(document)
     settle()
     compare = window.comparing.pictures

@@ -33,7 +33,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from app.document import document
+from app.document.files import NO_FILE
 from app.drawings import figures
 from app.model.limits import ABOVE, DISTINCT
 from app.model.projection import (
@@ -53,7 +53,7 @@ from app.model.projection import (
     fov_x_from_fov_y,
 )
 from app.model.refusal import Refusal
-from app.scenes import mesh_files as meshes
+from app.scenes import mesh as meshes
 from app.scenes import scene
 from app.scenes.phenomena import PHENOMENA
 from tests.support.controls import (
@@ -1716,7 +1716,7 @@ def test_sentences_are_translated_before_they_are_filled_in(qapp: QApplication) 
         with pytest.raises(Refusal) as caught:
             Perspective(45.0, 3.0, 2.5)
         assert sentence(caught.value) == "Bliža ravnina = 3: mora biti manja od dalje, koja je 2.5."
-        missing = Refusal.in_document(document.NO_FILE, file="a.json")
+        missing = Refusal.in_document(NO_FILE, file="a.json")
         assert sentence(missing) == "a.json ne postoji."
         wrong = Refusal.in_document(ABOVE, 0, field="lens.near", value=-1)
         assert sentence(wrong) == "lens.near = -1: mora biti veće od 0."

@@ -19,7 +19,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from app.document.document import set_values
+from app.document.settings import set_values
 from app.lessons.course import Course, contained, idea_named
 from app.lessons.lesson import Step, Task, read
 from app.model.projection import Perspective

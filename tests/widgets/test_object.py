@@ -13,7 +13,8 @@ from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QLabel
 
-from app.document.document import Document, write
+from app.document.document import Document
+from app.document.files import write
 from app.drawings.object_axes import axes_reach
 from app.model.projection import ObjectTransform
 from app.scenes.scene import load

@@ -18,7 +18,8 @@ from PySide6.QtWidgets import QApplication, QToolButton
 from pytestqt.qtbot import QtBot
 
 from app.commands import cli
-from app.document.document import Document, write
+from app.document.document import Document
+from app.document.files import write
 from app.document.view import MOST_PROBES
 from app.drawings import probes
 from app.drawings.probes import pick_in

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import io
 import json
 import logging
 import math
@@ -18,17 +17,19 @@ from typing import Any
 
 import numpy as np
 import pytest
-from PIL import Image
 from PySide6.QtCore import QStandardPaths
 from PySide6.QtWidgets import QLabel, QWidget
 
 from app.bootstrap import ROOT
 from app.commands.cli import main
-from app.document.document import Document, embed, read, to_json, write
+from app.document.codec import to_json
+from app.document.document import Document
+from app.document.files import read, write
 from app.document.store import Store
 from app.model.projection import Projection
 from app.scenes.scene import load as load_scene
 from tests import PATIENCE_S
+from tests.support.carrier import carrier
 from tests.support.commands import comma_locale, refused, refused_by_a_process, run
 from tests.support.window import MakeWindow
 from widgets.program import application, logs, opengl, report
@@ -883,9 +884,7 @@ def test_a_picture_is_no_place_to_save_in_whatever_its_name(
 ) -> None:
     monkeypatch.chdir(tmp_path)
     write(Document("cube"), Path("notes"))
-    figure = io.BytesIO()
-    Image.new("RGB", (4, 4)).save(figure, "PNG")
-    Path("figure").write_bytes(embed(figure.getvalue(), to_json(Document("cube"))))
+    Path("figure").write_bytes(carrier(to_json(Document("cube"))))
     given: list[Any] = []
     monkeypatch.setattr(application, "run_window", lambda *found: given.append(found[2]) or 0)
     assert main(["notes"]) == main(["figure"]) == 0

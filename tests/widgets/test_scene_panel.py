@@ -11,7 +11,7 @@ from PySide6.QtGui import QGuiApplication
 from PySide6.QtWidgets import QApplication, QFileDialog, QScrollArea
 from pytestqt.qtbot import QtBot
 
-from app.document.document import extract, read
+from app.document.files import extract, read
 from app.drawings.style import LIGHT
 from app.scenes.phenomena.illustration import Illustration, Subject
 from tests.support.phenomenon import EVERYTHING

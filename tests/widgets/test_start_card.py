@@ -10,7 +10,8 @@ from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QCheckBox, QToolButton
 
-from app.document.document import Document, write
+from app.document.document import Document
+from app.document.files import write
 from app.lessons.course import contained
 from app.lessons.lesson import read
 from app.scenes.scene import BUILT_IN, load

@@ -18,7 +18,8 @@ from PySide6.QtGui import QGuiApplication, QTextDocument, QWheelEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QLabel, QWidget
 
-from app.document.document import Document, to_json
+from app.document.codec import to_json
+from app.document.document import Document
 from app.document.store import Store
 from app.document.view import AS_EVER
 from app.drawings.world import WorldDrawing

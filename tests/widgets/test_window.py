@@ -45,10 +45,11 @@ from PySide6.QtWidgets import (
 )
 from vtkmodules.vtkRenderingCore import vtkTextActor
 
-import app.document.document
 import app.scenes.scene
 from app.bootstrap import ROOT
-from app.document.document import UNWRITABLE, Document, extract, picture_json, read, to_json, write
+from app.document.codec import picture_json, to_json
+from app.document.document import Document
+from app.document.files import UNWRITABLE, extract, read, write
 from app.drawings.figures import png_bytes, render
 from app.drawings.image import ImageDrawing
 from app.drawings.stage import StageDrawing
@@ -64,7 +65,7 @@ from tests import PATIENCE_MS, PATIENCE_S
 from tests.support.controls import number
 from tests.support.drawings import colours_of
 from tests.support.meshes import PYRAMID, obj_file
-from tests.support.phenomenon import EVERYTHING
+from tests.support.phenomenon import EVERYTHING, make_known
 from tests.support.window import (
     MakeWindow,
     activate,
@@ -1053,7 +1054,8 @@ from dataclasses import replace
 from functools import partial
 from pathlib import Path
 from PySide6.QtCore import QCoreApplication
-from app.document.document import Document, to_json
+from app.document.codec import to_json
+from app.document.document import Document
 from app.model.projection import Perspective
 from widgets.window.probing import Probing
 from widgets.window.scene_guide import SceneGuide
@@ -1363,8 +1365,7 @@ def illustrations_of(window: MainWindow) -> dict[str, list[Any]]:
 @pytest.fixture
 def everything(monkeypatch: pytest.MonkeyPatch) -> Document:
     """A document of a scene with a setting of every kind."""
-    for room in (app.document.document, app.scenes.scene):
-        monkeypatch.setattr(room, "PHENOMENA", {**PHENOMENA, "everything": EVERYTHING})
+    make_known(monkeypatch, EVERYTHING)
     return Document("everything", EVERYTHING.start)
 
 

@@ -30,7 +30,8 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from app.document.document import Document, write_bytes_atomically
+from app.document.document import Document
+from app.document.files import write_bytes_atomically
 from app.drawings.style import Style
 from app.measure import chart
 from app.measure.meaning import meaning

@@ -21,7 +21,9 @@ from dataclasses import replace
 from PySide6.QtCore import QObject, QProcess, Signal
 
 from app.bootstrap import ROOT
-from app.document.document import Document, is_mesh, to_json, write_bytes_atomically
+from app.document.codec import to_json
+from app.document.document import Document, is_mesh
+from app.document.files import write_bytes_atomically
 from app.measure.results import from_json
 from app.model.refusal import Refusal
 from widgets.parts.messages import sentence

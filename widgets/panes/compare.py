@@ -29,6 +29,7 @@ from PySide6.QtGui import (
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from app.document.compare import Picture, Written, in_words
+from app.document.settings import name_of, pictured
 from app.drawings.side_by_side import cells
 from app.drawings.style import Style
 from app.model.refusal import Refusal
@@ -147,7 +148,7 @@ class _Other(QWidget):
     def refresh(self, shown: Shown, smoothing: str) -> None:
         """Draw it anew if it is another picture than before, or is drawn otherwise."""
         try:
-            document = shown.document.pictured(self.picture)
+            document = pictured(shown.document, self.picture)
         except Refusal as error:
             self.shown = None
             self.why.setText(sentence(error))
@@ -381,7 +382,7 @@ class Compare(QObject):
 
     def _say(self, shown: Shown) -> None:
         words = {"held": self.tr("Held"), "now": self.tr("Now"), "other": self.tr("Other")}
-        found_names = map(shown.document.name_of, self.pictures)
+        found_names = [name_of(shown.document, picture) for picture in self.pictures]
         names = [words.get(name) or of_phenomena(name) for name in found_names]
         states = [each.document.state for each in self._seen if each is not None]
         if names != [caption.text() for caption in self.captions]:

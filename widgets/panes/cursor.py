@@ -42,8 +42,6 @@ from widgets.parts.plain import Label
 from widgets.parts.writing import all_digits
 
 if TYPE_CHECKING:
-    from app.drawings.image import ImageDrawing
-    from app.drawings.world import WorldDrawing
     from app.scenes.scene import Scene
 
 STEP_PX, LONG_STEP_PX = 1.0, 10.0
@@ -201,20 +199,15 @@ class Cursor(QObject):
     def _next_vertex(self, forwards: bool) -> Vertex | None:
         from app.drawings.probes import next_vertex
 
-        assert self._scene is not None
-        drawing, ratio = self._pane.drawing, self._pane.canvas.pixel_ratio
-        size = self._pane.canvas.size()
-        rectangle_px = 0.0, 0.0, size.width() * ratio, size.height() * ratio
-        if self._name == "image":
-            image: ImageDrawing = drawing
-            rectangle_px = image.picture_rectangle_px
+        drawing = self._pane.drawing
+        assert self._scene is not None and drawing is not None
         at = self._thing.number if isinstance(self._thing, Vertex) else None
         number = next_vertex(
             self._scene,
             self._pane.projection,
             drawing.sight,
-            rectangle_px,
-            ratio,
+            drawing.picture_rectangle_px,
+            self._pane.canvas.pixel_ratio,
             at,
             forwards=forwards,
         )
@@ -222,11 +215,10 @@ class Cursor(QObject):
 
     def _next_to_hold(self, forwards: bool) -> Thing | None:
         things: Sequence[Thing] = ()
-        if self._name == "world":
-            drawing: WorldDrawing = self._pane.drawing
+        drawing = self._pane.drawing
+        if self._name == "world" and drawing is not None:
             drawing.hold(None)  # or it would be the first of them, wherever it belongs
-            if drawing.handles is not None:
-                things = [handle for handle, _ in drawing.handles.shown]
+            things = [handle for handle, _ in drawing.handles_shown]
         elif self._name == "image":
             followed = [Followed(probe.number) for probe in self._pane.probes if probe.number]
             things = [each for each in followed if self._seen(each) is not None]
@@ -298,8 +290,10 @@ class Cursor(QObject):
         """Where a thing is seen in the pane, in device pixels; None where it is not."""
         drawing, place = self._pane.drawing, self._place(thing)
         x, y = math.nan, math.nan
+        if drawing is None:
+            return None
         if isinstance(thing, Handle):
-            x, y = dict(drawing.handles.shown).get(thing, (x, y))
+            x, y = dict(drawing.handles_shown).get(thing, (x, y))
         elif place is not None:
             ((x, y),) = drawing.sight.seen([place]).tolist()
         size, ratio = self._pane.canvas.size(), self._pane.canvas.pixel_ratio
@@ -308,7 +302,7 @@ class Cursor(QObject):
 
     def _spot(self) -> QPointF | None:
         """Where the cursor is, in device pixels."""
-        seen = None if self._pane.drawing is None else self._seen(self._thing)
+        seen = self._seen(self._thing)
         return None if seen is None else QPointF(*seen)
 
     def _words(self) -> str:

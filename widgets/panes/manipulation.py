@@ -16,11 +16,12 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass, field, replace
 from functools import partial
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 from PySide6.QtCore import QObject, QPointF, Qt, QTimer, Signal
 
+from app.drawings.drawing import Drawing
 from app.model.limits import OTHER_SIDE
 from app.model.projection import NOT_THE_EYE, Projection, Vector
 from app.model.refusal import Refusal, six_digits
@@ -49,10 +50,6 @@ from widgets.parts.message_bar import MessageBar
 from widgets.parts.messages import field_name, of_phenomena, read_text, seen_from, sentence
 from widgets.parts.panel import PROJECTION, Changed, Shown
 from widgets.parts.plain import Label, set_tip
-
-if TYPE_CHECKING:
-    from app.drawings.image import ImageDrawing
-    from app.drawings.world import WorldDrawing
 
 HOLD_WITHIN_PX = 9.0
 """So near to a mark a drag takes hold of it."""
@@ -125,7 +122,7 @@ class Manipulation(Gestures, QObject):
             self._labels = {each.name: of_phenomena(each.label) for each in settings}
             if drag is not None and drag.held is not None and drag.held.setting not in self._grips:
                 self._drop()  # another scene under the hand
-        drawing: WorldDrawing | None = self._world.drawing
+        drawing = self._world.drawing
         if drawing is not None and drawing.held is not None:
             if self.now(drawing.held):
                 self._tell(drawing.held)
@@ -135,21 +132,21 @@ class Manipulation(Gestures, QObject):
     # -- what is under the mouse
 
     def _hover(self, pixel: QPointF) -> None:
-        drawing: WorldDrawing | None = self._world.drawing
+        drawing = self._world.drawing
         if drawing is not None and self._drag is None:
             self._point_out(drawing, self._handle_at(drawing, pixel))
 
     def leave(self) -> None:
         """Point out no handle: the mouse, or the drawing that the handle was in, is gone."""
-        drawing: WorldDrawing | None = self._world.drawing
+        drawing = self._world.drawing
         if drawing is not None and self._drag is None:
             self._point_out(drawing, None)
 
-    def _handle_at(self, drawing: WorldDrawing, pixel: QPointF) -> Handle | None:
+    def _handle_at(self, drawing: Drawing, pixel: QPointF) -> Handle | None:
         within_px = HOLD_WITHIN_PX * self._world.canvas.pixel_ratio
         return drawing.handle_at((pixel.x(), pixel.y()), within_px)
 
-    def _point_out(self, drawing: WorldDrawing, handle: Handle | None) -> None:
+    def _point_out(self, drawing: Drawing, handle: Handle | None) -> None:
         said_of_another = handle is None and self.said  # in a drawing before this one
         if handle == drawing.held and not said_of_another:
             return
@@ -177,7 +174,7 @@ class Manipulation(Gestures, QObject):
             return "" if grip is None else f"{self._labels[grip.setting]} = {_shown(_value(grip))}"
         projection = self._projection
         if handle.name == "object":
-            drawing: WorldDrawing | None = self._world.drawing
+            drawing = self._world.drawing
             is_gone = drawing is None or not drawing.has_object_axes
         else:
             is_gone = not has_camera(projection)
@@ -234,7 +231,7 @@ class Manipulation(Gestures, QObject):
 
     def _take_handle(self, pixel: QPointF) -> None:
         """Take hold of the handle that a drag in the world pane starts on."""
-        drawing: WorldDrawing | None = self._world.drawing
+        drawing = self._world.drawing
         if drawing is None:
             return
         handle = self._handle_at(drawing, pixel)
@@ -250,7 +247,7 @@ class Manipulation(Gestures, QObject):
 
     def take_picture(self, pixel: QPointF) -> None:
         """Take hold of the picture, if a drag in the image pane starts on it."""
-        drawing: ImageDrawing | None = self._image.drawing
+        drawing = self._image.drawing
         if drawing is not None and drawing.image_pixel(pixel.x(), pixel.y()):
             self._start(_Drag(self._image, self._projection))
 
@@ -276,7 +273,7 @@ class Manipulation(Gestures, QObject):
             self._attempt(
                 drag.pane, partial(dragged, drag.start, handle, drawn, sight, pixel, shift=shift)
             )
-        elif drag.pane is self._image:
+        elif drag.pane is self._image and drag.pane.drawing is not None:
             shift_px = drag.pane.drawing.image_shift(right_px, down_px)
             self._attempt(drag.pane, partial(panned, drag.start, shift_px))
 
@@ -303,7 +300,7 @@ class Manipulation(Gestures, QObject):
         self._escape.leave()
         self._drop()
         self._image.canvas.unsetCursor()
-        drawing: WorldDrawing | None = self._world.drawing
+        drawing = self._world.drawing
         if drawing is not None and drawing.held is not None:
             self._world.canvas.setCursor(Qt.CursorShape.OpenHandCursor)
         self._finish()
@@ -334,7 +331,7 @@ class Manipulation(Gestures, QObject):
         self._nudge(partial(dollied, self._projection, ZOOM_PER_WHEEL_STEP**-steps))
 
     def _push(self, way: QPointF) -> None:
-        drawing: ImageDrawing | None = self._image.drawing
+        drawing = self._image.drawing
         if drawing is not None:
             self._nudge(partial(panned, self._projection, drawing.image_shift(way.x(), way.y())))
 

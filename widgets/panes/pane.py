@@ -30,6 +30,7 @@ from PySide6.QtGui import (
 from PySide6.QtWidgets import QFrame, QGridLayout, QToolButton, QWidget
 
 from app.drawings import AXES
+from app.drawings.drawing import Drawing
 from app.lecture.highlight import NOTHING, Highlight
 from app.model.projection import Camera, Projection
 from app.picking.picking import Probe
@@ -65,11 +66,18 @@ AS_BUILT: dict[str, Any] = {
     "object_axes": False,
     "highlight": NOTHING,
 }
-"""What a drawing can be asked to show, in the order in which it is, and what a new one has of it.
-
-A drawing (`app.drawings.world`, `stage`, `image`) has a method for each (``show_stage``) that draws
-nothing yet. ``stage`` is the NDC pane's position on its strip; ``step`` (of the camera's frame),
-``fixed`` (the fixed view) and ``object_axes`` are the world's."""
+"""What a drawing can be asked to show, and what a new drawing shows, in the order of the calls."""
+_SHOW: dict[str, Callable[[Drawing, Any], object]] = {
+    "detail": lambda drawing, fewer: drawing.show_detail(fewer),
+    "layers": lambda drawing, hidden: drawing.show_layers(hidden),
+    "stage": lambda drawing, position: drawing.show_stage(position),
+    "probes": lambda drawing, probes: drawing.show_probes(probes),
+    "step": lambda drawing, step: drawing.show_step(step),
+    "fixed": lambda drawing, view: drawing.show_fixed(view),
+    "object_axes": lambda drawing, wanted: drawing.show_object_axes(wanted),
+    "highlight": lambda drawing, highlighted: drawing.show_highlight(highlighted),
+}
+"""How a drawing is told; ``projection`` and ``view`` take more than one call."""
 
 
 class _Ahead(NamedTuple):
@@ -88,7 +96,7 @@ class _Ahead(NamedTuple):
     args: tuple[object, ...]
     shown: Shown
     screen: Any
-    drawing: Any
+    drawing: Drawing
 
 
 class Surface(QWidget):
@@ -189,7 +197,7 @@ class Pane(QFrame):
     def __init__(
         self,
         title: str,
-        make_drawing: Callable[..., Any],
+        make_drawing: Callable[..., Drawing],
         *,
         orbits: bool,
         make_canvas: type[AnyCanvas],
@@ -197,14 +205,14 @@ class Pane(QFrame):
         super().__init__()
         self.setFrameShape(QFrame.Shape.StyledPanel)
         self.setAccessibleName(title)
-        self.drawing: Any = None
+        self.drawing: Drawing | None = None
         """What is drawn, once there is something."""
         self._make_drawing = make_drawing
         self._shown: Shown | None = None
         self._to_build: tuple[object, ...] | None = None
         self._built_with: tuple[object, ...] | None = None
         self._ahead: list[_Ahead] = []
-        self._replaced: list[tuple[Any, Any]] = []
+        self._replaced: list[tuple[Any, Drawing | None]] = []
         """Screens and drawings that others have taken the place of: to let go takes a while."""
         self._waits = False
         self._asked = dict(AS_BUILT)
@@ -389,9 +397,10 @@ class Pane(QFrame):
     @property
     def view(self) -> Camera | None:
         """Where the user moved the pane's own camera to; None if it was not moved."""
-        is_asked = self._to_build is not None or self.drawing is None or "view" in self._due
-        view: Camera | None = self._asked["view"] if is_asked else self.drawing.view
-        return view
+        asked: Camera | None = self._asked["view"]
+        if self._to_build is not None or self.drawing is None or "view" in self._due:
+            return asked
+        return self.drawing.view
 
     @property
     def projection(self) -> Projection:
@@ -503,19 +512,20 @@ class Pane(QFrame):
             self._apply_smoothing()
         if self._due & {"detail", "layers"}:
             self._due.add("projection")  # these only tell how it is shown
-        for what, wanted in self._asked.items() if self.drawing is not None else ():
-            if what not in self._due:
+        drawing = self.drawing
+        for what, wanted in self._asked.items():
+            if drawing is None or what not in self._due:
                 continue
             if what == "projection":
                 began = time.perf_counter()
-                self.drawing.show_projection(shown.projection, shown.illustration)
+                drawing.show_projection(shown.projection, shown.illustration)
                 self._matrices_ms = 1e3 * (time.perf_counter() - began)
             elif what == "view":
-                self.drawing.reset_view()
+                drawing.reset_view()
                 if wanted is not None:
-                    self.drawing.show_view(wanted)
+                    drawing.show_view(wanted)
             else:
-                getattr(self.drawing, f"show_{what}")(wanted)
+                _SHOW[what](drawing, wanted)
         self._due.clear()
         self.request_repaint()
 

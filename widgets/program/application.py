@@ -43,7 +43,8 @@ from PySide6.QtCore import (
 from PySide6.QtWidgets import QApplication, QWidget
 
 from app import __version__, bootstrap
-from app.document.document import Document, write_bytes_atomically
+from app.document.document import Document
+from app.document.files import write_bytes_atomically
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
 from widgets.program import opengl
 from widgets.program.display import display

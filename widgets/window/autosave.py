@@ -10,7 +10,8 @@ from pathlib import Path
 
 from PySide6.QtCore import QLockFile, QObject, QTimer, Signal
 
-from app.document.document import Document, write
+from app.document.document import Document
+from app.document.files import write
 from app.model.refusal import Refusal
 
 log = logging.getLogger(__name__)

@@ -12,6 +12,7 @@ from __future__ import annotations
 from PySide6.QtCore import QObject
 
 from app.document.compare import Picture
+from app.document.settings import compared
 from app.document.store import Store
 from app.model.refusal import Refusal
 from widgets.controls.scene_card import SceneCard
@@ -90,13 +91,13 @@ class Comparing(QObject):
     def begin(self, name: str) -> None:
         """Show one of the scene's own comparisons, the document as one of its pictures."""
         try:
-            compared = self._store.seen.compared(name)
+            document = compared(self._store.seen, name)
         except Refusal as error:
             self._messages.say(sentence(error))
             return
-        self._store.set_document(compared)  # if it is another one, a step that can be undone
+        self._store.set_document(document)  # if it is another one, a step that can be undone
         self._enlarge()
-        self.pictures.show(compared.view.compare, compared.view.dividers)
+        self.pictures.show(document.view.compare, document.view.dividers)
         self.pictures.refresh()
 
     def end(self) -> None:

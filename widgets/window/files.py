@@ -11,7 +11,8 @@ from typing import TypeVar
 from PySide6.QtCore import QObject, Signal
 from PySide6.QtWidgets import QFileDialog, QMainWindow, QMessageBox
 
-from app.document.document import MESH_ENDINGS, Document, holds_document, is_mesh, read, write
+from app.document.document import MESH_ENDINGS, Document, is_mesh
+from app.document.files import holds_document, read, write
 from app.document.store import Store
 from app.lessons.lesson import is_lesson
 from app.model.refusal import Cancelled, Refusal

@@ -11,7 +11,8 @@ from PySide6.QtCore import QByteArray, QMimeData, QObject, Signal
 from PySide6.QtGui import QGuiApplication, QImage, QOpenGLContext
 from PySide6.QtWidgets import QMainWindow
 
-from app.document.document import Document, picture_json
+from app.document.codec import picture_json
+from app.document.document import Document
 from app.model.refusal import Cancelled, Refusal
 from app.scenes.scene import Scene
 from widgets.parts import palette

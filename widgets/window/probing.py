@@ -8,7 +8,6 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Mapping
 from functools import partial
-from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject, QPointF, QRectF, Qt
 from PySide6.QtGui import QCursor, QPainter, QPalette, QPen, QPixmap
@@ -20,9 +19,6 @@ from widgets.panes.manipulation import HOLD_WITHIN_PX, Manipulation
 from widgets.panes.pane import Pane
 from widgets.parts.escape import EscapeKey
 from widgets.parts.panel import Changed, Panel, Shown
-
-if TYPE_CHECKING:
-    from app.drawings.image import ImageDrawing
 
 RING_SHARE = 0.035
 """Of the screen's height, for the ring that the mouse is while it points."""
@@ -150,7 +146,7 @@ class Probing(QObject):
 
     def begin(self, panel: Panel) -> None:
         """Follow the first vertex of the picture, if somebody opens a panel that has no probe."""
-        drawing: ImageDrawing | None = self._panes["image"].drawing
+        drawing = self._panes["image"].drawing
         if panel is not self._panel or self._panel.probes or drawing is None:
             return
         from app.drawings.probes import next_vertex, vertex_of
@@ -187,7 +183,7 @@ class Probing(QObject):
             self._manipulation.take_picture(place)
 
     def _drag(self, away: QPointF, along_ray: bool) -> None:
-        drawing: ImageDrawing | None = self._panes["image"].drawing
+        drawing = self._panes["image"].drawing
         if self._held is None or self._held.point is None or drawing is None:
             return
         projection = self._shown().projection

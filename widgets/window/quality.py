@@ -13,11 +13,11 @@ import time
 from collections.abc import Callable, Mapping
 from dataclasses import replace
 from functools import partial
-from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject
 
-from app.document.document import Document, set_values
+from app.document.document import Document
+from app.document.settings import set_values
 from app.document.store import Store
 from app.drawings.scene_bounds import bounds_px
 from app.model.refusal import Refusal
@@ -29,9 +29,6 @@ from widgets.parts.panel import EVERYTHING, PROJECTION, Changed, Shown
 from widgets.window.look import Look
 from widgets.window.settings import Settings
 from widgets.window.status_line import StatusLine
-
-if TYPE_CHECKING:
-    from app.drawings.image import ImageDrawing
 
 
 class DrawnQuality(QObject):
@@ -96,7 +93,7 @@ class DrawnQuality(QObject):
             )
         if quality.detail < 1.0 and adaptive.drawn is shown.scene:
             notes.append(self.tr("The scene has too few triangles to leave any out"))
-        image: ImageDrawing | None = self._image.drawing
+        image = self._image.drawing
         if image is not None:
             if quality.rung == "float64" != image.precision:
                 notes.append(self.tr("What has a texture can be drawn in float32 only"))

@@ -14,7 +14,7 @@ from pathlib import Path
 
 from PySide6.QtCore import QDateTime, QLocale, QObject
 
-from app.document.document import read
+from app.document.files import read
 from app.document.store import Origin, Store
 from app.model.refusal import Refusal
 from widgets.parts.message_bar import MessageBar

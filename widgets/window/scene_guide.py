@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from functools import partial
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject
 
@@ -20,9 +19,6 @@ from widgets.panes.pane import Pane
 from widgets.parts.panel import Changed, Shown
 from widgets.window.actions import Actions
 from widgets.window.drawer import Panels
-
-if TYPE_CHECKING:
-    from app.drawings.image import ImageDrawing
 
 
 class SceneGuide(QObject):
@@ -108,7 +104,7 @@ class SceneGuide(QObject):
 
     def _tell_problem(self) -> None:
         """Say, and draw again, where this computer's OpenGL refused a scene's own shader."""
-        drawing: ImageDrawing | None = self._image.drawing
+        drawing = self._image.drawing
         problem = None if drawing is None else drawing.problem
         if self._card.show_problem(problem) and problem is not None:
             self._image.request_repaint()

@@ -1,0 +1,517 @@
+"""Documents as JSON text: `parse` reads one, `to_json` writes one.
+
+Text from outside is checked here, and whatever is wrong with it is refused in one sentence. The
+table `app.document.fields` says which fields there are; the classes that hold the values check
+their bounds.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import json
+import math
+import os
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from dataclasses import fields, is_dataclass, replace
+from functools import partial
+from typing import Any, NamedTuple, TypeAlias
+
+from app.document.compare import (
+    HELD_ELSEWHERE,
+    MOST_PICTURES,
+    PARTS,
+    SOME_PICTURES,
+    Held,
+    Picture,
+)
+from app.document.document import SCENE_NAME, Document, is_mesh
+from app.document.fields import (
+    CAMERA,
+    IMAGE,
+    OBJECT,
+    QUALITY,
+    VIEW,
+    Field,
+    Tree,
+    lens_fields,
+    model_paths,
+    unknown,
+)
+from app.document.view import read_view, view_tree
+from app.model.object_transform import NOT_MOVED, ObjectTransform
+from app.model.projection import (
+    FINITE_NUMBER,
+    LENSES,
+    ONE_OF,
+    Camera,
+    FreeMatrix,
+    Lens,
+    Projection,
+)
+from app.model.refusal import QT_TRANSLATE_NOOP, Bound, Refusal, format_value, shown_name
+from app.precision.quality import Quality
+from app.scenes.phenomena.settings import YES_OR_NO
+
+Path: TypeAlias = str | os.PathLike[str]
+
+FORMAT = "frustum-lab"
+
+
+def _with_view(tree: Tree) -> Tree:
+    """Version 1 had the panes' cameras at the top, and gave no meaning to a key "view"."""
+    strange = {"version 1": tree.pop("view")} if "view" in tree else {}
+    panes = {"panes": tree.pop("views")} if "views" in tree else {}
+    return tree | ({"view": panes | strange} if panes or strange else {})
+
+
+MIGRATIONS: tuple[Callable[[Tree], Tree], ...] = (_with_view,)
+"""Step i turns a document of version i + 1 into one of version i + 2."""
+VERSION = len(MIGRATIONS) + 1
+"""Version of the documents that are written."""
+
+MOST_VALUES = 200_000
+"""Most values of a document, counted by its commas: reading takes microseconds for each."""
+SHORTEST = 1e-100
+"""Shortest distance and shortest up vector of a pane's own camera: VTK squares them."""
+DEEPEST = 50
+"""Most levels of brackets in a document, far below what Python's recursion can write again."""
+LONGEST_SHOWN = 60
+"""Most characters of a key in a refusal."""
+
+MISSING = QT_TRANSLATE_NOOP("Refusal", "is missing")
+EMPTY = QT_TRANSLATE_NOOP("Refusal", "is empty")
+BROKEN = QT_TRANSLATE_NOOP(
+    "Refusal", "is broken or cut short: from line {0}, column {1} on it is not JSON"
+)
+FOREIGN = QT_TRANSLATE_NOOP("Refusal", "is not a Frustum Lab document")
+NEWER = QT_TRANSLATE_NOOP(
+    "Refusal",
+    "was written by a newer Frustum Lab: its version is {0}, this program reads up to {1}",
+)
+VERSION_NUMBER = QT_TRANSLATE_NOOP("Refusal", "must be a whole number from 1 on")
+TWICE = QT_TRANSLATE_NOOP("Refusal", "is given twice")
+FINITE_OR_INF = QT_TRANSLATE_NOOP("Refusal", "must be a finite number or inf")
+TOO_DEEP = QT_TRANSLATE_NOOP("Refusal", "has more than {0} levels of brackets")
+TOO_MANY = QT_TRANSLATE_NOOP("Refusal", "has more than {0} values")
+MAPPING = QT_TRANSLATE_NOOP("Refusal", "must be an object with named values in braces")
+AWAY_FROM_TARGET = QT_TRANSLATE_NOOP("Refusal", "must be at least {0} away from the target")
+LONGER = QT_TRANSLATE_NOOP("Refusal", "must be at least {0} long")
+A_NAME = QT_TRANSLATE_NOOP("Refusal", "must be a name")
+SOME_CHANGES = QT_TRANSLATE_NOOP("Refusal", "must be a list of texts NAME=VALUE")
+
+
+# --------------------------------------------------------------------------- text to tree
+
+
+class _Literal(str):
+    """A number that no float can hold, as it was typed: shown without quotes."""
+
+    def __repr__(self) -> str:
+        return str(self)
+
+
+class _Refused(NamedTuple):
+    """Stands in a tree for what must not be there, until its path is known."""
+
+    bound: Bound
+    key: str = ""
+    value: object = ...
+
+
+def _read_pairs(pairs: list[tuple[str, Any]]) -> Tree | _Refused:
+    tree: Tree = {}
+    for key, value in pairs:
+        if key in tree:
+            return _Refused(TWICE, key)
+        tree[key] = value
+    return tree
+
+
+def _read_number(make: Callable[[str], float], text: str) -> float | _Refused:
+    return make(text) if math.isfinite(float(text)) else _not_finite(text)
+
+
+def _not_finite(text: str) -> _Refused:
+    return _Refused(FINITE_NUMBER, "", _Literal(text))
+
+
+def _check_tree(value: Any, path: str, depth: int) -> None:
+    """Refuse, by its path, what JSON's grammar lets through."""
+    if isinstance(value, _Refused):
+        path = _join(path, value.key) if value.key else path
+        if not path:
+            raise Refusal.in_document(FOREIGN)
+        raise Refusal.in_document(value.bound, field=path, value=value.value)
+    if depth > DEEPEST:
+        raise Refusal.in_document(TOO_DEEP, DEEPEST)
+    parts = value.items() if isinstance(value, dict) else enumerate(value)
+    for key, part in parts:
+        if isinstance(part, (dict, list, _Refused)):
+            inner = _join(path, key) if isinstance(key, str) else f"{path}[{key}]"
+            if key == "far" and isinstance(part, _Refused) and part.bound == FINITE_NUMBER:
+                part = part._replace(bound=_bound_of_far(value.get("kind")))
+            _check_tree(part, inner, depth + 1)
+
+
+def _bound_of_far(kind: object) -> Bound:
+    """The bound of a lens' far, which may be infinite for some lenses only."""
+    lens = LENSES.get(kind) if isinstance(kind, str) else None
+    return FINITE_OR_INF if lens is not None and lens.far_may_be_infinite else FINITE_NUMBER
+
+
+def _join(path: str, key: str) -> str:
+    shown = shown_name(key[:LONGEST_SHOWN])
+    return f"{path}.{shown}" if path else shown
+
+
+def parse(text: str, folder: Path | None = None) -> Document:
+    """Read a document from its text.
+
+    Parameters
+    ----------
+    text : str
+        JSON as `to_json` writes it.
+    folder : path, optional
+        The folder of the text; a mesh's path starts there.
+
+    Raises
+    ------
+    Refusal
+        For anything but a valid document.
+    """
+    text = text.removeprefix("\ufeff")  # some editors' mark that the text is UTF-8
+    if not text.strip():
+        raise Refusal.in_document(EMPTY)
+    if text.count(",") >= MOST_VALUES:
+        raise Refusal.in_document(TOO_MANY, MOST_VALUES)
+    try:
+        tree = json.loads(
+            text,
+            object_pairs_hook=_read_pairs,
+            parse_float=partial(_read_number, float),
+            parse_int=partial(_read_number, int),
+            parse_constant=_not_finite,
+        )
+    except json.JSONDecodeError as error:
+        raise Refusal.in_document(BROKEN, error.lineno, error.colno) from error
+    except RecursionError as error:
+        raise Refusal.in_document(TOO_DEEP, DEEPEST) from error
+    if isinstance(tree, (dict, list, _Refused)):
+        _check_tree(tree, "", 0)
+    if not isinstance(tree, dict) or tree.get("format") != FORMAT:
+        raise Refusal.in_document(FOREIGN)
+    version = _whole(_required(tree, "version"))
+    if isinstance(version, bool) or not isinstance(version, int) or version < 1:
+        raise Refusal.in_document(VERSION_NUMBER, field="version", value=version)
+    if version > VERSION:
+        raise Refusal.in_document(NEWER, format_value(version), VERSION)
+    for step in MIGRATIONS[version - 1 :]:
+        tree = step(tree)
+    try:
+        return from_tree(tree, folder)
+    except Refusal as error:
+        if version == 1 and error.field.startswith("view.panes"):  # where the file has them
+            error.field = error.field.replace("view.panes", "views", 1)
+        raise
+
+
+# --------------------------------------------------------------------------- tree to document
+
+
+def _whole(number: Any) -> Any:
+    """JSON knows one kind of number: 800.0 is 800."""
+    return int(number) if isinstance(number, float) and number.is_integer() else number
+
+
+def _required(tree: Tree, key: str, section: str = "") -> Any:
+    if key not in tree:
+        raise Refusal.in_document(MISSING, field=f"{section}.{key}" if section else key)
+    return tree[key]
+
+
+def _mapping(value: Any, path: str) -> Tree:
+    if not isinstance(value, dict):
+        raise Refusal.in_document(MAPPING, field=path, value=value)
+    return value
+
+
+def _values(section: Any, known: Iterable[Field], path: str) -> Tree:
+    """The known fields of a section; refused without one that is required."""
+    values, known = _mapping(section, path), tuple(known)
+    for each in known:
+        if each.required:
+            _required(values, each.name, path)
+    return {each.name: values[each.name] for each in known if each.name in values}
+
+
+@contextlib.contextmanager
+def document_paths(section: str = "") -> Iterator[None]:
+    """Give the model's refusals their paths in the document; in a section, if one is given."""
+    try:
+        yield
+    except Refusal as error:
+        if error.file is not None:  # which has its path
+            raise
+        name, bracket, cell = error.field.partition("[")
+        path = f"{section}.{name}" if section else model_paths().get(name, name)
+        raise Refusal.in_document(
+            error.bound, *error.limits, field=path + bracket + cell, value=error.value
+        ) from error
+
+
+@document_paths()
+def from_tree(tree: Tree, folder: Path | None = None) -> Document:
+    """Make a document of the current version from its JSON tree.
+
+    Parameters
+    ----------
+    tree : dict
+    folder : path, optional
+        As for `parse`.
+
+    Raises
+    ------
+    Refusal
+        For what is no document.
+    """
+    scene = _required(tree, "scene")
+    if not isinstance(scene, str):
+        raise Refusal.in_document(SCENE_NAME, field="scene", value=scene)
+    mesh = tree.get("mesh", "")
+    if folder is not None:
+        if is_mesh(scene):
+            scene = os.path.normpath(os.path.join(os.path.realpath(folder), scene))
+        if isinstance(mesh, str) and mesh:
+            mesh = os.path.normpath(os.path.join(os.path.realpath(folder), mesh))
+    settings = _mapping(tree.get("settings", {}), "settings")
+    camera = Camera(**_values(_required(tree, "camera"), CAMERA, "camera"))
+    lens = _lens(_required(tree, "lens"), "lens")
+    size = _values(_required(tree, "image"), IMAGE, "image")
+    depth = _required(tree, "depth")
+    placement = ObjectTransform(**_values(tree.get("object", {}), OBJECT, "object"))
+    width, height = map(_whole, size.values())
+    projection = Projection(camera, lens, (width, height), depth, placement)
+    values = _values(tree.get("view", {}), VIEW, "view")
+    panes = _mapping(values.get("panes", {}), "view.panes")
+    cameras = {name: _pane_camera(panes[name], _join("view.panes", name)) for name in panes}
+    pictures = _pictures(values.get("compare", []), scene, mesh)
+    with document_paths("view"):
+        view = read_view(values, cameras, pictures)
+    quality = Quality(**_values(tree.get("quality", {}), QUALITY, "quality"))
+    extra = unknown(tree, scene, lens.kind, cameras)
+    return Document(scene, projection, extra, view, settings, mesh, quality)
+
+
+def _lens(section: Any, path: str) -> Lens:
+    """A lens; the lens that a free matrix replaced has a path of its own, and is no free matrix."""
+    kind = _required(_mapping(section, path), "kind", path)
+    owners = LENSES | ({FreeMatrix.kind: FreeMatrix} if path == "lens" else {})
+    if not isinstance(kind, str) or kind not in owners:
+        raise Refusal.in_document(ONE_OF, ", ".join(owners), field=f"{path}.kind", value=kind)
+    values = _values(section, lens_fields(kind), path)
+    if "former" in values:
+        values["former"] = _lens(values["former"], f"{path}.former")
+    if values.get("far") == "inf":
+        values["far"] = math.inf
+    with document_paths(path):
+        try:
+            lens: Lens = owners[kind](**values)
+            return lens
+        except Refusal as error:
+            if error.field == "far" and error.bound == FINITE_NUMBER:
+                error.bound = _bound_of_far(kind)
+            raise
+
+
+def _pane_camera(section: Any, path: str) -> Camera:
+    with document_paths(path):
+        camera = Camera(**_values(section, CAMERA, path))
+        if camera.distance < SHORTEST:
+            raise Refusal("eye", camera.eye, AWAY_FROM_TARGET, SHORTEST)
+        if math.hypot(*camera.up) < SHORTEST:
+            raise Refusal("up", camera.up, LONGER, SHORTEST)
+    return camera
+
+
+def _pictures(value: Any, scene: str, mesh: Any) -> tuple[Picture, ...]:
+    """The pictures that a document is compared with, as `_picture_tree` writes them."""
+    path = "view.compare"
+    if not isinstance(value, list) or len(value) > MOST_PICTURES:
+        raise Refusal.in_document(SOME_PICTURES, MOST_PICTURES, field=path, value=value)
+    pictures = []
+    for place, part in enumerate(value):
+        where = f"{path}[{place}]"
+        values: Tree = {"name": "", "set": [], "live": False, "held": {}} | _mapping(part, where)
+        texts = isinstance(values["set"], list) and all(isinstance(x, str) for x in values["set"])
+        for key, fits, bound in (
+            ("name", isinstance(values["name"], str), A_NAME),
+            ("set", texts, SOME_CHANGES),
+            ("live", isinstance(values["live"], bool), YES_OR_NO),
+            ("held", isinstance(values["held"], dict), MAPPING),
+        ):
+            if not fits:
+                raise Refusal.in_document(bound, field=f"{where}.{key}", value=values[key])
+        held = _held(part["held"], f"{where}.held", scene, mesh) if "held" in part else None
+        with document_paths(where):
+            pictures.append(Picture(values["name"], tuple(values["set"]), held, values["live"]))
+    return tuple(pictures)
+
+
+def _held(values: Tree, path: str, scene: str, mesh: Any) -> Held:
+    """A held state, which must be of the document's own scene."""
+    for key, own in (("scene", scene), ("mesh", mesh)):
+        if values.get(key, own) != own:
+            field = f"{path}.{key}"
+            raise Refusal.in_document(HELD_ELSEWHERE, repr(own), field=field, value=values[key])
+    try:
+        return from_tree(
+            {key: values[key] for key in PARTS if key in values} | {"scene": scene}
+        ).state
+    except Refusal as error:  # its path starts at the held state
+        error.field = f"{path}.{error.field}" if error.field else path
+        raise
+
+
+# --------------------------------------------------------------------------- document to text
+
+
+def to_json(document: Document, folder: Path | None = None) -> str:
+    """Write a document as text; `parse` gives back exactly the same document.
+
+    Parameters
+    ----------
+    document : Document
+    folder : path, optional
+        The folder that the text will be in. A mesh near it is named from there, so that both can
+        be moved together.
+
+    Returns
+    -------
+    str
+        One line for each part::
+
+            {
+              "format": "frustum-lab",
+              "version": 2,
+              "scene": "letter-f",
+              "camera": {"eye": [6, 5, 9], "target": [0, 2.2, 0], "up": [0, 1, 0]},
+              "lens": {"kind": "perspective", "fov_y_deg": 45, "near": 4, "far": 18},
+              "depth": "opengl",
+              "image": {"width": 1280, "height": 720}
+            }
+
+        An infinite far is ``"inf"``. ``settings``, ``mesh``, ``object``, ``quality`` and ``view``
+        are written where they differ from their defaults. Keys that were not known when the
+        document was read are written again.
+    """
+    tree = to_tree(document)
+    if folder is not None:
+        for key in ("scene", "mesh"):
+            if key in tree:
+                tree[key] = _mesh_from(tree[key], folder)
+    text = _dump(tree, ensure_ascii=False)
+    try:
+        text.encode()
+    except UnicodeEncodeError:  # a file name that is not UTF-8, as POSIX allows
+        return _dump(tree, ensure_ascii=True)
+    return text
+
+
+def picture_json(document: Document) -> str:
+    """Write a document as the text that a picture carries, which goes to strangers.
+
+    It names a mesh without its folders, which are private; the mesh is looked for beside the
+    picture.
+    """
+    scene = os.path.basename(document.scene) if is_mesh(document.scene) else document.scene
+    return to_json(replace(document, scene=scene, mesh=os.path.basename(document.mesh)))
+
+
+def _dump(tree: Tree, ensure_ascii: bool) -> str:
+    dump = partial(json.dumps, ensure_ascii=ensure_ascii, allow_nan=False)
+    return "{\n" + ",\n".join(f"  {dump(k)}: {dump(v)}" for k, v in tree.items()) + "\n}\n"
+
+
+def to_tree(document: Document) -> Tree:
+    """A document as JSON has it; `from_tree` reads it."""
+    projection, quality = document.projection, document.quality
+    width, height = projection.image_size
+    moved = projection.placement != NOT_MOVED
+    tree: Tree = {
+        "format": FORMAT,
+        "version": VERSION,
+        "scene": document.scene,
+        "mesh": document.mesh,
+        "settings": _plain(document.settings),
+        "object": _plain(projection.placement) if moved else {},
+        "camera": _plain(projection.camera),
+        "lens": _plain(projection.lens),
+        "depth": projection.depth,
+        "image": {"width": width, "height": height},
+        "quality": _plain(quality.chosen),
+        "view": _plain(view_tree(document.view)),
+    }
+    if moved and projection.placement.order == NOT_MOVED.order:
+        del tree["object"]["order"]
+    if document.view.panes:
+        tree["view"]["panes"] = _plain(document.view.panes)
+    if document.view.compare:
+        pictures = document.view.compare
+        tree["view"]["compare"] = [_picture_tree(picture, document.scene) for picture in pictures]
+    tree = {key: value for key, value in tree.items() if value not in ("", {})}
+    _add(tree, document.extra)
+    return tree
+
+
+def _plain(value: Any) -> Any:
+    """A value, or a part of a document, as JSON has it.
+
+    A number is 6, not 6.0, and infinity, for which JSON has no word, is ``"inf"``.
+    """
+    if is_dataclass(value):
+        parts = {each.name: getattr(value, each.name) for each in fields(value)}
+        kind = {"kind": value.kind} if isinstance(value, Lens) else {}
+        return kind | {key: _plain(part) for key, part in parts.items() if part is not None}
+    if isinstance(value, Mapping):
+        return {key: _plain(part) for key, part in value.items()}
+    if isinstance(value, (tuple, list)):
+        return [_plain(part) for part in value]
+    if not isinstance(value, float):
+        return value
+    if value == math.inf:
+        return "inf"
+    if value.is_integer() and abs(value) < 1e15 and (value or math.copysign(1.0, value) > 0):
+        return int(value)
+    return value
+
+
+def _add(tree: Tree, extra: Tree) -> None:
+    """Put unknown keys back where they stood."""
+    for key, value in extra.items():
+        if key not in tree:
+            tree[key] = dict(value) if isinstance(value, dict) else value
+        elif isinstance(tree[key], dict):
+            _add(tree[key], value)
+
+
+def _picture_tree(picture: Picture, scene: str) -> Tree:
+    tree: Tree = {"name": picture.name, "set": list(picture.changes), "live": picture.live}
+    tree = {key: value for key, value in tree.items() if value}
+    if picture.held is not None:
+        held = Document(scene, picture.held.projection, settings=picture.held.settings)
+        tree["held"] = {key: value for key, value in to_tree(held).items() if key in PARTS}
+    return tree
+
+
+def _mesh_from(path: str, folder: Path) -> str:
+    """Name a mesh as seen from a folder, if it is below it or at most two levels beside it."""
+    if not is_mesh(path):  # a built-in scene
+        return path
+    # The mesh's own name may be a link to a far store of data, and that is how it is wanted.
+    place, name = os.path.split(os.path.abspath(path))
+    mesh = os.path.join(os.path.realpath(place), name)
+    with contextlib.suppress(ValueError):  # on another drive of Windows
+        relative = os.path.relpath(mesh, os.path.realpath(folder))
+        if relative.split(os.sep)[:3] != [os.pardir] * 3:
+            mesh = relative
+    return mesh.replace(os.sep, "/")

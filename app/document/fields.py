@@ -1,0 +1,208 @@
+"""The fields of a document: one table that reading, writing and ``--set`` follow.
+
+The table says where a field stands, how a person types it, and whether a file must have it. The
+bounds of the values themselves are checked by the classes that hold them, once for the whole
+program.
+"""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Callable, Iterable
+from dataclasses import fields
+from typing import Any, NamedTuple, TypeAlias
+
+from app.document.view import View
+from app.model.limits import FINITE_NUMBER, FOUR_BY_FOUR, THREE_NUMBERS, WHOLE_PIXELS
+from app.model.object_transform import ObjectTransform
+from app.model.projection import LARGEST_IMAGE_PX, LENSES, Camera, FreeMatrix, kinds
+from app.model.refusal import QT_TRANSLATE_NOOP
+from app.precision.quality import Quality
+from app.scenes.phenomena import PHENOMENA
+
+Tree: TypeAlias = dict[str, Any]
+
+POINTS = QT_TRANSLATE_NOOP("Refusal", "must be x, y, z of one point after the other")
+SECTIONS = ("settings", "object", "camera", "lens", "image", "quality", "view")
+
+# What float() takes and no document would: 1_000, nan, infinity, digits of other scripts.
+_NUMBER = re.compile(r"[+-]?([0-9]+(\.[0-9]*)?|\.[0-9]+)([eE][+-]?[0-9]+)?")
+
+
+class Kind(NamedTuple):
+    """How a value is typed after ``--set``.
+
+    Attributes
+    ----------
+    read : callable
+        Turns the text into the value that JSON would have, or None if it cannot.
+    bound : tuple
+        The bound that such a text breaks, and the bound's limits.
+    """
+
+    read: Callable[[str], Any]
+    bound: tuple[Any, ...] = ()
+
+
+class Field(NamedTuple):
+    """One value of a document.
+
+    Attributes
+    ----------
+    section, name : str
+        Where it stands; the top level is section ``""``.
+    kind : Kind or None
+        None for what ``--set`` cannot set.
+    required : bool
+        Whether its section must have it.
+    """
+
+    section: str
+    name: str
+    kind: Kind | None
+    required: bool = False
+
+    @property
+    def path(self) -> str:
+        return f"{self.section}.{self.name}" if self.section else self.name
+
+
+# --------------------------------------------------------------------------- how values are typed
+
+
+def number(text: str) -> float | None:
+    """A number in the C locale; None for any other text, and for what float64 cannot hold."""
+    value = float(text) if _NUMBER.fullmatch(text) else math.inf
+    return value if math.isfinite(value) else None
+
+
+def numbers(text: str) -> list[float] | None:
+    """Numbers with commas between them; None if one of them is not a number."""
+    found = [number(part.strip()) for part in text.split(",")] if text else []
+    values = [value for value in found if value is not None]
+    return values if len(values) == len(found) else None
+
+
+def _rows(text: str, width: int, least: int, most: float) -> list[list[float]] | None:
+    """Numbers in rows of equal width; None unless they fill a number of rows that is allowed."""
+    values = numbers(text)
+    if values is None or len(values) % width or not least <= len(values) // width <= most:
+        return None
+    return [values[i : i + width] for i in range(0, len(values), width)]
+
+
+def _number_or_word(text: str) -> float | str:
+    value = number(text)
+    return text if value is None else value
+
+
+TEXT = Kind(str)
+NUMBER = Kind(number, (FINITE_NUMBER,))
+NUMBER_OR_WORD = Kind(_number_or_word)
+PIXELS = Kind(number, (WHOLE_PIXELS, LARGEST_IMAGE_PX))
+SWITCH = Kind(lambda text: {"true": True, "false": False}.get(text, text))
+VECTOR = Kind(lambda text: next(iter(_rows(text, 3, 1, 1) or ()), None), (THREE_NUMBERS,))
+MATRIX = Kind(lambda text: _rows(text, 4, 4, 4), (FOUR_BY_FOUR,))
+PROBES = Kind(lambda text: _rows(text, 3, 0, math.inf), (POINTS,))
+NAMES = Kind(lambda text: [name.strip() for name in text.split(",") if name.strip()])
+
+
+# --------------------------------------------------------------------------- the table
+
+_BY_TYPE = {"float": NUMBER, "Vector": VECTOR, "Cells": MATRIX}
+_BY_DEFAULT = {bool: SWITCH, str: TEXT, tuple: VECTOR}
+
+
+def _fields(section: str, owner: type, required: bool, **kinds: Kind | None) -> tuple[Field, ...]:
+    """A section that is a dataclass, field by field; texts and options are never required."""
+    found = []
+    for each in fields(owner):
+        kind = _BY_TYPE.get(str(each.type).removesuffix(" | None"), TEXT)
+        needed = required and each.type in _BY_TYPE
+        found.append(Field(section, each.name, kinds.get(each.name, kind), needed))
+    return tuple(found)
+
+
+TOP = tuple(Field("", name, TEXT) for name in ("scene", "mesh", "depth"))
+OBJECT = _fields("object", ObjectTransform, required=False)
+CAMERA = _fields("camera", Camera, required=True)
+IMAGE = tuple(Field("image", name, PIXELS, required=True) for name in ("width", "height"))
+QUALITY = _fields("quality", Quality, required=False)
+VIEW = _fields(
+    "view", View, required=False,
+    stage=NUMBER_OR_WORD, layers=NAMES, probes=PROBES, pinned=None, panes=None,
+)  # fmt: skip
+
+
+def lens_fields(kind: object) -> tuple[Field, ...]:
+    """The fields of a kind of lens, without the kind itself; none of an unknown kind."""
+    if not isinstance(kind, str) or kind not in kinds():
+        return ()
+    owner = LENSES.get(kind, FreeMatrix)
+    return _fields("lens", owner, required=True, far=NUMBER_OR_WORD, former=None)
+
+
+def fields_of(scene: str, kind: object) -> tuple[Field, ...]:
+    """The fields of a document that shows this scene with this kind of lens."""
+    settings = PHENOMENA[scene].settings if scene in PHENOMENA else ()
+    return (
+        *TOP,
+        *(
+            Field("settings", each.name, _BY_DEFAULT.get(type(each.default), NUMBER))
+            for each in settings
+        ),
+        *OBJECT,
+        *CAMERA,
+        Field("lens", "kind", TEXT, required=True),
+        *lens_fields(kind),
+        *IMAGE,
+        *QUALITY,
+        *VIEW,
+    )
+
+
+def model_paths() -> dict[str, str]:
+    """The paths of the model's fields in the document, where they are not the same."""
+    model = ("camera", "object", "lens", "image")
+    return {
+        field.name: field.path
+        for kind in kinds()
+        for field in fields_of("", kind)
+        if field.section in model
+    }
+
+
+def unknown(tree: Tree, scene: str, kind: object, panes: Iterable[str]) -> Tree:
+    """The part of a document's tree whose keys this program does not know.
+
+    Parameters
+    ----------
+    tree : dict
+    scene : str
+    kind : object
+        Of the lens.
+    panes : iterable of str
+        The panes whose cameras the document has: labels of others go with their cameras.
+    """
+    known: Tree = {"format": None, "version": None, **{section: {} for section in SECTIONS}}
+    for field in fields_of(scene, kind):
+        (known[field.section] if field.section else known)[field.name] = None
+    former = tree.get("lens", {}).get("former")
+    if "former" in known["lens"] and isinstance(former, dict):
+        names = ["kind", *(field.name for field in lens_fields(former.get("kind")))]
+        known["lens"]["former"] = dict.fromkeys(names)
+    camera = {field.name: None for field in CAMERA}
+    labelled = tree.get("view", {}).get("panes", {})
+    known["view"]["panes"] = dict.fromkeys(labelled) | dict.fromkeys(panes, camera)
+    return _without(tree, known)
+
+
+def _without(tree: Tree, known: Tree) -> Tree:
+    """A tree without the known keys; what is known of an inner tree is a tree, too."""
+    left = {key: value for key, value in tree.items() if key not in known}
+    for key, inner in known.items():
+        if inner is not None and isinstance(part := tree.get(key), dict):
+            inside = _without(part, inner)
+            left |= {key: inside} if inside else {}
+    return left

@@ -1,0 +1,296 @@
+"""Documents in files: read with care, written whole or not at all.
+
+A document is a JSON file, or it travels in a PNG picture as an iTXt chunk.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import os
+import re
+import secrets
+import stat
+import struct
+import sys
+import time
+import zlib
+from collections.abc import Iterator
+from functools import partial
+from typing import BinaryIO
+
+from app.document.codec import BROKEN, EMPTY, FOREIGN, FORMAT, Path, parse, to_json
+from app.document.document import MESH_ENDINGS, Document, is_mesh
+from app.model.refusal import QT_TRANSLATE_NOOP, Bound, Refusal
+from app.strangers import open_regular
+
+if sys.platform != "win32":
+    import fcntl
+
+LARGEST_DOCUMENT = 16 * 2**20
+"""Most bytes read as a document; one of a thousand keys of its own has 100 000."""
+LARGEST_PICTURE = 2**30
+"""Most bytes read as a PNG picture."""
+STALE_S = 60.0
+"""On Windows, the age at which an unfinished file is taken for that of a killed program."""
+
+NOT_TEXT = QT_TRANSLATE_NOOP("Refusal", "is not a Frustum Lab document: it is not UTF-8 text")
+TOO_LARGE = QT_TRANSLATE_NOOP("Refusal", "is larger than {0} MiB")
+NO_FILE = QT_TRANSLATE_NOOP("Refusal", "does not exist")
+FOLDER = QT_TRANSLATE_NOOP("Refusal", "is a folder, not a file")
+WRITE_PROTECTED = QT_TRANSLATE_NOOP("Refusal", "cannot be written: it is write-protected")
+NOT_REGULAR = QT_TRANSLATE_NOOP(
+    "Refusal", "cannot be written: it is a pipe or a device, not a regular file"
+)
+UNREADABLE = QT_TRANSLATE_NOOP("Refusal", "cannot be read: {0}")
+UNWRITABLE = QT_TRANSLATE_NOOP("Refusal", "cannot be written: {0}")
+BAD_NAME = QT_TRANSLATE_NOOP("Refusal", "is not a name that a file can have")
+BROKEN_PICTURE = QT_TRANSLATE_NOOP(
+    "Refusal", "is not a whole PNG picture: it is broken or cut short"
+)
+NEITHER = QT_TRANSLATE_NOOP(
+    "Refusal",
+    "is neither a document (.json), a lesson (.md), an exported picture (.png) nor a mesh ({0})",
+)
+PLAIN_PICTURE = QT_TRANSLATE_NOOP("Refusal", "is a picture without a Frustum Lab document in it")
+
+
+@contextlib.contextmanager
+def blamed_on(path: Path, bound: Bound) -> Iterator[None]:
+    """Name the file in what is raised, and turn the system's complaints into a sentence."""
+    file = os.fspath(path)
+    if "\0" in file:
+        raise Refusal.in_document(BAD_NAME, file=file)
+    try:
+        yield
+    except Refusal as error:
+        error.file = file
+        raise
+    except OSError as error:
+        if isinstance(error, FileNotFoundError) and bound == UNREADABLE:
+            raise Refusal.in_document(NO_FILE, file=file) from error
+        raise Refusal.in_document(bound, error.strerror or error, file=file) from error
+    except UnicodeEncodeError as error:  # a half of a surrogate pair
+        raise Refusal.in_document(BAD_NAME, file=file) from error
+
+
+# --------------------------------------------------------------------------- reading
+
+
+def read(path: Path) -> Document:
+    """Read a document from its file, or from a PNG picture that carries one.
+
+    The content decides which of the two it is, not the name.
+
+    Raises
+    ------
+    Refusal
+        If there is no such file, it cannot be read, or it is not a valid document.
+    """
+    with blamed_on(path, UNREADABLE):
+        content = _read_bytes(path)
+        folder = os.path.dirname(os.path.realpath(path))
+        if content.startswith(_PNG):
+            text = extract(content)
+            if text is None:
+                raise Refusal.in_document(PLAIN_PICTURE)
+            # A picture names its mesh without folders. It lies beside the link, or the picture.
+            document = parse(text, os.path.dirname(os.path.abspath(path)))
+            if os.path.exists(document.scene if is_mesh(document.scene) else document.mesh):
+                return document
+            return parse(text, folder)
+        ending = os.path.splitext(path)[1].lower()
+        try:
+            return parse(_decode(content), folder)
+        except Refusal as error:
+            if ending == ".json" or error.bound not in (BROKEN, EMPTY, FOREIGN, NOT_TEXT):
+                raise
+            if ending == ".png":
+                raise Refusal.in_document(BROKEN_PICTURE) from error
+            raise Refusal.in_document(NEITHER, ", ".join(MESH_ENDINGS)) from error
+
+
+def holds_document(path: Path) -> bool:
+    """Whether a file that was read can be saved in: it is no mesh, picture or device."""
+    if is_mesh(os.fspath(path)) or not os.path.isfile(path):
+        return False
+    with open_regular(path) as file:
+        return file.read(len(_PNG)) != _PNG
+
+
+def _decode(content: bytes) -> str:
+    try:
+        return content.decode()
+    except UnicodeDecodeError as error:
+        raise Refusal.in_document(NOT_TEXT) from error
+
+
+def _read_bytes(path: Path) -> bytes:
+    if os.path.isdir(path):
+        raise Refusal.in_document(FOLDER)
+    with open_regular(path) as file:
+        content = file.read(len(_PNG))
+        limit = LARGEST_PICTURE if content == _PNG else LARGEST_DOCUMENT
+        content += file.read(limit - len(content) + 1)
+    if len(content) > limit:
+        raise Refusal.in_document(TOO_LARGE, limit // 2**20)
+    return content
+
+
+# --------------------------------------------------------------------------- PNG pictures
+
+# Pillow writes the chunk (`app.drawings.figures`). It is read here: Pillow decodes all pixels to
+# see what follows them, refuses compressed texts above 1 MB, and lets a damaged end pass.
+_PNG = b"\x89PNG\r\n\x1a\n"
+_KEYWORD = FORMAT.encode() + b"\0"
+
+
+def extract(png: bytes) -> str | None:
+    """The text of the document in a PNG picture, or None if there is none.
+
+    Raises
+    ------
+    Refusal
+        If `png` is not a whole PNG picture, or the text in it is broken.
+    """
+    try:
+        texts = [_text(body) for kind, body in _chunks(png) if kind == b"iTXt"]
+    except (ValueError, struct.error, zlib.error) as error:
+        raise Refusal.in_document(BROKEN_PICTURE) from error
+    return next((text for text in texts if text is not None), None)
+
+
+def _chunks(png: bytes) -> Iterator[tuple[bytes, memoryview]]:
+    """Kind and content of each chunk; a `ValueError` or `struct.error` if one is damaged."""
+    view, begin, kind = memoryview(png), len(_PNG), b""
+    if not png.startswith(_PNG) or not png.startswith(b"IHDR", begin + 4):
+        raise ValueError(png[:16])
+    while kind != b"IEND":
+        length, kind = struct.unpack_from(">I4s", png, begin)
+        end = begin + 8 + length
+        if struct.unpack_from(">I", png, end)[0] != zlib.crc32(view[begin + 4 : end]):
+            raise ValueError(kind)
+        yield kind, view[begin + 8 : end]
+        begin = end + 4
+
+
+def _text(body: memoryview) -> str | None:
+    """The text of an iTXt chunk of ours; other programs may have compressed it."""
+    content = bytes(body)
+    if not content.startswith(_KEYWORD):
+        return None
+    content = content.removeprefix(_KEYWORD)
+    _language, _translated, text = content[2:].split(b"\0", 2)
+    if content[:1] == b"\1":
+        unpacked = zlib.decompressobj()
+        text = unpacked.decompress(text, LARGEST_DOCUMENT)
+        if not unpacked.eof:
+            raise ValueError(_KEYWORD)
+    return text.decode()
+
+
+# --------------------------------------------------------------------------- writing
+
+
+def write(document: Document, path: Path) -> None:
+    """Write a document to its file, as `write_bytes_atomically` does."""
+    with blamed_on(path, UNWRITABLE):
+        folder = os.path.dirname(os.path.realpath(path))
+    write_bytes_atomically(path, to_json(document, folder).encode())
+
+
+def write_bytes_atomically(path: Path, content: bytes) -> None:
+    """Write a file whole or not at all, even if the power fails.
+
+    The content goes to a new file in the same folder, which takes the old one's name when it is
+    safely on the disk. A link is followed; the permissions of an old file are kept. What a killed
+    program left unfinished is removed by the next one that writes there.
+
+    Raises
+    ------
+    Refusal
+        If it cannot be written; an old file is as it was.
+    """
+    with blamed_on(path, UNWRITABLE):
+        target = os.path.realpath(path)
+        mode = _mode_to_keep(target)
+        folder = os.path.dirname(target)
+        _remove_unfinished(folder)
+        unfinished = _create_unfinished(folder, 0o666 if mode is None else 0o600)
+        try:
+            with unfinished:
+                if mode is not None:
+                    os.chmod(unfinished.name, stat.S_IMODE(mode))
+                unfinished.write(content)
+                unfinished.flush()
+                os.fsync(unfinished.fileno())
+                if sys.platform != "win32":  # while the lock is held
+                    os.replace(unfinished.name, target)
+            if sys.platform == "win32":  # which renames closed files only
+                os.replace(unfinished.name, target)
+        except BaseException:
+            with contextlib.suppress(OSError):
+                os.unlink(unfinished.name)
+            raise
+        _sync_folder(folder)
+
+
+def _mode_to_keep(target: str) -> int | None:
+    """The old file's mode; None if there is no old file."""
+    try:
+        mode = os.stat(target).st_mode
+    except FileNotFoundError:
+        return None
+    if stat.S_ISDIR(mode):
+        raise Refusal.in_document(FOLDER)
+    if not stat.S_ISREG(mode):  # it would wait for a reader, or overwrite a disk
+        raise Refusal.in_document(NOT_REGULAR)
+    if not os.access(target, os.W_OK):  # replacing it would get round its owner's wish
+        raise Refusal.in_document(WRITE_PROTECTED)
+    return mode
+
+
+_UNFINISHED = re.compile(r"\.frustum-lab-[0-9a-f]{8}\.tmp")
+
+
+def _create_unfinished(folder: str, mode: int) -> BinaryIO:
+    while True:
+        path = os.path.join(folder, f".frustum-lab-{secrets.token_hex(4)}.tmp")
+        file = open(path, "xb", opener=partial(os.open, mode=mode))  # noqa: SIM115 the caller closes it
+        if not _lock(file, wait=True) or os.path.exists(path):
+            return file
+        file.close()  # another program took it for a dead one's before it was locked
+
+
+def _lock(file: BinaryIO, wait: bool) -> bool:
+    """Lock a file for as long as it is open; False where that cannot be done."""
+    if sys.platform != "win32":
+        with contextlib.suppress(OSError):  # held by another, or a file system without locks
+            fcntl.flock(file, fcntl.LOCK_EX | (0 if wait else fcntl.LOCK_NB))
+            return True
+    return False
+
+
+def _remove_unfinished(folder: str) -> None:
+    """Remove what killed programs left: files of ours that nobody holds locked."""
+    with contextlib.suppress(OSError), os.scandir(folder) as entries:
+        for entry in filter(lambda entry: _UNFINISHED.fullmatch(entry.name), entries):
+            with contextlib.suppress(OSError):
+                if sys.platform == "win32":
+                    # There a file is closed, and so not locked, for a moment before its renaming.
+                    if time.time() - entry.stat().st_mtime > STALE_S:
+                        os.unlink(entry.path)
+                else:
+                    with open(entry.path, "rb") as file:
+                        if _lock(file, wait=False):
+                            os.unlink(entry.path)
+
+
+def _sync_folder(folder: str) -> None:
+    """Put the new name on the disk, too, where a folder can be opened for that."""
+    if sys.platform != "win32":
+        with contextlib.suppress(OSError):
+            descriptor = os.open(folder, os.O_RDONLY)
+            try:
+                os.fsync(descriptor)
+            finally:
+                os.close(descriptor)

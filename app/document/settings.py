@@ -1,0 +1,223 @@
+"""Values set by their paths, as ``--set`` and lessons do, and documents compared with others."""
+
+from __future__ import annotations
+
+import contextlib
+import difflib
+from collections.abc import Iterable, Sequence
+from dataclasses import replace
+
+from app.document.codec import LONGEST_SHOWN, document_paths, from_tree, to_tree
+from app.document.compare import SOME_DIVIDERS, Picture
+from app.document.document import Document
+from app.document.fields import Field, fields_of, lens_fields, numbers
+from app.document.view import AS_EVER
+from app.model.limits import OTHER_SIDE
+from app.model.object_transform import NOT_MOVED
+from app.model.projection import kinds
+from app.model.refusal import QT_TRANSLATE_NOOP, Refusal, format_value, shown_name
+from app.scenes.phenomena import PHENOMENA
+
+UNKNOWN = QT_TRANSLATE_NOOP("Refusal", "is not known; the nearest name is {0}")
+OTHER_LENS = QT_TRANSLATE_NOOP("Refusal", "belongs to another lens: set lens.kind as well ({0})")
+OTHER_SCENE = QT_TRANSLATE_NOOP("Refusal", "belongs to another scene: set scene as well ({0})")
+COMPARED = QT_TRANSLATE_NOOP(
+    "Refusal",
+    "must be a ready-made comparison of the scene ({0}), or NAME=VALUE; with ; between the values"
+    " of a picture, and | between pictures",
+)
+NO_EQUALS = QT_TRANSLATE_NOOP("Refusal", "must be written as NAME=VALUE")
+
+
+def set_values(document: Document, assignments: Iterable[str]) -> Document:
+    """Set values by their paths in the document, all at once.
+
+    Only the outcome has to be valid, so that the order of the assignments does not matter. Of two
+    for the same path the last one holds.
+
+    - ``scene`` comes first, and brings its default settings.
+    - ``lens.kind`` comes next and keeps the picture alike. If sides of its window are given, they
+      are used as typed: ``lens.keep`` is ``stretch`` then, unless it is set, too.
+    - Settings come next. Camera and lens may follow them, but the lens stays of the kind that was
+      asked for.
+    - ``view.frame_step`` opens its panel, unless ``view.panel`` is set, too.
+
+    Parameters
+    ----------
+    document : Document
+    assignments : iterable of str
+        ``lens.far=inf``, ``camera.eye=3,2,4``, ``depth=reversed``, ``scene=cube``,
+        ``settings.distance=2``, ``view.stage=pyramid``. A matrix is its 16 cells, row by row;
+        probes are x, y, z of one point after the other; hidden layers are names with commas.
+        ``view.compare=lens.near=2;lens.far=9|lens.near=3`` compares with two pictures, and
+        ``view.compare=NAME`` with those of a comparison that the scene has ready-made.
+
+    Raises
+    ------
+    Refusal
+        For an unknown path (naming the nearest known one), a text that is no value, or an
+        outcome that is not valid.
+    """
+    texts: dict[str, str] = {}
+    for assignment in assignments:
+        path, equals, text = (part.strip() for part in assignment.partition("="))
+        if not equals or not path:
+            written = assignment.strip()
+            raise Refusal.in_document(NO_EQUALS, field=shown_name(written) or repr(written))
+        texts[path] = text
+    scene = texts.pop("scene", document.scene)
+    if scene != document.scene:
+        still = replace(document.projection, placement=NOT_MOVED)
+        document = replace(document, scene=scene, projection=still, settings={}, mesh="")
+    if "view.frame_step" in texts:
+        texts.setdefault("view.panel", "frame")
+    kind = texts.pop("lens.kind", "")
+    if kind and any(f"lens.{side}" in texts for side in ("left", "right", "bottom", "top")):
+        texts.setdefault("lens.keep", "stretch")
+    document = _with_lens(document, kind)
+    known = {each.path: each for each in fields_of(document.scene, document.projection.lens.kind)}
+    paths = ["scene", *(path for path, each in known.items() if each.kind is not None)]
+    for path in texts:
+        if path not in paths:
+            raise _unknown_path(path, paths)
+    beside, dividers = texts.pop("view.compare", None), texts.pop("view.dividers", None)
+    settings = {known[path]: text for path, text in texts.items() if path.startswith("settings.")}
+    values = {each.name: _read(each, text) for each, text in settings.items()}
+    with document_paths():
+        document = document.with_settings(values)
+    document = _with_lens(document, kind)
+    tree = to_tree(document)
+    for path, text in texts.items():
+        each = known[path]
+        if each not in settings:
+            section = tree.setdefault(each.section, {}) if each.section else tree
+            section[each.name] = _read(each, text)
+    try:
+        return _beside(from_tree(tree), beside, dividers)
+    except Refusal as error:
+        side, bound = OTHER_SIDE.get(error.bound, ("", error.bound))
+        if f"lens.{side}" not in texts or error.field in texts:
+            raise
+        # What was set is the other of the two.
+        limit, value = format_value(error.value), tree["lens"][side]
+        raise Refusal.in_document(bound, limit, field=f"lens.{side}", value=value) from error
+
+
+def _read(field: Field, text: str) -> object:
+    assert field.kind is not None
+    value = field.kind.read(text)
+    if value is None:
+        raise Refusal.in_document(*field.kind.bound, field=field.path, value=text)
+    return value
+
+
+def _with_lens(document: Document, kind: str) -> Document:
+    """The document with another kind of lens; an empty name changes nothing."""
+    if kind in ("", document.projection.lens.kind):
+        return document
+    with document_paths():
+        return replace(document, projection=document.projection.with_lens(kind))
+
+
+def _unknown_path(path: str, paths: Sequence[str]) -> Refusal:
+    shown = shown_name(path[:LONGEST_SHOWN])
+    section, _, key = path.rpartition(".")
+    others = [kind for kind in kinds() if key in {each.name for each in lens_fields(kind)}]
+    if section in ("lens", "") and others and f"lens.{key}" not in paths:
+        return Refusal.in_document(OTHER_LENS, ", ".join(others), field=shown)
+    if section == "settings" and not any(known.startswith("settings.") for known in paths):
+        scenes = [
+            name
+            for name, phenomenon in PHENOMENA.items()
+            if key in {setting.name for setting in phenomenon.settings}
+        ]
+        if scenes:
+            return Refusal.in_document(OTHER_SCENE, ", ".join(scenes), field=shown)
+
+    def likeness(known: str) -> float:
+        last, (of_part, _, named) = shown.rpartition(".")[2], known.rpartition(".")
+        whole = difflib.SequenceMatcher(None, shown, known).ratio()
+        begun = of_part in (section, "") and named.startswith(last)
+        return max(whole, difflib.SequenceMatcher(None, last, named).ratio()) + whole / 100 + begun
+
+    return Refusal.in_document(UNKNOWN, max(paths, key=likeness), field=shown)
+
+
+# --------------------------------------------------------------------------- compared pictures
+
+
+def _beside(document: Document, pictures: str | None, dividers: str | None) -> Document:
+    """Compare with the pictures that a text names, or divide those that there are."""
+    if pictures is not None and pictures and "=" not in pictures:
+        document = compared(document, pictures)
+    elif pictures is not None:
+        with document_paths("view.compare"):
+            others = [
+                Picture(changes=tuple(change.strip() for change in part.split(";")))
+                for part in (pictures.split("|") if pictures else ())
+            ]
+        for other in others:
+            pictured(document, other)
+        compare = (*others, Picture(live=True)) if others else ()
+        with document_paths("view"):
+            document = replace(document, view=replace(document.view, compare=compare, dividers=()))
+    if dividers is not None:
+        with document_paths("view"):
+            if (places := numbers(dividers)) is None:
+                raise Refusal("dividers", dividers, SOME_DIVIDERS)
+            document = replace(document, view=replace(document.view, dividers=tuple(places)))
+    return document
+
+
+def pictured(document: Document, picture: Picture) -> Document:
+    """The document as one of the compared pictures shows it.
+
+    Raises
+    ------
+    Refusal
+        If the document as it stands cannot have the picture's values.
+    """
+    plain = replace(document, view=AS_EVER)
+    if picture.live:
+        return plain
+    if picture.held is not None:
+        return replace(plain, projection=picture.held.projection, settings=picture.held.settings)
+    return set_values(plain, picture.changes)
+
+
+def compared(document: Document, name: str) -> Document:
+    """The document beside the other pictures of one of its scene's ready-made comparisons.
+
+    The document's own picture is the one whose values it has; if there is none, it becomes the last
+    one.
+
+    Raises
+    ------
+    Refusal
+        If the scene has no comparison of this name, or cannot have its pictures as it stands.
+    """
+    phenomenon = PHENOMENA.get(document.scene)
+    ready = {each.name: each for each in phenomenon.comparisons} if phenomenon else {}
+    if name not in ready:
+        names = ", ".join(ready) or "none"
+        raise Refusal.in_document(COMPARED, names, field="view.compare", value=name)
+    pictures = [Picture(*each) for each in ready[name].pictures]
+    states = [pictured(document, picture) for picture in pictures]
+    own = states.index(document) if document in states else len(states) - 1
+    pictures[own] = replace(pictures[own], live=True)
+    view = replace(document.view, compare=tuple(pictures), dividers=())
+    return replace(states[own], view=view)
+
+
+def name_of(document: Document, picture: Picture) -> str:
+    """The name of a compared picture: its own, or ``held``, ``now`` or ``other``.
+
+    The document's own picture has its name only as long as the document has the values for it.
+    """
+    if not picture.live:
+        return picture.name or ("other" if picture.held is None else "held")
+    if picture.name:
+        with contextlib.suppress(Refusal):  # then it has not these values
+            if pictured(document, replace(picture, live=False)) == document:
+                return picture.name
+    return "now"

@@ -1,0 +1,175 @@
+"""What a pane, a figure and the hand may ask of a drawing, whichever of the three it is."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import NamedTuple, Protocol
+
+from app.lecture.highlight import Highlight
+from app.model.projection import Camera, Projection
+from app.model.refusal import Refusal
+from app.picking.handles import Handle, Spot
+from app.picking.picking import Probe, Sight
+from app.precision.levels import Precision
+from app.scenes.phenomena.illustration import Illustration
+from app.scenes.phenomena.readout import Phrase
+from app.scenes.scene import Scene
+
+
+class Rectangle(NamedTuple):
+    """A rectangle of whole device pixels, from the pane's top left."""
+
+    left: int
+    top: int
+    width: int
+    height: int
+
+
+class Drawing(Protocol):
+    """The scene in one pane: `WorldDrawing`, `StageDrawing` or `ImageDrawing`.
+
+    A drawing is made once per scene, ``Drawing(screen, scene, words, style)``, in a render window
+    that it does not own. It never renders: the caller does, after any number of changes. A method
+    with a body here is the answer of the drawings that have no such thing.
+    """
+
+    # -- the model
+
+    def show_projection(
+        self, projection: Projection, illustration: Illustration | None = None
+    ) -> None:
+        """Set the model's matrices and show a phenomenon's marks, instead of earlier ones."""
+
+    def show_detail(self, fewer: Scene | None) -> None:
+        """Use the faces of a scene with fewer triangles; None for all. Then show a projection."""
+
+    def show_layers(self, hidden: frozenset[str]) -> None:
+        """Hide these of `app.document.view.LAYERS`, and no others. Then show a projection."""
+
+    def show_probes(self, probes: Sequence[Probe]) -> None:
+        """Mark these probes, and no others."""
+
+    def show_highlight(self, highlighted: Highlight) -> bool:
+        """Highlight these things, and nothing else; return whether anything has changed."""
+
+    def highlight_at(self, x_px: float, y_px: float) -> Highlight:
+        """Return the things at a pixel, counted from the pane's top left."""
+
+    @property
+    def precision(self) -> Precision:
+        """The arithmetic that the scene is drawn with."""
+        return "float32"
+
+    # -- the pane's own camera
+
+    @property
+    def sight(self) -> Sight:
+        """How the pane looks at the world now, for picking."""
+
+    @property
+    def view(self) -> Camera | None:
+        """Where the user has moved the pane's camera; None if it was not moved."""
+        return None
+
+    def show_view(self, view: Camera) -> None:
+        """Move the pane's camera back to an earlier `view`."""
+        return
+
+    def reset_view(self) -> None:
+        """Place the pane's camera so that everything is in view."""
+        return
+
+    def refit(self) -> bool:
+        """Frame again what has left a view that the user has not moved.
+
+        Call it when a gesture ends. Return whether the pane has to be painted again.
+        """
+        return False
+
+    def reset_clipping_range(self) -> None:
+        """Adjust the drawing after the pane's camera was moved from outside."""
+        return
+
+    def remove(self) -> None:
+        """Take everything out of the screen."""
+
+    # -- the stage strip
+
+    def show_stage(self, position: float) -> None:
+        """Move to a position of the stage strip, 0 to 5."""
+        return
+
+    # -- the world
+
+    @property
+    def fixed(self) -> str:
+        """The fixed view, one of `app.document.view.FIXED`; ``""`` for the free one."""
+        return ""
+
+    def show_fixed(self, view: str) -> None:
+        """Look from one of `app.document.view.FIXED`; ``""`` for the free view."""
+        return
+
+    def show_step(self, step: int | None) -> None:
+        """Build the camera's frame up to a step of `app.lecture.camera_frame.STEPS`."""
+        return
+
+    def show_object_axes(self, wanted: bool) -> None:
+        """Show the object's axes even where they coincide with the world's."""
+        return
+
+    @property
+    def has_object_axes(self) -> bool:
+        """Whether the object's axes are drawn."""
+        return False
+
+    @property
+    def planes_drawn(self) -> tuple[float, float]:
+        """Distances from the eye plane at which near and far are drawn; (0, 1) without planes."""
+        return 0.0, 1.0
+
+    @property
+    def handles_shown(self) -> Sequence[tuple[Handle, Spot]]:
+        """The visible handles, with their pixels from the pane's top left."""
+        return ()
+
+    @property
+    def held(self) -> Handle | None:
+        """The highlighted handle."""
+        return None
+
+    def hold(self, handle: Handle | None) -> None:
+        """Highlight a handle, and keep it visible while it moves."""
+        return
+
+    def handle_at(self, pixel: tuple[float, float], within_px: float) -> Handle | None:
+        """Return the handle at a pixel, counted from the pane's top left."""
+        return None
+
+    # -- the image
+
+    def rectangle_in(self, pane_width_px: int, pane_height_px: int) -> Rectangle:
+        """Return where the picture would lie in a pane of this size."""
+        return Rectangle(0, 0, pane_width_px, pane_height_px)
+
+    @property
+    def picture_rectangle_px(self) -> Rectangle:
+        """Where the picture lies in the pane now; all of the pane if it is no image."""
+
+    def image_pixel(self, x_px: float, y_px: float) -> tuple[float, float] | None:
+        """Return the image's pixel at a pixel of the pane; None beside the picture."""
+        return None
+
+    def image_shift(self, right_px: float, down_px: float) -> tuple[float, float]:
+        """Convert a movement from the pane's pixels to the image's."""
+        return right_px, down_px
+
+    @property
+    def problem(self) -> Phrase | None:
+        """Why the picture is not rasterised as the phenomenon asks; known after a rendering."""
+        return None
+
+    @property
+    def refused_depth(self) -> Refusal | None:
+        """Why the picture does not have the depth buffer that was chosen."""
+        return None

@@ -1,0 +1,220 @@
+"""A mesh that is read from a file, and everything that can be wrong with it.
+
+The readers of the formats (`app.scenes.mesh_files`, `app.scenes.gltf`) share this module. Mesh
+files come from strangers: a reader compares every claim of a file with the bytes that are there,
+and with `LARGEST`, before it takes memory.
+"""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any, BinaryIO, NoReturn, TypeAlias
+
+import numpy as np
+from numpy.typing import NDArray
+
+from app.model.refusal import QT_TRANSLATE_NOOP, Cancelled, Refusal
+from app.strangers import open_regular
+
+Floats: TypeAlias = NDArray[np.float64]
+Ints: TypeAlias = NDArray[np.int64]
+Colours: TypeAlias = NDArray[np.uint8]
+Progress: TypeAlias = Callable[[float], bool]
+
+LARGEST = 20_000_000, 2 * 2**30
+"""Most triangles of a mesh, and most bytes of its triangles and vertices."""
+MOST_CORNERS = 1000
+"""Most corners of a face: the time to divide a face into triangles grows with their square."""
+PAINT_RGB = (184, 194, 208)
+"""Colour of a surface whose file has no colours."""
+
+# Whole sentences, so that they can be translated. Words of a file format stay as they are.
+NO_FILE = QT_TRANSLATE_NOOP("Refusal", "{0}: there is no such file; check its name and folder.")
+UNREADABLE = QT_TRANSLATE_NOOP(
+    "Refusal", "{0}: cannot be opened ({1}); check its name and its permissions."
+)
+EMPTY = QT_TRANSLATE_NOOP("Refusal", "{0}: the file is empty; save or download it again.")
+NO_FACES = QT_TRANSLATE_NOOP(
+    "Refusal",
+    "{0}: the file has no faces (vertices: {1}), so there is no surface to draw; "
+    "export the mesh with faces.",
+)
+FACE_SIZE = QT_TRANSLATE_NOOP(
+    "Refusal",
+    "{0}: a face has {1} corners, but only faces of 3 to {2} corners can be drawn; "
+    "divide or repair it.",
+)
+NO_SUCH_VERTEX = QT_TRANSLATE_NOOP(
+    "Refusal",
+    "{0}: a face names a vertex that does not exist (there are {1}); "
+    "export or download the file again.",
+)
+NOT_FINITE = QT_TRANSLATE_NOOP(
+    "Refusal",
+    "{0}: some vertices are not finite (nan or inf: {1} of {2}); "
+    "repair the mesh and export it again.",
+)
+TOO_MUCH = QT_TRANSLATE_NOOP(
+    "Refusal",
+    "{0}: it would grow to {1} triangles and {2} MiB, but a file of its size may have at most "
+    "{3} triangles and {4} MiB; make it smaller.",
+)
+NO_MEMORY = QT_TRANSLATE_NOOP(
+    "Refusal",
+    "{0}: there is not enough memory to read it; make it smaller, or close other programs.",
+)
+NOT_OF_KIND = QT_TRANSLATE_NOOP(
+    "Refusal", "{0}: this is not {1}, whatever its name says; check what kind of file it is."
+)
+CUT_OFF = QT_TRANSLATE_NOOP(
+    "Refusal", "{0}: the file is cut off; export or download the file again."
+)
+DAMAGED = QT_TRANSLATE_NOOP(
+    "Refusal", "{0}: it cannot be read ({1}); export or download the file again."
+)
+DAMAGED_LINE = QT_TRANSLATE_NOOP(
+    "Refusal", "{0}: line {1} cannot be read as {2}; export or download the file again."
+)
+UNSUPPORTED = QT_TRANSLATE_NOOP(
+    "Refusal", "{0}: it uses “{1}”, which this program does not read; export it without."
+)
+PART = QT_TRANSLATE_NOOP(
+    "Refusal",
+    "{0}: its part {1} is not a readable file in the folder of the mesh; "
+    "keep the files of a glTF mesh together.",
+)
+
+
+@dataclass(eq=False)
+class Mesh:
+    """Points and polygons of a file.
+
+    Attributes
+    ----------
+    points : (n, 3) float64
+        World coordinates.
+    offsets : (m + 1,) int64
+        Face i has the corners ``corners[offsets[i]:offsets[i + 1]]``.
+    corners : (offsets[m],) int64
+        Indices into `points`.
+    rgb : (m, 3) uint8 or None
+        Colour of each face, where the file has colours.
+    painted : bool
+        Whether `rgb` was scanned or painted, and is shown as it is. The colour of a material is
+        lit first: without light it shows no shape.
+    """
+
+    points: Floats
+    offsets: Ints
+    corners: Ints
+    rgb: Colours | None = None
+    painted: bool = False
+
+    def check(self, path: Path) -> None:
+        """Refuse a mesh without faces, or one whose faces or vertices cannot be drawn."""
+        vertices, sizes = len(self.points), np.diff(self.offsets)
+        if not len(sizes):
+            raise Refusal.saying(NO_FACES, path, vertices)
+        for size in (int(sizes.min()), int(sizes.max())):
+            if not 3 <= size <= MOST_CORNERS:
+                raise Refusal.saying(FACE_SIZE, path, size, MOST_CORNERS)
+        if self.corners.min() < 0 or self.corners.max() >= vertices:
+            raise Refusal.saying(NO_SUCH_VERTEX, path, vertices)
+        not_finite = int(np.count_nonzero(~np.isfinite(self.points).all(axis=1)))
+        if not_finite:
+            raise Refusal.saying(NOT_FINITE, path, not_finite, vertices)
+
+    def drop_unused_points(self) -> None:
+        """Drop the vertices that no face has: they would move the first camera away."""
+        used = np.zeros(len(self.points), dtype=bool)
+        used[self.corners] = True
+        if not used.all():
+            self.corners = (np.cumsum(used) - 1)[self.corners]
+            self.points = self.points[used]
+
+    def paint(self, colours: NDArray[np.floating]) -> None:
+        """Give each face the mean of its corners' colours (n, 3), from 0 to 255."""
+        sizes = np.diff(self.offsets)
+        is_sound = len(sizes) and sizes.min() > 0 and self.corners.min() >= 0
+        if not is_sound or self.corners.max() >= len(colours):
+            return  # `check` will refuse this mesh
+        sums = np.add.reduceat(colours.astype(np.float32)[self.corners], self.offsets[:-1], axis=0)
+        self.rgb = rgb_bytes(sums / sizes.astype(np.float32)[:, None])
+        self.painted = True
+
+
+@dataclass(frozen=True)
+class Source:
+    """A file that is being read.
+
+    Attributes
+    ----------
+    largest : tuple of 2 ints
+        Most triangles of the mesh, and most bytes of its triangles and vertices.
+    """
+
+    path: Path
+    file: BinaryIO
+    progress: Progress | None
+    largest: tuple[int, int]
+
+    @property
+    def size(self) -> int:
+        """Bytes of the file."""
+        return os.fstat(self.file.fileno()).st_size
+
+    def report(self, fraction: float) -> None:
+        report(self.progress, fraction)
+
+    def check_size(
+        self, vertices: int, faces: int, corners: int, most_triangles: int | None = None
+    ) -> None:
+        """Refuse a mesh of too many of these, before memory is taken for them."""
+        most, most_bytes = self.largest
+        most = most if most_triangles is None else min(most, most_triangles)
+        triangles = max(faces, corners - 2 * faces)
+        # The factor 2: parts of a mesh are joined in a second copy.
+        needed = 2 * (24 * vertices + 8 * corners) + (8 + 8) * faces
+        if triangles > most or needed > most_bytes:
+            limits = triangles, needed >> 20, most, most_bytes >> 20
+            raise Refusal.saying(TOO_MUCH, self.path, *limits)
+
+    def fail(self, what: str) -> NoReturn:
+        """Refuse the file because of this word of its format."""
+        raise Refusal.saying(DAMAGED, self.path, what)
+
+
+def report(progress: Progress | None, fraction: float) -> None:
+    """Tell how far the work is; raise `Cancelled` if nobody wants it any more."""
+    if progress is not None and not progress(fraction):
+        raise Cancelled
+
+
+def open_mesh(path: Path) -> BinaryIO:
+    """Open a file that is not empty, or raise a `Refusal`."""
+    try:
+        file = open_regular(path)
+    except FileNotFoundError:
+        raise Refusal.saying(NO_FILE, path) from None
+    except OSError as error:
+        raise Refusal.saying(UNREADABLE, path, error.strerror) from None
+    except ValueError as error:  # a zero byte, or a name that no file of this system can have
+        raise Refusal.saying(UNREADABLE, repr(str(path)), error) from None
+    if os.fstat(file.fileno()).st_size == 0:
+        file.close()
+        raise Refusal.saying(EMPTY, path)
+    return file
+
+
+def rgb_bytes(colours: NDArray[np.floating]) -> Colours:
+    """Round colours from 0 to 255 to bytes; what is not a number becomes 0."""
+    rgb: Colours = np.clip(np.rint(np.nan_to_num(colours)), 0, 255).astype(np.uint8)
+    return rgb
+
+
+def full_scale(kind: np.dtype[Any]) -> float:
+    """The number that means full brightness in a colour channel of this type."""
+    return 1.0 if kind.kind == "f" else float(np.iinfo(kind).max)
