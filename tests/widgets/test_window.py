@@ -1935,7 +1935,7 @@ def test_a_panes_title_has_all_the_room_there_is_before_its_note(window: MainWin
     title, note = pane.title, pane.note
     window.slots.toggle_float("image")
     for text in ("Image", "Canonical parallel"):
-        pane.set_title(text, "1920 × 1080")
+        pane.header.say(text, "1920 × 1080")
         whole = []
         for width in range(700, 190, -7):
             pane.resize(width, 200)

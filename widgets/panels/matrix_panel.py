@@ -286,7 +286,7 @@ class MatrixPanel(ReadablePanel):
     @property
     def views(self) -> dict[str, MatrixView]:
         """The views by the names of their matrices; factors are ``stage/factor``."""
-        views = {}
+        views: dict[str, MatrixView] = {}
         for matrix, box in zip(self.shown, self._row.boxes, strict=True):
             names = (matrix.name, *(f"{matrix.name}/{factor.name}" for factor in matrix.factors))
             views |= zip(names, box.views, strict=True)

@@ -108,7 +108,7 @@ class _CellField(QLineEdit):
         kinds, keys = QEvent.Type, Qt.Key
         takes = event.type() in (kinds.ShortcutOverride, kinds.KeyPress)
         if takes and isinstance(event, QKeyEvent):
-            acts = {
+            acts: dict[Qt.Key, Callable[[], object]] = {
                 keys.Key_Return: self.returnPressed.emit,
                 keys.Key_Enter: self.returnPressed.emit,
                 keys.Key_Escape: self.left.emit,

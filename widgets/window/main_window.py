@@ -367,10 +367,10 @@ class MainWindow(QMainWindow):
         controls.edited.connect(store.set_projection)
         controls.animation.playing_changed.connect(menus.show_playing)
         self.manipulation.edited.connect(store.set_projection)
-        self.frame_panel.step_changed.connect(self.panes["world"].show_step)
-        strip.moved.connect(ndc.show_stage)
-        controls.object_unfolded.connect(self.panes["world"].show_object_axes)
-        strip.named.connect(ndc.set_title)
+        self.frame_panel.step_changed.connect(partial(self.panes["world"].ask, "step"))
+        strip.moved.connect(partial(ndc.ask, "stage"))
+        controls.object_unfolded.connect(partial(self.panes["world"].ask, "object_axes"))
+        strip.named.connect(ndc.header.say)
         strip.moved.connect(self.matrices.show_stage)
         lettering.set("own")  # of another window before this one
         self.matrices.letters_changed.connect(lettering.set)
@@ -603,7 +603,7 @@ class MainWindow(QMainWindow):
         self.look.set_presenting(on)
         self.controls.set_presenting(on)
         for pane in self.panes.values():
-            pane.set_presenting(on)
+            pane.header.set_presenting(on)
         self.menus.fit_icons()
         if not on and self._before_presenting is not None:
             whole = self._before_presenting[1]
