@@ -703,8 +703,7 @@ def lifted(clip_from_local: Array, projection: Projection, scene: Scene) -> Arra
     """
     distance = math.dist(projection.camera.eye, scene.centre)
     share = _LIFT * (min(1.0, scene.size / distance) if distance > 0.0 else 1.0)
-    a, b = projection.clip_from_view[2, 2:]
-    constant, per_w = projection.lens.nearer(a, b, share, _LIFT * scene.size, _LIFT_FREE)
+    constant, per_w = projection.passage.nearer(share, _LIFT * scene.size, _LIFT_FREE)
     matrix = clip_from_local.copy()
     matrix[2] += per_w * matrix[3]
     matrix[2, 3] += constant

@@ -195,6 +195,7 @@ def _side_planes(projection: Projection) -> Array:
     for row, (axis, edge, sign) in enumerate(
         ((0, left, 1.0), (0, right, -1.0), (1, bottom, 1.0), (1, top, -1.0))
     ):
+        starts, along = projection.lens.rays(np.full((1, 2), edge))
         planes[row, axis] = sign
-        planes[row, 2:] = sign * np.array(projection.lens.side(edge, axis))
+        planes[row, 2:] = sign * along[0, axis], sign * (0.0 - starts[0, axis])
     return planes

@@ -398,8 +398,7 @@ def _projected_part(made: _Made, projection: Projection, origin: Array, space: S
 
 def _w_of_z(projection: Projection) -> tuple[float, float]:
     """w from z of clip space: per z, and constant; a constant alone where w is divided out."""
-    a, b = projection.clip_from_view[2, 2:]
-    return projection.lens.w_of_z(a, b)
+    return projection.passage.w_of_z
 
 
 def _planes(projection: Projection) -> tuple[Array, Array]:
@@ -412,7 +411,7 @@ def _planes(projection: Projection) -> tuple[Array, Array]:
     """
     sides = [(1.0, 0.0, 0.0, _WIDE), (-1.0, 0.0, 0.0, _WIDE)]
     sides += [(0.0, 1.0, 0.0, _WIDE), (0.0, -1.0, 0.0, _WIDE)]
-    depth = projection.lens.half_spaces(_LEAST_W)
+    depth = projection.passage.half_spaces(_LEAST_W)
     normals = np.array([*(normal for normal, _ in depth), *sides])
     return normals, np.array([*(offset for _, offset in depth), 0.0, 0.0, 0.0, 0.0])
 

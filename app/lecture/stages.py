@@ -275,7 +275,7 @@ class Morph:
     def _evening(self, stop: int) -> float:
         if stop <= CANONICAL_PERSPECTIVE:
             return 1.0
-        unit = 1.0 if stop >= NDC else self._lens.canonical_unit
+        unit = 1.0 if stop >= NDC else float(self.projection.stages[-2].exact[3][3])
         return float(unit / self._lens.w(self._middle_depth))
 
     def _turned(self, part: float) -> Array:

@@ -11,7 +11,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from app.model.lenses.window import Windowed
+from app.model.lenses.windowed import Windowed
 from app.model.projection import Array, Oblique, Perspective, Projection
 
 DIGITS = 200

@@ -67,9 +67,9 @@ class Sight(NamedTuple):
     @classmethod
     def of(cls, projection: Projection) -> Sight:
         """The model's own: pixels of the image, between near and far."""
-        clip, axes = projection.lens.stated_in(projection)
+        clip, axes = projection.passage.stated_in
         rows = projection.image_from_ndc @ clip
-        rows[2], limits = projection.lens.order(projection)
+        rows[2], limits = projection.passage.order
         return cls(np.array(projection.camera.eye), rows @ axes, limits @ axes)
 
     def scaled(self, pixels_from_pixels: ArrayLike) -> Sight:
@@ -183,7 +183,7 @@ def projector(projection: Projection, probe: Probe, distances: ArrayLike) -> Arr
         if not trace.in_front:
             return None
         pixel = float(trace.image[0]), float(trace.image[1])
-    return projection.lens.line(projection, pixel, probe.point, at)
+    return projection.passage.line(pixel, probe.point, at)
 
 
 def dragged(
@@ -216,7 +216,7 @@ def dragged(
     trace = projection.trace(point)
     if not trace.in_front:
         return None
-    moved = projection.lens.dragged(projection, trace, shift_px, along_ray=along_ray)
+    moved = projection.passage.dragged(trace, shift_px, along_ray=along_ray)
     return None if moved is None or not np.abs(moved).max() <= LARGEST else _vector(moved)
 
 

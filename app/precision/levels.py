@@ -162,11 +162,11 @@ class _Bounds:
         self._projection, self._space = projection, space
         self._origin = np.reshape(origin, (3, 1))
         self._single = _single_sizes(projection, projection.local_to_eye(origin, space))
-        lens = projection.lens
-        self._rows, axes = (part.copy() for part in lens.stated_in(projection))
+        lens, passage = projection.lens, projection.passage
+        self._rows, axes = (part.copy() for part in passage.stated_in)
         self._axes = np.ascontiguousarray(axes[:3, :3])
         sizes = lens.cell_sizes(self._rows)
-        self._rows[2], sizes[2] = lens.depth_terms(projection)
+        self._rows[2], sizes[2] = passage.depth_terms
         roundings = np.array(lens.roundings)[:, None]
         cells = np.maximum(sizes, np.abs(self._rows))
         by_distance = np.column_stack([cells[:, :3].sum(axis=1), cells[:, 3]])
@@ -176,7 +176,7 @@ class _Bounds:
         self._weights = np.zeros((8, 7))
         self._weights[:4, [0, 1, 2, 5]] = _UNIT_64 * roundings * sizes
         self._weights[2, 3] = _UNIT_64 * roundings[2, 0]
-        self._weights[:4, 4] = lens.view_error(projection) * by_distance[:, 0]
+        self._weights[:4, 4] = passage.view_error * by_distance[:, 0]
         self._weights[:4, 5] += dd.UNDERFLOW
         self._weights[:4, 6] = by_distance[:, 0]
         self._weights[4:7, 4:6] = 2.0**-48 * by_distance[:3]
@@ -282,7 +282,7 @@ def _single_sizes(projection: Projection, local_to_eye: Array) -> Array:
 
     What float64 lost in making them is in it, as 2^-27 of the terms that they are summed from.
     """
-    cells, axes = projection.lens.stated_in(projection)
+    cells, axes = projection.passage.stated_in
     summed = projection.lens.cell_sizes(cells) @ np.abs(axes) @ np.abs(local_to_eye)
     sizes = np.abs(projection.clip_from_eye @ local_to_eye) + 2.0**-27 * summed
     return _with_depth(projection, sizes)
@@ -353,7 +353,7 @@ def drawing_bounds_px(
         return [math.inf] * len(local)
     least_w, seen = np.ones(len(local)), np.ones(len(local), dtype=np.bool_)
     if clip_from_local[3].tolist() != [0.0, 0.0, 0.0, 1.0]:
-        near = projection.least_w
+        near = projection.passage.least_w
         clip = local @ clip_from_local[:, :3].T + clip_from_local[:, 3]
         least_w = np.maximum(near, _least_w_seen(clip, lost / _UNIT_32))
         seen = (least_w < math.inf) & (clip[..., 3].max(axis=1) >= near)
@@ -485,8 +485,7 @@ def _trace_float32(
     matrix = projection.clip_from_local(origin, space).astype(single)
     local = (np.asarray(points, dtype=np.float64).reshape(-1, 3) - origin).astype(single)
     offset = placed.offset(projection.camera.eye).hi.T.astype(single)
-    lens = projection.lens
-    view = lens.view_of(projection, offset)
+    view = projection.passage.view_of(offset)
 
     def row(i: int) -> Any:
         total = matrix[i, 0] * local[:, 0]
@@ -504,7 +503,7 @@ def _trace_float32(
         depth = single(0.5) * depth + single(0.5)
     x, y, _, w = clip.T
     in_front = (w > 0.0) & np.isfinite(ndc).all(axis=1) & np.isfinite(image).all(axis=1)
-    before, beyond = lens.beyond(projection, view, clip)
+    before, beyond = projection.passage.beyond(view, clip)
     outside = np.stack([before, beyond, x < -w, x > w, y < -w, y > w], axis=1)
     return _finish(view, clip, ndc, image, depth, in_front, outside)
 
@@ -597,8 +596,8 @@ def _exact_numbers(
     outside = np.empty((len(given), 6), dtype=bool)
     for start in range(0, len(given), _CHUNK):
         block = slice(start, start + _CHUNK)
-        parts, error = projection.lens.coordinates(projection, placed.part(block))
-        first = projection.lens.clipped(projection, *(_Bounded(part, error) for part in parts))
+        parts, error = projection.passage.coordinates(placed.part(block))
+        first = projection.passage.clipped(*(_Bounded(part, error) for part in parts))
         doubtful = np.zeros(len(error), dtype=bool)
         for column, number in enumerate(first[:7] + _divide(projection, first[3:7])):
             numbers[block, column] = number.value.hi
@@ -620,8 +619,8 @@ def _trace_rational(
     projection: Projection, point: Sequence[float | Fraction]
 ) -> tuple[list[float], list[float], list[bool]]:
     """One point of `_exact_numbers` in rationals, each number rounded once."""
-    lens = projection.lens
-    first = lens.clipped(projection, *lens.exact_coordinates(projection, point))
+    passage = projection.passage
+    first = passage.clipped(*passage.exact_coordinates(point))
     w = first[6]
     quotients = _divide(projection, first[3:7]) if w != 0 else [math.nan] * 6
     numbers = [nearest(number) for number in (*first[:7], *quotients)]

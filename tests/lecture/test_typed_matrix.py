@@ -431,7 +431,7 @@ def test_a_lens_cells_as_a_free_matrix_make_the_same_picture(lens: Lens, depth: 
     if lens.far < math.inf:
         assert free.frustum_sign == 1
         assert np.allclose(corners_world(free), corners_world(projection), rtol=1e-6)
-        assert free.least_w == pytest.approx(projection.least_w, rel=1e-9)
+        assert free.passage.least_w == pytest.approx(projection.passage.least_w, rel=1e-9)
         inside = ~after.outside.any(axis=1)
         back = free.world_from_image(np.column_stack([after.image, after.depth])[inside])
         assert np.allclose(back, points[inside], atol=1e-6)
@@ -495,7 +495,6 @@ def test_what_only_a_lens_has_is_refused_with_a_sentence(projection: Projection)
     for ask in (
         lambda: projection.window,
         lambda: projection.intrinsics,
-        lambda: projection.exact_lens,
         lambda: projection.between(1.0, 2.0),
         lambda: projection.matrices_between(1.0, 2.0),
     ):

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import inspect
 import math
 import re
 import subprocess
@@ -10,7 +9,7 @@ import sys
 from collections.abc import Callable
 from dataclasses import FrozenInstanceError, replace
 from fractions import Fraction
-from functools import cached_property, reduce
+from functools import reduce
 from itertools import product
 
 import numpy as np
@@ -1693,31 +1692,6 @@ def test_the_limits_themselves_are_allowed() -> None:
 
 
 # --------------------------------------------------------------------------- the module's own rules
-
-
-MODEL = ("app.model.projection", "app.model.camera", "app.model.lenses", "app.model.limits")
-
-
-def public_members() -> dict[str, object]:
-    members: dict[str, object] = {}
-    for name, value in vars(app.model.projection).items():
-        if name.startswith("_") or getattr(value, "__module__", "") not in MODEL:
-            continue
-        if inspect.isclass(value) or inspect.isfunction(value):
-            members[name] = value
-        if inspect.isclass(value):
-            for key, inner in vars(value).items():
-                wrapped = isinstance(inner, (property, cached_property, classmethod))
-                if not key.startswith("_") and (wrapped or inspect.isfunction(inner)):
-                    members[f"{name}.{key}"] = inner
-    return members
-
-
-def test_everything_public_says_what_it_is() -> None:
-    members = public_members()
-    assert {"Projection.trace", "Projection.clip_from_world", "Camera.frame"} <= set(members)
-    for name, member in members.items():
-        assert inspect.getdoc(getattr(member, "__func__", member)), name
 
 
 def test_matrices_are_called_target_from_source() -> None:

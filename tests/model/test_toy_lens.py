@@ -29,10 +29,10 @@ from app.drawings.figures import render
 from app.lecture import typed_matrix
 from app.lecture.notation import LETTERS, letters_in, matrices, written
 from app.model.lenses import LENSES
+from app.model.lenses.answers import Window
 from app.model.lenses.central import Central
 from app.model.lenses.lens import Control, LensTable, plane_letters
 from app.model.lenses.perspective import SCALE, Perspective, fov_y_from_window, pyramid_tables
-from app.model.lenses.setup import Window
 from app.model.limits import Keep, between, finite, keep_checked
 from app.model.projection import Frustum, Projection
 from app.model.refusal import Refusal

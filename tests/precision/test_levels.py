@@ -15,7 +15,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from app.arithmetic import double_double as dd
-from app.model.lenses.closed_form import ClosedForm
+from app.model.eye_first import EyeFirst
 from app.model.limits import SMALLEST, SMALLEST_FIELD, SMALLEST_WINDOW
 from app.model.projection import (
     DEPTH_RANGES,
@@ -36,6 +36,7 @@ from app.model.projection import (
     Vector,
 )
 from app.model.refusal import Refusal
+from app.model.typed_cells import TypedCells
 from app.precision import levels as precision
 from app.precision.levels import (
     DRAWING_TOLERANCE_PX,
@@ -284,14 +285,14 @@ def test_exact_is_rounded_once_where_double_double_overflows(
 def count_rationals(monkeypatch: pytest.MonkeyPatch) -> Callable[[], int]:
     """Count the points for which double-double does not tell how to round."""
     calls = []
-    for lens in (ClosedForm, FreeMatrix):
-        exactly = lens.exact_coordinates
+    for passage in (EyeFirst, TypedCells):
+        exactly = passage.exact_coordinates
 
         def counted(*arguments: Any, exactly: Any = exactly) -> Any:
             calls.append(arguments)
             return exactly(*arguments)
 
-        monkeypatch.setattr(lens, "exact_coordinates", counted)
+        monkeypatch.setattr(passage, "exact_coordinates", counted)
     return lambda: len(calls)
 
 

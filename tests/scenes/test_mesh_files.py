@@ -193,18 +193,6 @@ def test_obj_with_normals_and_textures_has_no_edges_inside_a_plane(tmp_path: Pat
 # --------------------------------------------------------------------------- STL
 
 
-<<<<<<< HEAD
-@POSIX
-def test_pipes_and_devices_are_not_opened(tmp_path: Path) -> None:
-    for ending in (".obj", ".json"):
-        os.mkfifo(tmp_path / f"pipe{ending}")
-        (tmp_path / f"link{ending}").symlink_to(tmp_path / f"pipe{ending}")
-        (tmp_path / f"zero{ending}").symlink_to("/dev/zero")
-    for name in ("pipe", "link", "zero"):
-        assert "not a regular file" in refused(tmp_path / f"{name}.obj")
-        with pytest.raises(Refusal, match="not a regular file"):
-            read(tmp_path / f"{name}.json")
-=======
 def test_copied_corners_of_stl_become_one_vertex(tmp_path: Path) -> None:
     for write in (stl_text_file, stl_file):
         write(tmp_path / "m.stl", PYRAMID)
@@ -241,7 +229,6 @@ def test_gltf_nodes_are_applied_in_float64(tmp_path: Path) -> None:
 
 
 QUARTER_TURN_ABOUT_Y = [0.0, math.sqrt(0.5), 0.0, math.sqrt(0.5)]
->>>>>>> integration
 
 
 @pytest.mark.parametrize(
@@ -702,7 +689,7 @@ def test_pipes_and_devices_are_not_opened(tmp_path: Path) -> None:
     for name in ("pipe", "link", "zero"):
         assert "not a regular file" in str(refused(tmp_path / f"{name}.obj"))
         with pytest.raises(Refusal, match="not a regular file"):
-            document.read(tmp_path / f"{name}.json")
+            read(tmp_path / f"{name}.json")
 
 
 @pytest.mark.parametrize(
@@ -880,15 +867,9 @@ def test_hostile_files_are_sound_or_refused_in_one_sentence() -> None:
 
 
 def test_a_picture_names_a_mesh_without_its_folder(tmp_path: Path) -> None:
-<<<<<<< HEAD
-    mesh = str(tmp_path / "somebody" / "cow.obj")
-    for shown in (Document(mesh), Document("similar-triangles", mesh=mesh)):
-        text = picture_json(shown)
-=======
     path = str(tmp_path / "somebody" / "cow.obj")
     for shown in (Document(path), Document("similar-triangles", mesh=path)):
-        text = document.picture_json(shown)
->>>>>>> integration
+        text = picture_json(shown)
         assert "somebody" not in text and '"cow.obj"' in text
         found = parse(text, tmp_path)
         assert str(tmp_path / "cow.obj") in (found.scene, found.mesh)

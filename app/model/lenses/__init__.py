@@ -1,18 +1,16 @@
-"""The lenses, one file each; a new one is its file and a line of `LENSES`."""
+"""The lenses, one file each; to add one, write its file and add it to `LENSES`."""
 
 from __future__ import annotations
 
-from typing import Any
-
 from app.model.lenses.free import FreeMatrix
 from app.model.lenses.frustum import Frustum
+from app.model.lenses.geometry import LENSES
 from app.model.lenses.lens import Lens
 from app.model.lenses.oblique import Oblique
 from app.model.lenses.orthographic import Orthographic
 from app.model.lenses.perspective import Perspective
 
-LENSES: dict[str, Any] = {lens.kind: lens for lens in (Perspective, Frustum, Orthographic, Oblique)}
-"""The lenses that have fields; `FreeMatrix` is beside them."""
+LENSES.update({lens.kind: lens for lens in (Perspective, Frustum, Orthographic, Oblique)})
 
 
 def kinds() -> tuple[str, ...]:

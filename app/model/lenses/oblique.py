@@ -11,13 +11,12 @@ from typing import ClassVar
 
 from app.arithmetic.double_double import cotangent_deg
 from app.arithmetic.rationals import Rationals
-from app.model.lenses.closed_form import COTS
+from app.model.lenses.answers import Window
 from app.model.lenses.lens import Control, Lens, LensTable
 from app.model.lenses.orthographic import SCALE, TRANSLATION, box_table
 from app.model.lenses.parallel import Parallel
-from app.model.lenses.setup import Window
 from app.model.lenses.solving import same, shortest
-from app.model.lenses.window import Windowed
+from app.model.lenses.windowed import Windowed
 from app.model.limits import (
     LARGEST_SHEAR,
     SMALLEST_WINDOW,
@@ -28,6 +27,9 @@ from app.model.limits import (
     within,
 )
 from app.model.refusal import QT_TRANSLATE_NOOP
+
+COTS = ("cot(alpha)", "cot(beta)")
+"""The letters by which projectors lean."""
 
 SHEAR = """
     1  0  cot(alpha)  n*cot(alpha)

@@ -8,7 +8,7 @@ from typing import ClassVar
 
 from app.model.lenses.lens import LensTable
 from app.model.lenses.parallel import Parallel
-from app.model.lenses.window import Windowed
+from app.model.lenses.windowed import Windowed
 from app.model.refusal import QT_TRANSLATE_NOOP
 from app.model.tables import DEPTH_RANGE, NO_M_PP, Step, matrix
 

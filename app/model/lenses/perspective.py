@@ -14,10 +14,9 @@ from typing import ClassVar
 
 from app.arithmetic.double_double import cotangent_deg
 from app.arithmetic.rationals import Rationals
-from app.model.lenses.central import Central
-from app.model.lenses.closed_form import FULL_FRAME_DIAGONAL_MM
+from app.model.lenses.answers import Angles, Axis, ExactWindow, Intrinsics, Window
+from app.model.lenses.central import FULL_FRAME_DIAGONAL_MM, Central
 from app.model.lenses.lens import Control, LensTable, plane_letters
-from app.model.lenses.setup import Angles, Intrinsics, Setup, Window
 from app.model.lenses.solving import shortest
 from app.model.limits import AT_LEAST, SMALLEST_FIELD, Array, Keep, between, keep_checked, positive
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
@@ -192,7 +191,7 @@ class Perspective(Central):
             return math.tan(math.radians(180.0 - self.fov_y_deg) / 2.0)
         return 1.0 / math.tan(math.radians(self.fov_y_deg) / 2.0)
 
-    def exact_window(self, aspect: Fraction) -> tuple[Fraction, Fraction, Fraction, Fraction]:
+    def exact_window(self, aspect: Fraction) -> ExactWindow:
         top = Fraction(self.near / self.cot_half_fov_y)
         right = Fraction(float(aspect) * float(top))
         return -right, right, -top, top
@@ -222,12 +221,12 @@ class Perspective(Central):
         focal = height / 2.0 * self.cot_half_fov_y
         return Intrinsics(focal, focal, (width - 1) / 2.0, (height - 1) / 2.0)
 
-    def _pictured(
-        self, setup: Setup, x: Array, y: Array, distance: Array
-    ) -> tuple[tuple[Array, Array], Array, tuple[Array, Array]]:
+    def pictured(
+        self, axes: tuple[Axis, Axis], aspect: float, x: Array, y: Array, distance: Array
+    ) -> tuple[tuple[Array, Array], tuple[Array, Array]]:
         w, scale_y = distance, self.cot_half_fov_y
-        scale_x = scale_y / setup.aspect
-        return (scale_x * x, scale_y * y), w, (scale_x * (x / w), scale_y * (y / w))
+        scale_x = scale_y / aspect
+        return (scale_x * x, scale_y * y), (scale_x * (x / w), scale_y * (y / w))
 
     @classmethod
     def solved(cls, cells: Rationals, near: float, far: float) -> Perspective:

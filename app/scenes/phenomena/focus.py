@@ -23,7 +23,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from app.model.lenses.closed_form import FULL_FRAME_DIAGONAL_MM
+from app.model.lenses.central import FULL_FRAME_DIAGONAL_MM
 from app.model.projection import Array, Camera, Perspective, Projection
 from app.model.refusal import QT_TRANSLATE_NOOP
 from app.scenes.phenomena.diagram import Curve, Diagram

@@ -96,7 +96,7 @@ def join_error_px(screens: tuple[Projection, Projection]) -> float:
     """How far apart the two screens show points of the plane in which they join, in pixels.
 
     A point of the right edge of the left screen, and with it its projector, goes through the left
-    lens' own numbers and through the right one's (`Projection.exact_lens`), in rationals: with
+    lens's own numbers and through the right one's, in rationals: with
     glFrustum ``x_clip/w = 2n/(r - l) x/w - (r + l)/(r - l)``. On the left it should be at the last
     column's end, on the right at the first one's beginning.
 
@@ -105,10 +105,10 @@ def join_error_px(screens: tuple[Projection, Projection]) -> float:
     float
         The largest gap or overlap; exactly 0 if the halves join.
     """
-    edge, near = Fraction(screens[0].window[1]), screens[0].exact_lens.near
+    edge, near = Fraction(screens[0].window[1]), Fraction(screens[0].lens.near)
     seen = []
     for screen in screens:
-        _, _, _, x_clip, _, _, w, *_ = screen.lens.clipped(screen, edge, Fraction(0), -near)
+        _, _, _, x_clip, _, _, w, *_ = screen.passage.clipped(edge, Fraction(0), -near)
         seen.append((x_clip / w + 1) * screen.image_size[0] / 2)
     return float(abs(seen[0] - screens[0].image_size[0] - seen[1]))
 

@@ -7,8 +7,8 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any, ClassVar
 
+from app.model.lenses.answers import ExactWindow, Window
 from app.model.lenses.lens import Lens, plane_letters
-from app.model.lenses.setup import Window
 from app.model.limits import (
     BOTTOM_BEFORE_TOP,
     DISTINCT,
@@ -73,7 +73,7 @@ class Windowed(Lens):
                 bound = DISTINCT if self.parallel else WIDER
                 raise Refusal(name, low, bound, format_value(high))
 
-    def exact_window(self, aspect: Fraction) -> tuple[Fraction, Fraction, Fraction, Fraction]:
+    def exact_window(self, aspect: Fraction) -> ExactWindow:
         """`window` without rounding, (left, right, bottom, top)."""
         left, right, bottom, top = map(Fraction, (self.left, self.right, self.bottom, self.top))
         if self.keep == "x":

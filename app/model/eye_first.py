@@ -1,0 +1,385 @@
+"""The way of points through a lens with an eye plane, in closed form.
+
+The eye is subtracted first: the formulas start from view coordinates, and the distance from the eye
+plane is kept apart from what is divided by it. `app.model.typed_cells` gives the same answers for
+a matrix that somebody typed.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from fractions import Fraction
+from functools import cached_property
+from typing import Any, cast
+
+import numpy as np
+
+from app.arithmetic import double_double as dd
+from app.arithmetic.double_double import DoubleDouble
+from app.model.lenses.answers import ExactLens
+from app.model.lenses.lens import EyeLens
+from app.model.lenses.oblique import COTS
+from app.model.limits import BEYOND, LARGEST, NO_POINT, Array, Vector, read_only
+from app.model.object_transform import Placed
+from app.model.pipeline import HalfSpaces, Pipeline, Trace
+from app.model.refusal import Refusal
+from app.model.tables import evaluated
+
+_CHUNK = 16384  # larger blocks wake OpenBLAS's second thread, which fights a software renderer
+_LARGE_STRETCH = 2.0**24  # `Pipeline.stretch` up to which dot products of 75 bits will do
+_ABOVE_OFFSETS = 2.0**27  # added and taken away again, leaves the upper 27 bits of the offsets
+
+
+class EyeFirst:
+    """The way through a `Central` or a `Parallel` lens.
+
+    Attributes
+    ----------
+    frustum_sign : int
+        See `Projection.frustum_sign`.
+    """
+
+    frustum_sign = 1
+
+    def __init__(self, pipeline: Pipeline) -> None:
+        self._of, self._lens = pipeline, cast(EyeLens, pipeline.lens)
+        self._reverse = pipeline.depth == "reversed"
+
+    # -- matrices
+
+    @cached_property
+    def clip_from_eye(self) -> Array:
+        """Clip from world axes with their origin in the eye, (4, 4)."""
+        return read_only(self._of.clip_from_view @ self._of.view_rotation)
+
+    @property
+    def eye_from_clip(self) -> tuple[Array, ...]:
+        """The inverse of `clip_from_eye` as factors, or a `Refusal` if there is none."""
+        return self._of.view_rotation.T, self._of.view_from_clip
+
+    @property
+    def stated_in(self) -> tuple[Array, Array]:
+        """Clip from the axes in which the lens is stated, and these axes from the eye, (4, 4)."""
+        return self._of.clip_from_view, self._of.view_rotation
+
+    @property
+    def least_w(self) -> float:
+        """A lower bound of w in the view volume."""
+        return float(self._lens.w(self._lens.near))
+
+    @property
+    def w_of_z(self) -> tuple[float, float]:
+        """The factor and the constant that give w from z of clip space.
+
+        A constant alone means that points are divided already.
+        """
+        (a, b), (c, d) = self._of.clip_from_view[2:, 2:].tolist()
+        return c / a + 0.0, d - c * b / a
+
+    @cached_property
+    def exact_lens(self) -> ExactLens:
+        """The numbers that the lens is made of, without their rounding to float64."""
+        zero, letters = Fraction(0), self._of.exact_letters
+        upright = {**letters, **dict.fromkeys(COTS, zero)}
+        x, y, _, w = evaluated(self._lens.table.clip_from_view, upright)
+        at = 2 if w[2] else 3  # the column of w
+        cot_alpha, cot_beta = (letters.get(cot, zero) for cot in COTS)
+        return ExactLens(
+            (x[0], y[1]),
+            (x[at] / w[at], y[at] / w[at]),
+            (cot_alpha, cot_beta),
+            Fraction(self._lens.near),
+            letters.get("f"),
+        )
+
+    # -- points in float64
+
+    def view(self, world: Array, rest: Array | None = None) -> tuple[Array, Array]:
+        """View coordinates of points (n, 3), rounded once, and what that cut off of z.
+
+        `rest` is what the points' own rounding cut off.
+
+        Returns
+        -------
+        view : (3, n) array
+        rest : (n,) array
+
+        Notes
+        -----
+        Ozaki, Ogita, Oishi, Rump, "Error-free transformations of matrix multiplication" (2012):
+        offsets and frame are cut in two, so that the products and sums of the large parts are
+        whole numbers of a unit, less than 2^53 of them: no order of summing rounds them. The rest
+        has 2^-25 of the size, and its rounding 2^-75.
+        """
+        if not self._of.stretch <= _LARGE_STRETCH:
+            parts = self.view_double_double(world, rest)
+            return np.stack([part.hi for part in parts]), parts[2].lo
+        large, small = self._of.camera.frame_parts
+        offset, left_over = dd.two_sum(np.ascontiguousarray(world.T), self._of.minus_eye)
+        if rest is not None:
+            offset, left_over = dd.two_sum(offset, left_over + rest.T)
+        unit = np.abs(offset)
+        unit = unit[0] + unit[1] + unit[2]
+        unit *= _ABOVE_OFFSETS
+        high = offset + unit
+        high -= unit
+        whole = large @ high
+        left_over += np.subtract(offset, high, out=high)
+        left_over = large @ left_over
+        left_over += small @ offset
+        view = whole + left_over
+        return view, left_over[2] - (view[2] - whole[2])
+
+    def view_double_double(
+        self, world: Array, rest: Array | None = None
+    ) -> tuple[DoubleDouble, ...]:
+        """View coordinates x, y, z of points (n, 3) with twice the digits of float64.
+
+        Their errors are below ``3 double_double.RELATIVE_ERROR`` of the distance from the eye.
+        """
+        offset = Placed(world, rest, np.zeros(0)).offset(self._of.camera.eye)
+        offsets = [DoubleDouble(*parts) for parts in zip(*offset, strict=True)]
+        rows = []
+        for axis in self._of.camera.frame_double_double:
+            x, y, z = (dd.multiply(part, o) for part, o in zip(axis, offsets, strict=True))
+            rows.append(dd.add(dd.add(x, y), z))
+        return tuple(rows)
+
+    def trace(self, world: Array, rest: Array | None = None) -> Trace:
+        """See `Projection.trace`; `rest` is what rounding to float64 cut off the points."""
+        flat = world.reshape(-1, 3)
+        left_over = None if rest is None else rest.reshape(-1, 3)
+        count = len(flat)
+        # In one piece: the system hands out a large one many times as fast as several.
+        numbers = np.empty(13 * count)
+        view, clip, ndc, image = (
+            numbers[first * count : last * count].reshape(count, last - first)
+            for first, last in ((0, 3), (3, 7), (7, 10), (10, 12))
+        )
+        in_front, outside = np.empty(count, dtype=bool), np.empty((count, 6), dtype=bool)
+        traced = Trace(flat, view, clip, ndc, image, numbers[12 * count :], in_front, outside)
+        for start in range(0, count, _CHUNK):
+            block = slice(start, start + _CHUNK)
+            self._trace_block(
+                Trace._make(part[block] for part in traced),
+                None if left_over is None else left_over[block],
+            )
+        shape = world.shape[:-1]
+        return Trace._make(part.reshape(shape + part.shape[1:]) for part in traced)
+
+    def _trace_block(self, traced: Trace, cut_off: Array | None) -> None:
+        """Fill in everything that follows from `world`, row by row, which is fast in numpy."""
+        of, lens = self._of, self._lens
+        rows, rest = self.view(traced.world, cut_off)
+        x, y, z = rows
+        distance = -z
+        w = distance if lens.central else np.ones_like(distance)
+        (x_clip, y_clip), (x_ndc, y_ndc) = lens.pictured(of.axes, of.aspect, x, y, distance)
+        numerator, depth = lens.depth_over_w(distance, rest, reverse=self._reverse)
+        opengl = of.depth == "opengl"
+        z_clip = 2.0 * numerator - w if opengl else numerator
+        z_ndc = 2.0 * depth - 1.0 if opengl else depth
+        width, height = of.image_size
+        right, down = (x_ndc + 1.0) * (width / 2.0), (1.0 - y_ndc) * (height / 2.0)
+        for array, columns in (
+            (traced.view, rows),
+            (traced.clip, (x_clip, y_clip, z_clip, w)),
+            (traced.ndc, (x_ndc, y_ndc, z_ndc)),
+            (traced.image, (right, down)),
+        ):
+            for i, column in enumerate(columns):
+                array[:, i] = column
+        traced.depth[...] = depth
+        in_front = np.greater(w, 0.0, out=traced.in_front)
+        for row in (right, down, z_ndc):  # pixels are finite only where x and y of the cube are
+            in_front &= np.isfinite(row)
+        if not in_front.all():
+            for array in (traced.ndc, traced.image, traced.depth):
+                array[~in_front] = np.nan
+        beyond = traced.outside.T
+        np.less(distance, lens.near, out=beyond[0])
+        np.greater(distance, lens.far, out=beyond[1])
+        np.greater(x_clip, w, out=beyond[3])
+        np.greater(y_clip, w, out=beyond[5])
+        minus_w = np.negative(w, out=w)  # in its place: w is not needed any more
+        np.less(x_clip, minus_w, out=beyond[2])
+        np.less(y_clip, minus_w, out=beyond[4])
+
+    def view_of(self, offsets: Any) -> Any:
+        """View coordinates of offsets from the eye, (n, 3), in their own precision."""
+        return offsets @ self._of.view_rotation.astype(offsets.dtype)[:3, :3].T
+
+    def beyond(self, view: Any, clip: Any) -> tuple[Any, Any]:
+        """Which points, (n, 3) and (n, 4), lie before the near plane and beyond the far one."""
+        number, distance = view.dtype.type, -view[:, 2]
+        return distance < number(self._lens.near), distance > number(self._lens.far)
+
+    def world_from_image(self, points: Array) -> Array:
+        """See `Projection.world_from_image`."""
+        of, depth = self._of, points[..., 2]
+        # The way from near and the way left to far, without a difference where the format has
+        # its digits.
+        gone, left_over = (1.0 - depth, depth) if self._reverse else (depth, 1.0 - depth)
+        with np.errstate(divide="ignore", over="ignore"):
+            distance = self._lens.distance(gone, left_over)
+        width, height = of.image_size
+        x_axis, y_axis = of.axes
+        x = x_axis.middle + x_axis.extent * ((points[..., 0] - width / 2.0) / width)
+        y = y_axis.middle - y_axis.extent * ((points[..., 1] - height / 2.0) / height)
+        with np.errstate(over="ignore", invalid="ignore"):
+            x, y = self._lens.outwards(x, y, distance)
+        nowhere = ~(np.abs(x) + np.abs(y) + np.abs(distance) < BEYOND)
+        if nowhere.any():
+            raise Refusal("depth", float(depth[nowhere][0]), NO_POINT)
+        # With twice the digits, so that there and back together stay within 1e-15 of w.
+        view = [DoubleDouble(part, np.zeros_like(part)) for part in (x, y, -distance)]
+        world = np.empty_like(points)
+        for column, eye in enumerate(of.camera.eye):
+            total = DoubleDouble(np.asarray(eye), np.zeros(()))
+            for axis, part in zip(of.camera.frame_double_double, view, strict=True):
+                total = dd.add(total, dd.multiply(axis[column], part))
+            world[..., column] = total.hi
+        return world
+
+    # -- points in other arithmetics
+
+    def coordinates(self, points: Placed) -> tuple[Sequence[DoubleDouble], Array]:
+        """The arguments of `clipped` for points (n, 3), with twice the digits, and their error."""
+        size = np.abs(points.offset(self._of.camera.eye).hi).sum(axis=0)
+        view = self.view_double_double(points.world, points.rest)
+        return view, 3.0 * dd.RELATIVE_ERROR * size + points.lost + dd.UNDERFLOW
+
+    def exact_coordinates(self, point: Sequence[float | Fraction]) -> tuple[Fraction, ...]:
+        """The arguments of `clipped` for one point, without any error."""
+        return self._of.camera.exact_view((point[0], point[1], point[2]))
+
+    def clipped(self, x: Any, y: Any, z: Any) -> list[Any]:
+        """View and clip coordinates, and the signed distances inside `PLANES`, 3 + 4 + 6.
+
+        The result is in the arithmetic of the arguments, `coordinates` or `exact_coordinates`.
+        """
+        n, distance = self.exact_lens, -z
+        one = distance * 0 + 1
+        w = distance if self._lens.central else one
+        from_near, to_far = distance - n.near, one if n.far is None else -distance + n.far
+        if self._lens.central:
+            x_clip, y_clip = (
+                value * scale + w * shift
+                for value, scale, shift in zip((x, y), n.scale, n.shift, strict=True)
+            )
+        else:
+            x_clip, y_clip = (
+                (value - from_near * cot) * scale + shift
+                for value, cot, scale, shift in zip((x, y), n.shear, n.scale, n.shift, strict=True)
+            )
+        if n.far is None:
+            numerator = one * n.near if self._reverse else from_near
+        else:
+            scale = self._lens.depth_scale(n.near, n.far, reverse=self._reverse)
+            numerator = (to_far if self._reverse else from_near) * scale
+        z_clip = numerator * 2 - w if self._of.depth == "opengl" else numerator
+        inside = from_near, to_far, x_clip + w, -x_clip + w, y_clip + w, -y_clip + w
+        return [x, y, -distance, x_clip, y_clip, z_clip, w, *inside]
+
+    # -- error bounds
+
+    @property
+    def view_error(self) -> float:
+        """Relative error of `trace`'s view coordinates before their final rounding.
+
+        Relative to the distance from the eye (the sum of the sizes of the offset); z together with
+        what its rounding cut off.
+        """
+        return 2.0**-74 if self._of.stretch <= _LARGE_STRETCH else 2.0**-96
+
+    @property
+    def depth_terms(self) -> tuple[Array, Array]:
+        """The depth times w from the axes of `stated_in`, and the sizes of its terms, (4,) each."""
+        lens, reverse, near, far = self._lens, self._reverse, self._lens.near, self._lens.far
+        if far == np.inf:
+            row = (0.0, near) if reverse else (-1.0, -near)
+        else:
+            per_unit = lens.depth_scale(near, far, reverse=reverse) * (1.0 if reverse else -1.0)
+            row = per_unit, per_unit * (far if reverse else near)
+        # A difference of distances, which are rounded once: by its own size.
+        return np.array((0.0, 0.0, *row)), np.zeros(4)
+
+    # -- lines, and what is drawn
+
+    def line(
+        self, pixel: tuple[float, float] | None, point: Vector | None, at: Array
+    ) -> Array | None:
+        """Points (k, 3) on the projector of a pixel or of a world point; None if there is none.
+
+        `at` are distances from the eye plane, (k,).
+        """
+        of, frame, eye = self._of, self._of.camera.frame, np.array(self._of.camera.eye)
+        if point is not None and self._lens.central:
+            offset = np.array(point) - eye
+            away = -float(frame[2] @ offset)
+            return eye + at[:, None] * (offset / away) if away > 0.0 else None
+        # Where (x w - x_px w) = (y w - y_px w) = 0 at the distance -n (q - e): three equations.
+        rows = of.image_from_ndc @ of.clip_from_view @ of.view_rotation
+        if pixel is None:
+            x, y, _, w = rows[:, :3] @ (np.array(point) - eye) + rows[:, 3]
+            pixel = x / w, y / w
+        across, down = (row - at_px * rows[3] for row, at_px in zip(rows[:2], pixel, strict=True))
+        system = np.array([across[:3], down[:3], -frame[2]])
+        fixed = np.full(len(at), -across[3]), np.full(len(at), -down[3]), at
+        points: Array = eye + np.linalg.solve(system, np.array(fixed)).T
+        return points
+
+    def dragged(
+        self, trace: Trace, shift_px: tuple[float, float], *, along_ray: bool
+    ) -> Array | None:
+        """The point that a picture was dragged to; see `app.picking.picking.dragged`."""
+        (x_px, y_px), (right_px, down_px) = trace.image.tolist(), shift_px
+        distance = -float(trace.view[2])
+        if along_ray:
+            _, _, bottom, top = self._of.window
+            distance = self._lens.nearer_by(distance, top - bottom, down_px, self._of.image_size[1])
+            if not -LARGEST < distance < LARGEST:
+                return None
+            line = self.line(None, tuple(trace.world.tolist()), np.array([distance]))
+        else:
+            line = self.line((x_px + right_px, y_px + down_px), None, np.array([distance]))
+        return None if line is None else line[0]
+
+    @property
+    def order(self) -> tuple[Array, Array]:
+        """What is in front of what, and what lies between near and far.
+
+        Returns
+        -------
+        order : (4,) array
+            From the axes of `stated_in`: a number that is smaller in front, times w.
+        limits : (k, 4) array
+            Half-spaces of these axes: ``limit . (x, y, z, 1) >= 0`` inside.
+        """
+        # Without the digits that the depth loses far away: -1/w, or the distance. Of a row c z + d
+        # that makes w, (-d z + c)/(c z + d) only falls with z.
+        c, d = self._of.clip_from_view[3, 2:]
+        limits = [(0.0, 0.0, -1.0, -self._lens.near)]
+        if self._lens.far != np.inf:
+            limits.append((0.0, 0.0, 1.0, self._lens.far))
+        return np.array((0.0, 0.0, 0.0 - d, c)), np.array(limits)
+
+    def half_spaces(self, least_w: float) -> HalfSpaces:
+        """Half-spaces of OpenGL's clip space: between near and far, and w at least positive."""
+        if self._lens.parallel:
+            return [((0.0, 0.0, 1.0, 0.0), 1.0), ((0.0, 0.0, -1.0, 0.0), 1.0)]
+        # By w itself: z and w have not enough digits left to compare if far/near is large.
+        found: HalfSpaces = [((0.0, 0.0, 0.0, 1.0), -self._lens.near)]
+        if self._lens.far != np.inf:
+            found.append(((0.0, 0.0, 0.0, -1.0), self._lens.far))
+        return found
+
+    def nearer(self, share: float, length: float, least: float) -> tuple[float, float]:
+        """The growth of z in clip space when things come nearer: a constant, and a factor of w.
+
+        Nearer by a `share` of the distance, by a `length` if the lens has no eye, or by the
+        `least` part of the depth range for a typed matrix.
+        """
+        a, b = self._of.clip_from_view[2, 2:]
+        # z_clip = a z + b with -z = w, so that b / (1 - share) for b is the depth at w (1 - share).
+        return (b * share if self._lens.central else a * length), 0.0

@@ -1,0 +1,418 @@
+"""A camera, a lens, an image and an object, and all matrices between them that are to be read."""
+
+from __future__ import annotations
+
+import numbers
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from functools import cached_property
+from typing import NamedTuple, TypeAlias
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from app.arithmetic.rationals import Rationals, product, rationals
+from app.model.camera import Camera
+from app.model.formula import FLOAT64
+from app.model.lenses import Lens, Perspective
+from app.model.lenses.answers import Axis, Window
+from app.model.limits import (
+    AT_LEAST,
+    AT_MOST,
+    DEPTH_RANGES,
+    LARGEST,
+    LARGEST_IMAGE_PX,
+    LARGEST_INVERSE,
+    ONE_OF,
+    SMALL_INVERSE,
+    THREE_NUMBERS,
+    WHOLE_PIXELS,
+    Array,
+    DepthRange,
+    keep_checked,
+    read_only,
+)
+from app.model.object_transform import NOT_MOVED, SPACES, ObjectTransform, Placed, Space
+from app.model.refusal import Refusal
+from app.model.tables import VIEWPORT, Step, evaluated, inverse, rounded
+
+HalfSpaces: TypeAlias = list[tuple[tuple[float, float, float, float], float]]
+"""Normals and offsets: ``normal . (x, y, z, w) + offset >= 0`` inside."""
+
+
+class Trace(NamedTuple):
+    """Points followed through every stage; ``...`` is the shape of the points without the 3.
+
+    Attributes
+    ----------
+    world, view : (..., 3) float64
+    clip : (..., 4) float64
+        Before the divide; w is the distance from the eye plane (1 for a parallel lens).
+    ndc : (..., 3) float64
+        After the divide; NaN where w <= 0, because a point behind the eye has no picture, and
+        for a point so close to the eye plane that its picture is beyond float64's 1e308.
+    image : (..., 2) float64
+        Pixels, origin top-left; NaN where `ndc` is.
+    depth : (...) float64
+        What a depth buffer in [0, 1] would hold before quantising; NaN where `ndc` is.
+    in_front : (...) bool
+        Where there is a picture: w > 0.
+    outside : (..., 6) bool
+        Which of `PLANES` the point lies beyond.
+    """
+
+    world: Array
+    view: Array
+    clip: Array
+    ndc: Array
+    image: Array
+    depth: Array
+    in_front: NDArray[np.bool_]
+    outside: NDArray[np.bool_]
+
+
+class Stage(NamedTuple):
+    """One step of the pipeline in numbers.
+
+    Attributes
+    ----------
+    name : str
+        ``target_from_source``.
+    exact : 4 lists of 4 Fraction
+        The matrix before it is rounded.
+    factors : tuple of (str, (4, 4) array)
+        Named factors whose product, in this order, is the matrix; empty for the identity.
+    note : str
+        What is special about it for this lens; empty if nothing is.
+    """
+
+    name: str
+    exact: Rationals
+    factors: tuple[tuple[str, Array], ...]
+    note: str
+
+    @property
+    def matrix(self) -> Array:
+        """The matrix, (4, 4), every number rounded once."""
+        return rounded(self.exact)
+
+
+def _product(name: str, factors: Sequence[tuple[str, Rationals]], note: str = "") -> Stage:
+    """The stage that is the product of its factors."""
+    whole = _diagonal(1, 1, 1, 1)
+    for _, factor in factors:
+        whole = product(whole, factor)
+    return Stage(name, whole, tuple((label, rounded(f)) for label, f in factors), note)
+
+
+def _diagonal(*parts: Fraction | int) -> Rationals:
+    return [[Fraction(part if i == j else 0) for j in range(4)] for i, part in enumerate(parts)]
+
+
+def _shift(*offset: Fraction | int) -> Rationals:
+    matrix = _diagonal(1, 1, 1, 1)
+    for row, part in zip(matrix, offset, strict=False):
+        row[3] = Fraction(part)
+    return matrix
+
+
+@dataclass(frozen=True)
+class Pipeline:
+    """Everything that a picture depends on, and the matrices of its steps.
+
+    Parameters
+    ----------
+    camera : Camera
+    lens : Lens
+    image_size : (int, int)
+        Width and height in pixels.
+    depth : {"opengl", "direct3d", "reversed"}
+        The NDC range of z.
+    placement : ObjectTransform
+        Where the scene's object stands.
+
+    Raises
+    ------
+    Refusal
+        For an image side outside 1..`LARGEST_IMAGE_PX` or an unknown depth range.
+    """
+
+    camera: Camera = Camera()
+    lens: Lens = Perspective()
+    image_size: tuple[int, int] = (1280, 720)
+    depth: DepthRange = "opengl"
+    placement: ObjectTransform = NOT_MOVED
+
+    def __post_init__(self) -> None:
+        try:
+            size = tuple(self.image_size)
+            if len(size) != 2:
+                raise TypeError
+        except TypeError:
+            raise Refusal("image", self.image_size, WHOLE_PIXELS, LARGEST_IMAGE_PX) from None
+        for name, side in zip(("width", "height"), size, strict=True):
+            whole = isinstance(side, numbers.Integral) and not isinstance(side, bool)
+            if not whole or not 1 <= side <= LARGEST_IMAGE_PX:
+                raise Refusal(name, side, WHOLE_PIXELS, LARGEST_IMAGE_PX)
+        if not isinstance(self.depth, str) or self.depth not in DEPTH_RANGES:
+            raise Refusal("depth", self.depth, ONE_OF, ", ".join(DEPTH_RANGES))
+        keep_checked(self, image_size=(int(size[0]), int(size[1])))
+        self.lens.check_image(Fraction(*self.image_size))
+
+    # -- plain figures
+
+    @property
+    def aspect(self) -> float:
+        """The image's width over its height."""
+        return self.image_size[0] / self.image_size[1]
+
+    @property
+    def depth_range(self) -> tuple[float, float]:
+        """NDC z of the near and of the far plane."""
+        return DEPTH_RANGES[self.depth]
+
+    @cached_property
+    def window(self) -> Window:
+        """Left, right, bottom, top of the picture on the near plane, in world units."""
+        return self.lens.window(Fraction(*self.image_size))
+
+    @cached_property
+    def axes(self) -> tuple[Axis, Axis]:
+        """The picture's x and y range on the near plane, after `keep`, without its rounding."""
+        exact = self.lens.exact_window(Fraction(*self.image_size))
+        return Axis.between(*exact[:2]), Axis.between(*exact[2:])
+
+    @cached_property
+    def stretch(self) -> float:
+        """How much the lens enlarges the rounding of view coordinates, in NDC.
+
+        A view coordinate is off by some 1e-16 of the point's distance from the eye. The stretch is
+        the largest ratio of this distance to half the width or height of the picture there, times
+        what the lens adds: about 4 for everyday lenses.
+        """
+        return self.lens.stretch(self.window)
+
+    # -- letters
+
+    @cached_property
+    def _letters(self) -> dict[str, float]:
+        """What the letters of the lens's table stand for, in float64."""
+        z_near, z_far = self.depth_range
+        return {**self.lens.letters(Fraction(*self.image_size)), "z_n": z_near, "z_f": z_far}
+
+    @cached_property
+    def exact_letters(self) -> dict[str, Fraction]:
+        """What the letters of every step after the view matrix stand for, in rationals."""
+        width, height = map(Fraction, self.image_size)
+        z_near, z_far = map(Fraction, self.depth_range)
+        return {
+            **self.lens.exact_letters(width / height),
+            "z_n": z_near,
+            "z_f": z_far,
+            "z_low": min(z_near, z_far),
+            "W": width,
+            "H": height,
+        }
+
+    # -- matrices in float64
+
+    @cached_property
+    def minus_eye(self) -> Array:
+        """The negated eye, (3, 1)."""
+        return read_only([[-part] for part in self.camera.eye])
+
+    @cached_property
+    def view_rotation(self) -> Array:
+        """Factor R of the view matrix: rows u, v, n (lecture 004), (4, 4)."""
+        matrix = np.eye(4)
+        matrix[:3, :3] = self.camera.frame
+        return read_only(matrix)
+
+    @cached_property
+    def view_translation(self) -> Array:
+        """Factor P of the view matrix: the eye moves to the origin (lecture 004), (4, 4)."""
+        return translation(-np.array(self.camera.eye))
+
+    @cached_property
+    def view_from_world(self) -> Array:
+        """The view matrix R P of lecture 004, or the one typed in its place, (4, 4)."""
+        if self.lens.own_view is not None:
+            return read_only(self.lens.own_view)
+        return read_only(self.view_rotation @ self.view_translation)
+
+    @cached_property
+    def clip_from_view(self) -> Array:
+        """The lens's matrix for the depth range, from the closed form of its table, (4, 4)."""
+        return read_only(evaluated(self.lens.table.clip_from_view, self._letters, FLOAT64))
+
+    @cached_property
+    def view_from_clip(self) -> Array:
+        """The inverse of `clip_from_view`, (4, 4), in closed form if the table has one.
+
+        Raises
+        ------
+        Refusal
+            For a typed matrix without an inverse.
+        """
+        table = self.lens.table.view_from_clip
+        if table is None:
+            return rounded(inverse("clip_from_view", rationals(self.clip_from_view.tolist())))
+        return read_only(evaluated(table, self._letters, FLOAT64))
+
+    @cached_property
+    def clip_from_world(self) -> Array:
+        """`clip_from_view` times `view_from_world`, (4, 4)."""
+        return read_only(self.clip_from_view @ self.view_from_world)
+
+    @cached_property
+    def image_from_ndc(self) -> Array:
+        """The viewport matrix (lecture 002), (4, 4): x, y to pixels, z to depth in [0, 1]."""
+        width, height = self.image_size
+        z_low = min(self.depth_range)
+        matrix = np.diag([width / 2.0, -height / 2.0, 1.0 / (1.0 - z_low), 1.0])
+        matrix[:3, 3] = width / 2.0, height / 2.0, -z_low / (1.0 - z_low)
+        return read_only(matrix)
+
+    # -- matrices in rationals
+
+    @cached_property
+    def exact_from_eye(self) -> tuple[Rationals, Rationals]:
+        """View and clip from ``(p - eye, 1)``, before they are rounded.
+
+        A typed view matrix may look from elsewhere. The eye is then just a point nearby: what it
+        and a point have in common is subtracted before anything is multiplied.
+        """
+        if self.lens.own_view is None:
+            view = self._exact_rotation
+        else:
+            view = product(rationals(self.lens.own_view), _shift(*map(Fraction, self.camera.eye)))
+        return view, product(self.direct_stages[0].exact, view)
+
+    @property
+    def _exact_rotation(self) -> Rationals:
+        rotation = _diagonal(1, 1, 1, 1)
+        for row, axis in zip(rotation, self.camera.exact_frame, strict=False):
+            row[:3] = axis
+        return rotation
+
+    @cached_property
+    def eye_from_clip(self) -> Rationals:
+        """The inverse of the clip matrix of `exact_from_eye`, or a `Refusal`."""
+        view_from_clip = inverse("clip_from_view", self.direct_stages[0].exact)
+        whole = product(inverse("view_from_world", self.exact_from_eye[0]), view_from_clip)
+        if max(abs(part) for row in whole for part in row) > LARGEST_INVERSE:
+            raise Refusal("clip_from_view", self.clip_from_view.tolist(), SMALL_INVERSE)
+        return whole
+
+    @cached_property
+    def stages(self) -> tuple[Stage, ...]:
+        """The pipeline in order; the divide by w comes between clip and NDC.
+
+        The canonical volumes and the matrices between them are those of lecture 001: for a
+        perspective lens the pyramid with its apex in the eye, x and y from -1 to 1 at z = -1, and
+        for every lens the box x, y from -1 to 1, z from 0 at near to -1 at far.
+
+        These matrices are for reading: every number is computed in rationals and rounded once.
+        """
+        steps = (self.placement.step, *self.lens.table.steps, VIEWPORT)
+        first, *rest = map(self.staged, steps)
+        return (first, self._view_stage, *rest)
+
+    def staged(self, step: Step) -> Stage:
+        """A step of a table in this projection's numbers."""
+        letters: Mapping[str, Fraction] = self.exact_letters | self.placement.letters
+        factors = [(name, evaluated(table, letters)) for name, table in step.factors]
+        return _product(step.name, factors, step.note)
+
+    @property
+    def _view_stage(self) -> Stage:
+        if self.lens.own_view is not None:
+            return Stage("view_from_world", rationals(self.lens.own_view), (), "")
+        factors = [
+            ("rotation", self._exact_rotation),
+            ("translation", _shift(*(Fraction(-part) for part in self.camera.eye))),
+        ]
+        view = _product("view_from_world", factors)
+        # The product's zeros cancel to the last of the frame's bits only.
+        for row, part in zip(view.exact, self.camera.exact_view((0.0, 0.0, 0.0)), strict=False):
+            row[3] = part
+        return view
+
+    @cached_property
+    def direct_stages(self) -> tuple[Stage, Stage]:
+        """`clip_from_view` and `clip_from_world` as products of `stages`, rounded once.
+
+        A typed matrix is one step, and has no factors.
+        """
+        view, *steps = self.stages[1:-1]
+        if steps:
+            in_order = [(stage.name, stage.exact) for stage in reversed(steps)]
+            direct = _product("clip_from_view", in_order)
+        else:
+            exact = evaluated(self.lens.table.clip_from_view, self.exact_letters)
+            direct = Stage("clip_from_view", exact, (), "")
+            in_order = [(direct.name, exact)]
+        return direct, _product("clip_from_world", [*in_order, (view.name, view.exact)])
+
+    # -- points
+
+    def placed(self, points: ArrayLike, space: Space = "world") -> Placed:
+        """Points of a space in the world, (n, 3), with the digits that the eye does not share.
+
+        Parameters
+        ----------
+        points : (..., 3) array_like
+        space : {"world", "object"}
+
+        Raises
+        ------
+        Refusal
+            If a coordinate is not a finite number, or for another space.
+        """
+        if space not in SPACES:
+            raise Refusal("space", space, ONE_OF, ", ".join(SPACES))
+        given = checked_points(points).reshape(-1, 3)
+        if space == "world" or self.placement.is_identity:
+            return Placed.at(given)
+        return self.placement.placed(given)
+
+
+def translation(offset: ArrayLike) -> Array:
+    """The matrix of a translation, (4, 4)."""
+    matrix = np.eye(4)
+    matrix[:3, 3] = offset
+    return read_only(matrix)
+
+
+def checked_points(points: ArrayLike) -> Array:
+    """Points as a float64 array of their own, (..., 3).
+
+    Raises
+    ------
+    Refusal
+        If they are not rows of three finite numbers up to `LARGEST`.
+    """
+    try:
+        given = np.asarray(points)
+    except ValueError:  # rows of different lengths
+        raise Refusal("points", points, THREE_NUMBERS) from None
+    if given.dtype.kind not in "iuf" or given.shape[-1:] != (3,):
+        raise Refusal("points", points, THREE_NUMBERS)
+    checked = given.astype(np.float64)
+    if not checked.size or (checked.max() <= LARGEST and checked.min() >= -LARGEST):
+        return checked
+    wrong = ~np.isfinite(checked).all(axis=-1) | (np.abs(checked) > LARGEST).any(axis=-1)
+    if wrong.any():
+        raise Refusal("points", tuple(checked[wrong][0].tolist()), THREE_NUMBERS)
+    return checked
+
+
+def checked_pixels(points_image: ArrayLike) -> Array:
+    """Pixels with a depth as a float64 array of their own, (..., 3), or a `Refusal`."""
+    points = checked_points(points_image)
+    depth = points[..., 2]
+    for wrong, bound, limit in ((depth < 0.0, AT_LEAST, 0), (depth > 1.0, AT_MOST, 1)):
+        if wrong.any():
+            raise Refusal("depth", float(depth[wrong][0]), bound, limit)
+    return points
