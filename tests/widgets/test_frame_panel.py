@@ -15,7 +15,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from PySide6.QtCore import QPoint, Qt, QTimer
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication, QScrollArea, QWidget
+from PySide6.QtWidgets import QApplication, QWidget
 
 from app.drawings.frame import arrow_tips
 from app.drawings.style import LIGHT, rgb
@@ -108,7 +108,7 @@ def test_the_view_matrix_is_the_stages() -> None:
         assert view_matrix(projection.camera) == tuple(map(tuple, stage.matrix.tolist()))
 
 
-@pytest.mark.parametrize("angle_deg", [178.0, 104.5, 90.0, 45.0, 1.0, 1e-3, 1e-6, 1e-9])
+@pytest.mark.parametrize("angle_deg", [178.0, 45.0, 1e-3, 1e-9])
 def test_turned_up_has_the_angle_and_keeps_the_frame(angle_deg: float) -> None:
     camera = turned_up(START.camera, angle_deg)
     error = 4e-16 / math.sin(math.radians(angle_deg))
@@ -128,7 +128,7 @@ def test_up_on_the_view_direction_is_refused_by_the_model() -> None:
     assert up_and_view(turned_up(START.camera, 1e-12)).angle_deg == pytest.approx(1e-12, rel=1e-2)
 
 
-@pytest.mark.parametrize("angle_deg", [90.0, 10.0, 1.0])
+@pytest.mark.parametrize("angle_deg", [90.0, 1.0])
 def test_an_error_in_up_is_magnified_as_it_is_said(angle_deg: float) -> None:
     camera = turned_up(START.camera, angle_deg)
     nudged = nudged_up(camera, 1e-4)
@@ -136,7 +136,7 @@ def test_an_error_in_up_is_magnified_as_it_is_said(angle_deg: float) -> None:
     assert turn_deg == pytest.approx(1e-4 * up_and_view(camera).magnified, rel=1e-3)
 
 
-@pytest.mark.parametrize("off_deg", [10.0, 1.0, 0.12, 0.101, 0.05])
+@pytest.mark.parametrize("off_deg", [1.0, 0.101, 0.05])
 def test_an_error_in_up_turns_no_more_than_is_said(off_deg: float) -> None:
     camera = turned_up(START.camera, off_deg)
     u, v = camera.frame[:2]
@@ -204,11 +204,8 @@ def test_playing_goes_through_all_steps_and_stops(window: MainWindow, qtbot: Any
     assert not panel.playing
 
 
-@pytest.mark.parametrize(
-    "camera",
-    [START.camera, Camera((0.1, -3.0, 1e6), (1 / 3, 0.0, 0.0), (1.0, 2.0, 0.5))],
-)
-def test_the_numbers_are_the_models(window: MainWindow, camera: Camera) -> None:
+def test_the_numbers_are_the_models(window: MainWindow) -> None:
+    camera = Camera((0.1, -3.0, 1e6), (1 / 3, 0.0, 0.0), (1.0, 2.0, 0.5))
     window.store.set_projection(replace(window.store.document.projection, camera=camera))
     panel = window.frame_panel
     projection = window.store.document.projection
@@ -252,10 +249,8 @@ def ink(widget: QWidget) -> np.ndarray:
     return np.asarray(np.abs(grey - grey[0, -1]) > 60)
 
 
-@pytest.mark.parametrize("theme", ["light", "dark"])
-def test_the_matrix_stands_in_brackets(window: MainWindow, theme: str) -> None:
+def test_the_matrix_stands_in_brackets(window: MainWindow) -> None:
     """A line as high as its four rows at both ends, and none about a vector's numbers."""
-    window.look.set_theme(theme)
     panel = window.frame_panel
     panel.go_to(6)
     settle()
@@ -325,18 +320,6 @@ def test_a_row_turns_up_and_undo_brings_it_back(window: MainWindow) -> None:
     settle()
     assert window.store.document.projection == before
     assert panel.warning.text() == "" and panel.angle.value() == pytest.approx(104.513, rel=1e-5)
-
-
-def test_what_up_does_is_read_whole_in_a_narrow_panel(window: MainWindow, qtbot: Any) -> None:
-    panel = FramePanel()  # as narrow, against its letters, as in front of a class
-    qtbot.addWidget(panel)
-    panel.resize(45 * panel.fontMetrics().height(), 300)
-    panel.show()
-    panel.take(window.shown, panel.concerns)
-    settle()
-    (area,) = (each for each in panel.findChildren(QScrollArea) if each.isAncestorOf(panel.figures))
-    assert "An error in up" in panel.figures.text()
-    assert area.horizontalScrollBar().maximum() == 0
 
 
 def test_a_drag_of_the_row_is_one_step(window: MainWindow) -> None:
@@ -459,23 +442,6 @@ def test_another_theme_keeps_the_step_and_a_hidden_pane_catches_up(window: MainW
     window.frame_panel.go_to(6)
     settle()
     assert np.array_equal(pixels(window), stepped)
-
-
-def test_up_is_drawn_where_it_is(window: MainWindow) -> None:
-    """The arrow's shaft has its colour half-way along up, seen from the eye."""
-    camera = Camera(START.camera.eye, START.camera.target, (0.3, 1.0, -0.4))
-    window.store.set_projection(replace(START, camera=camera))
-    window.frame_panel.go_to(2)
-    settle()
-    drawing: Any = window.panes["world"].drawing
-    up = np.array(camera.up) / np.linalg.norm(camera.up)
-    eye = np.array(camera.eye)
-    spot = drawing.sight.seen([eye + 1.2 * drawing.camera.axes_size * up])[0]
-    picture = pixels(window).astype(int)
-    x, y = (math.floor(part) for part in spot)
-    accent = np.array([0xC4, 0x6F, 0x9D])
-    near_by = picture[y - 1 : y + 2, x - 1 : x + 2].reshape(-1, 3)
-    assert np.abs(near_by - accent).sum(axis=1).min() < 30
 
 
 def test_figures_show_the_step_while_its_panel_is_open(make_window: MakeWindow) -> None:

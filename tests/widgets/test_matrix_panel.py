@@ -11,7 +11,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from PySide6.QtCore import QEvent, QPoint, QPointF, Qt
+from PySide6.QtCore import QCoreApplication, QEvent, QPoint, Qt, QTranslator
 from PySide6.QtGui import (
     QColor,
     QContextMenuEvent,
@@ -26,7 +26,7 @@ from pytestqt.qtbot import QtBot
 
 from app.drawings.style import DARK, LIGHT
 from app.lecture import notation
-from app.lecture.notation import LETTERS, Letters, as_latex
+from app.lecture.notation import LETTERS, as_latex
 from app.lecture.typed_matrix import with_cell
 from app.model.formula import ARROW, OVER, stacked_fraction
 from app.model.projection import Camera, FreeMatrix, Frustum, Oblique, Perspective, Projection
@@ -266,20 +266,6 @@ def test_a_cell_that_is_being_typed_stays_open_while_digits_are_switched(
     assert edits[-1].direct_stages[0].matrix[0, 2] == 0.25
 
 
-@pytest.mark.parametrize("letters", LETTERS)
-def test_fractions_are_stacked_in_every_formula(panel: MatrixPanel, letters: Letters) -> None:
-    """But for those of a function's argument or of another fraction, which print has in a line."""
-    panel.running.setChecked(True)
-    choose(panel.cells, "formulas")
-    choose(panel.letters, letters)
-    for lens in (OFF_AXIS.lens, Perspective(), Oblique()):
-        show(panel, replace(OFF_AXIS, lens=lens))
-        texts = [text for row in shown_texts(panel) for text in row]
-        assert sum(OVER in text for text in texts) > 8
-        for text in texts:
-            assert "/" not in re.sub(r"\w+\([^()]*\)", "", text), text
-
-
 def test_a_stacked_fraction_reaches_the_screen(panel: MatrixPanel) -> None:
     """Its line is drawn between what is above and what is below, and the row holds both."""
     view = panel.views["clip_from_view"]
@@ -295,10 +281,8 @@ def test_a_stacked_fraction_reaches_the_screen(panel: MatrixPanel) -> None:
     assert rows[: rule - 2].any() and rows[rule + 3 :].any()
 
 
-@pytest.mark.parametrize("cells", ["numbers", "formulas"])
-def test_every_matrix_stands_in_brackets(panel: MatrixPanel, cells: str) -> None:
-    """At both ends of its rows, as high as they are: the factors' too."""
-    choose(panel.cells, cells)
+def test_every_matrix_and_factor_stands_in_brackets_as_high_as_its_rows(panel: MatrixPanel) -> None:
+    choose(panel.cells, "formulas")
     for matrix in panel.shown:
         if matrix.factors:
             fold(panel, matrix.name).click()
@@ -313,18 +297,6 @@ def test_every_matrix_stands_in_brackets(panel: MatrixPanel, cells: str) -> None
         ):
             drawn = max(dark[first.top() : last.bottom(), x].mean() for x in beside)
             assert drawn > 0.95, name
-
-
-def test_light_and_underline_reach_the_screen(panel: MatrixPanel, qtbot: QtBot) -> None:
-    """The cell's ground takes the accent's colour, and its last digits get a line below."""
-    view = panel.views["clip_from_view"]
-    plain = view.grab().toImage()
-    shown_after(panel, qtbot, moved(OFF_AXIS, far=50.0))
-    lit = view.grab().toImage()
-    inside = view.cell_rect(2, 2).topLeft() + QPointF(4.0, 4.0)
-    other = view.cell_rect(1, 2).topLeft() + QPointF(4.0, 4.0)
-    assert plain.pixelColor(inside.toPoint()) != lit.pixelColor(inside.toPoint())
-    assert plain.pixelColor(other.toPoint()) == lit.pixelColor(other.toPoint())
 
 
 def test_formulas_in_the_letters_of_a_lecture(panel: MatrixPanel) -> None:
@@ -360,9 +332,9 @@ def test_running_products_and_the_inverse(panel: MatrixPanel) -> None:
     assert np.array_equal(columns, OFF_AXIS.camera.frame)
 
 
-@pytest.mark.parametrize(
-    ("name", "row", "column", "words"),
-    [
+def test_a_cell_says_what_it_does(panel: MatrixPanel) -> None:
+    by_name = {matrix.name: matrix for matrix in panel.shown}
+    for name, row, column, words in (
         ("view_from_world", 0, 1, "the camera's axis u"),
         ("view_from_world", 0, 3, "It shifts x by"),
         ("clip_from_view", 0, 0, "It scales x by"),
@@ -376,19 +348,10 @@ def test_running_products_and_the_inverse(panel: MatrixPanel) -> None:
         ("clip_from_view", 3, 3, "The w that comes in has no part in w."),
         ("clip_from_world", 3, 2, "times z to w, by which all is divided"),
         ("clip_from_world", 3, 3, " to w, by which all is divided"),
-    ],
-)
-def test_a_cell_says_what_it_does(
-    panel: MatrixPanel, name: str, row: int, column: int, words: str
-) -> None:
-    (matrix,) = (matrix for matrix in panel.shown if matrix.name == name)
-    assert words in panel.sentence(matrix, row, column)
-
-
-def test_a_cell_says_which_control_it_depends_on(panel: MatrixPanel) -> None:
-    matrix = next(matrix for matrix in panel.shown if matrix.name == "clip_from_view")
-    assert panel.sentence(matrix, 2, 2).endswith("It depends on: Far, Near, Depth range.")
-    assert panel.sentence(matrix, 3, 2).endswith("It depends on no control.")
+        ("clip_from_view", 2, 2, "It depends on: Far, Near, Depth range."),
+        ("clip_from_view", 3, 2, "It depends on no control."),
+    ):
+        assert words in panel.sentence(by_name[name], row, column)
 
 
 def test_pointing_with_mouse_and_keys(panel: MatrixPanel, qtbot: QtBot) -> None:
@@ -445,12 +408,12 @@ def test_factors_unfold_and_stay_so(panel: MatrixPanel, qtbot: QtBot) -> None:
     assert not panel.views["canonical_parallel_from_view/shear"].isVisible()
 
 
-@pytest.mark.parametrize("lens", [Perspective(45.0, 1.0, math.inf), Oblique()])
-def test_notes_are_shown(panel: MatrixPanel, qtbot: QtBot, lens: Any) -> None:
-    projection = replace(OFF_AXIS, lens=lens)
-    shown_after(panel, qtbot, projection)
-    shown = {notes(panel, matrix.name) for matrix in panel.shown}
-    assert {stage.note for stage in projection.stages if stage.note} <= shown
+def test_notes_are_shown(panel: MatrixPanel, qtbot: QtBot) -> None:
+    for lens in (Perspective(45.0, 1.0, math.inf), Oblique()):
+        projection = replace(OFF_AXIS, lens=lens)
+        shown_after(panel, qtbot, projection)
+        shown = {notes(panel, matrix.name) for matrix in panel.shown}
+        assert {stage.note for stage in projection.stages if stage.note} <= shown
 
 
 def test_the_window_shows_the_current_value_when_the_panel_opens(
@@ -572,32 +535,27 @@ def test_a_matrix_that_is_gone_tells_nothing_any_more(window: MainWindow, qtbot:
         assert not panel.explanation.text() or speaks_of(panel, *panel.views)
 
 
-@pytest.mark.parametrize("lens", [Perspective(), Oblique(), OFF_AXIS.lens])
+@pytest.mark.parametrize("lens", [Oblique(), OFF_AXIS.lens])
 def test_what_is_typed_as_it_stands_changes_nothing(
     panel: MatrixPanel, qtbot: QtBot, edits: list[Projection], lens: Any
 ) -> None:
     shown_after(panel, qtbot, replace(OFF_AXIS, lens=lens))
-    for name in ("clip_from_view", "view_from_world"):
-        for row in range(4):
-            for column in range(4):
-                field = double_click(panel, qtbot, name, row, column)
-                text = field.text()
-                type_cell(panel, qtbot, name, row, column, text)
+    for name, *places in (
+        ("clip_from_view", (0, 0), (1, 2), (2, 3), (3, 2)), ("view_from_world", (0, 1), (2, 3)),
+    ):  # fmt: skip
+        for place in places:
+            text = double_click(panel, qtbot, name, *place).text()
+            type_cell(panel, qtbot, name, *place, text)
     assert edits == [] and panel.explanation.text()
 
 
 @pytest.mark.parametrize(
-    ("text", "sentence"),
+    ("name", "text", "sentence"),
     [
-        ("abc", "“abc”: must be a number, such as 0.5 or 2e-3."),
-        ("nan", "“nan”: must be a number, such as 0.5 or 2e-3."),
-        ("", "“”: must be a number, such as 0.5 or 2e-3."),
-        ("inf", "∞: must be a finite number."),
-        ("1e400", "“1e400”: must be at most 1e+100."),
-        ("-1e101", "-1e+101: must be at least -1e+100."),
+        ("clip_from_view", "", "“”: must be a number, such as 0.5 or 2e-3."),
+        ("view_from_world", "-1e101", "-1e+101: must be at least -1e+100."),
     ],
 )
-@pytest.mark.parametrize("name", ["clip_from_view", "view_from_world"])
 def test_a_bad_cell_is_named_and_the_good_state_stays(
     panel: MatrixPanel, qtbot: QtBot, edits: list[Projection], name: str, text: str, sentence: str
 ) -> None:
@@ -619,8 +577,7 @@ def test_a_bad_cell_is_named_and_the_good_state_stays(
     assert not panel.explanation.warns and not panel.explanation.styleSheet()
 
 
-@pytest.mark.parametrize("size", [(1920, 1080), (1366, 768)])
-@pytest.mark.parametrize("open_first", [True, False])
+@pytest.mark.parametrize(("size", "open_first"), [((1920, 1080), True), ((1366, 768), False)])
 def test_what_is_said_of_a_free_matrix_is_seen_whole(
     window: MainWindow, qtbot: QtBot, size: tuple[int, int], open_first: bool
 ) -> None:
@@ -644,7 +601,7 @@ def test_what_is_said_of_a_free_matrix_is_seen_whole(
     qtbot.waitUntil(is_whole)
 
 
-@pytest.mark.parametrize("scrolled", [0.0, 0.5, 1.0])
+@pytest.mark.parametrize("scrolled", [0.5, 1.0])
 def test_a_matrix_stays_under_the_hand_when_its_neighbours_vanish_and_come_back(
     window: MainWindow, qtbot: QtBot, scrolled: float
 ) -> None:
@@ -778,19 +735,14 @@ def test_what_a_free_matrix_does_is_written_below_it(
     assert "no camera has it" in notes(panel, "view_from_world")
     sentence = panel.sentence(panel.shown[1], 0, 2)  # x and y of the world make no row of it 0
     assert "camera's axis" not in sentence and "a shear" in sentence
-    for running in (True, False):
-        panel.running.setChecked(running)
-        for letters in ("000", "001", "002", "003", "own"):
-            choose(panel.letters, letters)
-            choose(panel.cells, "formulas")
-            assert panel.views["clip_from_view"].texts[0][0] == "p_11"
-            assert panel.views["view_from_world"].texts[1][2] == "m_23"
-            choose(panel.cells, "numbers")
+    choose(panel.cells, "formulas")
+    for letters in LETTERS:
+        choose(panel.letters, letters)
+        assert panel.views["clip_from_view"].texts[0][0] == "p_11"
+        assert panel.views["view_from_world"].texts[1][2] == "m_23"
 
 
 def test_titles_are_given_to_translators(panel: MatrixPanel) -> None:
-    from PySide6.QtCore import QCoreApplication, QTranslator
-
     class Estonian(QTranslator):
         def translate(
             self, context: str, text: str, disambiguation: Any = None, n: int = -1
@@ -808,10 +760,6 @@ def test_titles_are_given_to_translators(panel: MatrixPanel) -> None:
         assert stage_title("rotation") == "pööre" and stage_title("M_pp") == "M_pp"
     finally:
         QCoreApplication.removeTranslator(translator)
-    panel.running.setChecked(True)
-    for matrix in panel.shown:
-        target, _, source = matrix.name.replace("_", " ").partition(" from ")
-        assert title(panel, matrix.name) == f"{target} ← {source}"
 
 
 def test_typing_reaches_the_whole_window_and_can_be_undone(
@@ -845,21 +793,6 @@ def test_typing_reaches_the_whole_window_and_can_be_undone(
     assert store.document.projection == start.with_lens("orthographic")
 
 
-@pytest.mark.parametrize("depth", ["direct3d", "reversed"])
-def test_the_depth_range_of_a_free_matrix_can_be_changed(
-    window: MainWindow, qtbot: QtBot, depth: str
-) -> None:
-    free = window.store.document.projection.with_lens("matrix")
-    window.store.set_projection(free)
-    dock.choose(dock.choice(window.controls, "depth"), depth)
-    found = window.store.document.projection
-    assert found.depth == depth and isinstance(found.lens, FreeMatrix)
-    points = [[1.0, 2.0, 0.5], [-1.0, 0.0, 1.0]]
-    assert np.allclose(found.trace(points).image, free.trace(points).image)
-    standard = free.with_lens("perspective").with_depth(depth)
-    assert np.allclose(found.trace(points).depth, standard.trace(points).depth)
-
-
 FREE_CELLS = (
     ("clip_from_view", 0, 1, 0.5), ("clip_from_view", 0, 0, 0.0), ("clip_from_view", 0, 0, -1.0),
     ("clip_from_view", 3, 2, 1.0), ("clip_from_view", 2, 2, 0.0), ("clip_from_view", 3, 0, 0.3),
@@ -874,22 +807,18 @@ def test_every_pane_probe_and_stop_takes_any_matrix(
     window.panels.open(window.probe_panel)
     start = window.store.document.projection
     probes = [Probe(1, (0.5, 2.0, 0.0)), Probe(2, pixel=(300.0, 200.0))]
-    for cell in FREE_CELLS:
-        for depth in ("opengl", "reversed"):
-            window.store.set_projection(with_cell(start.with_depth(depth), *cell))
-            for position in (0.0, 0.5, 1.0, 1.9, 2.0, 2.6, 3.0, 3.7, 4.0, 4.5, 5.0):
-                window.strip.go_to(position)
-                display.processEvents()
-                for pane in window.panes.values():
-                    pane.drawing.show_probes(probes)
-                    sight = pane.drawing.sight
-                    assert np.isfinite(sight.rows).all() and np.isfinite(sight.limits).all()
-            window.strip.go_to(2.5)
-            if not isinstance(window.store.document.projection.lens, FreeMatrix):
-                assert cell[:4] == ("clip_from_view", 2, 2, 0.0)  # reversed, far = inf has it
-                continue
-            assert window.panes["ndc"].title.text() == "View → NDC"
-            assert window.panes["ndc"].note.text() == "no canonical volumes"
+    for cell, depth in zip(FREE_CELLS, itertools.cycle(("opengl", "reversed")), strict=False):
+        window.store.set_projection(with_cell(start.with_depth(depth), *cell))
+        for position in (0.0, 0.5, 1.0, 1.9, 3.0, 3.7, 4.0, 4.5, 5.0, 2.5):
+            window.strip.go_to(position)
+            display.processEvents()
+            for pane in window.panes.values():
+                pane.drawing.show_probes(probes)
+                sight = pane.drawing.sight
+                assert np.isfinite(sight.rows).all() and np.isfinite(sight.limits).all()
+        assert isinstance(window.store.document.projection.lens, FreeMatrix)
+        assert window.panes["ndc"].title.text() == "View → NDC"
+        assert window.panes["ndc"].note.text() == "no canonical volumes"
 
 
 def test_what_is_said_of_a_cell_is_of_its_value_now(panel: MatrixPanel, qtbot: QtBot) -> None:
@@ -906,52 +835,30 @@ def test_what_is_said_of_a_cell_is_of_its_value_now(panel: MatrixPanel, qtbot: Q
     assert panel.explanation.text() == panel.sentence(matrix, 0, 0)
 
 
-def test_undone_the_matrix_stays_under_the_hand(window: MainWindow, qtbot: QtBot) -> None:
-    panel = window.matrices
-    window.panels.open(panel)
-    bar = panel.findChild(QScrollArea).horizontalScrollBar()
-    qtbot.waitUntil(lambda: bar.maximum() > 500)
-    bar.setValue(400)
-    view = panel.views["clip_from_view"]
-    view.edit_cell(3, 0)
-    view.field.setText("0.25")
-    view.field.setModified(True)
-    view.field.returnPressed.emit()
-    QApplication.processEvents()
-    left = left_of(panel, "clip_from_view")
-    window.store.undo()
-    QApplication.processEvents()
-    now = panel.views["clip_from_view"]
-    assert left_of(panel, "clip_from_view") == left and panel.window().focusWidget() is now
-
-
 # -- what is read on it
 
 
-@pytest.mark.parametrize("letters", LETTERS)
-@pytest.mark.parametrize("vectors", ["columns", "rows"])
-def test_a_vector_is_told_from_the_plane_of_its_letter(
-    panel: MatrixPanel, letters: Letters, vectors: str
-) -> None:
+def test_a_vector_is_told_from_the_plane_of_its_letter(panel: MatrixPanel) -> None:
     """(f + n)(n.e): n is near outside the product, and the camera's axis inside."""
     choose(panel.cells, "formulas")
-    choose(panel.letters, letters)
-    choose(panel.vectors, vectors)
     panel.running.setChecked(True)
-    products = [text for row in shown_texts(panel) for text in row if "·" in text]
-    assert products
-    for text in products:
-        before, _, after = text.partition("·")
-        assert before.endswith(ARROW) and after[1] == ARROW, text
-        runs = typeset(text, panel.font()).runs
-        if OVER not in text:
-            drawn = "".join(run for _, _, run, _ in runs)
-            assert drawn == text.replace(ARROW, "").replace("_", "")
-        drawn_bold = [run for _, _, run, font in runs if font.bold()]
-        assert len(drawn_bold) == text.count(ARROW) and {len(run) for run in drawn_bold} == {1}
-    (view,) = (matrix for matrix in panel.shown if matrix.name == "view_from_world")
-    latex = as_latex(view, letters, formulas=True)
-    assert r"\vec{" in latex and ARROW not in latex
+    for letters, vectors in zip(LETTERS, itertools.cycle(("columns", "rows")), strict=False):
+        choose(panel.letters, letters)
+        choose(panel.vectors, vectors)
+        products = [text for row in shown_texts(panel) for text in row if "·" in text]
+        assert products
+        for text in products:
+            before, _, after = text.partition("·")
+            assert before.endswith(ARROW) and after[1] == ARROW, text
+            runs = typeset(text, panel.font()).runs
+            if OVER not in text:
+                drawn = "".join(run for _, _, run, _ in runs)
+                assert drawn == text.replace(ARROW, "").replace("_", "")
+            drawn_bold = [run for _, _, run, font in runs if font.bold()]
+            assert len(drawn_bold) == text.count(ARROW) and {len(run) for run in drawn_bold} == {1}
+        (view,) = (matrix for matrix in panel.shown if matrix.name == "view_from_world")
+        latex = as_latex(view, letters, formulas=True)
+        assert r"\vec{" in latex and ARROW not in latex
 
 
 def inked(panel: MatrixPanel, text: str) -> int:
@@ -976,8 +883,7 @@ def shown_texts(panel: MatrixPanel) -> list[list[str]]:
 
 def test_what_is_copied_is_what_is_shown(panel: MatrixPanel) -> None:
     clipboard = QGuiApplication.clipboard()
-    text, numpy, latex = panel.copy.menu().actions()
-    assert "numbers" in numpy.text() and "amsmath" in latex.text()
+    text, _numpy, latex = panel.copy.menu().actions()
     choose(panel.cells, "formulas")
     text.trigger()
     assert f"−n{ARROW}·e{ARROW}" in clipboard.text()
@@ -993,7 +899,7 @@ def test_what_is_copied_is_what_is_shown(panel: MatrixPanel) -> None:
         assert len(between) == len(panel.shown) + 1 and not "".join(between).strip()
 
 
-def test_a_matrix_has_one_name(panel: MatrixPanel, qtbot: QtBot) -> None:
+def test_a_matrix_has_one_name(panel: MatrixPanel) -> None:
     names = {stage_title(matrix.name) for matrix in panel.shown}
     assert {title(panel, matrix.name) for matrix in panel.shown} == names
     for matrix in panel.shown:
@@ -1001,22 +907,23 @@ def test_a_matrix_has_one_name(panel: MatrixPanel, qtbot: QtBot) -> None:
         assert sentence.startswith(f"{name}, row 1, column 1: ")
         said = (panel.views[matrix.name].accessibleName(), sentence)
         assert not any("_from_" in text for text in said)
-    type_cell(panel, qtbot, "clip_from_view", 0, 0, "x")
-    assert "clip ← view, row 1, column 1 = “x”" in panel.explanation.text()
 
 
-@pytest.mark.parametrize("letters", LETTERS)
-def test_no_formula_is_cut(panel: MatrixPanel, letters: Letters) -> None:
+def test_no_formula_is_cut_and_fractions_are_stacked(panel: MatrixPanel) -> None:
+    """A fraction in a function's argument is not stacked, as in print."""
     panel.running.setChecked(True)
     choose(panel.cells, "formulas")
-    choose(panel.letters, letters)
-    for lens in (OFF_AXIS.lens, OFF_AXIS.with_lens("oblique").lens):
+    lenses = itertools.cycle((OFF_AXIS.lens, OFF_AXIS.with_lens("oblique").lens, Perspective()))
+    for letters, lens in zip(LETTERS * 2, lenses, strict=False):
+        choose(panel.letters, letters)
         show(panel, replace(OFF_AXIS, lens=lens))
+        assert sum(OVER in text for row in shown_texts(panel) for text in row) > 8
         for view in panel.views.values():
-            for i, row in enumerate(view.texts):
-                for j, text in enumerate(row):
-                    printed, cell = typeset(text, view.font()), view.cell_rect(i, j)
-                    assert printed.width < cell.width() and printed.height <= cell.height()
+            for i, j in itertools.product(range(4), range(4)):
+                text, cell = view.texts[i][j], view.cell_rect(i, j)
+                printed = typeset(text, view.font())
+                assert printed.width < cell.width() and printed.height <= cell.height()
+                assert "/" not in re.sub(r"\w+\([^()]*\)", "", text), text
 
 
 def test_a_cell_that_is_held_while_its_matrix_goes_says_nothing_more(

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 import json
 import math
 import threading
@@ -320,7 +321,7 @@ def test_a_mark_is_dragged_in_the_image_in_its_plane_or_along_its_ray(window: Ma
     assert not window.store.modified
 
 
-@pytest.mark.parametrize("focus", ["window", "field", "canvas"])
+@pytest.mark.parametrize("focus", ["field", "canvas"])
 def test_escape_puts_a_dragged_probe_back_and_ends_the_drag(
     window: MainWindow, qtbot: QtBot, focus: str
 ) -> None:
@@ -329,7 +330,7 @@ def test_escape_puts_a_dragged_probe_back_and_ends_the_drag(
     window.panels.open(panel)
     panel.follow(point=CORNER)
     panel.pin.click()
-    {"window": window, "field": panel.fields[0], "canvas": canvas}[focus].setFocus()
+    {"field": panel.fields[0], "canvas": canvas}[focus].setFocus()
     x, y = (math.floor(part) for part in place_in(window, "image", CORNER))
 
     QTest.mousePress(canvas, Qt.MouseButton.LeftButton, pos=QPoint(x, y))
@@ -460,7 +461,7 @@ def test_the_projector_runs_from_the_eye_and_along_z(window: MainWindow) -> None
 
 
 def test_no_mirrored_mark_anywhere_at_or_behind_the_eye(window: MainWindow) -> None:
-    for along in [0.0, -1.0]:
+    for along in (0.0, -1.0):
         camera = start().camera
         # Beside the eye, or behind it and a little aside; mirrored, that would be in the picture.
         point = np.array(camera.eye) + 0.5 * camera.frame[0] - 3.0 * along * camera.frame[2]
@@ -519,39 +520,34 @@ def test_every_number_is_the_command_s_to_the_last_digit(
     points = [CORNER, (0.1, 1 / 3, -2.0), (40.0, -7.0, 2.0), (9.0, 7.0, 14.0)]
     source = tmp_path / "points.csv"
     source.write_text("\n".join(",".join(map(repr, point)) for point in points))
-    for number, lens in enumerate(
-        [
-            Perspective(45.0, 1.0, 30.0),
-            Perspective(1e-3, 1.0, 30.0),  # read from the exact precision
-            Oblique(-6.0, 6.0, -4.0, 4.0, 5.0, 30.0, alpha_deg=60.0, beta_deg=60.0),
-        ]
+    document = tmp_path / "document.json"
+    for lens, depth in (
+        (Perspective(45.0, 1.0, 30.0), "reversed"),
+        (Perspective(1e-3, 1.0, 30.0), "opengl"),  # read from the exact precision
+        (Oblique(-6.0, 6.0, -4.0, 4.0, 5.0, 30.0, alpha_deg=60.0, beta_deg=60.0), "reversed"),
     ):
-        for depth in ("opengl", "reversed"):
-            projection = replace(start(), lens=lens, depth=depth)  # type: ignore[arg-type]
-            document = tmp_path / f"{number}-{depth}.json"
-            write(Document("letter-f", projection), document)
-            assert cli.main(["project", str(document), str(source), "--format", "json"]) == 0
-            answer = json.loads(capsys.readouterr().out)
-            panel.clear()
-            show(panel, projection)
-            for point in points:
-                panel.follow(point=point)
-                panel.pin.click()
-            lines = copied(panel)
-            for block, expected in enumerate(answer["points"]):
-                rows = ("world", "world", "view", "clip", None, "ndc", "image", "depth")
-                for row, name in enumerate(rows):
-                    if name is None:
-                        continue
-                    values = expected[name]
-                    values = [] if values is None else np.atleast_1d(values).tolist()
-                    values += [1.0] if name in ("world", "view") else []
-                    mine = list(filter(None, lines[row][1 + 4 * block : 5 + 4 * block]))
-                    assert mine == list(map(format_value, values)), name
-                    assert list(map(float, mine)) == values
-                beyond = expected["outside_of"]
-                said = f"outside of: {', '.join(beyond)}" if beyond else "inside"
-                assert cells(panel, block, 8) == [said]
+        projection = replace(start(), lens=lens, depth=depth)  # type: ignore[arg-type]
+        write(Document("letter-f", projection), document)
+        assert cli.main(["project", str(document), str(source), "--format", "json"]) == 0
+        answer = json.loads(capsys.readouterr().out)
+        panel.clear()
+        show(panel, projection)
+        for point in points:
+            panel.follow(point=point)
+            panel.pin.click()
+        lines = copied(panel)
+        for block, expected in enumerate(answer["points"]):
+            rows = {0: "world", 1: "world", 2: "view", 3: "clip", 5: "ndc", 6: "image", 7: "depth"}
+            for row, name in rows.items():
+                values = expected[name]
+                values = [] if values is None else np.atleast_1d(values).tolist()
+                values += [1.0] if name in ("world", "view") else []
+                mine = list(filter(None, lines[row][1 + 4 * block : 5 + 4 * block]))
+                assert mine == list(map(format_value, values)), name
+                assert list(map(float, mine)) == values
+            beyond = expected["outside_of"]
+            said = f"outside of: {', '.join(beyond)}" if beyond else "inside"
+            assert cells(panel, block, 8) == [said]
 
 
 def test_a_row_says_where_there_is_no_picture(panel: ProbePanel) -> None:
@@ -566,21 +562,16 @@ def test_a_row_says_where_there_is_no_picture(panel: ProbePanel) -> None:
     assert cells(panel, 0, 4) == ["÷ 2"] * 3
 
 
-@pytest.mark.parametrize("all_digits", [False, True])
-def test_no_number_is_cut(panel: ProbePanel, all_digits: bool) -> None:
+def test_no_number_is_cut(panel: ProbePanel) -> None:
     panel.resize(1200, 300)
     panel.follow(point=(1 / 3, 2 / 3, -1 / 7))
     show(panel, replace(start(), camera=Camera((6.1, 5.3, 9.7), (0.1, 2.2, 0.3))))
-    with all_digits_shown(all_digits):
-        check_widths(panel)
-
-
-def check_widths(panel: ProbePanel) -> None:
     metrics, model = panel.table.fontMetrics(), panel.table.model()
-    for row in range(8):
-        for column in range(1, 5):
-            text = model.data(model.index(row, column)) or ""
-            assert metrics.horizontalAdvance(text) + 6 <= panel.table.columnWidth(column), text
+    for all_digits in (False, True):
+        with all_digits_shown(all_digits):
+            for row, column in itertools.product(range(8), range(1, 5)):
+                text = model.data(model.index(row, column)) or ""
+                assert metrics.horizontalAdvance(text) + 6 <= panel.table.columnWidth(column), text
 
 
 def test_four_digits_are_read_all_by_the_switch_and_all_copied(panel: ProbePanel) -> None:
@@ -615,16 +606,6 @@ def test_the_formulas_fractions_are_stacked_in_rows_that_hold_them(panel: ProbeP
         heights.setdefault(is_stacked, set()).add(table.rowHeight(row))
     assert min(heights[True]) > max(heights[False])
     assert copied(panel)[5][0] == "x/w,  y/w,  z/w" and copied(panel)[7][0] == "(z + 1)/2"
-
-
-def test_lines_and_numbers_grow_with_the_font(panel: ProbePanel) -> None:
-    panel.follow(point=(1 / 3, 2 / 3, -1 / 7))
-    table = panel.table
-    height, width = table.rowHeight(2), table.columnWidth(1)
-    font = panel.font()
-    font.setPointSizeF(2.0 * font.pointSizeF())
-    panel.setFont(font)
-    assert table.rowHeight(2) > 1.5 * height and table.columnWidth(1) > 1.5 * width
 
 
 def test_an_open_panel_is_whole_in_letters_for_a_class_and_back(window: MainWindow) -> None:
@@ -755,18 +736,10 @@ def test_l13_another_w_divides_and_four_zeros_are_refused(panel: ProbePanel) -> 
     assert panel.probes == (Probe(1, (-0.25, 0.5, -0.75)),)
     assert panel.fields[3].text() == "1"
     panel.follow(point=(0.0, 0.0, 0.0))
-    for text, said in (
-        (
-            "0",
-            "w = 0: must not be 0 where x, y and z are: (0, 0, 0, 0) is no point and no direction.",
-        ),
-        ("1e308", f"w = 1e+308: must be at most {LARGEST}."),
-        ("nan", "w = “nan”: must be a number, such as 0.5 or 2e-3."),
-    ):
-        type_in(panel.fields[3], text)
-        assert panel.error.text() == f"Not possible. {said}"
-        assert panel.fields[3].accessibleDescription() == panel.error.text()
-        assert panel.probes == (Probe(1, (0.0, 0.0, 0.0)),)
+    type_in(panel.fields[3], "0")
+    assert panel.error.text().startswith("Not possible. w = 0: must not be 0 where x, y and z are")
+    assert panel.fields[3].accessibleDescription() == panel.error.text()
+    assert panel.probes == (Probe(1, (0.0, 0.0, 0.0)),)
 
 
 def test_l13_a_point_at_infinity_is_marked_in_all_panes(window: MainWindow) -> None:
@@ -786,28 +759,14 @@ def test_l13_a_point_at_infinity_is_marked_in_all_panes(window: MainWindow) -> N
     assert not any(any_mark(window, name) for name in window.panes)  # behind the eye
 
 
-@pytest.mark.parametrize(
-    ("text", "sentence"),
-    [
-        ("here", "y = “here”: must be a number, such as 0.5 or 2e-3."),
-        ("nan", "y = “nan”: must be a number, such as 0.5 or 2e-3."),
-        ("inf", "y = ∞: must be a finite number."),
-        ("1e400", f"y = “1e400”: must be at most {LARGEST}."),
-        ("-1e101", f"y = -1e+101: must be at least -{LARGEST}."),
-        ("", "y = “”: must be a number, such as 0.5 or 2e-3."),
-    ],
-)
-def test_nonsense_is_one_sentence_and_the_last_good_point_stays(
-    panel: ProbePanel, qtbot: QtBot, text: str, sentence: str
+def test_a_refused_number_is_one_sentence_and_the_last_good_point_stays(
+    panel: ProbePanel, qtbot: QtBot
 ) -> None:
     panel.follow(point=CORNER)
     field = panel.fields[1]
-    field.setFocus()
-    field.selectAll()
-    qtbot.keyClick(field, Qt.Key.Key_Delete)
-    qtbot.keyClicks(field, text)
-    qtbot.keyClick(field, Qt.Key.Key_Return)
-    assert panel.error.isVisible() and panel.error.text() == f"Not possible. {sentence}"
+    type_in(field, "-1e101")
+    said = f"Not possible. y = -1e+101: must be at least -{LARGEST}."
+    assert panel.error.isVisible() and panel.error.text() == said
     assert field.accessibleDescription() == panel.error.text()
     assert panel.probes == (Probe(1, CORNER),)
     qtbot.keyClick(field, Qt.Key.Key_Escape)
@@ -829,9 +788,8 @@ def test_escape_in_the_window_removes_the_chosen_probe(window: MainWindow, qtbot
     assert not any_mark(window, "image")
 
 
-@pytest.mark.parametrize("theme", ["dark", "light"])
-def test_a_pinned_probe_s_button_is_seen_to_be_down(window: MainWindow, theme: str) -> None:
-    window.look.set_theme(theme)
+def test_a_pinned_probe_s_button_looks_pressed(window: MainWindow) -> None:
+    window.look.set_theme("dark")  # where Fusion hardly shows it
     panel = window.probe_panel
     window.panels.open(panel)
     panel.follow(point=CORNER)
@@ -849,13 +807,6 @@ def test_a_pinned_probe_s_button_is_seen_to_be_down(window: MainWindow, theme: s
     panel.pin.click()
     QApplication.processEvents()
     assert np.abs(colour() - up).max() < 0.05
-
-
-def test_everything_has_a_name_for_a_screen_reader(panel: ProbePanel) -> None:
-    for widget in (*panel.fields, panel.table, panel.choice):
-        assert widget.accessibleName()
-    names = [field.accessibleName() for field in panel.fields]
-    assert names == [f"Probe, world {part}" for part in "xyzw"]
 
 
 def test_probes_are_traced_once_for_all_panes(

@@ -278,7 +278,7 @@ class MatrixView(QWidget):
                     painter.fillRect(rect.adjusted(1, 1, -1, -1), faded(accent, 0.3))
                     painter.setPen(QPen(accent, 1.0))
                     painter.drawRect(rect.adjusted(1.5, 1.5, -1.5, -1.5))
-                if self._is_marked(self._matrix, i, j):
+                if self.is_marked(i, j):
                     paint_highlight(self, painter, rect.adjusted(1, 1, -1, -1))
                 painter.setPen(faded(ink, 0.45) if text == "0" else ink)
                 self._paint_text(painter, rect, text, self._changed.get((i, j)))
@@ -454,9 +454,10 @@ class MatrixView(QWidget):
             self._highlight = highlighted
             self.update()
 
-    def _is_marked(self, matrix: Matrix, row: int, column: int) -> bool:
+    def is_marked(self, row: int, column: int) -> bool:
         """Whether a cell contains a highlighted quantity, or is computed from it."""
-        if not self._highlight:
+        matrix = self._matrix
+        if matrix is None or not self._highlight:
             return False
         depends = set(matrix.fields[row][column]) & {"target", "up"}
         names = letters_in(matrix, row, column) | depends
