@@ -103,7 +103,7 @@ def heights(window: Any) -> list[int]:
     return found
 
 
-@pytest.mark.parametrize("size", [(1280, 720), (1366, 768), (1920, 1080)])
+@pytest.mark.parametrize("size", [(1366, 768), (1920, 1080)])
 def test_the_names_stand_still_and_a_panel_has_at_most_a_third(
     window: MainWindow, size: tuple[int, int]
 ) -> None:

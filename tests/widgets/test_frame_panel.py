@@ -15,7 +15,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from PySide6.QtCore import QPoint, Qt, QTimer
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication, QWidget
+from PySide6.QtWidgets import QApplication
 
 from app.drawings.frame import arrow_tips
 from app.drawings.style import LIGHT, rgb
@@ -42,7 +42,6 @@ from tests.support.window import (
     counted_repaints,
     pixels,
     present,
-    rgb_of,
     settle,
 )
 from widgets.panels.frame_panel import FramePanel
@@ -241,41 +240,6 @@ def test_four_digits_are_read_and_all_by_the_switch(window: MainWindow) -> None:
             assert panel.figures.text() != said
         assert numbers(panel) == few and panel.figures.text() == said
     assert few != whole
-
-
-def ink(widget: QWidget) -> np.ndarray:
-    """Where something is drawn on a widget's ground."""
-    grey = rgb_of(widget.grab().toImage()).mean(axis=2)
-    return np.asarray(np.abs(grey - grey[0, -1]) > 60)
-
-
-def test_the_matrix_stands_in_brackets(window: MainWindow) -> None:
-    """A line as high as its four rows at both ends, and none about a vector's numbers."""
-    panel = window.frame_panel
-    panel.go_to(6)
-    settle()
-    high = np.flatnonzero(ink(panel.numbers).sum(axis=0) > 0.85 * panel.numbers.height())
-    width = panel.numbers.sizeHint().width()
-    assert high.min() < 6 and width - 6 < high.max() < width
-    panel.go_to(5)
-    settle()
-    columns = ink(panel.numbers).sum(axis=0)
-    assert 0 < columns.max() < 0.85 * panel.numbers.height()
-
-
-def test_a_quotient_is_a_stacked_fraction(window: MainWindow) -> None:
-    """A line between numerator and denominator, higher than a formula without one."""
-    panel = window.frame_panel
-    panel.go_to(5)
-    settle()
-    height = panel.formula.height()
-    panel.go_to(3)
-    settle()
-    assert "/" not in panel.formula.formula and panel.formula.height() > 1.3 * height
-    rows = ink(panel.formula).sum(axis=1)
-    rule = int(rows.argmax())
-    assert rows[: rule - 2].any() and rows[rule + 3 :].any()  # something above it, and below
-    assert rows[rule] > 2 * np.delete(rows, range(rule - 1, rule + 2)).mean()
 
 
 def test_folded_it_computes_nothing_and_opens_with_the_present_camera(

@@ -17,14 +17,12 @@ from PySide6.QtGui import (
     QContextMenuEvent,
     QFontMetricsF,
     QGuiApplication,
-    QImage,
-    QPainter,
 )
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QLabel, QMenu, QScrollArea, QToolButton
 from pytestqt.qtbot import QtBot
 
-from app.drawings.style import DARK, LIGHT
+from app.drawings.style import LIGHT
 from app.lecture import notation
 from app.lecture.notation import LETTERS, as_latex
 from app.lecture.typed_matrix import with_cell
@@ -36,7 +34,6 @@ from tests.support.commands import told_matrices
 from tests.support.digits import all_digits_shown, plain
 from tests.support.shown import show
 from tests.support.window import activate, click, move_mouse, named, rgb_of, settle
-from widgets.panels import matrix_panel
 from widgets.panels.matrix_panel import MatrixPanel
 from widgets.panels.matrix_view import MatrixView, first_change, rich
 from widgets.parts.messages import read_text, stage_title
@@ -129,36 +126,6 @@ def test_numbers_are_those_of_the_command(panel: MatrixPanel) -> None:
                 assert plain(view.texts[i][j]) == f"{value:.4g}"
                 assert f"{view.texts[i][j]}. " in panel.sentence(matrix, i, j)
                 assert notation.cell_text(value) in words
-
-
-def test_folded_computes_nothing(
-    display: Any, qtbot: QtBot, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    calls: list[Projection] = []
-
-    def counted(projection: Projection, *args: Any, **options: Any) -> Any:
-        calls.append(projection)
-        return notation.matrices(projection, *args, **options)
-
-    monkeypatch.setattr(matrix_panel, "matrices", counted)
-    panel = MatrixPanel()
-    qtbot.addWidget(panel)
-    panel.set_style(LIGHT)
-    for near in (1.0, 1.25, 1.5):
-        show(panel, moved(OFF_AXIS, near=near))
-        display.processEvents()
-    panel.set_style(DARK)
-    panel.running.setChecked(True)
-    assert not calls
-    panel.show()
-    qtbot.waitExposed(panel)
-    assert calls == [moved(OFF_AXIS, near=1.5)]
-    assert not any(lit(view) for view in panel.views.values())
-    count = len(calls)
-    panel.hide()
-    show(panel, OFF_AXIS)
-    display.processEvents()
-    assert len(calls) == count
 
 
 def lit(view: MatrixView) -> set[tuple[int, int]]:
@@ -266,21 +233,6 @@ def test_a_cell_that_is_being_typed_stays_open_while_digits_are_switched(
     assert edits[-1].direct_stages[0].matrix[0, 2] == 0.25
 
 
-def test_a_stacked_fraction_reaches_the_screen(panel: MatrixPanel) -> None:
-    """Its line is drawn between what is above and what is below, and the row holds both."""
-    view = panel.views["clip_from_view"]
-    height = view.cell_rect(0, 0).height()
-    choose(panel.cells, "formulas")
-    rect = view.cell_rect(0, 0)
-    assert rect.height() > 1.3 * height and view.cell_rect(3, 0).height() == height
-    dark = rgb_of(view.grab().toImage()).mean(axis=2) < 128
-    inside = rect.toRect().adjusted(3, 1, -3, -1)
-    rows = dark[inside.top() : inside.bottom(), inside.left() : inside.right()].sum(axis=1)
-    rule = int(rows.argmax())
-    assert rows[rule] > 0.7 * typeset(view.texts[0][0], view.font()).width
-    assert rows[: rule - 2].any() and rows[rule + 3 :].any()
-
-
 def test_every_matrix_and_factor_stands_in_brackets_as_high_as_its_rows(panel: MatrixPanel) -> None:
     choose(panel.cells, "formulas")
     for matrix in panel.shown:
@@ -311,16 +263,6 @@ def test_formulas_in_the_letters_of_a_lecture(panel: MatrixPanel) -> None:
     assert "lecture 002" in notes(panel, "clip_from_view")
     choose(panel.letters, "001")
     assert panel.views["view_from_world"].texts[2] == ["w_x", "w_y", "w_z", f"−w{ARROW}·P{ARROW}"]
-
-
-def test_row_vectors(panel: MatrixPanel) -> None:
-    columns = {matrix.name: matrix for matrix in panel.shown}
-    choose(panel.vectors, "rows")
-    for matrix in panel.shown:
-        assert np.array_equal(np.transpose(columns[matrix.name].values), matrix.values)
-    shown = {matrix.name: matrix for matrix in panel.shown}
-    assert [f.name for f in shown["view_from_world"].factors] == ["translation", "rotation"]
-    assert "It makes w the distance" in panel.sentence(shown["clip_from_view"], 2, 3)
 
 
 def test_running_products_and_the_inverse(panel: MatrixPanel) -> None:
@@ -859,22 +801,6 @@ def test_a_vector_is_told_from_the_plane_of_its_letter(panel: MatrixPanel) -> No
         (view,) = (matrix for matrix in panel.shown if matrix.name == "view_from_world")
         latex = as_latex(view, letters, formulas=True)
         assert r"\vec{" in latex and ARROW not in latex
-
-
-def inked(panel: MatrixPanel, text: str) -> int:
-    """How many pixels are dark of a formula that is typeset."""
-    picture = QImage(200, 40, QImage.Format.Format_Grayscale8)
-    picture.fill(Qt.GlobalColor.white)
-    painter = QPainter(picture)
-    typeset(text, panel.font()).paint(painter, 10.0, 25.0)
-    painter.end()
-    pixels = np.frombuffer(picture.constBits(), np.uint8)
-    return int((pixels < 128).sum())
-
-
-def test_a_vector_is_painted_heavier_and_a_subscript_lighter(panel: MatrixPanel) -> None:
-    assert inked(panel, f"n{ARROW}{ARROW.join('uve')}{ARROW}") > 1.2 * inked(panel, "nuve") > 0
-    assert inked(panel, "1_xyz") < inked(panel, "1xyz")
 
 
 def shown_texts(panel: MatrixPanel) -> list[list[str]]:

@@ -338,16 +338,6 @@ def test_the_choice_in_use_is_marked_and_follows(
 # -- files
 
 
-def test_results_without_own_ones_are_shown_as_they_are(
-    panel: MeasurePanel, tmp_path: Path
-) -> None:
-    assert panel.load(write(tmp_path / "a.json", RESULTS))
-    assert panel.name == "arithmetic" and len(cells(panel)) == len(TRADE.choices)
-    assert "Box 7" in panel.where.toolTip()
-    panel.choose("near")
-    assert cells(panel)[0][-1] == "float32 answers NaN"
-
-
 def test_a_file_of_unknown_measurements_is_refused_and_all_stays(
     panel: MeasurePanel, tmp_path: Path
 ) -> None:
@@ -471,21 +461,6 @@ def test_grey_is_in_the_table_what_it_is_in_the_chart(panel: MeasurePanel, tmp_p
     assert ink != panel.palette().text().color()
 
 
-def test_a_note_in_the_table_is_seen_whole(panel: MeasurePanel, tmp_path: Path) -> None:
-    panel.resize(1000, 300)
-    note = arithmetic.NO_POINTS
-    noted = Choice("MSAA 8", 1.0, 1.0, 2.0, note=note, use={"smoothing": "MSAA 8"})
-    trade = Trade("smoothing", "ms", "levels RMS", (noted,), 5)
-    panel.load(write(tmp_path / "a.json", replace(RESULTS, trades=(trade,), sweeps=())))
-    panel.resize(1001, 300)
-    last = panel.table.columnCount() - 1
-    cell = panel.table.visualItemRect(panel.table.item(0, last))
-    metrics = panel.table.fontMetrics()
-    inside = cell.adjusted(4, 0, -4, 0)
-    needed = metrics.boundingRect(inside, Qt.TextFlag.TextWordWrap, note)
-    assert needed.width() <= inside.width() and needed.height() <= cell.height()
-
-
 def test_notes_take_the_room_that_a_panel_comes_to_have(
     panel: MeasurePanel, display: Any, tmp_path: Path
 ) -> None:
@@ -501,24 +476,15 @@ def test_notes_take_the_room_that_a_panel_comes_to_have(
         room = panel.table.viewport().width() - header.length()
         assert room == 0 or (room < 0 and header.sectionSize(header.count() - 1) == least)
         heights.append(panel.table.rowHeight(0))
+        last = panel.table.columnCount() - 1
+        inside = panel.table.visualItemRect(panel.table.item(0, last)).adjusted(4, 0, -4, 0)
+        wrap = Qt.TextFlag.TextWordWrap
+        needed = panel.table.fontMetrics().boundingRect(inside, wrap, arithmetic.NO_POINTS)
+        assert needed.width() <= inside.width() and needed.height() <= heights[-1], "not whole"
     assert heights[0] == heights[2] > heights[1]
 
 
 # -- in the window
-
-
-def test_the_panes_have_room_above_it(window: MainWindow, tmp_path: Path) -> None:
-    size = (1366, 768)
-    window.resize(*size)
-    settle()
-    window.panels.open(window.measure_panel)
-    window.measure_panel.load(write(tmp_path / "a.json", RESULTS))
-    settle()
-    assert window.measure_panel.isVisible() and (window.width(), window.height()) == size
-    large, *small = (window.panes[name] for name in ("world", "image", "ndc"))
-    assert large.width() >= 400 and large.height() >= 400
-    for pane in small:
-        assert pane.width() >= 400 and pane.height() >= 150
 
 
 def test_a_drag_in_the_window_makes_it_wait_and_a_sentence_reaches_the_bar(

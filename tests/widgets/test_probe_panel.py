@@ -272,16 +272,6 @@ def test_what_a_click_needs_is_made_when_the_scene_is_opened_beside_the_window(
     qtbot.waitUntil(lambda: len(made) == 2)  # before any click
 
 
-def test_a_drag_makes_no_probe(window: MainWindow) -> None:
-    canvas = window.panes["world"].canvas
-    QTest.mousePress(canvas, Qt.MouseButton.LeftButton, pos=QPoint(150, 200))
-    QTest.mouseMove(canvas, QPoint(190, 210))
-    QTest.mouseRelease(canvas, Qt.MouseButton.LeftButton, pos=QPoint(190, 210))
-    assert window.probe_panel.probes == ()
-    QTest.mouseClick(canvas, Qt.MouseButton.RightButton, pos=QPoint(150, 200))
-    assert window.probe_panel.probes == ()
-
-
 def in_gesture(panel: ProbePanel) -> bool:
     """Whether its numbers run."""
     return bool(panel.findChild(Readable).in_gesture)
@@ -629,19 +619,6 @@ def test_an_open_panel_is_whole_in_letters_for_a_class_and_back(window: MainWind
         assert table.viewport().height() >= sum(map(table.rowHeight, range(rows)))
         room.append((window.panels.height(), *map(table.columnWidth, range(5))))
     assert room[0] == room[2] and room[1][1] > room[2][1]
-
-
-def test_a_folded_panel_fills_no_table_and_shows_the_value_when_it_opens(
-    panel: ProbePanel, qtbot: QtBot
-) -> None:
-    panel.follow(point=CORNER)
-    before = cells(panel, 0, 6)
-    panel.hide()
-    show(panel, replace(start(), lens=Perspective(60.0, 1.0, 30.0)))
-    assert cells(panel, 0, 6) == before
-    panel.show()
-    qtbot.waitExposed(panel)
-    assert cells(panel, 0, 6) != before
 
 
 def test_a_click_moves_the_probe_unless_it_is_pinned(panel: ProbePanel, qtbot: QtBot) -> None:

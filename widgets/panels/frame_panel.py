@@ -395,28 +395,25 @@ def _numbers(
     def vector(parts: Iterable[float]) -> str:
         return f"({', '.join(write(part + 0.0) for part in parts)})"
 
+    if step == STEPS[-1]:
+        return matrix([write(value + 0.0) for value in row] for row in view_matrix(camera))
     u, v, n = camera.frame.tolist()
     backward = [e - t for e, t in zip(camera.eye, camera.target, strict=True)]
-    lines: list[tuple[str, str]]
-    if step == "eye":
-        lines = [(_E, vector(camera.eye))]
-    elif step == "look":
-        lines = [
-            (_LOOK, vector(-part for part in backward)),
-            (f"|{_LOOK}|", write(camera.distance)),
-            (stacked_fraction(_LOOK, f"|{_LOOK}|"), vector(-part for part in n)),
-        ]
-    elif step == "up":
-        lines = [(_UP_VECTOR, vector(camera.up))]
-    elif step == "n":
-        whole = f"N{ARROW}" if has_wholes else f"{_E} − {_TARGET}"
-        lines = [(whole, vector(backward)), (f"|{whole}|", write(camera.distance)), (_N, vector(n))]
-    elif step == "u":
-        up = up_and_view(camera)
-        whole = f"U{ARROW}" if has_wholes else f"{_UP_VECTOR} × {_N}"
-        lines = [(whole, vector(up.cross)), (f"|{whole}|", write(up.length)), (_U, vector(u))]
-    elif step == "v":
-        lines = [(_V, vector(v))]
-    else:
-        return matrix([write(value + 0.0) for value in row] for row in view_matrix(camera))
-    return "\n".join(f"{name} = {value}" for name, value in lines)
+    up, distance = up_and_view(camera), write(camera.distance)
+    whole_n, whole_u = f"{_E} − {_TARGET}", f"{_UP_VECTOR} × {_N}"
+    if has_wholes:
+        whole_n, whole_u = f"N{ARROW}", f"U{ARROW}"
+    unit_look = stacked_fraction(_LOOK, f"|{_LOOK}|")
+    lines = {
+        "eye": {_E: vector(camera.eye)},
+        "look": {
+            _LOOK: vector(-part for part in backward),
+            f"|{_LOOK}|": distance,
+            unit_look: vector(-part for part in n),
+        },
+        "up": {_UP_VECTOR: vector(camera.up)},
+        "n": {whole_n: vector(backward), f"|{whole_n}|": distance, _N: vector(n)},
+        "u": {whole_u: vector(up.cross), f"|{whole_u}|": write(up.length), _U: vector(u)},
+        "v": {_V: vector(v)},
+    }
+    return "\n".join(f"{name} = {value}" for name, value in lines[step].items())
