@@ -229,7 +229,7 @@ def test_a_pane_floats_and_comes_back_with_its_picture(opened: Opened) -> None:
         assert colours_of(shown) > 10
 
 
-def test_what_opengl_has_lost_is_made_anew(opened: Opened) -> None:
+def test_lost_opengl_resources_are_created_again(opened: Opened) -> None:
     """As after a driver has begun again: all that VTK had in it has gone."""
     window = opened()
     shown = window.store.document.projection

@@ -62,7 +62,7 @@ def words(window: MainWindow) -> str:
     return str(window.comparing.pictures.words.toolTip())
 
 
-def test_left_of_the_divider_is_what_was_held_and_right_of_it_what_is(window: MainWindow) -> None:
+def test_the_held_picture_is_left_of_the_divider_and_the_live_one_right(window: MainWindow) -> None:
     window.slots.bring("image")
     settle()
     compare = hold(window)
@@ -256,7 +256,7 @@ def test_a_window_opens_with_what_is_compared(make_window: MakeWindow) -> None:
     assert (held[: live.shape[0]] != live[: held.shape[0]]).any()
 
 
-def test_a_picture_that_there_is_not_says_so_in_its_place_and_comes_back(
+def test_an_impossible_picture_is_replaced_by_its_reason(
     window: MainWindow,
 ) -> None:
     compare = hold(window)

@@ -198,7 +198,9 @@ def in_front_of_all(eye: np.ndarray, vertices: np.ndarray, faces: np.ndarray) ->
 
 
 @pytest.mark.parametrize("name", ["world", "ndc", "image"])
-def test_it_goes_to_every_vertex_that_is_seen_and_back(window: MainWindow, name: str) -> None:
+def test_the_cursor_visits_every_visible_vertex_in_both_directions(
+    window: MainWindow, name: str
+) -> None:
     scene = load("letter-f")
     camera = Camera((6.0, 6.5, 9.0), (0.0, 2.2, 0.0))  # in no face's plane
     window.store.set_projection(replace(model(window), camera=camera))
@@ -220,7 +222,7 @@ def test_it_goes_to_every_vertex_that_is_seen_and_back(window: MainWindow, name:
     assert walk(window, name, KEY.Key_PageUp) == found[::-1]
 
 
-def test_handles_come_in_one_order_wherever_it_begins(window: MainWindow) -> None:
+def test_handles_always_come_in_the_same_order(window: MainWindow) -> None:
     go_to(window, "world")
     there, back = [], []
     for texts, key in ((there, KEY.Key_PageDown), (back, KEY.Key_PageUp)):
@@ -232,7 +234,7 @@ def test_handles_come_in_one_order_wherever_it_begins(window: MainWindow) -> Non
     assert set(there[4:]) & {"Field of view"}
 
 
-def test_the_next_is_reached_from_where_the_focus_left(window: MainWindow) -> None:
+def test_the_cursor_continues_where_the_focus_left(window: MainWindow) -> None:
     go_to(window, "image")
     first, second, third = walk(window, "image")[:3]
     press(KEY.Key_PageDown)
@@ -246,7 +248,7 @@ def test_the_next_is_reached_from_where_the_focus_left(window: MainWindow) -> No
     assert vertex(said(window, "image")) == first != second
 
 
-def test_it_goes_with_its_vertex(window: MainWindow) -> None:
+def test_the_cursor_moves_with_its_vertex(window: MainWindow) -> None:
     places: dict[str, Vector] = {}
     for name in window.panes:
         go_to(window, name)
@@ -275,7 +277,7 @@ def test_it_goes_with_its_vertex(window: MainWindow) -> None:
             assert turned == pytest.approx(seen(window, name, places[name]), abs=1.0)
 
 
-def test_a_vertex_that_is_seen_no_more_hides_it_and_it_comes_back(window: MainWindow) -> None:
+def test_an_invisible_vertex_hides_the_cursor(window: MainWindow) -> None:
     go_to(window, "image")
     press(KEY.Key_PageDown)
     start, place = model(window), ring(window, "image")
@@ -404,7 +406,7 @@ def to_a_floating_pane(window: MainWindow) -> None:
         (to_another_pane, "Eye = "), (to_a_floating_pane, "Near = "),
     ],
 )  # fmt: skip
-def test_what_is_gone_is_held_no_more(
+def test_the_cursor_releases_a_handle_that_disappears(
     window: MainWindow, change: Callable[[MainWindow], None], words: str
 ) -> None:
     hold(window, words)
@@ -436,7 +438,7 @@ def test_the_mouse_takes_over_from_the_keyboard(window: MainWindow) -> None:
     QTest.mouseRelease(canvas, Qt.MouseButton.LeftButton, pos=canvas.rect().bottomLeft())
 
 
-def test_without_a_handle_it_says_so(window: MainWindow, heard: list[str]) -> None:
+def test_the_cursor_says_that_there_is_no_handle(window: MainWindow, heard: list[str]) -> None:
     clip, view = (
         tuple(map(tuple, matrix.tolist()))
         for matrix in (model(window).clip_from_view, model(window).view_from_world)
@@ -459,7 +461,7 @@ def test_without_a_handle_it_says_so(window: MainWindow, heard: list[str]) -> No
     assert not window.store.in_gesture
 
 
-def test_with_everything_behind_the_eye_it_says_so(window: MainWindow) -> None:
+def test_the_cursor_says_that_no_vertex_is_visible(window: MainWindow) -> None:
     camera = Camera((0.0, 2.0, 50.0), (0.0, 2.0, 90.0))
     window.store.set_projection(replace(model(window), camera=camera))
     settle()
@@ -471,7 +473,7 @@ def test_with_everything_behind_the_eye_it_says_so(window: MainWindow) -> None:
         assert window.probe_panel.probes == ()
 
 
-def test_a_pane_that_is_empty_yet_takes_no_keys(make_window: MakeWindow) -> None:
+def test_an_empty_pane_ignores_keys(make_window: MakeWindow) -> None:
     window = make_window(shown=False)
     for name, pane in window.panes.items():
         for key in (KEY.Key_PageDown, KEY.Key_Space, KEY.Key_Return, KEY.Key_Left):
@@ -479,7 +481,7 @@ def test_a_pane_that_is_empty_yet_takes_no_keys(make_window: MakeWindow) -> None
         assert window.cursors[name].text == ""
 
 
-def test_it_works_in_a_floating_pane(window: MainWindow) -> None:
+def test_the_cursor_works_in_a_floating_pane(window: MainWindow) -> None:
     window.slots.toggle_float("world")
     pane = window.panes["world"]
     pane.activateWindow()
@@ -616,7 +618,7 @@ def test_the_ring_stands_out_from_bright_and_dark(window: MainWindow, theme: str
     assert (changed & (brightness < 70)).sum() > 30
 
 
-def test_words_and_ring_lie_in_the_pane_and_not_on_each_other(window: MainWindow) -> None:
+def test_label_and_ring_lie_in_the_pane_and_do_not_overlap(window: MainWindow) -> None:
     for name, pane in window.panes.items():
         go_to(window, name)
         label, circle = (pane.canvas.findChild(QWidget, f"cursor{w}") for w in ("Label", "Ring"))
@@ -627,7 +629,7 @@ def test_words_and_ring_lie_in_the_pane_and_not_on_each_other(window: MainWindow
             assert not label.geometry().intersects(circle.geometry())
 
 
-def test_a_step_draws_each_pane_once_with_or_without_it(window: MainWindow) -> None:
+def test_a_step_draws_each_pane_once_with_and_without_the_cursor(window: MainWindow) -> None:
     camera = model(window).camera
     go_to(window, "world")
     for height in (5.5, 5.7):
@@ -639,7 +641,7 @@ def test_a_step_draws_each_pane_once_with_or_without_it(window: MainWindow) -> N
         press(KEY.Key_PageDown)  # the second time with the cursor
 
 
-def test_the_pointer_is_where_it_is_and_goes_with_it(window: MainWindow) -> None:
+def test_the_pointer_follows_the_cursor(window: MainWindow) -> None:
     window.probing.set_pointing(True)
     go_to(window, "image")
     press(KEY.Key_PageDown)

@@ -157,7 +157,7 @@ def test_of_two_points_in_reach_the_nearer_stands_out(order: int) -> None:
     assert pointed_at((0.0, 0.0), 13.0, points[::order], [], []) == {"u"}
 
 
-def test_what_is_nowhere_is_not_pointed_at() -> None:
+def test_a_point_without_a_place_is_not_highlighted() -> None:
     nowhere = [(math.nan, math.nan, math.nan)] * 8
     points = [(frozenset((name,)), at) for name, at in zip(CORNERS, nowhere, strict=True)]
     assert pointed_at((5.0, 5.0), 13.0, points, volume_edges(nowhere), nowhere) == NOTHING
@@ -537,7 +537,7 @@ def test_a_copied_picture_is_never_highlighted(
     assert QApplication.clipboard().image() == before and not before.isNull()
 
 
-def test_a_camera_far_away_and_lenses_at_their_ends_can_be_hovered(window: MainWindow) -> None:
+def test_extreme_cameras_and_lenses_can_be_hovered(window: MainWindow) -> None:
     for projection in (
         Projection(Camera((6e11, 5e11, 9e11), (0.0, 2.2, 0.0))),
         Projection(START.camera, Perspective(179.9, 1e-9, math.inf)),

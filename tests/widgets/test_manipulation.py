@@ -142,7 +142,7 @@ def window(window: MainWindow) -> MainWindow:
 # -- the world pane
 
 
-def test_a_handle_goes_with_the_hand_and_the_view_stays(window: MainWindow) -> None:
+def test_a_handle_follows_the_mouse_and_the_view_stays(window: MainWindow) -> None:
     for lens in LENSES.values():
         window.store.set_projection(replace(model(window), lens=lens))
         window.panes["world"].reset_view()
@@ -185,9 +185,7 @@ def drag_a_handle(window: MainWindow, lens: Lens, name: str) -> None:
 
 
 @pytest.mark.parametrize("name", ["world", "image"])
-def test_neither_wheel_nor_another_button_takes_what_is_held_out_of_the_hand(
-    window: MainWindow, name: str
-) -> None:
+def test_wheel_and_other_buttons_do_not_disturb_a_drag(window: MainWindow, name: str) -> None:
     if name == "world":
         _, spot = mark(window, "eye")
         at = point_of(spot)
@@ -270,7 +268,7 @@ def held_line(window: MainWindow) -> QLabel:
     return window.panes["world"].findChild(QLabel, "heldLine")
 
 
-def test_what_is_said_of_a_handle_is_seen_whole_and_does_not_jump(window: MainWindow) -> None:
+def test_the_text_about_a_handle_is_fully_visible_and_does_not_jump(window: MainWindow) -> None:
     """Beside the title where there is room, otherwise in a line over the pane; never in both."""
     hand, pane = window.manipulation, window.panes["world"]
     _, spot = mark(window, "eye")
@@ -308,7 +306,7 @@ def test_what_is_said_of_a_handle_is_seen_whole_and_does_not_jump(window: MainWi
 
 
 @pytest.mark.parametrize("change", ["scene", "style"])
-def test_what_is_said_of_a_handle_goes_with_the_drawing_that_it_was_in(
+def test_the_text_about_a_handle_disappears_with_its_drawing(
     window: MainWindow, change: str
 ) -> None:
     hand, pane = window.manipulation, window.panes["world"]
@@ -326,7 +324,7 @@ def test_what_is_said_of_a_handle_goes_with_the_drawing_that_it_was_in(
     assert pane.canvas.cursor().shape() == Qt.CursorShape.ArrowCursor
 
 
-def test_a_refusal_takes_the_place_of_what_is_said_and_gives_it_back(window: MainWindow) -> None:
+def test_a_refusal_replaces_the_text_about_a_handle_while_it_is_shown(window: MainWindow) -> None:
     hand = window.manipulation
     window.panes["world"].title.setMinimumWidth(window.panes["world"].width() // 2)
     settle()
@@ -356,7 +354,7 @@ def test_every_handle_is_named_for_every_lens(window: MainWindow) -> None:
     assert "" not in texts
 
 
-def test_near_past_far_is_refused_in_a_sentence_that_goes_with_the_hand(window: MainWindow) -> None:
+def test_near_past_far_is_refused_until_the_drag_ends(window: MainWindow) -> None:
     bar = window.manipulation.message
     handle, spot = mark(window, "near")
     size = window.panes["world"].canvas.size()
@@ -381,7 +379,9 @@ def test_near_past_far_is_refused_in_a_sentence_that_goes_with_the_hand(window: 
     assert bar.text == "" and model(window) == held
 
 
-def test_far_before_near_speaks_of_far_and_the_fov_of_its_bounds(window: MainWindow) -> None:
+def test_refusals_of_far_and_of_the_field_of_view_name_the_dragged_field(
+    window: MainWindow,
+) -> None:
     bar = window.manipulation.message
     handle, spot = mark(window, "far")
     way = along(window, handle, far=1.5)
@@ -418,7 +418,7 @@ def test_a_window_turned_inside_out_is_refused(window: MainWindow) -> None:
     release(window, "world", point_of((x, y)) + QPoint(*way))
 
 
-def test_escape_puts_back_what_is_dragged(window: MainWindow) -> None:
+def test_escape_cancels_a_drag(window: MainWindow) -> None:
     """Also while the keyboard is in a field."""
     window.slots.go_back()  # a pane that is alone is left by Esc before a probe is
     window.probe_panel.follow(point=(0.0, 0.5, 0.5))
@@ -451,7 +451,7 @@ def test_escape_puts_back_what_is_dragged(window: MainWindow) -> None:
     assert model(window) == before != start, "it was no step"
 
 
-def test_another_lens_under_the_hand_ends_the_drag(window: MainWindow) -> None:
+def test_another_lens_ends_the_drag(window: MainWindow) -> None:
     _, spot = mark(window, "corner")
     press(window, "world", point_of(spot))
     move(window, "world", point_of(spot) + QPoint(8, 8))
@@ -616,7 +616,7 @@ def test_the_wheel_stops_before_the_target_and_says_so(window: MainWindow, qtbot
     assert bar.text == ""
 
 
-def test_a_wheel_that_stands_still_after_the_window_has_closed_is_nothing(
+def test_the_end_of_a_wheel_burst_after_the_window_has_closed_does_nothing(
     make_window: MakeWindow, qtbot: Any
 ) -> None:
     window = make_window()
@@ -645,7 +645,7 @@ POINTS = [
 ]  # fmt: skip
 
 
-def test_a_point_of_the_scene_goes_where_the_hand_goes_and_that_is_one_step(
+def test_a_point_of_the_scene_follows_the_mouse_in_one_step(
     make_scene: Callable[[str], MainWindow],
 ) -> None:
     for scene, setting in POINTS:
@@ -664,7 +664,7 @@ def test_a_point_of_the_scene_goes_where_the_hand_goes_and_that_is_one_step(
         assert window.store.document == before
 
 
-def test_the_panes_stand_still_under_the_hand_though_the_readout_grows(
+def test_the_panes_stand_still_during_a_drag_although_the_readout_grows(
     make_scene: Callable[[str], MainWindow],
 ) -> None:
     window = make_scene("eye-plane")
@@ -731,7 +731,7 @@ def test_a_scene_without_points_has_no_grips(make_scene: Callable[[str], MainWin
 
 
 @pytest.mark.parametrize("name", ["world", "image"])
-def test_another_scene_under_the_hand_ends_the_drag(window: MainWindow, name: str) -> None:
+def test_another_scene_ends_the_drag(window: MainWindow, name: str) -> None:
     """Its own camera stays, and undo goes back to where the drag had come to."""
     at = point_of(mark(window, "target")[1])
     if name == "image":

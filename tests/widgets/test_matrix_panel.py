@@ -152,7 +152,7 @@ def underlined_px(view: MatrixView, row: int, column: int) -> int:
     return max(map(len, runs), default=0)
 
 
-def test_cells_that_a_change_changed_are_lit(panel: MatrixPanel, qtbot: QtBot) -> None:
+def test_changed_cells_are_highlighted(panel: MatrixPanel, qtbot: QtBot) -> None:
     assert not lit(panel.views["clip_from_view"])
     shown_after(panel, qtbot, moved(OFF_AXIS, far=50.0))
     assert lit(panel.views["clip_from_view"]) == {(2, 2), (2, 3)}
@@ -161,7 +161,7 @@ def test_cells_that_a_change_changed_are_lit(panel: MatrixPanel, qtbot: QtBot) -
     assert lit(panel.views["canonical_perspective_from_view/shear"]) == set()
 
 
-def test_a_drag_is_marked_against_its_beginning(panel: MatrixPanel, qtbot: QtBot) -> None:
+def test_a_drag_is_compared_with_its_start(panel: MatrixPanel, qtbot: QtBot) -> None:
     panel.begin_gesture()
     shown_after(panel, qtbot, moved(OFF_AXIS, left=-0.75))
     shown_after(panel, qtbot, moved(OFF_AXIS, left=-0.75, far=50.0))
@@ -188,11 +188,11 @@ def test_a_drag_is_marked_against_its_beginning(panel: MatrixPanel, qtbot: QtBot
         ("1000", "10⁻⁶", 0),
     ],
 )  # fmt: skip
-def test_where_digits_begin_to_differ(before: str, after: str, first: int | None) -> None:
+def test_the_first_digit_that_differs(before: str, after: str, first: int | None) -> None:
     assert first_change(before, after) == first
 
 
-def test_four_digits_are_read_all_by_the_switch_and_all_copied(
+def test_four_digits_are_shown_all_with_the_switch_and_all_are_copied(
     panel: MatrixPanel, qtbot: QtBot
 ) -> None:
     told = json.loads(told_matrices(OFF_AXIS, "json"))
@@ -425,7 +425,7 @@ def test_a_cell_is_typed_and_goes_out_once(
     assert (0, 2) in lit(panel.views["clip_from_view"])
 
 
-def test_what_is_made_of_a_fraction_is_said(
+def test_the_quotient_of_a_typed_fraction_is_reported(
     panel: MatrixPanel, qtbot: QtBot, edits: list[Projection]
 ) -> None:
     told: list[str] = []
@@ -442,7 +442,7 @@ def test_what_is_made_of_a_fraction_is_said(
     assert len(told) == 1 and "must be a number" in panel.explanation.text()
 
 
-def test_what_is_being_typed_goes_when_its_matrix_does(window: MainWindow, qtbot: QtBot) -> None:
+def test_typing_ends_when_the_matrix_disappears(window: MainWindow, qtbot: QtBot) -> None:
     start, panel = window.store.document, window.matrices
     window.panels.open(panel)
     qtbot.waitUntil(panel.isVisible)
@@ -458,7 +458,7 @@ def test_what_is_being_typed_goes_when_its_matrix_does(window: MainWindow, qtbot
     assert all(view.field is None for view in panel.views.values())
 
 
-def test_a_matrix_that_is_gone_tells_nothing_any_more(window: MainWindow, qtbot: QtBot) -> None:
+def test_a_removed_matrix_explains_nothing(window: MainWindow, qtbot: QtBot) -> None:
     start, panel = window.store.document.projection, window.matrices
     activate(window)
     window.panels.open(panel)
@@ -478,7 +478,7 @@ def test_a_matrix_that_is_gone_tells_nothing_any_more(window: MainWindow, qtbot:
 
 
 @pytest.mark.parametrize("lens", [Oblique(), OFF_AXIS.lens])
-def test_what_is_typed_as_it_stands_changes_nothing(
+def test_entering_the_same_number_changes_nothing(
     panel: MatrixPanel, qtbot: QtBot, edits: list[Projection], lens: Any
 ) -> None:
     shown_after(panel, qtbot, replace(OFF_AXIS, lens=lens))
@@ -498,7 +498,7 @@ def test_what_is_typed_as_it_stands_changes_nothing(
         ("view_from_world", "-1e101", "-1e+101: must be at least -1e+100."),
     ],
 )
-def test_a_bad_cell_is_named_and_the_good_state_stays(
+def test_a_refused_cell_is_named_and_nothing_changes(
     panel: MatrixPanel, qtbot: QtBot, edits: list[Projection], name: str, text: str, sentence: str
 ) -> None:
     before = panel.views[name].texts
@@ -520,7 +520,7 @@ def test_a_bad_cell_is_named_and_the_good_state_stays(
 
 
 @pytest.mark.parametrize(("size", "open_first"), [((1920, 1080), True), ((1366, 768), False)])
-def test_what_is_said_of_a_free_matrix_is_seen_whole(
+def test_the_note_of_a_free_matrix_is_fully_visible(
     window: MainWindow, qtbot: QtBot, size: tuple[int, int], open_first: bool
 ) -> None:
     window.resize(*size)
@@ -544,7 +544,7 @@ def test_what_is_said_of_a_free_matrix_is_seen_whole(
 
 
 @pytest.mark.parametrize("scrolled", [0.5, 1.0])
-def test_a_matrix_stays_under_the_hand_when_its_neighbours_vanish_and_come_back(
+def test_a_matrix_stays_in_place_when_its_neighbours_disappear_and_return(
     window: MainWindow, qtbot: QtBot, scrolled: float
 ) -> None:
     panel = window.matrices
@@ -654,7 +654,7 @@ def notes(panel: MatrixPanel, name: str) -> str:
     return str(note.text()).replace("\n", " ") if note.isVisible() else ""
 
 
-def test_what_a_free_matrix_does_is_written_below_it(
+def test_a_note_says_what_a_free_matrix_does(
     panel: MatrixPanel, qtbot: QtBot, edits: list[Projection]
 ) -> None:
     type_cell(panel, qtbot, "clip_from_view", 0, 0, "0")
@@ -763,7 +763,7 @@ def test_every_pane_probe_and_stop_takes_any_matrix(
         assert window.panes["ndc"].note.text() == "no canonical volumes"
 
 
-def test_what_is_said_of_a_cell_is_of_its_value_now(panel: MatrixPanel, qtbot: QtBot) -> None:
+def test_the_explanation_follows_the_value(panel: MatrixPanel, qtbot: QtBot) -> None:
     view = panel.views["clip_from_view"]
     qtbot.mouseClick(view, Qt.MouseButton.LeftButton, pos=view.cell_rect(0, 0).center().toPoint())
     for right in (0.9, 1.3):
@@ -852,7 +852,7 @@ def test_no_formula_is_cut_and_fractions_are_stacked(panel: MatrixPanel) -> None
                 assert "/" not in re.sub(r"\w+\([^()]*\)", "", text), text
 
 
-def test_a_cell_that_is_held_while_its_matrix_goes_says_nothing_more(
+def test_a_held_cell_is_silent_after_its_matrix_was_removed(
     window: MainWindow, qtbot: QtBot
 ) -> None:
     """As with the other hand on the keyboard; what it said reached a widget that was deleted."""
@@ -878,7 +878,7 @@ def test_a_cell_that_is_held_while_its_matrix_goes_says_nothing_more(
     QTest.mouseRelease(window.windowHandle(), Qt.MouseButton.LeftButton, pos=cell)
 
 
-def test_l9_the_stage_reached_lights_its_matrix(panel: MatrixPanel) -> None:
+def test_l9_the_reached_stage_highlights_its_matrix(panel: MatrixPanel) -> None:
     def lit() -> list[str]:
         names = [matrix.name for matrix in panel.shown]
         return [name for name in names if title_of(panel, name).property("reached")]
@@ -923,7 +923,7 @@ def whole(panel: MatrixPanel) -> list[str]:
     ]
 
 
-def test_where_the_row_goes_on_it_says_so_and_a_click_goes_there(panel: MatrixPanel) -> None:
+def test_an_arrow_shows_where_the_row_continues_and_scrolls_there(panel: MatrixPanel) -> None:
     panel.resize(700, 240)
     settle()
     names = [matrix.name for matrix in panel.shown]
@@ -953,7 +953,9 @@ def test_where_the_row_goes_on_it_says_so_and_a_click_goes_there(panel: MatrixPa
     assert not end_of(panel, "left").isVisible() and not end_of(panel, "right").isVisible()
 
 
-def test_the_stage_reached_is_seen_whole_and_none_is_cut_at_the_left(panel: MatrixPanel) -> None:
+def test_the_reached_stage_is_fully_visible_and_no_matrix_is_cut_at_the_left(
+    panel: MatrixPanel,
+) -> None:
     panel.resize(700, 240)
     settle()
     bar = panel.findChild(QScrollArea).horizontalScrollBar()
@@ -966,7 +968,7 @@ def test_the_stage_reached_is_seen_whole_and_none_is_cut_at_the_left(panel: Matr
         assert not is_cut or bar.value() == bar.maximum(), name
 
 
-def test_columns_grow_while_numbers_run_and_are_narrow_when_they_rest(
+def test_columns_grow_during_a_gesture_and_shrink_after_it(
     panel: MatrixPanel, qtbot: QtBot
 ) -> None:
     view = panel.views["clip_from_view"]

@@ -131,7 +131,7 @@ def test_a_trade_is_measured_and_shown(panel: MeasurePanel, qtbot: QtBot) -> Non
     assert view.accessibleName() == "Depth buffer"
 
 
-def test_several_are_measured_in_one_go_and_each_is_shown_and_exported_by_itself(
+def test_several_measurements_run_together_and_are_shown_and_exported_one_by_one(
     panel: MeasurePanel, qtbot: QtBot, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     refused, succeeded = QSignalSpy(panel.refused), QSignalSpy(panel.succeeded)
@@ -180,7 +180,7 @@ def test_several_are_measured_in_one_go_and_each_is_shown_and_exported_by_itself
     assert cells(panel) == own_rows and panel.measured["depth"] is mine
 
 
-def test_what_is_not_saved_is_measured_with_its_mesh(
+def test_an_unsaved_document_is_measured_with_its_mesh(
     qtbot: QtBot, document: Document, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     mesh = tmp_path / "triangle.obj"
@@ -195,7 +195,9 @@ def test_what_is_not_saved_is_measured_with_its_mesh(
     assert found["scene"] == str(mesh) and found["lens"]["far"] == 77.5
 
 
-def test_cancelled_it_keeps_what_it_has_and_says_so(panel: MeasurePanel, qtbot: QtBot) -> None:
+def test_a_cancelled_measurement_keeps_its_results_and_says_so(
+    panel: MeasurePanel, qtbot: QtBot
+) -> None:
     panel.how.setCurrentIndex(1)  # full: it would take half a minute
     panel.choose("arithmetic", "depth")
     panel.run()
@@ -231,7 +233,7 @@ def test_it_waits_while_a_control_is_dragged(panel: MeasurePanel, qtbot: QtBot) 
     assert panel.measured["depth"].complete
 
 
-def test_what_the_process_refuses_is_one_sentence(
+def test_a_refusal_of_the_process_is_one_sentence(
     qtbot: QtBot, document: Document, tmp_path: Path
 ) -> None:
     gone = replace(document, scene=str(tmp_path / "gone.obj"))
@@ -247,7 +249,7 @@ def test_what_the_process_refuses_is_one_sentence(
     assert cells(panel) == [["", said]] and panel.sentence.text() == said
 
 
-def test_without_opengl_the_pictures_trades_are_words(
+def test_without_opengl_a_trade_of_pictures_says_why_it_is_missing(
     panel: MeasurePanel, qtbot: QtBot, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setenv("MESA_GL_VERSION_OVERRIDE", "2.1")
@@ -258,7 +260,7 @@ def test_without_opengl_the_pictures_trades_are_words(
     assert "OpenGL" in words and "Not measured: smoothing." in words
 
 
-def test_nothing_before_the_eye_is_words_in_the_table(
+def test_a_scene_behind_the_eye_is_explained_in_the_table(
     qtbot: QtBot, document: Document, tmp_path: Path
 ) -> None:
     away = replace(document.projection, camera=Camera((0, 0, 500), (0, 0, 900)))
@@ -306,7 +308,9 @@ def test_a_click_on_a_point_or_a_row_uses_the_choice(panel: MeasurePanel, tmp_pa
     assert used.count() == 2, "a click beside the points uses nothing"
 
 
-def test_what_the_panes_cannot_draw_with_is_not_used(panel: MeasurePanel, tmp_path: Path) -> None:
+def test_a_choice_that_the_panes_cannot_draw_with_is_not_used(
+    panel: MeasurePanel, tmp_path: Path
+) -> None:
     used = QSignalSpy(panel.used)
     peers = replace(TRADE, choices=tuple(replace(c, use={}) for c in TRADE.choices))
     panel.load(write(tmp_path / "a.json", replace(RESULTS, trades=(peers,))))
@@ -418,7 +422,7 @@ def test_every_name_of_a_choice_is_put_together_from_translated_parts(document: 
     ) == ("afina, 4 kom.")
 
 
-def test_what_cannot_be_used_looks_it_and_says_why(panel: MeasurePanel, tmp_path: Path) -> None:
+def test_an_unusable_choice_is_in_italics_and_says_why(panel: MeasurePanel, tmp_path: Path) -> None:
     """In italics and in words; grey is something else."""
     usable = Choice("MSAA 2", 2.0, 2.0, 2.0, use={"smoothing": "MSAA 2"})
     winner = "supersampling 3 x 3"
@@ -445,7 +449,7 @@ def test_what_cannot_be_used_looks_it_and_says_why(panel: MeasurePanel, tmp_path
     assert used.count() == 1 and refused.count() == 2
 
 
-def test_grey_is_in_the_table_what_it_is_in_the_chart(panel: MeasurePanel, tmp_path: Path) -> None:
+def test_table_and_chart_show_the_same_choices_in_grey(panel: MeasurePanel, tmp_path: Path) -> None:
     other = replace(TRADE, choices=tuple(reversed(TRADE.choices)))
     panel.measured = {"arithmetic": replace(RESULTS, trades=(TRADE,), sweeps=())}
     panel.loaded = {"arithmetic": replace(RESULTS, trades=(other,), sweeps=())}
@@ -461,7 +465,7 @@ def test_grey_is_in_the_table_what_it_is_in_the_chart(panel: MeasurePanel, tmp_p
     assert ink != panel.palette().text().color()
 
 
-def test_notes_take_the_room_that_a_panel_comes_to_have(
+def test_notes_take_the_free_width_and_are_fully_visible(
     panel: MeasurePanel, display: Any, tmp_path: Path
 ) -> None:
     noted = Choice("MSAA 8", 1.0, 1.0, 2.0, note=arithmetic.NO_POINTS, use={"smoothing": "MSAA 8"})
@@ -502,9 +506,7 @@ def test_a_drag_in_the_window_makes_it_wait_and_a_sentence_reaches_the_bar(
     assert panel.load(write(tmp_path / "a.json", RESULTS)) and window.messages.text == ""
 
 
-def test_what_the_panel_refused_is_said_until_it_is_used_again(
-    window: MainWindow, tmp_path: Path
-) -> None:
+def test_a_refusal_stays_until_the_panel_is_used_again(window: MainWindow, tmp_path: Path) -> None:
     panel, bar = window.measure_panel, window.messages
     window.panels.open(panel)
     alone = replace(TRADE.choices[0], name="float16", use={})
@@ -536,7 +538,7 @@ def test_what_the_panel_refused_is_said_until_it_is_used_again(
     assert bar.text == "Something else went wrong.", "that is not the panel's to take back"
 
 
-def test_the_window_says_what_the_panes_are_drawn_with(window: MainWindow) -> None:
+def test_the_window_reports_the_quality_in_use(window: MainWindow) -> None:
     assert window.quality.in_use()["rung"] == "float32"
     assert window.quality.in_use()["depth_mapping"] == "opengl"
     projection = window.store.document.projection

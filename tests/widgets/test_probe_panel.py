@@ -172,7 +172,7 @@ def is_seen(sight: Sight, vertex: Array, triangles: Array, lines: Array) -> bool
 
 
 @pytest.mark.parametrize(("lens", "eye"), [*zip(LENSES, EYES, strict=True)])
-def test_a_click_on_or_beside_a_vertex_that_is_seen_gives_it_in_every_pane(
+def test_a_click_on_or_beside_a_visible_vertex_picks_it_in_every_pane(
     make_window: MakeWindow, lens: str, eye: str
 ) -> None:
     """0 and 2 px to each side: the edges that run to it or past it are not what is meant."""
@@ -251,7 +251,7 @@ def test_a_click_follows_the_point_of_a_face_and_the_nearest_of_a_line(window: M
         assert math.dist(place_in(window, name, point), place) <= 1.0
 
 
-def test_what_a_click_needs_is_made_when_the_scene_is_opened_beside_the_window(
+def test_picking_is_prepared_in_a_thread_when_the_scene_is_opened(
     make_window: MakeWindow, monkeypatch: pytest.MonkeyPatch, qtbot: QtBot
 ) -> None:
     made: list[str] = []
@@ -336,7 +336,7 @@ def test_escape_puts_a_dragged_probe_back_and_ends_the_drag(
     assert panel.probes == ()
 
 
-def test_a_probe_that_ends_with_its_scene_under_the_hand_does_not_come_back(
+def test_a_dragged_probe_does_not_return_after_another_scene(
     window: MainWindow,
 ) -> None:
     panel, canvas = window.probe_panel, window.panes["image"].canvas
@@ -352,7 +352,7 @@ def test_a_probe_that_ends_with_its_scene_under_the_hand_does_not_come_back(
     assert not in_gesture(panel)
 
 
-def test_a_hand_that_trembles_still_clicks_and_turns_nothing(window: MainWindow) -> None:
+def test_a_click_with_a_small_movement_is_still_a_click(window: MainWindow) -> None:
     canvas = window.panes["world"].canvas
     x, y = (math.floor(part) for part in place_in(window, "world", CORNER))
     camera = window.panes["world"].hand.camera
@@ -382,7 +382,7 @@ def test_a_click_on_empty_image_space_shows_the_ray(window: MainWindow) -> None:
     assert marked(window, "ndc", place_in(window, "ndc", half_way))
 
 
-def test_a_ray_without_a_frustum_is_drawn_or_it_is_said_why_not(window: MainWindow) -> None:
+def test_a_ray_without_a_frustum_is_drawn_or_refused_with_a_reason(window: MainWindow) -> None:
     for last, words, is_drawn in [
         ((0.1, 0.0, -1.0, 0.3), "the pixel's ray, as far as it is in front of the eye", True),
         ((0.0, 0.0, -1.0, 2.2 / 1.1), "no ray in the world: the matrix has no inverse", False),
@@ -401,7 +401,7 @@ def test_a_ray_without_a_frustum_is_drawn_or_it_is_said_why_not(window: MainWind
         assert any_mark(window, "world") == is_drawn
 
 
-def test_inside_a_free_matrix_cube_is_said_without_ones(panel: ProbePanel) -> None:
+def test_the_inside_of_a_free_matrix_is_described_without_planes(panel: ProbePanel) -> None:
     panel.follow(point=CORNER)
     for depth, formula in (("opengl", "−w ≤ z ≤ w"), ("reversed", "0 ≤ z ≤ w")):
         cells_free = start().clip_from_view + np.diag([0.0, 0.0, 0.0, 0.1])
@@ -450,7 +450,7 @@ def test_the_projector_runs_from_the_eye_and_along_z(window: MainWindow) -> None
     assert marked(window, "ndc", (place_x, height - place_y))
 
 
-def test_no_mirrored_mark_anywhere_at_or_behind_the_eye(window: MainWindow) -> None:
+def test_no_mark_is_drawn_for_a_point_at_or_behind_the_eye(window: MainWindow) -> None:
     for along in (0.0, -1.0):
         camera = start().camera
         # Beside the eye, or behind it and a little aside; mirrored, that would be in the picture.
@@ -540,7 +540,7 @@ def test_every_number_is_the_command_s_to_the_last_digit(
             assert cells(panel, block, 8) == [said]
 
 
-def test_a_row_says_where_there_is_no_picture(panel: ProbePanel) -> None:
+def test_a_row_says_why_there_is_no_picture(panel: ProbePanel) -> None:
     camera = Camera((0.0, 0.0, 5.0), (0.0, 0.0, 0.0))
     show(panel, replace(start(), camera=camera))
     panel.follow(point=(1.0, 2.0, 7.0))
@@ -552,7 +552,7 @@ def test_a_row_says_where_there_is_no_picture(panel: ProbePanel) -> None:
     assert cells(panel, 0, 4) == ["÷ 2"] * 3
 
 
-def test_no_number_is_cut(panel: ProbePanel) -> None:
+def test_every_number_is_fully_visible(panel: ProbePanel) -> None:
     panel.resize(1200, 300)
     panel.follow(point=(1 / 3, 2 / 3, -1 / 7))
     show(panel, replace(start(), camera=Camera((6.1, 5.3, 9.7), (0.1, 2.2, 0.3))))
@@ -564,7 +564,7 @@ def test_no_number_is_cut(panel: ProbePanel) -> None:
                 assert metrics.horizontalAdvance(text) + 6 <= panel.table.columnWidth(column), text
 
 
-def test_four_digits_are_read_all_by_the_switch_and_all_copied(panel: ProbePanel) -> None:
+def test_four_digits_are_shown_all_with_the_switch_and_all_are_copied(panel: ProbePanel) -> None:
     show(panel, replace(start(), camera=Camera((6.1, 5.3, 9.7), (0.1, 2.2, 0.3))))
     panel.follow(point=(1 / 3, 2 / 3, -1 / 7))
 
@@ -640,9 +640,7 @@ def test_a_click_moves_the_probe_unless_it_is_pinned(panel: ProbePanel, qtbot: Q
     assert [probe.number for probe in panel.probes] == [1, 2]
 
 
-def test_one_more_than_can_be_compared_is_refused_in_a_sentence(
-    panel: ProbePanel, qtbot: QtBot
-) -> None:
+def test_one_probe_too_many_is_refused(panel: ProbePanel, qtbot: QtBot) -> None:
     for number in range(MOST_PROBES):
         panel.follow(point=(float(number), 0.0, 0.0))
         panel.pin.click()

@@ -419,7 +419,7 @@ def test_the_stops_of_a_parallel_lens_are_named_what_they_are(window: MainWindow
 
 
 @pytest.mark.parametrize(("size", "presents"), [((1366, 768), False), ((1920, 1080), True)])
-def test_what_is_said_of_a_stage_is_whole_and_moves_nothing(
+def test_the_text_about_a_stage_is_fully_visible_and_moves_nothing(
     window: MainWindow, size: tuple[int, int], presents: bool
 ) -> None:
     window.resize(*size)
@@ -478,7 +478,7 @@ def test_a_new_drawing_stands_where_the_strip_is(window: MainWindow) -> None:
     assert picture(window.panes["ndc"].canvas) == light
 
 
-def test_the_strip_s_own_framing_is_nobody_s_turn_of_the_view(window: MainWindow) -> None:
+def test_the_strips_framing_is_no_turn_by_the_user(window: MainWindow) -> None:
     window.strip.go_to(0.0)
     settle()
     assert window.store.seen.view.panes == {}

@@ -17,15 +17,7 @@ class CellWords(QObject):
     def sentence(
         self, matrix: Matrix, row: int, column: int, letters: Letters, *, rows: bool, typed: bool
     ) -> str:
-        """Explain a cell.
-
-        Parameters
-        ----------
-        rows : bool
-            Whether vectors are rows.
-        typed : bool
-            Whether the cell can be typed.
-        """
+        """Explain a cell; `rows` if vectors are rows, `typed` if it can be typed."""
         value, formula = matrix.values[row][column], matrix.formulas[row][column]
         cell, number = written(formula, letters), read_text(value)
         if cell.replace("−", "-") == number.replace("−", "-"):

@@ -64,13 +64,7 @@ class _Step(NamedTuple):
 
 
 class FramePanel(Panel):
-    """Builds u, v and n step by step.
-
-    Attributes
-    ----------
-    step : int
-        Index into `app.lecture.camera_frame.STEPS`.
-    """
+    """Builds u, v and n step by step."""
 
     concerns = PROJECTION
     step_changed = Signal(object)
@@ -80,6 +74,7 @@ class FramePanel(Panel):
         super().__init__()
         self.setAccessibleName(self.tr("Camera frame"))
         self.step = 0
+        """Index into `app.lecture.camera_frame.STEPS`."""
         self._projection = Projection()
         self._highlight = NOTHING
         self._steps = self._make_steps()

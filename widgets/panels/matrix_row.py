@@ -79,17 +79,7 @@ class MatrixBox(QWidget):
     def show_matrix(
         self, matrix: Matrix, before: Matrix | None, title: str, note: str, writing: Writing
     ) -> None:
-        """Show the matrix, its factors, and a note below.
-
-        Parameters
-        ----------
-        matrix : Matrix
-        before : Matrix or None
-            The matrix before the last change.
-        title, note : str
-            Translated.
-        writing : Writing
-        """
+        """Show the matrix, what changed in it, its factors, and a note below."""
         self._title.setText(_named(matrix, title))
         tip = stage_title(matrix.name)
         if matrix.product:

@@ -128,13 +128,7 @@ class MatrixView(QWidget):
     """One 4x4 matrix; the mouse or the arrow keys point at its cells.
 
     A double click, F2 or Enter opens the number of a cell for typing if the matrix is `editable`.
-
-    Parameters
-    ----------
-    title : str
-        Translated, for screen readers.
-    explain : callable
-        Returns the sentence about a cell: ``(matrix, row, column) -> str``.
+    `title` is for screen readers; `explain` returns the sentence about a cell.
     """
 
     pointed = Signal(str)

@@ -76,16 +76,9 @@ _NAME = Qt.ItemDataRole.UserRole
 class MeasurePanel(DiagramPanel):
     """Runs measurements, and shows each as a chart, a table and a sentence.
 
-    Parameters
-    ----------
-    document : callable
-        Returns the document to measure.
-    current : callable
-        Returns what is in use now, as of `Choice.use`.
-    smoothings : sequence of str
-        Those that the panes can draw with.
-    precision : QWidget
-        Says how exactly the program draws and reads; it stands above the list.
+    `document` returns the document to measure, `current` what is in use, as of `Choice.use`.
+    `smoothings` are those that the panes can draw with. The widget `precision` stands above the
+    list.
     """
 
     used = Signal(object)

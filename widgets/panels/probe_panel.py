@@ -39,13 +39,7 @@ QPushButton:checked {
 
 
 class ProbePanel(ReadablePanel):
-    """The probes, the buttons that change them, and the table of their numbers.
-
-    Attributes
-    ----------
-    probes : tuple of Probe
-        The probes that the panes mark, in the order of the table.
-    """
+    """The probes, the buttons that change them, and the table of their numbers."""
 
     concerns = PROJECTION
     changed = Signal()
@@ -54,6 +48,7 @@ class ProbePanel(ReadablePanel):
     def __init__(self) -> None:
         super().__init__()
         self.probes: tuple[Probe, ...] = ()
+        """The probes that the panes mark, in the order of the table."""
         self._pinned: set[int] = set()
         self._chosen = 0  # number of the probe that is edited; 0 for none
         self._projection: Projection | None = None
@@ -133,17 +128,7 @@ class ProbePanel(ReadablePanel):
         pixel: tuple[float, float] | None = None,
         direction: Vector | None = None,
     ) -> None:
-        """Follow a point, or a pixel's ray, with the chosen probe unless it is pinned.
-
-        Parameters
-        ----------
-        point : Vector, optional
-            World coordinates.
-        pixel : (float, float), optional
-            Of the image.
-        direction : Vector, optional
-            A point at infinity, in world coordinates.
-        """
+        """Follow a point, a pixel's ray or a point at infinity with a probe that is not pinned."""
         number = self._chosen
         if not number or number in self._pinned:
             # A new probe is made only if all probes are pinned.
@@ -161,15 +146,9 @@ class ProbePanel(ReadablePanel):
     def restore(
         self, probes: tuple[Probe, ...], chosen: int, pinned: frozenset[int] | None = None
     ) -> None:
-        """Go back to earlier probes.
+        """Go back to earlier probes, with the numbers of the chosen one (or 0) and the pinned ones.
 
-        Parameters
-        ----------
-        probes : tuple of Probe
-        chosen : int
-            Number of the chosen probe; 0 for none.
-        pinned : frozenset of int, optional
-            Numbers of the pinned probes; the present ones if not given.
+        The pinned probes stay the same if they are not given.
         """
         self._chosen = chosen
         if pinned is not None:

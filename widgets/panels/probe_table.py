@@ -147,15 +147,9 @@ class ProbeTable(QTableView):
         self.verticalHeader().setMinimumSectionSize(0)
 
     def show_numbers(self, content: Numbers, font: QFont, *, anew: bool) -> None:
-        """Show the probes' numbers.
+        """Show the probes' numbers; columns may shrink if they are written `anew`.
 
-        Parameters
-        ----------
-        content : Numbers
-        font : QFont
-            The panel's: a change of font may reach this table later.
-        anew : bool
-            Whether columns may shrink.
+        The font is the panel's: a change of font may reach this table later.
         """
         if self._model.show(content):
             anew, self._spans = True, []

@@ -53,15 +53,7 @@ class ScenePanel(DiagramPanel):
         self.show_scene(self.tr("This scene"), None)
 
     def show_scene(self, title: str, phenomenon: Phenomenon | None) -> None:
-        """Show another scene.
-
-        Parameters
-        ----------
-        title : str
-            Translated.
-        phenomenon : Phenomenon or None
-            None for a scene that shows nothing beyond the pipeline itself.
-        """
+        """Show another scene; one that shows only the pipeline itself has no phenomenon."""
         if phenomenon is not self._phenomenon or phenomenon is None:
             self._phenomenon, self._illustration = phenomenon, None
         self.title.setText(breakable(title, WORD))

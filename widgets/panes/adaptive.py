@@ -34,15 +34,8 @@ AT_REST = "FXAA"
 class Adaptive(QObject):
     """The quality of the window's panes.
 
-    Parameters
-    ----------
-    panes : mapping of str to Pane
-    software_rendering : bool
-        Whether OpenGL runs without a GPU: antialiasing then waits for the end of a drag.
-    target_ms : float
-        Longest frame while a control is dragged; 0 for any.
-    window : QWidget
-        Parent, also of the progress dialog.
+    With `software_rendering` antialiasing waits for the end of a drag. `target_ms` is the longest
+    frame while a control is dragged; 0 for any.
     """
 
     changed = Signal()

@@ -21,13 +21,7 @@ class _Drawn(NamedTuple):
 class Ahead:
     """The drawings that are made ahead for a canvas; only a `RasterCanvas` can take them.
 
-    Parameters
-    ----------
-    canvas : GlCanvas or RasterCanvas
-    make_drawing : callable
-        As of `Pane`.
-    smooth : callable
-        Sets the antialiasing of a window of VTK's.
+    `make_drawing` is that of the `Pane`; `smooth` sets the antialiasing of a window of VTK's.
     """
 
     def __init__(

@@ -206,15 +206,7 @@ class _Words(Label):
 
 
 class Compare(QObject):
-    """The pictures in the image pane.
-
-    Parameters
-    ----------
-    pane : Pane
-        Shows the document's own picture.
-    smoothing : callable
-        Returns the smoothing of a pane at rest.
-    """
+    """The pictures in the image pane; `smoothing` returns the smoothing of a pane at rest."""
 
     changed = Signal()
     """The pictures or the dividers have changed."""

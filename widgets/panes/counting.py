@@ -27,11 +27,7 @@ MOST_FACES = 20_000
 class Counting(QObject):
     """Counts the pixels of one illustration when it has not changed for a while.
 
-    Parameters
-    ----------
-    busy : callable
-        Returns whether a control is held or something plays.
-    parent : QObject
+    `busy` returns whether a control is held or something plays.
     """
 
     concerns = frozenset({"illustration"})

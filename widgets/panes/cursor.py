@@ -70,16 +70,7 @@ Thing: TypeAlias = Handle | Vertex | Followed
 
 
 class Cursor(QObject):
-    """The cursor of one pane.
-
-    Parameters
-    ----------
-    name : str
-        The pane's: in the world the cursor takes hold of handles, in the image of probes.
-    pane : Pane
-    manipulation : Manipulation
-        Says what a handle moves.
-    """
+    """The cursor of one pane: in the world it takes hold of handles, in the image of probes."""
 
     concerns = frozenset({"scene"})
 

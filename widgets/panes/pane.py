@@ -135,21 +135,10 @@ def _to_whole(edge: int, inwards: int, ratio: float) -> int:
 
 
 class Pane(QFrame):
-    """A titled canvas with one drawing.
+    """A titled canvas with one drawing; the mouse moves the pane's own camera if it `orbits`.
 
     A hidden pane neither computes nor draws; it shows the current value when it appears.
-
-    Parameters
-    ----------
-    title : str
-        Translated name of the pane.
-    make_drawing : callable
-        Builds the drawing into a screen: ``make_drawing(screen, *args)``, with the arguments
-        of `build`.
-    orbits : bool
-        Whether the mouse moves this pane's own camera.
-    make_canvas : class
-        `GlCanvas` or `RasterCanvas`.
+    ``make_drawing(screen, *args)`` builds the drawing, with the arguments of `build`.
     """
 
     concerns = PROJECTION | {"illustration"}
@@ -259,14 +248,7 @@ class Pane(QFrame):
     def build(self, shown: Shown, view: Camera | None, *args: object) -> None:
         """Make another drawing, for another scene or style; a hidden pane does it on appearing.
 
-        Parameters
-        ----------
-        shown : Shown
-            What it shows first.
-        view : Camera or None
-            Place of the pane's own camera; None for the place from which everything is in view.
-        *args
-            Arguments of `make_drawing` after the screen.
+        `view` is the pane's own camera; None places it so that everything is in view.
         """
         self.shown = shown
         self._to_build = self._built_with = args
@@ -292,15 +274,10 @@ class Pane(QFrame):
         return Pane(title, self._make_drawing, orbits=False, make_canvas=RasterCanvas)
 
     def draw_like(self, other: Pane, shown: Shown, *, at_rest: str = "") -> None:
-        """Show something in the same way as another pane.
+        """Show something in the same way as another pane, which has been built.
 
-        Parameters
-        ----------
-        other : Pane
-            A pane that has been built.
-        shown : Shown
-        at_rest : str
-            The smoothing, with all triangles; those of the other pane if empty.
+        `at_rest` is the smoothing of a picture with all triangles; if it is empty, smoothing and
+        triangles are those of the other pane.
         """
         if other._built_with is not None and other._built_with is not self._built_with:
             self.build(shown, None, *other._built_with)
@@ -504,14 +481,9 @@ class Pane(QFrame):
     # -- in the window
 
     def move_to(self, window: QWidget | None, place: Callable[[], object]) -> None:
-        """Move under another top-level window.
+        """Move under another top-level window, the parent of the pane's own, or None to be docked.
 
-        Parameters
-        ----------
-        window : QWidget or None
-            Parent of the pane's own window; None if `place` docks the pane.
-        place : callable
-            Called while the pane is hidden; puts it in its place.
+        `place` is called while the pane is hidden, and puts it in its place.
         """
         self.hide()
         if window is None:
