@@ -1,4 +1,4 @@
-"""The command ``lesson``: lessons and talks, checked and listed."""
+"""The command ``lesson``: check or list lessons and talks."""
 
 from __future__ import annotations
 
@@ -13,13 +13,7 @@ from app.strangers import printable
 
 
 def lesson(arguments: Sequence[str]) -> int:
-    """Check or list lessons and talks.
-
-    Returns
-    -------
-    int
-        1 if something is wrong with one of them.
-    """
+    """Check or list lessons and talks; return 1 if something is wrong with one of them."""
     _, (what, *names) = parser_of("lesson").read(arguments)
     one_of("lesson", what, ("check", "list"))
     files = [Path(name) for name in names] or list(contained())
@@ -40,7 +34,7 @@ def _line(file: Path) -> str:
 
 
 def _checked(report: Report, files: Sequence[Path], own: bool) -> Iterator[str]:
-    """What is wrong, a line each, and the sum of it all."""
+    """Yield a line for everything that is wrong, and a last line with the sum."""
     if own:
         ideas_report = Report()
         ideas_report.take(ideas().lesson)

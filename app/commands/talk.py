@@ -1,4 +1,4 @@
-"""The command ``talk``: a talk tried as it will be shown, and on paper."""
+"""The command ``talk``: draw every step of a talk as a check, or print its handout."""
 
 from __future__ import annotations
 
@@ -12,21 +12,15 @@ from app.document.document import Document
 from app.document.files import write_bytes_atomically
 from app.lessons.checking import Report, counted
 from app.lessons.course import Course, scene_of
-from app.lessons.lesson import Lesson, Question, Step, read
+from app.lessons.lesson import Lesson, Step, read
 from app.model.refusal import Refusal
 
 SMALL_PX = 120
-"""Side of the panes that a state is tried in."""
+"""Side of the panes that are drawn for the check."""
 
 
 def talk(arguments: Sequence[str]) -> int:
-    """Draw every step of a talk, or put it on paper.
-
-    Returns
-    -------
-    int
-        1 if something is wrong with it.
-    """
+    """Draw every step of a talk, or print its handout; return 1 if something is wrong with it."""
     found, (name,) = parser_of("talk").read(arguments)
     if not found.check and found.handout is None:
         raise CliError(
@@ -48,7 +42,7 @@ def talk(arguments: Sequence[str]) -> int:
 
 
 def _draw() -> Callable[[Document], object]:
-    """What draws a document's panes without a display."""
+    """Return a function that draws a document's panes without a display."""
     try:
         with bootstrap.for_good():
             from app.drawings.figures import render
@@ -74,7 +68,7 @@ def _draw() -> Callable[[Document], object]:
 
 
 def _tried(path: Path, draw: Callable[[Document], object]) -> tuple[list[Refusal], str]:
-    """All that is wrong with a talk, and the sum of it."""
+    """Return everything that is wrong with a talk, and the line that sums it up."""
     report, drawn = Report(), 0
     try:
         course = report.take(read(path))
@@ -88,22 +82,19 @@ def _tried(path: Path, draw: Callable[[Document], object]) -> tuple[list[Refusal
                 drawn += 1
             except Refusal as error:
                 error = _placed(error, course.lesson, step)
-                if str(error) not in map(str, report.wrong):  # the check has met it, too
+                if str(error) not in map(str, report.wrong):  # the check may have found it, too
                     report.wrong.append(error)
     return report.wrong, f"{path.name}: {counted(drawn, 'step')} drawn, {len(report.wrong)} wrong"
 
 
 def _shown(course: Course, place: int, step: Step) -> list[Document]:
-    """What a step shows, and then what its predictions come to."""
-    asked = (part for part in step.asked if isinstance(part, Question) and part.show is not None)
-    return [
-        course.shown(place).document,
-        *(course.shown_by(place, part.show) for part in asked if part.show is not None),
-    ]
+    """Return what a step shows, and then the states that its predictions show."""
+    states = [part.show for part in step.parts if part.show is not None]
+    return [course.shown(place).document, *(course.shown_by(place, each) for each in states)]
 
 
 def _placed(error: Refusal, lesson: Lesson, step: Step) -> Refusal:
-    """With file and line, where it does not say them itself."""
+    """Add file and line to a refusal that does not name them."""
     if not error.field.startswith("line "):
         line = step.state.line if step.state is not None else step.line
         error = Refusal.in_document(

@@ -159,6 +159,22 @@ class Quantities:
             raise _refused(asked, TOO_LARGE)
         return found
 
+    def word(self, path: str) -> str:
+        """Return the word that a path of ``--set`` has in the document; empty for none."""
+        section, _, key = path.rpartition(".")
+        document, projection = self.document, self.projection
+        if section == "settings":
+            value = document.settings.get(key, "")
+            return str(value).lower() if isinstance(value, bool) else str(value)
+        owners = {
+            "view": self._view,
+            "lens": projection.lens,
+            "object": projection.placement,
+            "quality": document.quality,
+            "": projection if path == "depth" else document,
+        }
+        return str(getattr(owners.get(section), key, None) or "")
+
     # -- by name
 
     def _number(self, name: str, places: tuple[float, ...]) -> float:
@@ -447,14 +463,8 @@ class Condition:
             return cls(text, sign, path=left, word=right)
         return cls(text, sign, formula.parse(left), formula.parse(right))
 
-    def holds(self, known: Quantities, words: Callable[[str], str]) -> bool:
-        """Whether it holds; not where a quantity of it is not there.
-
-        Parameters
-        ----------
-        known : Quantities
-        words : callable
-            The word that the document has for a path of ``--set``.
+    def holds(self, known: Quantities) -> bool:
+        """Whether it holds; not where a quantity of it is missing.
 
         Raises
         ------
@@ -462,7 +472,7 @@ class Condition:
             If a formula of it has no value, for any other reason.
         """
         if self.left is None or self.right is None:
-            return words(self.path) == self.word
+            return known.word(self.path) == self.word
         try:
             left, right = known.value(self.left), known.value(self.right)
         except NotThere:

@@ -1,16 +1,19 @@
-"""A lesson's text, ready to be set: Markdown as HTML that reaches nowhere, TeX as outlines."""
+"""A lesson's text, ready to be set: Markdown as HTML without links or scripts, TeX as outlines."""
 
 from __future__ import annotations
 
 import logging
 import re
-from functools import lru_cache
-from typing import Any, NamedTuple
+from functools import cache, lru_cache
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
-from app.lessons.lesson import markdown
 from app.model.limits import Array
+
+if TYPE_CHECKING:
+    from markdown_it import MarkdownIt
+    from markdown_it.rules_inline import StateInline
 
 FORMULA = "\ue000"
 """Stands in the HTML where a formula is."""
@@ -24,6 +27,44 @@ _EM = 100.0
 _BREAK = re.compile(r"(\\q?quad(?![a-zA-Z])|[{}])")
 _ALONE = re.compile(rf"<p>((?:{FORMULA}\s*)+)</p>")
 _NO_HEAD = re.compile(r"<thead>\s*<tr>(\s*<th[^>]*></th>)+\s*</tr>\s*</thead>\s*")
+
+
+_MATH = re.compile(r"(\$\$?)(?=\S)([^$\n]{1,400}?)(?<=\S)\1")
+
+
+@cache
+def markdown() -> MarkdownIt:
+    """Return the reader of Markdown; what could reach outside (links, HTML) is plain text to it.
+
+    A line ``---`` is always a rule, never the line under a title. Formulas between dollars are
+    tokens ``math`` (``markup`` is ``$`` or ``$$``) whose content is not read as Markdown.
+    """
+    from markdown_it import MarkdownIt
+
+    reader = MarkdownIt("commonmark", {"html": False}).enable("table")
+    reader.disable(["lheading", "html_block", "html_inline", "image", "link", "autolink"])
+    reader.disable("reference")
+    reader.inline.ruler.before("escape", "math", _math)
+    return reader
+
+
+def _math(state: StateInline, silent: bool) -> bool:
+    found = _MATH.match(state.src, state.pos)
+    if found is None:
+        return False
+    if not silent:
+        token = state.push("math", "", 0)
+        token.content, token.markup = found[2], found[1]
+    state.pos = found.end()
+    return True
+
+
+def formulas_in(text: str) -> list[str]:
+    """Return the TeX of every formula in a text."""
+    tokens = markdown().parse(text)
+    return [
+        part.content for token in tokens for part in token.children or () if part.type == "math"
+    ]
 
 
 class Outline(NamedTuple):

@@ -23,7 +23,8 @@ from app.document.settings import set_values
 from app.document.view import AS_EVER
 from app.lecture.notation import Letters
 from app.lessons.course import CONTENT, Course, scene_of
-from app.lessons.lesson import BESIDE, Lesson, ends, parse_lesson, read, slug
+from app.lessons.lesson import Lesson, ends, parse_lesson, read, slug
+from app.lessons.state import BESIDE
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
 from app.scenes.phenomena import PHENOMENA
 

@@ -11,9 +11,12 @@ from pathlib import Path
 import pytest
 from mpmath import mp
 
+from app.lessons.blocks.block import of_kind
+from app.lessons.blocks.question import Question
+from app.lessons.blocks.task import Task
 from app.lessons.checking import Report
 from app.lessons.course import CONTENT, Course, contained
-from app.lessons.lesson import Question, Task, is_lesson, read
+from app.lessons.lesson import is_lesson, read
 from tests.support.commands import run_here
 
 mp.dps = 40
@@ -24,22 +27,18 @@ for _path in sorted(Path(__file__).parent.glob("keys_*.py")):
 
 
 def keys_of(course: Course) -> Iterator[tuple[Key, float]]:
-    """Every number of a lesson that is right, or wrong in a way that has a name."""
+    """Every number of a lesson that is right, or wrong with a named idea."""
     stem = course.lesson.path.stem
     for place, step in enumerate(course.lesson.steps):
-        for part in step.asked:
-            if not isinstance(part, Question):
-                continue
-            where = stem, f"{step.name}/{part.name}"
-            if part.value is not None:
-                yield (*where, "right"), course.value(place, part, part.value, part.line)
-            for wrong in part.wrong:
-                value = course.value(place, part, wrong.formula, wrong.line)
-                yield (*where, wrong.idea), value
-            for number, choice in enumerate(part.choices, 1):
-                if choice.formula is not None:
-                    value = course.value(place, part, choice.formula, choice.line)
-                    yield (*where, str(number)), value
+        for part in of_kind(step.blocks, Question):
+            formulas = {str(at): each.formula for at, each in enumerate(part.replies, 1)}
+            if not any(reply.right for reply in part.replies):  # a number
+                formulas = {reply.idea: reply.formula for reply in part.replies}
+                formulas["right"] = part.key[0]
+            for name, formula in formulas.items():
+                if formula is not None:
+                    value = part.value(course.at(place), formula, part.line)
+                    yield (stem, f"{step.name}/{part.name}", name), value
 
 
 def test_every_key_agrees_with_the_lectures_formula_in_40_digits() -> None:
@@ -63,33 +62,32 @@ def test_there_is_a_lesson_for_each_topic_and_a_talk_for_each_lecture() -> None:
     assert talks == ["000", "001", "002", "003", "004"]
     for lesson in lessons:
         assert lesson.language == "en"
-        names = [step.name for step in lesson.steps]
-        assert len(set(names)) == len(names)
         if lesson.is_talk:
             assert lesson.minutes > 0.0
             assert lesson.letters == lesson.lecture
             continue
         assert 3 <= len(lesson.steps) <= 7, lesson.path
         asked = [part for step in lesson.steps for part in step.asked]
-        predictions = [p for p in asked if isinstance(p, Question) and p.predicts]
+        predictions = [part for part in asked if part.holds]
         if lesson.topics:  # the tour is six tasks
             assert predictions, lesson.path
             assert len(asked) > len(predictions), lesson.path
 
 
-def test_lesson_check_is_clean_and_says_what_it_has_tried() -> None:
+def test_the_check_of_all_lessons_is_clean_and_the_list_names_them() -> None:
     done = run_here("lesson", "check")
-    last = done.stdout.splitlines()[-1]
-    assert (done.returncode, done.stdout) == (0, last + "\n")
-    assert last.startswith("25 lessons, 5 talks, ")
-    assert last.endswith(" checks, 0 wrong")
+    assert done.returncode == 0
+    assert re.fullmatch(r"25 lessons, 5 talks, \d{3} checks, 0 wrong\n", done.stdout)
+    done = run_here("lesson", "list")
+    assert done.returncode == 0 and done.stdout.startswith("lesson L1 ")
+    assert len(done.stdout.splitlines()) == len(contained()) == 30
 
 
 def test_every_task_has_a_sample_that_does_it_and_one_that_does_not() -> None:
     for path in contained():
         for step in read(path).steps:
             tried = {(sample.block, sample.verdict) for sample in step.samples}
-            tasks = [part.name for part in step.asked if isinstance(part, Task)]
+            tasks = [part.name for part in of_kind(step.blocks, Task)]
             wanted = {(name, verdict) for name in tasks for verdict in ("done", "open")}
             assert wanted <= tried, (path.name, step.name)
 
@@ -118,12 +116,6 @@ def test_a_sample_can_have_the_panes_turned_by_hand(tmp_path: Path, sample: str,
     assert [said in str(error) for error in report.wrong] == ([True] if said else []), report.wrong
 
 
-def test_lesson_list_names_them_all() -> None:
-    done = run_here("lesson", "list")
-    assert done.returncode == 0
-    assert len(done.stdout.splitlines()) == len(contained()) == 30
-
-
 @pytest.mark.parametrize(
     ("before", "after", "said"),
     [
@@ -146,88 +138,78 @@ def test_a_planted_mistake_is_found_with_file_and_line(
     tmp_path: Path, before: str, after: str, said: str
 ) -> None:
     """Each in whichever of the lessons has the place for it."""
-    text = next(
-        text
-        for path in contained()
-        if before in (text := path.read_text(encoding="utf-8")) and "```test" in text
-    )
-    line = text[: text.index(before)].count("\n") + 1
-    (tmp_path / "wrong.md").write_text(text.replace(before, after, 1), encoding="utf-8")
-    done = run_here("lesson", "check", tmp_path / "wrong.md")
-    assert done.returncode == 1
-    complaints = done.stdout.splitlines()[:-1]
+    texts = (path.read_text(encoding="utf-8") for path in contained())
+    text = next(text for text in texts if before in text and "```test" in text)
+    complaints = checked(tmp_path / "wrong.md", text.replace(before, after, 1))
     assert any(said in each for each in complaints), complaints
-    assert all(each.startswith(f"{tmp_path / 'wrong.md'}: line ") for each in complaints)
-    assert line
-    assert not done.stdout.endswith(" 0 wrong\n")
+    assert all(each.startswith("line ") for each in complaints)
 
 
-def test_a_formula_that_cannot_be_written_is_said_with_its_own_line(tmp_path: Path) -> None:
-    path = tmp_path / "wrong.md"
-    path.write_text(
-        "---\ntitle: T\n---\n# One\n\nWords with $x$,\nmore,\nand $\\nosuch$.\n"
-        "```predict\nWhy $\\frac{1$?\n- [x] a\n- [ ] $a_$\n```\n",
-        encoding="utf-8",
-    )
-    said = run_here("lesson", "check", path).stdout.splitlines()
+def checked(path: Path, text: str) -> list[str]:
+    """What is wrong with a lesson, after its path."""
+    path.write_text(text if text.startswith("---") else ONE + text, encoding="utf-8")
+    done = run_here("lesson", "check", path)
+    assert done.returncode == 1
+    said = done.stdout.splitlines()
+    assert said[-1].endswith(f"{len(said) - 1} wrong")
+    return [line.removeprefix(f"{path}: ") for line in said[:-1]]
+
+
+ONE = "---\ntitle: T\n---\n# One\n"
+WRONG = [
+    ("\nWords with $x$,\nmore,\nand $\\nosuch$.\n"
+     "```predict\nWhy $\\frac{1$?\n- [x] a\n- [ ] $a_$\n```\n",
+     [r"line 8 = '\\nosuch': WHY Unknown symbol: \nosuch, found '\'.",
+      r"line 10 = '\\frac{1': WHY Expected \frac{num}{den}, found '{'.",
+      "line 12 = 'a_': WHY Expected something else, found end of text."]),
+    # What is said to an answer.
+    ("```note\n\nminutes: 2\nSay\n$\\nosuch$.\n```\n"
+     "```predict\nWhy?\n- [x] a\n- [ ] b\n  says: No $\\never$.\n"
+     "why: So $\\nowhere$.\nhint: Do.\nhint: $\\nohint$\n```\n"
+     "```task\nNear.\nuntil: near = 2\ndone: $\\nodone$\n```\n",
+     [r"line 9 = '\\nosuch'", r"line 16 = '\\nowhere'", r"line 18 = '\\nohint'",
+      r"line 15 = '\\never'", r"line 23 = '\\nodone'"]),
+    # Formulas of questions, each complained about once.
+    ("```predict\nWhy?\n- [x] a\n- [ ] b\ncheck: near > 99\ncheck: neer = 2\n```\n"
+     "```answer\nHow far?\nunit: m\nvalue: 2*neer\n```\n"
+     "```answer\nHow oblique?\nunit: °\nvalue: alpha\n```\n"
+     "```answer\nHow near?\nvalue: near\nwrong half: alpha/2\n  says: No.\n```\n"
+     "```test\nanswer-2: 2 -> right\nanswer-3: 7 -> wrong\n```\n",
+     ["line 9 = 'near > 99': does not hold.", "line 10, check = 'neer'",
+      "line 15, formula = 'neer'", "line 20 has no value in this state", "line 25 has no"]),
+    # Choices and wrong values that cannot be told apart, or need no answer.
+    ("```answer\nQ?\nvalue: 2\nwrong a: 2.001\n  says: No.\nwrong b: 3\n  says: No.\n"
+     "wrong c: 3\n  says: No.\n```\n```task\nDo.\nuntil: near > 0\n```\n"
+     "```predict\nQ?\n- [x] a\n- [ ] b\n```\n```test\npredict: 3 -> right\n```\n",
+     ["line 8 is wrong, but its formula gives the right value, 2", "line 12 cannot be told from the"
+      " wrong value of line 10, 3", "line 15 is done before anything was done.",
+      "line 25 = '3': must be the number of a choice, from 1 to 2"]),
+    ("```state\ndocument: none.json\n```\n", ["line 6 cannot be read: FOLDER/none.json does not"]),
+    # All steps of a file.
+    ('---\ntitle: "Quoted"\n---\n# One\n```state\nscene=letter-f\n```\n'
+     "```task\nDo.\nuntil: near = 3\n```\n```answer\nQ?\nvalue: 2\nwrong angle-liner: 3\n```\n"
+     "```test\ntask: near=3 -> done\n```\n"
+     "---\n# Two\n```anser\n```\n---\n# Three\n```state\nscene=moon\n```\n",
+     ["line 22 has a block that there is not, anser; the nearest is answer",
+      "line 15 = 'angle-liner': names a wrong idea that the program does not know (the nearest is"
+      " angle-linear)", "line 18, near is not known; the nearest name is lens.near.",
+      "line 27 cannot be shown: There is no scene “moon”, only "]),
+    (f"word {'word ' * 151}\n```note\n{'word ' * 151}\n```\n",
+     ["line 4 has 152 words in its step; at most 150", "line 6 has a note of 151 words; at most"]),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize(("text", "said"), WRONG)
+def test_everything_wrong_is_said_at_once_with_its_own_line(
+    tmp_path: Path, text: str, said: list[str]
+) -> None:
     why = "has a formula that cannot be written:"
-    assert [line.removeprefix(f"{path}: ") for line in said[:-1]] == [
-        f"line 8 = '\\\\nosuch': {why} Unknown symbol: \\nosuch, found '\\'.",
-        f"line 10 = '\\\\frac{{1': {why} Expected \\frac{{num}}{{den}}, found '{{'.",
-        f"line 12 = 'a_': {why} Expected something else, found end of text.",
-    ]
+    wanted = [each.replace("WHY", why).replace("FOLDER", str(tmp_path)) for each in said]
+    found = checked(tmp_path / "wrong.md", text)
+    assert [each[: len(start)] for each, start in zip(found, wanted, strict=True)] == wanted
 
 
-def places_said(path: Path, text: str) -> list[str]:
-    """Where something is wrong with a lesson, in the order that it is said."""
-    path.write_text("---\ntitle: T\n---\n# One\n" + text, encoding="utf-8")
-    said = run_here("lesson", "check", path).stdout.splitlines()
-    found = [line.removeprefix(f"{path}: ") for line in said[:-1]]
-    return [re.split(": | has no | does ", line, maxsplit=1)[0] for line in found]
-
-
-def test_what_is_said_to_an_answer_has_the_line_of_its_formula(tmp_path: Path) -> None:
-    text = (
-        "```note\n\nminutes: 2\nSay\n$\\nosuch$.\n```\n"
-        "```predict\nWhy?\n- [x] a\n- [ ] b\n  says: No $\\never$.\n"
-        "why: So $\\nowhere$.\nhint: Do.\nhint: $\\nohint$\n```\n"
-        "```task\nNear.\nuntil: near = 2\ndone: $\\nodone$\n```\n"
-    )
-    assert places_said(tmp_path / "wrong.md", text) == [
-        "line 9 = '\\\\nosuch'",
-        "line 16 = '\\\\nowhere'",
-        "line 18 = '\\\\nohint'",
-        "line 15 = '\\\\never'",
-        "line 23 = '\\\\nodone'",
-    ]
-
-
-def test_a_formula_of_a_question_is_said_once_with_its_own_line(tmp_path: Path) -> None:
-    text = (
-        "```predict\nWhy?\n- [x] a\n- [ ] b\ncheck: near > 99\ncheck: neer = 2\n```\n"
-        "```answer\nHow far?\nunit: m\nvalue: 2*neer\n```\n"
-        "```answer\nHow oblique?\nunit: °\nvalue: alpha\n```\n"
-        "```answer\nHow near?\nvalue: near\nwrong half: alpha/2\n  says: No.\n```\n"
-        "```test\nanswer-2: 2 -> right\nanswer-3: 7 -> wrong\n```\n"
-    )
-    assert places_said(tmp_path / "wrong.md", text) == [
-        "line 9 = 'near > 99'",
-        "line 10, check = 'neer'",
-        "line 15, formula = 'neer'",
-        "line 20",
-        "line 25",
-    ]
-
-
-def test_a_document_that_is_not_there_is_said_in_one_sentence(tmp_path: Path) -> None:
-    (tmp_path / "wrong.md").write_text(
-        "---\ntitle: T\n---\n# One\n```state\ndocument: none.json\n```\n"
-    )
-    said = run_here("lesson", "check", tmp_path / "wrong.md").stdout.splitlines()[0]
-    assert said.endswith("none.json does not exist.")
-
-
-def test_a_file_that_is_none_is_said_and_the_others_are_checked(tmp_path: Path) -> None:
+def test_a_missing_file_is_refused_and_the_others_are_checked(tmp_path: Path) -> None:
     done = run_here("lesson", "check", tmp_path / "none.md", contained()[0])
     assert done.returncode == 1
     assert done.stdout.splitlines()[0] == f"{tmp_path / 'none.md'} does not exist."
@@ -239,24 +221,3 @@ def test_only_lessons_are_among_the_lessons() -> None:
     report = Report()
     report.take(read(CONTENT / "ideas.md"))
     assert report.wrong == []
-
-
-def test_all_that_is_wrong_with_a_file_is_said_at_once(tmp_path: Path) -> None:
-    path = tmp_path / "wrong.md"
-    path.write_text(
-        '---\ntitle: "Quoted"\n---\n# One\n```state\nscene=letter-f\n```\n'
-        "```task\nDo.\nuntil: near = 3\n```\n"
-        "```answer\nQ?\nvalue: 2\nwrong angle-liner: 3\n```\n"
-        "```test\ntask: near=3 -> done\n```\n"
-        "---\n# Two\n```anser\n```\n---\n# Three\n```state\nscene=moon\n```\n",
-        encoding="utf-8",
-    )
-    done = run_here("lesson", "check", path)
-    said = [line.removeprefix(f"{path}: ") for line in done.stdout.splitlines()]
-    assert said[0].startswith("line 22 has a block that there is not, anser; the nearest is answer")
-    assert said[1].startswith("line 15 = 'angle-liner': names a wrong idea")
-    assert "the nearest is angle-linear" in said[1]
-    assert said[2] == "line 18, near is not known; the nearest name is lens.near."
-    assert said[3].startswith("line 27 cannot be shown: There is no scene “moon”, only ")
-    assert said[4:] == ["1 lesson, 0 talks, 3 checks, 4 wrong"]
-    assert run_here("lesson", "list", contained()[0]).stdout.startswith("lesson L1 ")

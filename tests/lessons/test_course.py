@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 import random
 from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -13,7 +14,7 @@ from app.document.files import write
 from app.document.settings import set_values
 from app.lessons import transition
 from app.lessons.course import Course, idea_named, ideas
-from app.lessons.lesson import Question, Task, parse_lesson
+from app.lessons.lesson import parse_lesson
 from app.model.refusal import Refusal
 from app.scenes.scene import load
 
@@ -50,6 +51,13 @@ scene=letter-f
 
 def course(text: str, path: Path = Path("lesson.md")) -> Course:
     return Course(parse_lesson(TOP + text, path))
+
+
+def asked(text: str) -> tuple[Any, Any]:
+    """The only block that a step asks, and the step."""
+    here = course(text).at(0)
+    (block,) = here.step.asked
+    return block, here
 
 
 def said(text: str, place: int = 0, path: Path = Path("lesson.md")) -> str:
@@ -89,23 +97,19 @@ def test_the_same_step_is_the_same_in_whatever_order_steps_are_asked_for() -> No
 
 
 @pytest.mark.parametrize(
-    ("text", "place", "expected"),
+    ("values", "expected"),
     [
-        ("# A\n```state\nlens.near=2\nlens.nera=2\n```\n", 0, "line 8, lens.nera is not known"),
-        ("# A\n```state\nlens.near=2\nlens.far=1\n```\n", 0, "line 7, lens.near = 2: must be less"),
-        ("# A\n```state\nlens.near=-1\n```\n", 0, "line 7, lens.near = -1: must be"),
-        ("# A\n```state\nscene=moon\n```\n", 0, "line 7"),
-        (
-            "# A\n```state\nlens.near=1\n```\n---\n# B\n```state\nlens.far=x\n```\n",
-            1,
-            "line 12, lens",
-        ),
-        ("# A\n```state\nscene=house.obj\n```\n", 0, "line 7"),
-        ("# A\n```state\ndocument: none.json\n```\n", 0, "line 7 cannot be read"),
+        ("lens.near=2\nlens.nera=2", "line 8, lens.nera is not known"),
+        ("lens.near=2\nlens.far=1", "line 7, lens.near = 2: must be less"),
+        ("lens.near=-1", "line 7, lens.near = -1: must be"),
+        ("scene=moon", "line 7"),
+        ("lens.near=1\n```\n---\n# B\n```state\nlens.far=x", "line 12, lens"),
+        ("scene=house.obj", "line 7"),
+        ("document: none.json", "line 7 cannot be read"),
     ],
 )
-def test_a_state_that_cannot_be_is_said_with_its_line(text: str, place: int, expected: str) -> None:
-    assert expected in said(text, place)
+def test_an_impossible_state_is_refused_with_its_line(values: str, expected: str) -> None:
+    assert expected in said(f"# A\n```state\n{values}\n```\n", values.count("---"))
 
 
 def test_a_lesson_lives_in_a_folder_with_its_meshes_and_documents(tmp_path: Path) -> None:
@@ -131,7 +135,7 @@ def test_a_lesson_lives_in_a_folder_with_its_meshes_and_documents(tmp_path: Path
 
 
 def test_a_wrong_value_is_told_by_its_idea_with_the_state_that_shows_it() -> None:
-    of = course("""# A
+    question, here = asked("""# A
 ```state
 scene=letter-f
 lens.fov_y_deg=60
@@ -147,28 +151,21 @@ wrong own: fov
 why: So it is.
 ```
 """)
-    (question,) = of.lesson.steps[0].asked
-    assert isinstance(question, Question)
-    right = of.mark(0, question, "91,5°")
+    right = question.mark(here, "91,5°")
     assert (right.right, right.says) == (True, "So it is.")
     assert right.value == pytest.approx(91.4928445, abs=1e-6)
-    wrong = of.mark(0, question, "106.7")
-    idea = idea_named("angle-linear")
-    assert idea is not None
-    assert (wrong.right, wrong.idea, wrong.says, wrong.state) == (
-        False, "angle-linear", idea.says, idea.state,
-    )  # fmt: skip
-    own = of.mark(0, question, "60")
-    assert (own.idea, own.says) == ("own", "Mine.")
-    assert own.state is not None
-    assert own.state.projection.lens.fov_y_deg == 30.0  # type: ignore[attr-defined]
-    assert of.mark(0, question, "91").too_short
-    assert of.mark(0, question, "17") == of.mark(0, question, "18")
-    assert not of.mark(0, question, "17").right
+    wrong, idea = question.mark(here, "106.7"), idea_named("angle-linear")
+    assert idea is not None and not wrong.right
+    assert (wrong.idea, wrong.says, wrong.state) == ("angle-linear", idea.says, idea.state)
+    own = question.mark(here, "60")
+    assert (own.idea, own.says, own.state.projection.lens.fov_y_deg) == ("own", "Mine.", 30.0)
+    assert question.mark(here, "91").too_short
+    other = question.mark(here, "17")
+    assert other == question.mark(here, "18") and not other.right
 
 
-def test_a_task_is_done_by_the_window_as_it_stands() -> None:
-    of = course("""# A
+def test_a_task_is_done_when_the_window_fulfils_its_conditions() -> None:
+    task, here = asked("""# A
 ```state
 scene=letter-f
 ```
@@ -178,18 +175,16 @@ until: distance = 2*was_distance
 until: view.large = ndc
 ```
 """)
-    (task,) = of.lesson.steps[0].asked
-    assert isinstance(task, Task)
-    own = of.shown(0).document
+    own = here.document
     eye = [2.0 * e - t for e, t in zip(own.projection.camera.eye, (0.0, 2.2, 0.0), strict=True)]
     now = set_values(own, [f"camera.eye={','.join(map(repr, eye))}", "view.large=ndc"])
-    assert not of.is_done(0, task, own)
-    assert of.is_done(0, task, now)
-    assert not of.is_done(0, task, now, own.view)
+    assert not task.is_done(here, own)
+    assert task.is_done(here, now)
+    assert not task.is_done(here, now, own.view)
 
 
-def test_a_predictions_formulas_are_of_the_state_that_it_shows() -> None:
-    of = course("""# A
+def test_a_predictions_formulas_are_over_the_state_that_it_shows() -> None:
+    question, here = asked("""# A
 ```state
 scene=letter-f
 lens.near=2
@@ -202,13 +197,7 @@ show: lens.near=3
 check: near = 1.5*was_near
 ```
 """)
-    (question,) = of.lesson.steps[0].asked
-    assert isinstance(question, Question)
-    right, wrong = question.choices
-    assert right.formula is not None
-    assert wrong.formula is not None
-    assert of.value(0, question, right.formula, 1) == 3.0
-    assert of.value(0, question, wrong.formula, 1) == 2.0
+    assert [question.value(here, each.formula, 1) for each in question.replies] == [3.0, 2.0]
 
 
 def test_every_idea_that_the_program_knows_has_two_sentences_and_a_state() -> None:

@@ -163,20 +163,21 @@ def test_conditions() -> None:
     of = known("lens.near=2", "view.probes=1,2,3", before=known("lens.near=1"))
 
     def holds(text: str) -> bool:
-        return Condition.read(text).holds(of, {"lens.kind": "perspective"}.get)  # type: ignore[arg-type]
+        return Condition.read(text).holds(of)
 
-    assert holds("near = 2*was_near")
-    assert holds("near = 2.019")
-    assert not holds("near = 2.05")
-    assert holds("near - 2 = 0.009")
-    assert not holds("near - 2 = 0.02")
-    assert holds("near > was_near")
-    assert holds("1 <= 1")
-    assert not holds("near ≥ 3")
-    assert holds("lens.kind = perspective")
-    assert not holds("lens.kind = frustum")
-    assert not holds("view_x(2) > 0")  # there is no second probe
-    assert holds("infinity = infinity")
+    for text in (
+        "near = 2*was_near", "near = 2.019", "near - 2 = 0.009", "near > was_near", "1 <= 1",
+        "infinity = infinity", "lens.kind = perspective", "scene = letter-f", "depth = opengl",
+        "view.stage = 4.0", "mesh = ", "settings.none = ", "camera.eye = ",
+    ):  # fmt: skip
+        assert holds(text), text
+    for text in (
+        "near = 2.05", "near - 2 = 0.02", "near ≥ 3", "lens.kind = frustum", "depth = direct3d",
+        "view_x(2) > 0",  # there is no second probe
+    ):  # fmt: skip
+        assert not holds(text), text
+    shadow = known("settings.clip=false", scene="planar-shadow")
+    assert Condition.read("settings.clip = false").holds(shadow)
     for text in ("near", "near = 1 = 2", "near == 2", "= 3"):
         with pytest.raises(Refusal):
             Condition.read(text)

@@ -20,12 +20,12 @@ from PySide6.QtWidgets import (
 )
 
 from app.document.settings import set_values
-from app.lessons.course import Course, contained, idea_named
-from app.lessons.lesson import Step, Task, read
+from app.lessons.course import contained, idea_named
+from app.lessons.lesson import Step, read
 from app.model.projection import Perspective
 from tests.support.window import NO_KEY, MakeWindow, activate, arrive, enter, go_to, seen, settle
 from widgets.parts.lesson_text import LessonText
-from widgets.window.lesson_blocks import Asked, Chooses
+from widgets.window.lesson_blocks.view import BlockView
 from widgets.window.lesson_card import TOUR, WHILE_MOVING_MS
 from widgets.window.main_window import MainWindow
 from widgets.window.settings import Settings
@@ -416,36 +416,30 @@ def test_who_types_in_the_dock_keeps_the_keyboard(window: MainWindow, lesson: Pa
 # --------------------------------------------------------------------------- the keyboard alone
 
 
-def solved(window: MainWindow, block: Asked, step: Step, course: Course, place: int) -> None:
-    """Do what is asked, with the focus where it has come to by itself."""
-    part = block.part
-    if isinstance(part, Task):
-        sample = next(s for s in step.samples if s.block == part.name and s.verdict == "done")
-        store = window.store
-        own = course.shown(place).document
-        wanted = set_values(own, sample.text.split())
+def solved(window: MainWindow, view: BlockView, step: Step) -> None:
+    """Do what is asked by the step's samples, with the focus where it has come to by itself."""
+    name, store = view.block.name, window.store
+    samples = [each for each in step.samples if each.block == name]
+    task = next((each for each in samples if each.verdict == "done"), None)
+    if task is not None:
+        assignments = task.text.split()
+        wanted = set_values(view.here.document, assignments)
         if wanted == store.document:
-            store.set_view(
-                **{
-                    name.removeprefix("view."): getattr(wanted.view, name.removeprefix("view."))
-                    for name in (text.partition("=")[0] for text in sample.text.split())
-                    if name.startswith("view.")
-                }
-            )
+            paths = (text.partition("=")[0] for text in assignments)
+            fields = [path.removeprefix("view.") for path in paths if path.startswith("view.")]
+            store.set_view(**{field: getattr(wanted.view, field) for field in fields})
         else:
             store.set_document(wanted)
         return
-    assert block.isAncestorOf(keyboard()), f"{step.name}/{part.name}: the focus"
-    if isinstance(block, Chooses):
-        right = next(number for number, choice in enumerate(part.choices) if choice.right)
-        for _ in range(right):
+    assert view.isAncestorOf(keyboard()), f"{step.name}/{name}: the focus"
+    block: Any = view.block
+    if view.findChildren(QRadioButton):
+        for _ in range(block.right):
             press(KEY.Key_Down)
-        if right == 0:
+        if block.right == 0:
             press(KEY.Key_Space)
     else:
-        assert part.value is not None
-        value = course.value(place, part, part.value, part.line)
-        QTest.keyClicks(keyboard(), f"{value:.4g}".replace(".", ","))
+        QTest.keyClicks(keyboard(), f"{block.answer(view.here):.4g}".replace(".", ","))
     press(KEY.Key_Return)
 
 
@@ -465,13 +459,13 @@ def test_every_lesson_can_be_done_with_the_keyboard_alone(make_window: MakeWindo
             for number in range(len(step.asked)):
                 block = card.blocks[number]
                 if block.is_open:
-                    solved(window, block, step, course, place)
+                    solved(window, block, step)
                     QTest.qWait(0)
                 for _ in range(100):
                     if not block.is_open:
                         break
                     QTest.qWait(10)
-                assert not block.is_open, f"{path.name}: {step.name}/{block.part.name}"
+                assert not block.is_open, f"{path.name}: {step.name}/{block.block.name}"
             press(KEY.Key_Right, ALT)
         assert lessons.course is None, path.name
         kept = window.settings.progress[path.stem]

@@ -24,7 +24,7 @@ from app.document.store import Store
 from app.document.view import AS_EVER
 from app.drawings.world import WorldDrawing
 from app.lessons.course import Course, scene_of
-from app.lessons.lesson import MOST_STEPS, Question, Step, parse_lesson
+from app.lessons.lesson import MOST_STEPS, Step, parse_lesson
 from app.model.projection import Camera
 from app.scenes.scene import BUILT_IN, Scene
 from tests.support.edits import a_view, edited
@@ -38,14 +38,14 @@ from tests.support.window import (
     settle,
     tick,
 )
-from widgets.parts.lesson_text import question_text
 from widgets.parts.message_bar import MessageBar
 from widgets.window.lessons import TRANSITION_S, Lessons
 from widgets.window.main_window import MainWindow
 from widgets.window.settings import Settings
 from widgets.window.speaker import TalkClock, planned
+from widgets.window.talk_ahead import REST_MS
 from widgets.window.talk_band import LEAST_TEXT_SHARE, TalkBand
-from widgets.window.talks import REST_MS, TYPED_MS
+from widgets.window.talk_keys import TYPED_MS
 
 WALKED = """---
 title: A walk
@@ -719,7 +719,7 @@ def test_the_time_that_is_planned(talk: Path) -> None:
 def test_a_state_is_added_and_shown_as_a_step(window: MainWindow, talk: Path) -> None:
     tried = replace(window.store.document.projection.lens, near=1.25)
     window.store.set_projection(replace(window.store.document.projection, lens=tried))
-    assert window.talks.write_step("By hand", panes=False)
+    assert window.talks.writer.write_step("By hand", panes=False)
     settle()
     # Behind the steps that go on from the first.
     assert [step.name for step in window.lessons.lesson.steps] == ["one", "two", "three", "by-hand"]  # type: ignore[union-attr]
@@ -728,7 +728,7 @@ def test_a_state_is_added_and_shown_as_a_step(window: MainWindow, talk: Path) ->
     assert not window.lessons.is_away
     assert talk.read_text().startswith(TALK.rstrip("\n"))
     assert window.band.accessibleName() == "By hand"
-    assert not window.talks.write_step("", panes=False)
+    assert not window.talks.writer.write_step("", panes=False)
     assert "must be some words on one line" in window.messages.text
     window.messages.done()
 
@@ -736,11 +736,11 @@ def test_a_state_is_added_and_shown_as_a_step(window: MainWindow, talk: Path) ->
 def test_a_new_talk_begins_with_what_is_seen(window: MainWindow, tmp_path: Path) -> None:
     document = window.store.document
     path = tmp_path / "new.md"
-    assert window.talks.write_talk(path, "New", panes=False)
+    assert window.talks.writer.write_talk(path, "New", panes=False)
     settle()
     assert window.lessons.lesson is not None and window.lessons.lesson.path == path
     assert window.store.document == document
-    assert not window.talks.write_talk(tmp_path / "nowhere" / "new.md", "New", panes=False)
+    assert not window.talks.writer.write_talk(tmp_path / "nowhere" / "new.md", "New", panes=False)
     assert "nowhere" in window.messages.text
     assert window.lessons.lesson.path == path
     window.messages.done()
@@ -907,8 +907,10 @@ def test_ten_thousand_steps_are_refused_as_they_are_opened(
 
 
 def asked_of(step: Step, *, told: bool) -> str:
-    questions = [part for part in step.parts if isinstance(part, Question)]
-    return question_text(questions[0], "", told=told, others=False) if questions else ""
+    question = next((part for part in step.parts if part.reveals), None)
+    if question is None:
+        return ""
+    return question.explained("", others=False) if told else question.posed()
 
 
 ASKED = (
@@ -1061,7 +1063,7 @@ def test_the_speaker_reads_what_is_asked_and_what_is_wrong(window: MainWindow, t
 
 def test_a_step_is_not_added_to_a_file_that_is_gone(window: MainWindow, talk: Path) -> None:
     talk.unlink()
-    assert not window.talks.write_step("More", panes=False)
+    assert not window.talks.writer.write_step("More", panes=False)
     assert "talk.md is not in its folder any more" in window.messages.text
     assert "A new talk from here" in window.messages.text
     talk.write_text(TALK)

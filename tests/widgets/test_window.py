@@ -928,7 +928,7 @@ def test_a_name_without_its_ending_writes_over_no_file_unasked(
     monkeypatch.setattr(QMessageBox, "exec", lambda box: asked.append(box.text()) or answers.pop())
     answers = [QMessageBox.StandardButton.Yes, QMessageBox.StandardButton.Cancel]
     save = {
-        ".md": window.talks.begin_new,
+        ".md": window.talks.writer.begin_new,
         ".json": window.files.save_as,
         ".png": window.pictures.export_dialog,
     }[ending]

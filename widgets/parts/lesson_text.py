@@ -1,14 +1,14 @@
-"""A lesson's text as it is read: Markdown with formulas, of which nothing leads anywhere.
+"""A lesson's text: Markdown with formulas, without links, pictures or scripts.
 
-`set_text` fills any `QTextDocument`, for a window as for paper; `LessonText` is as high as what it
-holds.
+`set_text` fills any `QTextDocument`, for the window and for paper; `LessonText` is as high as its
+text.
 """
 
 from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from functools import lru_cache
+from functools import lru_cache, partial
 from typing import Any, cast
 
 from PySide6.QtCore import QEvent, QMimeData, QRect, QRectF, QSignalBlocker, QSize, QSizeF, Qt
@@ -29,24 +29,21 @@ from PySide6.QtGui import (
 )
 from PySide6.QtWidgets import QFrame, QSizePolicy, QTextEdit
 
-from app.lessons.course import Course
-from app.lessons.lesson import Question
+from app.lessons.blocks.block import Here, Part
 from app.lessons.text import FORMULA, Outline, html_of, outline, plain_of
-from widgets.parts.messages import figure_text
+from widgets.parts.messages import FEW, figure_text
 from widgets.parts.plain import TextDocument
 
 _KIND = QTextFormat.ObjectTypes.UserObject + 1
 _TEX = QTextFormat.Property.UserProperty + 1
-CHOICES = "ABCDEFGHIJ"
-RIGHT = " **✓**"
 LARGER = 1.12
-"""The formulas' letters, against those of the text, whose small ones are higher."""
+"""Size of a formula's letters against the text's, whose small letters are higher."""
 ROOM_EM = 0.06
 """Free on both sides of a formula."""
 MAY_BREAK, NO_BREAK = "\u200b", "\u2060"
-"""Signs without width, for where a line may end and where it may not."""
+"""Characters without width: a line may end at the first, and not at the second."""
 LIST_EM = 0.55
-"""How far a list is indented, for each of the two that Qt reckons with."""
+"""Half the indent of a list: Qt indents by two units."""
 STYLE = """
 p, ul, ol, table { margin-top: 0px; margin-bottom: 6px; }
 li { margin-bottom: 4px; }
@@ -56,64 +53,40 @@ h1, h2, h3, h4 { margin-top: 0px; margin-bottom: 4px; font-size: large; }
 """
 
 
-def question_text(question: Question, answer: str, *, told: bool, others: bool) -> str:
-    """A question as a class reads it, in Markdown.
-
-    Parameters
-    ----------
-    question : Question
-    answer : str
-        Of `answer_text`; empty where there are choices.
-    told : bool
-        Whether what is right is marked and said.
-    others : bool
-        Whether the choices that are not right are there then, too.
-    """
-    lines = [question.text]
-    for letter, choice in zip(CHOICES, question.choices, strict=False):
-        if choice.right or others or not told:
-            lines.append(f"**{letter}** {choice.text}{RIGHT if told and choice.right else ''}")
-    if told and answer:
-        lines.append(f"**{answer}**{RIGHT}")
-    return "\n\n".join(["  \n".join(lines), *([question.why] if told and question.why else [])])
-
-
-def answer_text(course: Course, place: int, question: Question) -> str:
-    """The right number of a question, with its unit; empty where there are choices.
+def answer_of(part: Part, here: Here) -> str:
+    """Return the right number of a question with its unit, to four digits; empty if it has none.
 
     Raises
     ------
     Refusal
-        If it has no value in the state of its step: with its line.
+        If it has no value in the state of its step; it names the line.
     """
-    if question.value is None:
-        return ""
-    unit = question.unit if question.unit in ("", "°") else f" {question.unit}"
-    return f"{figure_text(course.answer(place, question), 4)}{unit}"
+    return part.answer_text(here, partial(figure_text, digits=FEW))
 
 
-def set_text(document: QTextDocument, text: str, *, title: bool = False, line: str = "") -> None:
-    """Let a document hold a lesson's text.
+def set_text(
+    document: QTextDocument, text: str, *, title: bool = False, palette: QPalette | None = None
+) -> None:
+    """Fill a document, which has its font already, with a lesson's text.
 
     Parameters
     ----------
     document : QTextDocument
-        With its font.
     text : str
         Markdown.
     title : bool
         Whether it is a step's title.
-    line : str
-        Colour of a table's lines.
+    palette : QPalette, optional
+        Of the window; its middle grey is that of tables.
     """
     html, formulas = html_of(f"## {text}" if title else text)
-    line = line or "#888888"
+    line = palette.color(QPalette.ColorRole.Mid).name() if palette is not None else "#888888"
     document.setDefaultStyleSheet(STYLE % (line, line))
     document.setDocumentMargin(0.0)
     document.setIndentWidth(LIST_EM * 2.0 * _em(document, QTextCharFormat()))
     document.setHtml(html)
     layout = document.documentLayout()
-    layout.unregisterHandler(_KIND)  # or it would be joined to it once more
+    layout.unregisterHandler(_KIND)  # or the handler would be connected once more
     layout.registerHandler(_KIND, _formulas())
     cursor = QTextCursor(document)
     for tex in formulas:
@@ -127,7 +100,7 @@ def set_text(document: QTextDocument, text: str, *, title: bool = False, line: s
         kept.setObjectType(_KIND)
         kept.setProperty(_TEX, tex)
         kept.setVerticalAlignment(QTextCharFormat.VerticalAlignment.AlignMiddle)
-        # A line of nothing else is as high as of letters, and no line ends beside one.
+        # A line with only a formula is as high as one of letters; no line ends beside a formula.
         begins = cursor.positionInBlock() == 0 or _before(document, cursor).isspace()
         cursor.insertText(MAY_BREAK if begins else NO_BREAK, plain)
         cursor.insertText("\ufffc", kept)
@@ -141,15 +114,15 @@ def set_text(document: QTextDocument, text: str, *, title: bool = False, line: s
 
 
 def _before(document: QTextDocument, cursor: QTextCursor) -> str:
-    """The letter before a place."""
+    """Return the letter before a place."""
     return str(cast(Any, document).characterAt(cursor.position() - 1))
 
 
 def _em(document: QTextDocument, character: QTextCharFormat) -> float:
-    """Pixels of an em on the screen, in which a document is laid out for paper too.
+    """Return the pixels of an em on the screen; documents for paper are laid out in them, too.
 
-    The layout's own paint device is not asked: it is no QObject, and when it has gone PySide takes
-    whatever comes to lie in its place for it.
+    Do not ask the layout's paint device: it is not a QObject, and when it is gone PySide takes
+    whatever lies at its address next for it.
     """
     font = character.font().resolve(document.defaultFont())
     return float(font.pixelSize()) if font.pixelSize() > 0 else font.pointSizeF() * _dpi() / 72.0
@@ -162,7 +135,7 @@ def _dpi() -> float:
 
 @lru_cache(maxsize=512)
 def _path(tex: str) -> QPainterPath:
-    """A formula's outlines in em, y downwards, its baseline at 0."""
+    """Return a formula's outlines in em, y downwards, with the baseline at 0."""
     found, path, place = outline(tex), QPainterPath(), 0
     path.setFillRule(Qt.FillRule.WindingFill)
     points = [(float(x), -float(y)) for x, y in found.vertices]
@@ -181,10 +154,10 @@ def _path(tex: str) -> QPainterPath:
 
 
 class _Formulas(QPyTextObject):
-    """Sets and draws the formulas of documents, in the colour of the text round them."""
+    """Lays out and draws the formulas of documents, in the colour of the text around them."""
 
     def _set(self, document: QTextDocument, form: QTextFormat) -> tuple[str, Outline, float, float]:
-        """TeX, outline, em in pixels, and how high it is, as Qt wants to have it."""
+        """Return TeX, outline, em in pixels, and the height that Qt needs to centre the formula."""
         character = form.toCharFormat()
         tex = str(form.property(_TEX))
         found = outline(tex)
@@ -192,7 +165,7 @@ class _Formulas(QPyTextObject):
         widest = document.textWidth() - 2.0 * ROOM_EM * em
         if 0.0 < widest < found.width * em:
             em = widest / found.width
-        # Of an object in the middle, Qt has a quarter of the letters' x-height more over the line.
+        # Qt centres an object a quarter of the letters' x-height above the line.
         half = QFontMetrics(character.font()).xHeight() / 2.0
         height = max(2.0 * found.ascent * em - half, 2.0 * found.descent * em + half)
         return tex, found, em, height
@@ -225,30 +198,22 @@ class _Formulas(QPyTextObject):
 
 @lru_cache(maxsize=1)
 def _formulas() -> _Formulas:
-    """The one of all documents.
+    """Return the one handler of all documents.
 
-    One for each, held by nothing but its document, crashed now and then when that was deleted:
-    in `Shiboken::Object::destroy`, which lets go of such a wrapper and then asks it once more.
+    A handler for each document, kept alive by nothing else, crashed now and then when its document
+    was deleted: `Shiboken::Object::destroy` releases the wrapper and then uses it once more.
     """
     return _Formulas()
 
 
 class LessonText(QTextEdit):
-    """A text that is read, as high as it is; its formulas are copied as TeX.
-
-    Parameters
-    ----------
-    text : str
-        Markdown.
-    title : bool
-        Whether it is a step's title.
-    """
+    """A read-only Markdown text, as high as its content; its formulas are copied as TeX."""
 
     def __init__(self, text: str, *, title: bool = False) -> None:
         super().__init__()
         self._text, self._is_title = "", title
         self._heights: dict[int, int] = {}
-        """By widths: a layout asks often."""
+        """By width: a layout asks often."""
         self.setDocument(TextDocument(self))
         self.setReadOnly(True)
         self.setFrameShape(QFrame.Shape.NoFrame)
@@ -266,8 +231,7 @@ class LessonText(QTextEdit):
         """Show another text."""
         self._text = text
         self._heights.clear()
-        line = self.palette().color(QPalette.ColorRole.Mid).name()
-        set_text(self.document(), text, title=self._is_title, line=line)
+        set_text(self.document(), text, title=self._is_title, palette=self.palette())
         self.setAccessibleName(plain_of(text))
         self.updateGeometry()
 
@@ -277,7 +241,7 @@ class LessonText(QTextEdit):
     def heightForWidth(self, width: int) -> int:
         if width not in self._heights:
             document = self.document()
-            blocker = QSignalBlocker(document.documentLayout())  # or it has its own width again
+            blocker = QSignalBlocker(document.documentLayout())  # or Qt sets its own width again
             before = document.textWidth()
             document.setTextWidth(width)
             self._heights[width] = math.ceil(document.size().height())
@@ -304,7 +268,7 @@ class LessonText(QTextEdit):
             self.updateGeometry()
 
     def wheelEvent(self, event: QWheelEvent) -> None:
-        event.ignore()  # what it stands in scrolls
+        event.ignore()  # the area around it scrolls
 
     def createMimeDataFromSelection(self) -> QMimeData:
         cursor, data, words = self.textCursor(), QMimeData(), ""

@@ -1,15 +1,13 @@
-"""A talk on paper: A4, each step with its figure, what is said to the class, and the notes.
+"""A talk as a PDF of A4 pages: each step with its figure, the text for the class, and the notes.
 
-The matrices, and the scene's numbers, stand below the figure of a state that opens their panel.
-
-It needs a `QGuiApplication`, and no display: `handout` makes one that has none, where there is none
-yet.
+The matrices or the scene's numbers stand below the figure of a state that opens their panel. No
+display is needed.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import partial
 from textwrap import wrap
 
@@ -32,11 +30,11 @@ from app.drawings.figures import render
 from app.drawings.style import LIGHT
 from app.lecture.notation import matrices
 from app.lessons.course import Course, scene_of
-from app.lessons.lesson import Question, Step
+from app.lessons.lesson import Step
 from app.lessons.text import escaped
 from widgets.controls.scene_card import full_sentence, value_text
 from widgets.panels.matrix_panel import note_on
-from widgets.parts.lesson_text import answer_text, question_text, set_text
+from widgets.parts.lesson_text import answer_of, set_text
 from widgets.parts.messages import of_phenomena, read_text, stage_title
 from widgets.parts.plain import TextDocument
 from widgets.parts.typeset import Typeset, matrix, typeset
@@ -47,23 +45,23 @@ TEXT_PT, TITLE_PT, NOTE_PT, FOOT_PT = 10.5, 15.0, 9.5, 8.0
 BETWEEN_PT, BETWEEN_STEPS_PT = 6.0, 20.0
 NOTE_INDENT_PT = 12.0
 FIGURE_PX = (1400, 500)
-"""Of two panes across the page, about 200 to an inch."""
+"""Two panes across the page, about 200 pixels to an inch."""
 DPI = 1200
-"""Of the page: Qt places lines and letters on whole pixels."""
+"""Qt places lines and letters on whole pixels of the page."""
 FORMULA_PX, FORMULA_PT = 18, 8.5
-"""Letters of a matrix, as it is laid out, with brackets of whole pixels, and as it is printed."""
+"""Letters of a matrix as it is laid out, with brackets of whole pixels, and as it is printed."""
 BETWEEN_FORMULAS_PX = 40.0
 NOTE_CHARACTERS = 36
-"""In a line of what is said of a matrix, as in the window: not wider than the matrix."""
+"""Line length of a matrix's note, which is then not wider than the matrix."""
 
 
 def handout(course: Course) -> bytes:
-    """A talk as the content of a PDF file.
+    """Return a talk as the content of a PDF file.
 
     Raises
     ------
     Refusal
-        If one of its states cannot be.
+        If one of its states is impossible.
     """
     application = QCoreApplication.instance() or QGuiApplication(["app", "-platform", "offscreen"])
     assert isinstance(application, QGuiApplication)
@@ -95,17 +93,16 @@ def handout(course: Course) -> bytes:
 
 @dataclass
 class _Block:
-    """Something that stands on a page from its left to its right side.
+    """A part of a page over its whole width; lengths in points.
 
     Attributes
     ----------
     height : float
-        Points.
     what : QTextDocument, QImage, or tuple of Typeset
     left : float
-        How far it is indented; a line stands there then.
+        Its indent, marked by a vertical line.
     kept : bool
-        Whether what follows stays on its page.
+        Whether the next block must begin on the same page.
     """
 
     height: float
@@ -120,7 +117,7 @@ def _text(
     document = TextDocument()
     font = QFont("DejaVu Sans")
     font.setStyleHint(QFont.StyleHint.SansSerif)
-    screen = QGuiApplication.primaryScreen()  # whose pixels a document is laid out in
+    screen = QGuiApplication.primaryScreen()  # a document is laid out in its pixels
     font.setPointSizeF(size * 72.0 / screen.logicalDotsPerInchY())
     font.setHintingPreference(QFont.HintingPreference.PreferNoHinting)
     document.setDefaultFont(font)
@@ -131,38 +128,30 @@ def _text(
 
 
 def _blocks(course: Course, place: int, step: Step, width: float) -> Iterator[_Block]:
-    """A step's title, figure, words, and notes with the minutes that are planned."""
+    """Yield a step's title, figure, text, and its notes with the planned minutes."""
     count = len(course.lesson.steps)
     number = f"{place + 1}. " if count > 1 else ""
     yield _text(number + step.title, width, TITLE_PT, title=True)
     shown = course.shown(place).document
     yield _figure(shown, width)
     yield from _panel(shown, course.shown(place - 1).document if place else None, width)
+    here = course.at(place)
     for part in step.parts:
-        if isinstance(part, Question):
-            yield from _question(course, place, part, width)
-        else:
-            yield _text(part.text, width, TEXT_PT)
+        yield _text(part.told(answer_of(part, here)), width, TEXT_PT)
+        if part.show is not None:
+            after = here.shown_by(part.show)
+            yield _figure(after, width)
+            yield from _panel(after, shown, width)
+        if part.why:
+            yield _text(part.why, width, TEXT_PT)
     if step.note is not None:
         minutes = f"*{step.note.minutes:g} min.* " if step.note.minutes else ""
         if minutes or step.note.text:
             yield _text(minutes + step.note.text, width, NOTE_PT, left=NOTE_INDENT_PT)
 
 
-def _question(course: Course, place: int, part: Question, width: float) -> Iterator[_Block]:
-    answer = answer_text(course, place, part)
-    asked = replace(part, why="")  # it is said below what is shown
-    yield _text(question_text(asked, answer, told=True, others=True), width, TEXT_PT)
-    if part.show is not None:
-        shown = course.shown_by(place, part.show)
-        yield _figure(shown, width)
-        yield from _panel(shown, course.shown(place).document, width)
-    if part.why:
-        yield _text(part.why, width, TEXT_PT)
-
-
 def _figure(document: Document, width: float) -> _Block:
-    """The world, and the pane that leads; the image, where that is the world."""
+    """Draw the world and the leading pane, or the world and the image."""
     scene = scene_of(document)
     leading = document.view.large or scene.leading
     pixels = render(
@@ -180,7 +169,7 @@ def _figure(document: Document, width: float) -> _Block:
 
 
 def _panel(document: Document, before: Document | None, width: float) -> Iterator[_Block]:
-    """What the open panel says in numbers, unless it said the same in the state before."""
+    """Yield the numbers of the open panel, unless they are the same as in the state before."""
     view = document.view
     seen = None if before is None else (before, before.view.panel, before.view.letters)
     if seen == (document, view.panel, view.letters):
@@ -192,7 +181,7 @@ def _panel(document: Document, before: Document | None, width: float) -> Iterato
 
 
 def _matrices(document: Document) -> Iterator[str]:
-    """Each under its name, and what is to be said of it below."""
+    """Yield each matrix below its name, with its note."""
     for each in matrices(document.projection, document.view.letters):
         name = stage_title(each.name)
         lines = [f"{name} = {each.called}" if each.called else name]
@@ -204,7 +193,7 @@ def _matrices(document: Document) -> Iterator[str]:
 
 
 def _readout(document: Document, width: float) -> Iterator[_Block]:
-    """The scene's numbers; without the one that is counted in the window's own picture."""
+    """Yield the scene's numbers, except the one counted in the window's own picture."""
     scene = scene_of(document)
     if scene.phenomenon is None:
         return
@@ -234,7 +223,7 @@ def _readout(document: Document, width: float) -> Iterator[_Block]:
 
 
 def _side_by_side(formulas: Iterable[str], width: float) -> Iterator[_Block]:
-    """Formulas from left to right, in as many rows as they need."""
+    """Place formulas from left to right, in as many rows as they need."""
     font = QFont("DejaVu Sans")
     font.setPixelSize(FORMULA_PX)
     scale = FORMULA_PT / FORMULA_PX
@@ -252,7 +241,7 @@ def _side_by_side(formulas: Iterable[str], width: float) -> Iterator[_Block]:
 
 
 class _Pages:
-    """Puts blocks under each other, and begins a page where one has no room."""
+    """Places blocks below each other, and begins a new page for one that does not fit."""
 
     def __init__(
         self, painter: QPainter, writer: QPdfWriter, width: float, height: float, title: str
@@ -262,7 +251,7 @@ class _Pages:
         self._y, self._number = 0.0, 1
 
     def head(self, course: Course) -> None:
-        """The talk's own title, and how long it takes."""
+        """Draw the title of the talk, and its length."""
         minutes = course.lesson.minutes or sum(
             step.note.minutes for step in course.lesson.steps if step.note is not None
         )
@@ -271,7 +260,7 @@ class _Pages:
             self._draw(_text(f"{minutes:g} min", self._width, TEXT_PT))
 
     def put(self, blocks: list[_Block]) -> None:
-        """Put a step: on a page of its own, if it has room there and none here."""
+        """Draw the blocks of a step: on a new page if they fit there and not here."""
         if self._y > 0.0:
             self._y += BETWEEN_STEPS_PT
         whole = sum(block.height + BETWEEN_PT for block in blocks)
@@ -286,7 +275,7 @@ class _Pages:
             self._draw(block)
 
     def foot(self) -> None:
-        """End the page with its number."""
+        """Draw the foot of the page."""
         painter = self._painter
         painter.save()
         font = QFont("DejaVu Sans")
@@ -305,7 +294,7 @@ class _Pages:
         self._y = 0.0
 
     def _draw(self, block: _Block) -> None:
-        """Draw a block; one that is longer than a page goes on on the next."""
+        """Draw a block, on several pages if it is too long for one."""
         done = 0.0
         while True:
             part = min(block.height - done, self._height - self._y)

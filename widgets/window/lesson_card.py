@@ -1,10 +1,10 @@
-"""A lesson beside the pictures: one step at a time, what it asks, and the way through it.
+"""A lesson beside the pictures: one step at a time, its questions, and the buttons between steps.
 
 ::
 
-    Lessons.opened, stepped -> LessonCard: the step's page anew
-    a block is settled -> Settings: how far one has come
-    the window changes -> LessonCard.look_again -> at the next turn of the event loop: tasks
+    Lessons.opened, stepped -> LessonCard makes the page of the step
+    a block is settled -> Settings keep the answer
+    the window changes -> LessonCard.look_again -> the tasks see it, when the event loop is free
 """
 
 from __future__ import annotations
@@ -37,8 +37,9 @@ from PySide6.QtWidgets import (
 from app.document.document import Document
 from app.document.store import Store
 from app.document.view import View
+from app.lessons.blocks.block import Part
 from app.lessons.course import CONTENT, Course, contained
-from app.lessons.lesson import Head, Lesson, Part, Step, Words, head_of
+from app.lessons.lesson import Head, Lesson, Step, head_of
 from app.lessons.text import escaped, plain_of
 from widgets.controls.controls import Controls
 from widgets.parts.buttons import push_button, tool_button
@@ -46,7 +47,9 @@ from widgets.parts.focus import lay_out
 from widgets.parts.layouts import FREE, TOP, in_column, in_row
 from widgets.parts.lesson_text import LessonText
 from widgets.parts.plain import Label
-from widgets.window.lesson_blocks import DONE, Asked, Chooses, Tries, block_of
+from widgets.window.lesson_blocks import view_of
+from widgets.window.lesson_blocks.task import DONE
+from widgets.window.lesson_blocks.view import BlockView
 from widgets.window.lessons import Lessons
 from widgets.window.settings import Progress, Settings
 
@@ -56,54 +59,41 @@ WIDTH_EM = 31.0
 SHARE = 0.6
 """Of the column's height, for the card."""
 MOST_MARKS = 10
-"""Of more steps there is no mark for each."""
+"""A lesson of more steps has no mark for each."""
 LATE_MS = 1000
-"""So long after a step it is kept where one is: writing a file takes as long as a frame."""
+"""Delay before the current step is kept: writing the file takes as long as a frame."""
 WHILE_MOVING_MS = 50
-"""So soon it is looked again for what is done, while the model is on its way."""
-
-
-def name_of(path: Path) -> str:
-    """By what the progress of a lesson is kept: its name, or the path of one from elsewhere."""
-    return path.stem if path.parent == CONTENT else os.path.abspath(path)
-
-
-def heads(*, talks: bool) -> tuple[Head, ...]:
-    """The lessons that come with the program, or the talks, in their order; not the tour."""
-    found = []
-    for path in contained():
-        head = head_of(path)
-        if head.is_talk == talks and path != TOUR:
-            found.append(head)
-    return tuple(found)
-
-
+"""Interval at which tasks are looked at while the model moves."""
 TOUR = CONTENT / "tour.md"
 """The first two minutes with the program."""
 
 
-class LessonCard(QFrame):
-    """The open lesson, at its step; hidden where there is none.
+def name_of(path: Path) -> str:
+    """Return the name under which a lesson's progress is kept."""
+    return path.stem if path.parent == CONTENT else os.path.abspath(path)
 
-    Parameters
-    ----------
-    lessons : Lessons
-    store : Store
-    settings : Settings
-        Keep how far one has come.
+
+def heads(*, talks: bool) -> tuple[Head, ...]:
+    """List the lessons that come with the program, or the talks; without the tour."""
+    found = (head_of(path) for path in contained() if path != TOUR)
+    return tuple(head for head in found if head.is_talk == talks)
+
+
+class LessonCard(QFrame):
+    """The open lesson at its step; hidden while no lesson is open.
 
     Attributes
     ----------
-    blocks : list of Asked
-        What the step asks, as far as it is seen.
+    blocks : list of BlockView
+        What the step asks, as far as it is shown.
     """
 
     toggled = Signal(bool)
-    """It came to be seen, or has gone."""
+    """The card appeared, or has gone."""
     begun_again = Signal(str, object)
-    """The answers of a lesson of this title are forgotten; a callable brings them back."""
+    """The answers of the lesson with this title are forgotten; a callable brings them back."""
     went_on = Signal()
-    """What can be done may be something else now: another step, or something was answered."""
+    """Another step is shown, or something was answered: other buttons may be enabled now."""
 
     def __init__(self, lessons: Lessons, store: Store, settings: Settings) -> None:
         super().__init__()
@@ -114,14 +104,14 @@ class LessonCard(QFrame):
         self._late = QTimer(self, singleShot=True, interval=LATE_MS)
         self._late.timeout.connect(self._keep)
         self._rest: list[Part] = []
-        """What of the step is not seen yet."""
+        """The parts of the step that are not shown yet."""
         self._shown: tuple[Course, int] | None = None
-        """What the page is of."""
+        """The course and the place of the page."""
         self._aside: tuple[Document, View | None] | None = None
-        """What is shown to refute something, and how it is looked at: nobody has done that."""
+        """What the lesson itself shows to refute an idea: the student has not done that."""
         self.is_on = False
-        """Whether there is something to read: a lesson, or that it is done."""
-        self.blocks: list[Asked] = []
+        """Whether there is something to read: a lesson, or that it is finished."""
+        self.blocks: list[BlockView] = []
         self._title = Label(wordWrap=True)
         self._title.setObjectName("paneTitle")
         forget = self.tr("Begin again: forget what was answered here")
@@ -154,21 +144,15 @@ class LessonCard(QFrame):
             QKeySequence(key).toString(QKeySequence.SequenceFormat.NativeText)
             for key in (BACK_KEY, AGAIN_KEY, NEXT_KEY)
         )
-        self.back = _push(
-            self.tr("&Back"), self.tr("The step before ({0})").format(back_key), self.go_back
-        )
-        self.again = _push(
-            self.tr("Show again"),
-            self.tr("Show the step again, whatever was tried ({0})").format(again_key),
-            self.show_again,
-        )
+        before = self.tr("The step before ({0})").format(back_key)
+        shown = self.tr("Show the step again, whatever was tried ({0})").format(again_key)
+        hints = self.tr("A hint, one after the other (Alt+I)")
+        following = self.tr("The next step ({0})").format(next_key)
+        self.back = _push(self.tr("&Back"), before, self.go_back)
+        self.again = _push(self.tr("Show again"), shown, self.show_again)
         self.again.setAccessibleName(self.tr("Show the step again"))
-        self.hint = _push(
-            self.tr("H&int"), self.tr("A hint, one after the other (Alt+I)"), self.give_hint
-        )
-        self.next = _push(
-            self.tr("&Next"), self.tr("The next step ({0})").format(next_key), self.go_on
-        )
+        self.hint = _push(self.tr("H&int"), hints, self.give_hint)
+        self.next = _push(self.tr("&Next"), following, self.go_on)
         self.next.setObjectName("nextStep")
         return in_row(self.back, self.again, FREE, self.hint, self.next, gap=4)
 
@@ -184,7 +168,7 @@ class LessonCard(QFrame):
         return self._lessons.open(path, kept.step)
 
     def leave(self) -> None:
-        """Close the lesson; it goes on there the next time."""
+        """Close the lesson; the next time it opens at this step."""
         self.keep_now()
         self._clear()
         self._shown = None
@@ -194,7 +178,7 @@ class LessonCard(QFrame):
         self.went_on.emit()
 
     def begin_again(self) -> None:
-        """Forget what was answered in the lesson, and go to its first step; it can be undone."""
+        """Forget the answers of the lesson, and go to its first step; this can be undone."""
         lesson, before = self._lesson, self._progress
         if lesson is not None:
             self._progress = Progress()
@@ -205,10 +189,10 @@ class LessonCard(QFrame):
                 self.begun_again.emit(lesson.title, partial(self._take_back, lesson.path, before))
 
     def _take_back(self, path: Path, progress: Progress) -> None:
-        """Have a lesson's answers again, and go on with it where one was."""
+        """Restore a lesson's answers, and open it at the step where they were forgotten."""
         self._late.stop()
         self._settings.keep_progress(name_of(path), progress)
-        self._shown = None  # or what is answered there now would be kept instead
+        self._shown = None  # or the answers that are there now would be kept instead
         self.open(path)
 
     def _open(self) -> None:
@@ -226,7 +210,7 @@ class LessonCard(QFrame):
             self.toggled.emit(True)
 
     def _step(self) -> None:
-        """Show the page of the step, unless it is there, or nobody sees it."""
+        """Show the page of the step, unless it is there, or the card is hidden."""
         course = self._lessons.course
         assert course is not None
         if self._shown != (course, self._lessons.place):
@@ -243,7 +227,7 @@ class LessonCard(QFrame):
         self.look_again()
 
     def _fill(self) -> None:
-        """Make the page of the step, and let the keyboard begin there if nobody types elsewhere."""
+        """Make the page of the step; it takes the keyboard unless somebody types elsewhere."""
         takes = self._may_take_focus
         self._make_page()
         if takes:
@@ -316,25 +300,28 @@ class LessonCard(QFrame):
         self._show_marks()
 
     def _unfold(self) -> None:
-        """Show the parts up to a prediction that is to be made first: what follows tells of it."""
+        """Show the parts up to a prediction: what follows would give it away."""
         assert self._shown is not None
+        here = self._shown[0].at(self._shown[1])
         while self._rest and self._uncommitted is None:
             part = self._rest.pop(0)
-            if isinstance(part, Words):
+            if not part.asks:
                 self._column.addWidget(LessonText(part.text))
                 continue
-            answer = self._progress.answers.get(self._key(part.name), "")
-            block = block_of(*self._shown, part, answer)
-            block.settled.connect(partial(self._settled, block))
-            block.show_wanted.connect(self._show_aside)
-            block.spoke.connect(partial(QTimer.singleShot, 0, self, partial(self._reveal, block)))
-            self.blocks.append(block)
-            self._column.addWidget(block)
+            view = view_of(here, part)
+            answer = self._progress.answers.get(self._key(view.block.name), "")
+            if answer:
+                view.restore(answer)
+            view.settled.connect(partial(self._settled, view))
+            view.show_wanted.connect(self._show_aside)
+            view.spoke.connect(partial(QTimer.singleShot, 0, self, partial(self._reveal, view)))
+            self.blocks.append(view)
+            self._column.addWidget(view)
 
-    def _reveal(self, block: Asked) -> None:
-        """Scroll to what is said, once there is room for it: all of it, or else its beginning."""
+    def _reveal(self, block: BlockView) -> None:
+        """Scroll to what is said to an answer: to all of it, or else to its beginning."""
         lay_out()
-        lay_out()  # what is narrower now, beside a scroll bar that has come
+        lay_out()  # again, for what is narrower beside a scroll bar that has appeared
         said = block.said if block in self.blocks else []
         for widget in (*said[-1:], *said[:1]):
             self._area.ensureWidgetVisible(widget, 0, 10)
@@ -343,22 +330,22 @@ class LessonCard(QFrame):
         return f"{self._here.name}/{block}"
 
     @property
-    def _uncommitted(self) -> Asked | None:
-        """The prediction that must be made before the step goes on."""
-        return next((b for b in self.blocks if isinstance(b, Chooses) and b.holds), None)
+    def _uncommitted(self) -> BlockView | None:
+        """Return the prediction that must be made before the step goes on."""
+        return next((block for block in self.blocks if block.holds), None)
 
     @property
-    def _hinting(self) -> Asked | None:
-        """What the next hint is about."""
+    def _hinting(self) -> BlockView | None:
+        """Return the block that the next hint is for."""
         return next((block for block in self.blocks if block.is_open and block.hints), None)
 
     def _is_done(self, step: Step) -> bool:
-        """Whether all that a step asks is answered; one that asks nothing has been gone on from."""
+        """Whether all blocks of a step are answered; a step without any is done once it is left."""
         names = [part.name for part in step.asked] or [""]
         return all(f"{step.name}/{name}" in self._progress.answers for name in names)
 
-    def _settled(self, block: Asked, answer: str) -> None:
-        self._note(block.part.name, answer)
+    def _settled(self, view: BlockView, answer: str) -> None:
+        self._note(view.block.name, answer)
         self._notice.hide()
         had_focus = self._has_focus
         self._unfold()
@@ -374,7 +361,7 @@ class LessonCard(QFrame):
         self._keep()
 
     def keep_now(self) -> None:
-        """Keep the step that is shown, before something else is, or nothing any more."""
+        """Keep the step that is shown, before another lesson is, or none."""
         if self._late.isActive():
             self._keep()
 
@@ -393,7 +380,7 @@ class LessonCard(QFrame):
     # -- the way through it
 
     def go_to(self, place: int) -> None:
-        """Go to a step, from 0; not on from one with a prediction that is to be made."""
+        """Go to a step, from 0; an open prediction keeps the student from going on."""
         held = self._uncommitted
         if held is not None and place > self._lessons.place:
             self._say(
@@ -410,7 +397,7 @@ class LessonCard(QFrame):
             self._show_marks()
 
     def go_on(self) -> None:
-        """Go to the next step, or from the last one out of the lesson."""
+        """Go to the next step, or finish the lesson at the last one."""
         lesson = self._lesson
         if lesson is None:
             return
@@ -430,7 +417,7 @@ class LessonCard(QFrame):
         self._lessons.come_back()
 
     def give_hint(self) -> None:
-        """Say the next hint to what is open."""
+        """Say the next hint for the first open block that has one."""
         block = self._hinting
         if block is not None:
             block.give_hint()
@@ -439,7 +426,7 @@ class LessonCard(QFrame):
             self.went_on.emit()
 
     def _finish(self, lesson: Lesson) -> None:
-        """Close the lesson; what is left of it says so, and names the next one."""
+        """Close the lesson; the card says what is left to do, and names the next lesson."""
         if not self._here.asked:
             self._note("", DONE)
         self._progress = replace(self._progress, step="")
@@ -473,7 +460,7 @@ class LessonCard(QFrame):
         self.went_on.emit()
 
     def _show_way(self, on: bool) -> None:
-        """Show what goes through a lesson, while there is one."""
+        """Show or hide the buttons that only an open lesson needs."""
         for part in (self._marks, self.back, self.again, self.hint, self.next, self.anew):
             part.setVisible(on)
             part.setEnabled(on)
@@ -490,18 +477,18 @@ class LessonCard(QFrame):
 
     @property
     def _may_take_focus(self) -> bool:
-        """Whether nobody types elsewhere."""
+        """Whether nobody is typing elsewhere."""
         return self._has_focus or not isinstance(QApplication.focusWidget(), QLineEdit)
 
     def _take_focus(self) -> None:
-        """Let the keyboard begin with what is to be done first."""
+        """Give the keyboard to the first open block, else to the button Next."""
         first = next((b.first for b in self.blocks if b.is_open and b.first is not None), None)
         (first or self.next).setFocus(Qt.FocusReason.OtherFocusReason)
 
     # -- what is done in the window
 
     def look_again(self, *_changed: object) -> None:
-        """Something of the window is another: see what of it is done, once all has changed."""
+        """The window has changed: see which tasks are done, after all else that hears of it."""
         if self._lesson is not None:
             self._looking.start(WHILE_MOVING_MS if self._lessons.is_moving else 0)
 
@@ -520,18 +507,15 @@ class LessonCard(QFrame):
                 self._aside = aside, look
                 return
             self._aside = None
-        for block in [b for b in self.blocks if isinstance(b, Tries) and b.is_open]:
-            block.look(document, look)
+        for view in [*self.blocks]:
+            view.look(document, look)
 
 
 def _after(path: Path) -> Head | None:
-    """The lesson that comes next: after the tour the first."""
+    """Return the lesson that comes next; after the tour the first."""
     lessons = heads(talks=False)
-    places = [place for place, head in enumerate(lessons) if head.path == path]
-    if not places and path != TOUR:
-        return None
-    place = places[0] + 1 if places else 0
-    return lessons[place] if place < len(lessons) else None
+    following = dict(zip((TOUR, *(head.path for head in lessons)), lessons, strict=False))
+    return following.get(path)
 
 
 def _tool(icon: str, name: str, act: object) -> QToolButton:
@@ -545,16 +529,12 @@ def _push(text: str, tip: str, act: object) -> QPushButton:
 
 
 class Side(QSplitter):
-    """The column beside the pictures: the lesson's card above the controls.
+    """The column beside the pictures, with the lesson's card above the controls.
 
     Parameters
     ----------
     around : QSplitter
-        Which it is added to.
-
-    Attributes
-    ----------
-    controls : Controls
+        The column is added to it.
     """
 
     def __init__(self, around: QSplitter) -> None:
@@ -564,11 +544,11 @@ class Side(QSplitter):
         self.controls = Controls(self)
         self._card: LessonCard | None = None
         self._before: list[int] = []
-        """How wide pictures and column were without a lesson."""
+        """Widths of pictures and column without a lesson."""
         self.setChildrenCollapsible(False)
 
     def take_card(self, card: LessonCard) -> None:
-        """Have the lesson's card above the controls."""
+        """Put the lesson's card above the controls."""
         self._card = card
         self.insertWidget(0, card)
 
@@ -580,7 +560,7 @@ class Side(QSplitter):
         self.setVisible(card or controls)
 
     def make_room(self, on: bool) -> None:
-        """Be wider while there is a lesson."""
+        """Make the column wider while a lesson is open."""
         around = self._around
         if on:
             self._before = around.sizes()

@@ -1,12 +1,12 @@
-"""A lesson or a talk in the window: its steps shown, left by hand and come back to.
+"""A lesson or a talk in the window: shows its steps, and shows a step again after trials by hand.
 
 ::
 
     file --Lessons.open--> Course --go(step)--> Store (one step of undo) --> the window
     a saved change of the file --> the same step again, if it shows something else now
 
-Anything can be changed by hand at a step; what is tried out is no work, so that nobody is asked to
-save it, and `come_back` shows the step again as the file has it.
+Anything can be changed by hand at a step. Such trials are not the user's work: nobody is asked to
+save them, and `come_back` shows the step again as the file has it.
 """
 
 from __future__ import annotations
@@ -24,7 +24,8 @@ from app.document.store import Store
 from app.document.view import AS_EVER, FIELDS, View
 from app.lessons import transition
 from app.lessons.course import Course, Shown, scene_of
-from app.lessons.lesson import Lesson, State, Step, read
+from app.lessons.lesson import Lesson, Step, read
+from app.lessons.state import State
 from app.model.projection import Camera
 from app.model.refusal import Refusal
 from widgets.parts.clock import Clock
@@ -35,11 +36,11 @@ from widgets.window.files import Files
 TRANSITION_S = 0.4
 """How long the model moves between two steps."""
 SETTLED_MS = 150
-"""A file that was just written may be written again: editors do it in two goes."""
+"""Delay after a change of the file: editors may write it twice."""
 
 
 class Lessons(QObject):
-    """What lesson is open, and at which step it is.
+    """The open lesson, and the step that it is at.
 
     Parameters
     ----------
@@ -47,26 +48,26 @@ class Lessons(QObject):
     files : Files
     messages : MessageBar
     stand_still : callable
-        Lets nothing move by itself: before another step is shown.
+        Stops everything that moves by itself, before another step is shown.
     to_stage : callable
         Moves the stage strip to a position.
     look_from : callable
-        Lets the panes be looked at from where they were; those that are not named, as ever.
+        Sets the cameras of panes; panes that are not named get their usual one.
 
     Attributes
     ----------
     course : Course or None
-        The open one.
+        Of the open lesson.
     place : int
         Of the step, from 0.
     """
 
     opened = Signal()
-    """A lesson was opened, read again, or closed: `course` is another one."""
+    """A lesson was opened, read again, or closed: `course` has changed."""
     complained = Signal(str)
-    """What is wrong with the open file since it was changed; nothing if that is mended."""
+    """What is wrong with the open file since it was changed; empty once it is mended."""
     refused = Signal(str)
-    """Why a step cannot be shown: the one before stays."""
+    """Why a step cannot be shown; the step before stays."""
     stepped = Signal()
     """Another step is shown, or this one again."""
 
@@ -84,11 +85,11 @@ class Lessons(QObject):
         self._stand_still, self._to_stage = stand_still, to_stage
         self._look_from = look_from
         self._arrived: dict[str, Camera] = {}
-        """From where the panes were looked at when the step was come to."""
+        """The cameras of the panes on arrival at the step."""
         self.course: Course | None = None
         self.place = 0
         self._views: dict[tuple[str, str], dict[str, Camera]] = {}
-        """From where panes were looked at, of the scenes that were left."""
+        """The cameras of the panes by scene, for when a scene is shown again."""
         self._clock = Clock(self)
         self._clock.ticked.connect(self._move)
         self._start = self._end = store.document
@@ -96,9 +97,7 @@ class Lessons(QObject):
         self._stages = (0.0, 0.0)
         self._moving = False
         self._watcher = QFileSystemWatcher(self)
-        self._settled = QTimer(self)
-        self._settled.setSingleShot(True)
-        self._settled.setInterval(SETTLED_MS)
+        self._settled = QTimer(self, singleShot=True, interval=SETTLED_MS)
         self._settled.timeout.connect(self.read_again)
         self._watcher.fileChanged.connect(lambda _path: self._settled.start())
         self._watcher.directoryChanged.connect(lambda _path: self._settled.start())
@@ -108,12 +107,12 @@ class Lessons(QObject):
 
     @property
     def lesson(self) -> Lesson | None:
-        """The open lesson."""
+        """Return the open lesson."""
         return self.course.lesson if self.course is not None else None
 
     @property
     def step(self) -> Step | None:
-        """The step that is shown."""
+        """Return the step that is shown."""
         return self.course.lesson.steps[self.place] if self.course is not None else None
 
     @property
@@ -126,29 +125,27 @@ class Lessons(QObject):
         """Whether the window shows something else than the step: somebody has tried something."""
         if self.course is None:
             return False
-        shown = self.course.shown(self.place)
-        look = self._store.look()
-        leading = scene_of(shown.document).leading
-        if look.panes != self._arrived:
+        shown, look = self.course.shown(self.place), self._store.look()
+        if look.panes != self._arrived or self._store.document != shown.document:
             return True
-        return self._store.document != shown.document or any(
-            (getattr(look, name) or leading if name == "large" else getattr(look, name))
-            != (value or leading if name == "large" else value)
+        leading = {"large": scene_of(shown.document).leading}  # which an empty name stands for
+        return any(
+            (getattr(look, name) or leading.get(name, getattr(look, name)))
+            != (value or leading.get(name, value))
             for name, value in shown.view.items()
         )
 
     def open(self, path: str | Path, step: str = "") -> bool:
-        """Open a lesson, at its first step or at that of a name.
+        """Open a lesson, at its first step or at the named one.
 
         Returns
         -------
         bool
-            False if it could not be opened: it is said why, and what was there stays.
+            False if it cannot be opened: the reason is said, and the window stays as it is.
         """
         try:
             course = Course(read(path))
-            names = [each.name for each in course.lesson.steps]
-            place = names.index(step) if step in names else 0
+            place = course.lesson.place_of(step)
             shown = course.shown(place)
             scene = scene_of(shown.document)
         except Refusal as error:
@@ -161,7 +158,7 @@ class Lessons(QObject):
         self._views.clear()
         left, (self.course, self.place) = (self.course, self.place), (course, place)
         look = self._store.look()
-        # Whatever was looked at before: a lesson begins as the program does.
+        # A lesson begins with the look of a fresh program, whatever the window showed before.
         view = replace(AS_EVER, layout=look.layout, letters=look.letters, panel="")
         document = replace(shown.document, view=replace(view, **shown.view))
         if not self._files.open_step(document, scene, course.lesson.path):
@@ -174,7 +171,7 @@ class Lessons(QObject):
         return True
 
     def close(self) -> None:
-        """Leave the lesson; the window stays as it is."""
+        """Close the lesson; the window stays as it is."""
         if self.course is None:
             return
         self._finish()
@@ -187,7 +184,7 @@ class Lessons(QObject):
     # -- going
 
     def go(self, place: int) -> bool:
-        """Show a step; False if there is none such, or its state cannot be: the last one stays."""
+        """Show a step; False if it does not exist or cannot be shown: then this one stays."""
         if self.course is None or not 0 <= place < len(self.course.lesson.steps):
             return False
         try:
@@ -218,14 +215,14 @@ class Lessons(QObject):
         return self.go(self.place - 1)
 
     def come_back(self) -> bool:
-        """Show the step again, as its file has it, and looked at as it was come to.
+        """Show the step again, as its file has it and with the cameras of the arrival.
 
-        What was tried can be brought back by undo, but for how a pane was turned.
+        Undo brings back what was tried, except how a pane was turned.
         """
         return self.go(self.place)
 
     def show_predicted(self, state: State) -> None:
-        """Show what a prediction of the step comes to; nothing is shown if that cannot be."""
+        """Show the state that answers a prediction of the step, if it is possible."""
         assert self.course is not None
         try:
             document = self.course.shown_by(self.place, state)
@@ -235,7 +232,7 @@ class Lessons(QObject):
             self.show(document)
 
     def show(self, document: Document) -> None:
-        """Show another state beside the step: what refutes a wrong idea, what was predicted."""
+        """Show a state beside the step: one that refutes a wrong idea, or answers a prediction."""
         self._finish()
         self._stand_still()
         look = self._store.look()
@@ -261,9 +258,9 @@ class Lessons(QObject):
         return self._move_to(replace(shown.document, view=view), scene)
 
     def _view(self, shown: Shown, *, other_scene: bool) -> View:
-        """How a step is looked at: as the step says, and else as it is."""
+        """Return the view of a step: what the lesson sets, and else what the window has now."""
         look = self._store.look()
-        if other_scene:  # what was about the scene before goes, what was prepared for a class stays
+        if other_scene:  # drop what concerned the scene before; keep what was set up for a class
             there = shown.document.scene, shown.document.mesh
             look = replace(
                 look, large="", panel=None, probes=(), pinned=frozenset(), compare=(),
@@ -272,12 +269,9 @@ class Lessons(QObject):
         return replace(look, **shown.view)
 
     def _move_to(self, end: Document, scene: Any) -> bool:
-        """Change to a document in one step of undo; the model moves there, if it can.
+        """Change to a document in one step of undo; the model moves there if it can.
 
-        Returns
-        -------
-        bool
-            False if it is refused: what was shown stays.
+        Return False if the document is refused: then the window stays as it is.
         """
         store = self._store
         start, look = store.document, store.look()
@@ -287,7 +281,7 @@ class Lessons(QObject):
         first, is_there = None, True
         if transition.can_move(start, end):
             first = transition.between(start, end, 0.02)
-        else:  # it is there at once, and only the strip may be on its way
+        else:  # the model is there at once; only the stage strip may move
             self._start = end
         self._moving = True
         if start == end:
@@ -297,8 +291,8 @@ class Lessons(QObject):
                 if getattr(end.view, name) != getattr(look, name)
             }
             store.set_view(**changes)
-        else:  # the step that undo goes back to; then on to it, frame by frame
-            # What nobody has turned shall look as it will in the end.
+        else:  # first the end, which undo returns to; then from the start to it, frame by frame
+            # The end also decides the cameras of the panes that nobody has turned.
             is_there = store.set_document(end)
             if is_there and first is not None:
                 store.go_on(first)
@@ -320,7 +314,7 @@ class Lessons(QObject):
             at = transition.between(self._start, self._end, eased)
         if at is not None and at != self._store.document:
             view = self._store.document.view
-            if at.view is not view:  # somebody looks at it otherwise since it began to move
+            if at.view is not view:  # the view was changed since the model began to move
                 at = replace(at, view=view)
             self._moving = True
             self._store.go_on(at)
@@ -328,13 +322,13 @@ class Lessons(QObject):
         self._to_stage((1.0 - eased) * self._stages[0] + eased * self._stages[1])
 
     def _finish(self) -> None:
-        """Be where the model is moving to."""
+        """Move the model to its end at once."""
         if self._clock.running:
             self._part = 1.0
             self._move(0.0)
 
     def _see(self, _document: Document) -> None:
-        """Somebody else has changed the document: that counts, and nothing moves on."""
+        """Stop moving when somebody else changes the document."""
         if not self._moving:
             self._clock.stop()
 
@@ -353,23 +347,21 @@ class Lessons(QObject):
         self._settled.stop()
 
     def read_again(self, name: str = "") -> None:
-        """Take a saved change of the file up, at the step that has the same name, or at another."""
+        """Read a changed file, and stay at the step with a name, or at the place of this one."""
         if self.course is None:
             return
         before, step = self.course, self.step
         assert step is not None
         path = before.lesson.path
-        if str(path) not in self._watcher.files():  # editors put another file in its place
+        if str(path) not in self._watcher.files():  # editors replace the file
             self._watcher.addPath(str(path))
         try:
             course = Course(read(path))
             if course.lesson == before.lesson:
                 self.complained.emit("")
                 return
-            names = [each.name for each in course.lesson.steps]
-            place = min(self.place, len(names) - 1)
-            name = name or step.name
-            place = names.index(name) if name in names else place
+            last = len(course.lesson.steps) - 1
+            place = course.lesson.place_of(name or step.name, min(self.place, last))
             shown = course.shown(place)
         except Refusal as error:
             self.complained.emit(named(error, path))
@@ -386,7 +378,7 @@ class Lessons(QObject):
 
 
 def named(error: Refusal, path: Path) -> str:
-    """What is wrong with a file, with its name."""
+    """Say what is wrong with a file, with its name."""
     text = sentence(error)
     known = error.file is not None and str(path) in text
     return text if known else f"{path.name}: {text}"

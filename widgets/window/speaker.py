@@ -13,7 +13,6 @@ from PySide6.QtGui import (
     QFont,
     QImage,
     QOpenGLContext,
-    QPalette,
     QPixmap,
     QResizeEvent,
 )
@@ -28,35 +27,30 @@ from PySide6.QtWidgets import (
 )
 
 from app.document.document import Document
+from app.lessons.blocks.block import Part
 from app.lessons.course import Course, scene_of
-from app.lessons.lesson import Question, Step, Task
+from app.lessons.lesson import Step
 from app.lessons.text import plain_of
 from app.model.refusal import Refusal
 from widgets.parts import palette
 from widgets.parts.buttons import push_button
 from widgets.parts.layouts import TOP, in_column, in_row
-from widgets.parts.lesson_text import answer_text, question_text, set_text
+from widgets.parts.lesson_text import answer_of, set_text
 from widgets.parts.plain import Label, TextDocument, set_tip
 from widgets.window.pictures import image_of
 from widgets.window.settings import LARGEST_NOTES_PX, LEAST_NOTES_PX, Settings
 
 PICTURE_PX = (400, 250)
-"""In which the next step's pane is drawn; it is shown as large as there is room for."""
+"""Size in which the next step's pane is drawn; it is scaled to the room that there is."""
 MOST_PICTURES = 12
-"""That are kept, of steps that were drawn before."""
+"""Pictures of steps that are kept."""
 TEXT_PX = 15
 NOTES_STEP_PX = 2
-"""By which Ctrl and + or - change the notes' letters."""
+"""Step by which Ctrl and + or - change the letters of the notes."""
 
 
 class TalkClock:
-    """How long somebody has spoken; it can be paused, and begun anew.
-
-    Parameters
-    ----------
-    now : callable
-        Seconds of a clock that only goes forwards.
-    """
+    """How long somebody has spoken, by a clock that never goes back; it can be paused and reset."""
 
     def __init__(self, now: Callable[[], float] = time.monotonic) -> None:
         self._now = now
@@ -70,11 +64,11 @@ class TalkClock:
 
     @property
     def seconds(self) -> float:
-        """What it has counted."""
+        """Return the seconds that it has counted."""
         return self._before + (self._now() - self._since if self._since is not None else 0.0)
 
     def begin(self) -> None:
-        """Count from here, unless it counts already or was paused."""
+        """Start, unless it counts already or was paused."""
         if self._since is None and self._before == 0.0:
             self._since = self._now()
 
@@ -86,28 +80,20 @@ class TalkClock:
             self._before, self._since = self.seconds, None
 
     def reset(self) -> None:
-        """Begin at 0; it goes on if it was going."""
+        """Go back to 0; a running clock goes on."""
         self._before = 0.0
         if self._since is not None:
             self._since = self._now()
 
 
 def planned(course: Course, place: int) -> tuple[float, float]:
-    """Minutes that the notes plan up to a step, and for it."""
+    """Return the minutes that the notes plan before a step, and for it."""
     minutes = [step.note.minutes if step.note else 0.0 for step in course.lesson.steps]
     return sum(minutes[:place]), minutes[place]
 
 
 class SpeakerWindow(QWidget):
-    """What only the speaker sees.
-
-    Parameters
-    ----------
-    settings : Settings
-        Keep how large the notes are.
-    parent : QWidget
-        The main window, with which it closes.
-    """
+    """What only the speaker sees; it closes with its parent, the main window."""
 
     left = Signal()
     next_wanted = Signal()
@@ -172,7 +158,7 @@ class SpeakerWindow(QWidget):
         layout.setHorizontalSpacing(TEXT_PX)
         self.setLayout(layout)  # filled: see `layouts.in_row`
         large: dict[QWidget, float] = {self._title: 1.5, self._clock: 1.6, self._elapsed: 1.6}
-        for child in self.findChildren(QWidget):  # whatever letters the class is shown
+        for child in self.findChildren(QWidget):  # independent of the class's letters
             font = QFont(self.font())
             font.setPixelSize(round(large.get(child, 1.0) * TEXT_PX))
             font.setBold(child is self._title)
@@ -188,7 +174,7 @@ class SpeakerWindow(QWidget):
     # -- the step
 
     def show_step(self, course: Course, place: int) -> None:
-        """Show a step's notes and what comes after it; its picture comes by `draw_next`."""
+        """Show a step's notes and the title of the next one, whose picture `draw_next` draws."""
         steps = course.lesson.steps
         if course is not self._course:
             self._pictures.clear()
@@ -216,46 +202,41 @@ class SpeakerWindow(QWidget):
         font.setPixelSize(self._settings.notes_px)
         document = self.notes.document()
         document.setDefaultFont(font)
-        line = self.palette().color(QPalette.ColorRole.Mid).name()
         parts = [step.note.text] if step.note is not None else []
-        parts += [
-            self._told(part) if isinstance(part, Question) else part.text
-            for part in step.parts
-            if isinstance(part, (Question, Task))
-        ]
-        set_text(document, "\n\n".join(parts), line=line)
+        parts += [self._told(part) for part in step.asked]
+        set_text(document, "\n\n".join(parts), palette=self.palette())
         document.setDocumentMargin(8.0)
 
-    def _told(self, question: Question) -> str:
-        """What is asked, with what is right."""
+    def _told(self, part: Part) -> str:
+        """Return what is asked and what is right."""
         assert self._course is not None
         answer = ""
-        with suppress(Refusal):  # it is said when it is to be shown
-            answer = answer_text(self._course, self._place, question)
-        return question_text(question, answer, told=True, others=True)
+        with suppress(Refusal):  # the speaker is told when the class is to see it
+            answer = answer_of(part, self._course.at(self._place))
+        return part.explained(answer)
 
     def enlarge(self, by_px: int) -> None:
-        """Write the notes larger, or smaller."""
+        """Make the letters of the notes larger, or smaller."""
         size = self._settings.notes_px + by_px
         self._settings.notes_px = max(LEAST_NOTES_PX, min(LARGEST_NOTES_PX, size))
         if self._course is not None:
             self._show_notes(self._course.lesson.steps[self._place])
 
     def say(self, text: str) -> None:
-        """Say something short; nothing says no more."""
+        """Show a short message; an empty one hides it."""
         self._said.setText(text)
 
     # -- the next step's picture
 
     def draw_next(self) -> None:
-        """Draw what comes next, unless it is known."""
+        """Draw the next step, unless its picture is kept."""
         course, place = self._course, self._place + 1
         if course is None or place >= len(course.lesson.steps):
             return
         if (course, place) not in self._pictures:
             try:
                 image = _drawn(course.shown(place).document, self._settings.theme)
-            except Refusal:  # it is said when the step is to be shown
+            except Refusal:  # the speaker is told when the step is to be shown
                 image = QImage()
             self._pictures[course, place] = image
             while len(self._pictures) > MOST_PICTURES:
@@ -318,11 +299,11 @@ class SpeakerWindow(QWidget):
 
 
 def _drawn(document: Document, theme: str) -> QImage:
-    """The pane that a state leads with."""
+    """Draw the leading pane of a state."""
     from app.drawings.figures import render
 
     current = QOpenGLContext.currentContext()
-    if current is not None:  # or VTK may take Qt's context for its own
+    if current is not None:  # or VTK may use Qt's context as its own
         current.doneCurrent()
     scene = scene_of(document)
     style = palette.drawing_style(

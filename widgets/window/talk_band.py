@@ -1,4 +1,4 @@
-"""What the class reads of a talk's step while it is presented: above the panes, never over them."""
+"""The band that the class reads during a talk: above the panes, never over them."""
 
 from __future__ import annotations
 
@@ -17,24 +17,23 @@ from PySide6.QtGui import (
 )
 from PySide6.QtWidgets import QFrame, QSizePolicy
 
-from app.lessons.lesson import Lesson, Question, Step, Task, Words
+from app.lessons.lesson import Lesson, Step
 from app.lessons.text import plain_of
 from widgets.parts.lesson_text import set_text
 from widgets.parts.plain import TextDocument
 
 SHARE, TALL_SHARE = 0.135, 0.18
-"""Of the screen's height, for the band: the same all through a talk, so that no pane moves at a
-step; the latter where a step has a table, formulas on lines of their own, or many choices."""
+"""Height of the band in screen heights, the same all through a talk, so that no step moves a pane;
+the second if a step has a table, a displayed formula or many choices."""
 LEAST_TEXT_SHARE, MOST_SHARE = 0.022, 1.0 / 3.0
-"""Of the screen's height: letters are never smaller; rather the band of a step that says much
-grows, so far, and the wheel moves what it says."""
+"""Least size of letters and largest height of the band, in screen heights: for a long step the band
+grows so far, and then the wheel scrolls it."""
 TITLE_EM = 1.3
-"""Of the window's letters, which are a share of the screen's height already."""
+"""Size of the title against the words."""
 SIZES = (1.2, 1.12, 1.06, 1.0, 0.92, 0.84, 0.76, 0.68, 0.6)
-"""Letters of a step that says little, and of one that says much, against the window's."""
+"""Sizes of letters against the window's: the largest that fit are taken."""
 SIDE_SHARE = 0.48
-"""Of the band's width, for what stands beside the words."""
-MANY_CHOICES = 4
+"""Share of the band's width for the second column."""
 _GAP_PX, _EDGE_PX = 10, 2
 
 
@@ -44,7 +43,7 @@ class TalkBand(QFrame):
     Attributes
     ----------
     note : str
-        What is said beside the number of the step for a moment.
+        A message beside the number of the step.
     """
 
     def __init__(self) -> None:
@@ -54,30 +53,31 @@ class TalkBand(QFrame):
         self._title, self._words, self._asked = (TextDocument(self) for _ in range(3))
         self._number, self.note = "", ""
         self._ways: list[tuple[str, str]] = [("", "")]
-        """The words, and what stands beside them: as it may be shared out."""
+        """The ways to share the text out: the words, and the second column."""
         self._screen_px = 0.0
         self._usual_px = 0
-        """Its height, unless a step says too much for it."""
+        """Its height, unless a step is too long."""
         self._moved_px = 0
-        """By the wheel."""
+        """How far the wheel has scrolled it."""
         self.hide()
 
     def set_talk(self, lesson: Lesson, screen_px: float) -> None:
-        """Take a share of a screen of that height, for all of a talk."""
-        share = TALL_SHARE if any(map(_is_tall, lesson.steps)) else SHARE
+        """Take the height for all steps of a talk from the height of the screen."""
+        is_tall = any(part.is_tall for step in lesson.steps for part in step.parts)
+        share = TALL_SHARE if is_tall else SHARE
         self._screen_px, self._usual_px = screen_px, round(share * screen_px)
         self.setFixedHeight(self._usual_px)
 
     def show_step(self, step: Step, number: str, asked: str = "") -> None:
-        """Show a step, and beside its words what is asked just now, or answered."""
+        """Show a step, and beside its words the question that is put just now, or its answer."""
         self._number = number
-        words = [part.text for part in step.parts if isinstance(part, (Words, Task))]
+        words = [part.text for part in step.parts if not part.reveals]
         self.setAccessibleName(plain_of("\n\n".join([step.title, *words, asked])))
-        self._set(self._title, step.title, title=True)
+        set_text(self._title, step.title, title=True, palette=self.palette())
         paragraphs = "\n\n".join(words).split("\n\n")
         if asked:
             self._ways = [("\n\n".join(paragraphs), asked)]
-        else:  # under each other, or the last of them beside the others
+        else:  # below each other, or the last of them in the second column
             cuts = range(len(paragraphs), 0, -1)
             self._ways = [
                 ("\n\n".join(paragraphs[:cut]), "\n\n".join(paragraphs[cut:])) for cut in cuts
@@ -85,12 +85,8 @@ class TalkBand(QFrame):
         self._moved_px = 0
         self._fit_all()
 
-    def _set(self, document: QTextDocument, text: str, *, title: bool = False) -> None:
-        line = self.palette().color(QPalette.ColorRole.Mid).name()
-        set_text(document, text, title=title, line=line)
-
     def say(self, note: str) -> None:
-        """Say something beside the number of the step; nothing says no more."""
+        """Show a message beside the number of the step; an empty one hides it."""
         self.note = note
         self.update()
 
@@ -112,25 +108,25 @@ class TalkBand(QFrame):
 
     @property
     def _sizes(self) -> tuple[float, ...]:
-        """Those of `SIZES` that the last row can read."""
+        """Return those of `SIZES` that can be read from the last row."""
         em = self.fontInfo().pixelSize()
         least = LEAST_TEXT_SHARE * self._screen_px
         return tuple(size for size in SIZES if round(size * em) >= least) or (least / em,)
 
     @property
     def _needed_px(self) -> int:
-        """The height in which all has room, as it is set."""
+        """Return the height that the text needs as it is laid out now."""
         words = self._title.size().height() + self._words.size().height()
         beside = 0.0 if self._asked.isEmpty() else self._asked.size().height()
         return math.ceil(max(words, beside) + 2 * _EDGE_PX)
 
     @property
     def _room(self) -> QRectF:
-        """Without the edges."""
+        """Return the area inside the edges."""
         return QRectF(self.rect()).adjusted(_GAP_PX, _EDGE_PX, -_GAP_PX, -_EDGE_PX)
 
     def _columns(self) -> tuple[QRectF, QRectF]:
-        """Where the words stand, and where the question; in the whole width without one."""
+        """Return the areas of the words and of the second column, which may be empty."""
         room = self._room
         if self._asked.isEmpty():
             return room, QRectF()
@@ -140,7 +136,7 @@ class TalkBand(QFrame):
         return left, right
 
     def _fit_all(self) -> None:
-        """Find the way, and the largest letters, in which all of it has room; or make room."""
+        """Choose the way that allows the largest letters; if none fits, make the band higher."""
         self.setFixedHeight(self._usual_px or self.height())
         best, way = 0.0, self._ways[0]
         needed: dict[int, tuple[str, str]] = {}
@@ -161,11 +157,11 @@ class TalkBand(QFrame):
         self.update()
 
     def _share_out(self, words: str, beside: str) -> float:
-        """Set it this way in the largest letters that have room, or in the smallest: these."""
-        self._set(self._words, words)
-        self._set(self._asked, beside)
+        """Lay the text out in the largest letters that fit, or the smallest; return their size."""
+        set_text(self._words, words, palette=self.palette())
+        set_text(self._asked, beside, palette=self.palette())
         sizes = self._sizes
-        low, high = 0, len(sizes) - 1  # the last is taken where nothing has room
+        low, high = 0, len(sizes) - 1  # the last one if none fits
         while low < high:
             middle = (low + high) // 2
             low, high = (low, middle) if self._fits(sizes[middle]) else (middle + 1, high)
@@ -173,10 +169,10 @@ class TalkBand(QFrame):
         return sizes[low]
 
     def _fits(self, size: float) -> bool:
-        """Set everything in letters of a size, and tell whether it has room."""
+        """Lay everything out in letters of a size; return whether it fits."""
         left, right = self._columns()
         em = self.fontInfo().pixelSize()
-        free = self.fontMetrics().horizontalAdvance(f"{self._number}  ")  # which stands there
+        free = self.fontMetrics().horizontalAdvance(f"{self._number}  ")  # for the number
         for document, larger, width in (
             (self._title, TITLE_EM, left.width() - free * right.isNull()),
             (self._words, 1.0, left.width()),
@@ -204,7 +200,7 @@ class TalkBand(QFrame):
         right_of = Qt.AlignmentFlag.AlignRight
         painter.drawText(room, right_of | Qt.AlignmentFlag.AlignTop, self._number)
         note = self.note or ("▾" if self._moved_px + self.height() < self._needed_px else "")
-        if note:  # over what stands there, for a moment
+        if note:  # over the text that is there
             below = right_of | Qt.AlignmentFlag.AlignBottom
             place = painter.boundingRect(room, below, note)
             painter.fillRect(place, self.palette().color(QPalette.ColorRole.Window))
@@ -219,13 +215,3 @@ class TalkBand(QFrame):
         context.palette = self.palette()
         document.documentLayout().draw(painter, context)
         painter.restore()
-
-
-def _is_tall(step: Step) -> bool:
-    """Whether a step has what needs many lines."""
-    return any(
-        len(part.choices) >= MANY_CHOICES
-        if isinstance(part, Question)
-        else "$$" in part.text or "\n|" in part.text
-        for part in step.parts
-    )

@@ -1,0 +1,96 @@
+"""``answer``: a number that is typed, or a choice that may be made again."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+from app.lessons import marking
+from app.lessons.blocks.block import Here
+from app.lessons.blocks.choices import Choices
+from app.lessons.blocks.question import CHECKS, RIGHT, Question, Reply, Verdict, said_below
+from app.lessons.lines import LACKS, Body, refused
+from app.model.formula import Formula
+from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
+
+EITHER = QT_TRANSLATE_NOOP("Refusal", "has choices and a value: only one of them can be")
+
+
+@dataclass(frozen=True, kw_only=True)
+class Answer(Question):
+    """A question whose answer is a number.
+
+    Attributes
+    ----------
+    formula : Formula
+        Of the right number.
+    formula_line : int
+    unit : str
+    """
+
+    kind = "answer"
+    formula: Formula
+    formula_line: int
+    unit: str
+
+    @classmethod
+    def read(cls, body: Body) -> Question:
+        text, items = body.items("value", "unit", "wrong", *CHECKS, choices=True)
+        value = items.single("value")
+        if any(item.key == "choice" for item in items):
+            if value is not None:
+                raise refused(value.line, EITHER)
+            return Choices.of(body, text, items)
+        if value is None:
+            raise refused(body.line, LACKS, "“value: FORMULA”, or choices")
+        wrong = (item for item in items if item.key == "wrong")
+        return cls(
+            **cls.fields(body, text, items),
+            replies=tuple(
+                Reply(line=each.line, formula=each.formula(), idea=each.about, **said_below(each))
+                for each in wrong
+            ),
+            formula=value.formula(),
+            formula_line=value.line,
+            unit=items.text("unit"),
+        )
+
+    @property
+    def key(self) -> tuple[Formula, int]:
+        return self.formula, self.formula_line
+
+    def answer(self, here: Here) -> float:
+        """Return the right number."""
+        return self.value(here, *self.key)
+
+    def mark(self, here: Here, typed: str) -> Verdict:
+        """Return what is said to a number as it was typed.
+
+        Raises
+        ------
+        Refusal
+            If it is not a number, of the field ``answer``; or if the question has no value.
+        """
+        number, value = marking.read(typed, self.unit), self.answer(here)
+        if marking.equals(number, value):
+            return Verdict(True, says=self.why, value=value)
+        for wrong in self.replies:
+            assert wrong.formula is not None
+            if marking.equals(number, self.value(here, wrong.formula, wrong.line)):
+                return wrong.verdict(here, value=value)
+        return Verdict(False, too_short=marking.is_too_short(number, value), value=value)
+
+    def verdict(self, here: Here, sample: str, line: int) -> str:
+        try:
+            return self.mark(here, sample).word
+        except Refusal as error:
+            if error.field != "answer":
+                raise
+            return "no number"
+
+    def answer_text(self, here: Here, write: Callable[[float], str]) -> str:
+        unit = self.unit if self.unit in ("", "°") else f" {self.unit}"
+        return f"{write(self.answer(here))}{unit}"
+
+    def told(self, answer: str, *, others: bool = True) -> str:
+        return f"{self.text}  \n**{answer}**{RIGHT}" if answer else self.text

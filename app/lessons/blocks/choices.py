@@ -1,0 +1,127 @@
+"""A question with choices, exactly one of them right."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+from fractions import Fraction
+from typing import Any, ClassVar
+
+from app.lessons import marking
+from app.lessons.blocks.block import Here
+from app.lessons.blocks.question import RIGHT, Question, Reply, Verdict, said_below
+from app.lessons.lines import LACKS, Body, Item, Items, on_line, refused
+from app.model.formula import Formula, parse
+from app.model.refusal import QT_TRANSLATE_NOOP
+
+ONE_RIGHT = QT_TRANSLATE_NOOP(
+    "Refusal", "needs at least two choices, just one of them right: “- [x]”, the others “- [ ]”"
+)
+OTHER_NUMBER = QT_TRANSLATE_NOOP("Refusal", "says another number than its formula, which gives {0}")
+A_NUMBER_OF = QT_TRANSLATE_NOOP("Refusal", "must be the number of a choice, from 1 to {0}")
+
+LETTERS = "ABCDEFGHIJ"
+"""By which a class calls the choices."""
+MANY = 4
+"""Choices for which a talk's band needs many lines."""
+_IDEA = re.compile(r"\s+\{([a-z][\w-]*)\}(?=\s*$|\s+:=\s)")
+_WRITTEN = re.compile(r"[-−]?\d+(?:\.\d+)?(?:/\d+)?")
+
+
+@dataclass(frozen=True, kw_only=True)
+class Choice(Reply):
+    """One of several answers; its text is Markdown."""
+
+    text: str
+
+    @classmethod
+    def read(cls, item: Item) -> Choice:
+        """Read a choice: its text, then its formula and its idea in either order."""
+        idea = _IDEA.search(item.text)
+        text, _, behind = _IDEA.sub("", item.text).partition(" := ")
+        if not text.strip():
+            raise refused(item.line, LACKS, "a text")
+        formula = None
+        if behind.strip():
+            with on_line(item.line, ":="):
+                formula = parse(behind.strip())
+        return cls(
+            line=item.line,
+            right=item.about == "x",
+            formula=formula,
+            idea=idea[1] if idea else "",
+            text=text.strip(),
+            **said_below(item),
+        )
+
+    def check_number(self, value: float) -> None:
+        for text in _WRITTEN.findall(self.text):
+            number = marking.read(text)
+            if abs(number.value - Fraction(value)) <= number.unit * Fraction("0.5001"):
+                return
+        raise refused(self.line, OTHER_NUMBER, f"{value:.6g}", value=self.text)
+
+
+@dataclass(frozen=True, kw_only=True)
+class Choices(Question):
+    """A question with choices.
+
+    Attributes
+    ----------
+    replies : tuple of Choice
+    retries : bool
+        Whether one may choose again after a wrong choice.
+    """
+
+    retries: ClassVar[bool] = True
+    replies: tuple[Choice, ...]
+
+    @classmethod
+    def of(cls, body: Body, text: str, items: Items, **more: Any) -> Choices:
+        """Make the block of what was read of its body."""
+        choices = tuple(Choice.read(item) for item in items if item.key == "choice")
+        if len(choices) < 2 or sum(each.right for each in choices) != 1:
+            raise refused(body.line, ONE_RIGHT)
+        return cls(**cls.fields(body, text, items), replies=choices, **more)
+
+    @property
+    def right(self) -> int:
+        """Return the place of the right choice, from 0."""
+        return next(place for place, each in enumerate(self.replies) if each.right)
+
+    @property
+    def key(self) -> tuple[Formula | None, int]:
+        right = self.replies[self.right]
+        return right.formula, right.line
+
+    @property
+    def is_tall(self) -> bool:
+        return len(self.replies) >= MANY
+
+    def texts(self) -> Iterator[tuple[int, str]]:
+        yield from super().texts()
+        yield from ((each.line, each.text) for each in self.replies)
+
+    def chosen(self, here: Here, number: int) -> Verdict:
+        """Return what is said to a choice, counted from 0."""
+        return self.replies[number].verdict(here, self.why)
+
+    def verdict(self, here: Here, sample: str, line: int) -> str:
+        number, count = int(sample) if sample.isdecimal() else 0, len(self.replies)
+        if not 1 <= number <= count:
+            raise refused(line, A_NUMBER_OF, count, value=sample)
+        return self.chosen(here, number - 1).word
+
+    def posed(self) -> str:
+        return self._listed(lambda _each: True, "")
+
+    def told(self, answer: str, *, others: bool = True) -> str:
+        return self._listed(lambda each: others or each.right, RIGHT)
+
+    def _listed(self, is_there: Callable[[Choice], bool], mark: str) -> str:
+        lines = [self.text]
+        for letter, choice in zip(LETTERS, self.replies, strict=False):
+            if is_there(choice):
+                lines.append(f"**{letter}** {choice.text}{mark if choice.right else ''}")
+        return "  \n".join(lines)

@@ -1,0 +1,211 @@
+"""What predictions and answers have in common: one right reply, and wrong ones with their ideas."""
+
+from __future__ import annotations
+
+import difflib
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any, ClassVar, NamedTuple
+
+from app.document.document import Document
+from app.lessons import marking
+from app.lessons.blocks.block import Asked, Here, Trial
+from app.lessons.lines import Body, Item, Items, on_line, refused
+from app.lessons.quantities import Condition, NotThere, Quantities
+from app.lessons.state import State, state_in
+from app.model.formula import Formula
+from app.model.refusal import QT_TRANSLATE_NOOP
+
+NO_VALUE = QT_TRANSLATE_NOOP("Refusal", "has no value in this state: there is no {0}")
+NO_IDEA = QT_TRANSLATE_NOOP(
+    "Refusal",
+    "names a wrong idea that the program does not know (the nearest is {0}), and has no “says:” of"
+    " its own",
+)
+ALSO_RIGHT = QT_TRANSLATE_NOOP("Refusal", "is wrong, but its formula gives the right value, {0}")
+SAME_WRONG = QT_TRANSLATE_NOOP("Refusal", "cannot be told from the wrong value of line {0}, {1}")
+NOT_SO = QT_TRANSLATE_NOOP("Refusal", "does not hold")
+
+RIGHT = " **✓**"
+"""Marks what is right, in Markdown."""
+CHECKS = ("check", "why", "hint")
+"""Keys of every question."""
+
+
+class Verdict(NamedTuple):
+    """What is said to an answer.
+
+    Attributes
+    ----------
+    right : bool
+    idea : str
+        Name of the wrong idea behind it; empty if it has none.
+    says : str
+        Markdown.
+    state : Document, optional
+        That shows it.
+    too_short : bool
+        Whether it only lacks digits.
+    value : float, optional
+        The right one.
+    """
+
+    right: bool
+    idea: str = ""
+    says: str = ""
+    state: Document | None = None
+    too_short: bool = False
+    value: float | None = None
+
+    @property
+    def word(self) -> str:
+        """Return what a ``test`` block expects: ``right``, the idea's name, or ``wrong``."""
+        return "right" if self.right else self.idea or "wrong"
+
+
+@dataclass(frozen=True, kw_only=True)
+class Reply:
+    """An answer that the lesson knows, and what is said to it.
+
+    Attributes
+    ----------
+    line : int
+    formula : Formula, optional
+        What its number comes from.
+    idea : str
+        Name of the wrong idea that leads there.
+    says : str
+        Markdown.
+    state : State, optional
+        That shows it.
+    """
+
+    line: int
+    right: bool = False
+    formula: Formula | None = None
+    idea: str = ""
+    says: str = ""
+    state: State | None = None
+
+    def verdict(self, here: Here, why: str = "", value: float | None = None) -> Verdict:
+        """Return what is said to it; a known idea adds its sentences and state if it has none."""
+        says = self.says
+        state = here.shown_by(self.state) if self.state is not None else None
+        if self.right:
+            return Verdict(True, says=says or why, state=state, value=value)
+        idea = here.idea(self.idea)
+        if idea is not None:
+            says = says or idea.says
+            state = state or idea.state
+        return Verdict(False, self.idea, says, state, value=value)
+
+    def check(self, here: Here, trial: Trial) -> None:
+        """Complain about an unknown idea without a sentence, and a state that cannot be."""
+        if self.idea and here.idea(self.idea) is None and not self.says:
+            near = difflib.get_close_matches(self.idea, here.idea_names, n=1, cutoff=0.0)[0]
+            trial.complain(refused(self.line, NO_IDEA, near, value=self.idea))
+        if self.state is not None:
+            with trial.kept():
+                here.shown_by(self.state)
+
+    def check_number(self, value: float) -> None:
+        """Refuse a number in its text that is not its formula's value."""
+
+
+def said_below(item: Item) -> dict[str, Any]:
+    """Read the sentence and the state that stand indented below a choice or a wrong value."""
+    below = Items(item.below)
+    return {"says": below.text("says"), "state": state_in(below.single("state"))}
+
+
+@dataclass(frozen=True, kw_only=True)
+class Question(Asked):
+    """A question with one right reply.
+
+    Attributes
+    ----------
+    replies : tuple of Reply
+        Choices, or the wrong values that have an idea.
+    checks : tuple of (int, Condition)
+        Must hold if the right reply is right.
+    """
+
+    reveals: ClassVar[bool] = True
+    replies: Sequence[Reply]
+    checks: tuple[tuple[int, Condition], ...] = ()
+
+    @staticmethod
+    def fields(body: Body, text: str, items: Items) -> dict[str, Any]:
+        checks, why = items.conditions("check"), items.text("why")
+        return Asked.fields(body, text, items) | {"checks": checks, "why": why}
+
+    @property
+    def key(self) -> tuple[Formula | None, int]:
+        """Return the formula of the right value, if there is one, and its line."""
+        raise NotImplementedError
+
+    def known(self, here: Here) -> Quantities:
+        """Return the names of its formulas: those of the state that it shows, if it shows one."""
+        return here.quantities(here.shown_by(self.show) if self.show is not None else None)
+
+    def value(self, here: Here, formula: Formula, line: int) -> float:
+        """Return the value of one of its formulas.
+
+        Raises
+        ------
+        Refusal
+            If it has none; it names the line.
+        """
+        known = self.known(here)
+        with on_line(line, "formula"):
+            try:
+                return known.value(formula)
+            except NotThere as error:
+                raise refused(line, NO_VALUE, str(error)) from error
+
+    def check(self, here: Here, trial: Trial) -> None:
+        trial.checks += 1
+        known = self.known(here)
+        for line, condition in self.checks:
+            with trial.kept(), on_line(line, "check"):
+                if not condition.holds(known):
+                    raise refused(line, NOT_SO, value=condition.text)
+        for reply in self.replies:
+            reply.check(here, trial)
+        formula, line = self.key
+        value = None
+        if formula is not None:
+            with trial.kept():
+                value = self.value(here, formula, line)
+        found: list[tuple[int, float]] = []
+        for reply in sorted(self.replies, key=lambda reply: not reply.right):
+            if reply.right and value is not None:
+                with trial.kept():
+                    reply.check_number(value)
+            elif reply.formula is not None and not reply.right:
+                with trial.kept():
+                    wrong = self.value(here, reply.formula, reply.line)
+                    self._check_apart(reply, wrong, value, found, trial)
+                    found.append((reply.line, wrong))
+
+    @staticmethod
+    def _check_apart(
+        reply: Reply,
+        wrong: float,
+        value: float | None,
+        found: Sequence[tuple[int, float]],
+        trial: Trial,
+    ) -> None:
+        """Complain about a wrong value that three digits do not tell from another one."""
+        with trial.kept():
+            reply.check_number(wrong)
+        if value is not None and _alike(wrong, value):
+            trial.complain(refused(reply.line, ALSO_RIGHT, f"{value:.6g}"))
+        for line, other in found:
+            if _alike(wrong, other):
+                trial.complain(refused(reply.line, SAME_WRONG, line, f"{other:.6g}"))
+
+
+def _alike(one: float, other: float) -> bool:
+    """Whether three digits do not tell two values apart."""
+    return marking.equals(marking.read(f"{one:.{marking.DIGITS}g}"), other)

@@ -1,0 +1,58 @@
+"""``test``: sample answers of a step, and the verdicts that they must get."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+from typing import NamedTuple
+
+from app.lessons.blocks.block import Block, Here, Trial
+from app.lessons.lines import Body, refused
+from app.model.limits import ONE_OF
+from app.model.refusal import QT_TRANSLATE_NOOP
+
+A_SAMPLE = QT_TRANSLATE_NOOP("Refusal", "must be a sample, as “NAME: SAMPLE -> VERDICT”")
+OTHER_VERDICT = QT_TRANSLATE_NOOP("Refusal", "gets “{0}” instead of “{1}”")
+
+
+class Sample(NamedTuple):
+    """A trial answer to a block, or what is set in a task, and the verdict that it must get."""
+
+    block: str
+    text: str
+    verdict: str
+    line: int
+
+
+@dataclass(frozen=True, kw_only=True)
+class Samples(Block):
+    """Sample answers of a step."""
+
+    kind = "test"
+    samples: tuple[Sample, ...]
+
+    @classmethod
+    def read(cls, body: Body) -> Samples:
+        samples = (_sample(text, number) for number, text in body.lines if text.strip())
+        return cls(line=body.line, samples=tuple(samples))
+
+    def check_names(self, asked: Iterable[str]) -> None:
+        for each in self.samples:
+            if each.block not in asked:
+                raise refused(each.line, ONE_OF, ", ".join(asked) or "none", value=each.block)
+
+    def check(self, here: Here, trial: Trial) -> None:
+        for each in self.samples:
+            trial.checks += 1
+            with trial.kept():
+                got = here.asked[each.block].verdict(here, each.text, each.line)
+                if got != each.verdict:
+                    raise refused(each.line, OTHER_VERDICT, got, each.verdict)
+
+
+def _sample(text: str, line: int) -> Sample:
+    name, colon, rest = text.partition(":")
+    sample, arrow, verdict = rest.rpartition("->")
+    if not colon or not arrow or not verdict.strip():
+        raise refused(line, A_SAMPLE, value=text.strip()[:60])
+    return Sample(name.strip(), sample.strip(), verdict.strip(), line)

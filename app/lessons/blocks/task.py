@@ -1,0 +1,82 @@
+"""``task``: something to do in the window, in any way."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+
+from app.document.document import Document
+from app.document.settings import set_values
+from app.document.view import PANES, View
+from app.lessons.blocks.block import Asked, Here, Trial
+from app.lessons.lines import LACKS, Body, on_line, refused
+from app.lessons.quantities import Condition
+from app.model.limits import ONE_OF
+from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
+
+NOTHING_TO_DO = QT_TRANSLATE_NOOP("Refusal", "is done before anything was done")
+_PANES = "view.panes="
+
+
+@dataclass(frozen=True, kw_only=True)
+class Task(Asked):
+    """Something to do in the window, in any way.
+
+    Attributes
+    ----------
+    until : tuple of (int, Condition)
+        The task is done when all of them hold of the window; each with its line.
+    done : str
+        Markdown; said then.
+    """
+
+    kind = "task"
+    until: tuple[tuple[int, Condition], ...]
+    done: str
+
+    @classmethod
+    def read(cls, body: Body) -> Task:
+        text, items = body.items("until", "done", "hint")
+        until = items.conditions("until")
+        if not until:
+            raise refused(body.line, LACKS, "“until: CONDITION”")
+        return cls(**cls.fields(body, text, items), until=until, done=items.text("done"))
+
+    def is_done(self, here: Here, now: Document, view: View | None = None) -> bool:
+        """Whether it is done in the window as it stands.
+
+        Raises
+        ------
+        Refusal
+            If a condition has no value there; it names the line.
+        """
+        known = here.quantities(now, view)
+        for line, condition in self.until:
+            with on_line(line, "until"):
+                if not condition.holds(known):
+                    return False
+        return True
+
+    def check(self, here: Here, trial: Trial) -> None:
+        trial.checks += 1
+        if self.is_done(here, here.document):
+            raise refused(self.line, NOTHING_TO_DO)
+
+    def verdict(self, here: Here, sample: str, line: int) -> str:
+        own = here.document
+        with on_line(line):
+            now = _after(own, sample.split())
+        return "done" if self.is_done(here, now) else "open"
+
+
+def _after(document: Document, assignments: Sequence[str]) -> Document:
+    """Set what a sample sets; ``view.panes=world`` is a pane turned by hand, in whatever way."""
+    document = set_values(document, (each for each in assignments if not each.startswith(_PANES)))
+    turned = dict(document.view.panes)
+    for each in assignments:
+        names = each.removeprefix(_PANES) if each.startswith(_PANES) else ""
+        for name in filter(None, names.split(",")):
+            if name not in PANES:
+                raise Refusal("view.panes", name, ONE_OF, ", ".join(PANES))
+            turned[name] = document.projection.camera
+    return replace(document, view=replace(document.view, panes=turned))

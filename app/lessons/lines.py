@@ -1,0 +1,211 @@
+"""The line format of block bodies, and refusals that name their line.
+
+A body is a text, then lines ``key: value``, or choices ``- [x] text``. An indented line continues
+the value above it; a choice or a wrong value may have keys of its own there.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import difflib
+import re
+from collections.abc import Iterator, Sequence
+from typing import NamedTuple
+
+from app.lessons.quantities import Condition
+from app.model.formula import Formula, parse
+from app.model.refusal import QT_TRANSLATE_NOOP, Bound, Refusal
+
+UNEXPECTED = QT_TRANSLATE_NOOP("Refusal", "must be one of {0}, a colon, and its value")
+INDENTED = QT_TRANSLATE_NOOP(
+    "Refusal", "is indented, but there is nothing above that it belongs to"
+)
+LACKS = QT_TRANSLATE_NOOP("Refusal", "needs {0}")
+ONLY_ONCE = QT_TRANSLATE_NOOP("Refusal", "has {0} twice")
+NO_CHOICE = QT_TRANSLATE_NOOP("Refusal", "must begin with “- [x]”, if it is right, or “- [ ]”")
+CANNOT_BE = QT_TRANSLATE_NOOP("Refusal", "cannot be shown: {0}")
+A_NUMBER = QT_TRANSLATE_NOOP("Refusal", "must be a number from {0} to {1}")
+
+Lines = Sequence[tuple[int, str]]
+"""Lines of a file, each with its number from 1."""
+
+
+def refused(line: int, bound: Bound, *limits: object, value: object = ...) -> Refusal:
+    """Make the refusal of a line."""
+    return Refusal.in_document(bound, *limits, field=f"line {line}", value=value)
+
+
+@contextlib.contextmanager
+def on_line(line: int, what: str = "") -> Iterator[None]:
+    """Add the line to a refusal that the model raises, and what stands there (``value``)."""
+    try:
+        yield
+    except Refusal as error:
+        if error.field.startswith("line ") or (error.file is not None and error.file != ""):
+            raise
+        if not error.field and error.value is ...:  # a whole sentence, of a scene or its file
+            raise refused(line, CANNOT_BE, str(error).rstrip(".?")) from error
+        name = what if error.field in ("formula", "condition") and what else error.field
+        raise Refusal.in_document(
+            error.bound,
+            *error.limits,
+            field=f"line {line}, {name}" if name else f"line {line}",
+            value=error.value,
+        ) from error
+
+
+def number_in(text: str, line: int, low: float, high: float) -> float:
+    """Read a number between two bounds."""
+    try:
+        number = float(text)
+    except ValueError:
+        number = -1.0
+    if not low <= number <= high:
+        raise refused(line, A_NUMBER, low, high, value=text)
+    return number
+
+
+class Item(NamedTuple):
+    """A line that begins with a key or is a choice, joined with the lines indented below it.
+
+    Attributes
+    ----------
+    key : str
+        ``choice`` for a choice.
+    about : str
+        The word behind the key (``wrong ABOUT: ...``), or ``x`` for a right choice.
+    text : str
+    line : int
+    below : list of Item
+    """
+
+    key: str
+    about: str
+    text: str
+    line: int
+    below: Sequence[Item] = ()
+
+    def formula(self) -> Formula:
+        """Read the text as a formula."""
+        with on_line(self.line, self.key):
+            return parse(self.text)
+
+
+class Items(tuple[Item, ...]):
+    """The items of a block, by their keys."""
+
+    def single(self, key: str) -> Item | None:
+        """Return the item of a key; refuse a second one."""
+        found = [item for item in self if item.key == key]
+        if len(found) > 1:
+            raise refused(found[1].line, ONLY_ONCE, key)
+        return found[0] if found else None
+
+    def text(self, key: str) -> str:
+        """Return the text of a single key; empty if it is missing."""
+        found = self.single(key)
+        return found.text if found else ""
+
+    def texts(self, key: str) -> tuple[str, ...]:
+        """Return every text of a key that may be repeated."""
+        return tuple(item.text for item in self if item.key == key)
+
+    def conditions(self, key: str) -> tuple[tuple[int, Condition], ...]:
+        """Read every condition of a key, each with its line."""
+        found = []
+        for item in self:
+            if item.key == key:
+                with on_line(item.line, key):
+                    found.append((item.line, Condition.read(item.text)))
+        return tuple(found)
+
+    def sentences(self) -> tuple[tuple[int, str], ...]:
+        """Return everything said to the student that may hold formulas, each with its line."""
+        own = [(item.line, item.text) for item in self if item.key in ("why", "hint", "done")]
+        below = [each for item in self for each in item.below if each.key == "says"]
+        return (*own, *((each.line, each.text) for each in below))
+
+
+class Body(NamedTuple):
+    """A block as its file has it.
+
+    Attributes
+    ----------
+    kind, name : str
+    line : int
+        Of its first line, which names the kind.
+    lines : Lines
+        What stands between its first line and its last.
+    """
+
+    kind: str
+    name: str
+    line: int
+    lines: Lines
+
+    def items(self, *keys: str, choices: bool = False) -> tuple[str, Items]:
+        """Read the text that the body begins with, and the items that follow it.
+
+        Parameters
+        ----------
+        *keys : str
+            Those that may begin a line.
+        choices : bool
+            Whether lines may be choices.
+        """
+        question: list[str] = []
+        items: list[Item] = []
+        for number, text in self.lines:
+            indented = text[:1] in (" ", "\t")
+            choice = _CHOICE.fullmatch(text.rstrip()) if choices and not indented else None
+            key = _KEY.fullmatch(text.strip())
+            if choice:
+                items.append(Item("choice", choice[1].strip().lower(), choice[2].strip(), number))
+            elif indented and items:
+                items[-1] = _continued(items[-1], key, text.strip(), number, keys)
+            elif key and not indented and key[1] in keys:
+                items.append(Item(key[1], (key[2] or "").strip(), key[3].strip(), number))
+            elif not items and not _mistyped(text, keys):
+                question.append(text)
+            elif choices and text.startswith(("-", "*")):
+                raise refused(number, NO_CHOICE, value=text.strip()[:60])
+            elif text.strip():
+                bound = INDENTED if indented else UNEXPECTED
+                raise refused(number, bound, ", ".join(keys), value=text.strip()[:60])
+        asked = "\n".join(question).strip()
+        if not asked:
+            raise refused(self.line, LACKS, "a question or what is to be done")
+        return asked, Items(items)
+
+
+_CHOICE = re.compile(r"[-*]\s+\[([ xX])\]\s+(.*)")
+_KEY = re.compile(r"([a-z]+)(\s+[\w-]+)?:(.*)")
+_WITH_BELOW = ("choice", "wrong")
+_BELOW = ("says", "state")
+
+
+def _continued(
+    last: Item, key: re.Match[str] | None, text: str, number: int, keys: Sequence[str]
+) -> Item:
+    """Return the last item with an indented line more."""
+    has_own = last.key in _WITH_BELOW
+    if has_own and key and key[1] in _BELOW:
+        return last._replace(below=[*last.below, Item(key[1], "", key[3].strip(), number)])
+    if _mistyped(text, (*_BELOW, *keys)):
+        bound = UNEXPECTED if has_own else INDENTED
+        raise refused(number, bound, ", ".join(_BELOW), value=text[:60])
+    if last.below:
+        further = last.below[-1]
+        further = further._replace(text=f"{further.text} {text}".strip())
+        return last._replace(below=[*last.below[:-1], further])
+    return last._replace(text=f"{last.text} {text}".strip())
+
+
+def _mistyped(text: str, keys: Sequence[str]) -> bool:
+    """Whether a line that need not begin with a key seems to be meant as one."""
+    found = re.match(r"([A-Za-z]+)(\s+[\w-]+)?\s*:", text)
+    if found is None:
+        return False
+    near = difflib.get_close_matches(found[1].lower(), keys, n=1, cutoff=0.8)
+    # Only `wrong` has a word behind it: “Check this:” is a sentence.
+    return bool(near) and near[0][0] == text[0].lower() and (not found[2] or near[0] == "wrong")

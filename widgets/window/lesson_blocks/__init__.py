@@ -1,0 +1,28 @@
+"""The views of the blocks that ask something: one file each, and this table."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from app.lessons.blocks.answer import Answer
+from app.lessons.blocks.block import Part
+from app.lessons.blocks.choices import Choices
+from app.lessons.blocks.predict import Predict
+from app.lessons.blocks.task import Task
+from app.lessons.course import AtStep
+from widgets.window.lesson_blocks.choices import Chooses
+from widgets.window.lesson_blocks.number import Types
+from widgets.window.lesson_blocks.task import Tries
+from widgets.window.lesson_blocks.view import BlockView
+
+VIEWS: dict[type[Part], Callable[..., BlockView]] = {
+    Predict: Chooses,
+    Choices: Chooses,
+    Answer: Types,
+    Task: Tries,
+}
+
+
+def view_of(here: AtStep, block: Part) -> BlockView:
+    """Make the view of a block that asks something."""
+    return VIEWS[type(block)](here, block)

@@ -1,0 +1,171 @@
+"""A question with choices, in its frame."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import QEvent, QObject, Qt
+from PySide6.QtGui import QKeyEvent, QPainter, QPaintEvent, QPen
+from PySide6.QtWidgets import QButtonGroup, QRadioButton, QWidget
+
+from app.lessons.blocks.choices import Choices
+from app.lessons.course import AtStep
+from app.lessons.text import plain_of
+from app.model.refusal import Refusal
+from widgets.parts.layouts import TOP, in_row
+from widgets.parts.lesson_text import LessonText
+from widgets.window.lesson_blocks.view import BlockView, Sign, button
+
+
+class _Choice(QWidget):
+    """A radio button whose text may hold formulas."""
+
+    def __init__(self, text: str) -> None:
+        super().__init__()
+        self.button = QRadioButton()
+        self.button.setAccessibleName(plain_of(text))
+        self.button.installEventFilter(self)
+        self._text = LessonText(text)
+        self._text.setTextInteractionFlags(Qt.TextInteractionFlag.NoTextInteraction)
+        self._text.viewport().installEventFilter(self)
+        self._sign = Sign("", "")
+        self._sign.hide()
+        parts = (self.button, TOP), (self._text, 1), (self._sign, TOP)
+        in_row(*parts, on=self, margins=(3, 2, 3, 2), gap=5)
+
+    def mark(self, icon: str, said: str) -> None:
+        """Mark it as the right one, or as the one that was chosen."""
+        self._sign.show_icon(icon, said)
+        self._sign.show()
+        self.button.setAccessibleDescription(said)
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        kind = event.type()
+        if watched is self.button and kind in (QEvent.Type.FocusIn, QEvent.Type.FocusOut):
+            self.update()
+        elif kind == QEvent.Type.MouseButtonPress and watched is not self.button:
+            if self.button.isEnabled():
+                self.button.setFocus(Qt.FocusReason.MouseFocusReason)
+                self.button.click()
+            return True
+        return super().eventFilter(watched, event)
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        super().paintEvent(event)
+        if self.button.hasFocus():
+            painter = QPainter(self)
+            painter.setPen(QPen(self.palette().highlight().color(), 1))
+            painter.drawRoundedRect(self.rect().adjusted(0, 0, -1, -1), 3, 3)
+            painter.end()
+
+
+_ARROWS: dict[int, int] = {
+    Qt.Key.Key_Down: 1,
+    Qt.Key.Key_Right: 1,
+    Qt.Key.Key_Up: -1,
+    Qt.Key.Key_Left: -1,
+}
+
+
+class Chooses(BlockView):
+    """Choices: a prediction is made once; an answer may be tried again."""
+
+    def __init__(self, here: AtStep, question: Choices) -> None:
+        super().__init__(here, question)
+        self.question = question
+        self._column.addWidget(LessonText(question.text))
+        self._choices = [_Choice(choice.text) for choice in question.replies]
+        self._group = QButtonGroup(self)
+        for number, choice in enumerate(self._choices):
+            self._group.addButton(choice.button, number)
+            choice.button.installEventFilter(self)
+            self._column.addWidget(choice)
+        self._column.addLayout(self._said)
+        name, tip = self.tr("Chec&k"), self.tr("Enter")
+        if not question.retries:
+            name, tip = self.tr("&Commit"), self.tr("This is my prediction (Enter)")
+        self._commit = button(name, tip, self.commit)
+        self._commit.setEnabled(False)
+        self._column.addWidget(self._commit)
+        self._group.idToggled.connect(lambda *_: self._commit.setEnabled(self.is_open))
+
+    @property
+    def first(self) -> QWidget | None:
+        return self._group.checkedButton() or self._choices[0].button
+
+    def restore(self, answer: str) -> None:
+        number = int(answer) - 1 if answer.isdecimal() else -1
+        if 0 <= number < len(self._choices):
+            self._choices[number].button.setChecked(True)
+            self.answer = answer
+            self._show_verdict(number, shows=False)
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        if isinstance(event, QKeyEvent) and event.type() == QEvent.Type.KeyPress:
+            step = _ARROWS.get(event.key(), 0)
+            if step:  # Qt would only move the focus while none is chosen
+                buttons = self._group.buttons()
+                at = next(at for at, button in enumerate(buttons) if button is watched)
+                there = buttons[(at + step) % len(buttons)]
+                there.setChecked(True)
+                there.setFocus(Qt.FocusReason.OtherFocusReason)
+                return True
+        return super().eventFilter(watched, event)
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        if event.key() in (Qt.Key.Key_Return, Qt.Key.Key_Enter) and self.is_open:
+            self.commit()
+        else:
+            super().keyPressEvent(event)
+
+    def commit(self) -> None:
+        """Take the choice that is made as the answer."""
+        number = self._group.checkedId()
+        if number < 0:
+            text = self.tr("Choose one first: with the arrow keys, or a click.")
+            self._warn(text)
+            self._announce(text)
+            return
+        settles = number == self.question.right or not self.question.retries
+        if settles:
+            self.answer = str(number + 1)
+        self._show_verdict(number, shows=True)
+        if settles:
+            self.settled.emit(self.answer)
+
+    def _show_verdict(self, number: int, *, shows: bool) -> None:
+        question, right = self.question, self.question.right
+        self._hush()
+        try:
+            verdict = question.chosen(self.here, number)
+            show = question.show and self.here.shown_by(question.show)
+        except Refusal as error:
+            self._refuse(error)
+            return
+        if not self.is_open:
+            for choice in self._choices:
+                choice.button.setEnabled(False)
+            self._commit.hide()
+            self._choices[right].mark("check", self.tr("The model says so"))
+        if verdict.right:
+            self._praise(verdict)
+            show = show or verdict.state
+        elif question.retries:
+            self._refute(verdict)
+        else:
+            self._choices[number].mark("close", self.tr("You said so"))
+            said = self.tr("You said {0}; the model says {1}.").format(
+                *(_quoted(question.replies[each].text) for each in (number, right))
+            )
+            self._refute(verdict, said)
+            self._say("check", "", question.why)
+        if show is not None and not question.retries:
+            self._offer_state(
+                show, self.tr("Show what happens"), self.tr("Show the model's answer once more")
+            )
+            if shows:
+                self.show_wanted.emit(show)
+
+
+def _quoted(text: str) -> str:
+    """Put a choice inside a sentence: more than a number needs quotes to show its end."""
+    text = text.rstrip(".")
+    return f"“{text}”" if " " in text else text

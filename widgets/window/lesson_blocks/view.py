@@ -1,0 +1,205 @@
+"""The frame of a block that asks something: its text, what is said to the answer, its hints.
+
+::
+
+    an answer counts, or a task is seen done -> view.settled(answer) -> the card keeps it
+    "Show it" -> view.show_wanted(document) -> the window
+
+A view that gets the earlier answer looks as the student left it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from functools import partial
+
+from PySide6.QtCore import QRect, Signal
+from PySide6.QtGui import (
+    QAccessible,
+    QAccessibleAnnouncementEvent,
+    QPainter,
+    QPaintEvent,
+    QPen,
+)
+from PySide6.QtWidgets import QFrame, QPushButton, QSizePolicy, QWidget
+
+from app.document.document import Document
+from app.document.view import View
+from app.lessons.blocks.block import Asked
+from app.lessons.blocks.question import Verdict
+from app.lessons.course import AtStep
+from app.lessons.text import escaped, plain_of
+from app.model.refusal import Refusal
+from widgets.parts.buttons import push_button
+from widgets.parts.icons import paint_icon
+from widgets.parts.layouts import FREE, TOP, Part, in_column, in_row
+from widgets.parts.lesson_text import LessonText
+from widgets.parts.messages import sentence
+from widgets.parts.plain import set_tip
+
+SIGN_EM = 1.15
+"""Side of a sign, in heights of the letters beside it."""
+
+
+class Sign(QWidget):
+    """An icon beside a text, or an empty box for what is still to be done."""
+
+    def __init__(self, icon: str, said: str) -> None:
+        super().__init__()
+        self._icon = ""
+        self.show_icon(icon, said)
+        side = round(SIGN_EM * self.fontMetrics().height())
+        self.setFixedSize(side, side)
+
+    def show_icon(self, icon: str, said: str) -> None:
+        """Show another icon; empty for the box."""
+        self._icon = icon
+        self.setAccessibleName(said)
+        set_tip(self, said)
+        self.update()
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        painter, side = QPainter(self), self.fontMetrics().height()
+        if self._icon:
+            paint_icon(painter, QRect(0, 1, side, side), self._icon)
+        else:
+            painter.setPen(QPen(self.palette().color(self.foregroundRole()), 1.4))
+            painter.drawRect(QRect(2, 3, side - 5, side - 5))
+        painter.end()
+
+
+class BlockView(QFrame):
+    """A block that asks something, in a frame; what is said to the answer comes below."""
+
+    settled = Signal(str)
+    """The block is answered: the answer."""
+    show_wanted = Signal(object)
+    """A `Document` that shows something of it."""
+    spoke = Signal()
+    """Something was said to the answer."""
+
+    def __init__(self, here: AtStep, block: Asked) -> None:
+        super().__init__()
+        self.setObjectName("asked")
+        self.here, self.block = here, block
+        self.answer = ""
+        self.hints = list(block.hints)
+        """Those that were not given yet."""
+        self.setAccessibleName(plain_of(block.text))
+        self._column = in_column(on=self, margins=(9, 7, 9, 8), gap=5)
+        self.said: list[QWidget] = []
+        """What is said to the answer, from the top."""
+        self._said = in_column(gap=4)
+
+    @property
+    def is_open(self) -> bool:
+        """Whether there is something to do yet."""
+        return not self.answer
+
+    @property
+    def holds(self) -> bool:
+        """Whether the step goes on only when it is answered."""
+        return self.block.holds and self.is_open
+
+    @property
+    def first(self) -> QWidget | None:
+        """Return the widget that the keyboard begins with."""
+        return None
+
+    def restore(self, answer: str) -> None:
+        """Look as the student left it with an answer."""
+
+    def look(self, document: Document, view: View) -> None:
+        """See what of it is done in the window as it stands."""
+
+    def give_hint(self) -> None:
+        """Say the next hint."""
+        if self.hints:
+            count = len(self.block.hints) - len(self.hints) + 1
+            many = len(self.block.hints) > 1
+            head = self.tr("Hint {0}:").format(count) if many else self.tr("Hint:")
+            text = f"*{head}* {self.hints.pop(0)}"
+            self._column.insertWidget(self._column.indexOf(self._said), _row("help", "", text))
+            self._announce(text)
+
+    # -- what is said to the answer
+
+    def _settle(self, answer: str) -> None:
+        self.answer = answer
+        self.settled.emit(answer)
+
+    def _hush(self) -> None:
+        """Remove what was said to the answer before."""
+        for widget in self.said:
+            self._said.removeWidget(widget)
+            widget.hide()
+            widget.deleteLater()
+        self.said.clear()
+
+    def _say(self, icon: str, sign: str, text: str) -> None:
+        if text:
+            self._add(_row(icon, sign, text))
+
+    def _warn(self, text: str) -> None:
+        """Say only that something is missing or wrong."""
+        self._hush()
+        self._say("warning", "", text)
+
+    def _refuse(self, error: Refusal) -> None:
+        self._warn(escaped(sentence(error)))
+
+    def _add(self, widget: QWidget) -> None:
+        self.said.append(widget)
+        self._said.addWidget(widget)
+
+    def _offer(self, name: str, tip: str, act: Callable[[], object]) -> None:
+        indent = round(1.4 * self.fontMetrics().height())
+        self._add(on_holder(indent, button(name, tip, act), FREE, gap=0))
+
+    def _offer_state(self, document: Document | None, name: str, tip: str) -> None:
+        if document is not None:
+            self._offer(name, tip, partial(self.show_wanted.emit, document))
+
+    def _praise(self, verdict: Verdict) -> None:
+        self._say("check", self.tr("Right"), verdict.says or self.tr("Right."))
+        self._announce(self.tr("Right."), verdict.says)
+
+    def _refute(self, verdict: Verdict, head: str = "") -> None:
+        """Name the wrong idea, say what is against it, and offer what shows it."""
+        idea = self.here.idea(verdict.idea)
+        if idea is not None:
+            behind = self.tr("The idea behind it: “{0}”.").format(idea.title.rstrip("."))
+            head = f"{head} {behind}".strip()
+        self._say("close", self.tr("Not so"), head or self.tr("That is not it."))
+        self._say("", "", verdict.says)
+        self._offer_state(
+            verdict.state, self.tr("Sho&w it"), self.tr("Show a state in which it is seen (Alt+W)")
+        )
+        self._announce(head, verdict.says)
+
+    def _announce(self, *texts: str) -> None:
+        self.spoke.emit()
+        said = plain_of(" ".join(texts))
+        QAccessible.updateAccessibility(QAccessibleAnnouncementEvent(self, said))
+
+
+def _row(icon: str, sign: str, text: str) -> QWidget:
+    """Put a text behind its sign; without a sign as far to the right."""
+    said = LessonText(text)
+    indent = round(SIGN_EM * said.fontMetrics().height())
+    return on_holder((Sign(icon, sign), TOP) if icon else indent, (said, 1), gap=4)
+
+
+def on_holder(*parts: Part, gap: int) -> QWidget:
+    """Put parts side by side on one widget."""
+    holder = QWidget()
+    in_row(*parts, on=holder, margins=(0, 0, 0, 0), gap=gap)
+    return holder
+
+
+def button(name: str, tip: str, act: Callable[[], object]) -> QPushButton:
+    """Make a button that Enter presses, as wide as its text."""
+    made = push_button(name, tip, lambda _checked=False: act())
+    made.setAutoDefault(True)
+    made.setSizePolicy(QSizePolicy.Policy.Maximum, QSizePolicy.Policy.Fixed)
+    return made

@@ -1,0 +1,87 @@
+"""The neighbours of a talk's step, prepared while the speaker speaks."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from PySide6.QtCore import QObject, QTimer, Signal
+
+from app.lecture.notation import matrices
+from app.lessons.course import scene_of
+from app.lessons.lesson import Step
+from app.model.refusal import Refusal
+from widgets.parts.lesson_text import set_text
+from widgets.parts.panel import Shown
+from widgets.parts.plain import TextDocument
+from widgets.window.lessons import TRANSITION_S, Lessons
+from widgets.window.look import Look
+
+REST_MS = round(1000 * TRANSITION_S) + 150
+"""Delay after a step before the next one is prepared: nobody waits for it."""
+
+
+class Ahead(QObject):
+    """Prepares the next step and the one before, in pieces between Qt's events."""
+
+    done = Signal()
+    """Everything but the speaker's picture of the next step is prepared."""
+
+    def __init__(self, lessons: Lessons, look: Look, parent: QObject) -> None:
+        super().__init__(parent)
+        self._lessons, self._look = lessons, look
+        self._rest = QTimer(self, singleShot=True, interval=REST_MS)
+        self._rest.timeout.connect(self._begin)
+        self._slice = QTimer(self, singleShot=True, interval=0)
+        self._slice.timeout.connect(self._go_on)
+        self._work: Iterator[None] = iter(())
+
+    def begin_later(self) -> None:
+        """Stop, and begin for the step that is shown now."""
+        self._slice.stop()
+        self._rest.start()
+
+    def forget(self) -> None:
+        """Stop, and drop what was prepared."""
+        self._slice.stop()
+        self._look.forget_ahead()
+
+    def _begin(self) -> None:
+        self._work = self._pieces()
+        self._slice.start()
+
+    def _go_on(self) -> None:
+        """Do a piece, and the next one when Qt has nothing else to do."""
+        if self._lessons.is_moving:
+            self._rest.start()
+        elif next(self._work, self) is None:
+            self._slice.start()
+
+    def _pieces(self) -> Iterator[None]:
+        """Prepare what the neighbours show; what is wrong with them is said when they come."""
+        course, place = self._lessons.course, self._lessons.place
+        if course is None:
+            return
+        steps, scenes = course.lesson.steps, []
+        for number in (place + 1, place - 1):
+            if not 0 <= number < len(steps):
+                continue
+            for text in _texts_of(steps[number]):
+                set_text(TextDocument(), text)
+                yield
+            try:
+                document = course.shown(number).document
+                scenes.append(Shown.of(document, scene_of(document)))
+            except Refusal:
+                continue
+            yield
+            if document.view.panel == "matrices":  # its formulas are typeset once
+                matrices(document.projection, document.view.letters)
+                yield
+        yield from self._look.ahead(scenes)
+        self.done.emit()
+
+
+def _texts_of(step: Step) -> Iterator[str]:
+    """Yield the texts of a step that may hold formulas."""
+    yield step.title
+    yield from (part.text for part in step.parts)

@@ -1,0 +1,164 @@
+"""The keys of a talk: what clickers send, digits for a step, the size of the notes.
+
+They belong to the talk in the main window while it is presented, and always in the speaker's
+window; elsewhere they have other meanings.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from functools import partial
+
+from PySide6.QtCore import QEvent, QObject, Qt, QTimer, Signal
+from PySide6.QtGui import QKeyEvent, QWindow
+from PySide6.QtWidgets import (
+    QAbstractSpinBox,
+    QApplication,
+    QLineEdit,
+    QMainWindow,
+    QPlainTextEdit,
+    QTextEdit,
+    QWidget,
+)
+
+from widgets.window.lessons import Lessons
+from widgets.window.present import Present
+from widgets.window.speaker import SpeakerWindow
+
+TYPED_MS = 3000
+"""How long digits wait for another one, or for Enter."""
+MOST_DIGITS = 4
+AGAIN_KEY = Qt.Key.Key_F7
+_KEYS = Qt.Key
+_DIGITS = {Qt.Key(_KEYS.Key_0.value + digit): str(digit) for digit in range(10)}
+_ENTER = (_KEYS.Key_Return, _KEYS.Key_Enter)
+_LARGER = {_KEYS.Key_Plus: 1, _KEYS.Key_Equal: 1, _KEYS.Key_Minus: -1}
+"""With Ctrl: the speaker's notes."""
+_IN_FIELDS = (_KEYS.Key_PageDown, _KEYS.Key_PageUp, AGAIN_KEY)
+"""Keys of the talk even while somebody types into a field."""
+
+
+class TalkKeys(QObject):
+    """Takes the keys of a talk before Qt gives them to a widget.
+
+    Attributes
+    ----------
+    speaker : SpeakerWindow or None
+        While it is open.
+    """
+
+    next = Signal()
+    previous = Signal()
+    reveal = Signal()
+    jump = Signal(int)
+    """The number of a step, from 1."""
+    typing = Signal(str)
+    """The digits typed so far; empty once they are forgotten."""
+    larger = Signal(int)
+    """Steps by which the notes are enlarged."""
+
+    def __init__(
+        self, window: QMainWindow, lessons: Lessons, present: Present, parent: QObject
+    ) -> None:
+        super().__init__(parent)
+        self._window, self._present = window, present
+        self.speaker: SpeakerWindow | None = None
+        self._is_on = self._listens = False
+        self._digits = ""
+        self._typed = QTimer(self, singleShot=True, interval=TYPED_MS)
+        self._typed.timeout.connect(self.forget)
+        self._acts: dict[Qt.Key, Callable[[], object]] = {
+            _KEYS.Key_W: present.swap,
+            _KEYS.Key_PageDown: self.next.emit,
+            _KEYS.Key_PageUp: self.previous.emit,
+            _KEYS.Key_V: self.reveal.emit,
+            AGAIN_KEY: lessons.come_back,
+        }
+
+    def listen(self, is_on: bool, speaker: SpeakerWindow | None) -> None:
+        """Take the keys while a talk is presented, or its speaker's window is open."""
+        self._is_on, self.speaker = is_on, speaker
+        listens = is_on or speaker is not None
+        application = QApplication.instance()
+        assert application is not None
+        if listens and not self._listens:
+            application.installEventFilter(self)
+        elif self._listens and not listens:
+            application.removeEventFilter(self)
+        self._listens = listens
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        kind = event.type()
+        if kind != QEvent.Type.KeyPress and kind != QEvent.Type.ShortcutOverride:
+            return False
+        assert isinstance(event, QKeyEvent)
+        act = self._act(watched, event)
+        if act is None:
+            return False
+        event.accept()
+        if kind == QEvent.Type.KeyPress:
+            act()
+        return True
+
+    def _act(self, watched: QObject, event: QKeyEvent) -> Callable[[], object] | None:
+        """Return what a key does for the talk; None if it is not a key of the talk here."""
+        top = self._top_of(watched)
+        is_of_speaker = self.speaker is not None and top is self.speaker
+        is_ours = is_of_speaker or (self._is_on and top is self._window)
+        if not is_ours or QApplication.activeModalWidget() or QApplication.activePopupWidget():
+            return None
+        key, held = Qt.Key(event.key()), event.modifiers() & ~Qt.KeyboardModifier.KeypadModifier
+        if is_of_speaker and held & Qt.KeyboardModifier.ControlModifier and key in _LARGER:
+            return partial(self.larger.emit, _LARGER[key])
+        if held or (_is_typed_in() and key not in _IN_FIELDS):
+            return None
+        if key in _DIGITS:
+            return partial(self._type, _DIGITS[key])
+        if key in _ENTER and self._digits:
+            return self._enter
+        if key == _KEYS.Key_Escape and self._digits:
+            return self.forget
+        if key == _KEYS.Key_Escape and is_of_speaker and self._present.is_on:
+            return self._present.leave
+        if key in (_KEYS.Key_Period, _KEYS.Key_B) and self._present.is_on:
+            return self._present.blank
+        return self._acts.get(key)
+
+    def _top_of(self, watched: QObject) -> QWidget | None:
+        """Return the window of an object; a floating pane belongs to the main window."""
+        if isinstance(watched, QWindow):
+            tops = (self._window, self.speaker)
+            return next((top for top in tops if top and top.windowHandle() is watched), None)
+        if not isinstance(watched, QWidget):
+            return None
+        top = watched.window()
+        is_afloat = top is not self.speaker and top.parentWidget() is self._window
+        return self._window if is_afloat else top
+
+    def _type(self, digit: str) -> None:
+        self._digits = (self._digits + digit)[-MOST_DIGITS:]
+        self.typing.emit(self._digits)
+        self._typed.start()
+
+    def _enter(self) -> None:
+        number = int(self._digits)
+        self.forget()
+        self.jump.emit(number)
+
+    def forget(self) -> None:
+        """Forget the digits."""
+        self._typed.stop()
+        self._digits = ""
+        self.typing.emit("")
+
+    def forget_later(self) -> None:
+        """Forget the digits, and let what was said be forgotten after a while."""
+        self._digits = ""
+        self._typed.start()
+
+
+def _is_typed_in() -> bool:
+    field = QApplication.focusWidget()
+    if isinstance(field, (QTextEdit, QPlainTextEdit)):
+        return not field.isReadOnly()
+    return isinstance(field, (QLineEdit, QAbstractSpinBox))

@@ -1,0 +1,135 @@
+"""The window's state written as a step of a lesson's file, or as the first step of a new talk."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from PySide6.QtCore import QObject
+from PySide6.QtWidgets import (
+    QCheckBox,
+    QDialog,
+    QDialogButtonBox,
+    QLineEdit,
+    QMainWindow,
+    QVBoxLayout,
+    QWidget,
+)
+
+from app.document.document import Document
+from app.document.store import Store
+from app.lessons.lesson import Lesson
+from app.lessons.writing import add_step, begin_talk
+from app.model.refusal import Refusal
+from widgets.parts.message_bar import MessageBar
+from widgets.parts.messages import sentence
+from widgets.parts.plain import Label, set_tip
+from widgets.parts.saving import ask_where
+from widgets.window.lessons import Lessons
+
+SAID_MS = 3000
+
+
+class TalkWriter(QObject):
+    """Writes what the window shows into a lesson's file."""
+
+    def __init__(
+        self, window: QMainWindow, lessons: Lessons, store: Store, messages: MessageBar
+    ) -> None:
+        super().__init__(window)
+        self._window, self._lessons = window, lessons
+        self._store, self._messages = store, messages
+
+    def add_state(self) -> None:
+        """Ask for a title, and write what is shown into the open file as another step."""
+        lesson = self._lessons.lesson
+        if lesson is None or self._is_gone(lesson):
+            return
+        found = self._ask_title(self.tr("Add this state as a step"), "", self._store.seen)
+        if found is not None:
+            self.write_step(*found)
+
+    def _is_gone(self, lesson: Lesson) -> bool:
+        """Say that the file is missing, if it is."""
+        if lesson.path.exists():
+            return False
+        text = self.tr(
+            "{0} is not in its folder any more, and no step was added: put the file back, or"
+            " choose “A new talk from here” in the Lessons menu."
+        )
+        self._messages.say(text.format(lesson.path.name))
+        return True
+
+    def write_step(self, title: str, panes: bool) -> bool:
+        """Write what is shown into the open file as another step; False if that fails."""
+        lesson, step = self._lessons.lesson, self._lessons.step
+        assert lesson is not None and step is not None
+        if self._is_gone(lesson):
+            return False
+        try:
+            added = add_step(lesson.path, step.name, title, self._store.seen, panes=panes)
+        except Refusal as error:
+            self._messages.say(sentence(error))
+            return False
+        self._messages.done()
+        self._lessons.read_again(added.name)
+        text = self.tr("Added as step {0} of {1}").format(added.place + 1, lesson.path.name)
+        self._window.statusBar().showMessage(text, SAID_MS)
+        return True
+
+    def begin_new(self) -> None:
+        """Ask for a file, and begin a talk there with what is shown."""
+        kinds, name = self.tr("Talks and lessons (*.md)"), self.tr("A new talk from here")
+        path = ask_where(self._window, name, "talk.md", kinds, ".md")
+        found = self._ask_title(name, Path(path).stem, self._store.seen) if path else None
+        if found is not None:
+            self.write_talk(Path(path), *found)
+
+    def write_talk(self, path: Path, title: str, panes: bool) -> bool:
+        """Begin a talk with what is shown, and open it; False if that fails."""
+        try:
+            begin_talk(path, title, self._store.seen, panes=panes)
+        except Refusal as error:
+            self._messages.say(sentence(error))
+            return False
+        return self._lessons.open(path)
+
+    def _ask_title(self, name: str, title: str, document: Document) -> tuple[str, bool] | None:
+        dialog = TitleDialog(name, title, bool(document.view.panes), self._window)
+        if dialog.exec() != QDialog.DialogCode.Accepted:
+            return None
+        return dialog.field.text(), dialog.panes.isChecked()
+
+
+class TitleDialog(QDialog):
+    """Asks for the title of a step.
+
+    Parameters
+    ----------
+    name, title : str
+        Of the dialog, and the proposed title of the step.
+    turned : bool
+        Whether a pane was turned: then the dialog offers to keep that.
+    parent : QWidget
+    """
+
+    def __init__(self, name: str, title: str, turned: bool, parent: QWidget) -> None:
+        super().__init__(parent)
+        self.setWindowTitle(name)
+        label = Label(self.tr("&Title of the step"))
+        self.field = QLineEdit(title)
+        self.field.setMinimumWidth(24 * self.fontMetrics().averageCharWidth())
+        label.setBuddy(self.field)
+        self.panes = QCheckBox(self.tr("With the &panes turned as they are"))
+        set_tip(self.panes, self.tr("Then the state is a document beside the file"))
+        self.panes.setVisible(turned)
+        buttons = QDialogButtonBox(
+            QDialogButtonBox.StandardButton.Ok | QDialogButtonBox.StandardButton.Cancel
+        )
+        buttons.accepted.connect(self.accept)
+        buttons.rejected.connect(self.reject)
+        layout = QVBoxLayout(self)
+        for widget in (label, self.field, self.panes, buttons):
+            layout.addWidget(widget)
+        ok = buttons.button(QDialogButtonBox.StandardButton.Ok)
+        ok.setEnabled(bool(title.strip()))
+        self.field.textChanged.connect(lambda text: ok.setEnabled(bool(text.strip())))
