@@ -58,7 +58,7 @@ def surface_of(window: MainWindow) -> np.ndarray:
 
 
 def words(window: MainWindow) -> str:
-    """In what the pictures differ, as it is said."""
+    """The text about the differences."""
     return str(window.comparing.pictures.words.toolTip())
 
 
@@ -86,7 +86,7 @@ def test_the_held_picture_is_left_of_the_divider_and_the_live_one_right(window: 
 
 def test_what_differs_is_said_in_words(window: MainWindow) -> None:
     hold(window)
-    assert words(window) == "Held | Now:  nothing differs yet: change something"
+    assert words(window) == "Held | Now:  no difference yet: change something"
     change(window, near=8.0, fov_y_deg=60.0)
     assert words(window) == "Held | Now:  field of view 45° → 60°, near 4 → 8"
     window.store.set_projection(seen(window, image_size=(720, 720)))
@@ -279,7 +279,7 @@ def test_pictures_of_two_sizes_are_fitted_and_a_pane_without_room_is_no_harm(
     window.store.set_projection(seen(window, image_size=(400, 800)))
     settle()
     assert words(window).endswith(
-        "image 1280 × 720 → 400 × 800, of two shapes: side by side, of one height"
+        "image 1280 × 720 → 400 × 800, different shapes: side by side, at equal heights"
     )
     assert compare.words.text() == words(window), "two lines are enough for that"
     assert not compare.handles[0].isVisible() and not compare.way.isEnabled()

@@ -290,7 +290,7 @@ def test_an_invisible_vertex_hides_the_cursor(window: MainWindow) -> None:
     press(KEY.Key_Return)
     assert window.probe_panel.probes == () and not window.store.in_gesture
     press(KEY.Key_PageDown)
-    assert said(window, "image") == "No other vertex is seen"
+    assert said(window, "image") == "No other vertex is visible"
     window.store.undo()
     settle()
     press(KEY.Key_PageDown)
@@ -448,16 +448,16 @@ def test_the_cursor_says_that_there_is_no_handle(window: MainWindow, heard: list
     settle()
     go_to(window, "world")
     press(KEY.Key_PageDown, SHIFT)
-    assert heard[-1] == said(window) == "There is nothing else to take hold of"
+    assert heard[-1] == said(window) == "There is nothing else to drag"
     assert ring(window) is None
     press(KEY.Key_PageDown)
     assert said(window).startswith("Vertex (") and ring(window) is not None
     go_to(window, "ndc")
     press(KEY.Key_PageUp, SHIFT)
-    assert said(window, "ndc") == "There is nothing else to take hold of"
+    assert said(window, "ndc") == "There is nothing else to drag"
     press(KEY.Key_PageDown)
     press(KEY.Key_Return)
-    assert said(window, "ndc") == "There is nothing to take hold of at this place"
+    assert said(window, "ndc") == "There is nothing to drag here"
     assert not window.store.in_gesture
 
 
@@ -468,7 +468,7 @@ def test_the_cursor_says_that_no_vertex_is_visible(window: MainWindow) -> None:
     for name in ("ndc", "image"):
         go_to(window, name)
         press(KEY.Key_PageDown)
-        assert said(window, name) == "No other vertex is seen" and ring(window, name) is None
+        assert said(window, name) == "No other vertex is visible" and ring(window, name) is None
         press(KEY.Key_Space)
         assert window.probe_panel.probes == ()
 

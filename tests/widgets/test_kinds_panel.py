@@ -95,7 +95,7 @@ def test_l12_every_node_is_reached_and_set_by_the_keyboard(window: MainWindow) -
     panel.nodes["top"].setFocus()
     QTest.keyClick(panel.nodes["top"], Qt.Key.Key_Return)
     assert lit(window) == ["top"]
-    assert "the picture is so now" in panel.nodes["top"].accessibleDescription()
+    assert "the picture is of this kind now" in panel.nodes["top"].accessibleDescription()
 
 
 def test_l12_no_name_is_cut_and_no_node_covers_another(window: MainWindow) -> None:

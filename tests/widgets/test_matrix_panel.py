@@ -281,15 +281,15 @@ def test_a_cell_says_what_it_does(panel: MatrixPanel) -> None:
         ("view_from_world", 0, 3, "It shifts x by"),
         ("clip_from_view", 0, 0, "It scales x by"),
         ("clip_from_view", 0, 2, "times z to x: a shear"),
-        ("clip_from_view", 3, 2, "It makes w the distance"),
+        ("clip_from_view", 3, 2, "It makes w, the divisor, the distance −z"),
         ("clip_from_view", 2, 3, "before the divide"),
-        ("clip_from_view", 1, 0, "x has no part in y"),
-        ("image_from_ndc", 1, 1, "turns it round"),
-        ("clip_from_depth_range", 3, 3, "It scales w, by which all is divided, by 40."),
+        ("clip_from_view", 1, 0, "y does not depend on x."),
+        ("image_from_ndc", 1, 1, "reverses its direction"),
+        ("clip_from_depth_range", 3, 3, "It scales w, the divisor, by 40."),
         ("view_from_world", 3, 3, "It keeps w."),
-        ("clip_from_view", 3, 3, "The w that comes in has no part in w."),
-        ("clip_from_world", 3, 2, "times z to w, by which all is divided"),
-        ("clip_from_world", 3, 3, " to w, by which all is divided"),
+        ("clip_from_view", 3, 3, "w does not depend on the incoming w."),
+        ("clip_from_world", 3, 2, "times z to w, the divisor"),
+        ("clip_from_world", 3, 3, " to w, the divisor"),
         ("clip_from_view", 2, 2, "It depends on: Far, Near, Depth range."),
         ("clip_from_view", 3, 2, "It depends on no control."),
     ):
@@ -668,7 +668,7 @@ def test_a_note_says_what_a_free_matrix_does(
     assert title(panel, "view_from_world") == "view ← world"
     type_cell(panel, qtbot, "clip_from_view", 3, 3, "1")
     (clip,) = (matrix for matrix in panel.shown if matrix.name == "clip_from_view")
-    assert "It adds 1 times the w that comes in to w" in panel.sentence(clip, 3, 3)
+    assert "It adds 1 times the incoming w to w" in panel.sentence(clip, 3, 3)
     assert "It adds −1 times z to w" in panel.sentence(clip, 3, 2)
     type_cell(panel, qtbot, "view_from_world", 0, 0, "-3")
     assert "mirrored: it turns right-handed space into left-handed" in notes(

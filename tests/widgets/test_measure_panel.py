@@ -220,16 +220,16 @@ def test_it_waits_while_a_control_is_dragged(panel: MeasurePanel, qtbot: QtBot) 
     panel.begin_gesture()
     panel.choose("depth")
     panel.run()
-    assert panel.progress.format() == "waits"
+    assert panel.progress.format() == "paused"
     with qtbot.assertNotEmitted(panel.measuring.finished, wait=0):
         process_of(panel).waitForFinished(2500)  # longer than it takes where nothing holds it up
         assert panel.measuring.running
     panel.begin_gesture()
     panel.end_gesture()
-    assert panel.progress.format() == "waits"
+    assert panel.progress.format() == "paused"
     with qtbot.waitSignal(panel.measuring.finished):
         panel.end_gesture()
-    assert panel.progress.format() != "waits"
+    assert panel.progress.format() != "paused"
     assert panel.measured["depth"].complete
 
 
@@ -442,7 +442,7 @@ def test_an_unusable_choice_is_in_italics_and_says_why(panel: MeasurePanel, tmp_
         panel.table.cellClicked.emit(row, 0)
     assert names == ["MSAA 2", f"{winner} (measured only)", "PyGLM"]
     assert italics == [False, True, True]
-    assert greys == [True, False, False], "only the first is beaten by another one in both"
+    assert greys == [True, False, False], "only the first is worse than another one in both"
     assert tips[0] == ""
     assert tips[1] == "supersampling 3 x 3 is measured only: the panes are not drawn with it."
     assert tips[2].splitlines()[0] == "not installed" and tips[2].count("measured only") == 1

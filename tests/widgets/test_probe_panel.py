@@ -697,7 +697,7 @@ def test_l13_a_point_at_infinity_is_typed_with_w_0(panel: ProbePanel) -> None:
     assert rows[8] == ["the vanishing point; outside of: far"]
     type_in(panel.fields[2], "2")
     assert cells(panel, 0, 4) == ["behind the eye: no picture"]
-    assert cells(panel, 0, 5) == ["the opposite direction has one"]
+    assert cells(panel, 0, 5) == ["the opposite direction has a picture"]
     panel.follow(direction=(1.0, 0.0, 0.0))
     assert cells(panel, 0, 4) == ["w = 0: its picture is at infinity too"]
     assert cells(panel, 0, 5) == ["parallel to the image: lines stay parallel"]

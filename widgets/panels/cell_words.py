@@ -70,11 +70,11 @@ class CellWords(QObject):
             if value == 1.0:
                 text = self.tr("It leaves the scale of {0} as it is.")
             elif value < 0.0:
-                text = self.tr("It scales {0} by {2}, and so turns it round.")
+                text = self.tr("It scales {0} by {2}, which reverses its direction.")
         elif of < 3:
             text = self.tr("It adds {2} times {1} to {0}: a shear.")
             if value == 0.0:
-                text = self.tr("{1} has no part in {0}.")
+                text = self.tr("{0} does not depend on {1}.")
         elif value == 0.0:
             text = self.tr("It does not shift {0}.")
         elif w_row == _ONLY_W:
@@ -85,17 +85,16 @@ class CellWords(QObject):
 
     def _to_w(self, matrix: Matrix, of: int, value: float, w_row: tuple[float, ...]) -> str:
         source, is_alone = "xyzw"[of], sum(map(bool, w_row)) == 1
-        incoming = self.tr("the w that comes in")
-        text = self.tr("It adds {1} times {0} to w, by which all is divided.")
+        text = self.tr("It adds {1} times {0} to w, the divisor.")
         if value == 0.0:
-            text = self.tr("{0} has no part in w.")
-            incoming = self.tr("The w that comes in")
+            text = self.tr("w does not depend on {0}.")
         elif source == "w" and is_alone:
-            text = self.tr("It scales w, by which all is divided, by {1}.")
+            text = self.tr("It scales w, the divisor, by {1}.")
             if value == 1.0:
                 text = self.tr("It keeps w.")
         elif source == "z" and value == -1.0 and is_alone:
-            text = self.tr("It makes w the distance −z, by which all is divided: perspective.")
+            text = self.tr("It makes w, the divisor, the distance −z: perspective.")
         elif source == "w" and matrix.name.endswith("_from_world"):  # where every w is 1
-            text = self.tr("It adds {1} to w, by which all is divided.")
-        return text.format(incoming if source == "w" else source, read_text(value))
+            text = self.tr("It adds {1} to w, the divisor.")
+        named = self.tr("the incoming w") if source == "w" else source
+        return text.format(named, read_text(value))

@@ -138,8 +138,8 @@ class FramePanel(Panel):
             ),
             _Step(
                 self.tr("up"), _UP_VECTOR,
-                self.tr("The direction that shall be vertical in the picture. It need not be at a"
-                        " right angle to the view, and its length does not matter."),
+                self.tr("The direction that is vertical in the picture. It need not be "
+                        "perpendicular to the view, and its length does not matter."),
             ),
             _Step(
                 n, self._of_length_1(_N, f"N{ARROW}", f"{_E} − {_TARGET}"),
@@ -148,13 +148,13 @@ class FramePanel(Panel):
             ),
             _Step(
                 u, self._of_length_1(_U, f"U{ARROW}", f"{_UP_VECTOR} × {_N}"),
-                self.tr("To the right in the picture: at right angles to {0} and to {1}, of"
-                        " length 1.").format(up, n),
+                self.tr("To the right in the picture: at right angles to {0} and {1}, of "
+                        "length 1.").format(up, n),
             ),
             _Step(
                 v, f"{_V} = {_N} × {_U}",
-                self.tr("Upwards in the picture: at right angles to {0} and {1}. It is what is left"
-                        " of {2} across the view.").format(n, u, up),
+                self.tr("Upwards in the picture: at right angles to {0} and {1}. It is the "
+                        "part of {2} across the view.").format(n, u, up),
             ),
             _Step(
                 self.tr("view matrix"),
@@ -168,8 +168,9 @@ class FramePanel(Panel):
         self.figures = Label(wordWrap=True)
         self.angle = NumberRow(
             self.tr("Up from view"),
-            self.tr("Turns up towards the view direction, in the plane of both: the frame"
-                    " stays, until no axis to the right can be told from another."),
+            self.tr("Turns up towards the view direction, in the plane of both. The frame "
+                    "stays the same until up is too close to the view direction to say where"
+                    " right is."),
             Log(1e-14, 180.0), "°", self.tr("degrees"),
         )  # fmt: skip
         self.angle.setDefault(90.0)
@@ -180,7 +181,7 @@ class FramePanel(Panel):
         )
         self.nudge = _button(
             self.tr("Nudge up by {0}° to the side").format(NUDGE_DEG),
-            self.tr("Make an error in up, and see by how much the picture turns"),
+            self.tr("Make an error in up, and see how far the picture turns"),
             self._nudge,
         )
         self.warning = WarningLabel()

@@ -94,7 +94,7 @@ class _Node(QAbstractButton):
         self._on_path, self._style = on_path, style
         said = _text(self._kind.condition)
         if lit:
-            said = self.tr("the picture is so now: {0}").format(said)
+            said = self.tr("the picture is of this kind now: {0}").format(said)
         self.setAccessibleDescription(said)
         self.update()
 
@@ -312,8 +312,8 @@ class KindsPanel(ReadablePanel):
         about = self._pointed or now
         if about is None:
             return self.tr(
-                "A typed matrix is none of these by its making: choose one, and its lens takes the"
-                " matrix' place."
+                "A typed matrix belongs to no kind. Choose a kind, and its lens replaces the"
+                " matrix."
             )
         kind = KINDS[about]
         text = self.tr("{0}: {1}.").format(_text(kind.title), _text(kind.condition))
@@ -329,7 +329,7 @@ class KindsPanel(ReadablePanel):
         assert self._shown is not None
         factors = scale_factors(projection)
         if factors is None:
-            text = self.tr("No scale factors: what is farther away is drawn smaller.")
+            text = self.tr("No scale factors: things farther away are drawn smaller.")
         else:
             drawn = (
                 self.tr("A unit is drawn {0} long along x, {1} along y, {2} along z.")

@@ -105,13 +105,13 @@ class MatrixPanel(ReadablePanel):
         )  # fmt: skip
         self.vectors = self._choice(
             self.tr("Vectors"),
-            self.tr("Points as columns, right of the matrix, or as rows, left of it: then every "
-                    "matrix is transposed and every product turned round"),
+            self.tr("Points as columns, right of the matrix, or as rows, left of it; rows "
+                    "transpose every matrix and reverse every product"),
             (("columns", self.tr("Column vectors")), ("rows", self.tr("Row vectors"))),
         )  # fmt: skip
         self.letters = self._choice(
             self.tr("Letters"),
-            self.tr("Whose letters the formulas are written in: those of vectors are bold; lecture "
+            self.tr("The lecture whose letters the formulas use; vectors are bold; lecture "
                     "002 has its own signs too"),
             (
                 ("own", self.tr("own: u v n, n f, fov")),

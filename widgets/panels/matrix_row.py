@@ -104,7 +104,7 @@ class MatrixBox(QWidget):
         title = self._title
         if bool(title.property("reached")) != is_reached:
             title.setProperty("reached", is_reached)
-            said = self.tr("the stage strip stands here") if is_reached else ""
+            said = self.tr("the stage strip is here") if is_reached else ""
             title.setAccessibleDescription(said)
             title.style().polish(title)
 
@@ -121,7 +121,7 @@ class MatrixRow(QWidget):
         self._row = in_row(FREE, on=self._content, margins=(2, 0, 2, 0), gap=6)
         self._scroll = scrolled(self._content, self.tr("Matrices"))
         self._bar = self._scroll.horizontalScrollBar()
-        tip = self.tr("More matrices: bring the next one that is cut, or not seen, into view")
+        tip = self.tr("More matrices: show the next one that is cut off or hidden")
         left, right = self.tr("Matrices to the left"), self.tr("Matrices to the right")
         self._to_left = tool_button("", tip, self._go_left, icon="back", name=left, flat=True)
         self._to_right = tool_button("", tip, self._go_right, icon="unfold", name=right, flat=True)

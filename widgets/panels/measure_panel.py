@@ -148,7 +148,7 @@ class MeasurePanel(DiagramPanel):
         self.run_button = push_button(
             self.tr("Run"), self.tr("Measure what is chosen, for this scene and camera"), self.run
         )
-        tip = self.tr("Stop; what was measured until then is kept")
+        tip = self.tr("Stop, and keep the results so far")
         self.cancel_button = push_button(self.tr("Cancel"), tip, self.measuring.cancel)
         self.progress = QProgressBar()
         self.progress.setRange(0, 1000)
@@ -156,9 +156,9 @@ class MeasurePanel(DiagramPanel):
         self.progress.hide()
         tip = self.tr("Save what is shown: CSV, JSON, PNG or PDF")
         self.export_button = push_button(self.tr("Export…"), tip, self.export_dialog)
-        tip = self.tr("Draw results of a file, of another machine perhaps, over these")
+        tip = self.tr("Draw the results of a file, perhaps of another machine, over these")
         self.load_button = push_button(self.tr("Compare…"), tip, self.load_dialog)
-        tip = self.tr("Take the results of the file away again")
+        tip = self.tr("Remove the results of the file")
         self.forget_button = push_button(self.tr("Forget"), tip, self.forget)
         buttons = QGridLayout()
         buttons.setSpacing(3)
@@ -176,12 +176,12 @@ class MeasurePanel(DiagramPanel):
     def _make_views(self) -> None:
         self._drawn = in_row(margins=(0, 0, 0, 0))
         self.where, self.seen = Note(), Note()
-        self.where.setAccessibleName(self.tr("On what and when it was measured"))
+        self.where.setAccessibleName(self.tr("Machine and date of the measurement"))
         self.seen.setAccessibleName(self.tr("The scene and camera that were measured"))
         selectable = Qt.TextInteractionFlag.TextSelectableByMouse
         self.sentence = Label(wordWrap=True, textInteractionFlags=selectable)
         self.table = QTableWidget()
-        self.table.setAccessibleName(self.tr("What was measured"))
+        self.table.setAccessibleName(self.tr("Results"))
         self.table.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
         self.table.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
         self.table.setTabKeyNavigation(False)  # the keyboard could not leave the table
@@ -287,7 +287,7 @@ class MeasurePanel(DiagramPanel):
         paused = self._gestures > 0
         self.measuring.set_paused(paused)
         waits = paused and self.measuring.running
-        self.progress.setFormat(self.tr("waits") if waits else "%p %")
+        self.progress.setFormat(self.tr("paused") if waits else "%p %")
 
     # -- files
 
@@ -413,11 +413,11 @@ class MeasurePanel(DiagramPanel):
         set_tip(
             self.table,
             self.tr(
-                "Click a choice to use it in the panes; those in italics cannot be used, and those"
-                " in grey are beaten by another one in both"
+                "Click a choice to use it in the panes; choices in italics cannot be used, "
+                "and those in grey are worse than another one in both cost and error"
             )
             if choices
-            else self.tr("What was measured at each value; there is nothing to use in the panes"),
+            else self.tr("The results at each value; there is nothing to use in the panes"),
         )
         self.table.setVisible(bool(rows))
         self.table.setRowCount(len(rows))

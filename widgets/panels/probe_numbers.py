@@ -111,7 +111,7 @@ class ProbeNumbers(QObject):
             if w == 0.0:
                 return [self.tr("in the eye plane (w = 0)")], []
         elif w < 0.0:
-            opposite = self.tr("the opposite direction has one")
+            opposite = self.tr("the opposite direction has a picture")
             return [self.tr("behind the eye: no picture")], [opposite]
         else:
             parallel_projectors = not projection.clip_from_view[3, :3].any()  # w is that of p

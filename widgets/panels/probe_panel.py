@@ -69,7 +69,7 @@ class ProbePanel(ReadablePanel):
         self.choice = Combo()
         self.choice.setSizeAdjustPolicy(Combo.SizeAdjustPolicy.AdjustToContents)
         self.choice.setAccessibleName(self.tr("Probe"))
-        set_tip(self.choice, self.tr("Which probe the fields and buttons are about"))
+        set_tip(self.choice, self.tr("The probe that the fields and buttons change"))
         self.choice.activated.connect(lambda index: self.choose(self.choice.itemData(index)))
         self.fields = tuple(ShortField(name) for name in "xyzw")
         parts: list[Part] = [self.choice]
@@ -98,8 +98,8 @@ class ProbePanel(ReadablePanel):
         self.error = RefusalLabel()
         self._hint = Label(
             self.tr(
-                "Click a point in any pane to follow it from the world to its pixel; "
-                "click beside everything in the image for that pixel's ray."
+                "Click a point in any pane to follow it from the world to its pixel; click "
+                "an empty place in the image for the ray of that pixel."
             ),
             wordWrap=True,
         )

@@ -61,7 +61,7 @@ class ScenePanel(DiagramPanel):
         self.lectures.setText(self.tr("Lectures: {0}").format(", ".join(lectures)))
         self.lectures.setVisible(bool(lectures))
         self.explanation.setText(
-            self.tr("The panes show all that there is to this scene: it has no diagram.")
+            self.tr("This scene has no diagram: the panes show everything.")
             if phenomenon is None
             else of_phenomena(phenomenon.explanation)
         )

@@ -64,7 +64,10 @@ class Divider(QWidget):
         self.setAccessibleName(self.tr("Divider between two pictures"))
         set_tip(
             self,
-            self.tr("Drag it over the pictures, or ← →; with Shift finer; Home, End; Esc ends it"),
+            self.tr(
+                "Drag it, or press ← → (with Shift for finer steps), Home or End; Esc "
+                "ends the comparison"
+            ),
         )
         FocusRing(self)
 
@@ -228,7 +231,7 @@ class Compare(QObject):
         self.bar = QWidget()
         """Below the picture: says how the pictures differ."""
         self.words = _Words()
-        self.words.setAccessibleName(self.tr("In what the pictures differ"))
+        self.words.setAccessibleName(self.tr("Differences between the pictures"))
         self.way = tool_button(act=self.toggle_way, flat=True, by_click=True)
         self.end = tool_button(
             "", self.tr("End the comparison (Esc)"), self.end_wanted,
@@ -297,7 +300,7 @@ class Compare(QObject):
 
     def _name_way(self) -> None:
         text = self.tr("Over each other")
-        tip = self.tr("Lay the pictures over each other, with a divider to be dragged")
+        tip = self.tr("Lay the pictures over each other, with a divider that you can drag")
         if self.dividers:
             text = self.tr("Side by side")
             tip = self.tr("Show every picture whole, beside the others")
@@ -359,9 +362,9 @@ class Compare(QObject):
         settings = () if phenomenon is None else phenomenon.settings
         written = Written(field_name, of_phenomena, read_text)
         texts = in_words(self.pictures, states, settings, written)
-        texts = texts or [self.tr("nothing differs yet: change something")]
+        texts = texts or [self.tr("no difference yet: change something")]
         if self.dividers and not self.is_divided:
-            texts.append(self.tr("of two shapes: side by side, of one height"))
+            texts.append(self.tr("different shapes: side by side, at equal heights"))
         parts = [f"{' | '.join(names)}:  ", *(f"{text}, " for text in texts[:-1]), texts[-1]]
         self.words.say([parts[0] + parts[1], *parts[2:]])
 

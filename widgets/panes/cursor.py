@@ -172,9 +172,9 @@ class Cursor(QObject):
             queued = Qt.ConnectionType.QueuedConnection
             self._pane.canvas.drawn.connect(self._follow, queued)
         if thing is None:
-            self._notice = self.tr("No other vertex is seen")
+            self._notice = self.tr("No other vertex is visible")
             if to_hold:
-                self._notice = self.tr("There is nothing else to take hold of")
+                self._notice = self.tr("There is nothing else to drag")
         spot = self._spot()
         if spot is not None:
             self._pane.hand.hovered.emit(spot)
@@ -223,7 +223,7 @@ class Cursor(QObject):
         self._pane.hand.hovered.emit(spot)  # the mouse may have moved since
         self._is_dragging = self._pane.hand.take_hold(spot)
         if not self._is_dragging:
-            self._notice = self.tr("There is nothing to take hold of at this place")
+            self._notice = self.tr("There is nothing to drag here")
         self._is_shifted, self._away = is_shifted, QPointF()
         self._announce()
 

@@ -28,7 +28,8 @@ class Header(QWidget):
         set_tip(
             self,
             self.tr(
-                "Double-click to make this pane large; again, as large as the window, and back"
+                "Double-click to enlarge this pane, again for the whole window, and again to"
+                " go back"
             ),
         )
 

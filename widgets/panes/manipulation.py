@@ -204,7 +204,7 @@ class Manipulation(Gestures, QObject):
             return (), self.tr("Drag this point (Shift: up and down)")
         does: dict[str, tuple[tuple[str, ...], str]] = {
             "origin": (("translate",), self.tr("Drag the object (Shift: up and down)")),
-            "turn": (("rotate_deg",), self.tr("Drag round to turn the object, as seen from here")),
+            "turn": (("rotate_deg",), self.tr("Drag in a circle to turn the object")),
             "object": (("scale",), self.tr("Drag along the axis to stretch the object")),
             "eye": (("eye",), self.tr("Drag the eye (Shift: up and down)")),
             "target": (("target",), self.tr("Drag the target (Shift: up and down)")),
@@ -215,7 +215,7 @@ class Manipulation(Gestures, QObject):
             if name in does:
                 return does[name]
         if self._projection.lens.fov_y_deg is not None:
-            return ("fov_y_deg",), self.tr("Drag to open the lens")
+            return ("fov_y_deg",), self.tr("Drag to change the field of view")
         right, up = handle.at
         sides = "right" if right > 0.0 else "left", "top" if up > 0.0 else "bottom"
         return sides, self.tr("Drag this corner (Shift: both sides)")

@@ -187,8 +187,11 @@ class Pane(QFrame):
 
         acts: dict[str, tuple[str, object]] = {
             "home": (self.tr("Reset this pane's own view (double-click)"), self.reset_view),
-            "enlarge": (self.tr("Enlarge; again, to the whole window"), self.enlarge_requested),
-            "float": (self.tr("Into a window of its own, and back"), self.float_requested),
+            "enlarge": (
+                self.tr("Enlarge; click again for the whole window"),
+                self.enlarge_requested,
+            ),
+            "float": (self.tr("Move to a window of its own, and back"), self.float_requested),
         }
         if not orbits:
             del acts["home"]

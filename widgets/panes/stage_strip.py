@@ -90,7 +90,7 @@ class StageStrip(QWidget, Playing, Gestures):
             ),
             (
                 self.tr("Box"),
-                self.tr("The canonical parallel volume: M_pp has made the pyramid a box"),
+                self.tr("The canonical parallel volume: M_pp has turned the pyramid into a box"),
             ),
             (self.tr("NDC"), self.tr("Normalised device coordinates, z mirrored for display")),
             (self.tr("Image"), self.tr("The picture in pixels: x right, y down")),
@@ -181,7 +181,7 @@ class StageStrip(QWidget, Playing, Gestures):
         """Return a stop's name and tooltip."""
         if self._parallel and stop == CANONICAL_PERSPECTIVE:
             name, _ = self._names[CANONICAL_PARALLEL]
-            tip = self.tr("The canonical parallel volume, at once: a parallel lens has no pyramid")
+            tip = self.tr("The canonical parallel volume: a parallel lens has no pyramid before it")
             return name, tip
         if self._parallel and stop == CANONICAL_PARALLEL:
             return self._identity, self.tr("The same box: M_pp of a parallel lens is the identity")
@@ -319,7 +319,7 @@ class StageStrip(QWidget, Playing, Gestures):
         self._name_button(
             self.tr("{0} the stages"),
             self.tr("Run through all stages to the picture, resting at each."),
-            self.tr("Stand still; playing again goes on from here."),
+            self.tr("Pause; playing again continues from here."),
         )
 
     def resizeEvent(self, event: QResizeEvent) -> None:
