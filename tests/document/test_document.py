@@ -50,7 +50,7 @@ from app.scenes.phenomena import PHENOMENA
 from tests import PATIENCE_S
 from tests.random_documents import outcome, outcome_of
 from tests.support.carrier import carrier
-from tests.support.phenomenon import EVERYTHING, make_known
+from tests.support.phenomenon import EVERYTHING, called, make_known
 
 DESIGN = """
 {"format": "frustum-lab", "version": 2, "scene": "letter-f",
@@ -1483,7 +1483,7 @@ TRIANGLES = Document("similar-triangles", PHENOMENA["similar-triangles"].start)
 @pytest.fixture
 def everything(monkeypatch: pytest.MonkeyPatch) -> Document:
     """A document of a scene with a setting of every kind."""
-    make_known(monkeypatch, EVERYTHING, replace(EVERYTHING, name="alike"))
+    make_known(monkeypatch, EVERYTHING, called("alike"))
     return Document("everything", EVERYTHING.start)
 
 

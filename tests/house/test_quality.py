@@ -11,6 +11,7 @@ from pathlib import Path
 from xml.etree import ElementTree
 
 from app.bootstrap import ROOT
+from tests import texts
 
 SOURCES = sorted(path for folder in ("app", "widgets") for path in (ROOT / folder).rglob("*.py"))
 
@@ -49,8 +50,9 @@ def translated(node: ast.AST, context: str) -> Iterator[tuple[str, str]]:
 
 def test_lupdate_finds_every_string(tmp_path: Path) -> None:
     """It reads no f-strings, for one, and says nothing of what it overlooks."""
-    sources = [str(path) for path in SOURCES]
-    catalogue = tmp_path / "all.ts"
+    catalogue, content = tmp_path / "all.ts", tmp_path / "content.py"
+    content.write_text(texts.source(), encoding="utf-8")
+    sources = [str(path) for path in (*SOURCES, content)]
     lupdate = "from PySide6.scripts.pyside_tool import lupdate; lupdate()"
     command = [sys.executable, "-c", lupdate, *sources, "-ts", str(catalogue)]
     subprocess.run(command, cwd=ROOT, capture_output=True, check=True)

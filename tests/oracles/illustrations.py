@@ -7,6 +7,7 @@ import math
 import random
 from collections.abc import Callable, Iterator
 from dataclasses import replace
+from typing import Any
 
 import numpy as np
 
@@ -40,6 +41,13 @@ def showing(phenomenon: Phenomenon, subject: Subject) -> Callable[..., Illustrat
         return phenomenon.show(projection, phenomenon.checked(settings), subject)
 
     return show
+
+
+def readings(illustration: Illustration) -> dict[str, Any]:
+    """Every value by its label; whatever has none says why."""
+    for one in illustration.readings:
+        assert one.value is not None or one.note is not None, one.label
+    return {one.label: one.value for one in illustration.readings}
 
 
 def reading(illustration: Illustration, label: str) -> Reading:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import ast
+import inspect
 import math
 import random
 import re
@@ -11,13 +13,16 @@ from typing import Any
 import numpy as np
 import pytest
 
-from app.bootstrap import ROOT
+from app.model.lenses import central, oblique, parallel
+from app.model.limits import PLANES
 from app.model.refusal import Refusal
 from app.scenes.phenomena import PHENOMENA
 from app.scenes.phenomena.illustration import Illustration, Phenomenon
 from app.scenes.phenomena.readout import Phrase
 from app.scenes.phenomena.settings import Setting, Settings
 from tests.oracles.illustrations import assert_sound, projections, subject_of
+from tests.support.marked import marked
+from tests.texts import content_texts
 
 EVERY = pytest.mark.parametrize("phenomenon", PHENOMENA.values(), ids=list(PHENOMENA))
 LEAST_SEEN = {
@@ -124,79 +129,68 @@ def test_no_projection_and_no_setting_shows_a_nan(phenomenon: Phenomenon) -> Non
     assert (followed > 50) == (phenomenon.name in FOLLOWED)
 
 
+def bad_values(setting: Setting) -> list[Any]:
+    """Values of other kinds, and numbers just beyond the bounds."""
+    bad = ["nonsense", math.nan, None, (1.0, 2.0), (0.0, math.inf, 0.0), math.inf]
+    if isinstance(setting.default, float):
+        low, high = setting.low, setting.high
+        bad += [True, math.nextafter(low, -math.inf), math.nextafter(high, math.inf)]
+        bad += [setting.default + 0.5] if setting.whole else []
+    return bad
+
+
 @EVERY
 def test_bad_settings_are_refused_by_name(phenomenon: Phenomenon) -> None:
     for setting in phenomenon.settings:
-        for value in ("nonsense", math.nan, None, (1.0, 2.0), math.inf):
+        for value in bad_values(setting):
             with pytest.raises(Refusal) as caught:
                 phenomenon.checked({setting.name: value})
-            assert caught.value.field == setting.path
+            assert caught.value.field == setting.path, value
 
 
-SETTING = Setting("size", "Size", "How large it is", 2.0, low=1.0, high=5.0, whole=True)
-
-
-@pytest.mark.parametrize("value", [0.5, 6.0, 2.5, True, "2", math.nan])
-def test_a_number_has_bounds(value: object) -> None:
-    with pytest.raises(Refusal, match=r"^settings\.size = "):
-        SETTING.checked(value)
-
-
-def test_a_phrase_is_translated_before_it_is_filled_in() -> None:
-    phrase = Phrase("{0} of {1}", ("1", "2"))
-    assert phrase.sentence() == "1 of 2"
-    assert phrase.sentence({"{0} of {1}": "{1} od {0}"}.__getitem__) == "2 od 1"
-
-
-def test_a_phrase_s_numbers_are_written_as_they_are_read() -> None:
+def test_a_phrase_is_translated_before_its_numbers_are_filled_in() -> None:
     phrase = Phrase("{0} of {1}", (-1 / 3, "2"))
     assert phrase.sentence() == "\N{MINUS SIGN}0.3333 of 2"
+    assert phrase.sentence({"{0} of {1}": "{1} od {0}"}.__getitem__) == "2 od \N{MINUS SIGN}0.3333"
     assert phrase.sentence(write=repr) == "-0.3333333333333333 of 2"
 
 
 def texts_shown(illustration: Illustration) -> set[str]:
     """Every text of an illustration that must be translated."""
-    found = {reading.label for reading in illustration.readings}
-    found |= {reading.value for reading in illustration.readings if isinstance(reading.value, str)}
-    found |= {
-        reading.note.template for reading in illustration.readings if reading.note is not None
-    }
-    for diagram in illustration.diagrams:
+    readings, diagrams = illustration.readings, illustration.diagrams
+    phrases = [illustration.warning, *(reading.note for reading in readings)]
+    found = {phrase.template for phrase in phrases if phrase is not None}
+    found |= {reading.label for reading in readings}
+    found |= {reading.value for reading in readings if isinstance(reading.value, str)}
+    for diagram in diagrams:
         found |= {diagram.title, diagram.x_label, diagram.y_label}
         found |= {curve.label for curve in diagram.curves}
-    if illustration.warning is not None:
-        found.add(illustration.warning.template)
     return found
 
 
-def marked_texts() -> set[str]:
-    """What lupdate will find: the literals inside QT_TRANSLATE_NOOP("phenomena", ...)."""
-    import ast
-
-    found: set[str] = set()
-    files = [*Path(ROOT, "app", "scenes", "phenomena").glob("*.py")]
-    for path in sorted([*files, *Path(ROOT, "app", "model", "lenses").glob("*.py")]):
-        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
-            if isinstance(node, ast.Call) and getattr(node.func, "id", "") == "QT_TRANSLATE_NOOP":
-                context, text = (ast.literal_eval(part) for part in node.args)
-                assert context in ("phenomena", "Refusal", "Lens"), text
-                found.add(text)
-    return found
+@EVERY
+def test_the_code_uses_every_word_of_the_content_file(phenomenon: Phenomenon) -> None:
+    """A name that the file lacks is a KeyError; a name that nothing uses is found here."""
+    source = ast.parse(Path(inspect.getfile(phenomenon.show)).read_text(encoding="utf-8"))
+    used = {node.value for node in ast.walk(source) if isinstance(node, ast.Constant)}
+    used |= {"parallel", *PLANES}
+    for key in phenomenon.words:  # or put together, from "kind-" and 1
+        hyphen = key.find("-")
+        assert used & {key, key[: hyphen + 1], key[hyphen:]}, key
 
 
 @EVERY
 def test_every_text_can_be_translated(phenomenon: Phenomenon) -> None:
     """A text without a word of its own (``x_p = d·x / w``) is the same in every language."""
     subject = subject_of(phenomenon)
-    shown = {phenomenon.title, phenomenon.explanation}
-    for setting in phenomenon.settings:
-        shown |= {setting.label, setting.tip, *(label for _, label in setting.choices)}
+    shown: set[str] = set()
     for settings in wild_settings(phenomenon):
         shown |= texts_shown(phenomenon.show(phenomenon.start, settings, subject))
     for projection in projections(phenomenon):
         shown |= texts_shown(phenomenon.show(projection, phenomenon.checked({}), subject))
     words = re.compile(r"(?!arctan|atan|cot|tan|sin|cos)\b[^\W\d_]{3,}")
-    missing = {text for text in shown - marked_texts() if words.search(text)}
+    marked_texts = content_texts() | marked(central, oblique, parallel, context="phenomena")
+    missing = {text for text in shown - marked_texts if words.search(text)}
     assert not missing
 
 

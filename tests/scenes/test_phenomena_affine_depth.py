@@ -23,6 +23,7 @@ from app.model.projection import (
 from app.scenes.phenomena.affine_depth import PHENOMENON, bow, inside
 from app.scenes.phenomena.illustration import Illustration, OwnMesh, Subject
 from app.scenes.shapes import edges_of, letter_f
+from tests.oracles.illustrations import readings
 
 mp.mp.dps = 30
 
@@ -31,11 +32,8 @@ EYE = Camera((0.0, 0.0, 0.0), (0.0, 0.0, -1.0), (0.0, 1.0, 0.0))
 FACES = letter_f()[0].reshape(-1, 3)
 SUBJECT = Subject((-1.5, 0.0, -0.5), (1.5, 5.0, 0.5), np.unique(FACES, axis=0))
 RANGES = {"opengl": (-1, 1), "direct3d": (0, 1), "reversed": (1, 0)}
-LABELS = (
-    "largest deviation, of the length",
-    "where: w = √(w_P·w_Q)",
-    "worst edge of the letter F, inside",
-)
+CAMERA = Camera((3.0, 3.0, 9.0), (0.0, 2.5, 0.0))
+"""It sees all of the letter."""
 
 
 def show(projection: Projection, start: Any, end: Any) -> Illustration:
@@ -43,13 +41,7 @@ def show(projection: Projection, start: Any, end: Any) -> Illustration:
 
 
 def values(illustration: Illustration) -> list[Any]:
-    labels = [
-        reading.label.replace("P'", "P").replace("Q'", "Q") for reading in illustration.readings
-    ]
-    assert labels == list(LABELS)
-    for reading in illustration.readings:
-        assert (reading.value is not None) or (reading.note is not None)
-    return [reading.value for reading in illustration.readings]
+    return list(readings(illustration).values())
 
 
 def bent(projection: Projection, view: Any) -> Any:
@@ -125,7 +117,7 @@ def test_what_is_cut_is_said_to_be_cut_and_read_between_its_own_ends() -> None:
     """P and Q may have any w, below 0 too; P' and Q' are found among points of PQ."""
     rng = np.random.default_rng(5)
     counted = {True: 0, False: 0}
-    for _ in range(300):
+    for _ in range(150):
         projection, ends = draw(rng)
         ends = ends.mean(axis=0) + rng.choice([0.9, 1.5, 4.0]) * (ends - ends.mean(axis=0))
         illustration = show(projection, *map(tuple, ends.tolist()))
@@ -143,42 +135,32 @@ def test_what_is_cut_is_said_to_be_cut_and_read_between_its_own_ends() -> None:
         step = abs(trace.clip[1, 3] - trace.clip[0, 3])  # the ends may be as far beyond the last
         tolerance = 1e-12 if not cut else 1e-12 + float(step / w.min())
         assert where.value == pytest.approx(math.sqrt(w[0] * w[1]), rel=tolerance)
-    assert min(counted.values()) > 50
+    assert min(counted.values()) > 25
 
 
-def test_of_the_letter_is_said_what_holds_of_the_letter() -> None:
-    away = Projection(Camera((0.0, 0.0, 50.0), (0.0, 0.0, 90.0)), Perspective(60.0, 1.0, 30.0))
-    for start, end in (((0, 0, 60), (1, 0, 70)), ((0, 0, 60), (1, 0, 99)), ((0, 0, 0), (1, 1, 0))):
-        note = show(away, start, end).readings[2].note
-        assert note is not None and "letter" in note.template
-
-
-def test_by_hand() -> None:
-    """90 degrees, square, n = 1, f = 9: from (1, 0, -1) to (0, 0, -9) w goes 1 to 9, a = 1/4.
-
-    The chord in the cube is (-1, 0, 2), its length sqrt 5; at w = 3 the bow is 1/4 (3 - 1)^2 = 1
-    below it, across the chord 1/sqrt 5: a fifth of the length.
-    """
-    projection = Projection(EYE, Perspective(90.0, 1.0, 9.0), (200, 200))
-    got = values(show(projection, (1, 0, -1), (0, 0, -9)))
-    assert got[0] == pytest.approx(20.0, rel=1e-13)
-    assert got[1] == pytest.approx(3.0, rel=1e-13)
-    # The other way round too, and of a longer segment what is in the volume.
-    assert values(show(projection, (0, 0, -9), (1, 0, -1)))[0] == pytest.approx(20.0, rel=1e-13)
-    assert values(show(projection, (1.125, 0, 0), (-1, 0, -17)))[0] == pytest.approx(20, rel=1e-12)
-
-
-def test_the_letter_has_its_worst_edge() -> None:
-    """Of the edges wholly inside; this camera sees all of the letter."""
-    camera = Camera((3.0, 3.0, 9.0), (0.0, 2.5, 0.0))
-    projection = Projection(camera, Perspective(60.0, 2.0, 30.0))
-    edges = edges_of(letter_f()[0])[0]
+@pytest.mark.parametrize("count", [None, 9, 999])
+def test_the_subject_has_its_worst_edge(count: int | None) -> None:
+    """The letter's, or a mesh's; a mesh with more edges than are counted says so."""
+    projection = Projection(CAMERA, Perspective(60.0, 2.0, 30.0))
+    edges, subject, name = edges_of(letter_f()[0])[0], SUBJECT, "letter"
+    if count is not None:
+        edges = np.random.default_rng(6).uniform((-1.5, 0.0, -3.0), (1.5, 5.0, 3.0), (9, 2, 3))
+        subject, name = replace(SUBJECT, mesh=OwnMesh(edges, count, np.empty((0, 3, 3)))), "mesh"
     trace = projection.trace(edges)
     assert not trace.outside.any()
     worst = max(searched(projection, *ends.tolist())[0] for ends in trace.view)
-    got = values(show(projection, (0.0, 0.0, 0.0), (0.0, 1.0, 0.0)))
-    assert got[2] == pytest.approx(float(worst), rel=1e-9)
-    assert got[2] > 0.01
+    illustration = PHENOMENON.show(projection, PHENOMENON.checked({}), subject)
+    reading = illustration.readings[-1]
+    assert reading.label.startswith(f"worst edge of the {name}")
+    assert reading.value == pytest.approx(float(worst), rel=1e-9) and worst > 0.01
+    assert (reading.note and reading.note.values) == (("200", "999") if count == 999 else None)
+    bows = [line.points for line in illustration.ndc.lines if len(line.points) == 9]
+    ends = trace.ndc[..., :2]
+    np.testing.assert_allclose([points[[0, -1], :2] for points in bows], ends, atol=1e-9)
+    away = Projection(Camera((3.0, 3.0, 9.0), (3.0, 3.0, 90.0)), projection.lens)
+    nothing = PHENOMENON.show(away, PHENOMENON.checked({}), subject).readings[-1]
+    assert nothing.value is None and nothing.note is not None
+    assert name in nothing.note.template
 
 
 def test_the_marks_are_the_bow_and_the_straight_image() -> None:
@@ -235,29 +217,6 @@ def test_a_segment_outside_has_none() -> None:
     assert values(along)[0] == 0.0
 
 
-def test_a_mesh_takes_the_letter_s_place() -> None:
-    """Its edges become bows, and the worst of them is the searched one."""
-    camera = Camera((3.0, 3.0, 9.0), (0.0, 2.5, 0.0))
-    projection = Projection(camera, Perspective(60.0, 2.0, 30.0))
-    edges = np.random.default_rng(6).uniform((-1.5, 0.0, -3.0), (1.5, 5.0, 3.0), (9, 2, 3))
-    trace = projection.trace(edges)
-    assert not trace.outside.any()
-    worst = max(searched(projection, *ends.tolist())[0] for ends in trace.view)
-    for count in (9, 999):
-        subject = replace(SUBJECT, mesh=OwnMesh(edges, count, np.empty((0, 3, 3))))
-        illustration = PHENOMENON.show(projection, PHENOMENON.checked({}), subject)
-        reading = illustration.readings[-1]
-        assert reading.label == "worst edge of the mesh, inside"
-        assert reading.value == pytest.approx(float(worst), rel=1e-9)
-        assert (reading.note and reading.note.values) == (("200", "999") if count > 200 else None)
-        bows = [line.points for line in illustration.ndc.lines if len(line.points) == 9]
-        ends = trace.ndc[..., :2]
-        np.testing.assert_allclose([points[[0, -1], :2] for points in bows], ends, atol=1e-9)
-    away = Projection(Camera((3.0, 3.0, 9.0), (3.0, 3.0, 90.0)), projection.lens)
-    nothing = PHENOMENON.show(away, PHENOMENON.checked({}), subject).readings[-1]
-    assert nothing.value is None and nothing.note is not None
-
-
 def test_l8_the_deviation_is_written_beside_the_bow() -> None:
     """By hand: x' from -1 to 1, w from 1 to 4, and z' = -1 + (w - 1)/2 from -1 to 0.5.
 
@@ -267,6 +226,7 @@ def test_l8_the_deviation_is_written_beside_the_bow() -> None:
     projection = Projection(EYE, Perspective(90.0, 1.0, 5.0), (600, 600))
     illustration = show(projection, (-1.0, 0.0, -1.0), (4.0, 0.0, -4.0))
     assert values(illustration)[:2] == pytest.approx([16.0, 2.0])
+    assert values(show(projection, (4.0, 0.0, -4.0), (-1.0, 0.0, -1.0)))[0] == pytest.approx(16.0)
     texts = {text.text: text for text in illustration.ndc.texts}
     assert set(texts) == {"16 %", "A z + B", "A + B / z"}
     said = texts["16 %"]

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from app.model.projection import Camera, Frustum, Orbit, Perspective
-from app.scenes.phenomena.camera_obscura import PHENOMENON, heights
+from app.scenes.phenomena.camera_obscura import PHENOMENON
 from app.scenes.phenomena.illustration import Illustration
 from app.scenes.phenomena.similar_triangles import onto_plane
 from tests.oracles.illustrations import reading, showing, subject_of, value
@@ -93,9 +93,3 @@ def test_l21_behind_the_hole_and_with_a_parallel_lens_there_is_none() -> None:
     assert warning is not None and "parallel lens" in warning.template
     back, _ = PHENOMENON.changed(parallel, PHENOMENON.checked({}), {"distance": 2.0})
     assert back.lens.central and back.lens.near == 2.0
-
-
-def test_l21_heights_are_differences_of_view_coordinates() -> None:
-    bottom, top = np.array([1.0, 0.5, -2.0]), np.array([1.0, 4.5, -2.0])
-    behind, in_front = heights(START, 4.0, bottom, top)  # 11 in front of the hole
-    assert (behind, in_front) == pytest.approx((-16.0 / 11.0, 16.0 / 11.0), rel=1e-14)

@@ -16,7 +16,6 @@ from app.drawings.off_screen import off_screen
 from app.drawings.rasterising import counted_wrong_share
 from app.model.depth import DepthBuffer
 from app.model.projection import Array, Camera, Orthographic, Perspective, Projection
-from app.model.refusal import Refusal
 from app.scenes.phenomena.depth_buffer import PHENOMENON, buffer_of, distances, moved_behind
 from app.scenes.phenomena.illustration import Subject
 from app.scenes.phenomena.readout import Phrase
@@ -92,8 +91,7 @@ def test_the_share_is_that_of_rays_cut_with_the_ramp() -> None:
 def test_both_distances_at_the_principal_ray_are_a_gap_apart() -> None:
     """Along n the gap is the gap, whatever the plane: the ray (0, 0, -1) meets both a gap apart."""
     straight = Projection(
-        Camera((0.0, 6.0, 12.0), (0.0, 2.0, -10.0), (0.0, 1.0, 0.0)),
-        Perspective(0.001, 0.1, 100.0),
+        Camera((0.0, 6.0, 12.0), (0.0, 2.0, -10.0), (0.0, 1.0, 0.0)), Perspective(0.001, 0.1, 100.0)
     )
     first, second = distances(straight, 0.25, SUBJECT)
     assert len(first) > 1000
@@ -232,11 +230,7 @@ def test_what_the_lens_cannot_have_is_said() -> None:
     start = PHENOMENON.start
     flat = replace(start, lens=Orthographic(-8.0, 8.0, -5.0, 5.0, 1.0, 80.0))
     endless = replace(start, lens=Perspective(45.0, 1.0, math.inf))
-    for projection, chosen in (
-        (flat, "logarithmic"),
-        (flat, "infinite"),
-        (endless, "logarithmic"),
-    ):
+    for projection, chosen in ((flat, "logarithmic"), (flat, "infinite"), (endless, "logarithmic")):
         illustration = shown(projection, range=chosen)
         assert isinstance(illustration.warning, Phrase) and illustration.rendering is None
         assert len(illustration.copies) == 1
@@ -287,12 +281,3 @@ def test_the_explanations_figures_are_the_readings() -> None:
     percents = [float(share) for share in re.findall(r"(\d+) %", PHENOMENON.explanation)]
     assert percents == pytest.approx(shares, abs=0.5)
     assert "lens.near" in PHENOMENON.controls and "lens.far" not in PHENOMENON.controls
-
-
-@pytest.mark.parametrize(
-    ("name", "value"), [("gap", 0.0), ("gap", -1.0), ("format", "fixed12"), ("range", "linear")]
-)
-def test_a_setting_out_of_bounds_is_named(name: str, value: object) -> None:
-    with pytest.raises(Refusal) as error:
-        PHENOMENON.checked({name: value})
-    assert error.value.field == f"settings.{name}"

@@ -10,7 +10,6 @@ import numpy as np
 import pytest
 
 from app.model.projection import Camera, Perspective, Projection
-from app.model.refusal import Refusal
 from app.scenes.phenomena.field_of_view import PHENOMENON, preset_view
 from tests.oracles.exact import Exact, dot, minus, mp, vector
 from tests.oracles.illustrations import random_projection, reading, showing, subject_of, value
@@ -169,20 +168,12 @@ def test_the_height_is_that_of_the_targets_plane_and_only_of_what_is_seen() -> N
     assert "plane through the target" in found.note.sentence()
 
 
-def test_a_subject_round_the_eye_has_no_foreshortening() -> None:
-    seen = Projection(Camera((0.0, 0.9, 0.0), (0.0, 0.9, -3.0)), Perspective(60.0, 0.1, 50.0))
-    found = reading(shown(seen), "foreshortening")
+def test_foreshortening_is_the_ratio_of_the_two_squares_or_there_is_none() -> None:
+    round_the_eye = Camera((0.0, 0.9, 0.0), (0.0, 0.9, -3.0))
+    found = reading(shown(replace(PHENOMENON.start, camera=round_the_eye)), "foreshortening")
     assert found.value is None and found.note is not None
     assert "behind" in found.note.sentence()
-
-
-def test_a_parallel_lens_has_no_field_of_view() -> None:
-    illustration = shown(PHENOMENON.start.with_lens("orthographic"))
-    assert reading(illustration, "vertical").value is None
-    assert value(illustration, "foreshortening") == 1.0
-
-
-def test_the_two_squares_on_the_image_have_the_ratio() -> None:
+    assert value(shown(PHENOMENON.start.with_lens("orthographic")), "foreshortening") == 1.0
     illustration = shown(PHENOMENON.start)
     heights = {}
     for colour in ("near", "far"):
@@ -192,12 +183,3 @@ def test_the_two_squares_on_the_image_have_the_ratio() -> None:
         heights[colour] = np.ptp(points[:, 1])
     ratio = heights["near"] / heights["far"]
     assert ratio == pytest.approx(value(illustration, "foreshortening"), rel=1e-9)
-
-
-@pytest.mark.parametrize(
-    ("name", "wrong"),
-    [("distance", 0.0), ("distance", -1.0), ("distance", math.nan), ("preset", "cat")],
-)
-def test_wrong_settings_are_refused_by_name(name: str, wrong: object) -> None:
-    with pytest.raises(Refusal, match=f"settings.{name}"):
-        PHENOMENON.checked({name: wrong})

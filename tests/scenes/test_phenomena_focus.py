@@ -18,7 +18,6 @@ from app.model.projection import (
     Projection,
     focal_length_35mm,
 )
-from app.model.refusal import Refusal
 from app.scenes.phenomena.focus import PHENOMENON, blur_mm, sharpness
 from app.scenes.phenomena.illustration import Illustration, OwnMesh, Subject
 from tests.oracles.illustrations import showing
@@ -260,21 +259,6 @@ def test_of_a_mesh_of_the_users_the_sharp_vertices_are_marked() -> None:
     places = np.array([dot.point for dot in illustration.image.dots])
     np.testing.assert_allclose(places, PHENOMENON.start.trace(points[1:4]).image)
     assert illustration.image.lines == () and illustration.image.faces == ()
-
-
-@pytest.mark.parametrize(
-    ("settings", "said"),
-    [
-        ({"aperture": 0}, r"settings\.aperture = 0: must be at least 0\.5"),
-        ({"aperture": -2.0}, r"settings\.aperture = -2: must be at least 0\.5"),
-        ({"aperture": math.inf}, r"settings\.aperture = inf: must be a finite number"),
-        ({"focus": 0}, r"settings\.focus = 0: must be at least 1e-06"),
-        ({"confusion": 0.0}, r"settings\.confusion = 0: must be at least 1e-06"),
-    ],
-)
-def test_bad_input_is_refused_in_one_sentence(settings: dict[str, Any], said: str) -> None:
-    with pytest.raises(Refusal, match=said):
-        PHENOMENON.checked(settings)
 
 
 def test_what_cannot_be_focused_says_why() -> None:

@@ -10,7 +10,6 @@ import numpy as np
 import pytest
 
 from app.model.projection import Array, Camera, Perspective, Projection
-from app.model.refusal import Refusal
 from app.scenes.phenomena.illustration import Illustration, OwnMesh, Subject
 from app.scenes.phenomena.interpolation import (
     PHENOMENON,
@@ -145,12 +144,14 @@ def test_twice_as_many_parts_leave_a_quarter_in_the_limit_and_more_before() -> N
     assert left[0].min() > 0.3 and left[-1].max() < 0.262
 
 
-def test_a_board_that_near_cuts_has_no_error() -> None:
+def test_what_near_cuts_has_no_error() -> None:
     above = Camera((0.0, 1.0, 3.0), (0.0, 0.5, -4.0), (0.0, 1.0, 0.0))
-    illustration = shown(replace(PHENOMENON.start, camera=above))
-    assert illustration.warning is not None and not illustration.image.dots
-    assert all(reading.value is None and reading.note for reading in illustration.readings)
-    assert illustration.rendering is not None and illustration.rendering.texture is not None
+    for subject, name in ((SUBJECT, "the board"), (own(TRIANGLES), "the mesh")):
+        illustration = shown(replace(PHENOMENON.start, camera=above), subject)
+        assert illustration.warning is not None and not illustration.image.dots
+        assert illustration.warning.template.startswith(name)
+        assert all(reading.value is None and reading.note for reading in illustration.readings)
+        assert illustration.rendering is not None and illustration.rendering.texture is not None
 
 
 def test_a_mesh_has_its_texture_over_its_two_largest_extents() -> None:
@@ -162,16 +163,6 @@ def test_a_mesh_has_its_texture_over_its_two_largest_extents() -> None:
     assert not matrix[:, 0].any(), "x is the smallest extent"
     needle = planar_texture(Subject((0.0, 0.0, 0.0), (0.0, 4.0, 0.0), np.zeros((2, 3))))
     assert np.isfinite(needle).all()
-
-
-@pytest.mark.parametrize(
-    ("name", "value"),
-    [("subdivision", 0.0), ("subdivision", 65.0), ("subdivision", 2.5), ("pattern", "stripes")],
-)
-def test_a_setting_out_of_bounds_is_named(name: str, value: object) -> None:
-    with pytest.raises(Refusal) as error:
-        PHENOMENON.checked({name: value})
-    assert error.value.field == f"settings.{name}"
 
 
 def own(triangles: Array, more: bool = False) -> Subject:
@@ -232,13 +223,6 @@ def test_of_a_large_mesh_so_many_triangles_are_looked_at_as_is_said() -> None:
         first = shown(PHENOMENON.start, own(triangles[:count]), subdivision=parts).readings
         assert readings[0].note is not None and readings[0].note.values == (str(count),)
         assert readings[1].value == first[1].value
-
-
-def test_a_mesh_that_near_cuts_has_no_error() -> None:
-    above = Camera((0.0, 1.0, 3.0), (0.0, 0.5, -4.0), (0.0, 1.0, 0.0))
-    illustration = shown(replace(PHENOMENON.start, camera=above), own(TRIANGLES))
-    assert illustration.warning is not None and illustration.warning.template.startswith("the mesh")
-    assert all(reading.value is None and reading.note for reading in illustration.readings)
 
 
 def test_l18_one_over_w_and_the_depth_are_straight_along_the_edge() -> None:

@@ -11,7 +11,6 @@ import pytest
 
 from app.lecture.notation import in_letters
 from app.model.projection import Camera, Oblique, Orbit, Projection
-from app.model.refusal import Refusal
 from app.scenes.phenomena.oblique_drawing import PHENOMENON, oblique
 from tests.oracles.exact import cotangent_deg, mp
 from tests.oracles.illustrations import random_projection, reading, showing, subject_of, value
@@ -159,37 +158,6 @@ def test_projectors_end_where_the_picture_has_their_points() -> None:
         trace = seen.trace([corner, foot])
         assert trace.image[0] == pytest.approx(trace.image[1], abs=1e-9)
         assert trace.view[1, 2] == pytest.approx(-seen.lens.near, abs=1e-12)
-
-
-def test_a_perspective_lens_has_no_receding_scale() -> None:
-    illustration = shown(PHENOMENON.start.with_lens("perspective"))
-    assert illustration.warning is not None
-    assert reading(illustration, "receding scale").value is None
-
-
-@pytest.mark.parametrize(
-    ("name", "wrong"),
-    [("receding", -0.1), ("receding", math.inf), ("morph", 1.5), ("angle_deg", 1e9)],
-)
-def test_wrong_settings_are_refused_by_name(name: str, wrong: float) -> None:
-    with pytest.raises(Refusal, match=f"settings.{name}"):
-        PHENOMENON.checked({name: wrong})
-
-
-def test_the_angle_is_named_for_what_it_is_in_every_quadrant() -> None:
-    """At 135 degrees the arctan of the quotient is -45; and its name is atan2."""
-    for angle_deg in (135.0, -45.0, 90.0, -135.0):
-        seen = followed(PHENOMENON.start, angle_deg=angle_deg)
-        lens = seen.lens
-        assert isinstance(lens, Oblique)
-        found = reading(shown(seen), "atan2(\N{MINUS SIGN}cot")
-        cot_alpha, cot_beta = (
-            1.0 / math.tan(math.radians(angle)) for angle in (lens.alpha_deg, lens.beta_deg)
-        )
-        expected = math.degrees(math.atan2(-cot_beta, -cot_alpha))
-        assert isinstance(found.value, float)
-        assert angle_between(found.value, expected) < 1e-9
-        assert angle_between(found.value, angle_deg) < 1e-9
 
 
 def test_no_scale_is_written_where_there_is_none() -> None:

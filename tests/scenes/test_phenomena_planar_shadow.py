@@ -24,7 +24,7 @@ from app.model.refusal import Refusal
 from app.scenes.phenomena.illustration import Illustration, Subject
 from app.scenes.phenomena.planar_shadow import PHENOMENON, cast, shadow_matrix
 from app.scenes.shapes import letter_f
-from tests.oracles.illustrations import showing
+from tests.oracles.illustrations import readings, showing
 
 mp.mp.dps = 40
 
@@ -38,9 +38,7 @@ show = showing(PHENOMENON, SUBJECT)
 
 
 def value(illustration: Illustration, label: str) -> Any:
-    (reading,) = (r for r in illustration.readings if r.label == label)
-    assert reading.value is not None or reading.note is not None
-    return reading.value
+    return readings(illustration)[label]
 
 
 def met(light: Any, height: float, place: Any) -> list[float]:
@@ -156,15 +154,14 @@ def test_l19_by_hand() -> None:
     )
 
 
-@pytest.mark.parametrize("depth", ["opengl", "direct3d", "reversed"])
 @pytest.mark.parametrize(
-    "lens",
+    ("lens", "depth"),
     [
-        Perspective(60.0, 0.5, 30.0),
-        Perspective(100.0, 0.5, math.inf),
-        Frustum(-0.3, 0.9, -0.7, 0.2, 0.8, 40.0),
-        Orthographic(-9.0, 9.0, -9.0, 9.0, 1.0, 40.0),
-        Oblique(-9.0, 9.0, -9.0, 9.0, 1.0, 40.0),
+        (Perspective(60.0, 0.5, 30.0), "opengl"),
+        (Perspective(100.0, 0.5, math.inf), "reversed"),
+        (Frustum(-0.3, 0.9, -0.7, 0.2, 0.8, 40.0), "direct3d"),
+        (Orthographic(-9.0, 9.0, -9.0, 9.0, 1.0, 40.0), "opengl"),
+        (Oblique(-9.0, 9.0, -9.0, 9.0, 1.0, 40.0), "direct3d"),
     ],
 )
 def test_the_gpu_cuts_the_anti_shadow_off_and_minus_s_lets_it_through(
@@ -201,9 +198,6 @@ def test_the_gpu_cuts_the_anti_shadow_off_and_minus_s_lets_it_through(
         ({"kind": "sun", "light": (1, 0, 1)}, r"settings\.light = \(1, 0, 1\): .* parallel"),
         ({"kind": "sun", "light": (1, -1, 1)}, r"settings\.light .* must point upward"),
         ({"kind": "sun", "light": (0, 0, 0)}, r"settings\.light .* zero vector"),
-        ({"height": 1.0}, r"settings\.height = 1: must be at most 0"),
-        ({"kind": "moon"}, r"settings\.kind .* point, sun"),
-        ({"light": (0, math.inf, 0)}, r"settings\.light"),
     ],
 )
 def test_bad_input_is_refused_in_one_sentence(settings: dict[str, Any], said: str) -> None:

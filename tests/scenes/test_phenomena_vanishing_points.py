@@ -11,12 +11,7 @@ import pytest
 
 from app.model.projection import Camera, Orbit, Perspective, Projection
 from app.scenes.phenomena.illustration import Illustration
-from app.scenes.phenomena.vanishing_points import (
-    PHENOMENON,
-    horizon,
-    line_in_rectangle,
-    vanishing,
-)
+from app.scenes.phenomena.vanishing_points import PHENOMENON, horizon, line_in_rectangle, vanishing
 from app.scenes.shapes import box_corners
 from tests.oracles.exact import Exact, mp
 from tests.oracles.illustrations import random_projection, reading, showing, subject_of

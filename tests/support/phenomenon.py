@@ -17,6 +17,7 @@ from app.scenes.phenomena.marks import Dot, Marks, Text
 from app.scenes.phenomena.readout import Phrase, Reading
 from app.scenes.phenomena.settings import Setting, Settings, number, point
 from app.scenes.phenomena.similar_triangles import PHENOMENON as SIMILAR_TRIANGLES
+from app.scenes.phenomena.words import Words
 
 BELOW_COUNT = "must be less than the count, which is {0}"
 
@@ -56,27 +57,57 @@ def _check(settings: Settings) -> None:
         raise Refusal("settings.gap", settings["gap"], BELOW_COUNT, count)
 
 
+TEXT = """\
+# A setting of every kind
+What this is about. It has two sentences.
+
+## Try
+
+## Gap {#gap}
+Between the two
+
+## Turn {#turn}
+How far
+
+## Count {#count}
+How many
+
+## Kind {#kind}
+Which
+- a: alpha
+- b: beta
+
+## Correct {#correct}
+Whether
+
+## Light {#light}
+Where it is
+"""
+
 EVERYTHING = Phenomenon(
-    "everything",
-    "A setting of every kind",
-    "What this is about. It has two sentences.",
+    Words("everything", TEXT),
     ("001", "002"),
     SIMILAR_TRIANGLES.start,
     SIMILAR_TRIANGLES.geometry,
     _show,
-    settings=(
-        Setting("gap", "Gap", "Between the two", 2.0, 1e-3, 1e3, unit="mm", logarithmic=True),
-        Setting("turn", "Turn", "How far", 0.0, -180.0, 180.0, unit="°", per_second=90.0),
-        Setting("count", "Count", "How many", 40.0, 1.0, 64.0, whole=True, per_second=4.0),
-        Setting("kind", "Kind", "Which", "a", choices=(("a", "alpha"), ("b", "beta"))),
-        Setting("correct", "Correct", "Whether", True),
-        Setting("light", "Light", "Where it is", (1.0, 3.6, 3.0)),
+    (
+        Setting("gap", 2.0, 1e-3, 1e3, unit="mm", logarithmic=True),
+        Setting("turn", 0.0, -180.0, 180.0, unit="°", per_second=90.0),
+        Setting("count", 40.0, 1.0, 64.0, whole=True, per_second=4.0),
+        Setting("kind", "a"),
+        Setting("correct", True),
+        Setting("light", (1.0, 3.6, 3.0)),
     ),
     controls=("lens.near", "camera.distance"),
     follow=_follow,
     check=_check,
     own_mesh=True,
 )
+
+
+def called(name: str) -> Phenomenon:
+    """`EVERYTHING` under another name."""
+    return replace(EVERYTHING, words=Words(name, TEXT))
 
 
 def make_known(monkeypatch: pytest.MonkeyPatch, *phenomena: Phenomenon) -> None:

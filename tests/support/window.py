@@ -13,11 +13,11 @@ from PySide6.QtCore import QEvent, QPoint, QPointF, QRect, Qt
 from PySide6.QtGui import QImage, QMouseEvent, QRegion
 from PySide6.QtOpenGLWidgets import QOpenGLWidget
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication, QLineEdit, QWidget
+from PySide6.QtWidgets import QApplication, QLineEdit, QSplitter, QWidget
 
 from app.document.document import Document
 from app.lecture.highlight import NOTHING, Highlight
-from app.model.projection import Projection
+from app.model.projection import Perspective, Projection
 from app.scenes.scene import load
 from tests import PATIENCE_MS
 from widgets.parts.clock import Clock
@@ -158,6 +158,31 @@ def point_of(place: tuple[float, float]) -> QPoint:
 def click(widget: Any, place: tuple[float, float] | None = None) -> None:
     """Click a widget, in its middle unless a place is given, and let it happen."""
     QTest.mouseClick(widget, LEFT, pos=QPoint() if place is None else point_of(place))
+    settle()
+
+
+def drag(splitter: QSplitter, place: int, by: QPoint) -> None:
+    """Drag the handle between two widgets of a splitter."""
+    handle = splitter.handle(place)
+    at = handle.rect().center()
+    QTest.mousePress(handle, LEFT, pos=at)
+    QTest.mouseMove(handle, at + by)
+    QTest.mouseRelease(handle, LEFT, pos=at + by)
+    settle()
+
+
+def edit(window: MainWindow) -> None:
+    """Make an unsaved change."""
+    window.store.set_projection(seen(window, lens=Perspective(60.0, 2.0, 20.0)))
+
+
+def turn(window: MainWindow, name: str) -> None:
+    """Turn a pane with the mouse, and go nearer."""
+    canvas = window.panes[name].canvas
+    QTest.mousePress(canvas, LEFT, pos=QPoint(100, 100))
+    QTest.mouseMove(canvas, QPoint(180, 130))
+    QTest.mouseRelease(canvas, LEFT, pos=QPoint(180, 130))
+    QTest.keyClick(canvas, Qt.Key.Key_Plus)
     settle()
 
 

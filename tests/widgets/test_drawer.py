@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from typing import Any
 
 import pytest
 from PySide6.QtCore import QPoint, Qt
@@ -14,7 +13,7 @@ from pytestqt.qtbot import QtBot
 from app.document.document import Document
 from app.model.projection import Perspective
 from app.scenes.scene import load
-from tests.support.window import activate
+from tests.support.window import activate, click, drag, settle
 from widgets.parts.panel import EVERYTHING, Changed, Panel, Shown
 from widgets.window.drawer import Panels
 from widgets.window.main_window import MainWindow
@@ -91,91 +90,65 @@ def test_one_panel_is_open_at_a_time(qtbot: QtBot) -> None:
         assert (panels.open_panel is first) == one.isChecked() == (key != Qt.Key.Key_Enter)
 
 
-def heights(window: Any) -> list[int]:
-    """Of the panels' part of the window, as their names are clicked from left to right and back."""
-    found = []
-    panels = (window.matrices, window.frame_panel, window.kinds_panel, window.probe_panel,
-              window.scene_panel, window.measure_panel)  # fmt: skip
-    for panel in (*panels, *panels[::-1]):
-        window.panels.open(panel)
-        QApplication.processEvents()
-        found.append(window.panels.height())
-    return found
-
-
-@pytest.mark.parametrize("size", [(1366, 768), (1920, 1080)])
-def test_the_names_stand_still_and_a_panel_has_at_most_a_third(
-    window: MainWindow, size: tuple[int, int]
-) -> None:
-    window.resize(*size)
-    QApplication.processEvents()
-    names = window.panels.names
+def test_the_names_stand_still_and_a_panel_has_at_most_a_third(window: MainWindow) -> None:
+    names = window.panels.names.findChildren(QToolButton)
 
     def places() -> list[QPoint]:
-        return [name.mapTo(window, QPoint()) for name in names.findChildren(QToolButton)]
+        settle()
+        return [name.mapTo(window, QPoint()) for name in names]
 
-    before, panes = places(), [pane.geometry() for pane in window.panes.values()]
-    assert len(before) == 6 and places()[0].y() > size[1] - 60, "at the bottom"
-    found = set()
-    for name in names.findChildren(QToolButton):
-        QTest.mouseClick(name, Qt.MouseButton.LeftButton)
-        QApplication.processEvents()
-        assert places() == before and window.size().toTuple() == size
-        found.add(window.panels.height())
-    assert found == {size[1] // 3}
-    QTest.mouseClick(name, Qt.MouseButton.LeftButton)
-    QApplication.processEvents()
-    assert places() == before and not window.panels.isVisible()
-    assert [pane.geometry() for pane in window.panes.values()] == panes
+    for size in [(1280, 720), (1920, 1080)]:
+        window.resize(*size)
+        before, panes = places(), [pane.geometry() for pane in window.panes.values()]
+        assert len(before) == len(window.panels.all)
+        assert before[0].y() > size[1] - 60, "at the bottom"
+        found = set()
+        for name in names:
+            click(name)
+            assert places() == before and window.size().toTuple() == size
+            found.add(window.panels.height())
+        assert found == {size[1] // 3}
+        click(names[-1])
+        assert places() == before and not window.panels.isVisible()
+        assert [pane.geometry() for pane in window.panes.values()] == panes
 
 
 def test_an_open_panel_has_its_part_of_a_window_that_grows(window: MainWindow) -> None:
     window.resize(1366, 768)
     window.panels.open(window.matrices)
-    QApplication.processEvents()
+    settle()
     assert window.panels.height() == 768 // 3
     window.resize(1920, 1050)
-    QApplication.processEvents()
+    settle()
     assert window.panels.height() == 1050 // 3
-    drag(window, 100)
-    chosen = window.panels.height()
-    assert chosen == 250
+    drag(window.drawer, 1, QPoint(0, 100))
+    assert window.panels.height() == 250
     window.resize(1920, 1049)  # by a hair, as when it is moved from screen to screen
     window.resize(1920, 1060)
-    QApplication.processEvents()
+    settle()
     assert window.panels.height() == pytest.approx(250 / 1050 * 1060, abs=1.0)
-
-
-def drag(window: MainWindow, down_px: int) -> None:
-    """Drag what is between the panes and the open panel."""
-    handle = window.drawer.handle(1)
-    place = handle.rect().center()
-    QTest.mousePress(handle, Qt.MouseButton.LeftButton, pos=place)
-    QTest.mouseMove(handle, place + QPoint(0, down_px))
-    QTest.mouseRelease(handle, Qt.MouseButton.LeftButton, pos=place)
-    QApplication.processEvents()
 
 
 def test_a_height_that_the_hand_has_chosen_stays(window: MainWindow) -> None:
     window.panels.open(window.matrices)
-    QApplication.processEvents()
+    settle()
     for away, taller in ((90, -90), (-40, 40), (-400, 50)):
         before = window.panels.height()
-        drag(window, away)
+        drag(window.drawer, 1, QPoint(0, away))
         chosen = window.panels.height()
         assert chosen == before + taller, "never more than a third"
-        assert set(heights(window)) == {chosen}
-        window.panels.open(None)
-        window.panels.open(window.matrices)
-        QApplication.processEvents()
-        assert window.panels.height() == chosen
+        for panel in (*window.panels.all, None, window.matrices):
+            window.panels.open(panel)
+            settle()
+            assert panel is None or window.panels.height() == chosen
 
 
-def test_tab_goes_all_round_the_window(window: MainWindow, qtbot: QtBot) -> None:
+def test_tab_goes_all_round_the_window(window: MainWindow) -> None:
     activate(window)
     window.probe_panel.follow(point=(0.0, 0.0, 0.0))
-    for panel in (window.matrices, window.frame_panel, window.kinds_panel, window.probe_panel,
-                  window.measure_panel):  # fmt: skip
+    for panel in window.panels.all:
+        if panel is window.scene_panel:  # which has nothing to reach
+            continue
         window.panels.open(panel)
         QApplication.processEvents()
         start = window.controls.rows["near"].field

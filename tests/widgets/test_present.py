@@ -19,6 +19,7 @@ from tests.support.window import (
     MakeWindow,
     activate,
     counted_repaints,
+    drag,
     give_room,
     move_mouse,
     pixels,
@@ -28,6 +29,8 @@ from tests.support.window import (
 from widgets.window.main_window import MainWindow
 from widgets.window.settings import Settings
 
+ORDINARY = 20, 30, 1300, 750
+"""Left, top, width and height of the window before and after."""
 NO_BUTTON = Qt.MouseButton.NoButton
 
 
@@ -129,26 +132,26 @@ def test_the_large_pane_keeps_its_height_while_a_class_reads_a_panel(window: Mai
         assert [pane.geometry() for pane in window.panes.values()] == before, large
 
 
-@pytest.mark.parametrize("arranged", ["world", "image", "ndc", "columns"])
-def test_text_is_a_share_of_the_screens_height(window: MainWindow, arranged: str) -> None:
+def test_text_is_a_share_of_the_screens_height(window: MainWindow) -> None:
     before = LIGHT.font_size
     begin(window)
-    columns = arranged == "columns"
-    window.slots.arrange("columns" if columns else "pictures", "" if columns else arranged)
-    settle()
-    assert cut(window) == []
     least = 0.022 * window.screen().size().height()
-    for widget in window.findChildren(QWidget):
-        is_text = isinstance(widget, QLabel | QToolButton) and widget.text()
-        if is_text and widget.isVisible():
-            assert QFontInfo(widget.font()).pixelSize() >= least, widget.text()
-    assert QFontInfo(window.controls.rows["near"].field.font()).pixelSize() >= least
-    drawn = [
-        prop.GetTextProperty().GetFontSize()
-        for prop in window.panes["world"].canvas.renderer.GetViewProps()
-        if prop.IsA("vtkTextActor") and prop.GetVisibility()
-    ]
-    assert drawn and min(drawn) >= least > before
+    for layout, large in (("pictures", "world"), ("pictures", "image"), ("pictures", "ndc"),
+                          ("columns", "")):  # fmt: skip
+        window.slots.arrange(layout, large)
+        settle()
+        assert cut(window) == []
+        for widget in window.findChildren(QWidget):
+            is_text = isinstance(widget, QLabel | QToolButton) and widget.text()
+            if is_text and widget.isVisible():
+                assert QFontInfo(widget.font()).pixelSize() >= least, widget.text()
+        assert QFontInfo(window.controls.rows["near"].field.font()).pixelSize() >= least
+        drawn = [
+            prop.GetTextProperty().GetFontSize()
+            for prop in window.panes["world"].canvas.renderer.GetViewProps()
+            if prop.IsA("vtkTextActor") and prop.GetVisibility()
+        ]
+        assert drawn and min(drawn) >= least > before
 
 
 def test_a_class_sees_the_controls_that_matter_and_nothing_else(window: MainWindow) -> None:
@@ -226,23 +229,11 @@ def test_no_last_word_stands_alone(window: MainWindow) -> None:
         assert len(ends) > 1 and min(ends) > 0.5 * max(ends), (text, ends)
 
 
-@pytest.mark.parametrize("theme", ["light", "dark"])
-def test_icons_grow_with_their_letters(window: MainWindow, theme: str) -> None:
-    window.look.set_theme(theme)
-    begin(window)
-    window.present.show_tools(True)
-    settle()
-    for button in window.menus.tools.findChildren(QToolButton):
-        if button.isVisible() and not button.icon().isNull():
-            assert button.iconSize().height() >= 0.022 * window.height(), button.text()
-    window.look.set_theme("light")
-
-
 @pytest.mark.parametrize(("theme", "lightness"), [("light", (0, 110)), ("dark", (140, 255))])
-def test_icons_have_the_colour_of_their_text(
+def test_icons_have_the_size_and_the_colour_of_their_text(
     window: MainWindow, theme: str, lightness: tuple[int, int]
 ) -> None:
-    """Also a copy that Qt has made for itself, to add to it."""
+    """So does a copy to which Qt has added a picture."""
     window.look.set_theme(theme)
     icons = [QIcon(a.icon()) for a in window.menus.tools.actions() if not a.icon().isNull()]
     assert len(icons) > 5
@@ -250,14 +241,19 @@ def test_icons_have_the_colour_of_their_text(
         icon.addPixmap(QPixmap(1, 1))
         picture = icon.pixmap(QSize(20, 20), 2.0).toImage()
         inked = [
-            picture.pixelColor(x, y)
+            colour.lightness()
             for x in range(picture.width())
             for y in range(picture.height())
-            if picture.pixelColor(x, y).alpha() == 255
+            if (colour := picture.pixelColor(x, y)).alpha() == 255
         ]
         assert picture.width() == 40 and len(inked) > 20
-        found = {colour.lightness() for colour in inked}
-        assert lightness[0] <= min(found) and max(found) <= lightness[1]
+        assert lightness[0] <= min(inked) and max(inked) <= lightness[1]
+    begin(window)
+    window.present.show_tools(True)
+    settle()
+    for button in window.menus.tools.findChildren(QToolButton):
+        if button.isVisible() and not button.icon().isNull():
+            assert button.iconSize().height() >= 0.022 * window.height(), button.text()
     window.look.set_theme("light")
 
 
@@ -359,13 +355,12 @@ def test_the_pointer_marks_in_all_panes_what_the_mouse_is_over(window: MainWindo
 # -- leaving
 
 
-@pytest.mark.parametrize("way", ["F5", "Escape", "system"])
-def test_it_leaves_no_trace(window: MainWindow, way: str) -> None:
-    window.setGeometry(20, 30, 1300, 750)
+def test_it_leaves_no_trace(window: MainWindow) -> None:
+    window.setGeometry(*ORDINARY)
     window.panels.open(window.matrices)
     settle()
     before, pictures = trace(window), {name: pixels(window, name) for name in window.panes}
-    for _ in range(2):
+    for way in ("F5", "Escape", "system"):
         begin(window)
         assert is_presenting(window) and trace(window) != before
         window.present.show_tools(True)
@@ -374,32 +369,26 @@ def test_it_leaves_no_trace(window: MainWindow, way: str) -> None:
         else:
             press(window, getattr(Qt.Key, f"Key_{way}"))
         assert not window.isFullScreen()
-        give_room(window, QRect(20, 30, 1300, 750))
+        give_room(window, QRect(*ORDINARY))
         assert not is_presenting(window)
-        assert trace(window) == before
-        assert all((pixels(window, name) == pictures[name]).all() for name in pictures)
+        assert trace(window) == before, way
+        assert all((pixels(window, name) == pictures[name]).all() for name in pictures), way
     assert not window.isWindowModified() and not window.store.can_undo
 
 
 def test_slots_that_the_hand_has_shared_out_are_so_again(window: MainWindow) -> None:
-    window.setGeometry(20, 30, 1300, 750)
+    window.setGeometry(*ORDINARY)
     settle()
     for splitter, by in ((window.slots, QPoint(90, 0)), (window.slots.widget(1), QPoint(0, 70))):
-        handle = splitter.handle(1)
-        at = handle.rect().center()
-        QTest.mousePress(handle, Qt.MouseButton.LeftButton, pos=at)
-        QTest.mouseMove(handle, at + by)
-        QTest.mouseRelease(handle, Qt.MouseButton.LeftButton, pos=at + by)
-        settle()
+        drag(splitter, 1, by)
     before = trace(window)
     for _ in range(2):
         begin(window)
         press(window, Qt.Key.Key_F5)
-        give_room(window, QRect(20, 30, 1300, 750))
+        give_room(window, QRect(*ORDINARY))
         assert trace(window) == before
 
 
-@pytest.mark.parametrize("way", ["Escape", "F5"])
 @pytest.mark.parametrize(
     "what",
     [
@@ -411,10 +400,8 @@ def test_slots_that_the_hand_has_shared_out_are_so_again(window: MainWindow) -> 
         "a dock of another width",
     ],
 )
-def test_esc_leaves_presenting_at_once_and_all_stays(
-    window: MainWindow, what: str, way: str
-) -> None:  # fmt: skip
-    window.setGeometry(20, 30, 1300, 750)
+def test_esc_leaves_presenting_at_once_and_all_stays(window: MainWindow, what: str) -> None:
+    window.setGeometry(*ORDINARY)
     settle()
     if what == "a comparison":
         window.comparing.button.click()
@@ -429,15 +416,15 @@ def test_esc_leaves_presenting_at_once_and_all_stays(
         window.split.setSizes([800, 500])
     settle()
     before, held = trace(window), window.comparing.pictures.pictures
-    for _ in range(2):
+    for key in (Qt.Key.Key_Escape, Qt.Key.Key_F5):
         begin(window)
         if what == "a pane made whole":
             window.slots.bring(window.slots.large)
         elif what == "a dock without its place":
             window.menus.controls.trigger()
         settle()
-        press(window, getattr(Qt.Key, f"Key_{way}"))
-        give_room(window, QRect(20, 30, 1300, 750))
+        press(window, key)
+        give_room(window, QRect(*ORDINARY))
         assert not is_presenting(window)
         assert trace(window) == before
         assert window.comparing.pictures.pictures == held

@@ -28,7 +28,7 @@ from app.scenes.phenomena.illustration import Illustration, Subject
 from app.scenes.phenomena.readout import Phrase, Reading
 from app.scenes.phenomena.settings import Setting, Settings
 from tests.support.controls import choose
-from tests.support.phenomenon import EVERYTHING
+from tests.support.phenomenon import EVERYTHING, called
 from tests.support.window import enter, show_scene
 from widgets.controls.scene_card import NONE, Player, SceneCard, make_row, scale_of
 from widgets.parts import palette
@@ -367,7 +367,7 @@ def test_a_slider_reaches_only_what_its_setting_can_be(
         low, reach = float(round(low)) + logarithmic, float(math.ceil(reach))
     high = low + reach
     setting = Setting(
-        "a", "A", "", (low + high) / 2.0, low, high, (low, high) if spans else None,
+        "a", (low + high) / 2.0, low, high, (low, high) if spans else None,
         logarithmic=logarithmic, whole=whole,
     )  # fmt: skip
     scale = scale_of(setting)
@@ -379,7 +379,7 @@ def test_a_slider_reaches_only_what_its_setting_can_be(
 
 
 def test_a_setting_without_ends_has_a_slider_about_its_default(qtbot: QtBot) -> None:
-    row = make_row(Setting("a", "A", "Tip", 4.0))
+    row = make_row(Setting("a", 4.0))
     qtbot.addWidget(row)
     assert isinstance(row, NumberRow)
     assert row.value() == 4.0 and row.slider.minimum() < row.slider.value() < row.slider.maximum()
@@ -434,11 +434,11 @@ def test_one_number_plays_at_a_time_and_none_in_a_folded_panel(owner: Owner) -> 
 
 
 def test_a_count_counts_and_powers_run_evenly(qtbot: QtBot) -> None:
-    count = Player(Setting("n", "N", "", 1.0, 1.0, 64.0, whole=True, per_second=4.0))
+    count = Player(Setting("n", 1.0, 1.0, 64.0, whole=True, per_second=4.0))
     count.show_value(1.0)
     count.play()
     assert played(count, 0.1, 0.15, 0.25, 0.5) == [2.0, 3.0, 5.0]
-    power = Player(Setting("e", "E", "", 1.0, 0.01, 1e4, logarithmic=True, per_second=1.0))
+    power = Player(Setting("e", 1.0, 0.01, 1e4, logarithmic=True, per_second=1.0))
     power.show_value(1.0)
     power.play()
     assert played(power, 1.0, 2.0, 5.0, 1.0) == [10.0, 1000.0, 10000.0, 1000.0]
@@ -583,7 +583,7 @@ def test_the_first_numbers_are_seen_and_the_others_written_when_they_are_unfolde
     owner: Owner,
 ) -> None:
     card = owner.card
-    card.show_scene("Anew", TRIES, replace(EVERYTHING, name="anew", numbers=2))
+    card.show_scene("Anew", TRIES, replace(called("anew"), numbers=2))
     many = [Reading(f"number {i}", float(i)) for i in range(5)]
     card.readout.show_readings(many)
     assert [label for label, _, _ in readings(card)] == ["number 0", "number 1"]

@@ -13,8 +13,9 @@ from pytestqt.qtbot import QtBot
 
 from app.model.projection import Perspective
 from app.scenes.scene import load
-from tests.support.window import activate, counted_repaints, seen, settle, show_scene
+from tests.support.window import activate, counted_repaints, drag, seen, settle, show_scene
 from widgets.window.main_window import MainWindow
+from widgets.window.slots import LAYOUTS
 
 LEFT = Qt.MouseButton.LeftButton
 CTRL = Qt.KeyboardModifier.ControlModifier
@@ -86,24 +87,24 @@ def by_button(window: MainWindow, name: str) -> None:
     settle()
 
 
-@pytest.mark.parametrize("bring", [by_key, by_title, by_button])
-def test_a_pane_is_brought_into_the_large_slot_then_alone_and_back(
-    window: MainWindow, bring: Any
-) -> None:
+def test_a_pane_is_brought_into_the_large_slot_then_alone_and_back(window: MainWindow) -> None:
     window.panels.open(window.matrices)
     settle()
-    assert slots(window) == ("world", "image", "ndc") and not is_whole(window)
-    for name, beside in (("image", ("world", "ndc")), ("ndc", ("world", "image"))):
-        bring(window, name)
-        assert slots(window) == (name, *beside)
-        found = places(window)
-        assert all(found[name][2] > found[other][2] for other in beside) and not is_whole(window)
-        assert all(found[name][3] > 1.8 * found[other][3] for other in beside)
-        bring(window, name)
-        assert slots(window) == (name,) and is_whole(window)
-        bring(window, name)
-        assert places(window) == found and not is_whole(window)
-        assert window.panels.open_panel is window.matrices
+    for bring in (by_key, by_title, by_button):
+        assert slots(window) == ("world", "image", "ndc") and not is_whole(window)
+        for name, beside in (("image", ("world", "ndc")), ("ndc", ("world", "image"))):
+            bring(window, name)
+            assert slots(window) == (name, *beside)
+            found = places(window)
+            assert all(found[name][2] > found[other][2] for other in beside)
+            assert all(found[name][3] > 1.8 * found[other][3] for other in beside)
+            assert not is_whole(window)
+            bring(window, name)
+            assert slots(window) == (name,) and is_whole(window)
+            bring(window, name)
+            assert places(window) == found and not is_whole(window)
+            assert window.panels.open_panel is window.matrices
+        press(window, "0")
     assert not window.store.can_undo and not window.isWindowModified()
 
 
@@ -125,6 +126,10 @@ def test_ctrl_0_goes_back_to_how_the_scene_opens(window: MainWindow) -> None:
     assert slots(window) == ("ndc",)
     press(window, "0")
     assert places(window) == start and window.slots.floating == ()
+    show_scene(window, IMAGE_LEADS)
+    by_key(window, "world")
+    press(window, "0")
+    assert slots(window) == ("image", "world", "ndc")
 
 
 def test_esc_leaves_what_is_on_top_first(window: MainWindow) -> None:
@@ -173,9 +178,14 @@ def all_actions(window: MainWindow) -> Iterator[Any]:
 
 @pytest.mark.parametrize(
     ("layout", "afloat"),
-    [("pictures", ("world",)), ("columns", ("ndc",)), ("pictures", ("world", "ndc")),
-     ("columns", PANES)],
-)  # fmt: skip
+    [
+        ("pictures", ("world",)),
+        ("columns", ("image",)),
+        ("pictures", ("ndc",)),
+        ("columns", ("world", "ndc")),
+        ("pictures", PANES),
+    ],
+)
 def test_docked_panes_share_the_room_of_floating_panes(
     window: MainWindow, qtbot: QtBot, layout: str, afloat: tuple[str, ...]
 ) -> None:
@@ -191,12 +201,15 @@ def test_docked_panes_share_the_room_of_floating_panes(
     docked = tuple(name for name in order if name not in afloat)
     assert window.slots.floating == afloat and slots(window) == docked
     assert all(pane.isVisible() for pane in window.panes.values())
-    found = places(window)
+
+    def ends(found: dict[str, tuple[int, int, int, int]]) -> tuple[int, int]:
+        rooms = found.values()
+        return max(left + width for left, _, width, _ in rooms), max(
+            top + height for _, top, _, height in rooms
+        )
+
     if docked:
-        right = max(left + width for left, _, width, _ in start.values())
-        assert max(left + width for left, _, width, _ in found.values()) == right, "no gap"
-        bottom = max(top + height for _, top, _, height in start.values())
-        assert max(top + height for _, top, _, height in found.values()) == bottom
+        assert ends(places(window)) == ends(start), "no gap"
     with counted_repaints(window) as counts:
         window.store.set_projection(seen(window, lens=Perspective(46.0, 1.0, 30.0)))
         settle()
@@ -224,16 +237,6 @@ def test_a_floating_pane_stays_afloat_whatever_is_brought(window: MainWindow, qt
     assert slots(window) == ("ndc",) and is_whole(window)
     by_key(window, "ndc")
     assert slots(window) == ("ndc", "world", "image")
-
-
-def drag(splitter: QSplitter, place: int, by: QPoint) -> None:
-    """Drag what is between two widgets of a splitter."""
-    handle = splitter.handle(place)
-    at = handle.rect().center()
-    QTest.mousePress(handle, LEFT, pos=at)
-    QTest.mouseMove(handle, at + by)
-    QTest.mouseRelease(handle, LEFT, pos=at + by)
-    settle()
 
 
 def test_sizes_that_the_hand_has_chosen_are_kept_through_a_swap(window: MainWindow) -> None:
@@ -275,23 +278,13 @@ def test_a_scene_brings_the_pane_that_it_is_about_and_undo_brings_back(window: M
     assert slots(window) == ("world",) and is_whole(window)
 
 
-def test_ctrl_0_of_a_scene_about_the_picture_brings_the_picture(window: MainWindow) -> None:
-    show_scene(window, IMAGE_LEADS)
-    by_key(window, "world")
-    press(window, "0")
-    assert slots(window) == ("image", "world", "ndc")
-
-
 def test_after_every_arrangement_a_change_is_one_repaint_of_what_is_seen(
     window: MainWindow,
 ) -> None:
     fov_deg = 46.0
     for layout, large, whole in (
-        ("pictures", "world", ""),
-        ("pictures", "image", "image"),
-        ("columns", "ndc", ""),
-        ("columns", "world", "world"),
-        ("pictures", "ndc", "ndc"),
+        *((layout, large, "") for layout in LAYOUTS for large in PANES),
+        *((layout, large, large) for layout in LAYOUTS for large in PANES),
     ):
         window.slots.arrange(layout, large, whole)
         settle()
@@ -302,8 +295,11 @@ def test_after_every_arrangement_a_change_is_one_repaint_of_what_is_seen(
         assert counts == {name: int(whole in ("", name)) for name in PANES}, (layout, whole)
 
 
-def test_arranging_draws_nothing_that_is_hidden(window: MainWindow) -> None:
+def test_arranging_draws_nothing_that_is_hidden_or_stays(window: MainWindow) -> None:
     with counted_repaints(window) as counts:
+        window.slots.arrange("pictures", "world")
+        press(window, "0")
+        assert counts == dict.fromkeys(PANES, 0)
         by_key(window, "ndc")
         by_key(window, "ndc")
         before = dict(counts)
@@ -312,10 +308,3 @@ def test_arranging_draws_nothing_that_is_hidden(window: MainWindow) -> None:
         settle()
     assert (counts["world"], counts["ndc"]) == (before["world"], before["ndc"])
     assert counts["image"] > before["image"]
-
-
-def test_where_it_stands_already_nothing_is_drawn(window: MainWindow) -> None:
-    with counted_repaints(window) as counts:
-        window.slots.arrange("pictures", "world")
-        press(window, "0")
-    assert counts == dict.fromkeys(PANES, 0)

@@ -6,7 +6,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from PySide6.QtCore import QPoint, Qt
+from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QCheckBox, QToolButton
 
@@ -17,7 +17,7 @@ from app.lessons.lesson import read
 from app.scenes.scene import BUILT_IN, load
 from tests import PATIENCE_MS
 from tests.support.layout import cut, overlapping
-from tests.support.window import MakeWindow, settle
+from tests.support.window import MakeWindow, click, settle
 from widgets.window import start_card
 from widgets.window.main_window import MainWindow
 from widgets.window.settings import Progress, Settings
@@ -69,52 +69,41 @@ def test_it_has_every_scene_as_a_picture(window: MainWindow, qtbot: Any) -> None
 
 def test_a_click_on_a_scene_opens_it(window: MainWindow) -> None:
     card = opened(window)
-    QTest.mouseClick(card.tiles["depth-buffer"], Qt.MouseButton.LeftButton)
+    click(card.tiles["depth-buffer"])
     assert is_gone(window) and window.store.document.scene == "depth-buffer"
     assert window.slots.large == "image"
 
 
-@pytest.mark.parametrize("way", ["escape", "beside", "cross"])
-def test_one_click_or_escape_sends_it_away(window: MainWindow, way: str) -> None:
+def test_one_click_or_escape_sends_it_away(window: MainWindow) -> None:
     before = window.store.document
-    card = opened(window)
-    if way == "escape":
-        QTest.keyClick(window, Qt.Key.Key_Escape)
-    elif way == "beside":
-        QTest.mouseClick(card, Qt.MouseButton.LeftButton, pos=QPoint(3, card.height() - 3))
-    else:
-        QTest.mouseClick(button(card, "Close"), Qt.MouseButton.LeftButton)
-    assert is_gone(window) and window.store.document == before
-
-
-def test_recent_lessons_are_called_by_their_titles(make_window: MakeWindow, tmp_path: Path) -> None:
-    path = tmp_path / "l1.md"
-    path.write_text("---\ntitle: How wide?\n---\n# One {#one}\n")
-    settings = Settings(None)
-    settings.recent = [str(path), str(tmp_path / "gone.md")]
-    card = opened(make_window(settings=settings))
-    assert [button(card, name).text() for name in ("l1.md", "gone.md")] == ["How wide?", "gone.md"]
+    for act in (
+        lambda _card: QTest.keyClick(window, Qt.Key.Key_Escape),
+        lambda card: click(card, (3, card.height() - 3)),  # beside it
+        lambda card: click(button(card, "Close")),
+    ):
+        act(opened(window))
+        assert is_gone(window) and window.store.document == before
 
 
 def test_recent_files_are_there_and_open(make_window: MakeWindow, tmp_path: Path) -> None:
-    path = tmp_path / "lesson with a rather long name that has no room.json"
+    path, lesson = tmp_path / "document with a rather long name.json", tmp_path / "l1.md"
     write(Document("cube", load("cube").start), path)
+    lesson.write_text("---\ntitle: How wide?\n---\n# One {#one}\n")
     settings = Settings(None)
-    settings.recent = [str(path), *(str(tmp_path / f"{i}.json") for i in range(9))]
+    paths = [path, lesson, *(tmp_path / f"{i}.md" for i in range(9))]
+    settings.recent = [str(each) for each in paths]
     window = make_window(settings=settings)
     card = opened(window)
+    assert [button(card, name).text() for name in ("l1.md", "0.md")] == ["How wide?", "0.md"]
     found = button(card, path.name)
     assert found.toolTip() == str(path) and path.name not in found.text()
-    assert not [b for b in card.findChildren(QToolButton) if b.text() == "8.json"]
-    QTest.mouseClick(found, Qt.MouseButton.LeftButton)
+    assert not [b for b in card.findChildren(QToolButton) if b.text() == "8.md"]
+    click(found)
     assert is_gone(window) and window.store.document.scene == "cube"
 
 
 def test_the_switch_is_kept(make_window: MakeWindow, own_home: Path) -> None:
-    settings = Settings(own_home / "own.ini")
-    assert settings.start_card
-    window = make_window(settings=settings)
-    card = opened(window)
+    card = opened(make_window(settings=Settings(own_home / "own.ini")))
     (always,) = card.findChildren(QCheckBox)
     assert always.isChecked()
     always.click()

@@ -30,9 +30,10 @@ from PySide6.QtWidgets import (
 from app.lecture.highlight import NOTHING, Highlight
 from app.model.projection import Projection
 from app.model.refusal import Refusal
-from app.scenes.phenomena.illustration import Comparison, Illustration, Phenomenon
+from app.scenes.phenomena.illustration import Illustration, Phenomenon
 from app.scenes.phenomena.readout import Phrase, Reading
 from app.scenes.phenomena.settings import Found, Setting, Settings, Value
+from app.scenes.phenomena.words import Comparison
 from widgets.parts.buttons import tool_button
 from widgets.parts.clock import Clock, Playing
 from widgets.parts.fields import (

@@ -1,4 +1,4 @@
-"""Everything round the window that is not the window.
+"""Start and end of the program around its window.
 
 ::
 
@@ -6,8 +6,8 @@
           | no                             | no
           +---------- one sentence --------+     (Qt and VTK would end the process instead)
 
-What goes wrong later, in a slot, in a thread, in Qt or in VTK, ends up in one log file, and an
-unexpected exception also in one `Report` on the screen.
+Later errors of slots, threads, Qt and VTK go to one log file; an uncaught exception also opens a
+`Report`.
 """
 
 from __future__ import annotations
@@ -59,10 +59,9 @@ log = logging.getLogger(__name__)
 
 TRANSLATIONS = Path(__file__).parent / "translations"
 FIRST_PICTURE_S = 60.0
-"""Longest wait for the window of a screenshot to be on the screen."""
+"""Longest wait for the window of a screenshot to appear."""
 SAID_MS = 15_000
-"""How long the status line says that Qt has no OpenGL."""
-
+"""The status line says for this long that Qt has no OpenGL."""
 
 IN_FILE = QT_TRANSLATE_NOOP("Refusal", "{0}: {1}")
 NOT_WHOLE = QT_TRANSLATE_NOOP("Refusal", "{0}: the window could not be shown whole.")
@@ -71,58 +70,36 @@ NO_WINDOW = QT_TRANSLATE_NOOP("Refusal", "{0}: the window did not appear on the 
 
 @dataclass(frozen=True)
 class Options:
-    """What the command line asks of the window besides its document.
-
-    Attributes
-    ----------
-    theme : str or None
-        ``"light"`` or ``"dark"`` for this once; the settings stay as they are.
-    size : (int, int) or None
-        Width and height of the window, in pixels of the screen's scale.
-    screenshot : Path or None
-        Where to put a picture of the window, which closes then. The user's settings are neither
-        read nor written, and the theme is light, so that the picture is the same everywhere.
-    canvas : str or None
-        ``"opengl"`` or ``"raster"``: how the panes draw; None for the quicker one.
-    start_card : bool
-        Whether no file and no value was given: the start card then offers the scenes.
-    """
+    """The command line's options for the window, besides its document."""
 
     theme: str | None = None
+    """``"light"`` or ``"dark"`` for this run only."""
     size: tuple[int, int] | None = None
+    """Width and height of the window, in pixels of the screen's scale."""
     screenshot: Path | None = None
+    """The file for a picture of the window, which then closes. The user's settings are neither read
+    nor written, and the theme is light, so that the picture is the same everywhere."""
     canvas: str | None = None
+    """``"opengl"`` or ``"raster"``: how the panes draw; None for the faster one."""
     start_card: bool = True
+    """Whether to offer the start card, because no file and no value was given."""
 
 
 def make_application() -> QApplication:
-    """Make the QApplication, ready for OpenGL windows.
-
-    Raises
-    ------
-    DisplayError
-        If no window can be opened here.
-    """
+    """Make the QApplication, ready for OpenGL windows; raise DisplayError if none can be opened."""
     with display():
         name_application()
         opengl.prepare()
         application = QApplication(sys.argv[:1])
     application.setApplicationDisplayName("Frustum Lab")
-    # Qt takes the user's locale for the C library too, where VTK's readers would then stop a
-    # number at its point: 0.5 would be 0.
+    # Qt sets the user's locale for the C library too. With a decimal comma, VTK's readers would end
+    # a number at its point: 0.5 would be 0.
     locale.setlocale(locale.LC_NUMERIC, "C")
     return application
 
 
 def translate(application: QApplication, language: str) -> bool:
-    """Load the interface's language, if there is a translation.
-
-    Parameters
-    ----------
-    application : QApplication
-    language : str
-        A locale, or nothing for the system's.
-    """
+    """Load the translation for a locale, or for the system's if it is empty, if there is one."""
     translator = QTranslator(application)
     wanted = QLocale(language) if language else QLocale.system()
     if not translator.load(wanted, "frustum_lab", "_", str(TRANSLATIONS)):
@@ -133,21 +110,16 @@ def translate(application: QApplication, language: str) -> bool:
 def close_on_interrupt(application: QApplication) -> Callable[[], None]:
     """Make Ctrl-C in the terminal close the windows as their own button does.
 
-    Python sees a signal only when it runs, which Qt's loop may not let it for hours; a byte
-    through a socket wakes the loop, and nothing has to poll. A second Ctrl-C, while a window
-    still asks about unsaved work, ends the program at once.
-
-    Returns
-    -------
-    callable
-        Undoes it.
+    Python handles a signal only when Python code runs, which may take hours inside Qt's loop. A
+    byte through a socket wakes the loop, without polling. A second Ctrl-C, while a window still
+    asks about unsaved work, ends the program at once. Returns a function that undoes all this.
     """
     reading, writing = socket.socketpair()
     reading.setblocking(False)
     writing.setblocking(False)
 
     def note(_signal: int, _frame: FrameType | None) -> None:
-        """Exist: only then does Python write the byte."""
+        """Do nothing; Python writes the byte only if there is a handler."""
 
     def close() -> None:
         if signal.SIGINT not in reading.recv(100):
@@ -181,33 +153,32 @@ def run_window(
     scene: Scene | None = None,
     lesson: Path | None = None,
 ) -> int:
-    """Open the window on a document and stay until it is closed.
+    """Open the window on a document, and return when it is closed.
 
     Parameters
     ----------
     document : Document
     saved : Document
-        What of it is in its file: without what the command line changes.
+        The document as it is in its file, without the changes of the command line.
     path : Path or None
-        The file that was opened; the document is saved there if it is one itself.
+        The file that was opened; if it is a document, it is saved there.
     options : Options
     scene : Scene, optional
-        The document's scene, if it is loaded already.
+        The document's scene, if it is already loaded.
     lesson : Path, optional
-        A lesson or a talk that shall be open.
+        A lesson or a talk to open.
 
     Returns
     -------
     int
-        0; 1 if an exception kept a part of the window from being shown.
+        0; 1 if an exception left a part of the window empty.
 
     Raises
     ------
     DisplayError
-        If no window can be opened here.
+        If no window can be opened.
     Refusal
-        If the document's scene cannot be loaded, there is no whole window to take a picture of, or
-        the screenshot cannot be written.
+        If the document's scene cannot be loaded, or the screenshot cannot be taken or written.
     """
     application = make_application()
     found = _probe(options)
@@ -275,7 +246,7 @@ def run_window(
 
 
 def _probe(options: Options) -> opengl.OpenGL:
-    """What OpenGL Qt has: none will do as well, if VTK can draw off the screen."""
+    """Return Qt's OpenGL, or `NO_OPENGL` if VTK can draw off the screen without it."""
     try:
         return opengl.probe()
     except opengl.DisplayError as error:
@@ -291,7 +262,7 @@ def _probe(options: Options) -> opengl.OpenGL:
 
 
 def _open_panes(window: Any) -> None:
-    """Import VTK, now that the window is seen, and fill its panes."""
+    """Import VTK, now that the window is visible, and fill its panes."""
     with bootstrap.for_good():
         from app.drawings import image, stage, world  # noqa: F401
     log_vtk()
@@ -301,8 +272,8 @@ def _open_panes(window: Any) -> None:
 def show_window(window: QWidget) -> None:
     """Show the window; an exception in one of its parts is reported, and does not end the program.
 
-    In the event loop PySide6 gives such an exception to Python's hook. Here, where Python has
-    called, it raises it, after all of the window has been shown.
+    PySide6 passes an exception in the event loop to Python's hook, but raises one that occurs in
+    `show` here, after the whole window is shown.
     """
     try:
         window.show()
@@ -313,16 +284,9 @@ def show_window(window: QWidget) -> None:
 def _take_screenshot(
     application: QApplication, window: Any, path: Path, watch: ExceptionWatch
 ) -> None:
-    """Save a picture of the window once it is drawn, and close it.
+    """Save a PNG picture of the window once it is drawn, and close the window.
 
-    Parameters
-    ----------
-    application : QApplication
-    window : MainWindow
-    path : Path
-        A PNG file.
-    watch : ExceptionWatch
-        What it has caught keeps a part of the window from being shown.
+    An exception that `watch` has caught means that a part of the window is missing.
     """
     filled: list[bool] = []
     window.filled.connect(lambda: filled.append(True))
@@ -335,7 +299,7 @@ def _take_screenshot(
         if time.monotonic() > limit:
             raise Refusal.saying(NO_WINDOW, path)
     application.processEvents()
-    window.messages.hide()  # an offer to recover work is no part of the picture
+    window.messages.hide()  # it may offer to recover work
     window.status.clearMessage()
     application.processEvents()
     png = QBuffer()

@@ -1,4 +1,4 @@
-"""Whether there is a screen: asked before Qt is, which ends the process without one."""
+"""Check for a screen before Qt does, because Qt ends the process without one."""
 
 from __future__ import annotations
 
@@ -21,20 +21,15 @@ WITHOUT_DISPLAY = (
     "“doctor” need none."
 )
 X_RETRIES_S = (0.1, 0.4, 0.0)
-"""Pauses after each try to reach an X server, which may be starting anew."""
+"""Pauses after each attempt to reach an X server, which may be restarting."""
 
 
 @contextmanager
 def display() -> Iterator[None]:
-    """Make sure that Qt will find a screen inside: without one it ends the process.
+    """Make sure that Qt will find a screen inside the block; raise DisplayError otherwise.
 
-    The connection to an X server is held until Qt has its own: a server without any starts anew
-    (under xvfb-run, for one) and is deaf meanwhile.
-
-    Raises
-    ------
-    DisplayError
-        If there is none.
+    The connection to an X server is held until Qt has its own. A server without any client
+    restarts (under xvfb-run, for example), and answers nobody meanwhile.
     """
     leave = _reach_display() if sys.platform.startswith("linux") else None
     try:
@@ -45,14 +40,14 @@ def display() -> Iterator[None]:
 
 
 def _reach_display() -> Callable[[], object] | None:
-    """Connect to Wayland or X; return what ends the connection, if it has to be held."""
+    """Connect to Wayland or X; return the function that ends a held connection."""
     wanted = os.environ.get("QT_QPA_PLATFORM", "")
     names = [part.partition(":")[0] for part in wanted.split(";")] if wanted else []
     wayland = not names or any(name.startswith("wayland") for name in names)
     x11 = not names or "xcb" in names
     if not wayland and not x11:
         if names[0] in WITHOUT_OPENGL:
-            return None  # without a screen, or with one of its own
+            return None  # this platform needs no screen, or has its own
         known = ", ".join(("xcb", "wayland", *WITHOUT_OPENGL))
         raise DisplayError(f"QT_QPA_PLATFORM = {wanted}: must be one of {known}; unset it.")
     if wayland and _wayland_answers():
@@ -68,7 +63,7 @@ def _reach_display() -> Callable[[], object] | None:
 
 
 def _virtual() -> str:
-    """The command for a virtual display, and the one that brings it where it is not there."""
+    """Return the command for a virtual display, and how to install it if it is missing."""
     missing = [] if shutil.which("xvfb-run") else [bootstrap.System("xvfb-run", "xvfb xauth")]
     how = f" ({bootstrap.advice(missing)})" if missing else ""
     return f"xvfb-run -s '+extension GLX'{how}"
@@ -94,7 +89,7 @@ def _wayland_answers() -> bool:
 def _reach_x11(display: str) -> Callable[[], object]:
     plugins = QLibraryInfo.path(QLibraryInfo.LibraryPath.PluginsPath)
     try:
-        # Qt's own way to the X server, with all the system libraries that it needs.
+        # Qt's own library for X, to find missing system libraries.
         ctypes.CDLL(os.path.join(plugins, "platforms", "libqxcb.so"))
         xcb = ctypes.CDLL("libxcb.so.1")
     except OSError as error:

@@ -1,4 +1,4 @@
-"""One log file: of the program, of Qt and of VTK."""
+"""One log file for the program, Qt and VTK."""
 
 from __future__ import annotations
 
@@ -15,16 +15,13 @@ from widgets.window.settings import log_path
 log = logging.getLogger(__name__)
 
 LARGEST_LOG = 1_000_000
-"""Bytes after which a new log file is begun; two old ones are kept."""
+"""A log file of this many bytes is replaced by a new one; two old ones are kept."""
 
 
 def start_log() -> logging.Handler | None:
-    """Send all log records to the log file, those of crashes to standard error as well.
+    """Send all log records to the log file, and those of crashes to standard error as well.
 
-    Returns
-    -------
-    logging.Handler or None
-        That of the file; None if it cannot be written.
+    Returns the file's handler, or None if it cannot be written.
     """
     root = logging.getLogger()
     root.setLevel(logging.INFO)
@@ -50,7 +47,7 @@ def start_log() -> logging.Handler | None:
 
 
 class _LogFile(logging.handlers.RotatingFileHandler):
-    """A log that ends, with a line on the terminal, where the disk takes no more."""
+    """A log that ends, with a line on the terminal, when the disk is full."""
 
     def handleError(self, record: logging.LogRecord) -> None:
         error = sys.exc_info()[1]
@@ -58,7 +55,7 @@ class _LogFile(logging.handlers.RotatingFileHandler):
             super().handleError(record)
             return
         logging.getLogger().removeHandler(self)
-        with suppress(OSError):  # the same again, of what it still held
+        with suppress(OSError):  # flushing its buffer fails again
             self.close()
         log.critical("the log ends: %s", error)
 
@@ -73,12 +70,12 @@ _QT_LEVELS = {
 
 
 def log_qt(kind: QtMsgType, _context: QMessageLogContext, message: str) -> None:
-    """Send what Qt says to the log: a handler for `qInstallMessageHandler`."""
+    """Log a message of Qt: a handler for `qInstallMessageHandler`."""
     logging.getLogger("qt").log(_QT_LEVELS[kind], "%s", message)
 
 
 def log_vtk() -> None:
-    """Send what VTK says to the log, instead of a window of its own or the terminal."""
+    """Send VTK's messages to the log, instead of to its own window or the terminal."""
     from vtkmodules.util.misc import calldata_type
     from vtkmodules.vtkCommonCore import VTK_STRING, vtkLogger, vtkOutputWindow
 

@@ -1,9 +1,9 @@
-"""What OpenGL this machine offers, asked before the first window.
+"""Find out which OpenGL this machine offers, before the first window.
 
-VTK needs OpenGL 3.2 and crashes without a word where there is less, so that the question has to be
-put by Qt, which answers. `prepare` comes before the QApplication, `probe` after it and before the
-first window. Run as a program, this module prints the answer as JSON: ``doctor`` asks it that way,
-because a broken driver can take the asking process down with it.
+VTK needs OpenGL 3.2 and crashes without a message where there is less, so Qt is asked first.
+Call `prepare` before the QApplication exists, and `probe` after it but before the first window.
+As a program, this module prints the answer as JSON: ``doctor`` runs it in a process of its own,
+because a broken driver can crash the process that asks.
 """
 
 from __future__ import annotations
@@ -29,46 +29,38 @@ ADVICE = (
 
 
 class DisplayError(RuntimeError):
-    """No window can be drawn here, for want of a screen or of OpenGL: why, and what to do."""
+    """No window can be drawn without a screen or OpenGL; the text says why and what to do."""
 
 
 @dataclass(frozen=True)
 class OpenGL:
-    """The OpenGL that windows get here.
-
-    Attributes
-    ----------
-    version : str
-        As the driver gives it, ``"4.5 (Core Profile) Mesa 22.3.6"``.
-    renderer : str
-        What draws.
-    software : bool
-        Whether the processor draws, because there is no graphics card or no driver for it.
-    """
+    """The OpenGL that windows get on this machine."""
 
     version: str
+    """The driver's text, such as ``"4.5 (Core Profile) Mesa 22.3.6"``."""
     renderer: str
     software: bool
+    """Whether the processor draws, for lack of a graphics card or its driver."""
 
 
 NO_OPENGL = OpenGL("", "", software=True)
-"""Qt has none: VTK draws off the screen, by what it finds."""
+"""Qt has no OpenGL; VTK draws off the screen."""
 WITHOUT_OPENGL = ("offscreen", "minimal", "vnc")
-"""Qt's platforms on which its windows show no OpenGL."""
+"""Qt's platforms whose windows show no OpenGL."""
 
 
 def canvas(found: OpenGL) -> str:
-    """Name the quicker way to draw the panes, of those of ``--canvas``."""
+    """Return the faster value of ``--canvas``."""
     return "raster" if found.software else "opengl"
 
 
 def is_software(renderer: str) -> bool:
-    """Whether a renderer's name is that of a program rather than of a graphics card."""
+    """Whether a renderer's name belongs to a program rather than to a graphics card."""
     return any(name in renderer.lower() for name in _SOFTWARE)
 
 
 def prepare() -> None:
-    """Choose the kind of OpenGL for every window to come; call it before the QApplication."""
+    """Choose the kind of OpenGL for all later windows; call it before the QApplication."""
     surface_format = QSurfaceFormat.defaultFormat()
     surface_format.setVersion(*NEEDED)
     surface_format.setProfile(QSurfaceFormat.OpenGLContextProfile.CoreProfile)
@@ -78,18 +70,12 @@ def prepare() -> None:
 
 
 def probe() -> OpenGL:
-    """Make an OpenGL context without a window and ask it what it is.
-
-    Raises
-    ------
-    DisplayError
-        If there is none, or less than 3.2.
-    """
+    """Query an OpenGL context without a window; raise DisplayError if there is no OpenGL 3.2."""
     platform = QGuiApplication.platformName()
-    if platform in WITHOUT_OPENGL:  # some give a context, and show garbage
+    if platform in WITHOUT_OPENGL:  # some provide a context, but show garbage
         raise DisplayError(f"Qt's platform {platform} shows no OpenGL windows. {ADVICE}")
     surface, context = QOffscreenSurface(), QOpenGLContext()
-    before = qInstallMessageHandler(lambda *_said: None)  # it is said below, in one sentence
+    before = qInstallMessageHandler(lambda *_message: None)  # the DisplayError says it instead
     try:
         surface.create()
         is_usable = surface.isValid() and context.create() and context.makeCurrent(surface)
@@ -115,7 +101,7 @@ def probe() -> OpenGL:
 
 
 def main() -> int:
-    """Print what is found as one line of JSON."""
+    """Print the answer as one line of JSON."""
     prepare()
     application = QGuiApplication(sys.argv[:1])
     answer: dict[str, object] = {

@@ -1,4 +1,4 @@
-"""Exceptions that nobody caught: logged, and told in one report on the screen."""
+"""Log uncaught exceptions, and report them in one dialog."""
 
 from __future__ import annotations
 
@@ -23,20 +23,12 @@ log = logging.getLogger(__name__)
 
 
 class Report(QDialog):
-    """Says that something unexpected happened; not modal, and never more than one at a time.
-
-    Parameters
-    ----------
-    log_file : Path or None
-        Where the details are; None if there is no log.
-    """
+    """Reports an error without blocking the window; `log_file` is None if there is no log."""
 
     def __init__(self, log_file: Path | None, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setWindowTitle(self.tr("Something went wrong"))
-        self._log_file = log_file
-        self._count = 0
-        self._details = ""
+        self._log_file, self._count, self._details = log_file, 0, ""
         self._sentence, self._place = (
             Label(
                 wordWrap=True,
@@ -53,32 +45,21 @@ class Report(QDialog):
         in_column(self._sentence, self._place, buttons, on=self)
 
     def tell(self, summary: str, details: str) -> None:
-        """Show an exception; while it is shown, further ones are only counted.
-
-        Parameters
-        ----------
-        summary : str
-            The exception in one line.
-        details : str
-            Its traceback.
-        """
+        """Show an exception and its traceback; while it is shown, further ones are counted."""
         if self.isHidden():
             self._count = 0
         self._count += 1
         if self._count == 1:
-            self._details = details
-            self._summary = summary
-        text = self.tr("An error in the program: {0}. Your work is still there.").format(
-            self._summary.rstrip(".")
-        )
+            self._details, self._summary = details, summary
+        text = self.tr("An error in the program: {0}. Your work is still there.")
+        text = text.format(self._summary.rstrip("."))
         if self._count > 1:
             text += " " + self.tr("It or others came {0} more times.").format(self._count - 1)
         self._sentence.setText(text)
-        self._place.setText(
-            self.tr("The log: {0}").format(self._log_file)
-            if self._log_file
-            else self.tr("There is no log, because it could not be written.")
-        )
+        place = self.tr("There is no log, because it could not be written.")
+        if self._log_file:
+            place = self.tr("The log: {0}").format(self._log_file)
+        self._place.setText(place)
         self.show()
 
     def _copy(self) -> None:
@@ -89,18 +70,7 @@ class Report(QDialog):
 
 
 class ExceptionWatch(QObject):
-    """Logs exceptions that nobody caught, from slots and from threads, and shows the report.
-
-    Parameters
-    ----------
-    log_file : Path or None
-        For the report.
-
-    Attributes
-    ----------
-    caught : int
-        How many exceptions there were.
-    """
+    """Logs the uncaught exceptions of slots and threads, counts them, and shows the report."""
 
     _seen = Signal(str, str)
 
@@ -109,17 +79,15 @@ class ExceptionWatch(QObject):
         self._log_file = log_file
         self.report: Report | None = None
         self.caught = 0
-        # Queued: a thread may not touch widgets, and a slot may be in the middle of a paint.
+        # Queued: a thread must not touch widgets, and a slot may run inside a paint event.
         self._seen.connect(self._show, Qt.ConnectionType.QueuedConnection)
 
     def install(self) -> None:
-        """Take over Python's two hooks."""
         sys.excepthook = self._caught
         threading.excepthook = self._caught_in_thread
 
     @staticmethod
     def remove() -> None:
-        """Give the hooks back."""
         sys.excepthook = sys.__excepthook__
         threading.excepthook = threading.__excepthook__
 
@@ -144,5 +112,5 @@ class ExceptionWatch(QObject):
             if self.report is None:
                 self.report = Report(self._log_file)
             self.report.tell(summary, details)
-        except Exception:  # it would come here again, for ever
+        except Exception:  # raising it would call this method again, for ever
             log.critical("the report itself failed", exc_info=True)

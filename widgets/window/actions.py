@@ -1,17 +1,11 @@
-"""What can be done: menus, tool bar and shortcuts.
-
-::
-
-    Actions --scene_chosen, undo.triggered, ...--> window
-    window  --show_scene, show_recent, show_playing--> Actions
-"""
+"""The window's actions, in its menus and its tool bar, with their shortcuts."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from functools import partial
 
-from PySide6.QtCore import QObject, QSize, Qt, Signal, SignalInstance
+from PySide6.QtCore import QObject, QSize, Qt, Signal
 from PySide6.QtGui import QAction, QActionGroup, QFontInfo, QKeySequence
 from PySide6.QtWidgets import (
     QLineEdit,
@@ -41,37 +35,23 @@ ICON_PX = 18
 
 
 def take_typed(window: QMainWindow) -> None:
-    """Enter what is typed, as leaving its field would."""
+    """Enter a text that is being typed, as leaving its field would."""
     field = window.focusWidget()
     if isinstance(field, QLineEdit) and field.isModified():
         field.clearFocus()
-        if not window.isActiveWindow():  # whose field has no keyboard to lose
+        if not window.isActiveWindow():  # the field then has no focus to lose
             field.editingFinished.emit()
 
 
 class Actions(QObject):
     """The actions of one window, in its menus and its tool bar.
 
-    Those that a part of the window carries out alone are wired to it here; of the others the window
-    is told by their `triggered`, or by a signal where there is something to be said.
-
-    Parameters
-    ----------
-    window : QMainWindow
-        Gets the menus and the tool bar.
-    files, pictures, help_, slots
-        The parts of the window that carry out what is asked for.
-    panes : mapping of str to Pane
-    theme : str
-    all_digits : bool
-        How the window looks at first.
+    An action that one part of the window carries out alone is connected here. The window connects
+    the `triggered` signals of the others.
     """
 
     scene_chosen = Signal(str)
     theme_chosen = Signal(str)
-    controls_shown = Signal(bool)
-    cost_shown = Signal(bool)
-    all_digits_set = Signal(bool)
 
     def __init__(
         self,
@@ -86,7 +66,7 @@ class Actions(QObject):
         all_digits: bool,
     ) -> None:
         super().__init__(window)
-        self._window, self._files, self._help = window, files, help_
+        self._window, self._files = window, files
         self._slots, self._panes = slots, panes
         self.scene_titles = {
             "letter-f": self.tr("Letter F"),
@@ -127,7 +107,10 @@ class Actions(QObject):
             self.tr("Find a control by its name, its letter or what it does"),
         )  # fmt: skip
         self.find.setShortcuts([*QKeySequence.keyBindings(keys.Find), QKeySequence("/")])
-        self._make_edit_menu()
+        self._menu(
+            self.tr("&Edit"), self.undo, self.redo, None, self.reset, None, self.remove_probe,
+            self.find,
+        )  # fmt: skip
         self.scene_group = QActionGroup(window)
         self._make_scenes_menu()
         self.lesson_menu = LessonMenu(self.tr("&Lessons"), window, self._action)
@@ -153,24 +136,34 @@ class Actions(QObject):
         )
         for later in (self.remove_probe, self.blank, self.pointer, self.compare_way):
             later.setEnabled(False)
-        self.show_cost = self._toggle(
-            self.tr("&Show cost"), self.cost_shown, False, None,
+        self.controls = self._action(self.tr("&Controls"), None, "F4", on=True)
+        self.show_cost = self._action(
+            self.tr("&Show cost"), None, None,
             self.tr("Measure what every step takes: the model, each pane's matrices and repaint"),
+            on=False,
         )  # fmt: skip
-        self.all_digits = self._toggle(
-            self.tr("All &digits"), self.all_digits_set, all_digits, None,
-            self.tr("Show all digits of every number that is read, not four"),
+        self.all_digits = self._action(
+            self.tr("All &digits"), None, None,
+            self.tr("Show all digits of every number that is read, not four"), on=all_digits,
         )  # fmt: skip
         self._make_view_menu(theme)
         self.help = self._action(self.tr("&Keys and mouse"), help_.show_keys, keys.HelpContents)
-        self._make_help_menu()
+        self.start_card = self._action(
+            self.tr("&Start card"), None, None,
+            self.tr("The scenes as pictures, lessons, talks, and recent files"),
+        )  # fmt: skip
+        self._menu(
+            self.tr("&Help"), self.start_card, self.help,
+            self._action(self.tr("&Conventions"), help_.show_conventions),
+            self._action(self.tr("&About Frustum Lab"), help_.show_about),
+        )  # fmt: skip
         self.play = self._action(
             self.tr("Play"), None, PLAY_KEY, self.tr("Play or pause the camera's orbit")
         )
         self.scene_box = Combo()
         self._make_tool_bar()
         keyed = [a for a in window.findChildren(QAction) if not a.shortcut().isEmpty()]
-        # A hidden menu bar has no shortcuts, and a pane takes them into a window of its own.
+        # They work without the menu bar, and in a floating pane's own window.
         for widget in (window, *panes.values()):
             widget.addActions(keyed)
 
@@ -184,7 +177,7 @@ class Actions(QObject):
         tip: str = "",
         on: bool | None = None,
     ) -> QAction:
-        """Make an action; one that can be checked, if it says whether it is."""
+        """Make an action, which is checkable unless `on` is None."""
         action = QAction(text, self._window, checkable=on is not None, checked=on is True)
         if act is not None:
             action.triggered.connect(lambda _checked=False: act())
@@ -195,23 +188,26 @@ class Actions(QObject):
         set_tip(action, f"{plain} ({keys})" if keys else plain)
         return action
 
-    def _toggle(
-        self, text: str, told: SignalInstance, on: bool, shortcut: str | None = None, tip: str = ""
-    ) -> QAction:
-        action = self._action(text, lambda: told.emit(action.isChecked()), shortcut, tip, on)
-        return action
-
-    def _choices(self, menu: QMenu, texts: Mapping[str, str], now: str) -> dict[str, QAction]:
-        """Add actions of which one is checked, by what they stand for."""
-        group = QActionGroup(menu)
+    def _choices(self, texts: Mapping[str, str], now: str) -> dict[str, QAction]:
+        """Make actions of which one is checked, by the values that they choose."""
+        group = QActionGroup(self)
         made = {name: self._action(text, on=name == now) for name, text in texts.items()}
         for action in made.values():
             group.addAction(action)
-            menu.addAction(action)
         return made
 
+    def _menu(self, title: str, *entries: QAction | None, inside: QMenu | None = None) -> QMenu:
+        """Add a menu to the menu bar or to another menu; None is a separator."""
+        menu = (inside or self._window.menuBar()).addMenu(title)
+        for entry in entries:
+            if entry is None:
+                menu.addSeparator()
+            else:
+                menu.addAction(entry)
+        return menu
+
     def _with_typed(self, act: Callable[[], object]) -> Callable[[], object]:
-        """An act on the document with what is typed and not yet entered."""
+        """Return an act that first enters a number which is still being typed."""
 
         def acted() -> None:
             take_typed(self._window)
@@ -220,79 +216,49 @@ class Actions(QObject):
         return acted
 
     def _make_file_menu(self) -> None:
-        menu = self._window.menuBar().addMenu(self.tr("&File"))
-        menu.addAction(self.open)
-        self.recent = menu.addMenu(self.tr("Open &recent"))
-        menu.addSeparator()
-        menu.addActions([self.save, self._save_as])
-        menu.addSeparator()
-        menu.addActions([self.export, self.copy])
-        menu.addSeparator()
-        menu.addAction(
-            self._action(self.tr("&Quit"), self._window.close, QKeySequence.StandardKey.Quit)
-        )
-
-    def _make_edit_menu(self) -> None:
-        menu = self._window.menuBar().addMenu(self.tr("&Edit"))
-        menu.addActions([self.undo, self.redo])
-        menu.addSeparator()
-        menu.addAction(self.reset)
-        menu.addSeparator()
-        menu.addActions([self.remove_probe, self.find])
+        self.recent = QMenu(self.tr("Open &recent"), self._window)
+        leave = self._action(self.tr("&Quit"), self._window.close, QKeySequence.StandardKey.Quit)
+        self._menu(
+            self.tr("&File"), self.open, self.recent.menuAction(), None, self.save, self._save_as,
+            None, self.export, self.copy, None, leave,
+        )  # fmt: skip
 
     def _make_scenes_menu(self) -> None:
-        menu = self._window.menuBar().addMenu(self.tr("&Scenes"))
+        entries: list[QAction | None] = []
         for name in BUILT_IN:
             if name == next(iter(PHENOMENA)):
-                menu.addSeparator()
+                entries.append(None)
             act = partial(self.scene_chosen.emit, name)
             action = self._action(self.scene_titles[name], act, on=False)
             action.setData(name)
             self.scene_group.addAction(action)
-            menu.addAction(action)
-        menu.addSeparator()
-        menu.addAction(self._action(self.tr("Open a &mesh…"), self._files.open_dialog))
+            entries.append(action)
+        mesh = self._action(self.tr("Open a &mesh…"), self._files.open_dialog)
+        self._menu(self.tr("&Scenes"), *entries, None, mesh)
 
     def _make_view_menu(self, theme: str) -> None:
-        menu = self._window.menuBar().addMenu(self.tr("&View"))
         slots = self._slots
-        menu.addActions([self.present, self.blank, self.pointer])
-        menu.addSeparator()
-        menu.addActions([self.compare, self.compare_way])
-        menu.addSeparator()
-        for number, (name, pane) in enumerate(self._panes.items(), start=1):
-            text = self.tr("{0} in large").format(pane.name)
-            tip = self.tr("Into the large slot; again, as large as the window, and back")
-            menu.addAction(self._action(text, partial(slots.bring, name), f"Ctrl+{number}", tip))
-        menu.addAction(self._action(self.tr("Back to &all panes"), slots.go_back, "Ctrl+0"))
-        self._columns = self._action(
+        tip = self.tr("Into the large slot; again, as large as the window, and back")
+        large = [
+            self._action(
+                self.tr("{0} in large").format(pane.name),
+                partial(slots.bring, name), f"Ctrl+{number}", tip,
+            )
+            for number, (name, pane) in enumerate(self._panes.items(), start=1)
+        ]  # fmt: skip
+        columns = self._action(
             self.tr("Panes in col&umns"),
-            lambda: slots.arrange(LAYOUTS[self._columns.isChecked()], slots.large),
+            lambda: slots.arrange(LAYOUTS[columns.isChecked()], slots.large),
             on=False,
         )
-        slots.rearranged.connect(lambda: self._columns.setChecked(slots.layout_name == LAYOUTS[1]))
-        menu.addAction(self._columns)
-        menu.addAction(
-            self._action(self.tr("&Reset the panes' own views"), slots.reset_views, "Ctrl+Home")
-        )
-        menu.addSeparator()
-        self.controls = self._toggle(self.tr("&Controls"), self.controls_shown, True, "F4")
-        menu.addActions([self.controls, self.show_cost, self.all_digits])
-        self._make_look_menus(menu)
-        themes = {
-            "system": self.tr("As the system"),
-            "light": self.tr("Light"),
-            "dark": self.tr("Dark"),
-        }
-        chosen = self._choices(menu.addMenu(self.tr("&Theme")), themes, theme)
-        for value, action in chosen.items():
-            action.triggered.connect(partial(self.theme_chosen.emit, value))
-        menu.addAction(
-            self._action(self.tr("&Full screen"), self._toggle_full_screen, FULL_SCREEN_KEY)
-        )
-
-    def _make_look_menus(self, menu: QMenu) -> None:
-        """From where the world is looked at, and what of the drawings is seen."""
+        slots.rearranged.connect(lambda: columns.setChecked(slots.layout_name == LAYOUTS[1]))
+        menu = self._menu(
+            self.tr("&View"), self.present, self.blank, self.pointer, None,
+            self.compare, self.compare_way, None, *large,
+            self._action(self.tr("Back to &all panes"), slots.go_back, "Ctrl+0"), columns,
+            self._action(self.tr("&Reset the panes' own views"), slots.reset_views, "Ctrl+Home"),
+            None, self.controls, self.show_cost, self.all_digits,
+        )  # fmt: skip
         views = {
             "": self.tr("&Freely"),
             "side": self.tr("From the &side"),
@@ -300,7 +266,8 @@ class Actions(QObject):
             "axis": self.tr("Along the a&xis"),
             "eye": self.tr("From the &eye"),
         }
-        self.fixed = self._choices(menu.addMenu(self.tr("Look at the &world")), views, "")
+        self.fixed = self._choices(views, "")
+        self._menu(self.tr("Look at the &world"), *self.fixed.values(), inside=menu)
         layers = {
             "labels": self.tr("&Labels"),
             "handles": self.tr("&Handles"),
@@ -310,17 +277,19 @@ class Actions(QObject):
             "near-picture": self.tr("&Picture on the near plane"),
         }
         self.layers = {name: self._action(text, on=True) for name, text in layers.items()}
-        menu.addMenu(self.tr("&Layers")).addActions(list(self.layers.values()))
-
-    def _make_help_menu(self) -> None:
-        menu = self._window.menuBar().addMenu(self.tr("&Help"))
-        self.start_card = self._action(
-            self.tr("&Start card"), None, None,
-            self.tr("The scenes as pictures, lessons, talks, and recent files"),
-        )  # fmt: skip
-        menu.addActions([self.start_card, self.help])
-        menu.addAction(self._action(self.tr("&Conventions"), self._help.show_conventions))
-        menu.addAction(self._action(self.tr("&About Frustum Lab"), self._help.show_about))
+        self._menu(self.tr("&Layers"), *self.layers.values(), inside=menu)
+        themes = {
+            "system": self.tr("As the system"),
+            "light": self.tr("Light"),
+            "dark": self.tr("Dark"),
+        }
+        chosen = self._choices(themes, theme)
+        self._menu(self.tr("&Theme"), *chosen.values(), inside=menu)
+        for value, action in chosen.items():
+            action.triggered.connect(partial(self.theme_chosen.emit, value))
+        menu.addAction(
+            self._action(self.tr("&Full screen"), self._toggle_full_screen, FULL_SCREEN_KEY)
+        )
 
     def _make_tool_bar(self) -> None:
         self.tools = tools = QToolBar(self.tr("Tools"))
@@ -333,24 +302,17 @@ class Actions(QObject):
             lambda index: self.scene_chosen.emit(self.scene_box.itemData(index))
         )
         tools.addWidget(self.scene_box)
-        label = Label(self.tr("Scene"), tools)  # on Linux a box is named by its label, seen or not
+        label = Label(self.tr("Scene"), tools)  # on Linux a box takes its label's name, even hidden
         label.setBuddy(self.scene_box)
         label.hide()
-        tools.addSeparator()
-        tools.addActions([self.undo, self.redo, self.reset])
-        tools.addSeparator()
-        tools.addAction(self.play)
         rest = QWidget()
         rest.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Preferred)
-        tools.addWidget(rest)
-        tools.addActions(
-            [self.open, self.save, self.copy, self.export, self.present, self.controls, self.help]
-        )
-        self._window.addToolBar(tools)
         for action, icon, text in (
+            (None, "", ""),
             (self.undo, "undo", self.tr("Undo")),
             (self.redo, "redo", self.tr("Redo")),
             (self.reset, "reset", self.tr("Reset")),
+            (None, "", ""),
             (self.play, "play", ""),
             (self.open, "open", self.tr("Open")),
             (self.save, "save", self.tr("Save")),
@@ -360,33 +322,40 @@ class Actions(QObject):
             (self.controls, "controls", self.tr("Controls")),
             (self.help, "help", self.tr("Help")),
         ):
+            if action is None:
+                tools.addSeparator()
+                continue
             show_icon(action, icon)
             if text:
                 action.setIconText(text)
+            tools.addAction(action)
+            if action is self.play:
+                tools.addWidget(rest)
+        self._window.addToolBar(tools)
         for action in (self.export, self.present):
             button = tools.widgetForAction(action)
             assert isinstance(button, QToolButton)
             button.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
-        button.setObjectName("presentButton")  # by which it is dressed, and it was without
+        button.setObjectName("presentButton")  # the style sheet dresses it by this name
         button.style().unpolish(button)
         button.style().polish(button)
 
     def _toggle_full_screen(self) -> None:
         self._window.setWindowState(self._window.windowState() ^ Qt.WindowState.WindowFullScreen)
 
-    # -- what the owner says
+    # -- kept up to date by the window
 
     def fit_icons(self) -> None:
-        """Give the tool bar icons of its letters' size."""
+        """Fit the tool bar's icons to the size of its letters."""
         side = max(ICON_PX, round(1.4 * QFontInfo(self.tools.font()).pixelSize()))
         self.tools.setIconSize(QSize(side, side))
 
     def scene_title(self, name: str) -> str:
-        """What a scene is called, translated; of a mesh the name of its file."""
+        """Return a scene's translated title, or the name of a mesh's file."""
         return self.scene_titles.get(name, file_title(name))
 
     def show_scene(self, name: str) -> None:
-        """List the scenes, with a file's, and mark this one."""
+        """List the scenes, including an opened mesh, and mark the current one."""
         self.scene_box.clear()
         for built_in in BUILT_IN:
             if built_in == next(iter(PHENOMENA)):
@@ -399,14 +368,14 @@ class Actions(QObject):
             action.setChecked(action.data() == name)
 
     def show_recent(self) -> None:
-        """List the files that were open last."""
+        """List the recent files."""
         self.recent.clear()
         for path in self._files.recent:
-            action = self.recent.addAction(path.replace("&", "&&"))  # no key of the menu
+            action = self.recent.addAction(path.replace("&", "&&"))  # & marks no key here
             action.triggered.connect(partial(self._files.open, path))
         self.recent.setEnabled(bool(self._files.recent))
 
     def show_playing(self, playing: bool) -> None:
-        """Name the action that plays after what it would do now."""
+        """Name the play action for what it does next."""
         self.play.setText(self.tr("Pause") if playing else self.tr("Play"))
         show_icon(self.play, "pause" if playing else "play")

@@ -1,12 +1,12 @@
-"""What is looked at: out of the window into the document, and back.
+"""How the window is arranged: read into a document's `View`, and restored from it.
 
 ::
 
     a document is opened, undo --> Arrangement.take --> slots, strip, drawer, panels, probes
     save, export, another document <-- Arrangement.view
 
-The panes' own cameras are in the document too; `Look`, which makes the drawings anew for another
-document, puts them back.
+The view also holds the panes' own cameras. `Look` restores them, because it builds new drawings for
+another document.
 """
 
 from __future__ import annotations
@@ -32,13 +32,13 @@ from widgets.window.world_look import WorldLook
 
 
 def cameras(panes: Mapping[str, Pane]) -> dict[str, Camera]:
-    """From where the panes are looked at, of those that somebody turned."""
+    """Return the own cameras of those panes that the user has turned."""
     turned = {name: pane.view for name, pane in panes.items()}
     return {name: camera for name, camera in turned.items() if camera is not None}
 
 
 class Arrangement(QObject):
-    """How the window shows its document: with all that it is arranged by."""
+    """Reads the window's arrangement into a `View`, and arranges the window by one."""
 
     concerns = frozenset({"view"})
 
@@ -60,11 +60,11 @@ class Arrangement(QObject):
         self._matrices, self._frame, self._probes = matrices, frame, probes
         self._compare = compare
         self._given = View()
-        """What was shown last: what of it no widget can change is so still."""
+        """The view shown last; it still holds what no widget can change."""
 
     @property
     def view(self) -> View:
-        """How it is looked at just now."""
+        """The arrangement at this moment."""
         opened = (name for name, panel in self._panels.items() if panel is self._drawer.open_panel)
         elsewhere = {n: c for n, c in self._given.panes.items() if n not in self._panes}
         return replace(
@@ -85,15 +85,14 @@ class Arrangement(QObject):
         )
 
     def take(self, shown: Shown, changed: Changed) -> None:
-        """Arrange the window as another document says."""
         self.show(shown.document.view)
 
     def show(self, view: View) -> None:
-        """Arrange the window so; what is so already is left alone."""
+        """Arrange the window by a view; whatever already agrees with it is not touched."""
         self._given = view
-        if view.panel is not None:  # else the scene has opened its own
+        if view.panel is not None:  # otherwise the scene has opened its own panel
             self._drawer.open(self._panels.get(view.panel))
-        # After the panel: what a rearranged window folds away for a class is opened again.
+        # After the panel: a rearranged window reopens a panel that presenting has folded.
         self._slots.arrange(view.layout, view.large, self._slots.whole)
         self._world.show(view.fixed, view.layers)
         self._strip.go_to(view.stage)

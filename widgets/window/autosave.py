@@ -1,4 +1,4 @@
-"""A copy of unsaved work in the user's data folder, for the day the program dies."""
+"""A copy of unsaved work in the user's data folder, in case the program dies."""
 
 from __future__ import annotations
 
@@ -17,44 +17,37 @@ from app.model.refusal import Refusal
 log = logging.getLogger(__name__)
 
 DELAY_MS = 2000
-"""An edit is on disk after this long without another one, and a long drag at this rate."""
+"""Delay between an edit and its copy; during a long drag, the interval between copies."""
 
 
 def _lock(path: Path) -> QLockFile:
-    """The lock of a copy, held for days by a window left open, until it dies."""
     lock = QLockFile(str(path.with_suffix(".lock")))
-    lock.setStaleLockTime(0)
+    lock.setStaleLockTime(0)  # a window may stay open for days
     return lock
 
 
 class Autosave(QObject):
     """Keeps one file for a document of this window, locked while the window lives.
 
-    A file whose lock can be taken belongs to a window that died, or was closed when the document
-    had long given way to another one; it is offered, never opened by itself.
+    A file that nobody holds the lock of belongs to a window that died, or to a document that was
+    unsaved when another one was opened over it. It is offered, never opened by itself.
 
     Parameters
     ----------
     folder : Path
-        The user's data folder; made if it is not there.
+        Created if it does not exist.
     current : callable
-        Gives the document to keep, or None when all is saved.
-
-    Attributes
-    ----------
-    failed : Signal(str)
-        No copy can be kept in this folder, as the log says; not told again until one could.
+        Returns the document to keep, or None when everything is saved.
     """
 
     failed = Signal(str)
+    """No copy can be kept in this folder; emitted once, until a copy succeeds again."""
 
     def __init__(
         self, folder: Path, current: Callable[[], Document | None], parent: QObject | None = None
     ) -> None:
         super().__init__(parent)
-        self._folder = folder
-        self._current = current
-        self._has_failed = False
+        self._folder, self._current, self._has_failed = folder, current, False
         self._path = folder / f"autosave-{os.getpid()}-{secrets.token_hex(4)}.json"
         self._lock = _lock(self._path)
         self._timer = QTimer(self, singleShot=True, interval=DELAY_MS)
@@ -67,12 +60,12 @@ class Autosave(QObject):
             self._lock.tryLock(0)
 
     def schedule(self) -> None:
-        """Save soon; a running count is not put off, so that a long play is saved too."""
+        """Save soon; a running timer is not restarted, so that a long animation is saved too."""
         if not self._timer.isActive():
             self._timer.start()
 
     def save_now(self) -> bool:
-        """Write the copy, or remove it when there is nothing unsaved; False if that failed."""
+        """Write the copy, or remove it when nothing is unsaved; return False if that fails."""
         document = self._current()
         if not self._lock.isLocked():
             return self._fail() if document is not None else False
@@ -94,7 +87,7 @@ class Autosave(QObject):
         return False
 
     def orphans(self) -> list[Path]:
-        """Copies left by windows that died, newest first; their locks are removed."""
+        """Return the copies left by windows that died, newest first, and remove their locks."""
         found = []
         left = (*self._folder.glob("autosave-*.json"), *self._folder.glob("autosave-*.lock"))
         for path in {path.with_suffix(".json") for path in left} - {self._path}:
@@ -106,21 +99,21 @@ class Autosave(QObject):
         return sorted(found, key=lambda path: path.stat().st_mtime, reverse=True)
 
     def leave(self) -> bool:
-        """Another document comes: keep what is unsaved; False if there is nothing, or no copy."""
+        """Keep unsaved work because another document comes; False if there is no copy to keep."""
         self._timer.stop()
         return self.save_now() and self._path.exists()
 
     def release(self) -> None:
-        """Leave the copy to the next window: what is in it was neither saved nor discarded."""
+        """Leave the copy to the next window: its work was neither saved nor discarded."""
         self._timer.stop()
         self._lock.unlock()
 
     def close(self) -> None:
-        """Leave nothing behind: the window was closed in good order."""
+        """Remove the copy: the window was closed normally."""
         self._timer.stop()
         if self._lock.isLocked():
             try:
                 self._path.unlink(missing_ok=True)
-            except OSError as error:  # it will be offered, which is better than not to close
+            except OSError as error:  # offering it later is better than not closing
                 log.warning("autosave stays: %s", error)
             self._lock.unlock()

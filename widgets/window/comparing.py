@@ -1,4 +1,4 @@
-"""Comparing pictures: by the button of the image pane, by menu and key, by a scene's own card.
+"""Start and end comparisons of pictures: from the image pane, the menu, F6 or a scene's card.
 
 ::
 
@@ -28,18 +28,10 @@ from widgets.window.slots import Slots
 
 
 class Comparing(QObject):
-    """Begins and ends comparisons.
-
-    Attributes
-    ----------
-    pictures : Compare
-        In the image pane.
-    button : QToolButton
-        In its title row.
-    """
+    """Starts and ends comparisons; `button` is in the title row of the image pane."""
 
     concerns: Changed = frozenset()
-    """Nothing while nothing is compared."""
+    """Empty while nothing is compared."""
 
     def __init__(
         self,
@@ -54,7 +46,7 @@ class Comparing(QObject):
         super().__init__(image)
         self._store, self._slots, self._menus, self._messages = store, slots, menus, messages
         self._was_large: str | None = None
-        """What the image took the large slot from when it was to be compared."""
+        """The pane that had the large slot before the comparison."""
         self.pictures = Compare(image, lambda: look.adaptive.smoothing(True))
         self.button = tool_button(
             self.tr("Compare"), menus.compare.toolTip(), self.toggle,
@@ -70,49 +62,46 @@ class Comparing(QObject):
 
     @property
     def is_on(self) -> bool:
-        """Whether anything is compared."""
         return self.pictures.is_on
 
     def take(self, shown: Shown, changed: Changed) -> None:
-        """Draw what has changed of the other pictures; after the image pane."""
+        """Redraw the other pictures; the image pane must have been told before."""
         self.pictures.refresh()
 
     def toggle(self) -> None:
-        """Hold the picture as it is, or end the comparison."""
+        """Hold the current picture for comparison, or end the comparison."""
         if self.is_on:
             self.end()
         else:
             held = Picture(held=self._store.document.state)
-            self._enlarge()
-            self.pictures.show((held, Picture(live=True)), (0.5,))
-            self.pictures.refresh()
+            self._show((held, Picture(live=True)), (0.5,))
         self._mark()
 
     def begin(self, name: str) -> None:
-        """Show one of the scene's own comparisons, the document as one of its pictures."""
+        """Show one of the scene's own comparisons, with the document as one of its pictures."""
         try:
             document = compared(self._store.seen, name)
         except Refusal as error:
             self._messages.say(sentence(error))
             return
-        self._store.set_document(document)  # if it is another one, a step that can be undone
-        self._enlarge()
-        self.pictures.show(document.view.compare, document.view.dividers)
-        self.pictures.refresh()
+        self._store.set_document(document)  # an undo step, if it differs
+        self._show(document.view.compare, document.view.dividers)
 
     def end(self) -> None:
-        """See the document's own picture alone again, where it was before."""
+        """Show the document's own picture alone, in the slot that it had before."""
         self.pictures.show((), ())
         if self._was_large is not None and self._slots.large == "image" and not self._slots.whole:
             self._slots.arrange(self._slots.layout_name, self._was_large)
         self._was_large = None
 
-    def _enlarge(self) -> None:
-        """Pictures that are compared are no thumbnails."""
+    def _show(self, pictures: tuple[Picture, ...], dividers: tuple[float, ...]) -> None:
+        """Compare pictures, in the large slot."""
         slots = self._slots
         if slots.layout_name == "pictures" and slots.large != "image" and not slots.whole:
             self._was_large = "" if slots.large == slots.leading else slots.large
             slots.arrange(slots.layout_name, "image")
+        self.pictures.show(pictures, dividers)
+        self.pictures.refresh()
 
     def _mark(self) -> None:
         self.concerns = EVERYTHING if self.is_on else frozenset()

@@ -1,5 +1,5 @@
-"""The panels under the panes: their names stand still at the bottom of the window, and the one that
-is open has at most a third of it.
+"""The panels under the panes. Their names stay at the bottom of the window; the open panel takes at
+most a third of its height.
 """
 
 from __future__ import annotations
@@ -26,9 +26,13 @@ from widgets.parts.layouts import in_column, in_row
 from widgets.parts.panel import Panel, Shown
 from widgets.parts.plain import set_tip
 
+LEAST_EM = 4
+LARGEST_SHARE = 1 / 3
+"""Of the window's height, for the open panel."""
+
 
 class _Name(QToolButton):
-    """Opens and folds a panel: by a click, Space or Enter. Where there is no room it is elided."""
+    """Opens and folds a panel by a click, Space or Enter; elided where there is no room."""
 
     def minimumSizeHint(self) -> QSize:
         return QSize(LEAST_EM * self.fontMetrics().height(), super().minimumSizeHint().height())
@@ -51,35 +55,22 @@ class _Name(QToolButton):
             super().keyPressEvent(event)
 
 
-LEAST_EM = 4
-LARGEST_SHARE = 1 / 3
-"""Of the window's height, for the open panel."""
-
-
 class Panels(QWidget):
-    """Widgets of which at most one is open.
-
-    A panel that is not open is hidden, and hears of nothing until it is opened.
-
-    Attributes
-    ----------
-    opened : Signal()
-        One was opened, or the last one folded.
-    chosen : Signal(Panel)
-        The user has opened this one by its name.
-    """
+    """Panels of which at most one is open; a folded panel is told of changes when it is opened."""
 
     opened = Signal()
+    """A panel was opened, or the last one folded."""
     chosen = Signal(object)
+    """The user has opened this `Panel` by its name."""
 
     def __init__(self) -> None:
         super().__init__()
         self._shown: Shown | None = None
         self._told: dict[Panel, Shown] = {}
-        """What each panel shows."""
+        """The snapshot that each panel shows."""
         self._buttons: list[QToolButton] = []
         self.names = QWidget()
-        """To be put where they stay whether one is open or not."""
+        """The row of names, which the owner places where it is always visible."""
         self.names.setObjectName("drawerNames")
         self._row = in_row(on=self.names, margins=(0, 0, 0, 0), gap=2)
         self._stack = QStackedWidget()
@@ -87,15 +78,7 @@ class Panels(QWidget):
         self.hide()
 
     def add(self, name: str, panel: Panel, tip: str) -> None:
-        """Add a panel, folded, under a translated name.
-
-        Parameters
-        ----------
-        name : str
-        panel : Panel
-        tip : str
-            What it shows, for its name's tooltip.
-        """
+        """Add a folded panel under a translated name with a tooltip."""
         button = _Name(autoRaise=True)
         button.setText(name)
         set_tip(button, tip)
@@ -112,7 +95,7 @@ class Panels(QWidget):
 
     @property
     def all(self) -> tuple[Panel, ...]:
-        """Every panel, in the order of their names."""
+        """All panels in the order of their names."""
         return tuple(self._panel(place) for place in range(self._stack.count()))
 
     def _panel(self, place: int) -> Panel:
@@ -120,15 +103,14 @@ class Panels(QWidget):
 
     @property
     def open_panel(self) -> Panel | None:
-        """The panel that is open."""
         return None if self.isHidden() else self._panel(self._stack.currentIndex())
 
     def keep(self, shown: Shown) -> None:
-        """Note what is shown from now on; `tell` hands it to the open panel."""
+        """Keep the snapshot that `tell` passes to the open panel."""
         self._shown = shown
 
     def tell(self, panel: Panel | None = None) -> None:
-        """Tell the open panel, or another one, what has changed since it was told last."""
+        """Tell the open panel, or another one, what has changed since it was last told."""
         panel = panel or self.open_panel
         if panel is None or self._shown is None:
             return
@@ -138,7 +120,7 @@ class Panels(QWidget):
             panel.take(self._shown, changed)
 
     def open(self, panel: Panel | None) -> None:
-        """Open one panel instead of another, or fold them all."""
+        """Open one panel, or fold them all."""
         if panel is not None:
             self.tell(panel)
             self._stack.setCurrentIndex(self.all.index(panel))
@@ -155,7 +137,7 @@ class Panels(QWidget):
 
 
 class Drawer(QSplitter):
-    """The panes above, the open panel below: at most a third of the window, or less by hand."""
+    """The panes above, the open panel below."""
 
     def __init__(self, around: QSplitter, above: QWidget, panels: Panels) -> None:
         super().__init__(Qt.Orientation.Vertical)
@@ -164,15 +146,14 @@ class Drawer(QSplitter):
         self._share = LARGEST_SHARE
         self.addWidget(above)
         self.addWidget(panels)
-        self.setStretchFactor(0, 1)
-        self.setStretchFactor(1, 0)
-        self.setCollapsible(0, False)
-        self.setCollapsible(1, False)
+        for place, stretch in ((0, 1), (1, 0)):
+            self.setStretchFactor(place, stretch)
+            self.setCollapsible(place, False)
         panels.opened.connect(self.fit)
         self.splitterMoved.connect(self._dragged)
 
     def fit(self) -> None:
-        """Give the open panel its part of the window: the same for all, or panes would jump."""
+        """Give the open panel its share of the height: the same for all, or panes would jump."""
         window_px, height = self.window().height(), sum(self.sizes())
         self._panels.setMaximumHeight(int(LARGEST_SHARE * window_px))
         wanted = int(self._share * window_px)

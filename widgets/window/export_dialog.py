@@ -1,4 +1,4 @@
-"""Asks what a picture shall show, how large it is, and on which background."""
+"""The dialog that asks for a picture's panes, size, scale and background."""
 
 from __future__ import annotations
 
@@ -27,24 +27,25 @@ from widgets.parts.plain import Label, set_tip
 
 
 class ExportChoice(NamedTuple):
-    """What the user chose; the picture has ``size * scale`` pixels, and letters of these points."""
+    """The user's choice; the picture has ``size * scale`` pixels."""
 
     panes: tuple[str, ...]
     size: tuple[int, int]
     scale: float
     transparent: bool
     text_pt: float | None = None
+    """None for letters of the usual size."""
 
 
 class ExportDialog(QDialog):
-    """The choice of a figure's panes, size, scale and background.
+    """Asks for an `ExportChoice`.
 
     Parameters
     ----------
     titles : dict
         Translated pane titles by name.
     image_size : (int, int)
-        Size of the model's image, the natural size of the image pane alone.
+        Size of the model's image, which the image pane alone is exported at by default.
     """
 
     def __init__(
@@ -57,23 +58,13 @@ class ExportDialog(QDialog):
         for box in self._boxes.values():
             box.setChecked(True)
             box.toggled.connect(self._panes_changed)
-        self._width, self._height = QLineEdit("1800"), QLineEdit("600")
-        for field, name in (
-            (self._width, self.tr("Width in pixels")),
-            (self._height, self.tr("Height in pixels")),
-        ):
-            field.setAccessibleName(name)
-            set_tip(field, name)
-            field.textChanged.connect(self._check)
-        self._text = QLineEdit()
-        self._text.setAccessibleName(self.tr("Height of the letters in points"))
-        set_tip(
-            self._text,
-            self.tr(
-                "Height of the letters in points: {0} pixels at scale 1 are an inch of 72"
-            ).format(DPI),
+        letters, tip = (
+            self.tr("Height of the letters in points"),
+            self.tr("Height of the letters in points: {0} pixels at scale 1 are an inch of 72"),
         )
-        self._text.textChanged.connect(self._check)
+        self._width = self._field("1800", self.tr("Width in pixels"))
+        self._height = self._field("600", self.tr("Height in pixels"))
+        self._text = self._field("", letters, tip.format(DPI))
         self._scale = Combo()
         set_tip(
             self._scale,
@@ -101,66 +92,68 @@ class ExportDialog(QDialog):
         in_column(form, self._problem, self._buttons, on=self)
         self._check()
 
+    def _field(self, text: str, name: str, tip: str = "") -> QLineEdit:
+        field = QLineEdit(text)
+        field.setAccessibleName(name)
+        set_tip(field, tip or name)
+        field.textChanged.connect(self._check)
+        return field
+
+    @property
+    def _panes(self) -> tuple[str, ...]:
+        return tuple(name for name, box in self._boxes.items() if box.isChecked())
+
     def choice(self) -> ExportChoice:
-        """What is chosen now; valid once the dialog is accepted."""
+        """Return the current choice; it is valid once the dialog is accepted."""
+        text = self._text
         return ExportChoice(
-            tuple(name for name in PANES if self._boxes[name].isChecked()),
+            self._panes,
             (_whole(self._width.text()), _whole(self._height.text())),
             float(self._scale.currentData()),
             bool(self._background.currentData()),
-            parse_number(self.tr("Letters"), self._text.text())
-            if self._text.isModified()
-            else None,
+            parse_number(self.tr("Letters"), text.text()) if text.isModified() else None,
         )
 
     def _panes_changed(self) -> None:
-        chosen = [name for name in PANES if self._boxes[name].isChecked()]
-        if chosen == ["image"]:
+        width, height = 600 * max(1, len(self._panes)), 600
+        if self._panes == ("image",):
             width, height = self._image_size
-        else:
-            width, height = 600 * max(1, len(chosen)), 600
         if not (self._width.isModified() or self._height.isModified()):  # a typed size stays
             self._width.setText(str(width))
             self._height.setText(str(height))
         self._check()
 
     def _check(self) -> None:
-        problem = ""
-        if not any(box.isChecked() for box in self._boxes.values()):
-            problem = self.tr("Choose at least one pane.")
-        else:
-            try:
-                choice = self.choice()
-            except Refusal as error:
-                problem = sentence(error)
-            except ValueError:
-                problem = self.tr("Width and height must be whole numbers.")
-            else:
-                problem = self._refused(choice)
+        problem = self._find_problem()
         self._problem.setText(problem)
         self._buttons.button(QDialogButtonBox.StandardButton.Save).setEnabled(not problem)
 
-    def _refused(self, choice: ExportChoice) -> str:
-        """Why there is no such figure, if there is none; else its letters are as large as usual."""
-        figure = self._image_size, choice.panes, choice.size
+    def _find_problem(self) -> str:
+        """Say why there is no such figure; if there is one, show the usual size of its letters."""
+        if not self._panes:
+            return self.tr("Choose at least one pane.")
         try:
+            choice = self.choice()
+            figure = self._image_size, choice.panes, choice.size
             checked_size(*figure, choice.scale)
-            checked_text(*figure, choice.text_pt)
+            text_pt = checked_text(*figure, choice.text_pt)
         except Refusal as error:
             return sentence(error)
+        except ValueError:
+            return self.tr("Width and height must be whole numbers.")
         if choice.text_pt is None:
             with QSignalBlocker(self._text):
-                self._text.setText(f"{checked_text(*figure, None):.2g}")
+                self._text.setText(f"{text_pt:.2g}")
         return ""
 
 
 def _whole(text: str) -> int:
-    """A whole number; not what only Python takes for one, such as 1_800 and digits of any script.
+    """Parse a whole number, without Python's own forms such as 1_800 and other scripts' digits.
 
     Raises
     ------
     ValueError
-        If it is none.
+        If the text is not a whole number.
     """
     if not re.fullmatch(r"\s*[-+]?[0-9]+\s*", text):
         raise ValueError(text)

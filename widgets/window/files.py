@@ -1,4 +1,4 @@
-"""The File menu's work: scenes and documents in and out, nothing lost on the way."""
+"""Open and save scenes and documents, without losing unsaved work."""
 
 from __future__ import annotations
 
@@ -26,31 +26,23 @@ from widgets.parts.saving import ask_where
 from widgets.window.settings import Settings
 
 _T = TypeVar("_T")
+MESHES = " ".join(f"*{ending}" for ending in MESH_ENDINGS)
 RECENT_LIMIT = 10
 SAID_MS = 10_000
-"""How long the status line says where unsaved work is."""
+"""The status line says for this long where unsaved work is."""
 
 
 class Files(QObject):
     """Opens, saves and remembers files for one window.
 
-    Whatever cannot be opened or saved is told in the message bar, in one sentence, and the
-    window stays as it was.
-
-    Parameters
-    ----------
-    window : QMainWindow
-        Parent of the dialogs.
-    store : Store
-    messages : MessageBar
-    settings : Settings
-        Keeps the paths opened or saved before, newest first, also those of other windows.
+    If a file cannot be opened or saved, the message bar says why in one sentence, and the window
+    does not change.
     """
 
     concerns = frozenset({"scene", "view"})
     recent_changed = Signal()
     lesson_wanted = Signal(str)
-    """The file of a lesson or talk was opened."""
+    """The user has opened the file of a lesson or talk."""
 
     def __init__(
         self, window: QMainWindow, store: Store, messages: MessageBar, settings: Settings
@@ -63,28 +55,28 @@ class Files(QObject):
 
     @property
     def path(self) -> Path | None:
-        """Where the document is saved, if there is such a place yet."""
+        """The document's file; None if it was not saved yet."""
         return self._store.origin.path
 
     # -- scenes
 
     def scene(self, name: str, mesh: str = "") -> Scene:
-        """The scene of that name or mesh path, with a mesh in its objects' place, loaded once.
+        """Return the scene of a name or mesh path, with `mesh` in place of its objects.
 
-        All scenes that the undo history can come back to stay in memory, so that undo cannot
-        fail on a file that has gone meanwhile.
+        It is loaded once. All scenes of the undo history stay in memory, so that undo does not
+        depend on a file that may have been removed.
 
         Raises
         ------
         Refusal
-            If it cannot be loaded; `Cancelled` if the user stopped it.
+            If it cannot be loaded; `Cancelled` if the user cancels it.
         """
         if (name, mesh) not in self._scenes:
             self._scenes[name, mesh] = self._load(name, mesh)
         return self._scenes[name, mesh]
 
     def keep(self, document: Document, scene: Scene) -> None:
-        """Take a document's scene that is loaded already."""
+        """Keep the scene of a document, already loaded."""
         self._scenes[document.scene, document.mesh] = scene
 
     def _load(self, name: str, mesh: str) -> Scene:
@@ -99,27 +91,17 @@ class Files(QObject):
 
     def open_dialog(self) -> None:
         """Ask for a file and open it."""
-        meshes = " ".join(f"*{ending}" for ending in MESH_ENDINGS)
-        path, _ = QFileDialog.getOpenFileName(
-            self._window,
-            self.tr("Open a document, a lesson, a mesh or an exported picture"),
-            str(self.path.parent) if self.path else "",
-            self.tr("All that can be opened ({0});;All files (*)").format(
-                f"*.json {meshes} *.png *.md"
-            ),
-        )
+        title = self.tr("Open a document, a lesson, a mesh or an exported picture")
+        kinds = self.tr("All that can be opened ({0});;All files (*)")
+        folder = str(self.path.parent) if self.path else ""
+        path = self._ask(title, folder, kinds.format(f"*.json {MESHES} *.png *.md"))
         if path:
             self.open(path)
 
     def open(self, path: str | Path) -> bool:
-        """Open a document, a picture with a document inside, or a mesh, as its file is now.
+        """Open a document, a picture that contains one, or a mesh; return False if that fails.
 
-        Nothing is asked: undo brings back what was there before, saved or not.
-
-        Returns
-        -------
-        bool
-            False if it could not be opened.
+        It asks no question, because undo restores the previous document, even unsaved.
         """
         path = os.path.abspath(path)
         if is_lesson(path):
@@ -144,7 +126,7 @@ class Files(QObject):
         return True
 
     def open_step(self, document: Document, scene: Scene, lesson: Path) -> bool:
-        """Show the first state of a lesson; what is tried out beside it is no work to be saved."""
+        """Show the first state of a lesson; the student's changes to it are not unsaved work."""
         self.keep(document, scene)
         if not self._change_to(document, None, is_work=False):
             return False
@@ -154,7 +136,7 @@ class Files(QObject):
     def _change_to(
         self, document: Document, path: Path | None, *, saved: bool = True, is_work: bool = True
     ) -> bool:
-        """Show another document, and say where unsaved work is that it takes the place of."""
+        """Show another document, and say where the unsaved work of the previous one is."""
         left = self._name if self._store.modified else None
         changed = self._store.open(document, saved=saved, path=path, is_work=is_work)
         held = {(each.scene, each.mesh) for each in self._store.documents}
@@ -168,14 +150,12 @@ class Files(QObject):
         return True
 
     def _with_mesh(self, document: Document, path: str) -> Document:
-        """A picture's document, with the mesh from beside it, or else from where the user says."""
+        """Return a picture's document with its mesh: from beside it, or where the user says."""
         mesh = document.scene if is_mesh(document.scene) else document.mesh
         if not mesh or holds_document(path) or os.path.exists(mesh):
             return document
-        place = self._ask_for_mesh(
-            self.tr("Where is {0}, which the picture shows?").format(os.path.basename(mesh)),
-            os.path.dirname(mesh),
-        )
+        title = self.tr("Where is {0}, which the picture shows?").format(os.path.basename(mesh))
+        place = self._ask_for_mesh(title, mesh)
         if not place:
             return document
         place = os.path.abspath(place)
@@ -183,31 +163,32 @@ class Files(QObject):
             return replace(document, scene=place)
         return replace(document, mesh=place)
 
-    def _ask_for_mesh(self, title: str, folder: str) -> str:
-        endings = " ".join(f"*{ending}" for ending in MESH_ENDINGS)
-        kinds = self.tr("Meshes ({0});;All files (*)").format(endings)
-        path, _ = QFileDialog.getOpenFileName(self._window, title, folder, kinds)
-        return path
+    def _ask_for_mesh(self, title: str, beside: str) -> str:
+        kinds = self.tr("Meshes ({0});;All files (*)").format(MESHES)
+        return self._ask(title, os.path.dirname(beside), kinds)
+
+    def _ask(self, title: str, folder: str, kinds: str) -> str:
+        return QFileDialog.getOpenFileName(self._window, title, folder, kinds)[0]
 
     def take_up(self, path: Path) -> None:
-        """Note that what is shown was opened from a file."""
+        """Note that the current document was opened from a file."""
         self._set_path(self._place(path))
         self._remember(str(path))
 
     def open_recovered(self, document: Document) -> bool:
-        """Take up a document from an autosave; it is in no file of the user's yet."""
+        """Open a document from an autosave, as unsaved work."""
         scene = self._try(lambda: self.scene(document.scene, document.mesh))
         if scene is None:
             return False
         return self._change_to(document, None, saved=False)
 
     def choose_scene(self, name: str) -> bool:
-        """Change to a built-in scene as an edit that can be undone."""
+        """Change to a built-in scene, as one undo step."""
         scene = self._try(lambda: self.scene(name))
         if scene is None:
             return False
         if name != self._store.document.scene:
-            # What was prepared for a class stays, and what was about the scene before goes.
+            # Keep what was prepared for a class; drop what was about the previous scene.
             view = replace(
                 self._store.look(), large="", panel=None, probes=(), pinned=frozenset(), panes={},
                 compare=(), dividers=(),
@@ -217,34 +198,22 @@ class Files(QObject):
         return True
 
     def mesh_dialog(self) -> None:
-        """Ask for a mesh to stand in the place of the scene's own objects."""
-        path = self._ask_for_mesh(
-            self.tr("Use a mesh in the place of the scene's own objects"),
-            os.path.dirname(self._store.document.mesh),
-        )
+        """Ask for a mesh that replaces the scene's own objects."""
+        title = self.tr("Use a mesh in the place of the scene's own objects")
+        path = self._ask_for_mesh(title, self._store.document.mesh)
         if path:
             self.use_mesh(path)
 
     def use_mesh(self, path: str) -> bool:
-        """Put a mesh in the place of the scene's own objects, as an edit that can be undone.
+        """Replace the scene's own objects by a mesh, or restore them if the path is empty.
 
-        The file is read as it is now, also for the steps of the history that use it.
-
-        Parameters
-        ----------
-        path : str
-            Empty for the scene's own objects.
-
-        Returns
-        -------
-        bool
-            False if it cannot be shown there.
+        That is one undo step. The file is read anew, also for the steps of the history that use
+        it. Returns False if the mesh cannot be shown there.
         """
-
         before, mesh = self._store.document, os.path.abspath(path) if path else ""
 
         def used() -> tuple[Document, Scene]:
-            scene = self._load(before.scene, mesh)  # says more of a file than the document would
+            scene = self._load(before.scene, mesh)  # its refusal says more than the document's
             return replace(before, mesh=mesh), scene
 
         found = self._try(used)
@@ -259,7 +228,7 @@ class Files(QObject):
     # -- saving
 
     def save(self) -> bool:
-        """Save where the document came from, or ask; also where another program wrote there."""
+        """Save to the document's file, or ask: for a new file, or if another program wrote it."""
         if self.path is None:
             return self.save_as()
         if (now := _written(self.path)) is None or now == self._store.origin.written:
@@ -276,18 +245,14 @@ class Files(QObject):
         return box.clickedButton() is beside and self.save_as()
 
     def save_as(self) -> bool:
-        """Ask for a place and save there."""
-        path = ask_where(
-            self._window,
-            self.tr("Save the document"),
-            str(self.path or "frustum-lab.json"),
-            self.tr("Frustum Lab documents (*.json)"),
-            ".json",
-        )
+        """Ask for a file and save to it."""
+        title, kinds = self.tr("Save the document"), self.tr("Frustum Lab documents (*.json)")
+        start = str(self.path or "frustum-lab.json")
+        path = ask_where(self._window, title, start, kinds, ".json")
         return bool(path) and self.save_to(Path(path))
 
     def save_to(self, path: Path) -> bool:
-        """Save to a path; the old file stays whole if that fails."""
+        """Save to a path; if that fails, the old file stays as it is."""
         document = self._store.seen
 
         def written() -> bool:
@@ -302,7 +267,7 @@ class Files(QObject):
         return True
 
     def may_discard(self) -> bool:
-        """Ask what shall become of unsaved work; True if the window may go on without it."""
+        """Ask what to do with unsaved work; return True if the window may close."""
         if not self._store.modified:
             return True
         text = self.tr("There are changes that are not saved.")
@@ -318,14 +283,7 @@ class Files(QObject):
     # -- helpers
 
     def _try(self, act: Callable[[], _T], document: str = "") -> _T | None:
-        """Do it, or say in one sentence why not.
-
-        Parameters
-        ----------
-        act : callable
-        document : str
-            The file that asks for a scene, to be named beside it.
-        """
+        """Act, or say in one sentence why that failed; `document` names the file that was read."""
         try:
             done = act()
         except Cancelled:
@@ -339,7 +297,7 @@ class Files(QObject):
 
     @staticmethod
     def _place(path: str | Path) -> Path | None:
-        """Where what was opened is saved: a picture or a mesh is no place for a document."""
+        """Return the file to save to, which cannot be a picture or a mesh."""
         return Path(path) if holds_document(path) else None
 
     def _set_path(self, path: Path | None) -> None:
@@ -348,16 +306,14 @@ class Files(QObject):
         self._name_window()
 
     def take(self, shown: Shown, changed: Changed) -> None:
-        """Name the window after another document."""
         self._name_window()
 
     def _name_window(self) -> None:
-        name = self._name.replace("[*]", "[*][*]")  # which Qt writes as one
+        name = self._name.replace("[*]", "[*][*]")  # Qt shows this as one [*]
         self._window.setWindowTitle(f"{name}[*] – Frustum Lab")
 
     @property
     def _name(self) -> str:
-        """What the document is called."""
         if self.path:
             return self.path.name
         scene = self._store.document.scene
@@ -371,7 +327,7 @@ class Files(QObject):
 
 
 def _written(path: Path) -> tuple[int, int] | None:
-    """When a file was last written, in ns, and how many bytes it has; None if it is not there."""
+    """Return a file's time of writing in ns and its size in bytes; None if it does not exist."""
     try:
         found = path.stat()
     except OSError:

@@ -1,4 +1,4 @@
-"""What the Help menu tells: short texts in boxes that do not stop the work."""
+"""The Help menu: short texts in windows that do not block the main window."""
 
 from __future__ import annotations
 
@@ -13,32 +13,24 @@ from widgets.parts.layouts import in_column
 from widgets.parts.plain import Markup, TextDocument, message_box
 
 PLAY_KEY, FULL_SCREEN_KEY = (
-    ("Ctrl+Shift+Space", "Ctrl+Meta+F")  # where Ctrl is ⌘, and the system has taken ⌘Space and F11
+    ("Ctrl+Shift+Space", "Ctrl+Meta+F")  # Ctrl is ⌘ there, and the system uses ⌘Space and F11
     if sys.platform == "darwin"
     else ("Ctrl+Space", "F11")
 )
 
 
 def _key(keys: str) -> str:
-    """A shortcut as this system writes it."""
+    """Write a shortcut in this system's form."""
     return QKeySequence(keys).toString(QKeySequence.SequenceFormat.NativeText)
 
 
 class Help(QObject):
-    """Shows the help texts for one window.
-
-    Parameters
-    ----------
-    window : QWidget
-        Parent of the boxes.
-    """
-
     def __init__(self, window: QWidget) -> None:
         super().__init__(window)
         self._window = window
 
     def show_keys(self) -> None:
-        """Say what keys and mouse do, in a table that scrolls where the screen is low."""
+        """Show a table of keys and mouse actions, which scrolls on a low screen."""
         one, two, three, back = (_key(f"Ctrl+{number}") for number in "1230")
         groups = {
             self.tr("Everywhere"): (
@@ -171,7 +163,6 @@ class Help(QObject):
         dialog.show()
 
     def show_conventions(self) -> None:
-        """Say which way axes, depths and pixels run."""
         self._tell(
             self.tr("Conventions"),
             self.tr(
@@ -188,7 +179,6 @@ class Help(QObject):
         )
 
     def show_about(self) -> None:
-        """Say what this program is, and its version."""
         self._tell(
             self.tr("About Frustum Lab"),
             self.tr(

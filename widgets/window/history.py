@@ -1,4 +1,4 @@
-"""Undo, redo and reset, and what waits for the hand to rest."""
+"""Undo, redo and reset, and the work that waits until the user's hand rests."""
 
 from __future__ import annotations
 
@@ -15,22 +15,18 @@ from widgets.window.actions import Actions
 
 
 class History(QObject):
-    """The store's history in one window.
+    """The store's history in one window, whose title shows whether there is something to save.
 
     Parameters
     ----------
-    window : QWidget
-        Whose title shows whether there is something to save.
-    store : Store
-    menus : Actions
     start : callable
-        How the scene of now opens.
+        Returns the projection that the current scene opens with.
     players : sequence of callables
-        Each lets something stand still that plays, or that the keyboard drags.
+        Each stops something that plays, or that the keyboard drags.
     """
 
     rested = Signal()
-    """No control is held and nothing plays: what was put off for that can be done."""
+    """No control is held and nothing plays: postponed work can be done now."""
 
     def __init__(
         self,
@@ -49,35 +45,34 @@ class History(QObject):
         store.history_changed.connect(self.show)
 
     def undo(self) -> None:
-        """Go back one step; what moves stands still, or it would go on from there at once."""
+        """Go back one step; stop what moves first, or it would go on from there at once."""
         self.stand_still()
         self._store.undo()
 
     def redo(self) -> None:
-        """Take the last undone step up again."""
         self.stand_still()
         self._store.redo()
 
     def reset(self) -> None:
-        """Put projection and settings back to how the scene opens; it can be undone."""
+        """Reset projection and settings to those that the scene opens with, as one undo step."""
         self.stand_still()
         document = self._store.document
         self._store.set_document(replace(document, projection=self._start(), settings={}))
         rows: list[Row] = self._window.findChildren(Row)  # type: ignore[type-abstract]
         for row in rows:
-            row.clear_error()  # what was refused was never in the document
+            row.clear_error()  # a refused value was never in the document
 
     def stand_still(self) -> None:
-        """Let nothing move by itself."""
+        """Stop everything that moves by itself."""
         for pause in self._players:
             pause()
 
     def show(self) -> None:
-        """Show what can be undone, and whether there is something to save."""
+        """Update Undo, Redo and the window's unsaved mark."""
         store, window = self._store, self._window
         self._menus.undo.setEnabled(store.can_undo)
         self._menus.redo.setEnabled(store.can_redo)
-        if window.isWindowModified() != store.modified:  # it costs as much as a drawing
+        if window.isWindowModified() != store.modified:  # setting it costs as much as a drawing
             window.setWindowModified(store.modified)
         if not store.in_gesture:
             self.rested.emit()

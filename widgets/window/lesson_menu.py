@@ -1,4 +1,4 @@
-"""Lessons and talks to choose from, and the keys of the way through the one that is open."""
+"""The Lessons menu: the lessons and talks to open, and the steps of the open one."""
 
 from __future__ import annotations
 
@@ -23,22 +23,9 @@ from widgets.window.settings import Progress, Settings
 
 
 def fill(
-    menu: QMenu,
-    progress: Mapping[str, Progress],
-    choose: Callable[[str], object],
-    *,
-    talks: bool,
+    menu: QMenu, progress: Mapping[str, Progress], choose: Callable[[str], object], *, talks: bool
 ) -> None:
-    """List the lessons that come with the program, or the talks, and how far one has come.
-
-    Parameters
-    ----------
-    menu : QMenu
-    progress : mapping of str to Progress
-    choose : callable
-        Gets the path of the one that is chosen.
-    talks : bool
-    """
+    """List the built-in lessons or talks with the user's progress; `choose` receives a path."""
     menu.clear()
     for head in heads(talks=talks):
         kept = progress.get(name_of(head.path), Progress())
@@ -52,15 +39,7 @@ def fill(
 
 
 class LessonMenu(QMenu):
-    """The menu bar's: what can be opened, and where to go in what is open.
-
-    Parameters
-    ----------
-    title : str
-    window : QWidget
-    make : callable
-        Makes an action of the window, from its text, nothing, its key, and its tip.
-    """
+    """The menu of the menu bar; `make` creates an action of the window, as `Actions` does."""
 
     def __init__(self, title: str, window: QWidget, make: Callable[..., QAction]) -> None:
         super().__init__(title, window)
@@ -88,7 +67,7 @@ class LessonMenu(QMenu):
         self.addActions([self.anew, self.leave])
 
     def wire(self, card: LessonCard, settings: Settings) -> None:
-        """Let the card do what is chosen."""
+        """Connect the actions to the lesson's card."""
         for menu, talks in ((self.lessons, False), (self.talks, True)):
             menu.aboutToShow.connect(
                 lambda menu=menu, talks=talks: fill(menu, settings.progress, card.open, talks=talks)
@@ -108,7 +87,7 @@ class LessonMenu(QMenu):
         self._show(card)
 
     def _show(self, card: LessonCard) -> None:
-        """Offer what can be done just now."""
+        """Enable the actions that are possible now."""
         for action, button in (
             (self.again, card.again),
             (self.next, card.next),
@@ -120,11 +99,8 @@ class LessonMenu(QMenu):
         self.leave.setEnabled(card.is_on)
 
     def _ask(self, card: LessonCard) -> None:
-        path, _ = QFileDialog.getOpenFileName(
-            self._window,
-            self.tr("Open a lesson or a talk"),
-            "",
-            self.tr("Lessons and talks (*.md);;All files (*)"),
-        )
+        title = self.tr("Open a lesson or a talk")
+        kinds = self.tr("Lessons and talks (*.md);;All files (*)")
+        path, _ = QFileDialog.getOpenFileName(self._window, title, "", kinds)
         if path:
             card.open(Path(path))

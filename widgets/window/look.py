@@ -1,4 +1,4 @@
-"""How the panes look: theme and size of text, and the quality they are drawn with."""
+"""How the panes look: theme, size of text, and drawing quality."""
 
 from __future__ import annotations
 
@@ -24,39 +24,25 @@ from widgets.window.arrangement import cameras
 from widgets.window.settings import Settings
 
 SORTED_AHEAD = 10_000
-"""Faces of a scene that are sorted before the first click on it; of fewer the click does it."""
+"""A scene with more faces is sorted before the first click on it, otherwise at the click."""
 
 
 def dress(settings: Settings, screen_px: float = 0.0) -> None:
-    """Give the application its colours and its font, before there are widgets or later."""
+    """Set the application's colours and font; `screen_px` is the screen's height in Present."""
     application = QApplication.instance()
     assert isinstance(application, QApplication)
     palette.apply(application, dark=palette.is_dark(settings.theme), screen_px=screen_px)
 
 
 class Look(QObject):
-    """Builds the drawings of the panes, and hands changes on to them.
+    """Builds the panes' drawings, and passes changes on to them.
 
-    Parameters
-    ----------
-    panes : mapping of str to Pane
-    settings : Settings
-        Of which theme, tolerance and frame time are looked at.
-    store : Store
-    software_rendering : bool
-        Whether OpenGL runs without a GPU.
-    window : QWidget
-
-    Attributes
-    ----------
-    adaptive : Adaptive
-    words : mapping of str to str
-        The drawings' words in the window's language; the letters are the lectures'.
+    `words` holds the drawings' words in the window's language, and the chosen lecture's letters.
     """
 
     concerns = EVERYTHING
     built = Signal(Style)
-    """The panes have other drawings now; other pictures are drawn in this style as well."""
+    """The panes have new drawings, in this style."""
 
     def __init__(
         self,
@@ -68,8 +54,7 @@ class Look(QObject):
         window: QWidget,
     ) -> None:
         super().__init__(window)
-        self._panes, self._settings, self._store = panes, settings, store
-        self._window = window
+        self._panes, self._settings, self._store, self._window = panes, settings, store, window
         self.words = Words(
             {
                 **WORDS,
@@ -98,7 +83,7 @@ class Look(QObject):
         )
         self._shown: Shown | None = None
         self._screen_px = 0.0
-        """Height of the screen while presenting, of which text and lines are a share."""
+        """Height of the screen while presenting, otherwise 0: the scale of text and lines."""
         self.adaptive = Adaptive(
             panes, software_rendering=software_rendering, target_ms=settings.frame_ms, window=window
         )
@@ -107,14 +92,14 @@ class Look(QObject):
     # -- what is shown
 
     def take(self, shown: Shown, changed: Changed) -> None:
-        """Let the panes show it: by other drawings, where it cannot be in those that they have."""
+        """Update the panes' drawings, or build new ones where those cannot show the change."""
         self._shown, quality = shown, shown.document.quality
         anew = "scene" in changed
         built = anew or quality != self.adaptive.quality
         if built:
             self.adaptive.show(shown.scene, quality)
-            # A mesh in the place of the objects is looked at from where they were.
-            self._build(shown.document.view.panes if "view" in changed else self._turned)
+            # A mesh that replaces the objects is seen by the same cameras as they were.
+            self._build(shown.document.view.panes if "view" in changed else cameras(self._panes))
         if anew and shown.scene.faces > SORTED_AHEAD:
             from app.drawings.probes import sort_ahead
 
@@ -125,26 +110,31 @@ class Look(QObject):
                 if changed & pane.concerns:
                     pane.take(shown, changed)
             if "view" in changed:
-                for name, pane in self._panes.items():
-                    pane.look_from(shown.document.view.panes.get(name))
-        self.set_waiting(False)
+                self.look_from(shown.document.view.panes)
+        if changed & {"scene", "view"}:
+            self.set_waiting(False)
         if "image_size" in changed:
             width, height = shown.projection.image_size
             self._panes["image"].note.setText(f"{width} × {height}")
 
+    def look_from(self, cameras: Mapping[str, Camera]) -> None:
+        """Give the panes their own cameras; those that are not named get their default one."""
+        for name, pane in self._panes.items():
+            pane.look_from(cameras.get(name))
+
     def set_waiting(self, waits: bool) -> None:
-        """Let the panes wait, while a whole document is taken, until they are told; or no more."""
+        """Let the panes wait, or not, while the window takes over a whole document."""
         for pane in self._panes.values():
             pane.set_waiting(waits)
 
     def rebuild(self) -> None:
-        """Make all drawings anew, looked at from where they are looked at now."""
-        self.forget_ahead()  # it may have other words
+        """Build all drawings anew, and keep the panes' own cameras."""
+        self.forget_ahead()  # it may have been drawn with other words
         if self._shown is not None:
-            self._build(self._turned)
+            self._build(cameras(self._panes))
 
     def forget_ahead(self) -> None:
-        """Nothing is made ahead any more."""
+        """Discard the drawings that `ahead` has made."""
         for pane in self._panes.values():
             pane.ahead.keep()
 
@@ -165,9 +155,9 @@ class Look(QObject):
         )
 
     def _arguments(self, name: str, drawn: Scene, style: Style) -> tuple[object, ...]:
-        """What a pane's drawing of a scene is made with."""
+        """Return the constructor's arguments for a pane's drawing of a scene."""
         quality = self.adaptive.quality
-        # The world pane is looked at by a camera of its own, which is never at an extreme.
+        # The world pane's own camera is never at an extreme, so that it needs no tolerance.
         how: tuple[object, ...] = ()
         if name != "world":
             how = (quality.tolerance_px(self._settings.tolerance_px),)
@@ -176,12 +166,9 @@ class Look(QObject):
         return drawn, self.words, style.enlarged(SCALES.get(quality.smoothing, 1)), *how
 
     def ahead(self, steps: Sequence[Shown]) -> Iterator[None]:
-        """Draw what may be shown next, a piece at a time, and forget what was drawn so before.
+        """Draw scenes that may be shown next, piece by piece; discard those of an earlier call.
 
-        Parameters
-        ----------
-        steps : sequence of Shown
-            Those of another scene than the one that is shown, with its quality.
+        The steps show other scenes than the current one, with its quality.
         """
         for step in steps:
             self.adaptive.ahead(step.scene)
@@ -200,37 +187,35 @@ class Look(QObject):
             yield
 
     def refine(self, name: str, smooth: bool) -> None:
-        """Draw one pane smoothly, or as while something moves that is no change of the document."""
+        """Draw one pane smoothly, or coarsely while something moves that is not in the document."""
         smooth = smooth or not self.adaptive.software_rendering
         self._panes[name].set_smoothing(self.adaptive.smoothing(smooth))
 
     def rest(self) -> None:
-        """Draw as well as can be, and bring back what has left a view: the hand rests."""
+        """Draw at full quality, and refit what has left a view: the user's hand rests."""
         self.adaptive.step(dragging=False)
         for pane in self._panes.values():
             pane.refit()
 
-    @property
-    def _turned(self) -> dict[str, Camera]:
-        return cameras(self._panes)
-
     # -- theme and text
 
     def set_letters(self, letters: Letters) -> None:
-        """Write the axes in a lecture's letters."""
+        """Name the axes by a lecture's letters."""
         names = {"up": self.tr("up"), "eye": self.tr("eye"), "target": self.tr("target")}
         self.words |= names | axis_letters(letters)
         self.rebuild()
 
     def set_theme(self, theme: str) -> None:
-        """Switch to ``"light"``, ``"dark"`` or ``"system"``."""
+        """Use one of `THEMES`."""
         self._settings.theme = theme
-        dress(self._settings, self._screen_px)
-        self.rebuild()
+        self._dress()
 
     def set_presenting(self, on: bool) -> None:
-        """Write and draw for a class, or as ever."""
+        """Use sizes for a class, or the ordinary ones."""
         self._screen_px = float(self._window.screen().size().height()) if on else 0.0
+        self._dress()
+
+    def _dress(self) -> None:
         dress(self._settings, self._screen_px)
         self.rebuild()
 

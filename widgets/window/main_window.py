@@ -1,19 +1,17 @@
-"""The window: three panes, the controls, and the wires between them and the store.
+"""The main window: creates the components, and connects them to each other and to the store.
 
 ::
 
     controls, animation --edited--> Store --changed(document)--> Shown, and what changed in it
     menus, tool bar ----------------^                            |
                       panes, controls, the open panel, status line: take(shown, changed)
-
-What it does is done in the rooms beside this one; here they are made and joined.
 """
 
 from __future__ import annotations
 
 import logging
 import os
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
 from dataclasses import replace
 from functools import partial
 from pathlib import Path
@@ -32,7 +30,6 @@ from PySide6.QtWidgets import QMainWindow, QSplitter, QWidget
 
 from app.document.document import Document
 from app.document.store import Store
-from app.model.projection import Camera
 from app.scenes.scene import Scene
 from widgets.controls.scene_card import SceneCard
 from widgets.panels.frame_panel import FramePanel
@@ -101,13 +98,13 @@ def _image(*args: Any) -> Any:
 
 
 DRAWINGS: dict[str, Callable[..., Any]] = {"world": _world, "ndc": _stage, "image": _image}
-"""Of each pane; VTK is imported by them."""
+"""The maker of each pane's drawing, which imports VTK."""
 AT_FIRST_PX = (1366, 768)
 FOLDS_BELOW_PX = 1200
-"""A window that is narrower has no room for the dock beside its panes; a key opens it."""
+"""A narrower window has no room for the dock beside its panes; a key opens it."""
 PICTURES_AND_DOCK = [1075, 285]
 LONGEST_UNSEEN_MS = 100
-"""How long a pane is waited for that shows nothing: it may be hidden, or its drawing has failed."""
+"""Longest wait for a pane that shows nothing: it may be hidden, or its drawing has failed."""
 
 
 class MainWindow(QMainWindow):
@@ -116,9 +113,8 @@ class MainWindow(QMainWindow):
     Parameters
     ----------
     document : Document
-        What is shown first; its scene must be loadable.
     saved : Document, optional
-        What is in its file, if that is another one.
+        The content of the document's file, if it differs.
     settings : Settings
         The user's own: theme, recent files, window geometry.
     software_rendering : bool
@@ -126,7 +122,7 @@ class MainWindow(QMainWindow):
     path : Path, optional
         The file that was opened.
     scene : Scene, optional
-        The document's scene, if it is loaded already.
+        The document's scene, if it is already loaded.
     canvas : {"raster", "opengl"}
         How the panes draw.
 
@@ -137,9 +133,9 @@ class MainWindow(QMainWindow):
     """
 
     first_painted = Signal()
-    """The window is on the screen, its panes still empty."""
+    """The window is on the screen, with empty panes."""
     filled = Signal()
-    """All panes show their pictures, or have tried to."""
+    """All panes have drawn their pictures, or failed to."""
 
     def __init__(
         self,
@@ -155,16 +151,15 @@ class MainWindow(QMainWindow):
         super().__init__()
         self.setObjectName("mainWindow")
         self.setAcceptDrops(True)
-        self._is_closed = False
+        self._is_closed = self._was_painted = self._is_narrow = False
         self.start_card: StartCard | None = None
-        self._is_narrow = False
         self._folded: Panel | None = None
-        """The panel that is open when no pane has the whole window, and nothing is presented."""
+        """The panel to reopen when no pane is whole and nothing is presented any more."""
         self._before_presenting: tuple[bool, str, list[int]] | None = None
-        """Whether the dock was there, which pane was whole, and how the width was shared out."""
+        """Whether the dock was shown, the whole pane, and the splitter's sizes."""
         self.settings = settings
         settings.cannot_save = self._tell_unsaved
-        dress(settings)  # before there are widgets, which would keep the font of before
+        dress(settings)  # before the first widget, which would keep its font
         self.store = Store(document, self, saved=saved)
         self.messages = MessageBar()
         titles = {"world": self.tr("World"), "ndc": self.tr("NDC cube"), "image": self.tr("Image")}
@@ -196,34 +191,27 @@ class MainWindow(QMainWindow):
         self.pictures = Pictures(
             self, self.messages, lambda: self.store.seen, self.files.scene, titles, self.look.words
         )
-        self.help = Help(self)
         self.menus = Actions(
-            self,
-            files=self.files,
-            pictures=self.pictures,
-            help_=self.help,
-            slots=self.slots,
-            panes=self.panes,
-            theme=settings.theme,
-            all_digits=settings.all_digits,
-        )
+            self, files=self.files, pictures=self.pictures, help_=Help(self), slots=self.slots,
+            panes=self.panes, theme=settings.theme, all_digits=settings.all_digits,
+        )  # fmt: skip
         self.present = Present(self, self.menus.tools, self.bottom, Screens(settings))
         self._make_rooms()
         self._wire()
         self._wire_lesson()
         self._wire_gestures()
         self._wire_highlight()
+        self._show_beside()
         self._tell(EVERYTHING)
         self.history.show()
         if path is not None:
             self.files.take_up(path)
-        if not self.restoreGeometry(QByteArray(settings.geometry or b"")):  # which may be damaged
+        if not self.restoreGeometry(QByteArray(settings.geometry or b"")):  # it may be damaged
             self.resize(QSize(*AT_FIRST_PX).boundedTo(self.screen().availableSize()))
         QTimer.singleShot(0, self.recovery.offer)
-        self._was_painted = False
 
     def open_panes(self) -> None:
-        """Fill the panes, the largest first, each on the screen before the next is begun."""
+        """Fill the panes, the largest first; each appears before the next one is drawn."""
         self._empty = sorted(self.panes.values(), key=lambda pane: pane.width())
         self._filling = QTimer(self, singleShot=True)
         self._filling.timeout.connect(self._open_next)
@@ -231,7 +219,7 @@ class MainWindow(QMainWindow):
 
     def _open_next(self) -> None:
         if not self._empty:
-            self._filling.timeout.disconnect()  # by a pane that is late it would end once more
+            self._filling.timeout.disconnect()  # a late pane would emit `filled` again
             self.filled.emit()
         elif not self._is_closed:
             pane = self._empty.pop()
@@ -244,7 +232,6 @@ class MainWindow(QMainWindow):
     # -- making
 
     def _make_panels(self) -> None:
-        """Make all panels; what every panel may want of the window is wired in `_wire`."""
         self.matrices = MatrixPanel()
         self.frame_panel = FramePanel()
         self.kinds_panel = KindsPanel()
@@ -274,7 +261,7 @@ class MainWindow(QMainWindow):
             self.panels.add(name, panel, tip)
 
     def _lay_out(self) -> None:
-        # From the outside inwards: Qt styles all that a widget holds whenever it gets a parent.
+        # From the outside inwards: Qt styles a widget's children again whenever it gets a parent.
         body = QWidget()
         self.setCentralWidget(body)
         self.band, self.bottom = TalkBand(), QWidget()
@@ -291,7 +278,7 @@ class MainWindow(QMainWindow):
         in_row(self.panels.names, (self.status, 1), on=self.bottom, margins=(0, 0, 0, 2))
 
     def _make_rooms(self) -> None:
-        """What joins several parts, and the order in which all that show something are told."""
+        """Create the components that join others, and define the notification order."""
         image, controls = self.panes["image"], self.controls
         self.guide = SceneGuide(
             self.scene_panel, self.panels, controls, self.manipulation, image, self.menus,
@@ -320,21 +307,15 @@ class MainWindow(QMainWindow):
         )
         self.lessons = Lessons(
             self.store, self.files, self.messages, self.history.stand_still, self.strip.go_to,
-            self._look_from,
+            self.look.look_from,
         )  # fmt: skip
         self.lesson_card = LessonCard(self.lessons, self.store, self.settings)
         self.side.take_card(self.lesson_card)
         self.files.lesson_wanted.connect(self.lesson_card.open)
         self.talks = Talks(
-            self,
-            self.lessons,
-            self.present,
-            self.store,
-            self.messages,
-            self.settings,
-            self.band,
+            self, self.lessons, self.present, self.store, self.messages, self.settings, self.band,
             self.look,
-        )
+        )  # fmt: skip
         self.talk_actions = TalkActions(self.talks, self, self.settings)
         self.menus.lesson_menu.addSeparator()
         self.menus.lesson_menu.addActions(self.talk_actions.all)
@@ -342,93 +323,92 @@ class MainWindow(QMainWindow):
         self.recovery = Recovery(data_folder(), self.store, self.messages, self.files, self)
         self._told: tuple[Told, ...] = (
             *self.cursors.values(),
-            self.manipulation,  # which lets go of what is held before it is gone
+            self.manipulation,  # releases a held handle before its drawing is gone
             self.probing,
-            self.guide,  # which tells the controls what scene it is
+            self.guide,  # tells the controls about the scene
             self.controls,
             self.slots,
-            self.arrangement,  # which takes back what a scene has opened or forgotten by itself
+            self.arrangement,  # overrides what a new scene has opened or forgotten
             self.cost,
             self.look,
-            self.comparing,  # of the image that has been told
+            self.comparing,  # after the image pane
             self.counting,
             self.strip,
             self.files,
             self.status,
-            self.quality,  # of what was drawn just now
+            self.quality,  # after the panes
         )
 
     def _wire(self) -> None:
-        store, controls, menus, strip, ndc = (
-            self.store, self.controls, self.menus, self.strip, self.panes["ndc"]
+        """Connect signals to slots; what depends on the document is told by `_tell`."""
+        store, controls, menus, strip, world = (
+            self.store, self.controls, self.menus, self.strip, self.panes["world"]
         )  # fmt: skip
-        store.changed.connect(self._show_document)
-        store.view_changed.connect(self._show_view)
-        controls.edited.connect(store.set_projection)
-        controls.animation.playing_changed.connect(menus.show_playing)
-        self.manipulation.edited.connect(store.set_projection)
-        self.frame_panel.step_changed.connect(partial(self.panes["world"].ask, "step"))
-        strip.moved.connect(partial(ndc.ask, "stage"))
-        controls.object_unfolded.connect(partial(self.panes["world"].ask, "object_axes"))
-        strip.named.connect(ndc.header.say)
-        strip.moved.connect(self.matrices.show_stage)
-        lettering.set("own")  # of another window before this one
-        self.matrices.letters_changed.connect(lettering.set)
-        self.matrices.letters_changed.connect(self.look.set_letters)
-        strip.gesture_started.connect(partial(self.look.refine, "ndc", False))
-        strip.gesture_finished.connect(partial(self.look.refine, "ndc", True))
-        self.history.rested.connect(self.look.rest)
-        self.history.rested.connect(self.comparing.pictures.refresh)
-        self.look.built.connect(self.manipulation.leave)
-        self.look.built.connect(controls.set_style)
-        self.look.built.connect(self.comparing.pictures.set_style)
+        probe, measure, card, look = self.probe_panel, self.measure_panel, controls.card, self.look
+        compare = self.comparing.pictures
+        lettering.set("own")  # it may still be another window's
         all_digits.set(self.settings.all_digits)
-        menus.all_digits_set.connect(self._set_all_digits)
-        menus.find.triggered.connect(self._find_control)
-        menus.play.triggered.connect(controls.animation.toggle)
-        menus.theme_chosen.connect(self.look.set_theme)
-        menus.present.triggered.connect(self.present.toggle)
-        menus.blank.triggered.connect(self.present.blank)
-        menus.pointer.toggled.connect(self.probing.set_pointing)
-        self.present.switched.connect(self._show_presenting)
-        self.present.moved.connect(partial(self.look.set_presenting, True))
-        self.present.switched.connect(self.messages.put_off)
-        self.slots.rearranged.connect(self._show_beside)
-        menus.start_card.triggered.connect(self.show_start_card)
-        menus.controls_shown.connect(self._show_beside)
-        menus.cost_shown.connect(self.cost.measure)
-        self.files.recent_changed.connect(menus.show_recent)
         menus.show_recent()
-        self.pictures.told.connect(self._tell_shortly)
+        wires: tuple[tuple[Any, ...], ...] = (
+            (store.changed, self._show_document),
+            (store.view_changed, self._show_view),
+            (controls.edited, store.set_projection),
+            (controls.object_unfolded, partial(world.ask, "object_axes")),
+            (controls.animation.playing_changed, menus.show_playing),
+            (card.mesh_wanted, self.files.mesh_dialog),
+            (card.mesh_removed, partial(self.files.use_mesh, "")),
+            (self.counting.counted, card.show_count),
+            (self.manipulation.edited, store.set_projection),
+            (self.frame_panel.step_changed, partial(world.ask, "step")),
+            (strip.moved, partial(self.panes["ndc"].ask, "stage"), self.matrices.show_stage),
+            (strip.named, self.panes["ndc"].header.say),
+            (strip.gesture_started, partial(look.refine, "ndc", False)),
+            (strip.gesture_finished, partial(look.refine, "ndc", True)),
+            (self.matrices.letters_changed, lettering.set, look.set_letters),
+            (self.history.rested, look.rest, compare.refresh),
+            (look.built, self.manipulation.leave, controls.set_style, compare.set_style),
+            (menus.all_digits.triggered, self._set_all_digits),
+            (menus.find.triggered, self._find_control),
+            (menus.play.triggered, controls.animation.toggle),
+            (menus.theme_chosen, look.set_theme),
+            (menus.present.triggered, self.present.toggle),
+            (menus.blank.triggered, self.present.blank),
+            (menus.pointer.toggled, self.probing.set_pointing),
+            (menus.start_card.triggered, self.show_start_card),
+            (menus.controls.triggered, self._show_beside),
+            (menus.show_cost.triggered, self.cost.measure),
+            (menus.remove_probe.triggered, probe.remove),
+            (probe.changed, lambda: menus.remove_probe.setEnabled(bool(probe.probes))),
+            (self.present.switched, self._show_presenting, self.messages.put_off),
+            (self.present.moved, partial(look.set_presenting, True)),
+            (self.slots.rearranged, self._show_beside),
+            (self.files.recent_changed, menus.show_recent),
+            (self.pictures.told, self._tell_shortly),
+            (self.panels.opened, lambda: self.slots.set_low(self.panels.open_panel is not None)),
+            (self.panels.chosen, self.probing.begin),
+            (measure.went_on, self.messages.take_back),
+            (measure.succeeded, self.messages.done),
+            (measure.used, self.manipulation.let_go, self.quality.use),
+            (measure.used, lambda: self.panels.open(measure)),  # it stays open
+        )
+        for signal, *slots in wires:
+            for slot in slots:
+                signal.connect(slot)
         for panel in self.panels.all:
             panel.edited.connect(store.set_projection)
             panel.told.connect(self._tell_shortly)
             panel.refused.connect(self.messages.say)
             panel.copy_wanted.connect(self.pictures.copy_diagram)
             panel.export_wanted.connect(self.pictures.export_diagram)
-            self.look.built.connect(panel.set_style)
-        self.panels.opened.connect(lambda: self.slots.set_low(self.panels.open_panel is not None))
-        self.panels.chosen.connect(self.probing.begin)
-        probe, measure, card = self.probe_panel, self.measure_panel, controls.card
-        menus.remove_probe.triggered.connect(probe.remove)
-        probe.changed.connect(lambda: menus.remove_probe.setEnabled(bool(probe.probes)))
-        measure.went_on.connect(self.messages.take_back)
-        measure.succeeded.connect(self.messages.done)
-        measure.used.connect(self.manipulation.let_go)
-        measure.used.connect(self.quality.use)
-        measure.used.connect(lambda: self.panels.open(measure))  # the one that offered it stays
-        self.counting.counted.connect(card.show_count)
-        card.mesh_wanted.connect(self.files.mesh_dialog)
-        card.mesh_removed.connect(partial(self.files.use_mesh, ""))
+            look.built.connect(panel.set_style)
 
     def _wire_lesson(self) -> None:
-        """Join the lesson's card to its keys, and to all that a task may ask for."""
+        """Connect the lesson's card to its keys, and to everything that a task may ask for."""
         card, menus = self.lesson_card, self.menus
         menus.lesson_menu.wire(card, self.settings)
         card.begun_again.connect(self._offer_answers)
         card.toggled.connect(self._show_beside)
         card.toggled.connect(self.side.make_room)
-        looked = (*menus.fixed.values(), *menus.layers.values())
         for signal in (
             self.store.changed,
             self.store.view_changed,
@@ -440,17 +420,14 @@ class MainWindow(QMainWindow):
             self.matrices.letters_changed,
             self.comparing.pictures.changed,
             *(pane.hand.moved for pane in self.panes.values()),
-            *(action.triggered for action in looked),
+            *(each.triggered for each in (*menus.fixed.values(), *menus.layers.values())),
         ):
             signal.connect(card.look_again)
-        self._show_beside()
 
     def _wire_gestures(self) -> None:
-        """Let everyone know when values run: the store makes one step of them."""
+        """Announce each gesture, such as a drag: the store makes one undo step of it."""
         store, controls, panels = self.store, self.controls, self.panels.all
-        sources: tuple[Gestures, ...] = (
-            controls, controls.animation, self.manipulation, *panels
-        )  # fmt: skip
+        sources: tuple[Gestures, ...] = (controls, controls.animation, self.manipulation, *panels)
         listeners: tuple[Store | SceneCard | Panel, ...] = (store, controls.card, *panels)
         for each in sources:
             for told in listeners:
@@ -461,13 +438,11 @@ class MainWindow(QMainWindow):
         self.strip.gesture_finished.connect(self.measure_panel.end_gesture)
 
     def _wire_highlight(self) -> None:
-        """Let everyone point at things, and show what is pointed at."""
+        """Let every pane and panel highlight things, and show what is highlighted."""
         self.highlighter = Highlighter(self)
         mark = self.highlighter.mark
         self.controls.highlighted.connect(mark)
-        places: tuple[Pane | Panel, ...] = (
-            *self.panes.values(), *self.panels.all
-        )  # fmt: skip
+        places: tuple[Pane | Panel, ...] = (*self.panes.values(), *self.panels.all)
         for number, place in enumerate(places):
             place.highlighted.connect(partial(mark, number))
             self.highlighter.changed.connect(place.show_highlight)
@@ -488,11 +463,6 @@ class MainWindow(QMainWindow):
         self.settings.all_digits = on
         all_digits.set(on)
 
-    def _look_from(self, cameras: Mapping[str, Camera]) -> None:
-        """Look at the panes from there; at those that are not named as ever."""
-        for name, pane in self.panes.items():
-            pane.look_from(cameras.get(name))
-
     def _find_control(self) -> None:
         if self.controls.isHidden():
             self.menus.controls.trigger()
@@ -511,7 +481,7 @@ class MainWindow(QMainWindow):
         except Exception as error:
             if self.files.scene(document.scene, document.mesh) is before.scene:
                 raise
-            # A mesh whose drawing fails leaves nothing of itself in the window.
+            # If a mesh cannot be drawn, the previous scene stays everywhere in the window.
             log.exception("the scene %r cannot be drawn", document.mesh or document.scene)
             self.files.keep(before.document, before.scene)
             self.store.refuse()
@@ -525,16 +495,18 @@ class MainWindow(QMainWindow):
         self.comparing.pictures.refresh()
 
     def _tell(self, changed: Changed) -> None:
-        """Tell everyone who is concerned what has changed."""
+        """Notify those whom the change concerns."""
         self.panels.keep(self.shown)
-        # Which tells them, after their arrangement; of another scene all at once.
-        self.look.set_waiting(bool(changed & {"scene", "view"}))
+        waits = bool(changed & {"scene", "view"})
+        if waits:  # the panes take over another document after they are arranged, all at once
+            self.look.set_waiting(True)
         try:
             for told in self._told:
                 if changed & told.concerns:
                     told.take(self.shown, changed)
         finally:
-            self.look.set_waiting(False)
+            if waits:
+                self.look.set_waiting(False)
         self.panels.tell()
         self.recovery.autosave.schedule()
 
@@ -543,7 +515,7 @@ class MainWindow(QMainWindow):
     def event(self, event: QEvent) -> bool:
         if isinstance(event, QKeyEvent) and event.key() == Qt.Key.Key_Escape:
             if event.type() == QEvent.Type.ShortcutOverride and self._on_top():
-                event.accept()  # before Esc is the probes' shortcut
+                event.accept()  # otherwise Esc is the probes' shortcut
                 return True
             if event.type() == QEvent.Type.KeyPress and (leave := self._on_top()):
                 leave()
@@ -553,36 +525,29 @@ class MainWindow(QMainWindow):
         return super().event(event)
 
     def statusBar(self) -> StatusLine:
-        """The line at the bottom: Qt would make a second one below it, and keep it."""
+        """Return our own status line; Qt's method would create a second one below it."""
         return self.status
 
     def _tell_shortly(self, text: str) -> None:
         self.status.showMessage(text, 5000)
 
     def show_start_card(self) -> None:
-        """Offer the scenes as pictures, lessons, talks and files."""
         if self.start_card is not None:
             return
+        settings = self.settings
         self.start_card = card = StartCard(
-            self,
-            self.menus.scene_titles,
-            self.files.recent,
-            self.settings.progress,
-            at_every_start=self.settings.start_card,
-            dark=palette.is_dark(self.settings.theme),
-        )
+            self, self.menus.scene_titles, self.files.recent, settings.progress,
+            at_every_start=settings.start_card, dark=palette.is_dark(settings.theme),
+        )  # fmt: skip
         card.scene_chosen.connect(self.guide.choose)
         card.file_chosen.connect(self.files.open)
         card.open_wanted.connect(self.files.open_dialog)
-        card.always_set.connect(partial(setattr, self.settings, "start_card"))
-        card.left.connect(self._forget_start_card)
+        card.always_set.connect(partial(setattr, settings, "start_card"))
+        card.left.connect(partial(setattr, self, "start_card", None))
         card.open()
 
-    def _forget_start_card(self) -> None:
-        self.start_card = None
-
     def _on_top(self) -> Callable[[], object] | None:
-        """What Esc leaves: start card, blank, presenting; or message, comparison, whole pane."""
+        """Return what Esc does: it leaves the start card, Present, a message, a comparison, ..."""
         if self.start_card is not None:
             return self.start_card.close
         if self.present.is_on:
@@ -609,7 +574,7 @@ class MainWindow(QMainWindow):
             whole = self._before_presenting[1]
             self.slots.arrange(self.slots.layout_name, self.slots.large, whole)
         self.slots.set_presenting(on)
-        if on and self._is_narrow:  # where it is folded away: a class is to read what to try
+        if on and self._is_narrow:  # the dock is folded, but a class must read what to try
             self.menus.controls.setChecked(True)
         if not on and self._before_presenting is not None:
             dock, _, shared = self._before_presenting
@@ -618,15 +583,15 @@ class MainWindow(QMainWindow):
         self._show_beside()
 
     def _show_beside(self) -> None:
-        """Show what stands beside the panes, as far as it is for a class, or nothing is whole."""
+        """Show or hide the dock, the lesson's card, the bottom row and the open panel."""
         alone, presents = bool(self.slots.whole), self.present.is_on
         card = self.lesson_card.is_on and not alone and not self.talks.is_on
-        # Below a lesson's card they take no width: a lesson never locks the controls.
+        # Below a lesson's card the controls take no extra width, so a narrow window shows them.
         wanted = self.menus.controls.isChecked() or (card and self._is_narrow)
         self.side.show_parts(card=card, controls=wanted and not alone)
         self.bottom.setVisible(not alone and not presents)
         course = self.lessons.course if self.talks.is_on else None
-        # A class reads no panel but that of the talk's step.
+        # While presenting, the only open panel is one that the talk's step asks for.
         asked = course is not None and course.shown(self.lessons.place).view.get("panel")
         folds = alone or (presents and not asked)
         if folds and self.panels.open_panel is not None:
@@ -643,7 +608,7 @@ class MainWindow(QMainWindow):
         super().paintEvent(event)
         if not self._was_painted:
             self._was_painted = True
-            QTimer.singleShot(0, self, self.first_painted.emit)  # when all of it was painted
+            QTimer.singleShot(0, self, self.first_painted.emit)  # when painting is complete
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)
@@ -666,7 +631,7 @@ class MainWindow(QMainWindow):
             if len(paths) > 1:
                 said = self.tr("One file is opened at a time: {0}")
                 self._tell_shortly(said.format(os.path.basename(paths[0])))
-            # After the drop is done: a question asked inside it would freeze the file manager.
+            # After the drop: a dialog inside it would freeze the file manager.
             QTimer.singleShot(0, partial(self.files.open, paths[0]))
 
     def closeEvent(self, event: QCloseEvent) -> None:
@@ -687,7 +652,7 @@ class MainWindow(QMainWindow):
         self.settings.geometry = bytes(geometry.data())
         self.lesson_card.keep_now()
         self.recovery.close()
-        self.store.blockSignals(True)  # a wheel may still be turning, and end its gesture
+        self.store.blockSignals(True)  # a turning wheel may still end its gesture
         self.comparing.pictures.close_canvases()
         for pane in self.panes.values():
             pane.close_canvas()

@@ -1,4 +1,4 @@
-"""The pictures' work: what the panes show goes into a PNG file or on the clipboard."""
+"""Export what the panes show: into a PNG file, or to the clipboard."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ if TYPE_CHECKING:
 
 
 def image_of(pixels: Pixels) -> QImage:
-    """A drawn picture as Qt has it."""
+    """Convert a drawn picture to Qt's image."""
     height, width, _ = pixels.shape
     form = QImage.Format.Format_RGB888
     return QImage(pixels.tobytes(), width, height, 3 * width, form).copy()
@@ -36,26 +36,22 @@ def image_of(pixels: Pixels) -> QImage:
 class Pictures(QObject):
     """Exports and copies pictures for one window.
 
-    Every picture carries the document that it shows. What cannot be drawn or written is told in
-    the message bar, in one sentence; what was done, in the status line.
+    Every picture contains the document that it shows. The message bar reports failures.
 
     Parameters
     ----------
-    window : QMainWindow
-        Parent of the dialogs.
-    messages : MessageBar
     seen : callable
-        The document as it is looked at just now: with its view.
+        Returns the document with its current view.
     scene : callable
-        The loaded scene of a name and a mesh in it.
+        Returns the loaded scene of a name and a mesh.
     titles : dict
-        The panes' names as the window writes them.
+        The panes' translated titles by name.
     words : mapping
         The drawings' words in the window's language.
     """
 
     told = Signal(str)
-    """What was done, in one sentence."""
+    """A sentence about what was exported or copied."""
 
     def __init__(
         self,
@@ -72,7 +68,7 @@ class Pictures(QObject):
         self._titles, self._words = titles, words
 
     def export_dialog(self) -> None:
-        """Ask what to export and where, and do it."""
+        """Ask what to export and where, and export it."""
         from widgets.window.export_dialog import ExportDialog
 
         size = self._seen().projection.image_size
@@ -84,13 +80,13 @@ class Pictures(QObject):
             self.export(path, dialog.choice())
 
     def _where(self, title: str) -> Path | None:
-        """Ask for a file; None if there shall be none."""
+        """Ask for a file; None if the user cancels."""
         kinds = self.tr("PNG pictures (*.png)")
         path = ask_where(self._window, title, "frustum-lab.png", kinds, ".png")
         return Path(path) if path else None
 
     def export(self, path: Path, choice: ExportChoice) -> bool:
-        """Write a picture; False if that failed or the user stopped it."""
+        """Write a picture; return False if that fails or the user cancels it."""
         return self._write(path, lambda document: self._draw(document, choice), choice.scale)
 
     def _write(self, path: Path, draw: Callable[[Document], Pixels], scale: float = 1.0) -> bool:
@@ -104,20 +100,20 @@ class Pictures(QObject):
         return self._try(write, self.tr("Exported {0}").format(path))
 
     def export_diagram(self, image: QImage) -> None:
-        """Ask where to write the picture of a diagram, and do it."""
+        """Ask where to write the picture of a diagram, and write it."""
         path = self._where(self.tr("Export a diagram"))
         if path is not None:
             self._write(path, lambda _document: _pixels(image))
 
     def copy_diagram(self, image: QImage) -> None:
-        """Put the picture of a diagram on the clipboard."""
+        """Copy the picture of a diagram to the clipboard."""
         from app.drawings.figures import png_bytes
 
         png = png_bytes(_pixels(image), picture_json(self._seen()))
         self._try(lambda: _to_clipboard(png), self.tr("Copied the diagram"))
 
     def copy(self) -> bool:
-        """Put the three panes on the clipboard; False if that failed or the user stopped it."""
+        """Copy the three panes to the clipboard; False if that fails or the user cancels it."""
         from app.document.view import PANES
         from app.drawings.figures import png_bytes
         from widgets.window.export_dialog import ExportChoice
@@ -131,7 +127,7 @@ class Pictures(QObject):
         return self._try(put, self.tr("Copied the picture"))
 
     def _try(self, act: Callable[[], object], done: str) -> bool:
-        """Do it and say so, or say in one sentence why not."""
+        """Act, and report either success or, in one sentence, why it failed."""
         try:
             act()
         except Cancelled:
@@ -147,7 +143,7 @@ class Pictures(QObject):
         from app.drawings.figures import render
 
         current = QOpenGLContext.currentContext()
-        if current is not None:  # or VTK may take Qt's context for its own
+        if current is not None:  # otherwise VTK may use Qt's context as its own
             current.doneCurrent()
         with progress(self._window, self.tr("Drawing the picture")) as tell:
             return render(

@@ -1,7 +1,7 @@
-"""Presenting (F5): the panes and the controls that matter fill the screen, and nothing else.
+"""Presenting (F5): the panes and the essential controls fill the screen.
 
-Of several screens the class has the one that is not the primary one, and the speaker's notes are
-on that; `Screens` remembers of each pair which way round it is.
+With several screens, the class sees the secondary one and the speaker's notes are on the primary
+one. `Screens` remembers for each pair of screens whether they are swapped.
 
 Letters, lines and handles are a share of the screen's height, so that the back row can read them
 on every projector.
@@ -16,7 +16,7 @@ from PySide6.QtWidgets import QApplication, QMainWindow, QToolBar, QWidget
 from widgets.window.settings import Settings
 
 TOP_EDGE_PX = 3
-"""The mouse so near to the top of the screen calls the tool bar."""
+"""The tool bar appears when the mouse is this close to the top of the screen."""
 
 
 class _Edge(QWidget):
@@ -30,7 +30,7 @@ class _Edge(QWidget):
 
 
 class _Blank(QWidget):
-    """Black over all, until it is clicked."""
+    """Covers the window in black until it is clicked."""
 
     def __init__(self, parent: QWidget) -> None:
         super().__init__(parent)
@@ -45,20 +45,14 @@ class _Blank(QWidget):
 
 
 class Screens:
-    """Which screen the class looks at, and which the speaker.
-
-    Parameters
-    ----------
-    settings : Settings
-        Keep which pairs of screens are swapped.
-    """
+    """Which screen the class sees, and which the speaker; the settings keep the swapped pairs."""
 
     def __init__(self, settings: Settings) -> None:
         self._settings = settings
 
     @property
     def both(self) -> tuple[QScreen, QScreen] | None:
-        """The class's screen and the speaker's; None where there is one screen only."""
+        """The class's screen and the speaker's; None if there is only one screen."""
         primary = QGuiApplication.primaryScreen()
         others = [each for each in QGuiApplication.screens() if each is not primary]
         if not others:
@@ -68,13 +62,13 @@ class Screens:
         return others[0], primary
 
     def swap(self) -> bool:
-        """Change them over, now and whenever these screens are there; False if there is one."""
+        """Swap this pair of screens, now and in future; False if there is only one screen."""
         if self.both is None:
             return False
-        kept = [pair for pair in self._settings.swapped_screens if pair != self._pair]
-        if self._pair not in self._settings.swapped_screens:
-            kept.append(self._pair)
-        self._settings.swapped_screens = kept
+        kept, pair = self._settings.swapped_screens, self._pair
+        self._settings.swapped_screens = (
+            [each for each in kept if each != pair] if pair in kept else [*kept, pair]
+        )
         return True
 
     @property
@@ -84,22 +78,16 @@ class Screens:
 
 
 class Present(QObject):
-    """Turns one window into what a class sees, and back.
+    """Shows one window as a class sees it, and back.
 
-    Parameters
-    ----------
-    window : QMainWindow
-    tools : QToolBar
-        Shown on demand: when the mouse is at the top of the screen.
-    below : QWidget
-        The bottom row, which a class has no use for.
-    screens : Screens
+    The tool bar appears when the mouse is at the top of the screen; `below`, the bottom row, is
+    hidden.
     """
 
     switched = Signal(bool)
-    """It began, or ended: text and lines get another size."""
+    """Presenting began or ended: text and lines change their size."""
     moved = Signal()
-    """The class looks at another screen."""
+    """The class sees another screen."""
 
     def __init__(
         self, window: QMainWindow, tools: QToolBar, below: QWidget, screens: Screens
@@ -110,7 +98,7 @@ class Present(QObject):
         self._state = Qt.WindowState.WindowNoState
         self.is_on = False
         self.geometry_before = QByteArray()
-        """Of the ordinary window, while presenting: where it is to be found the next time."""
+        """Geometry of the ordinary window, while presenting."""
         self._blank, self._edge = _Blank(window), _Edge(window)
         self._edge.hide()
         self._edge.entered.connect(lambda: self.show_tools(True))
@@ -119,34 +107,32 @@ class Present(QObject):
         application.screenAdded.connect(self._move, Qt.ConnectionType.QueuedConnection)
 
     def _fill(self) -> None:
-        """Fill the class's screen, or the one that there is."""
+        """Fill the class's screen, or the only one."""
         both = self.screens.both
         if both is not None and both[0] is not self._window.screen():
-            self._window.setWindowState(Qt.WindowState.WindowNoState)  # or it stays where it is
+            self._window.setWindowState(Qt.WindowState.WindowNoState)  # full screen cannot move
             self._window.setGeometry(both[0].geometry())
             self._window.windowHandle().setScreen(both[0])
         self._window.setWindowState(self._state | Qt.WindowState.WindowFullScreen)
 
     def swap(self) -> None:
-        """Let class and speaker change screens, and remember that for these screens."""
+        """Swap the screens of class and speaker, and remember that for these screens."""
         if self.screens.swap():
             self._move()
 
     def _move(self) -> None:
-        """Go to the class's screen, which is another one now."""
+        """Move to the class's screen after that has changed."""
         if self.is_on:
-            self._window.removeEventFilter(self)  # it is no full screen on its way
+            self._window.removeEventFilter(self)  # on the way it is not full screen
             self._fill()
             self._window.installEventFilter(self)
             self._cover()
             self.moved.emit()
 
     def toggle(self) -> None:
-        """Begin or end it."""
         self.end() if self.is_on else self.begin()
 
     def begin(self) -> None:
-        """Fill the screen."""
         if self.is_on:
             return
         self.is_on = True
@@ -154,13 +140,13 @@ class Present(QObject):
         self.geometry_before = self._window.saveGeometry()
         self._reveal(False)
         self._fill()
-        self._cover()  # it may fill the screen already
+        self._cover()  # the window may fill the screen already
         for watched in (self._window, self._tools):
             watched.installEventFilter(self)
         self.switched.emit(True)
 
     def end(self) -> None:
-        """Be the window of before."""
+        """Restore the ordinary window."""
         if not self.is_on:
             return
         self.is_on = False
@@ -169,13 +155,13 @@ class Present(QObject):
         for watched in (self._window, self._tools):
             watched.removeEventFilter(self)
         self._window.setWindowState(self._state)
-        if self.screens.both is not None:  # it may have come from another one
+        if self.screens.both is not None:  # the window may come from another screen
             self._window.restoreGeometry(before)
         self._reveal(True)
         self.switched.emit(False)
 
     def blank(self) -> None:
-        """Let the class see nothing, or the panes again: only while presenting."""
+        """While presenting, show the class a black screen, or the panes again."""
         if self.is_blank:
             self._blank.hide()
         elif self.is_on:
@@ -184,11 +170,10 @@ class Present(QObject):
 
     @property
     def is_blank(self) -> bool:
-        """Whether nothing is seen."""
         return self._blank.isVisible()
 
     def leave(self) -> None:
-        """Leave what is on top of it, or it."""
+        """Leave the black screen; otherwise, stop presenting."""
         if self.is_blank:
             self._blank.hide()
         else:
@@ -219,5 +204,5 @@ class Present(QObject):
         elif kind == QEvent.Type.Resize:
             self._cover()
         elif kind == QEvent.Type.WindowStateChange and not self._window.isFullScreen():
-            self.end()  # the system has its own keys for that
+            self.end()  # the window system has its own keys for that
         return super().eventFilter(watched, event)

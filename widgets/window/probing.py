@@ -1,6 +1,6 @@
-"""Probes by hand: a click in a pane follows a point, a drag in the image moves it.
+"""Set probes by hand: a click in a pane follows a point, a drag in the image moves it.
 
-And the lecturer's pointer: a probe without a number, which follows the mouse.
+The lecturer's pointer is a probe without a number, which follows the mouse.
 """
 
 from __future__ import annotations
@@ -21,22 +21,14 @@ from widgets.parts.escape import EscapeKey
 from widgets.parts.panel import Changed, Panel, Shown
 
 RING_SHARE = 0.035
-"""Of the screen's height, for the ring that the mouse is while it points."""
+"""Diameter of the lecturer's mouse pointer, a ring, as a share of the screen's height."""
 
 
 class Probing(QObject):
     """Turns clicks in the panes and drags in the image into probes.
 
-    Parameters
-    ----------
-    panes : mapping of str to Pane
-    panel : ProbePanel
-        Holds the probes.
-    manipulation : Manipulation
-        Takes a drag in the image that starts on no probe.
-    shown : callable
-        What is looked at, and how, just now.
-    window : QWidget
+    The panel holds the probes; `manipulation` takes over a drag in the image that does not start
+    on a probe; `shown` returns the current snapshot.
     """
 
     concerns = frozenset({"scene"})
@@ -50,11 +42,10 @@ class Probing(QObject):
         window: QWidget,
     ) -> None:
         super().__init__(window)
-        self._window = window
+        self._window, self._shown = window, shown
         self._panes, self._panel, self._manipulation = panes, panel, manipulation
-        self._shown = shown
         self._held: Probe | None = None
-        """The probe that is being dragged in the image, as it was before."""
+        """The dragged probe, as it was before the drag."""
         self._escape = EscapeKey(self)
         self._escape.pressed.connect(self._put_back)
         self._is_pointing = False
@@ -72,7 +63,7 @@ class Probing(QObject):
         hand.drag_ended.connect(self._let_go)
 
     def take(self, shown: Shown, changed: Changed) -> None:
-        """Forget every probe, also the held one: their scene is gone."""
+        """Forget every probe, even a held one: their scene is gone."""
         self._drop()
         self._pointer = ()
         self._panel.clear()
@@ -82,17 +73,17 @@ class Probing(QObject):
             pane.show_probes((*self._panel.probes, *self._pointer))
 
     def set_pointing(self, on: bool) -> None:
-        """Mark in all panes what the mouse is over in one of them, or no more."""
+        """Start or stop marking in all panes what the mouse is over in one of them."""
         self._is_pointing = on
         self._point_nowhere()
-        for pane in self._panes.values():  # of their own it is while something can be held there
+        for pane in self._panes.values():  # a canvas has its own cursor over what can be held
             if on:
                 pane.setCursor(self._ring())
             else:
                 pane.unsetCursor()
 
     def _ring(self) -> QCursor:
-        """The mouse as large as a class needs it, wherever it is in a pane."""
+        """Return a mouse cursor that is large enough for a class."""
         ratio = self._window.devicePixelRatioF()
         side = math.ceil(RING_SHARE * self._window.screen().size().height() * ratio)
         pixmap = QPixmap(side, side)
@@ -120,16 +111,16 @@ class Probing(QObject):
             self._show()
 
     def _found(self, name: str, place: QPointF) -> tuple[Probe, ...]:
-        """What is at a place of a pane, as a probe: a point, a pixel's ray, or nothing."""
+        """Return a probe of what is at a place in a pane: a point, a pixel's ray, or nothing."""
         drawing = self._panes[name].drawing
-        if drawing is None:  # it is still to come
+        if drawing is None:  # not drawn yet
             return ()
         from app.drawings.probes import pick_in
 
         at, pixel = (place.x(), place.y()), None
         if name == "image":
             pixel = drawing.image_pixel(*at)
-            if pixel is None:  # beside the picture
+            if pixel is None:  # outside the picture
                 return ()
         shown, ratio = self._shown(), self._panes[name].canvas.pixel_ratio
         hit = pick_in(shown.scene, shown.projection, drawing.sight, at, ratio)
@@ -138,14 +129,14 @@ class Probing(QObject):
         return () if pixel is None else (Probe(0, pixel=pixel),)
 
     def _follow(self, name: str, place: QPointF) -> None:
-        """Follow what was clicked in a pane: a point, or a pixel's ray where there is none."""
+        """Follow what was clicked in a pane."""
         chosen = self._panel.chosen
         self._before_click = self._panel.probes, chosen.number if chosen else 0
         for found in self._found(name, place):
             self._panel.follow(point=found.point, pixel=found.pixel)
 
     def begin(self, panel: Panel) -> None:
-        """Follow the first vertex of the picture, if somebody opens a panel that has no probe."""
+        """Follow the first vertex of the picture when the user opens a panel without probes."""
         drawing = self._panes["image"].drawing
         if panel is not self._panel or self._panel.probes or drawing is None:
             return
@@ -158,11 +149,11 @@ class Probing(QObject):
             self._panel.follow(point=vertex_of(scene, projection, number))
 
     def _unfollow(self) -> None:
-        """Forget the click that was the first half of a double-click."""
+        """Undo the click that was the first half of a double-click."""
         self._panel.restore(*self._before_click)
 
     def _hold(self, place: QPointF) -> None:
-        """Take hold of the mark in the image that a drag starts on, or of the picture."""
+        """Hold the mark in the image that a drag starts on; otherwise, the picture."""
         drawing = self._panes["image"].drawing
         if drawing is None:
             return
@@ -172,7 +163,7 @@ class Probing(QObject):
                 continue
             ((x_px, y_px),) = drawing.sight.seen([list(probe.point)]).tolist()
             away = math.hypot(x_px - place.x(), y_px - place.y())
-            if away <= nearest:  # never for NaN, which has no picture
+            if away <= nearest:  # never true for NaN, a point without a picture
                 nearest, self._held = away, probe
         if self._held is not None:
             self._panes["image"].hand.keep_view()
@@ -199,13 +190,13 @@ class Probing(QObject):
             self._panel.end_gesture()
 
     def _put_back(self) -> None:
-        """Give up the drag; whatever the hand does until it lets go is none."""
+        """Cancel the drag, and ignore the mouse until its button is released."""
         if self._held is not None and self._held.point is not None:
             self._panel.put(self._held.number, self._held.point)
         self._drop()
 
     def _drop(self) -> None:
-        """Forget what is held, and tell the hand so."""
+        """Forget the held probe, and tell the hand so."""
         held, self._held = self._held, None
         if held is not None:
             self._panes["image"].hand.dropped.emit()

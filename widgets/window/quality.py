@@ -1,4 +1,4 @@
-"""Quality and cost: with what the panes are drawn, what of it cannot be had, and what a step takes.
+"""The quality that the panes are drawn with, which part of it is impossible, and a step's cost.
 
 ::
 
@@ -10,7 +10,7 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import replace
 from functools import partial
 
@@ -21,7 +21,7 @@ from app.document.settings import set_values
 from app.document.store import Store
 from app.drawings.scene_bounds import bounds_px
 from app.model.refusal import Refusal
-from app.precision.quality import AUTO, AUTOMATIC
+from app.precision.quality import AUTO, AUTOMATIC, Quality
 from app.scenes.scene import Scene
 from widgets.panes.pane import SMOOTHINGS, Pane
 from widgets.parts.messages import sentence
@@ -32,22 +32,16 @@ from widgets.window.status_line import StatusLine
 
 
 class DrawnQuality(QObject):
-    """What can be chosen between speed and accuracy, and what was.
+    """Applies the user's choices between speed and accuracy, and reports them in the status line.
 
     Parameters
     ----------
-    look : Look
-    image : Pane
-    status : StatusLine
-        Where all is said.
-    settings : Settings
-    store : Store
     shown : callable
-        What is shown just now.
+        Returns the current snapshot.
     scene : callable
-        The loaded scene of a name.
+        Returns the loaded scene of a name.
     refuse : callable
-        Says what cannot be.
+        Shows a sentence that says what is impossible.
     """
 
     concerns = EVERYTHING
@@ -75,40 +69,33 @@ class DrawnQuality(QObject):
         look.adaptive.changed.connect(self._say)
 
     def take(self, shown: Shown, changed: Changed) -> None:
-        """Say what of the quality is not automatic, and what cannot be had; after the panes."""
+        """Report the quality; the panes must have been told before."""
         self._say()
 
     def _say(self) -> None:
-        shown, adaptive, notes = self._shown(), self._look.adaptive, []
-        quality = shown.document.quality
-        if quality.smoothing not in (AUTO, *SMOOTHINGS):
-            notes.append(
-                self.tr("A pane cannot draw with {0}: it smooths as ever").format(quality.smoothing)
-            )
-        if adaptive.samples:
-            notes.append(
-                self.tr("This computer's OpenGL gives {0} samples a pixel instead of {1}").format(
-                    adaptive.samples, quality.smoothing
-                )
-            )
-        if quality.detail < 1.0 and adaptive.drawn is shown.scene:
-            notes.append(self.tr("The scene has too few triangles to leave any out"))
-        image = self._image.drawing
-        if image is not None:
-            if quality.rung == "float64" != image.precision:
-                notes.append(self.tr("What has a texture can be drawn in float32 only"))
-            if image.refused_depth is not None:
-                reason = sentence(image.refused_depth).rstrip(".")
-                notes.append(self.tr("The image has its ordinary depth buffer: {0}").format(reason))
-        if adaptive.late_ms:
-            notes.append(
-                self.tr("Even the coarsest picture takes {0} ms a frame, not {1}").format(
-                    f"{adaptive.late_ms:.0f}", f"{self._settings.frame_ms:g}"
-                )
-            )
-        self._status.show_quality(quality, notes)
+        quality = self._shown().document.quality
+        self._status.show_quality(quality, list(self._notes(quality)))
 
-    # -- chosen
+    def _notes(self, quality: Quality) -> Iterator[str]:
+        """Say, without full stops, which part of the chosen quality is impossible."""
+        adaptive = self._look.adaptive
+        if quality.smoothing not in (AUTO, *SMOOTHINGS):
+            text = self.tr("A pane cannot draw with {0}: it smooths as ever")
+            yield text.format(quality.smoothing)
+        if adaptive.samples:
+            text = self.tr("This computer's OpenGL gives {0} samples a pixel instead of {1}")
+            yield text.format(adaptive.samples, quality.smoothing)
+        if quality.detail < 1.0 and adaptive.drawn is self._shown().scene:
+            yield self.tr("The scene has too few triangles to leave any out")
+        image = self._image.drawing
+        if image is not None and quality.rung == "float64" != image.precision:
+            yield self.tr("What has a texture can be drawn in float32 only")
+        if image is not None and image.refused_depth is not None:
+            reason = sentence(image.refused_depth).rstrip(".")
+            yield self.tr("The image has its ordinary depth buffer: {0}").format(reason)
+        if adaptive.late_ms:
+            text = self.tr("Even the coarsest picture takes {0} ms a frame, not {1}")
+            yield text.format(f"{adaptive.late_ms:.0f}", f"{self._settings.frame_ms:g}")
 
     def _set_tolerance(self, tolerance_px: float) -> None:
         self._settings.tolerance_px = tolerance_px
@@ -125,13 +112,9 @@ class DrawnQuality(QObject):
         self._store.set_document(replace(self._store.document, quality=AUTOMATIC))
 
     def use(self, choice: Mapping[str, str]) -> None:
-        """Draw with what a measurement has offered, as an edit that can be undone.
+        """Draw with what a measurement has offered, as one undo step.
 
-        Parameters
-        ----------
-        choice : mapping of str to str
-            Fields of `app.precision.quality.Quality`, or a scene and paths in its document, and
-            their values.
+        The keys of `choice` are fields of `Quality`, or "scene" and paths in its document.
         """
         document = self._store.seen
         scene = choice.get("scene", document.scene)
@@ -150,7 +133,7 @@ class DrawnQuality(QObject):
             self._store.set_document(document)
 
     def in_use(self) -> dict[str, str]:
-        """Which choices of the trades the panes are drawn with, as `Choice.use` has them."""
+        """Return the choices that the panes are drawn with, in the form of `Choice.use`."""
         shown = self._shown()
         document, scene, projection = shown.document, shown.scene, shown.projection
         quality, settings = document.quality, document.settings
@@ -175,36 +158,29 @@ class DrawnQuality(QObject):
 
 
 class Cost(QObject):
-    """What a step takes, in the status line while that is asked for.
-
-    Attributes
-    ----------
-    costs : dict of str to (float, float)
-        Of the last step, by the panes' names: matrices and repaint, in ms.
-    model_ms : float
-        What of it the model took.
-    """
+    """Measures what a step costs, and shows it in the status line."""
 
     concerns: Changed = frozenset()
-    """Nothing unless steps are measured."""
+    """Empty unless steps are measured."""
 
     def __init__(self, panes: Mapping[str, Pane], status: StatusLine) -> None:
         super().__init__(status)
         self._panes, self._status = panes.values(), status
         self.costs: dict[str, tuple[float, float]] = {}
+        """Of the last step, by the panes' names: ms for the matrices and for the repaint."""
         self.model_ms = 0.0
         for pane in self._panes:
             pane.timed.connect(partial(self._pane_timed, pane.name))
 
     def measure(self, on: bool) -> None:
-        """Measure every step, and show what it takes; or do not."""
+        """Start or stop measuring every step."""
         self.concerns, self.costs = PROJECTION if on else frozenset(), {}
         self._status.cost.setVisible(on)
         for pane in self._panes:
             pane.set_timed(on)
 
     def take(self, shown: Shown, changed: Changed) -> None:
-        """Compute what every pane shares, which the first of them would be charged for."""
+        """Time the model's matrices, which would otherwise be counted for the first pane."""
         began = time.perf_counter()
         _ = shown.projection.clip_from_world, shown.projection.image_from_ndc
         self.model_ms = 1e3 * (time.perf_counter() - began)

@@ -1,4 +1,4 @@
-"""Unsaved work: kept while the window lives, offered when the next one opens if it was not saved.
+"""Unsaved work: copied to disk while the window lives, offered by the next window if it dies.
 
 ::
 
@@ -24,18 +24,9 @@ from widgets.window.files import Files
 
 
 class Recovery(QObject):
-    """Offers in the message bar what other windows left, and tells where no copy can be kept.
+    """Keeps copies of the store's unsaved documents, and offers those that other windows left.
 
-    Parameters
-    ----------
-    folder : Path
-        The user's data folder.
-    store : Store
-        Whose unsaved documents are kept, those too that others have been opened over.
-    messages : MessageBar
-    files : Files
-        Opens what is recovered.
-    parent : QObject
+    A document that another one was opened over keeps its copy. `folder` is the user's data folder.
     """
 
     def __init__(
@@ -49,7 +40,7 @@ class Recovery(QObject):
 
     @property
     def autosave(self) -> Autosave:
-        """Of the document as it stands."""
+        """The copy of the current document."""
         origin, store = self._store.origin, self._store
         if origin not in self._copies:
             copy = Autosave(self._folder, lambda: store.seen if store.modified else None, self)
@@ -58,30 +49,29 @@ class Recovery(QObject):
         return self._copies[origin]
 
     def _leave(self) -> None:
-        """Keep what is unsaved when another document comes: undo, or the next window, has it."""
+        """Keep unsaved work when another document comes: undo or the next window restores it."""
         if not self.autosave.leave():
             self.autosave.close()
             self._copies.pop(self._store.origin).deleteLater()
 
     def close(self) -> None:
-        """The window closes: of the document before it nothing is kept, of those behind it all."""
+        """Close with the window: keep the copies of all documents but the current one."""
         self.autosave.close()
         for origin, copy in self._copies.items():
             if origin is not self._store.origin:
                 copy.release()
 
     def offer(self) -> None:
-        """Say that work of a window that died can be had back, if some can."""
+        """Offer to recover the unsaved work of a window that died, if there is any."""
         orphans = self.autosave.orphans()
         if orphans:
             newest = orphans[0]
             time = QDateTime.fromSecsSinceEpoch(int(newest.stat().st_mtime))
             written = QLocale().toString(time, QLocale.FormatType.ShortFormat)
             text = self.tr("Work of {0} was not saved.").format(written)
-            self._messages.say(text, *self._ways_with(newest))
+            self._messages.say(text, *self._choices(newest))
 
-    def _ways_with(self, path: Path) -> tuple[tuple[str, Callable[[], object]], ...]:
-        """What can be done with a copy of unsaved work."""
+    def _choices(self, path: Path) -> tuple[tuple[str, Callable[[], object]], ...]:
         return (
             (self.tr("Recover it"), partial(self._recover, path)),
             (self.tr("Discard it"), partial(self._discard, path)),
@@ -91,8 +81,8 @@ class Recovery(QObject):
         try:
             document = read(path)
         except Refusal as error:
-            ways = self._ways_with(path) if path.exists() else ()  # or another window has it
-            self._messages.say(sentence(error), *ways)
+            choices = self._choices(path) if path.exists() else ()  # or another window has it
+            self._messages.say(sentence(error), *choices)
             return
         if self._files.open_recovered(document):
             if self.autosave.save_now():  # until then the old copy is the only one
@@ -100,8 +90,8 @@ class Recovery(QObject):
             else:
                 text = self.tr("The recovered work cannot be kept in {0}: save it soon.")
                 self._messages.say(text.format(path.parent))
-        elif self._messages.text:  # a mesh that is not there, perhaps only not yet
-            self._messages.say(self._messages.text, *self._ways_with(path))
+        elif self._messages.text:  # its mesh is missing, perhaps only for now
+            self._messages.say(self._messages.text, *self._choices(path))
         else:
             self.offer()
 

@@ -1,4 +1,4 @@
-"""What a scene is about: its card in the dock, its panel, its settings, what matters for it."""
+"""What a scene is about: its card in the dock, its panel, its settings, its own controls."""
 
 from __future__ import annotations
 
@@ -22,23 +22,14 @@ from widgets.window.drawer import Panels
 
 
 class SceneGuide(QObject):
-    """Presents a scene when it comes, and takes its settings on.
+    """Presents each new scene, and takes over the settings that the user edits.
 
     Parameters
     ----------
-    panel : ScenePanel
-    panels : Panels
-        In which it is opened.
-    controls : Controls
-        With the scene's card.
-    manipulation : Manipulation
-        By which settings are dragged in the world.
     image : Pane
-        Which may find out that OpenGL refuses what the scene asks for.
-    menus : Actions
-    store : Store
+        Its drawing finds out whether OpenGL refuses a shader of the scene.
     choose : callable
-        Changes to a scene by its name; it may be refused.
+        Changes to the scene of a name, or says why it cannot.
     """
 
     concerns = frozenset({"scene", "view", "quality"})
@@ -59,7 +50,7 @@ class SceneGuide(QObject):
         self._manipulation, self._image, self._menus = manipulation, image, menus
         self._store, self._choose = store, choose
         self._asks = False
-        """Whether the picture is drawn in a way that OpenGL may refuse."""
+        """Whether the image is drawn with a shader that OpenGL may refuse."""
         menus.scene_chosen.connect(self.choose)
         self._card = controls.card
         self._card.settings_edited.connect(partial(self._set, self._card.refuse))
@@ -68,19 +59,19 @@ class SceneGuide(QObject):
         manipulation.setting_edited.connect(by_hand)
 
     def choose(self, name: str) -> None:
-        """Change to another scene; it can be undone."""
-        self._manipulation.let_go()  # what is held belongs to the scene before
+        """Change to another scene, as one undo step."""
+        self._manipulation.let_go()  # a held handle belongs to the previous scene
         self._choose(name)
         self._menus.show_scene(self._store.document.scene)
 
     def take(self, shown: Shown, changed: Changed) -> None:
-        """Say what the scene is about, and bring what matters for it to the top."""
+        """Describe the scene, and bring the controls that matter for it to the top."""
         document, phenomenon = shown.document, shown.scene.phenomenon
         asks = bool(shown.scene.requires & RASTERISED) or document.quality.has_depth
         if asks != self._asks:
             self._asks, rendered = asks, self._image.canvas.shown
             if asks:
-                rendered.connect(self._tell_problem)  # only a rendering finds it out
+                rendered.connect(self._tell_problem)  # only rendering shows whether it works
             else:
                 rendered.disconnect(self._tell_problem)
                 self._card.show_problem(None)
@@ -91,10 +82,8 @@ class SceneGuide(QObject):
         mesh = Path(document.mesh).name
         self._card.show_scene(title, shown.scene.tries, phenomenon, mesh)
         self._panel.show_scene(title, phenomenon)
-        if phenomenon is None:
-            self._controls.bring_to_front(())
-        else:
-            self._controls.bring_to_front(phenomenon.controls, phenomenon.replaces)
+        own = (phenomenon.controls, phenomenon.replaces) if phenomenon else ((),)
+        self._controls.bring_to_front(*own)
 
     def _set(self, refuse: Callable[[Refusal], None], settings: Mapping[str, Value]) -> None:
         try:
@@ -103,7 +92,7 @@ class SceneGuide(QObject):
             refuse(error)
 
     def _tell_problem(self) -> None:
-        """Say, and draw again, where this computer's OpenGL refused a scene's own shader."""
+        """Say that this computer's OpenGL has refused the scene's own shader, and draw again."""
         drawing = self._image.drawing
         problem = None if drawing is None else drawing.problem
         if self._card.show_problem(problem) and problem is not None:

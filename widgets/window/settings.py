@@ -1,4 +1,4 @@
-"""Where the program keeps what is the user's: folders, and the settings."""
+"""The user's own: the folders of the program's files, and the settings."""
 
 from __future__ import annotations
 
@@ -9,9 +9,9 @@ import logging
 import os
 import re
 from collections.abc import Callable, Mapping
-from dataclasses import asdict, dataclass, field, replace
+from dataclasses import asdict, dataclass, field, fields, replace
 from pathlib import Path
-from typing import Generic, TypeVar
+from typing import Any, Generic, TypeVar
 
 from PySide6.QtCore import QCoreApplication, QSettings, QStandardPaths
 
@@ -37,67 +37,62 @@ def _folder(location: QStandardPaths.StandardLocation) -> Path:
     name_application()
     is_config = location == QStandardPaths.StandardLocation.AppConfigLocation
     own = Path(os.environ.get("XDG_CONFIG_HOME" if is_config else "XDG_DATA_HOME", ""))
-    if own.is_absolute():  # on Windows and macOS Qt does not ask, and tests would use the user's
+    if own.is_absolute():  # Qt reads it on Linux only, but tests need it everywhere
         return own / NAME
     return Path(QStandardPaths.writableLocation(location))
 
 
 def data_folder() -> Path:
-    """Where unsaved work is kept for recovery."""
+    """The folder of the copies of unsaved work."""
     return _folder(QStandardPaths.StandardLocation.AppDataLocation)
 
 
 def log_path() -> Path:
-    """The file that everything unexpected is written to."""
     return _folder(QStandardPaths.StandardLocation.AppLocalDataLocation) / f"{NAME}.log"
 
 
 def settings_path() -> Path:
-    """The file of the user's settings."""
     return _folder(QStandardPaths.StandardLocation.AppConfigLocation) / f"{NAME}.ini"
 
 
-# --------------------------------------------------------------------------- settings
 LEAST_NOTES_PX, LARGEST_NOTES_PX = 10, 72
+MOST_LESSONS, MOST_ANSWERS, LONGEST_ANSWER = 200, 200, 80
+"""Kept progress: this many lessons, the newest answers of each, and the longest answer."""
+
+
+# Each reads one kind of value from the file's text, and raises ValueError for an invalid one.
+
+
+def _valid(value: _T, *conditions: bool) -> _T:
+    if not all(conditions):
+        raise ValueError
+    return value
 
 
 def _theme(text: str) -> str:
-    if text not in THEMES:
-        raise ValueError
-    return text
+    return _valid(text, text in THEMES)
 
 
 def _flag(text: str) -> bool:
-    if text not in ("true", "false"):
-        raise ValueError
-    return text == "true"
-
-
-def _flag_text(on: bool) -> str:
-    return "true" if on else "false"
+    return _valid(text == "true", text in ("true", "false"))
 
 
 def _number_in(low: _N, high: _N) -> Callable[[str], _N]:
     def read(text: str) -> _N:
         number = type(low)(text)
-        if not low <= number <= high:
-            raise ValueError
-        return number
+        return _valid(number, low <= number <= high)
 
     return read
 
 
 def _language(text: str) -> str:
-    if not re.fullmatch(r"([a-z]{2,3}([_-][A-Za-z]{2,4}){0,2})?", text):
-        raise ValueError
-    return text
+    form = r"([a-z]{2,3}([_-][A-Za-z]{2,4}){0,2})?"
+    return _valid(text, re.fullmatch(form, text) is not None)
 
 
 def _bytes(text: str) -> bytes:
-    if len(text) > 10_000:
-        raise ValueError
     try:
-        return base64.b64decode(text, validate=True)
+        return base64.b64decode(_valid(text, len(text) <= 10_000), validate=True)
     except binascii.Error as error:
         raise ValueError from error
 
@@ -108,38 +103,30 @@ def _base64(content: bytes | None) -> str:
 
 def _json(text: str, kind: type[_T]) -> _T:
     try:
-        found = json.loads(text)
+        found: _T = json.loads(text)
     except RecursionError as error:
         raise ValueError from error
-    if not isinstance(found, kind):
-        raise ValueError
-    return found
+    return _valid(found, isinstance(found, kind))
 
 
 def _paths(text: str) -> list[str]:
-    paths: list[object] = _json(text, list)
-    found = [path for path in paths if isinstance(path, str) and path and "\0" not in path]
-    if len(found) < len(paths):
-        raise ValueError
-    return found
-
-
-MOST_LESSONS, MOST_ANSWERS, LONGEST_ANSWER = 200, 200, 80
-"""What is kept of lessons that were begun: the newest, and of each so much."""
+    paths: list[str] = _json(text, list)
+    are_paths = (isinstance(path, str) and path and "\0" not in path for path in paths)
+    return _valid(paths, all(are_paths))
 
 
 @dataclass(frozen=True)
 class Progress:
-    """How far somebody has come in a lesson.
+    """A student's progress in a lesson.
 
     Attributes
     ----------
     step : str
         Name of the step to go on at; empty for the first.
     answers : mapping of str to str
-        By ``step/block``: the number of a choice, from 1, what was typed, or how a task went.
+        By ``step/block``: the number of a choice, from 1, the typed text, or a task's result.
     done, of : int
-        Steps that are done, and that there are.
+        The number of finished steps, and of all steps.
     """
 
     step: str = ""
@@ -148,27 +135,29 @@ class Progress:
     of: int = 0
 
 
-def _all_progress(text: str) -> dict[str, Progress]:
-    found: dict[str, object] = _json(text, dict)
+def _progress(text: str) -> dict[str, Progress]:
+    found: dict[str, Any] = _json(text, dict)
     return {name: _one_progress(kept) for name, kept in found.items()}
 
 
-def _one_progress(kept: object) -> Progress:
-    if not isinstance(kept, dict):
-        raise ValueError
-    step, answers = kept.get("step", ""), kept.get("answers", {})
-    counts = kept.get("done", 0), kept.get("of", 0)
-    if not isinstance(step, str) or not isinstance(answers, dict):
-        raise ValueError
-    if not all(isinstance(text, str) for text in answers.values()):
-        raise ValueError
-    if not all(type(count) is int and 0 <= count < 10_000 for count in counts):
-        raise ValueError
-    return Progress(step, answers, *counts)
+def _one_progress(kept: Any) -> Progress:
+    names = [each.name for each in fields(Progress)]
+    found = _valid(kept, isinstance(kept, dict))
+    progress = Progress(**{name: found[name] for name in names if name in found})
+    answers, counts = progress.answers, (progress.done, progress.of)
+    return _valid(
+        progress,
+        isinstance(progress.step, str),
+        isinstance(answers, dict) and all(isinstance(text, str) for text in answers.values()),
+        all(type(count) is int and 0 <= count < 10_000 for count in counts),
+    )
 
 
 class _Kept(Generic[_T]):
-    """One setting: its name in the file, how its text is read and written, and its default."""
+    """One setting: its key in the file, how it is read from text and written, and its default.
+
+    A shared setting is read from the file each time, because other windows change it too.
+    """
 
     def __init__(
         self,
@@ -176,27 +165,39 @@ class _Kept(Generic[_T]):
         convert: Callable[[str], _T],
         default: _T,
         text_of: Callable[[_T], str] = str,
+        *,
+        shared: bool = False,
     ) -> None:
         self._key, self._convert, self._default, self._text_of = key, convert, default, text_of
+        self._shared = shared
 
     def __get__(self, settings: Settings, _owner: object = None) -> _T:
+        if self._shared:
+            settings.refresh(self._key)
         return settings.read(self._key, self._convert, self._default)
 
     def __set__(self, settings: Settings, value: _T) -> None:
         settings.write(self._key, self._text_of(value))
 
 
-class Settings:
-    """The user's settings: every value is checked here, what is not valid is the default.
+def _kept_flag(key: str, default: bool) -> _Kept[bool]:
+    return _Kept(key, _flag, default, lambda on: "true" if on else "false")
 
-    QSettings writes the file. It is not trusted to read it: it reports no error for a file that
-    is not INI, and makes 0 of a number that is none.
+
+def _progress_text(progress: Mapping[str, Progress]) -> str:
+    return json.dumps({name: asdict(each) for name, each in progress.items()})
+
+
+class Settings:
+    """The user's settings; the default replaces an invalid value.
+
+    QSettings writes the file, but all values are checked here: it reports no error for a file that
+    is not INI, and reads 0 from an invalid number.
 
     Parameters
     ----------
     path : Path or None
-        The INI file; None keeps the settings in memory only. A broken file is set aside as
-        ``.bak``.
+        The INI file; None keeps the settings in memory only. A broken file is renamed to ``.bak``.
     """
 
     def __init__(self, path: Path | None) -> None:
@@ -207,15 +208,15 @@ class Settings:
         self._unsaved: dict[str, str] = {}
         self._is_told = False
         self.cannot_save: Callable[[Path], object] = lambda _path: None
-        """Told of the file when it cannot be written, once until it can be again."""
+        """Called once when the file cannot be written, until it can be written again."""
         if path is not None and _set_aside_if_broken(path):
             self._file = QSettings(str(path), QSettings.Format.IniFormat)
             self._values = {key: self._file.value(key) for key in self._file.allKeys()}
 
     theme = _Kept("theme", _theme, "system")
     """One of `THEMES`."""
-    all_digits = _Kept("all-digits", _flag, False, _flag_text)
-    """Whether numbers that are read have all of their digits, not four."""
+    all_digits = _kept_flag("all-digits", False)
+    """Whether panels show all digits of a number, not four."""
     language = _Kept("language", _language, "")
     """A locale such as ``"hr"`` or ``"sr_RS"``; empty for the system's."""
     tolerance_px = _Kept(
@@ -223,65 +224,51 @@ class Settings:
     )
     """Error in pixels up to which a GPU's own arithmetic may draw."""
     frame_ms = _Kept("frame", _number_in(0.0, LARGEST_FRAME_MS), FRAME_MS)
-    """Longest frame that is wanted while a control is dragged, in ms; 0 for any."""
-    start_card = _Kept("start_card", _flag, True, _flag_text)
-    """Whether the program begins with its scenes as pictures."""
-    speaker_window = _Kept("speaker_window", _flag, True, _flag_text)
+    """Longest frame while a control is dragged, in ms; 0 for no limit."""
+    start_card = _kept_flag("start_card", True)
+    """Whether the program starts with the start card."""
+    speaker_window = _kept_flag("speaker_window", True)
     """Whether the speaker's window opens when a talk is presented."""
     swapped_screens = _Kept[list[str]]("swapped-screens", _paths, [], json.dumps)
-    """Pairs of screens whose primary one is the class's."""
+    """Pairs of screens whose primary one the class sees."""
     notes_px = _Kept("notes", _number_in(LEAST_NOTES_PX, LARGEST_NOTES_PX), 22)
     """Height of the letters in the speaker's notes."""
     geometry = _Kept[bytes | None]("geometry", _bytes, None, _base64)
-    """The window's place as Qt wrote it, None before the first time."""
-
-    @property
-    def recent(self) -> list[str]:
-        """Paths of the files opened or saved before, newest first: by every window, as of now."""
-        return self._read_again("recent", _paths, [])
-
-    @recent.setter
-    def recent(self, recent: list[str]) -> None:
-        self.write("recent", json.dumps(recent))
-
-    @property
-    def progress(self) -> dict[str, Progress]:
-        """Of the lessons that were begun, by their names or paths, the newest last; as of now."""
-        return self._read_again("progress", _all_progress, {})
+    """The window's geometry in Qt's format; None before the first time."""
+    recent = _Kept[list[str]]("recent", _paths, [], json.dumps, shared=True)
+    """Paths of the files opened or saved by any window, newest first."""
+    progress = _Kept[dict[str, Progress]]("progress", _progress, {}, _progress_text, shared=True)
+    """Of each lesson that was begun, by its name or path, the newest last."""
 
     def keep_progress(self, name: str, progress: Progress | None) -> None:
-        """Keep how far somebody has come in a lesson; None forgets it."""
-        kept = self.progress
-        kept.pop(name, None)
+        """Keep a lesson's progress, or forget it if it is None."""
+        kept = {key: each for key, each in self.progress.items() if key != name}
         if progress is not None:
             answers = list(progress.answers.items())[-MOST_ANSWERS:]
             short = {key: text for key, text in answers if len(text) <= LONGEST_ANSWER}
             kept[name] = replace(progress, answers=short)
-        newest = dict(list(kept.items())[-MOST_LESSONS:])
-        self.write("progress", json.dumps({key: asdict(each) for key, each in newest.items()}))
+        self.progress = dict(list(kept.items())[-MOST_LESSONS:])
 
     def override(self, key: str, text: str) -> None:
-        """Use another value until it is set again; it is not saved."""
+        """Use another value, unsaved, until the setting is set again."""
         self._for_now[key] = text
 
-    def _read_again(self, key: str, convert: Callable[[str], _T], default: _T) -> _T:
-        """A value as other windows have left it in the file."""
+    def refresh(self, key: str) -> None:
+        """Read a value again, as other windows have left it in the file."""
         if self._file is not None and key not in self._unsaved:
             self._file.sync()
             self._values[key] = self._file.value(key)
-        return self.read(key, convert, default)
 
     def read(self, key: str, convert: Callable[[str], _T], default: _T) -> _T:
-        """A value, checked; the default in the place of none, or of one that is not valid."""
+        """Return a checked value, or the default for a missing or invalid one."""
         value = self._for_now.get(key, self._values.get(key))
         if value is None:
             return default
         try:
-            if not isinstance(value, str):  # what has a comma in it QSettings splits
-                raise ValueError
-            return convert(value)
+            # QSettings splits a text that contains a comma into a list.
+            return convert(_valid(str(value), isinstance(value, str)))
         except ValueError:
-            if key not in self._refused:  # told once, however often it is asked for
+            if key not in self._refused:  # logged once, however often it is read
                 self._refused.add(key)
                 log.warning("setting %s = %.60r is not valid: using %r", key, value, default)
             return default
@@ -296,11 +283,11 @@ class Settings:
             self.save_again()
 
     def save_again(self) -> None:
-        """Write what could not be written before, as the disk was full, say."""
+        """Write the values that could not be written before, for example to a full disk."""
         if self._file is None or not self._unsaved:
             return
         path = Path(self._file.fileName())
-        if self._is_told:  # an error of before would stay
+        if self._is_told:  # a QSettings keeps an earlier error
             self._file = QSettings(str(path), QSettings.Format.IniFormat)
         for key, text in self._unsaved.items():
             self._file.setValue(key, text)
@@ -315,7 +302,7 @@ class Settings:
 
 
 def _set_aside_if_broken(path: Path) -> bool:
-    """Rename a settings file that is none; False if there is no using this path at all."""
+    """Rename a broken settings file; return False if this path cannot be used."""
     try:
         content = path.read_bytes()
     except FileNotFoundError:
@@ -336,12 +323,12 @@ def _set_aside_if_broken(path: Path) -> bool:
 
 
 def _is_ini(content: bytes) -> bool:
-    """Whether these bytes are INI as QSettings writes our texts."""
+    """Whether these bytes are INI as QSettings writes it for texts."""
     try:
         lines = content.decode().splitlines()
     except UnicodeDecodeError:
         return False
-    # A value that begins with @ would be unpacked into any type of Qt's; ours are texts.
+    # QSettings would unpack a value that begins with @ into any type of Qt's.
     line_of_ini = re.compile(r'\s*|\s*;.*|\[[\w%]+\]\s*|[\w%\\-]+\s*=\s*(?!"?@[^@])[^\0]*')
     return all(line_of_ini.fullmatch(line) for line in lines)
 

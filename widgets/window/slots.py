@@ -1,4 +1,4 @@
-"""Where the panes stand: one large and two small, or side by side, or one of them alone.
+"""The panes' places: one large and two small, or side by side, or one of them alone.
 
 ::
 
@@ -9,20 +9,19 @@
     |               | small   |    |      |      |      |
     +---------------+---------+    +------+------+------+
 
-    "pictures" for a class, unless the cube leads, which is as wide as high
+    "pictures" for a class, unless the large pane is the NDC cube, which is as wide as high
     +-------------------------+
     |          large          |
     +------------+------------+
     |   small    |   small    |
     +------------+------------+
 
-    While a class reads a panel below, the large one stands beside the small ones again.
+    While a panel is open below, a class sees the large pane beside the small ones again.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
-from contextlib import contextmanager
+from collections.abc import Mapping
 from functools import partial
 
 from PySide6.QtCore import Qt, Signal
@@ -37,26 +36,19 @@ COLUMN_WIDTHS = [400, 305, 330]
 LARGE_AND_SMALL = [584, 486]
 IMAGE_AND_SMALL = [640, 430]
 UPPER_AND_LOWER = [318, 378]
-"""In a window of 1366x768 pixels; the splitters keep the proportion."""
+"""In pixels of a window of 1366x768; the splitters keep the proportion."""
 TOP_AND_BOTTOM = {"world": [583, 493], "image": [566, 510]}
 SIDE_BY_SIDE = [750, 734]
 CUBE_AND_SMALL = [735, 790]
 LOW_AND_SMALL = [850, 634]
-"""For a class, whose letters take more of the smaller pictures, on a screen of 1920x1080 pixels."""
+"""For a class, in pixels of a screen of 1920x1080."""
 LEAST_PANE_PX = (190, 150)
 SMALL = {"world": ("image", "ndc"), "image": ("world", "ndc"), "ndc": ("world", "image")}
-"""From above, beside each pane in the large slot."""
+"""The small panes for each large one, from above."""
 
 
 class Slots(QSplitter):
-    """The panes, docked or afloat.
-
-    Parameters
-    ----------
-    panes : mapping of str to Pane
-        In the order of their columns, and of their keys.
-    strip : StageStrip
-        Below one of them; it plays on when its pane is moved.
+    """The panes, docked or floating, in the order of their columns and of their keys.
 
     Attributes
     ----------
@@ -65,24 +57,23 @@ class Slots(QSplitter):
     large : str
         The pane in the large slot.
     leading : str
-        The one that the scene is about.
+        The pane that the scene is about.
     whole : str
-        The pane that has the whole window, or nothing.
+        The pane that fills the window, or "".
     """
 
     concerns = frozenset({"scene"})
     rearranged = Signal()
-    """A pane has got another place."""
+    """A pane has moved to another place."""
 
     def __init__(self, panes: Mapping[str, Pane], strip: StageStrip) -> None:
         super().__init__(Qt.Orientation.Horizontal)
         self._panes, self._strip = panes, strip
         self.layout_name, self.large, self.whole = LAYOUTS[0], next(iter(panes)), ""
         self.leading = self.large
-        self._is_for_class = self._is_low = False
-        self._is_by_hand = False
+        self._is_for_class = self._is_low = self._is_by_hand = False
         self._by_hand: tuple[list[int], list[int]] | None = None
-        """What the hand had chosen before presenting."""
+        """The sizes that the user had chosen before presenting."""
         self._small = QSplitter(Qt.Orientation.Vertical)
         for splitter in (self, self._small):
             splitter.setChildrenCollapsible(False)
@@ -98,37 +89,28 @@ class Slots(QSplitter):
 
     @property
     def floating(self) -> tuple[str, ...]:
-        """The panes that have windows of their own."""
+        """The panes that have their own windows."""
         return tuple(name for name, pane in self._panes.items() if pane.isWindow())
 
     def bring(self, name: str) -> None:
-        """Bring a docked pane into the large slot; again, let it have the whole window, and back.
-
-        Parameters
-        ----------
-        name : str
-        """
+        """Bring a docked pane into the large slot; the second time, into the whole window."""
         if name in self.floating:
             return
         if self.whole:
-            whole = "" if name == self.whole else name
-            self.arrange(self.layout_name, name, whole)
-        elif name == self.large or self.layout_name == "columns":
-            self.arrange(self.layout_name, name, name)
+            fills = name != self.whole
         else:
-            self.arrange(self.layout_name, name)
+            fills = name == self.large or self.layout_name == "columns"
+        self.arrange(self.layout_name, name, name if fills else "")
 
     def arrange(self, layout: str, large: str, whole: str = "") -> None:
         """Give every docked pane its place.
 
         Parameters
         ----------
-        layout : str
-            One of `LAYOUTS`.
         large : str
             The pane for the large slot; "" for the one that the scene is about.
         whole : str
-            The pane that shall have the whole window; "" for none.
+            The pane that fills the window; "" for none.
         """
         large = large or self.leading
         if (layout, large, whole) == (self.layout_name, self.large, self.whole):
@@ -139,23 +121,31 @@ class Slots(QSplitter):
         was_wide = self._is_wide
         self.layout_name, self.large, self.whole = layout, large, whole
         stays = stays and self._is_wide == was_wide
-        with self._still():
+        self.window().setUpdatesEnabled(False)  # nothing half-done may be visible
+        try:
             if moved:
                 self._place()
             self._reveal()
-            if moved and stays and len(kept[0]) == self.count():
-                self.setSizes(kept[0])
-                self._small.setSizes(kept[1])
-            elif moved:
+            if moved and not (stays and self._resize(*kept)):
                 self.share()
+        finally:
+            self.window().setUpdatesEnabled(True)
         self.rearranged.emit()
 
     def take(self, shown: Shown, changed: Changed) -> None:
         """Bring the pane that another scene is about into the large slot."""
         if shown.scene.leading != self.leading:
             self.leading = name = shown.scene.leading
-            if self.whole or "view" not in changed:  # else it is to be arranged, with the rest
+            if self.whole or "view" not in changed:  # otherwise `Arrangement` does it
                 self.arrange(self.layout_name, name, name if self.whole else "")
+
+    def _resize(self, across: list[int], small: list[int]) -> bool:
+        """Restore sizes that the user had chosen; False if there are other slots now."""
+        if len(across) != self.count():
+            return False
+        self.setSizes(across)
+        self._small.setSizes(small)
+        return True
 
     def go_back(self) -> None:
         """Dock and show every pane, the one that the scene is about in the large slot."""
@@ -165,7 +155,7 @@ class Slots(QSplitter):
         self.share()
 
     def toggle_float(self, name: str) -> None:
-        """Give a pane a window of its own, for a second screen, or dock it again."""
+        """Give a pane its own window, for a second screen, or dock it again."""
         pane, plays = self._panes[name], self._strip.playing
         if pane.isWindow():
             pane.move_to(None, self._place)
@@ -178,12 +168,12 @@ class Slots(QSplitter):
             self._place()
         self._reveal()
         self.share()
-        if plays:  # on the way it was hidden, which stops it
+        if plays:  # the strip was hidden on the way, which stops it
             self._strip.play()
         self.rearranged.emit()
 
     def reset_views(self) -> None:
-        """Put every pane's own camera back; the model is not touched."""
+        """Reset every pane's own camera; the model does not change."""
         for pane in self._panes.values():
             pane.reset_view()
 
@@ -203,7 +193,7 @@ class Slots(QSplitter):
             self.insertWidget(self.count() - 1, self._small)
 
     def _reveal(self) -> None:
-        """Show those panes that shall be seen."""
+        """Show or hide the docked panes."""
         docked = [name for name in self._panes if name not in self.floating]
         for name in docked:
             self._panes[name].setVisible(self.whole in ("", name))
@@ -211,28 +201,24 @@ class Slots(QSplitter):
         self._small.setVisible(any(self.whole in ("", name) for name in beside))
 
     def set_presenting(self, on: bool) -> None:
-        """Give the slots their room for a class, or that of before."""
+        """Use the sizes for a class, or the previous ones."""
         if on and self._is_by_hand and not self.whole:
             self._by_hand = self.sizes(), self._small.sizes()
         self._is_for_class = on
         self.share()
         if not on and self._by_hand is not None:
-            across, down = self._by_hand
-            self._by_hand = None
-            if not self.whole and len(across) == self.count():
-                self.setSizes(across)
-                self._small.setSizes(down)
-                self._is_by_hand = True
+            by_hand, self._by_hand = self._by_hand, None
+            self._is_by_hand = not self.whole and self._resize(*by_hand)
 
     def set_low(self, on: bool) -> None:
-        """Take account of a panel below, which leaves the slots little height, or none."""
+        """Note whether a panel is open below, which leaves the slots little height."""
         was_wide = self._is_wide
         self._is_low = on
         if self._is_wide != was_wide:
             self.share()
 
     def share(self) -> None:
-        """Give the slots the room that they have at first."""
+        """Give the slots their default sizes."""
         self._is_by_hand = False
         across, down = Qt.Orientation.Horizontal, Qt.Orientation.Vertical
         self.setOrientation(down if self._is_wide else across)
@@ -250,19 +236,9 @@ class Slots(QSplitter):
 
     @property
     def _is_wide(self) -> bool:
-        """Whether the large slot is as wide as both small ones, which stand below it."""
+        """Whether the small slots stand below the large one."""
         is_high = self._is_for_class and not self._is_low
         return is_high and self.layout_name == "pictures" and self.large != "ndc"
 
     def _dragged(self) -> None:
         self._is_by_hand = True
-
-    @contextmanager
-    def _still(self) -> Iterator[None]:
-        """Let nothing be seen of what is halfway."""
-        window = self.window()
-        window.setUpdatesEnabled(False)
-        try:
-            yield
-        finally:
-            window.setUpdatesEnabled(True)

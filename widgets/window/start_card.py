@@ -1,7 +1,6 @@
-"""The first minute: a card with the scenes as pictures, the lessons, and a tour of two minutes.
+"""The start card: the scenes as pictures, the lessons, recent files, and a tour of two minutes.
 
-The card lies over the window until a scene, a lesson or a file is chosen, or Esc or a click beside
-it sends it away.
+It covers the window until the user chooses something, presses Esc or clicks beside the card.
 """
 
 from __future__ import annotations
@@ -44,11 +43,9 @@ COLUMNS = 4
 THUMBNAIL_PX = (144, 81)
 MOST_RECENT = 6
 DRAWN_FINER = 2.0
-"""A thumbnail is drawn so many times as large, or the letters in it would hide it."""
-
-
+"""A thumbnail is drawn this many times larger, so that its labels do not hide the picture."""
 BARE = View(layers=frozenset({"labels"}))
-"""Nothing could be read so small."""
+"""The view of a thumbnail, without labels."""
 
 
 def _heading(text: str) -> Label:
@@ -60,27 +57,17 @@ def _heading(text: str) -> Label:
 class StartCard(QWidget):
     """The scenes, the lessons and the recent files, over the whole window.
 
-    Parameters
-    ----------
-    window : QWidget
-        What it lies over.
-    titles : mapping of str to str
-        Of the built-in scenes, by their names.
-    recent : sequence of str
-        Paths of files.
-    progress : mapping of str to Progress
-        Of the lessons that were begun.
-    at_every_start : bool
-    dark : bool
+    `titles` are those of the built-in scenes by name, `recent` the paths of files, and `progress`
+    belongs to the lessons that were begun.
     """
 
     scene_chosen = Signal(str)
     file_chosen = Signal(str)
     open_wanted = Signal()
     always_set = Signal(bool)
-    """Whether it shall come with every start."""
+    """Whether the card appears at every start."""
     left = Signal()
-    """It has gone, before what was chosen is told."""
+    """The card has closed; emitted before the signal of what was chosen."""
 
     def __init__(
         self,
@@ -129,7 +116,7 @@ class StartCard(QWidget):
         self._cover()
 
     def open(self) -> None:
-        """Lie over the window, and draw the pictures one by one."""
+        """Cover the window, and draw the pictures one by one."""
         self.show()
         self.raise_()
         next(iter(self.tiles.values())).setFocus()
@@ -147,7 +134,7 @@ class StartCard(QWidget):
         tile = tool_button(title, title, act, flat=True)
         tile.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextUnderIcon)
         tile.setIconSize(QSize(*THUMBNAIL_PX))
-        room = QPixmap(*THUMBNAIL_PX)  # for the picture, or all would move when it comes
+        room = QPixmap(*THUMBNAIL_PX)  # reserves the picture's place, so that nothing moves later
         room.fill(Qt.GlobalColor.transparent)
         tile.setIcon(QIcon(room))
         return tile
@@ -180,9 +167,8 @@ class StartCard(QWidget):
         for path in recent[:MOST_RECENT]:
             act = partial(self._choose, self.file_chosen.emit, path)
             button = tool_button("", path, act, name=Path(path).name, flat=True)
-            button.setText(button.fontMetrics().elidedText(
-                _title_of(path), Qt.TextElideMode.ElideMiddle, THUMBNAIL_PX[0]
-            ))  # fmt: skip
+            title, elided = _title_of(path), button.fontMetrics().elidedText
+            button.setText(elided(title, Qt.TextElideMode.ElideMiddle, THUMBNAIL_PX[0]))
             button.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
             yield button
 
@@ -203,11 +189,11 @@ class StartCard(QWidget):
         name = self._undrawn.pop(0)
         try:
             self.tiles[name].setIcon(QIcon(self._thumbnail(name)))
-        except Exception:  # whatever it is, the scene can be chosen by its name
+        except Exception:  # the scene can still be chosen by its name
             log.warning("the picture of %s cannot be drawn\n%s", name, traceback.format_exc())
 
     def _thumbnail(self, name: str) -> QPixmap:
-        """A scene as it opens, in the pane that it is about."""
+        """Draw a scene as it opens, in its leading pane."""
         from app.drawings.figures import render
 
         ratio = self.devicePixelRatioF()
@@ -241,15 +227,15 @@ class StartCard(QWidget):
         return super().eventFilter(watched, event)
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
-        event.accept()  # beside the card: those on it have been taken by what is there
+        event.accept()  # a click beside the card; its own widgets take clicks on it
         self.close()
 
 
 def _title_of(path: str) -> str:
-    """What a recent file is called: a lesson as its own top says, if it can be read."""
+    """Return the title of a recent file: a lesson's own, if it can be read."""
     if is_lesson(path):
         try:
             return head_of(Path(path)).title
-        except Refusal:  # it is said when it is opened
+        except Refusal:  # opening it reports the problem
             pass
     return file_title(path)

@@ -1,10 +1,8 @@
-"""The status line: what is at risk, and nothing while nothing is.
+"""The status line: numerical risks, the chosen quality, and the cost of a step.
 
-How exactly the picture and its numbers are computed is found here as well, and read in the
-Precision panel.
-
-Predicting errors takes some milliseconds; it waits until the hand rests, and is not done at all
-while nobody can see it.
+It also computes the precision of the picture and its numbers, for the Precision panel. Predicting
+errors takes some milliseconds: it waits until the user's hand rests, and is left out while neither
+the line nor the panel is visible.
 """
 
 from __future__ import annotations
@@ -38,28 +36,19 @@ from widgets.parts.panel import PROJECTION, Changed, Shown
 from widgets.parts.plain import set_tip
 
 RESTS_AFTER_MS = 150
-"""How long nothing must change until errors are predicted."""
+"""Errors are predicted when nothing has changed for this long."""
 
 
 class StatusLine(QStatusBar):
-    """One line at the bottom of the window.
-
-    Attributes
-    ----------
-    precision : QToolButton
-        With how many digits it is drawn and read; for the Precision panel.
-    tolerance_edited : Signal(float)
-        The error in pixels up to which a GPU's own arithmetic may draw, set by the user.
-    frame_edited : Signal(float)
-        The longest frame that is wanted while a control is dragged, in ms; 0 for any.
-    automatic_wanted : Signal()
-        Quality shall be automatic again.
-    """
+    """One line at the bottom of the window; its button `precision` is in the Precision panel."""
 
     concerns = PROJECTION | {"scene"}
     tolerance_edited = Signal(float)
+    """The error in pixels up to which a GPU's own arithmetic may draw."""
     frame_edited = Signal(float)
+    """The longest frame while a control is dragged, in ms; 0 for no limit."""
     automatic_wanted = Signal()
+    """The user wants automatic quality again."""
 
     def __init__(self) -> None:
         super().__init__()
@@ -90,7 +79,7 @@ class StatusLine(QStatusBar):
         self.precision.installEventFilter(self)
         tip = self.tr("The panes are drawn with a chosen quality; click for the automatic one")
         self.quality = tool_button("", tip, self.automatic_wanted, flat=True)
-        # Or it would be as high as an icon as long as it has no text, and the panes less high.
+        # Without a text it would be as high as an icon, and take height from the panes.
         self.quality.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextOnly)
         self.quality.hide()
         self.addWidget(self.quality)
@@ -98,24 +87,19 @@ class StatusLine(QStatusBar):
         self.cost = _Elided("cost")
         self.cost.setAccessibleName(self.tr("Cost of a step"))
         self.cost.hide()
-        self.addWidget(self.cost, 8)  # of health the sign is left, and its tooltip
+        self.addWidget(self.cost, 8)  # leaves room for the sign of `health`, with its tooltip
         self._rest = QTimer(self, singleShot=True, interval=RESTS_AFTER_MS)
         self._rest.timeout.connect(self._predict)
 
     def take(self, shown: Shown, changed: Changed) -> None:
-        """Take over the model and what it looks at."""
         self._projection, self._scene = shown.projection, shown.scene
         self._wait_for_rest()
 
     def show_cost(self, model_ms: float, panes: Mapping[str, tuple[float, float]]) -> None:
-        """Show what the last step took.
+        """Show the cost of the last step.
 
-        Parameters
-        ----------
-        model_ms : float
-            To compute the model's matrices.
-        panes : mapping of str to (float, float)
-            By the panes' titles: to hand the matrices to the drawing, and to repaint it, in ms.
+        `model_ms` is the time for the model's matrices; `panes` holds, by the panes' titles, the
+        times in ms to set the drawing's matrices and to repaint it.
         """
         parts = [
             self.tr("{0} {1} + {2}").format(title, f"{matrices:.1f}", f"{repaint:.1f}")
@@ -129,23 +113,14 @@ class StatusLine(QStatusBar):
         self.cost.show_text(text, f"{tip}\n{text}")
 
     def set_tolerance(self, tolerance_px: float) -> None:
-        """Set up to which error in pixels a GPU's own arithmetic may draw."""
         self.tolerance_px = tolerance_px
         self._wait_for_rest()
 
     def set_frame(self, frame_ms: float) -> None:
-        """Set the longest frame that is wanted while a control is dragged, in ms; 0 for any."""
         self._frame_ms = frame_ms
 
     def show_quality(self, quality: Quality, notes: list[str]) -> None:
-        """Show what of the quality is not automatic, and what of it cannot be had here.
-
-        Parameters
-        ----------
-        quality : Quality
-        notes : list of str
-            Sentences without their full stops, for the health of the picture.
-        """
+        """Show the chosen part of the quality, and notes: sentences without their full stops."""
         if (quality, notes) == (self._quality, self._notes):
             return
         chosen = [
@@ -162,7 +137,7 @@ class StatusLine(QStatusBar):
         self.health.show_sentences([f"{text}." for text in (*self._risks, *self._notes)])
 
     def minimumSizeHint(self) -> QSize:
-        """Of any width: a sentence that has no room is cut, and the window may be a small one."""
+        """Allow any width: a long sentence is cut, so that the window may be small."""
         return QSize(0, super().minimumSizeHint().height())
 
     def showEvent(self, event: QShowEvent) -> None:
@@ -171,11 +146,11 @@ class StatusLine(QStatusBar):
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         if event.type() == QEvent.Type.Show:
-            self._appear()  # in its panel, of which this line may show nothing
+            self._appear()  # the button has appeared in its panel
         return super().eventFilter(watched, event)
 
     def _appear(self) -> None:
-        QTimer.singleShot(0, self, self._predict)  # nothing moves yet that it could hold up
+        QTimer.singleShot(0, self, self._predict)
 
     def _wait_for_rest(self) -> None:
         if self.isVisible() or self.precision.isVisible():
@@ -203,11 +178,11 @@ class StatusLine(QStatusBar):
     def _show_precisions(
         self, drawn: Precision, float32_px: float, predictions: dict[Precision, Prediction] | None
     ) -> None:
-        """What draws and what is read; `float32_px` of what float32 draws of faces and lines."""
+        """Show the precisions; `float32_px` bounds the error of what float32 draws."""
         read = precision_for_reading(predictions)
         text = self.tr("drawn {0}, read {1}").format(drawn, read)
         if predictions is not None:
-            # Whatever computed it, a rasteriser is handed float32 in the end.
+            # Whatever computes the picture, a rasteriser gets float32 in the end.
             at_least_px = max(self._projection.image_size) * 2.0**-24 if self._projection else 0.0
             drawn_px = float32_px
             if drawn != "float32":
@@ -230,11 +205,8 @@ class StatusLine(QStatusBar):
             )
             if not math.isfinite(px + depth):
                 line = self.tr("{0}: its error has no bound here").format(precision)
-            uses = [
-                use
-                for use, chosen in ((self.tr("drawn"), self._drawn), (self.tr("read"), read))
-                if chosen == precision
-            ]
+            each_use = (self.tr("drawn"), self._drawn), (self.tr("read"), read)
+            uses = [use for use, chosen in each_use if chosen == precision]
             menu.addAction(f"{line}  ({', '.join(uses)})" if uses else line).setEnabled(False)
         menu.addSeparator()
         text = self.tr("Frames of at most {0} ms while dragging…").format(f"{self._frame_ms:g}")
@@ -271,7 +243,7 @@ def _error_text(px: float) -> str:
 
 
 class _Elided(WarningLabel):
-    """As much of the worst sentence as there is room for; all of them as its tooltip."""
+    """Shows as much of the worst sentence as there is room for; all of them in its tooltip."""
 
     def __init__(self, name: str) -> None:
         super().__init__()
@@ -283,14 +255,14 @@ class _Elided(WarningLabel):
         self._sentence = ""
 
     def show_text(self, text: str, tip: str) -> None:
-        """Show one line, and as its tooltip all that it stands for."""
+        """Show one line, and its full text as the tooltip."""
         self._sentence = text
         set_tip(self, tip)
         self.setAccessibleDescription(tip.replace("\n", " "))
         self._elide()
 
     def show_sentences(self, sentences: list[str]) -> None:
-        """Show the first, or nothing if there is none."""
+        """Show the first sentence, or nothing if there is none."""
         first = sentences[0] if sentences else ""
         if sentences[1:]:
             first = self.tr("{0} And {1} more.").format(first, len(sentences) - 1)

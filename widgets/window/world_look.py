@@ -1,4 +1,4 @@
-"""From where the world is looked at, and which layers of the drawings are seen.
+"""Fixed viewpoints of the world pane, and the visible layers of all drawings.
 
 ::
 
@@ -23,13 +23,7 @@ from widgets.window.actions import Actions
 
 
 class FixedViews(QWidget):
-    """A button for each place that the world can be looked at from.
-
-    Attributes
-    ----------
-    menu : QToolButton
-        All of them in one, for a narrow pane.
-    """
+    """A button for each viewpoint; `menu` holds all of them in one button, for a narrow pane."""
 
     def __init__(self) -> None:
         super().__init__()
@@ -57,21 +51,16 @@ class FixedViews(QWidget):
         self.mark("")
 
     def mark(self, name: str) -> None:
-        """Show which of them is taken."""
+        """Mark a viewpoint as the current one."""
         self.buttons[name].setChecked(True)
         self.menu.setText(self.buttons[name].text())
         self.menu.setAccessibleName(f"{self.menu.toolTip()}: {self.menu.text()}")
 
 
 class WorldLook(QObject):
-    """Lets the world be looked at from fixed places, and layers be hidden.
+    """Shows the world from a fixed viewpoint, and hides layers.
 
-    Attributes
-    ----------
-    fixed : str
-        One of `FIXED`, or "" for freely.
-    hidden : frozenset of str
-        Of `LAYERS`.
+    `fixed` is one of `FIXED`, or "" for a free view; `hidden` holds some of `LAYERS`.
     """
 
     def __init__(self, panes: Mapping[str, Pane], menus: Actions) -> None:
@@ -89,14 +78,7 @@ class WorldLook(QObject):
         self._world.fixed_left.connect(self._leave)
 
     def show(self, fixed: str, hidden: frozenset[str] | None = None) -> None:
-        """Look so from now on.
-
-        Parameters
-        ----------
-        fixed : str
-        hidden : frozenset of str or None
-            None to leave the layers as they are.
-        """
+        """Set the viewpoint, and the hidden layers unless they are None."""
         if hidden is not None and hidden != self.hidden:
             self.hidden = hidden
             for pane in self._panes.values():
@@ -111,7 +93,7 @@ class WorldLook(QObject):
         self.show(self.fixed, frozenset(n for n in LAYERS if not layers[n].isChecked()))
 
     def _leave(self) -> None:
-        """A hand has turned it: it is looked at freely from there."""
+        """Return to a free view, because the user has turned the world by hand."""
         if self.fixed:
             self.show("")
 

@@ -1,8 +1,8 @@
 """The phenomena that the lectures name, each one a scene with a readout; numpy only.
 
-`illustration` says what a phenomenon is made of: `settings` that are chosen, a `readout` that is
-read, `marks` that are drawn, a `diagram` beside them; `picture` how marks come into the image pane.
-Each of the other modules holds one phenomenon. `PHENOMENA` has them in lecture order.
+`illustration` says what a phenomenon is made of: `settings` to choose, a `readout`, `marks` to
+draw, a `diagram` beside them. `words` reads its content file, and `picture` computes marks of the
+image pane. Each other module holds one phenomenon.
 """
 
 from __future__ import annotations
@@ -28,28 +28,24 @@ from app.scenes.phenomena import (
 )
 from app.scenes.phenomena.illustration import Phenomenon
 
-PHENOMENA = MappingProxyType(
-    {
-        phenomenon.name: phenomenon
-        for phenomenon in (
-            similar_triangles.PHENOMENON,
-            camera_obscura.PHENOMENON,
-            field_of_view.PHENOMENON,
-            view_volumes.PHENOMENON,
-            off_axis_window.PHENOMENON,
-            oblique_drawing.PHENOMENON,
-            vanishing_points.PHENOMENON,
-            eye_plane.PHENOMENON,
-            clipping.PHENOMENON,
-            affine_depth.PHENOMENON,
-            depth_buffer.PHENOMENON,
-            interpolation.PHENOMENON,
-            planar_shadow.PHENOMENON,
-            popping.PHENOMENON,
-            focus.PHENOMENON,
-        )
-    }
+_ORDER = (
+    similar_triangles,
+    camera_obscura,
+    field_of_view,
+    view_volumes,
+    off_axis_window,
+    oblique_drawing,
+    vanishing_points,
+    eye_plane,
+    clipping,
+    affine_depth,
+    depth_buffer,
+    interpolation,
+    planar_shadow,
+    popping,
+    focus,
 )
+PHENOMENA = MappingProxyType({each.PHENOMENON.name: each.PHENOMENON for each in _ORDER})
 """Every phenomenon by its scene's name, in the order of the lectures."""
 
 __all__ = ["PHENOMENA", "Phenomenon"]

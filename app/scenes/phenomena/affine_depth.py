@@ -1,9 +1,8 @@
 """Bent by an affine z: why z' = A z + B will not do for the depth after the divide.
 
-x and y have been divided by ``w = -z`` and so has everything that shall stay straight beside them.
-``z' = A z + B`` (lecture 000, (9)) sends near and far to the ends of the cube too, but it is linear
-in w where x' and y' are linear in 1/w: a segment becomes a bow. ``A + B/z`` (000, (12); 002) is
-linear in 1/w as well.
+The divide by ``w = -z`` makes x' and y' linear in 1/w, and a segment stays straight only if z' is
+linear in 1/w, too. ``z' = A z + B`` (lecture 000, (9)) also takes near and far to the ends of the
+cube, but it is linear in w: a segment becomes a bow. ``A + B/z`` (000, (12); 002) is linear in 1/w.
 """
 
 from __future__ import annotations
@@ -17,62 +16,36 @@ from numpy.typing import NDArray
 
 from app.model.clipping import NOT_CUT, clip_segments
 from app.model.projection import Array, Camera, Perspective, Projection
-from app.model.refusal import QT_TRANSLATE_NOOP
 from app.scenes.phenomena.illustration import Illustration, OwnMesh, Phenomenon, Subject
-from app.scenes.phenomena.marks import Dot, Grip, Line, Mark, Marks, Text, named
+from app.scenes.phenomena.marks import Dot, Grip, Line, Mark, Marks, Text, named, segment
 from app.scenes.phenomena.picture import image_from_ndc
-from app.scenes.phenomena.readout import Phrase, Reading, figure, of_parallel
+from app.scenes.phenomena.readout import Phrase, Reading, figure
 from app.scenes.phenomena.settings import Setting, Settings, point
+from app.scenes.phenomena.words import Words
 from app.scenes.shapes import letter_f_edges, letter_f_on_grid
+
+WORDS = Words("affine-depth")
 
 _STEPS = np.linspace(0.0, 1.0, 65)
 _EDGE_STEPS = np.linspace(0.0, 1.0, 9)
-
-_INFINITE = QT_TRANSLATE_NOOP(
-    "phenomena",
-    "with far at infinity no affine z' = A z + B holds all depths: choose a finite far plane",
-)
-_PARALLEL = QT_TRANSLATE_NOOP(
-    "phenomena", "a parallel lens divides by 1: its own z' is affine, and nothing is bent"
-)
-_OUTSIDE = QT_TRANSLATE_NOOP("phenomena", "the segment lies outside the view volume")
-_AWAY = QT_TRANSLATE_NOOP("phenomena", "no edge of the letter lies in the view volume")
-_MESH_AWAY = QT_TRANSLATE_NOOP(
-    "phenomena", "none of the mesh's edges that are looked at lies in the view volume"
-)
-_STRAIGHT = QT_TRANSLATE_NOOP("phenomena", "its image is straight: no place is the farthest")
-_SHORT = QT_TRANSLATE_NOOP("phenomena", "the segment is a single point of the cube")
-_CUT = QT_TRANSLATE_NOOP(
-    "phenomena", "the view volume cuts PQ: what is measured is the part inside it, from P' to Q'"
-)
-
-_SOME_EDGES = QT_TRANSLATE_NOOP(
-    "phenomena", "of the mesh's {1} edges only the {0} longest are drawn so and counted"
-)
-
-_MOST_EDGES = 200
-"""Of a mesh of the user's."""
+_MOST_EDGES = 200  # of a user's mesh
 
 
 class Inside(NamedTuple):
-    """Segments cut to the view volume: what of m segments is in the cube.
+    """The parts of segments inside the view volume, k of them.
 
-    Attributes
-    ----------
-    rows : (k,) int array
-        Which segments have a part inside.
-    ndc : (k, 2, 3) array
-        Its ends in the cube, under A + B/z.
-    w : (k, 2) array
-        Their distances from the eye plane.
-    cut : (k,) bool array
-        Whether that is only a part of the segment.
+    `rows` (k,) tells which segments they are of, `cut` (k,) whether they are not whole. Their ends
+    lie in the cube at `ndc` (k, 2, 3), under A + B/z, and at distances `w` (k, 2) from the eye
+    plane.
     """
 
     rows: NDArray[np.intp]
     ndc: Array
     w: Array
     cut: NDArray[np.bool_]
+
+    def of(self, chosen: NDArray[np.bool_]) -> Inside:
+        return Inside(self.rows[chosen], self.ndc[chosen], self.w[chosen], self.cut[chosen])
 
 
 def inside(projection: Projection, segments_world: Array) -> Inside:
@@ -99,10 +72,6 @@ def inside(projection: Projection, segments_world: Array) -> Inside:
     return Inside(rows[seen], ndc, w, cut[seen])
 
 
-def _of(part: Inside, chosen: NDArray[np.bool_]) -> Inside:
-    return Inside(part.rows[chosen], part.ndc[chosen], part.w[chosen], part.cut[chosen])
-
-
 def slope(projection: Projection) -> float:
     """How much z' grows with w under ``z' = A z + B``: -A of lecture 000, (9).
 
@@ -112,43 +81,32 @@ def slope(projection: Projection) -> float:
     return (z_far - z_near) / (projection.lens.far - projection.lens.near)
 
 
-def bow(projection: Projection, part: Inside, steps: Array) -> Array:
-    """The segments' images under the affine z, (k, len(steps), 3), from end to end.
+def affine_z(projection: Projection, w: Array) -> Array:
+    """z' of points at these distances under ``z' = A z + B``."""
+    depths: Array = projection.depth_range[0] + slope(projection) * (w - projection.lens.near)
+    return depths
 
-    Parameters
-    ----------
-    projection : Projection
-        Perspective, with a finite far plane.
-    part : Inside
-    steps : (s,) array
-        Where along the straight image, 0 to 1.
+
+def bow(projection: Projection, part: Inside, steps: Array) -> Array:
+    """The segments' images under the affine z, from end to end, (k, s, 3).
+
+    The steps (s,) run along the straight image, 0 to 1. The far plane must be finite.
     """
-    z_near, _ = projection.depth_range
     start, end = part.w[:, :1], part.w[:, 1:]
     points = part.ndc[:, :1] + steps[:, None] * (part.ndc[:, 1:] - part.ndc[:, :1])
     w = 1.0 / ((1.0 - steps) / start + steps / end)  # 1/w is linear along the image
-    points[..., 2] = z_near + slope(projection) * (w - projection.lens.near)
+    points[..., 2] = affine_z(projection, w)
     return points
 
 
 class Deviation(NamedTuple):
-    """How far bows are from their chords; one of each for every segment, (k,).
+    """The largest distance of each bow from its chord, (k,) each.
 
-    Attributes
-    ----------
-    percent : array
-        Largest distance between bow and chord, in percent of the chord's length; NaN for a chord
-        of no length.
-    ndc : array
-        The same distance in units of the cube.
-    step : array
-        Where it is, from 0 to 1 along the image.
-    w : array
-        Its distance from the eye plane, in world units.
+    `percent` of the chord's length, NaN for a chord without length; where it is, from 0 to 1 along
+    the image; and how far that place is from the eye plane.
     """
 
     percent: Array
-    ndc: Array
     step: Array
     w: Array
 
@@ -170,12 +128,12 @@ def deviation(projection: Projection, part: Inside) -> Deviation:
     a = abs(slope(projection))
     gap = part.w[:, 1] - part.w[:, 0]
     length = np.hypot(across, a * gap)
-    # The difference of roots from that of the distances, which has its digits.
+    # The difference of the roots is computed from that of the distances, which keeps its digits.
     sag = a * (gap / (root_start + root_end)) ** 2
     with np.errstate(invalid="ignore", divide="ignore"):
         distance = np.where(length > 0.0, sag * (across / length), 0.0)
         percent = 100.0 * distance / length
-    return Deviation(percent, distance, root_end / (root_start + root_end), root_start * root_end)
+    return Deviation(percent, root_end / (root_start + root_end), root_start * root_end)
 
 
 def _show(projection: Projection, settings: Settings, subject: Subject) -> Illustration:
@@ -186,71 +144,68 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Illus
     grips = Grip("start", ends[0]), Grip("end", ends[1])
     mesh = subject.mesh
     if projection.lens.far == math.inf:
-        readings, why = _readings(None, None, Phrase(_INFINITE), mesh), Phrase(_INFINITE)
-        return Illustration(readings, world, warning=why, grips=grips)
+        why = WORDS.phrase("infinite")
+        return Illustration(_readings(None, None, why, mesh, why), world, warning=why, grips=grips)
     others = letter_f_edges()[0] if mesh is None else mesh.edges[:_MOST_EDGES]
     part = inside(projection, np.concatenate([ends[None], others]))
-    parallel = of_parallel(projection, _PARALLEL)
-    if parallel is not None:
-        lines = [Line(pair, "muted") for pair in part.ndc[part.rows > 0]]
-        lines += [Line(pair, "accent", 2.0) for pair in part.ndc[part.rows == 0]]
-        return Illustration(
-            _readings((0.0, 0.0), 0.0, parallel, mesh),
-            world,
-            Marks.of(*lines),
-            _in_picture(projection, part.ndc[part.rows == 0]),
-            warning=parallel,
-            grips=grips,
-        )
-    found = deviation(projection, part)
     own = part.rows == 0
+    # Over the picture, where x' and y' are straight either way.
+    pixels = image_from_ndc(projection, part.ndc[own])
+    image = Marks(tuple(Line(pair, "accent", 2.0) for pair in pixels))
+    note = WORDS.of_parallel(projection)
+    if note is not None:
+        lines = [Line(pair, "muted") for pair in part.ndc[~own]]
+        lines += [Line(pair, "accent", 2.0) for pair in part.ndc[own]]
+        readings, ndc = _readings((0.0, 0.0), 0.0, note, mesh), Marks.of(*lines)
+        return Illustration(readings, world, ndc, image, warning=note, grips=grips)
+    found = deviation(projection, part)
     percent = found.percent[~own]
     percent = percent[np.isfinite(percent)]
     worst = float(percent.max()) if len(percent) else None
-    ndc: list[Mark] = []
-    ndc += [Line(points, "u") for points in bow(projection, _of(part, ~own), _EDGE_STEPS)]
-    if own.any():
-        (curve,) = bow(projection, _of(part, own), _STEPS)
-        step = float(found.step[0])
-        on_chord = (1.0 - step) * curve[0] + step * curve[-1]
-        on_bow = on_chord.copy()
-        z_near, _ = projection.depth_range
-        on_bow[2] = z_near + slope(projection) * (float(found.w[0]) - projection.lens.near)
-        # Outside of the bow, which curves away from there; and beyond the straight one's end.
-        quarter, straight = 3 * len(_STEPS) // 4, part.ndc[0]
-        beside = (1.0 - _STEPS[quarter]) * curve[0] + _STEPS[quarter] * curve[-1]
-        if math.isfinite(found.percent[0]):
-            ndc.append(Text(f"{figure(found.percent[0], 4)} %", on_bow, away_from=on_chord))
-        ndc += [
-            Line(straight, "accent", 2.0),
-            Line(curve[[0, -1]], "muted"),
-            Line(curve, "u", 2.0),
-            Line(np.array([on_chord, on_bow]), "ink", 1.0),
-            Dot(on_bow, "u", 1.2),
-            Text("A z + B", curve[quarter], "u", away_from=beside),
-            Text("A + B / z", straight[0], "accent", away_from=straight.mean(axis=0)),
-        ]
-    note = None
+    bows: list[Mark] = [Line(each, "u") for each in bow(projection, part.of(~own), _EDGE_STEPS)]
+    at = None
     if not own.any():
-        note = Phrase(_OUTSIDE)
+        note = WORDS.phrase("outside")
     elif not math.isfinite(found.percent[0]):
-        note = Phrase(_SHORT)
-    at = None if note else (float(found.percent[0]), float(found.w[0]))
-    cut = note is None and bool(part.cut[0])
+        note = WORDS.phrase("short")
+    else:
+        at = float(found.percent[0]), float(found.w[0])
+    if own.any():
+        bows.append(_own_bow(projection, part.of(own), found))
+    cut = at is not None and bool(part.cut[0])
     return Illustration(
-        _readings(at, worst, Phrase(_CUT) if cut else note, mesh, cut),
+        _readings(at, worst, WORDS.phrase("cut") if cut else note, mesh, cut=cut),
         world,
-        Marks.of(*ndc),
-        _in_picture(projection, part.ndc[own]),
+        Marks.of(*bows),
+        image,
         warning=note,
         grips=grips,
     )
 
 
-def _in_picture(projection: Projection, ndc: Array) -> Marks:
-    """Segments of the cube over the picture, where x' and y' are straight either way."""
-    pixels = image_from_ndc(projection, ndc)
-    return Marks(tuple(Line(pair, "accent", 2.0) for pair in pixels))
+def _own_bow(projection: Projection, part: Inside, found: Deviation) -> Marks:
+    """The bow of PQ, its straight image, and the largest distance between bow and chord."""
+    (curve,), (straight,) = bow(projection, part, _STEPS), part.ndc
+    percent, step, w = (each[0] for each in found)
+    on_chord = (1.0 - step) * curve[0] + step * curve[-1]
+    on_bow = on_chord.copy()
+    on_bow[2] = affine_z(projection, w)
+    # The names stand outside of the bow, and beyond the end of the straight image.
+    quarter = 3 * len(_STEPS) // 4
+    beside = (1.0 - _STEPS[quarter]) * curve[0] + _STEPS[quarter] * curve[-1]
+    text = []
+    if math.isfinite(percent):
+        text = [Text(f"{figure(percent, 4)} %", on_bow, away_from=on_chord)]
+    return Marks.of(
+        *text,
+        Line(straight, "accent", 2.0),
+        Line(curve[[0, -1]], "muted"),
+        Line(curve, "u", 2.0),
+        segment(on_chord, on_bow, "ink", 1.0),
+        Dot(on_bow, "u", 1.2),
+        Text("A z + B", curve[quarter], "u", away_from=beside),
+        Text("A + B / z", straight[0], "accent", away_from=straight.mean(axis=0)),
+    )
 
 
 def _readings(
@@ -258,73 +213,37 @@ def _readings(
     worst: float | None,
     note: Phrase | None,
     mesh: OwnMesh | None,
+    no_worst: Phrase | None = None,
     cut: bool = False,
 ) -> tuple[Reading, ...]:
-    """The readout: of PQ percent and distance, of the letter's or the mesh's edges percent."""
+    """Percent and distance of PQ, percent of the worst edge, and why there is none of either."""
     percent, w = own or (None, None)
-    where = QT_TRANSLATE_NOOP("phenomena", "where: w = √(w_P·w_Q)")
-    if cut:
-        where = QT_TRANSLATE_NOOP("phenomena", "where: w = √(w_P'·w_Q')")
-    label, away = QT_TRANSLATE_NOOP("phenomena", "worst edge of the letter F, inside"), _AWAY
-    some = None
+    label, away, some = "worst-of-letter", "away", None
     if mesh is not None:
-        label, away = QT_TRANSLATE_NOOP("phenomena", "worst edge of the mesh, inside"), _MESH_AWAY
+        label, away = "worst-of-mesh", "mesh-away"
         if mesh.edge_count > _MOST_EDGES:
-            some = Phrase(_SOME_EDGES, (str(_MOST_EDGES), str(mesh.edge_count)))
-    straight = percent == 0.0
+            some = WORDS.phrase("some-edges", str(_MOST_EDGES), str(mesh.edge_count))
+    where = note
+    if percent == 0.0:
+        w, where = None, WORDS.phrase("straight") if cut or note is None else note
     return (
+        Reading(WORDS["deviation"], percent, "%", note),
+        Reading(WORDS["where-cut" if cut else "where"], w, note=where),
         Reading(
-            QT_TRANSLATE_NOOP("phenomena", "largest deviation, of the length"), percent, "%", note
-        ),
-        Reading(
-            where,
-            None if straight else w,
-            note=Phrase(_STRAIGHT) if straight and (cut or note is None) else note,
-        ),
-        Reading(
-            label,
-            worst,
-            "%",
-            some if worst is not None else note if note == Phrase(_INFINITE) else Phrase(away),
+            WORDS[label], worst, "%", (no_worst or WORDS.phrase(away)) if worst is None else some
         ),
     )
 
 
 PHENOMENON = Phenomenon(
-    name="affine-depth",
-    title=QT_TRANSLATE_NOOP("phenomena", "Bent by an affine z"),
-    explanation=QT_TRANSLATE_NOOP(
-        "phenomena",
-        "x and y are divided by the distance w. If z were only scaled and shifted, z' = A z + B, a"
-        " straight segment PQ would come into the cube as a bow, and nothing between its ends could"
-        " be interpolated or clipped as a line. With z' = A + B / z it stays straight.",
-    ),
-    tries=(
-        QT_TRANSLATE_NOOP("phenomena", "Is the line PQ straight in the cube?"),
-        QT_TRANSLATE_NOOP("phenomena", "Drag P towards the eye: and now?"),
-        QT_TRANSLATE_NOOP("phenomena", "Do near and far change the bow?"),
-    ),
+    WORDS,
     lectures=("000", "002"),
     start=Projection(
-        Camera((3.2, 3.4, 5.0), (-0.2, 2.3, 0.0)),
-        Perspective(fov_y_deg=60.0, near=1.0, far=14.0),
+        Camera((3.2, 3.4, 5.0), (-0.2, 2.3, 0.0)), Perspective(fov_y_deg=60.0, near=1.0, far=14.0)
     ),
     geometry=partial(letter_f_on_grid, (-4.0, -4.0), (4.0, 4.0)),
     show=_show,
-    settings=(
-        Setting(
-            "start",
-            QT_TRANSLATE_NOOP("phenomena", "End P"),
-            QT_TRANSLATE_NOOP("phenomena", "One end of the segment, in world coordinates"),
-            (3.0, 2.9, 4.0),
-        ),
-        Setting(
-            "end",
-            QT_TRANSLATE_NOOP("phenomena", "End Q"),
-            QT_TRANSLATE_NOOP("phenomena", "Its other end, in world coordinates"),
-            (-9.0, 3.5, -2.5),
-        ),
-    ),
+    adjustable=(Setting("start", (3.0, 2.9, 4.0)), Setting("end", (-9.0, 3.5, -2.5))),
     controls=("lens.near", "lens.far"),
     leading="ndc",
     own_mesh=True,

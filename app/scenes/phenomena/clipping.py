@@ -1,10 +1,10 @@
-"""Clipping: whole, outside, crossing; and a polygon cut by one plane after the other.
+"""Clipping: inside, outside, crossing; and a polygon cut by one plane after the other.
 
-What lies inside all six planes of the view volume is drawn as it is, what lies beyond one of them
-not at all. Only what crosses must be cut (lectures 001, 004), here after Sutherland & Hodgman: each
-plane takes the polygon that the plane before has left, keeps what is on its own side, and puts a
-new corner where an edge crosses. The cuts are `app.model.clipping`'s, in clip space; what they are
-in the world follows from the polygon's own corners, so that no inverse matrix is asked.
+Whatever lies inside all six planes of the view volume is drawn, and whatever lies beyond one of
+them is not. Only what crosses must be cut (lectures 001, 004), here after Sutherland & Hodgman:
+each plane takes the polygon that the plane before has left, keeps the part on its own side, and
+adds a new corner where an edge crosses. `app.model.clipping` cuts in clip space; the pieces in the
+world follow from the polygon's own corners, without an inverse matrix.
 """
 
 from __future__ import annotations
@@ -19,42 +19,30 @@ from numpy.typing import NDArray
 
 from app.model.clipping import clip_polygon
 from app.model.limits import PLANES
-from app.model.projection import DEPTH_RANGES, Array, Camera, Perspective, Projection
-from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
+from app.model.projection import DEPTH_RANGES, Array, Camera, Perspective, Projection, Vector
+from app.model.refusal import Refusal
 from app.scenes.phenomena.diagram import Curve, Diagram
 from app.scenes.phenomena.illustration import Illustration, Phenomenon, Subject
 from app.scenes.phenomena.marks import Dot, Face, Line, Mark, Marks, Text, outline, plate
 from app.scenes.phenomena.picture import SIDES, drawn_planes, image_from_ndc, section
-from app.scenes.phenomena.readout import Phrase, Reading
+from app.scenes.phenomena.readout import Reading
 from app.scenes.phenomena.settings import Setting, Settings, number
+from app.scenes.phenomena.words import Words
 from app.scenes.shapes import Coloured, flat, ground_grid
+
+WORDS = Words("clipping")
 
 TRIANGLE = np.array([(2.25, 3.0, 5.75), (4.0, 11.0, -7.0), (-8.0, 2.0, -0.5)])
 """World corners A, B, C of the polygon that is cut: each of the six planes adds one corner."""
 
-_UNCUT = QT_TRANSLATE_NOOP("phenomena", "none yet")
-_ALL = QT_TRANSLATE_NOOP("phenomena", "all")
-_TOO_LARGE = QT_TRANSLATE_NOOP(
-    "phenomena", "clip coordinates are too large for float64 numbers, or lie on one ray of the eye"
-)
-_BEHIND = QT_TRANSLATE_NOOP(
-    "phenomena", "a corner is behind the eye: until near has cut, there is nothing to draw in NDC"
-)
-_NAMES = (
-    QT_TRANSLATE_NOOP("phenomena", "near"),
-    QT_TRANSLATE_NOOP("phenomena", "far"),
-    QT_TRANSLATE_NOOP("phenomena", "left"),
-    QT_TRANSLATE_NOOP("phenomena", "right"),
-    QT_TRANSLATE_NOOP("phenomena", "bottom"),
-    QT_TRANSLATE_NOOP("phenomena", "top"),
-)
-# Corners of each plane's face: of the near section 0 to 3, of the far one 4 to 7, and in the NDC
-# cube likewise.
+# The corners of each plane's face: 0 to 3 belong to the near section, or to the cube's near face,
+# and 4 to 7 to the far one.
 _FACES = ((0, 1, 2, 3), (4, 5, 6, 7), (3, 0, 4, 7), (1, 2, 6, 5), (0, 1, 5, 4), (2, 3, 7, 6))
 _WINDOW = np.array([(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)])
-_PALE = 0.72  # opacity of the background before what is outside
+_COUNTS = ("before", "after", "inside", "outside", "crossing")
+_PALE = 0.72  # opacity of the veil over what is outside
 
-# Middles of the cards, which of the world's axes they are level with, and half their sides.
+# The middle of each card, the two world axes that it is parallel to, and half its side.
 _CARDS = (
     ((1.6, 3.2, 0.0), "xy", 0.9), ((3.4, 5.6, -2.5), "xy", 0.9), ((-1.8, 2.8, 1.5), "xy", 0.6),
     ((6.0, 3.6, -1.0), "xy", 0.9), ((1.6, 7.9, -3.0), "xy", 0.9), ((4.6, 0.0, -3.2), "xy", 0.9),
@@ -64,18 +52,14 @@ _CARDS = (
 _HUES = ((230, 159, 0), (86, 180, 233), (0, 158, 115), (240, 228, 66), (0, 114, 178), (213, 94, 0))
 
 
-def _cards() -> Array:
-    """Corners of the cards, (11, 4, 3)."""
-    quads = []
-    for middle, level, half in _CARDS:
-        along, across = ("xyz".index(axis) for axis in level)
-        offsets = np.zeros((4, 3))
-        offsets[:, along], offsets[:, across] = half * _WINDOW.T
-        quads.append(np.array(middle) + offsets)
-    return np.array(quads)
+def _card(middle: Vector, level: str, half: float) -> Array:
+    """The corners of a card, (4, 3)."""
+    corners = np.tile(middle, (4, 1))
+    corners[:, ["xyz".index(axis) for axis in level]] += half * _WINDOW
+    return corners
 
 
-CARDS = _cards()
+CARDS = np.array([_card(*each) for each in _CARDS])
 """World corners of the scene's faces, (11, 4, 3)."""
 
 
@@ -88,17 +72,17 @@ def _geometry() -> tuple[Coloured, Coloured]:
 
 
 class Cut(NamedTuple):
-    """A polygon after one more plane; all in clip coordinates.
+    """A polygon after one more plane, in clip coordinates.
 
     Attributes
     ----------
     corners : (m, 4) array
-        What is left; m is 0 where nothing is.
+        What is left of it; m may be 0.
     new : (k, 4) array
-        Those of them that the plane has made: 2 where it crosses the polygon, or fewer where it
-        goes through an old corner.
+        Those of the corners that the plane has made: 2 where it crosses the polygon, or fewer
+        where it goes through an old corner.
     off : (j, 4) array
-        What it has cut off; j is 0 where that is nothing.
+        The part that the plane has cut off; j may be 0.
     """
 
     corners: Array
@@ -110,19 +94,10 @@ _NONE = np.empty((0, 4))
 
 
 def cut_by(points_clip: Array, plane: str, depth: str = "opengl") -> Cut:
-    """Cut a convex polygon by one plane, and keep both parts.
+    """Cut a convex polygon (n, 4) by one of `PLANES`, and keep both parts.
 
-    Parameters
-    ----------
-    points_clip : (n, 4) array
-        Its corners in order; none, or at least 3.
-    plane : one of `PLANES`
-    depth : {"opengl", "direct3d", "reversed"}
-
-    Raises
-    ------
-    Refusal
-        As `app.model.clipping.clip_polygon`.
+    The polygon has no corner, or at least 3, in order. Raises a `Refusal` like
+    `app.model.clipping.clip_polygon`.
     """
     if not len(points_clip):
         return Cut(_NONE, _NONE, _NONE)
@@ -141,13 +116,7 @@ def cut_by(points_clip: Array, plane: str, depth: str = "opengl") -> Cut:
 
 
 def steps(points_clip: Array, depth: str = "opengl") -> list[Cut]:
-    """The polygon uncut, and after each of the six planes in the order of `PLANES`, 7 cuts.
-
-    Raises
-    ------
-    Refusal
-        As `app.model.clipping.clip_polygon`.
-    """
+    """The polygon uncut, and after each of the six planes in the order of `PLANES`: 7 cuts."""
     cuts = [Cut(points_clip, _NONE, _NONE)]
     for plane in PLANES:
         cuts.append(cut_by(cuts[-1].corners, plane, depth))
@@ -155,30 +124,16 @@ def steps(points_clip: Array, depth: str = "opengl") -> list[Cut]:
 
 
 def _among(points: Array, others: Array) -> NDArray[np.bool_]:
-    """Which of some points (n, 4) are, to the last bit, also among others."""
+    """Which of some points (n, 4) are among the others, to the last bit."""
     same: NDArray[np.bool_] = (points[:, None] == others).all(axis=2).any(axis=1)
     return same
 
 
 def sorted_out(projection: Projection, faces: Array) -> tuple[list[int], list[int], list[int]]:
-    """Which faces are whole inside, outside, and crossing.
+    """Which flat convex faces (n, k, 3) of the world are inside, outside, and crossing.
 
-    Parameters
-    ----------
-    projection : Projection
-    faces : (n, k, 3) array
-        World corners of flat convex faces.
-
-    Returns
-    -------
-    whole, outside, crossing : lists of int
-        Whole: no corner is beyond a plane. Outside: all corners are beyond one and the same, or
-        the face goes past an edge of the volume.
-
-    Raises
-    ------
-    Refusal
-        As `app.model.clipping.clip_polygon`.
+    Inside: no corner is beyond a plane. Outside: all corners are beyond one and the same plane, or
+    the face passes an edge of the volume. Raises a `Refusal` like `clip_polygon`.
     """
     trace = projection.trace(faces)
     whole: list[int] = []
@@ -195,11 +150,11 @@ def sorted_out(projection: Projection, faces: Array) -> tuple[list[int], list[in
 
 
 def _shares(corners_clip: Array, points_clip: Array) -> Array:
-    """What of a polygon's first three corners its cut corners are made of, (n, 3).
+    """The shares of a polygon's first three corners in its cut corners, (n, 3).
 
-    With the corners' clip coordinates as columns ``C s = p``. A cut is a sum of ends, with parts
-    that add up to 1, and so is it in the world, as a matrix takes sums to sums: ``sum s_i c_i``.
-    Scaled row by row, for coordinates as different as a lens makes them.
+    With the corners' clip coordinates as columns, ``C s = p``. A cut corner is a sum of ends with
+    shares that add up to 1. A matrix takes sums to sums, so in the world it is ``sum s_i c_i``,
+    too. The rows are scaled, because a lens makes coordinates of very different size.
     """
     rows = corners_clip[:3].T
     size = np.maximum(np.abs(rows).max(axis=1, keepdims=True), 5e-324)
@@ -215,7 +170,7 @@ def _shares(corners_clip: Array, points_clip: Array) -> Array:
 
 
 def _to_ndc(points_clip: Array) -> Array:
-    """NDC of clip points (n, 4); NaN where w is not positive, as there is none."""
+    """NDC of clip points (n, 4); NaN where w is not positive."""
     w = np.where(points_clip[:, 3:] > 0.0, points_clip[:, 3:], np.nan)
     with np.errstate(over="ignore", invalid="ignore"):
         ndc: Array = points_clip[:, :3] / w
@@ -223,12 +178,11 @@ def _to_ndc(points_clip: Array) -> Array:
 
 
 def _colour(step: int) -> str:
-    """Of the step's plane."""
     return ("near", "far")[step - 1] if step < 3 else "v"
 
 
 def _pieces(parts: Sequence[Array], step: int) -> Marks:
-    """The polygon after a step, its new corners, and, pale, all that was cut off until then."""
+    """The polygon after a step, its new corners, and, pale, everything cut off until then."""
     now, new, *off = parts
     marks: list[Mark] = [plate(piece, "muted", 1.0, 0.12) for piece in off]
     if len(now):
@@ -237,17 +191,17 @@ def _pieces(parts: Sequence[Array], step: int) -> Marks:
 
 
 def _lit(box: Array, step: int) -> Marks:
-    """The plane of a step: a face of a box (8, 3). Near and far have their names without it."""
+    """The plane of a step, as a face of a box (8, 3). Near and far are named elsewhere."""
     if not step:
         return Marks()
     face, colour = box[list(_FACES[step - 1])], _colour(step)
     with np.errstate(over="ignore", invalid="ignore"):
-        name = Text(_NAMES[step - 1], (face[2] + face[3]) / 2.0, colour)
+        name = Text(WORDS[PLANES[step - 1]], (face[2] + face[3]) / 2.0, colour)
     return Marks.of(plate(face, colour, 2.5, 0.2), *([] if step < 3 else [name]))
 
 
 def _somewhere(*parts: Marks) -> Marks:
-    """All marks but those whose numbers overflow: of these nothing is drawn."""
+    """All marks but those whose numbers overflow."""
     return Marks.of(
         *(
             mark
@@ -258,7 +212,7 @@ def _somewhere(*parts: Marks) -> Marks:
 
 
 def _paled(projection: Projection, outside: Sequence[int], crossing: Sequence[int]) -> Marks:
-    """A veil before the cards, or the parts of them, that are outside."""
+    """A veil over the cards, or parts of them, that are outside."""
     pieces = [CARDS[i] for i in outside]
     for i in crossing:
         clip = projection.trace(CARDS[i]).clip
@@ -271,7 +225,7 @@ def _paled(projection: Projection, outside: Sequence[int], crossing: Sequence[in
 
 
 def _image(projection: Projection, clip: Array, step: int, new: Array) -> Marks:
-    """What of the polygon after a step is before the eye and in the frame, in pixels."""
+    """The part of the polygon after a step in front of the eye and in the frame, in pixels."""
     planes = {*PLANES[:step], *SIDES}
     left = _to_ndc(clip_polygon(clip, projection.depth, planes).points_clip)
     pixels = image_from_ndc(projection, left)
@@ -291,8 +245,8 @@ def _show(projection: Projection, settings: Settings, _subject: Subject) -> Illu
         whole, outside, crossing = sorted_out(projection, CARDS)
         veil = _paled(projection, outside, crossing)
         image = _image(projection, clip, step, cuts[step].new)
-    except Refusal:  # said in the illustration, where it belongs to the camera
-        return Illustration((), warning=Phrase(_TOO_LARGE))
+    except Refusal:  # the camera is the reason, and the illustration says so
+        return Illustration((), warning=WORDS.phrase("too-large"))
     now, off = cuts[step], [cut.off for cut in cuts[1 : step + 1] if len(cut.off)]
     before, after = len(cuts[max(step - 1, 0)].corners), len(now.corners)
     parts = [now.corners, now.new, *off]
@@ -304,24 +258,27 @@ def _show(projection: Projection, settings: Settings, _subject: Subject) -> Illu
     in_ndc = [_to_ndc(part) for part in parts]
     names = Marks.of(*map(Text, "ABC", TRIANGLE, ["accent"] * 3))
     about = _about(step, projection.depth)
+    counts = before, after, len(whole), len(outside), len(crossing)
     return Illustration(
-        _readings(
-            about,
-            _condition(about, step, projection.depth),
-            (before, after),
-            (len(whole), len(outside), len(crossing)),
+        (
+            Reading(WORDS["plane"], about[0] if about else WORDS["uncut"], about=about[:1]),
+            Reading(WORDS["keeps"], _condition(about, step, projection.depth), about=about[1:]),
+            *(
+                Reading(WORDS[key], float(count))
+                for key, count in zip(_COUNTS, counts, strict=True)
+            ),
         ),
         world=_somewhere(veil, _lit(volume, step), _pieces(in_world, step), names),
         ndc=_somewhere(_lit(cube, step), _pieces(in_ndc, step)),
         image=image,
         diagrams=(_diagram(shares[0], shares[1], step),),
-        warning=Phrase(_BEHIND) if not step and not (clip[:, 3] > 0.0).all() else None,
+        warning=WORDS.phrase("behind") if not step and not (clip[:, 3] > 0.0).all() else None,
         about=about,
     )
 
 
 def _about(step: int, depth: str) -> tuple[str, ...]:
-    """The plane of a step, and the rows of the clip matrix that its condition is made of."""
+    """The plane of a step, and the rows of the clip matrix in its condition."""
     if not step:
         return ()
     end = {1: DEPTH_RANGES[depth][0], 2: DEPTH_RANGES[depth][1]}.get(step, 1.0)
@@ -330,31 +287,14 @@ def _about(step: int, depth: str) -> tuple[str, ...]:
 
 
 def _condition(about: tuple[str, ...], step: int, depth: str) -> str:
-    """What holds of a point that a step's plane keeps: ``w + x ≥ 0``."""
+    """The condition for a point that a step's plane keeps: ``w + x ≥ 0``."""
     if not about:
-        return _ALL
+        return WORDS["all"]
     _, row, *w = about
     is_low = step % 2 == 1 if step > 2 else DEPTH_RANGES[depth][step - 1] < 0.0
     row = row.removeprefix("clip_")
     sign = "+" if is_low else "\u2212"
     return f"w {sign} {row} \u2265 0" if w else f"{row} \u2265 0"
-
-
-def _readings(
-    about: tuple[str, ...], condition: str, corners: tuple[int, int], cards: tuple[int, ...]
-) -> tuple[Reading, ...]:
-    whole, outside, crossing = map(float, cards)
-    before, after = map(float, corners)
-    plane = about[0] if about else _UNCUT
-    return (
-        Reading(QT_TRANSLATE_NOOP("phenomena", "plane of this step"), plane, about=about[:1]),
-        Reading(QT_TRANSLATE_NOOP("phenomena", "it keeps"), condition, about=about[1:]),
-        Reading(QT_TRANSLATE_NOOP("phenomena", "corners before it"), before),
-        Reading(QT_TRANSLATE_NOOP("phenomena", "corners after it"), after),
-        Reading(QT_TRANSLATE_NOOP("phenomena", "cards whole inside"), whole),
-        Reading(QT_TRANSLATE_NOOP("phenomena", "cards outside"), outside),
-        Reading(QT_TRANSLATE_NOOP("phenomena", "cards crossing: to be cut"), crossing),
-    )
 
 
 def _flat() -> Array:
@@ -375,13 +315,13 @@ def _diagram(now: Array, new: Array, step: int) -> Diagram:
     if len(now):
         curves.append(Curve(now, "accent", width=2.5, closed=True))
     if len(new):
-        curves.append(Curve(new, _colour(step), _NAMES[step - 1], 2.5))
+        curves.append(Curve(new, _colour(step), WORDS[PLANES[step - 1]], 2.5))
         curves.append(Curve(new, _colour(step), dots=True))
     curves += [Curve(_FLAT[i : i + 1], "ink", "ABC"[i], dots=True) for i in range(3)]
     (left, bottom), (right, top) = _FLAT.min(axis=0), _FLAT.max(axis=0)
     margin = 0.12 * (right - left)
     return Diagram(
-        QT_TRANSLATE_NOOP("phenomena", "in its own plane"),
+        WORDS["flat"],
         tuple(curves),
         *(left - margin, right + margin, bottom - margin, top + margin),
         equal=True,
@@ -389,41 +329,14 @@ def _diagram(now: Array, new: Array, step: int) -> Diagram:
 
 
 PHENOMENON = Phenomenon(
-    name="clipping",
-    title=QT_TRANSLATE_NOOP("phenomena", "Clipping, plane by plane"),
-    explanation=QT_TRANSLATE_NOOP(
-        "phenomena",
-        "What is whole inside the view volume is drawn, what is outside is not; what crosses is cut"
-        " by each plane in turn, with a new corner where an edge goes through it. Near keeps away"
-        " what is at the eye or behind it, where w ≤ 0 and the divide fails, and far bounds the"
-        " depths. It is done in the canonical volume, before the divide, because there the planes"
-        " are the same for every lens: −w ≤ x, y, z ≤ w in OpenGL's.",
-    ),
-    tries=(
-        QT_TRANSLATE_NOOP("phenomena", "Step on: which plane adds a corner?"),
-        QT_TRANSLATE_NOOP("phenomena", "Go back: which planes leave it as it is?"),
-        QT_TRANSLATE_NOOP("phenomena", "Move near and far: which cards cross?"),
-    ),
+    WORDS,
     lectures=("001", "004"),
     start=Projection(
         Camera((0.0, 4.0, 8.0), (0.0, 4.0, 0.0)), Perspective(fov_y_deg=40.0, near=3.0, far=13.0)
     ),
     geometry=_geometry,
     show=_show,
-    settings=(
-        Setting(
-            "step",
-            QT_TRANSLATE_NOOP("phenomena", "Planes that have cut"),
-            QT_TRANSLATE_NOOP(
-                "phenomena", "0: uncut; then near, far, left, right, bottom and top, one by one"
-            ),
-            1.0,
-            low=0.0,
-            high=6.0,
-            whole=True,
-            per_second=0.8,
-        ),
-    ),
+    adjustable=(Setting("step", 1.0, 0.0, 6.0, whole=True, per_second=0.8),),
     controls=("lens.near", "lens.far", "camera.distance"),
     numbers=7,
     leading="ndc",

@@ -1,9 +1,10 @@
-"""The depth buffer: two surfaces a little apart, and the pixels that show the wrong one.
+"""The depth buffer: two surfaces close together, and the pixels that show the wrong one.
 
-A depth buffer keeps one code a pixel, so that two surfaces nearer to each other than a step of
-the codes are stored as one; what is drawn last then wins, and stripes of the hidden surface
-appear (z-fighting). A perspective lens with the standard range spends most codes just behind the
-near plane: at w >> n the step is ``w^2/(n 2^bits)`` (lectures 000 and 001; `app.model.depth`).
+A depth buffer keeps one code for each pixel, so that two surfaces nearer to each other than a step
+of the codes are stored as one. The one that is drawn last then wins, and stripes of the hidden
+surface appear (z-fighting). A perspective lens with the standard range spends most codes just
+behind the near plane: at w >> n the step is ``w^2/(n 2^bits)`` (lectures 000 and 001;
+`app.model.depth`).
 
 The hidden surface is the visible one moved away along n by the gap. On a plane with normal m, in
 view space, that is a gap of ``gap / (1 - (m_x X + m_y Y)/m_z)`` along the projector ``(X, Y, -1)``.
@@ -19,7 +20,7 @@ from numpy.typing import NDArray
 from app.model.clipping import clip_polygon
 from app.model.depth import FORMATS, DepthBuffer
 from app.model.projection import Array, Camera, Perspective, Projection
-from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
+from app.model.refusal import Refusal
 from app.scenes.phenomena.diagram import Curve, Diagram
 from app.scenes.phenomena.illustration import Illustration, Phenomenon, Subject
 from app.scenes.phenomena.marks import Copy, Line, Marks, Rendering, Text, outline
@@ -27,41 +28,20 @@ from app.scenes.phenomena.picture import SIDES, seen_texts
 from app.scenes.phenomena.readout import Phrase, Reading
 from app.scenes.phenomena.sampling import seen_distances
 from app.scenes.phenomena.settings import Setting, Settings, number
+from app.scenes.phenomena.words import Words
 from app.scenes.shapes import Coloured, flat, ground_grid
 
+WORDS = Words("depth-buffer")
+
 FINEST = 2.0**-17
-"""Relative to the distance: what is finer than this drowns in the graphics card's own float32."""
-_FINEST_PARALLEL = 2.0**-21
-"""The same of a parallel lens, whose depth is linear, relative to far - near."""
+"""Relative to the distance: anything finer drowns in the graphics card's own float32."""
+_FINEST_PARALLEL = 2.0**-21  # the same for a parallel lens, whose depth is linear, of far - near
 
-_NO_LOG = QT_TRANSLATE_NOOP(
-    "phenomena",
-    "a logarithmic depth buffer needs a perspective lens and a far plane that is not at infinity",
-)
-_NO_INFINITE = QT_TRANSLATE_NOOP(
-    "phenomena", "a parallel lens cannot have its far plane at infinity"
-)
-_NOT_IN_PICTURE = QT_TRANSLATE_NOOP("phenomena", "no pixel of the picture shows both surfaces")
-_TOO_FEW = QT_TRANSLATE_NOOP(
-    "phenomena", "too few pixels of the picture show both surfaces to count them"
-)
-_NONE_IS_SURE = QT_TRANSLATE_NOOP(
-    "phenomena", "what lies behind the target may share its code, as far away as the far plane is"
-)
-_TARGET_OUTSIDE = QT_TRANSLATE_NOOP("phenomena", "the target is not between near and far")
-_TOO_FINE = QT_TRANSLATE_NOOP(
-    "phenomena",
-    "computed: gap and codes are finer than the graphics card's own float32, so that the picture"
-    " shows its noise instead",
-)
-
-_FRONT_NAME = QT_TRANSLATE_NOOP("phenomena", "surface 1")
-_BEHIND_NAME = QT_TRANSLATE_NOOP("phenomena", "surface 2")
 _FRONT_RGB, _FRONT, _BEHIND = (230, 159, 0), "#e69f00", "#0072b2"
+# A ramp that leads away, so that one picture has many distances.
 _CORNERS = np.array([(-5.0, 0, 4), (5, 0, 4), (5, 6, -44), (-5, 6, -44)])
-"""A ramp that leads away, so that one picture has many distances."""
+# A Fibonacci lattice has as many rows and columns as places: stripes are rows or columns.
 _SAMPLES, _STRIDE = 1597, 987
-"""A Fibonacci lattice: as many rows and columns as places, since stripes are rows or columns."""
 _LATTICE = (np.arange(_SAMPLES)[:, None] * (1, _STRIDE) % _SAMPLES + 0.5) / _SAMPLES
 _TICKS = 32  # of all codes, evenly spread
 _MAPPINGS = {"standard": "opengl", "infinite": "opengl"}
@@ -74,14 +54,14 @@ def _geometry() -> tuple[Coloured, Coloured]:
 
 
 def buffer_of(projection: Projection, settings: Settings) -> DepthBuffer | Phrase:
-    """The depth buffer that the settings describe, or why there is none."""
+    """The depth buffer of the settings, or why there is none."""
     lens, chosen = projection.lens, str(settings["range"])
     try:
         if chosen == "infinite":
             lens = lens.but(far=math.inf)
         return DepthBuffer(str(settings["format"]), _MAPPINGS.get(chosen, chosen), lens)
     except Refusal:
-        return Phrase(_NO_INFINITE if chosen == "infinite" else _NO_LOG)
+        return WORDS.phrase("no-infinite" if chosen == "infinite" else "no-log")
 
 
 def moved_behind(projection: Projection, gap: float) -> Array:
@@ -94,19 +74,9 @@ def moved_behind(projection: Projection, gap: float) -> Array:
 def distances(projection: Projection, gap: float, subject: Subject) -> tuple[Array, Array]:
     """Distances of both surfaces from the eye plane, at places spread evenly over the picture.
 
-    Parameters
-    ----------
-    projection : Projection
-    gap : float
-        Along n.
-    subject : Subject
-        The ramp: rays through a lattice of places are cut with its plane. A mesh of the user's:
-        its triangles are cut with rays through places of a grid.
-
-    Returns
-    -------
-    (first, second) : (k,) arrays
-        Between near and far; none where the picture does not show both.
+    Both (k,), between near and far; empty if the picture does not show both. Rays through a lattice
+    of places are cut with the plane of the ramp, rays through a grid with the triangles of a user's
+    mesh.
     """
     near, far = projection.lens.near, projection.lens.far
     if subject.mesh is not None:
@@ -115,9 +85,8 @@ def distances(projection: Projection, gap: float, subject: Subject) -> tuple[Arr
     rays = _rays(projection, corners.clip)
     if rays is None:
         return np.empty(0), np.empty(0)
-    starts, directions = rays
-    first, inside_first = _cut(corners.view, starts, directions)
-    second, inside_second = _cut(corners.view - (0.0, 0.0, gap), starts, directions)
+    first, inside_first = _cut(corners.view, *rays)
+    second, inside_second = _cut(corners.view - (0.0, 0.0, gap), *rays)
     low, high = np.minimum(first, second), np.maximum(first, second)
     seen = inside_first & inside_second & (low >= near) & (high <= far)
     return first[seen], second[seen]
@@ -126,7 +95,7 @@ def distances(projection: Projection, gap: float, subject: Subject) -> tuple[Arr
 def wrong_share(buffer: DepthBuffer, first: Array, second: Array) -> float:
     """The share of places where the second surface, drawn last, hides a first one in front of it.
 
-    Drawn last it wins where the codes are the same: the depth test lets equal depths pass.
+    It wins where the codes are the same, because the depth test lets equal depths pass.
     """
     if not len(first):
         return math.nan
@@ -135,11 +104,11 @@ def wrong_share(buffer: DepthBuffer, first: Array, second: Array) -> float:
 
 
 def _rays(projection: Projection, corners_clip: Array) -> tuple[Array, Array] | None:
-    """Rays in view space through a lattice over what the ramp covers: ``start + w direction``."""
+    """View-space rays ``start + w direction`` through a lattice over what the ramp covers."""
     largest = float(np.abs(corners_clip).max())
     if not 0.0 < largest < math.inf:
         return None
-    # Near and far are looked at later, with all their digits.
+    # Near and far are compared later, with all their digits.
     polygon = clip_polygon(corners_clip / largest, projection.depth, SIDES).points_clip
     if not len(polygon) or not (polygon[:, 3] >= 0.0).all():
         return None
@@ -171,7 +140,7 @@ def _spread(polygon: Array) -> Array:
 
 
 def _cut(corners: Array, starts: Array, directions: Array) -> tuple[Array, NDArray[np.bool_]]:
-    """Where rays meet a parallelogram's plane, as w, and whether it is inside."""
+    """The w at which rays meet a parallelogram's plane, and whether that is inside."""
     origin, across, along = corners[0], corners[1] - corners[0], corners[3] - corners[0]
     normal = np.cross(across, along)
     with np.errstate(all="ignore"):
@@ -187,64 +156,56 @@ def _cut(corners: Array, starts: Array, directions: Array) -> tuple[Array, NDArr
 def _show(projection: Projection, settings: Settings, subject: Subject) -> Illustration:
     gap = number(settings, "gap")
     matrix = moved_behind(projection, gap)
-    # In the other panes, whose depth buffers are their own, its outline is enough.
+    # The other panes have their own depth buffers, so there its outline is enough.
     copies = (Copy(matrix, panes=("image",), colour=_BEHIND),)
     marks = image = Marks()
     if subject.mesh is None:
         moved = _CORNERS + matrix[:3, 3]
-        names = Text(_FRONT_NAME, _CORNERS[3], _FRONT), Text(_BEHIND_NAME, moved[2], _BEHIND)
+        names = (
+            Text(WORDS["first"], _CORNERS[3], _FRONT),
+            Text(WORDS["second"], moved[2], _BEHIND),
+        )
         marks = Marks.of(Line(outline(moved), _BEHIND, 1.5), *names)
         image = Marks.of(*seen_texts(projection.trace([name.point for name in names]), names))
     buffer = buffer_of(projection, settings)
     if isinstance(buffer, Phrase):
         return Illustration((), world=marks, image=image, copies=copies, warning=buffer)
-    first, second = distances(projection, gap, subject)
-    share: float | None = None
-    note: Phrase | None = Phrase(_NOT_IN_PICTURE)
-    if len(first):
-        share, note = 100.0 * wrong_share(buffer, first, second), None
-        w = min(max(float(first.mean()), buffer.near), buffer.far)  # a mean is rounded
-        finest = FINEST * (w + math.dist(subject.lower, subject.upper))
-        finest = max(finest, _FINEST_PARALLEL * buffer.lens.even_extent)
-        if max(gap, float(buffer.gap(w))) < finest:
-            note = Phrase(_TOO_FINE)
+    share, note = _share(buffer, gap, distances(projection, gap, subject), subject)
     w = projection.camera.distance
     known = buffer.near <= w <= buffer.far
     smallest = float(buffer.gap(w)) if known else math.nan
-    why = Phrase(_NONE_IS_SURE if smallest == math.inf else _TARGET_OUTSIDE)
-    readings = (
-        Reading(
-            QT_TRANSLATE_NOOP("phenomena", "pixels that show surface 2, which is behind"),
-            share,
-            "%",
-            note,
-        ),
-        Reading(
-            QT_TRANSLATE_NOOP("phenomena", "the same, counted in the picture"),
-            None,
-            "%",
-            note if share is None else Phrase(_TOO_FEW),
-            counted=True,
-        ),
-        Reading.or_why(
-            QT_TRANSLATE_NOOP("phenomena", "smallest gap that is sure at the target"),
-            smallest if math.isfinite(smallest) else None,
-            why=why,
-        ),
-        Reading(QT_TRANSLATE_NOOP("phenomena", "distance of the target, w"), w),
-        Reading(
-            QT_TRANSLATE_NOOP("phenomena", "codes of the buffer"),
-            float(FORMATS[buffer.format].largest) + 1.0,
-        ),
-    )
+    why = WORDS.phrase("none-is-sure" if smallest == math.inf else "target-outside")
+    sure = smallest if math.isfinite(smallest) else None
+    too_few = WORDS.phrase("too-few") if note is None or share is not None else note
     return Illustration(
-        readings,
+        (
+            Reading(WORDS["wrong"], share, "%", note),
+            Reading(WORDS["counted"], None, "%", too_few, counted=True),
+            Reading.or_why(WORDS["smallest"], sure, why=why),
+            Reading(WORDS["distance"], w),
+            Reading(WORDS["codes"], float(FORMATS[buffer.format].largest) + 1.0),
+        ),
         world=marks,
         image=image,
         copies=copies,
         diagrams=(_diagram(buffer, w if known else None),),
         rendering=Rendering(buffer=buffer),
     )
+
+
+def _share(
+    buffer: DepthBuffer, gap: float, surfaces: tuple[Array, Array], subject: Subject
+) -> tuple[float | None, Phrase | None]:
+    """The percentage of wrong pixels, and why there is none or why the picture differs."""
+    first, second = surfaces
+    if not len(first):
+        return None, WORDS.phrase("not-in-picture")
+    w = min(max(float(first.mean()), buffer.near), buffer.far)  # a mean is rounded
+    finest = FINEST * (w + math.dist(subject.lower, subject.upper))
+    finest = max(finest, _FINEST_PARALLEL * buffer.lens.even_extent)
+    is_finer = max(gap, float(buffer.gap(w))) < finest
+    share = 100.0 * wrong_share(buffer, first, second)
+    return share, WORDS.phrase("too-fine") if is_finer else None
 
 
 def _diagram(buffer: DepthBuffer, target: float | None) -> Diagram:
@@ -265,12 +226,9 @@ def _diagram(buffer: DepthBuffer, target: float | None) -> Diagram:
     x_ticks = np.sort(buffer.decode(codes))
     x_ticks = x_ticks[x_ticks <= right]
     return Diagram(
-        QT_TRANSLATE_NOOP("phenomena", "d over w, 32 of the codes"),
+        WORDS["diagram"],
         tuple(curves),
-        near,
-        right,
-        0.0,
-        1.0,
+        *(near, right, 0.0, 1.0),
         x_label="w",
         y_label="d",
         x_log=in_ratios,
@@ -280,21 +238,7 @@ def _diagram(buffer: DepthBuffer, target: float | None) -> Diagram:
 
 
 PHENOMENON = Phenomenon(
-    name="depth-buffer",
-    title=QT_TRANSLATE_NOOP("phenomena", "Depth buffer"),
-    explanation=QT_TRANSLATE_NOOP(
-        "phenomena",
-        "Surface 2 lies behind surface 1 by the gap. Where the depth buffer stores both"
-        " as one code, the surface drawn last is seen: z-fighting. With a perspective lens and the"
-        " standard range most codes lie just behind near, so near decides, far hardly: as the"
-        " scene opens, with its ramp, 63 % of the pixels are wrong, 0 % with near 0.1, 62 % with"
-        " far 60. Codes of up to 24 bits are kept apart exactly.",
-    ),
-    tries=(
-        QT_TRANSLATE_NOOP("phenomena", "Set near to 0.1: what is mended?"),
-        QT_TRANSLATE_NOOP("phenomena", "Set far to 60: does it help as much?"),
-        QT_TRANSLATE_NOOP("phenomena", "Choose 24 bits: is it enough?"),
-    ),
+    WORDS,
     lectures=("000", "001"),
     start=Projection(
         Camera((3.0, 7.0, 15.0), (0.0, 1.5, -8.0)),
@@ -302,47 +246,10 @@ PHENOMENON = Phenomenon(
     ),
     geometry=_geometry,
     show=_show,
-    settings=(
-        Setting(
-            "gap",
-            QT_TRANSLATE_NOOP("phenomena", "Gap"),
-            QT_TRANSLATE_NOOP(
-                "phenomena", "How far surface 2 lies behind surface 1, along the view"
-            ),
-            0.25,
-            low=1e-9,
-            high=1e6,
-            span=(1e-6, 1.0),
-            logarithmic=True,
-        ),
-        Setting(
-            "format",
-            QT_TRANSLATE_NOOP("phenomena", "Format"),
-            QT_TRANSLATE_NOOP("phenomena", "How a depth is stored: whole numbers, or floats"),
-            "fixed16",
-            choices=(
-                ("fixed8", QT_TRANSLATE_NOOP("phenomena", "8 bits")),
-                ("fixed16", QT_TRANSLATE_NOOP("phenomena", "16 bits")),
-                ("fixed24", QT_TRANSLATE_NOOP("phenomena", "24 bits")),
-                ("fixed32", QT_TRANSLATE_NOOP("phenomena", "32 bits")),
-                ("float16", QT_TRANSLATE_NOOP("phenomena", "float of 16 bits")),
-                ("float32", QT_TRANSLATE_NOOP("phenomena", "float of 32 bits")),
-            ),
-        ),
-        Setting(
-            "range",
-            QT_TRANSLATE_NOOP("phenomena", "Depth range"),
-            QT_TRANSLATE_NOOP(
-                "phenomena", "How distance becomes depth; infinite puts the far plane at infinity"
-            ),
-            "standard",
-            choices=(
-                ("standard", QT_TRANSLATE_NOOP("phenomena", "standard, 0 at near")),
-                ("reversed", QT_TRANSLATE_NOOP("phenomena", "reversed, 1 at near")),
-                ("infinite", QT_TRANSLATE_NOOP("phenomena", "standard, far at infinity")),
-                ("logarithmic", QT_TRANSLATE_NOOP("phenomena", "logarithmic")),
-            ),
-        ),
+    adjustable=(
+        Setting("gap", 0.25, 1e-9, 1e6, span=(1e-6, 1.0), logarithmic=True),
+        Setting("format", "fixed16"),
+        Setting("range", "standard"),
     ),
     controls=("lens.near",),
     leading="image",

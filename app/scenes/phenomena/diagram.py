@@ -11,7 +11,7 @@ from app.model.projection import Array
 
 @dataclass(frozen=True, eq=False)
 class Curve:
-    """A curve of a diagram: (n, 2) points in the diagram's units, NaN where it is broken."""
+    """A curve: points (n, 2) in the diagram's units, NaN where it is broken."""
 
     points: Array
     colour: str = "ink"
@@ -23,24 +23,17 @@ class Curve:
 
 @dataclass(frozen=True, eq=False)
 class Spot:
-    """A point of a diagram that has a name, and can be chosen if it has a key.
+    """A point of a diagram, in its units, with a name.
 
     Attributes
     ----------
-    x, y : float
-        In the diagram's units.
     name : str
         Written beside it, where there is room; it is in `tip` too.
     key : str
-        What is told when it is clicked; empty if it cannot be chosen.
-    tip : str
-    colour : str
-    faded : bool
-        Whether there is better: dot and name step back.
-    marked : bool
-        Whether it is the present choice.
-    broken : bool
-        Whether it is where something ends: a cross instead of a dot.
+        Reported when it is clicked; empty if it cannot be chosen.
+    faded, marked, broken : bool
+        Drawn paler, because another one is better; drawn as the present choice; drawn as a cross,
+        because something ends here.
     """
 
     x: float
@@ -60,21 +53,17 @@ class Diagram:
 
     Attributes
     ----------
-    title : str
-        Translatable.
-    curves : tuple of Curve
-    x_label, y_label : str
-        Translatable; empty for none.
+    title, x_label, y_label : str
+        Translatable; an empty label for none.
     left, right, bottom, top : float
-        Its window; with `bottom` greater than `top` y runs down, as in an image.
-    x_log, y_log : bool
+        Its window; if `bottom` is greater than `top`, y runs down, as in an image.
     equal : bool
-        Whether both axes have the same scale, as in a picture; a picture whose axes have no
-        names has no numbers either.
+        Whether both axes have the same scale, as in a picture. A picture without axis labels has no
+        numbers either.
     x_ticks, y_ticks : (n,) arrays, optional
-        Where lines are drawn across: the codes of a depth buffer.
+        Where lines are drawn across, such as the codes of a depth buffer.
     spots : tuple of Spot
-        Drawn over the curves; those named first get the better places.
+        Drawn over the curves; the first ones get the better places for their names.
     """
 
     title: str

@@ -1,12 +1,12 @@
-"""Crossing the eye plane: what the divide alone draws, lecture 004's cut, homogeneous clipping.
+"""Crossing the eye plane: the divide alone, lecture 004's cut, and homogeneous clipping.
 
-A point with ``w < 0`` is behind the eye. Divided all the same it comes out mirrored through the
-principal point, and a segment with one end behind is drawn as the wrong one of the two arcs into
-which its ends part the projective line (lecture 004, "Opis problema"). The lecture cuts at
-``z = -0.01`` before it divides; clipping in homogeneous coordinates needs no such number, because
-the left and the right plane together ask ``w >= 0``.
+A point with ``w < 0`` is behind the eye. The divide mirrors it through the principal point, and
+draws a segment with one end behind as the wrong one of the two arcs into which its ends part the
+projective line (lecture 004, "Opis problema"). The lecture cuts at ``z = -0.01`` before it divides;
+clipping in homogeneous coordinates needs no such number, because the left and the right plane
+together require ``w >= 0``.
 
-Near and far are left out of all three pictures: they take away more, and cure nothing else.
+No picture here is cut at near and far, which would take away more and correct nothing else.
 """
 
 from __future__ import annotations
@@ -20,59 +20,34 @@ from numpy.typing import NDArray
 
 from app.model.clipping import LARGEST_CLIP, clip_segments, cut_at_eye, naive_ndc
 from app.model.projection import Array, Camera, Perspective, Projection
-from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
+from app.model.refusal import Refusal
 from app.scenes.phenomena.diagram import Curve, Diagram, broken
-from app.scenes.phenomena.illustration import Comparison, Illustration, OwnMesh, Phenomenon, Subject
-from app.scenes.phenomena.marks import Dot, Face, Grip, Line, Mark, Marks, Text, named, plate
+from app.scenes.phenomena.illustration import Illustration, OwnMesh, Phenomenon, Subject
+from app.scenes.phenomena.marks import (
+    Dot,
+    Face,
+    Grip,
+    Line,
+    Mark,
+    Marks,
+    Text,
+    named,
+    plate,
+    segment,
+)
 from app.scenes.phenomena.picture import SIDES, image_from_ndc, rectangle
-from app.scenes.phenomena.readout import Phrase, Reading, of_parallel
+from app.scenes.phenomena.readout import Reading
 from app.scenes.phenomena.settings import Setting, Settings, point
+from app.scenes.phenomena.words import Words
 from app.scenes.shapes import letter_f_edges, letter_f_on_grid
+
+WORDS = Words("eye-plane")
 
 _THROUGH_EYE = 1e-14  # sine of the angle between the ends' rays below which they are one ray
 _RADIUS = 0.93  # of the arc of the naive divide, inside the circle of radius 1
 _STEPS = np.linspace(0.0, 1.0, 65)
 _MARGIN = 0.02  # of the picture's size, round the frame
-
-CASES = (
-    QT_TRANSLATE_NOOP("phenomena", "1: both ends before it"),
-    QT_TRANSLATE_NOOP("phenomena", "2: both ends behind it"),
-    QT_TRANSLATE_NOOP("phenomena", "3: only A behind it"),
-    QT_TRANSLATE_NOOP("phenomena", "4: only B behind it"),
-)
-"""Lecture 004's four cases, as `app.model.clipping.EyeCut` counts them; its cut is before the
-eye."""
-
-_PARALLEL = QT_TRANSLATE_NOOP(
-    "phenomena",
-    "a parallel lens has no eye plane, and divides by 1: choose a perspective lens to cross it",
-)
-_THROUGH = QT_TRANSLATE_NOOP(
-    "phenomena", "the segment points at the eye: its whole line has one point for an image"
-)
-_WITHIN = QT_TRANSLATE_NOOP(
-    "phenomena", "the segment lies in the eye plane: all of its image is at infinity"
-)
-_NONE_BEHIND = QT_TRANSLATE_NOOP("phenomena", "no end is behind the eye, so none is mirrored")
-_AT_INFINITY = QT_TRANSLATE_NOOP("phenomena", "the end lies in the eye plane: its image is at ∞")
-_OFF_AXIS = QT_TRANSLATE_NOOP(
-    "phenomena",
-    "the two agree where the lens' axis meets the middle of the picture; here it meets ({0}, {1})"
-    " px, and their sum is twice that",
-)
-
-_NAIVE = QT_TRANSLATE_NOOP("phenomena", "divided, not cut")
-_CUT = QT_TRANSLATE_NOOP("phenomena", "cut at z = −0.01")
-_CLIPPED = QT_TRANSLATE_NOOP("phenomena", "clipped, then divided")
-
-_SOME_EDGES = QT_TRANSLATE_NOOP(
-    "phenomena",
-    "of the mesh's {1} edges only {0} are drawn so and counted: first those that cross the eye"
-    " plane, then the longest",
-)
-
-_MOST_EDGES = 300
-"""Of a mesh of the user's."""
+_MOST_EDGES = 300  # of a user's mesh
 
 
 class Pictures(NamedTuple):
@@ -84,15 +59,14 @@ class Pictures(NamedTuple):
         By the divide alone, by lecture 004's cut, by homogeneous clipping; NaN where nothing is
         drawn.
     case : (m,) int array
-        Lecture 004's case, 1 to 4.
+        Lecture 004's case, 1 to 4, of `app.model.clipping.EyeCut`.
     wrong_px : (m,) array
-        Length that the naive drawing has inside the frame and the right one has not: all that it
-        draws of a segment with an end behind the eye, for its arc and the right one have nothing
-        but their ends in common.
+        Length that only the naive drawing has inside the frame: all that it draws of a segment with
+        an end behind the eye, because its arc and the right one share only their ends.
     missed_px : (m,) array
-        Length that the right drawing has and the naive one has not.
+        Length that the right drawing has and the naive one lacks.
     left_out_px : (m,) array
-        Length that lecture 004's cut takes away in front of the eye.
+        Length that lecture 004's cut removes in front of the eye.
     """
 
     naive: Array
@@ -105,15 +79,7 @@ class Pictures(NamedTuple):
 
 
 def pictures(projection: Projection, view: Array, clip: Array) -> Pictures:
-    """Draw segments in the three ways.
-
-    Parameters
-    ----------
-    projection : Projection
-        With a perspective lens.
-    view, clip : (m, 2, 3) and (m, 2, 4) arrays
-        The segments' ends, as `Projection.trace` gives them.
-    """
+    """Draw segments in the three ways; `view` (m, 2, 3) and `clip` (m, 2, 4) are their ends."""
     eye_cut = cut_at_eye(view[:, 0], view[:, 1])
     matrix = projection.clip_from_view
     flat = np.empty((3, *clip.shape))
@@ -122,13 +88,13 @@ def pictures(projection: Projection, view: Array, clip: Array) -> Pictures:
         (eye_cut.case == 1)[:, None, None], clip, eye_cut.points_view @ matrix[:, :3].T
     )
     flat[2] = clip
-    flat[..., 2] = 1.0  # of the depth nothing is asked; any one will do that is not 0 at the eye
+    flat[..., 2] = 1.0  # the depth does not matter, as long as it is not 0 at the eye
     nothing = ~(np.abs(flat) <= LARGEST_CLIP).all(axis=(2, 3))
     flat[nothing] = (2.0, 0.0, 1.0, 1.0)  # beyond the right plane
     found = clip_segments(flat[..., 0, :], flat[..., 1, :], planes=SIDES)
     with np.errstate(invalid="ignore", divide="ignore"):
         ndc = found.points_clip[..., :2] / found.points_clip[..., 3:]
-    # A segment that points at the eye ends there without an image; what is seen is one point.
+    # A segment that points at the eye has no image there; one point of it is seen.
     size = np.maximum(np.abs(clip[..., [0, 1, 3]]).max(axis=-1), 5e-324)
     (xa, xb), (ya, yb), (wa, wb) = rays = clip.T[[0, 1, 3]] / size.T
     sine = np.maximum(np.abs(ya * wb - yb * wa), np.abs(xa * wb - xb * wa))
@@ -157,26 +123,15 @@ def mirrored_end(
 ) -> tuple[tuple[float, float], tuple[float, float]] | None:
     """Where the divide draws a point behind the eye, and the frame's size minus its right place.
 
-    Parameters
-    ----------
-    projection : Projection
-        With a perspective lens.
-    view : (3,) array
-        View coordinates, z > 0.
-
-    Returns
-    -------
-    ((x, y), (x, y)) or None
-        In pixels: the mirrored end, and ``(width, height)`` minus the pixel of the right end,
-        ``(x, y, -z)``: the same point as far before the eye as it is behind it. None where a
-        pixel is beyond 1e307.
+    Both in pixels, of a point ``(x, y, z)`` of view space with z > 0. The right place is that of
+    ``(x, y, -z)``, the point as far in front of the eye. None where a pixel is beyond 1e307.
 
     Notes
     -----
     With ``x_clip = s x - k w``, where ``k = (r + l)/(r - l)``, the two ends have
     ``x_ndc = -s x/z - k`` and ``s x/z - k``. Their sum is -2k, in pixels twice the principal
-    point: so the mirrored end is the frame's size minus the right one just where k is 0 in x and
-    in y, that is, where the lens' axis goes through the middle of the picture.
+    point. So the mirrored end is the frame's size minus the right one if and only if k is 0 in x
+    and in y: if the lens' axis goes through the middle of the picture.
     """
     x, y, z = view.tolist()
     matrix = projection.clip_from_view[[0, 1, 3], :3]
@@ -191,7 +146,7 @@ def mirrored_end(
 
 
 def principal_point(projection: Projection) -> tuple[float, float]:
-    """Where the lens' axis meets the picture, in pixels; (x, y)."""
+    """The pixel where the lens' axis meets the picture."""
     k_x, k_y = -projection.clip_from_view[:2, 2]
     width, height = projection.image_size
     return float(width / 2.0 * (1.0 + k_x)), float(height / 2.0 * (1.0 - k_y))
@@ -200,18 +155,9 @@ def principal_point(projection: Projection) -> tuple[float, float]:
 def circle_angles(projection: Projection, clip: Array) -> tuple[float, float] | None:
     """A segment's image on its projective line, drawn as a circle with infinity at the top.
 
-    Parameters
-    ----------
-    projection : Projection
-    clip : (2, 4) array
-        The segment's ends.
-
-    Returns
-    -------
-    (float, float) or None
-        Angles of start and end in radians, anticlockwise from the bottom. All angles between
-        them, as numbers, are the segment's image: across an odd multiple of pi if and only if the
-        segment crosses the eye plane. None where the image is a single point, or the eye plane's.
+    Returns the angles of both ends (2, 4) in radians, anticlockwise from the bottom. The numbers
+    between them are the segment's image; they include an odd multiple of pi if and only if the
+    segment crosses the eye plane. None if the image is a single point, or lies at infinity.
 
     Notes
     -----
@@ -246,16 +192,14 @@ def _picture(title: str, drawn: Array, colour: str, size: tuple[int, int]) -> Di
             Curve(broken(drawn[1:]), "ink"),
             Curve(broken(drawn[:1]), colour, "AB" if np.isfinite(drawn[0]).all() else "", 2.5),
         ),
-        left=-_MARGIN * width,
-        right=(1.0 + _MARGIN) * width,
-        bottom=(1.0 + _MARGIN) * height,
-        top=-_MARGIN * height,
+        *(-_MARGIN * width, (1.0 + _MARGIN) * width),
+        *((1.0 + _MARGIN) * height, -_MARGIN * height),
         equal=True,
     )
 
 
 def _arc(start: float, end: float, radius: float) -> Array:
-    """Points of the circle from one angle to another, (65, 2)."""
+    """Points of the circle from one angle to another, (n, 2)."""
     angles = start + (end - start) * _STEPS
     return radius * np.stack([np.sin(angles), -np.cos(angles)], axis=1)
 
@@ -264,57 +208,48 @@ def _circle(angles: tuple[float, float] | None, in_front: bool) -> Diagram:
     curves = [Curve(_arc(0.0, 2.0 * math.pi, 1.0), "muted", closed=True)]
     dots = [Curve(np.array([(0.0, 1.0)]), "ink", "∞", dots=True)]
     if angles is not None:
-        a, b = angles
         # Back into the turn between two infinities, where s itself runs from A' to B'.
         from_a, to_b = (math.remainder(angle, 2.0 * math.pi) for angle in angles)
-        naive = QT_TRANSLATE_NOOP("phenomena", "naive divide")
-        curves.append(Curve(_arc(from_a, to_b, _RADIUS), "u", naive, 2.0))
-        if in_front:  # of what is behind the eye there is no image
-            image = QT_TRANSLATE_NOOP("phenomena", "image of AB")
-            curves.append(Curve(_arc(a, b, 1.0), "accent", image, 2.5))
-        dots += [
-            Curve(_arc(a, a, 1.0)[:1], "ink", "A'", dots=True),
-            Curve(_arc(b, b, 1.0)[:1], "ink", "B'", dots=True),
-        ]
-    return Diagram(
-        QT_TRANSLATE_NOOP("phenomena", "the line as a circle"),
-        (*curves, *dots), left=-1.4, right=1.4, bottom=-1.4, top=1.4, equal=True,
-    )  # fmt: skip
+        curves.append(Curve(_arc(from_a, to_b, _RADIUS), "u", WORDS["arc"], 2.0))
+        if in_front:  # nothing behind the eye has an image
+            curves.append(Curve(_arc(*angles, 1.0), "accent", WORDS["image"], 2.5))
+        for angle, name in zip(angles, ("A'", "B'"), strict=True):
+            dots.append(Curve(_arc(angle, angle, 1.0)[:1], "ink", name, dots=True))
+    return Diagram(WORDS["circle"], (*curves, *dots), -1.4, 1.4, -1.4, 1.4, equal=True)
 
 
 def _show(projection: Projection, settings: Settings, subject: Subject) -> Illustration:
     a, b = np.array(point(settings, "start")), np.array(point(settings, "end"))
     mesh = subject.mesh
-    if (parallel := of_parallel(projection, _PARALLEL)) is not None:
+    if (parallel := WORDS.of_parallel(projection)) is not None:
         return Illustration((), warning=parallel)
     others = letter_f_edges()[0] if mesh is None else _edges_that_matter(projection.camera, mesh)
-    segments = np.concatenate([[(a, b)], others])
-    trace = projection.trace(segments)
+    trace = projection.trace(np.concatenate([[(a, b)], others]))
     drawn = pictures(projection, trace.view, trace.clip)
     angles = circle_angles(projection, trace.clip[0])
+    depths = -trace.view[0, :, 2]
     warning = None
     if angles is None and (a != b).any():
-        warning = Phrase(_THROUGH if trace.view[0, :, 2].any() else _WITHIN)
+        warning = WORDS.phrase("through" if depths.any() else "within")
     size, way = projection.image_size, str(settings["drawn"])
-    diagrams = (
-        _picture(_NAIVE, drawn.naive, "u", size),
-        _picture(_CUT, drawn.cut, "accent", size),
-        _picture(_CLIPPED, drawn.right, "accent", size),
-        _circle(angles, bool((trace.view[0, :, 2] < 0.0).any())),
-    )  # fmt: skip
     return Illustration(
         _readings(projection, drawn, trace.view[0], mesh),
-        world=_world_marks(projection, subject, a, b, -trace.view[0, :, 2]),
+        world=_world_marks(projection, subject, a, b, depths),
         ndc=_ndc_marks(projection, trace.clip[0]),
         image=_image_marks(drawn) if way == "faces" else _edges_alone(drawn, way, size),
-        diagrams=diagrams,
+        diagrams=(
+            _picture(WORDS["naive"], drawn.naive, "u", size),
+            _picture(WORDS["cut"], drawn.cut, "accent", size),
+            _picture(WORDS["clipped"], drawn.right, "accent", size),
+            _circle(angles, bool((depths > 0.0).any())),
+        ),
         warning=warning,
         grips=(Grip("start", a), Grip("end", b)),
     )
 
 
 def _edges_that_matter(camera: Camera, mesh: OwnMesh) -> Array:
-    """Those that reach through the eye plane, then the longest: `_MOST_EDGES` at most."""
+    """First the edges that cross the eye plane, then the longest: `_MOST_EDGES` at most."""
     if len(mesh.edges) <= _MOST_EDGES:
         return mesh.edges
     n = camera.frame[2]
@@ -330,45 +265,28 @@ def _readings(
 ) -> tuple[Reading, ...]:
     behind = [end for end in (1, 0) if view[end, 2] > 0.0]
     ends = mirrored_end(projection, view[behind[0]]) if behind else None
-    absent = None if ends else Phrase(_AT_INFINITY if behind else _NONE_BEHIND)
+    absent = None if ends else WORDS.phrase("at-infinity" if behind else "none-behind")
     principal, middle = principal_point(projection), [side / 2.0 for side in projection.image_size]
     off_axis = None
     if any(abs(p - m) > 1e-6 * m for p, m in zip(principal, middle, strict=True)):
-        off_axis = Phrase(_OFF_AXIS, tuple(map(float, principal)))
-    wrongly = QT_TRANSLATE_NOOP("phenomena", "F drawn wrongly")
-    missed = QT_TRANSLATE_NOOP("phenomena", "F missed")
-    if mesh is not None:
-        wrongly = QT_TRANSLATE_NOOP("phenomena", "mesh drawn wrongly")
-        missed = QT_TRANSLATE_NOOP("phenomena", "mesh missed")
+        off_axis = WORDS.phrase("off-axis", *principal)
+    wrong, missed = drawn.wrong_px, drawn.missed_px
     readings = [
-        Reading(
-            QT_TRANSLATE_NOOP("phenomena", "case, by the cut at z = −0.01"),
-            CASES[int(drawn.case[0]) - 1],
-        ),
-        Reading(QT_TRANSLATE_NOOP("phenomena", "AB drawn wrongly"), float(drawn.wrong_px[0]), "px"),
-        Reading(QT_TRANSLATE_NOOP("phenomena", "AB missed"), float(drawn.missed_px[0]), "px"),
-        Reading(
-            QT_TRANSLATE_NOOP("phenomena", "AB left out by the cut at z = −0.01"),
-            float(drawn.left_out_px[0]),
-            "px",
-        ),
+        Reading(WORDS["case"], WORDS[f"case-{drawn.case[0]}"]),
+        Reading(WORDS["ab-wrong"], float(wrong[0]), "px"),
+        Reading(WORDS["ab-missed"], float(missed[0]), "px"),
+        Reading(WORDS["ab-left-out"], float(drawn.left_out_px[0]), "px"),
     ]
-    some = None
+    some, subject = None, "letter" if mesh is None else "mesh"
     counted = len(drawn.case) - 1
     if mesh is not None and counted < mesh.edge_count:
-        some = Phrase(_SOME_EDGES, (str(counted), str(mesh.edge_count)))
-        label = QT_TRANSLATE_NOOP("phenomena", "edges of the mesh that are counted, and all")
-        readings.append(Reading(label, (float(counted), float(mesh.edge_count))))
+        some = WORDS.phrase("some-edges", str(counted), str(mesh.edge_count))
+        readings.append(Reading(WORDS["counted"], (float(counted), float(mesh.edge_count))))
     readings += [
-        Reading(wrongly, float(drawn.wrong_px[1:].sum()), "px", some),
-        Reading(missed, float(drawn.missed_px[1:].sum()), "px", some),
-        Reading(QT_TRANSLATE_NOOP("phenomena", "mirrored end"), ends and ends[0], "px", absent),
-        Reading(
-            QT_TRANSLATE_NOOP("phenomena", "frame size minus right end"),
-            ends and ends[1],
-            "px",
-            absent or off_axis,
-        ),
+        Reading(WORDS[f"{subject}-wrong"], float(wrong[1:].sum()), "px", some),
+        Reading(WORDS[f"{subject}-missed"], float(missed[1:].sum()), "px", some),
+        Reading(WORDS["mirrored"], ends and ends[0], "px", absent),
+        Reading(WORDS["minus-right"], ends and ends[1], "px", absent or off_axis),
     ]
     return tuple(readings)
 
@@ -376,7 +294,7 @@ def _readings(
 def _world_marks(
     projection: Projection, subject: Subject, a: Array, b: Array, depths: Array
 ) -> Marks:
-    """The segment, before the eye and behind it, and a piece of the eye plane."""
+    """The segment, in front of the eye and behind it, and a piece of the eye plane."""
     eye = np.array(projection.camera.eye)
     u, v, _ = projection.camera.frame
     reach = 0.4 * subject.size
@@ -391,27 +309,27 @@ def _world_marks(
         marks.append(Dot(crossing, "u", 1.2))
         pieces = [(a, crossing, start > 0.0), (crossing, b, end > 0.0)]
     marks += [
-        Line(np.array([one, other]), "accent" if front else "u", 2.0 if front else 1.0)
+        segment(one, other, "accent" if front else "u", 2.0 if front else 1.0)
         for one, other, front in pieces
     ]
     return Marks.of(*marks)
 
 
 def _ndc_marks(projection: Projection, clip: Array) -> Marks:
-    """What of the segment is in the cube."""
+    """The part of the segment inside the cube."""
     if not (np.abs(clip) <= LARGEST_CLIP).all():
         return Marks()
     try:
         cut = clip_segments(clip[0], clip[1], projection.depth)
-    except Refusal:  # through the eye, from so far that its ends round to one point's
+    except Refusal:  # it goes through the eye, from so far away that both ends round to one point
         return Marks()
     if not cut.visible:
         return Marks()
     with np.errstate(invalid="ignore", divide="ignore"):
         ndc = cut.points_clip[:, :3] / cut.points_clip[:, 3:]
-    if not np.isfinite(ndc).all():  # a segment that points at the eye, up to there
+    if not np.isfinite(ndc).all():  # it points at the eye, and ends there
         return Marks()
-    return _segment(ndc, "accent", 2.0)
+    return _ab(ndc, "accent", 2.0)
 
 
 def _image_marks(drawn: Pictures) -> Marks:
@@ -419,92 +337,43 @@ def _image_marks(drawn: Pictures) -> Marks:
     marks: list[Mark] = []
     right, wrong = drawn.right[0], drawn.naive[0]
     if drawn.wrong_px[0] > 0.0:
-        word = QT_TRANSLATE_NOOP("phenomena", "wrong")
-        marks += [Line(wrong, "u", 1.0), Text(word, wrong.mean(axis=0), "u")]
+        marks += [Line(wrong, "u", 1.0), Text(WORDS["wrong"], wrong.mean(axis=0), "u")]
     if np.isfinite(right).all():
-        marks.append(_segment(right, "accent", 2.0))
+        marks.append(_ab(right, "accent", 2.0))
         marks += [Dot(end, "accent", 1.2) for end in right]
     return Marks.of(*marks)
 
 
-def _segment(ends: Array, colour: str, width: float) -> Marks:
+def _ab(ends: Array, colour: str, width: float) -> Marks:
     """AB, with its name in the middle."""
     return Marks.of(Line(ends, colour, width), Text("AB", ends.mean(axis=0), colour))
 
 
 def _edges_alone(drawn: Pictures, way: str, size: tuple[int, int]) -> Marks:
-    """All edges in one of the three ways, on an empty picture: what a program draws by it."""
+    """All edges drawn in one of the three ways, on an empty picture."""
     lines = {"naive": drawn.naive, "cut": drawn.cut, "clipped": drawn.right}[way]
     marks: list[Mark] = [Face(rectangle(*size), "background", 1.0)]
     marks += [Line(ends, "ink", 1.0) for ends in lines[1:] if np.isfinite(ends).all()]
     if np.isfinite(lines[0]).all():
-        marks.append(_segment(lines[0], "u" if way == "naive" else "accent", 2.5))
+        marks.append(_ab(lines[0], "u" if way == "naive" else "accent", 2.5))
     return Marks.of(*marks)
 
 
 PHENOMENON = Phenomenon(
-    name="eye-plane",
-    title=QT_TRANSLATE_NOOP("phenomena", "Crossing the eye plane"),
-    explanation=QT_TRANSLATE_NOOP(
-        "phenomena",
-        "A point behind the eye has w < 0: divided by w all the same, its image is mirrored. With"
-        " one end behind, AB is then drawn along the wrong part of its line: the right part goes"
-        " through infinity. So AB must be cut before the divide: at z = −0.01 as in lecture 004,"
-        " or in homogeneous coordinates, which need no such number.",
-    ),
-    tries=(
-        QT_TRANSLATE_NOOP("phenomena", "B is behind the eye: where is it drawn?"),
-        QT_TRANSLATE_NOOP("phenomena", "Go back until AB is drawn right."),
-        QT_TRANSLATE_NOOP("phenomena", "What does cutting before the divide do?"),
-    ),
+    WORDS,
     lectures=("001", "004"),
     start=Projection(
-        Camera((0.8, 2.4, 1.2), (-1.2, 2.4, 0.2)),
-        Perspective(fov_y_deg=75.0, near=0.05, far=30.0),
+        Camera((0.8, 2.4, 1.2), (-1.2, 2.4, 0.2)), Perspective(fov_y_deg=75.0, near=0.05, far=30.0)
     ),
     geometry=partial(letter_f_on_grid, (-4.0, -6.0), (4.0, 6.0)),
     show=_show,
-    settings=(
-        Setting(
-            "start",
-            QT_TRANSLATE_NOOP("phenomena", "Start A"),
-            QT_TRANSLATE_NOOP("phenomena", "Where the segment starts, in world coordinates"),
-            (-2.5, 1.5, 0.0),
-        ),
-        Setting(
-            "end",
-            QT_TRANSLATE_NOOP("phenomena", "End B"),
-            QT_TRANSLATE_NOOP("phenomena", "Where it ends; behind the eye its image is mirrored"),
-            (2.5, 1.8, 2.5),
-        ),
-        Setting(
-            "drawn",
-            QT_TRANSLATE_NOOP("phenomena", "Picture"),
-            QT_TRANSLATE_NOOP(
-                "phenomena",
-                "The faces with AB over them, or the edges alone, drawn in one of the three ways",
-            ),
-            "faces",
-            choices=(
-                ("faces", QT_TRANSLATE_NOOP("phenomena", "faces, with both images of AB")),
-                ("naive", _NAIVE),
-                ("cut", _CUT),
-                ("clipped", _CLIPPED),
-            ),
-        ),
+    adjustable=(
+        Setting("start", (-2.5, 1.5, 0.0)),
+        Setting("end", (2.5, 1.8, 2.5)),
+        Setting("drawn", "faces"),
     ),
     controls=("camera.distance",),
     leading="image",
     own_mesh=True,
-    own_mesh_crosses=True,  # what lies on the floor beside the eye crosses nothing
-    comparisons=(
-        Comparison(
-            "divides",
-            (
-                (QT_TRANSLATE_NOOP("phenomena", "naive"), ("settings.drawn=naive",)),
-                (QT_TRANSLATE_NOOP("phenomena", "cut"), ("settings.drawn=cut",)),
-                (QT_TRANSLATE_NOOP("phenomena", "clipped"), ("settings.drawn=clipped",)),
-            ),
-        ),
-    ),
+    own_mesh_crosses=True,
 )

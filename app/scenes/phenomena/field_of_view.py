@@ -1,10 +1,10 @@
-"""Field of view: what the lectures call wide angle and telephoto, with sizes at the target held.
+"""Field of view: the lectures' wide angle and telephoto, with sizes at the target kept.
 
-What lies in the plane through the target is drawn in a size that goes with ``1 / (d tan(fov/2))``,
-foreshortening with the distance d alone: a ride along n with d tan(fov/2) held (a dolly zoom)
-shows that perspective is a matter of where one stands. What of the subject is nearer than the
-target is drawn larger than that, what is farther smaller. Fields of view and the two photographs,
-29 mm at 30 cm and 105 mm at 360 cm, are those of lecture 001; one unit of this scene is 10 cm.
+The size of an object in the plane through the target goes with ``1 / (d tan(fov/2))``, its
+foreshortening with the distance d alone. A ride along n that keeps d tan(fov/2) (a dolly zoom)
+shows that perspective depends on where one stands. Parts nearer than the target are drawn larger,
+parts farther away smaller. Fields of view and the two photographs, 29 mm at 30 cm and 105 mm at
+360 cm, are lecture 001's; one unit of this scene is 10 cm.
 """
 
 from __future__ import annotations
@@ -26,34 +26,26 @@ from app.model.projection import (
     fov_x_from_fov_y,
     fov_y_from_focal_length_35mm,
 )
-from app.model.refusal import QT_TRANSLATE_NOOP
-from app.scenes.phenomena.illustration import Comparison, Illustration, Phenomenon, Subject
-from app.scenes.phenomena.marks import Line, Marks, Text
+from app.scenes.phenomena.illustration import Illustration, Phenomenon, Subject
+from app.scenes.phenomena.marks import Line, Marks, Text, segment
 from app.scenes.phenomena.picture import cut_in_picture, seen_lines, seen_texts
-from app.scenes.phenomena.readout import Phrase, Reading, of_parallel
+from app.scenes.phenomena.readout import Phrase, Reading
 from app.scenes.phenomena.settings import CLOSE, Found, Setting, Settings, number
+from app.scenes.phenomena.words import Words
 from app.scenes.shapes import Coloured, box_faces, edges_of, flat, ground_grid, joined
 
-_PARALLEL = QT_TRANSLATE_NOOP("phenomena", "a parallel lens has no field of view, only a width")
-_BEHIND_EYE = QT_TRANSLATE_NOOP("phenomena", "part of the subject is beside the eye or behind it")
-_NOT_SEEN = QT_TRANSLATE_NOOP("phenomena", "nothing of the subject is in the picture")
-_BAR_NOT_SEEN = QT_TRANSLATE_NOOP(
-    "phenomena", "its height in the plane through the target is not in the picture"
-)
-_TOO_LARGE = QT_TRANSLATE_NOOP("phenomena", "too large or too small for a number in pixels")
+WORDS = Words("field-of-view")
 
-_NEAREST = QT_TRANSLATE_NOOP("phenomena", "nearest")
-_FARTHEST = QT_TRANSLATE_NOOP("phenomena", "farthest")
 
 _WIDE_MM, _TELE_MM = 29.0, 105.0
 _WIDE_DISTANCE, _TELE_DISTANCE = 3.0, 36.0
-# Horizontal fields of view, lecture 001: without peripheral vision, at a comfortable distance
-# (25 to 30 degrees), "only a few degrees".
+# Horizontal fields of view in lecture 001: without peripheral vision, at a comfortable distance (25
+# to 30 degrees), "only a few degrees".
 _SEEN_DEG = {"eye": 120.0, "monitor": 30.0, "phone": 5.0}
 
 
 def _head() -> Coloured:
-    """A head of boxes that looks along +z: nose, brow and ears at depths of their own."""
+    """A head of boxes that looks along +z, with nose, brow and ears at different depths."""
     skin, dark, light = (225, 180, 140), (120, 84, 60), (245, 242, 230)
     parts = [
         ((-0.5, 0.9, -0.5), (0.5, 2.0, 0.4), skin),
@@ -67,7 +59,7 @@ def _head() -> Coloured:
         ((-0.9, 0.0, -0.7), (0.9, 0.75, 0.2), (86, 180, 233)),
         ((-0.25, 0.75, -0.4), (0.25, 0.9, 0.1), skin),
     ]
-    shades = (0.92, 0.84, 1.0, 0.6, 0.97, 0.7)  # so that a box's sides are told apart
+    shades = (0.92, 0.84, 1.0, 0.6, 0.97, 0.7)  # so that the sides of a box differ
     quads, rgb = [], []
     for lower, upper, colour in parts:
         quads.append(0.8 * box_faces(lower, upper))
@@ -94,22 +86,12 @@ def _fov_y_deg(half_height: float, distance: float) -> float:
 
 
 def preset_view(name: str, aspect: float, enlarged: bool = True) -> View:
-    """Where a preset looks from.
+    """The view of a preset: "wide", "tele", "eye", "monitor" or "phone".
 
-    Parameters
-    ----------
-    name : {"wide", "tele", "eye", "monitor", "phone"}
-    aspect : float
-        The image's width over its height. The focal lengths are those of the full-frame camera
-        with the same diagonal field of view, the others are horizontal fields of view.
-    enlarged : bool
-        Whether the 105-mm photograph is enlarged until things at the target's distance are as
-        large as on the 29-mm one, which narrows its field of view.
-
-    Returns
-    -------
-    View
-        All with things at the target's distance as large as on the 29-mm photograph at 30 cm.
+    `aspect` is the image's width over its height. The focal lengths are those of the full-frame
+    camera with the same diagonal field of view, the others are horizontal fields of view. Things at
+    the target's distance are always as large as on the 29-mm photograph at 30 cm, for the 105-mm
+    one only if it is `enlarged`, which narrows its field of view.
     """
     wide_deg = fov_y_from_focal_length_35mm(_WIDE_MM, aspect)
     half_height = _WIDE_DISTANCE / Perspective(wide_deg).cot_half_fov_y  # at the subject
@@ -123,12 +105,9 @@ def preset_view(name: str, aspect: float, enlarged: bool = True) -> View:
 
 
 def dollied(projection: Projection, factor: float) -> Projection:
-    """Ride along n to `factor` times the distance, and let the target's plane keep its size.
+    """Ride along n to `factor` times the distance, while the target's plane keeps its size.
 
-    Raises
-    ------
-    Refusal
-        Where the lens or the camera cannot follow.
+    Raises a `Refusal` if the lens or the camera cannot follow.
     """
     camera, lens = projection.camera, projection.lens
     distance = factor * camera.distance
@@ -179,21 +158,13 @@ def _found(projection: Projection, settings: Settings) -> Found:
 
 
 def _angles(projection: Projection) -> tuple[Reading, ...]:
-    lens = projection.lens
-    labels = (
-        (QT_TRANSLATE_NOOP("phenomena", "vertical field of view"), "°"),
-        (QT_TRANSLATE_NOOP("phenomena", "horizontal field of view"), "°"),
-        (QT_TRANSLATE_NOOP("phenomena", "focal length, 35-mm camera"), "mm"),
-    )
-    angles = lens.angles(Fraction(*projection.image_size))
+    angles = projection.lens.angles(Fraction(*projection.image_size))
     values: tuple[float | None, ...] = (None, None, None)
     if angles is not None:
         values = angles.fov_y_deg, angles.fov_x_deg, angles.focal_mm
-    note = of_parallel(projection, _PARALLEL)
-    return tuple(
-        Reading(label, value, unit, note)
-        for (label, unit), value in zip(labels, values, strict=True)
-    )
+    note = WORDS.of_parallel(projection)
+    lines = zip(("vertical", "horizontal", "focal"), values, ("°", "°", "mm"), strict=True)
+    return tuple(Reading(WORDS[key], value, unit, note) for key, value, unit in lines)
 
 
 def _show(projection: Projection, _settings: Settings, subject: Subject) -> Illustration:
@@ -205,60 +176,49 @@ def _show(projection: Projection, _settings: Settings, subject: Subject) -> Illu
     w_near, w_far = float(w.min()), float(w.max())
     smaller, larger = map(projection.lens.w, (w_near, w_far))
     in_front = smaller > 0.0 and math.isfinite(larger / smaller)
-    ratio: float | None = larger / smaller if in_front else None
+    ratio = larger / smaller if in_front else None
 
-    # The subject's height, upright in the plane through the target: what the ride holds. With a
-    # tick at either end it is a measure beside the subject.
+    # The subject's height, upright in the plane through the target: a measure beside the subject,
+    # with a tick at either end. The ride keeps its size.
     x, y, tick = -0.55 * width, height / 2.0, 0.06 * width
     bar = _beside_target(camera, [(x, -y, 0.0), (x, y, 0.0)])
     ticks = _beside_target(
         camera, [(x + side, end, 0.0) for end in (-y, y) for side in (-tick, tick)]
     )
     size, why = _size_px(projection, bar, subject)
-    polylines, colours, at_squares = [], [], []
+    lines: list[Line] = []
+    texts: list[Text] = []
     if size is not None:
-        polylines += [bar, ticks[:2], ticks[2:]]
-        colours += ["accent"] * 3
+        lines += [Line(each, "accent", 1.5) for each in (bar, ticks[:2], ticks[2:])]
+        texts.append(Text(f"{size:.0f} px", bar[1], "accent"))
+    at_squares = []
     if ratio is not None:
         # Two squares of one size at the subject's nearest and farthest depth.
-        polylines += [_square(camera, 0.45 * height, depth) for depth in (w_near, w_far)]
-        colours += ["near", "far"]
-        at_squares = [
-            Text(_NEAREST, polylines[-2][2], "near"), Text(_FARTHEST, polylines[-1][2], "far")
-        ]  # fmt: skip
-    at_bar = [] if size is None else [Text(f"{size:.0f} px", bar[1], "accent")]
-    at_target = Text(f"d = {distance:.4g}", np.array(camera.target), "accent")
-    image_texts = [*at_bar, *at_squares]
-    segments = np.array([ends for p in polylines for ends in pairwise(p)])
-    of_segments = [c for c, p in zip(colours, polylines, strict=True) for _ in p[1:]]
-    places = [text.point for text in image_texts]
+        for depth, name, colour in ((w_near, "nearest", "near"), (w_far, "farthest", "far")):
+            square = _square(camera, 0.45 * height, depth)
+            lines.append(Line(square, colour, 1.5))
+            at_squares.append(Text(WORDS[name], square[2], colour))
+    texts += at_squares
+    segments = np.array([ends for line in lines for ends in pairwise(line.points)])
+    colours = [line.colour for line in lines for _ in line.points[1:]]
+    places = [text.point for text in texts]
     trace = projection.trace(np.array([*segments.reshape(-1, 3), *places]).reshape(-1, 3))
-
-    readings = (
-        Reading(QT_TRANSLATE_NOOP("phenomena", "distance d to the target"), distance),
-        Reading(
-            QT_TRANSLATE_NOOP("phenomena", "subject's height, at the target's distance"),
-            size,
-            "px",
-            why,
-        ),
-        Reading.or_why(
-            QT_TRANSLATE_NOOP("phenomena", "foreshortening, nearest : farthest"),
-            ratio,
-            "×",
-            Phrase(_BEHIND_EYE),
-        ),
-        *_angles(projection),
-    )
-    axis = Line(np.array([camera.eye, camera.target]), "accent", 1.0)
-    lines = (Line(p, colour, 1.5) for p, colour in zip(polylines, colours, strict=True))
     segments_clip = trace.clip[: 2 * len(segments)].reshape(-1, 2, 4)
     return Illustration(
-        readings,
-        world=Marks.of(axis, *lines, at_target, *at_squares),
+        (
+            Reading(WORDS["distance"], distance),
+            Reading(WORDS["height"], size, "px", why),
+            Reading.or_why(WORDS["foreshortening"], ratio, "×", WORDS.phrase("behind-eye")),
+            *_angles(projection),
+        ),
+        world=Marks.of(
+            segment(camera.eye, camera.target, "accent", 1.0),
+            *lines,
+            Text(f"d = {distance:.4g}", np.array(camera.target), "accent"),
+            *at_squares,
+        ),
         image=Marks.of(
-            *seen_lines(projection, segments_clip, of_segments, 1.5),
-            *seen_texts(trace, image_texts),
+            *seen_lines(projection, segments_clip, colours, 1.5), *seen_texts(trace, texts)
         ),
     )
 
@@ -266,28 +226,28 @@ def _show(projection: Projection, _settings: Settings, subject: Subject) -> Illu
 def _size_px(
     projection: Projection, bar: Array, subject: Subject
 ) -> tuple[float | None, Phrase | None]:
-    """How high an upright bar (2, 3) is drawn, or why nothing is to be measured in the picture."""
+    """How high an upright bar (2, 3) is drawn, or why it cannot be measured."""
     subject_trace, trace = projection.trace(subject.points), projection.trace(bar)
-    # Beyond one and the same plane all of it is, whatever there is between its vertices.
+    # If all vertices are beyond one and the same plane, so is the whole subject.
     if subject_trace.outside.all(axis=0).any():
-        return None, Phrase(_NOT_SEEN)
+        return None, WORDS.phrase("not-seen")
     size_px = float(trace.image[0, 1] - trace.image[1, 1])
     if not size_px > 0.0:  # NaN, too
-        return None, Phrase(_TOO_LARGE)
+        return None, WORDS.phrase("too-large")
     if cut_in_picture(projection, trace.clip[:1], trace.clip[1:])[0] is None:
-        return None, Phrase(_BAR_NOT_SEEN)
+        return None, WORDS.phrase("bar-not-seen")
     return size_px, None
 
 
 def _square(camera: Camera, side: float, depth: float) -> Array:
-    """A square across the axis at a depth, its first corner again at the end, (5, 3)."""
+    """A closed square across the axis at a depth, (5, 3)."""
     half, z = side / 2.0, camera.distance - depth
     corners = [(-half, -half), (half, -half), (half, half), (-half, half), (-half, -half)]
     return _beside_target(camera, [(x, y, z) for x, y in corners])
 
 
 def _beside_target(camera: Camera, offsets_uvn: list[Vector]) -> Array:
-    """World points at offsets along u, v, n from the target, where a far eye costs no digits."""
+    """World points at offsets along u, v, n from the target; a far eye costs no digits."""
     points: Array = np.array(camera.target) + np.array(offsets_uvn) @ camera.frame
     return points
 
@@ -308,84 +268,21 @@ def _start() -> Projection:
 
 
 PHENOMENON = Phenomenon(
-    name="field-of-view",
-    title=QT_TRANSLATE_NOOP("phenomena", "Field of view"),
-    explanation=QT_TRANSLATE_NOOP(
-        "phenomena",
-        "The wider the field of view, the nearer the camera must stand for a subject of the same"
-        " size, and the more its near parts outgrow its far ones: the foreshortening is a matter"
-        " of the distance alone. Ride to and fro, and the field of view follows so that things at"
-        " the target's distance keep their size (a dolly zoom). One unit is 10 cm.",
-    ),
-    tries=(
-        QT_TRANSLATE_NOOP("phenomena", "Drag the distance: what keeps its size?"),
-        QT_TRANSLATE_NOOP("phenomena", "Which parts grow when you come near?"),
-        QT_TRANSLATE_NOOP("phenomena", "Compare 29 mm with 105 mm."),
-    ),
+    WORDS,
     lectures=("001", "003"),
     start=_start(),
     geometry=_geometry,
     show=_show,
-    settings=(
+    adjustable=(
+        Setting("preset", "wide"),
         Setting(
-            "preset",
-            QT_TRANSLATE_NOOP("phenomena", "Seen as by"),
-            QT_TRANSLATE_NOOP(
-                "phenomena",
-                "A field of view of lecture 001; the camera stands where things at the target's"
-                " distance have their size",
-            ),
-            "wide",
-            choices=(
-                ("wide", QT_TRANSLATE_NOOP("phenomena", "Photograph: 29 mm at 30 cm")),
-                ("tele", QT_TRANSLATE_NOOP("phenomena", "Photograph: 105 mm at 360 cm")),
-                ("eye", QT_TRANSLATE_NOOP("phenomena", "Human eye: 120° across")),
-                ("monitor", QT_TRANSLATE_NOOP("phenomena", "Monitor: 30° across")),
-                ("phone", QT_TRANSLATE_NOOP("phenomena", "Phone: 5° across")),
-            ),
+            "distance", 1.0, 0.05, 20.0, span=(0.4, 8.0), unit="×", logarithmic=True, per_second=0.5
         ),
-        Setting(
-            "distance",
-            QT_TRANSLATE_NOOP("phenomena", "Distance, times the preset's"),
-            QT_TRANSLATE_NOOP(
-                "phenomena",
-                "Moves the eye to and fro; the field of view holds sizes at the target's distance",
-            ),
-            1.0,
-            low=0.05,
-            high=20.0,
-            span=(0.4, 8.0),
-            unit="×",
-            logarithmic=True,
-            per_second=0.5,
-        ),
-        Setting(
-            "enlarged",
-            QT_TRANSLATE_NOOP("phenomena", "Enlarge the 105-mm photograph"),
-            QT_TRANSLATE_NOOP(
-                "phenomena",
-                "Until things at the target's distance are as large as on the 29-mm one: the middle"
-                " of the picture, and so a narrower field of view",
-            ),
-            True,
-            only_with=("preset", "tele"),
-        ),
+        Setting("enlarged", True, only_with=("preset", "tele")),
     ),
     controls=("lens.fov_y_deg",),
     leading="image",
     follow=_follow,
     found=_found,
     own_mesh=True,
-    comparisons=(
-        Comparison(
-            "photographs",
-            (
-                (QT_TRANSLATE_NOOP("phenomena", "29 mm"), ("settings.preset=wide",)),
-                (
-                    QT_TRANSLATE_NOOP("phenomena", "105 mm"),
-                    ("settings.preset=tele", "settings.enlarged=true"),
-                ),
-            ),
-        ),
-    ),
 )

@@ -5,9 +5,9 @@ A phenomenon of the lectures is a scene with settings of its own and one functio
     show(projection, settings, subject) -> Illustration
 
 The illustration holds the readout (numbers with their units), marks to draw over each pane, copies
-of the scene under further matrices, diagrams beside the panes, and how the scene is to be
-rasterised. It is made anew at every change, from nothing but the arguments, so that panes, panel,
-figures and tests all show the same. `settings`, `readout`, `marks` and `diagram` hold its parts.
+of the scene under further matrices, diagrams beside the panes, and how the scene is rasterised. It
+is made anew at every change, from the arguments alone, so that panes, panel, figures and tests all
+show the same. `settings`, `readout`, `marks` and `diagram` define its parts, `words` its texts.
 """
 
 from __future__ import annotations
@@ -15,6 +15,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
+from functools import cached_property
 from types import MappingProxyType
 from typing import Any
 
@@ -26,6 +27,7 @@ from app.scenes.phenomena.diagram import Diagram
 from app.scenes.phenomena.marks import Copy, Grip, Length, Marks, Rendering
 from app.scenes.phenomena.readout import Phrase, Reading
 from app.scenes.phenomena.settings import Found, Setting, Settings, number
+from app.scenes.phenomena.words import Comparison, Words
 from app.scenes.shapes import Coloured
 
 _FREE = QT_TRANSLATE_NOOP(
@@ -39,23 +41,16 @@ class Illustration:
 
     Attributes
     ----------
-    readings : tuple of Reading
-    world, ndc, image : Marks
-    copies : tuple of Copy
-    diagrams : tuple of Diagram
-    rendering : Rendering, optional
     warning : Phrase, optional
-        Why something cannot be shown as things are.
-    grips : tuple of Grip
+        Why something cannot be shown at present.
     measured : tuple of (str, float)
-        Distances from the eye plane that the scene has letters for: what the flat views of the
-        world measure. Without one of its own, d is the target's.
-    lengths : tuple of Length
+        Distances from the eye plane and their letters, which the flat views of the world measure.
+        Unless there is a d among them, d is the target's.
     idle : bool
-        Whether nothing of the phenomenon is shown, whatever its settings; `warning` says why.
+        The phenomenon shows nothing, whatever its settings; `warning` says why.
     about : tuple of str
-        What it is about just now, by the names of `app.lecture.highlight`: it stands out in all
-        panes and panels, until somebody points at something else.
+        Names of `app.lecture.highlight` that are highlighted in all panes and panels until the user
+        points at something else.
     """
 
     readings: tuple[Reading, ...]
@@ -75,21 +70,20 @@ class Illustration:
 
 @dataclass(frozen=True, eq=False)
 class OwnMesh:
-    """Of a mesh of the user's what a phenomenon reckons edge by edge, in world coordinates.
+    """The parts of a user's mesh that a phenomenon computes with, in world coordinates.
 
     Attributes
     ----------
     edges : (m, 2, 3) array
-        Of its faces, each once, the longest first; of a large mesh only those.
+        The edges of its faces, each once, the longest first; of a large mesh only the longest.
     edge_count : int
-        How many it has, all of them.
+        The number of all its edges.
     triangles : (t, 3, 3) array
         As they are rasterised, those with the longest sides first; of a larger mesh only those.
     more_triangles : bool
         Whether it has more than these.
     surface : (s, 3, 3) array
-        All of its triangles, those of a large mesh brought together to fewer; none where its
-        pixels are not reckoned.
+        All its triangles, simplified for a large mesh; empty unless its pixels are computed.
     """
 
     edges: Array
@@ -101,16 +95,16 @@ class OwnMesh:
 
 @dataclass(frozen=True, eq=False)
 class Subject:
-    """What is looked at, without the ground grid.
+    """The object of the scene, without the ground grid.
 
     Attributes
     ----------
     lower, upper : tuple of 3 floats
         World bounds.
     points : (n, 3) array
-        Its vertices in world coordinates; those of a large mesh are sampled.
+        Its vertices in world coordinates; a sample of those of a large mesh.
     mesh : OwnMesh, optional
-        If it is the user's, in the place of the built-in subject.
+        The user's mesh, if it replaces the built-in subject.
     """
 
     lower: Vector
@@ -120,7 +114,7 @@ class Subject:
 
     @property
     def size(self) -> float:
-        """Diagonal of its bounds."""
+        """The diagonal of its bounds."""
         return math.dist(self.lower, self.upper)
 
 
@@ -136,60 +130,38 @@ def _any(_settings: Settings) -> None:
     """Every combination of settings can be shown."""
 
 
-@dataclass(frozen=True)
-class Comparison:
-    """Pictures of a phenomenon that belong side by side.
-
-    Attributes
-    ----------
-    name : str
-        In the document's words: ``view.compare=NAME``.
-    pictures : tuple of (str, tuple of str)
-        From left to right: what each is called, translatable, and what it has for itself, as
-        ``--set`` has it: ``"settings.preset=wide"``. They follow the document in all else. The
-        document is one of them, the last if it is none of them yet.
-    """
-
-    name: str
-    pictures: tuple[tuple[str, tuple[str, ...]], ...]
-
-
 @dataclass(frozen=True, eq=False)
 class Phenomenon:
     """A phenomenon that the lectures name, as a scene.
 
     Attributes
     ----------
-    name : str
-        Of the scene: ``similar-triangles``.
-    title, explanation : str
-        Translatable; the explanation is two or three sentences.
+    words : Words
+        Its name and its texts.
     lectures : tuple of str
-        Numbers of those that it is from, "000" to "004".
+        The numbers of the lectures that show it, "000" to "004".
     start : Projection
-        From where it is best seen.
+        The camera and lens with which it opens.
     geometry : callable
-        Makes the faces and the lines of the scene: ``geometry() -> (faces, lines)``.
+        ``geometry() -> (faces, lines)`` makes the scene.
     show : callable
         ``show(projection, settings, subject) -> Illustration``.
-    settings : tuple of Setting
+    adjustable : tuple of Setting
+        Its settings, without their words.
     controls : tuple of str
         The model's controls that matter here: ``lens.near``, ``camera.distance``. With the settings
         there are 2 to 4 at a time.
     replaces : tuple of str
-        The model's controls whose work settings do here, so that none is there twice: the lens's
-        ``preset``.
-    tries : tuple of 3 str
-        Translatable: what to try, in short imperatives and questions.
+        The model's controls that the settings replace, such as the lens's ``preset``.
     numbers : int
-        How many readings are seen without being unfolded.
+        How many readings are shown before the readout is unfolded.
     follow : callable
-        ``follow(projection, before, after)``: the projection that goes with changed settings,
-        where a setting moves the camera; before it is what `found` found.
+        ``follow(projection, before, after)`` returns the projection for changed settings, where a
+        setting moves the camera; `before` comes from `found`.
     found : callable
-        ``found(projection, settings)``: those settings that `follow` follows, as camera and lens
-        have them, which may be moved without the settings. Of several values with one outcome
-        those in `settings`; None, or no number, where it is no value's outcome.
+        ``found(projection, settings)`` returns the values that `follow` would need for this
+        projection. Where several values give the same projection it keeps those in `settings`; a
+        value is None, or not finite, where no value gives it.
     check : callable
         Raises a `Refusal` for settings that do not go together.
     requires : frozenset of str
@@ -197,26 +169,20 @@ class Phenomenon:
     leading : str
         The pane that shows it best: ``"world"``, ``"ndc"`` or ``"image"``.
     own_mesh : bool
-        Whether a mesh of the user's can take the place of the built-in subject: scaled and moved
-        into its bounds.
+        Whether a user's mesh, scaled and moved into its bounds, can replace the built-in subject.
     own_mesh_crosses : bool
-        Whether that mesh is rather to reach beyond the bounds: as wide or as high as they are,
-        its front where theirs is, and its right side a sixth of their width farther out.
-    comparisons : tuple of Comparison
-        Those that the lectures make.
+        Whether that mesh reaches beyond the bounds instead: as wide or as high as they are, its
+        front where theirs is, and its right side a sixth of their width farther out.
     """
 
-    name: str
-    title: str
-    explanation: str
+    words: Words
     lectures: tuple[str, ...]
     start: Projection
     geometry: Callable[[], tuple[Coloured, Coloured]]
     show: Callable[[Projection, Settings, Subject], Illustration]
-    settings: tuple[Setting, ...] = ()
+    adjustable: tuple[Setting, ...] = ()
     controls: tuple[str, ...] = ()
     replaces: tuple[str, ...] = ()
-    tries: tuple[str, ...] = ()
     numbers: int = 3
     follow: Callable[[Projection, Found, Settings], Projection] = _keep
     found: Callable[[Projection, Settings], Found] = _nothing
@@ -225,25 +191,49 @@ class Phenomenon:
     leading: str = "world"
     own_mesh: bool = False
     own_mesh_crosses: bool = False
-    comparisons: tuple[Comparison, ...] = ()
+
+    @property
+    def name(self) -> str:
+        """The scene's name: ``similar-triangles``."""
+        return self.words.name
+
+    @property
+    def title(self) -> str:
+        return self.words.title
+
+    @property
+    def explanation(self) -> str:
+        return self.words.explanation
+
+    @property
+    def tries(self) -> tuple[str, ...]:
+        return self.words.tries
+
+    @cached_property
+    def comparisons(self) -> tuple[Comparison, ...]:
+        return self.words.comparisons
+
+    @cached_property
+    def settings(self) -> tuple[Setting, ...]:
+        return tuple(map(self.words.worded, self.adjustable))
 
     def illustration(
         self, projection: Projection, settings: Settings, subject: Subject
     ) -> Illustration:
-        """What is shown; of a free matrix, that has no lens to show it with, only that."""
+        """The illustration, or only a warning for a free matrix, which has no lens to show."""
         if is_free(projection):
             return Illustration((), warning=Phrase(_FREE), idle=True)
         return self.show(projection, settings, subject)
 
     def at_hand(self, projection: Projection, settings: Settings) -> Found:
-        """All settings as camera and lens have them, perhaps beyond the bounds of what is chosen.
+        """All settings as camera and lens have them, perhaps beyond the bounds of a setting.
 
-        A free matrix has none, and leaves all as they were chosen.
+        For a free matrix the settings stay as they were chosen.
         """
         if is_free(projection):
             return settings
         found = dict(self.found(projection, settings))
-        for setting in self.settings:
+        for setting in self.adjustable:
             value = found.get(setting.name)
             if isinstance(value, float):
                 found[setting.name] = setting.rounded(value, number(settings, setting.name))
@@ -252,29 +242,29 @@ class Phenomenon:
     def changed(
         self, projection: Projection, settings: Settings, values: Mapping[str, Any]
     ) -> tuple[Projection, Settings]:
-        """Choose some settings: the projection that goes with them, and all settings then.
+        """Choose some settings; returns the projection for them, and all settings then.
 
-        What camera and lens have of the others is chosen with them. A value that was chosen once
-        and holds no more can be chosen again.
+        The other settings take the values that camera and lens have now. A value that was chosen
+        before, but no longer holds, can be chosen again.
 
         Raises
         ------
         Refusal
-            If the scene cannot have them, or no projection goes with them.
+            If the scene cannot have these values, or no projection fits them.
         """
         found = self.at_hand(projection, settings)
-        # What nobody asks for stays, on both sides, where it cannot be chosen as it is.
+        # A setting that is not changed here keeps its value if what was found cannot be chosen.
         before = {**self._possible(found, settings), **{name: found.get(name) for name in values}}
         after = self.checked({**before, **values})
         if after == before:
             return projection, settings
         projection = self.follow(projection, before, after)
-        if None in before.values():  # what was off goes with others now, which it has put right
+        if None in before.values():  # `follow` has also corrected the others
             after = self.checked(self._possible(self.at_hand(projection, after), after))
         return projection, after
 
     def _possible(self, found: Found, chosen: Settings) -> Settings:
-        """What was found, and what had been chosen where that is no value to choose."""
+        """The found values that can be chosen, and the chosen ones in place of the others."""
         values = {**chosen}
         for setting in self.settings:
             value = found[setting.name]
@@ -283,23 +273,20 @@ class Phenomenon:
         return values
 
     def checked(self, values: Mapping[str, Any]) -> Settings:
-        """Complete and check settings.
+        """Complete the settings with their defaults, and check them.
 
         Raises
         ------
         Refusal
-            For a value that one of them cannot have, and for values that do not go together.
+            For a value that its setting cannot have, and for values that do not go together.
         """
         settings = MappingProxyType(
-            {
-                setting.name: setting.checked(values.get(setting.name, setting.default))
-                for setting in self.settings
-            }
+            {each.name: each.checked(values.get(each.name, each.default)) for each in self.settings}
         )
         self.check(settings)
         return settings
 
 
 def is_free(projection: Projection) -> bool:
-    """Whether a matrix was typed in the place of the lens that a phenomenon is shown with."""
+    """Whether a typed matrix replaces the lens."""
     return projection.lens.former is not projection.lens

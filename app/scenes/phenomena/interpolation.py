@@ -1,21 +1,21 @@
-"""Perspective-correct interpolation: why what is half-way on the screen is not half-way there.
+"""Perspective-correct interpolation: half-way on the screen is not half-way in the world.
 
-On the screen 1/w is linear, and so is s/w for whatever is linear on a face (lectures 002 and 003):
-the rasteriser interpolates both and divides. Along an edge from depth w_a to w_b = k w_a, a part
-sigma of the way on the screen is therefore a part ``sigma / ((1 - sigma) k + sigma)`` of the edge.
-To interpolate s itself (affine interpolation) takes sigma instead, too much by at most
+On the screen 1/w is linear, and so is s/w for every s that is linear on a face (lectures 002 and
+003): the rasteriser interpolates both and divides. Along an edge from depth w_a to w_b = k w_a, a
+part sigma of the way on the screen is a part ``sigma / ((1 - sigma) k + sigma)`` of the edge.
+Affine interpolation, of s itself, takes sigma instead, too much by at most
 
     e(k) = (sqrt k - 1)/(sqrt k + 1)    at sigma = sqrt k/(sqrt k + 1)
 
-of the edge, which follows from setting the derivative of the difference to 0. What belongs at
-that place is drawn, at the most, as far away from it: the same e(k), of the edge on the screen.
+of the edge, where the derivative of the difference is 0. On the screen, the point that belongs
+there is drawn at most the same part e(k) of the edge away from it.
 
-Inside a triangle it is never more. With barycentric weights b on the screen and q_i = 1/w_i the
-error of s is ``sum b q s / sum b q - sum b s``. Where its gradient is 0 inside the triangle, its
-second derivative along a direction d is ``-2 (d.q) (d.q(s - s0)) / (b.q)^2``, a product of two
-different linear forms in d that takes both signs: a saddle, no maximum. So the largest error, of s
-or of any direction of the texture, and by the same argument of the place on the screen, is on an
-edge. All edges of the triangles are looked at, the diagonals too.
+Inside a triangle the error is never larger. With barycentric weights b on the screen and
+q_i = 1/w_i the error of s is ``sum b q s / sum b q - sum b s``. Where its gradient is 0 inside the
+triangle, its second derivative along a direction d is ``-2 (d.q) (d.q(s - s0)) / (b.q)^2``. That is
+a product of two different linear forms in d, which takes both signs: a saddle, no maximum. So the
+largest error, of s or of any direction of the texture, and by the same argument of the place on the
+screen, is on an edge. All edges of the triangles are examined, also the diagonals.
 """
 
 from __future__ import annotations
@@ -25,51 +25,26 @@ from functools import cache
 import numpy as np
 
 from app.model.projection import Array, Camera, Perspective, Projection
-from app.model.refusal import QT_TRANSLATE_NOOP
 from app.scenes.phenomena.diagram import Curve, Diagram, Spot
-from app.scenes.phenomena.illustration import Comparison, Illustration, Phenomenon, Subject
+from app.scenes.phenomena.illustration import Illustration, Phenomenon, Subject
 from app.scenes.phenomena.marks import Line, Mark, Marks, Rendering, Texture, named
 from app.scenes.phenomena.picture import seen, seen_lines
-from app.scenes.phenomena.readout import Phrase, Reading, of_parallel
+from app.scenes.phenomena.readout import Phrase, Reading
 from app.scenes.phenomena.settings import Setting, Settings, number
+from app.scenes.phenomena.words import Words
 from app.scenes.shapes import Coloured, flat, ground_grid
+
+WORDS = Words("interpolation")
 
 TEXELS = 256
 """Of the board's texture, each side."""
 
 _CHECKS = 8
 _CORNERS = np.array([(-5.0, 0, 5), (5, 0, 5), (5, 0, -5), (-5, 0, -5)])
+_BOARD = _CORNERS[[[0, 1, 3], [1, 2, 3]]]  # the rasteriser draws the same diagonal
 _RGB = (245, 242, 230)
-
-_BOARD = _CORNERS[[[0, 1, 3], [1, 2, 3]]]
-"""Its two triangles; the diagonal is that which the rasteriser draws."""
-_STEPS = np.linspace(0.0, 1.0, 33)
-"""Along the edge that is plotted, on the screen."""
-_MOST_PARTS = 1000
-"""Of this many sides of a mesh's triangles, after they are cut, the readings are found."""
-
-_LAID = QT_TRANSLATE_NOOP(
-    "phenomena",
-    "the mesh has the texture laid over its two largest extents; coordinates of its own file are"
-    " not used",
-)
-_SOME = QT_TRANSLATE_NOOP(
-    "phenomena",
-    "the mesh has the texture laid over its two largest extents; only its {0} triangles with the"
-    " longest sides are looked at",
-)
-_CUT = QT_TRANSLATE_NOOP(
-    "phenomena",
-    "the board reaches behind the near plane: there is no picture of the edges that are cut there",
-)
-_PARALLEL = QT_TRANSLATE_NOOP(
-    "phenomena",
-    "with a parallel lens half-way on the screen is half-way in the world: affine is correct",
-)
-_MESH_CUT = QT_TRANSLATE_NOOP(
-    "phenomena",
-    "the mesh reaches behind the near plane: there is no picture of the edges that are cut there",
-)
+_STEPS = np.linspace(0.0, 1.0, 33)  # along the edge that is plotted, on the screen
+_MOST_PARTS = 1000  # sides of a mesh's triangles, after they are cut, that the readings examine
 
 
 def _geometry() -> tuple[Coloured, Coloured]:
@@ -77,7 +52,7 @@ def _geometry() -> tuple[Coloured, Coloured]:
 
 
 def edge_error(ratio: Array) -> Array:
-    """e(k) of the module's text, for k of any size: the part of an edge by which it is missed."""
+    """e(k) of the module's text, for any k: the largest error in parts of an edge."""
     root = np.sqrt(ratio)
     error: Array = np.abs(root - 1.0) / (root + 1.0)
     return error
@@ -86,21 +61,9 @@ def edge_error(ratio: Array) -> Array:
 def largest_errors(
     projection: Projection, triangles: Array, texture_from_world: Array, parts: int
 ) -> tuple[float, float] | None:
-    """The largest error of affine interpolation on some triangles, in texels and in pixels.
+    """The largest error of affine interpolation on triangles (t, 3, 3), in texels and in pixels.
 
-    Parameters
-    ----------
-    projection : Projection
-    triangles : (t, 3, 3) array
-        World coordinates.
-    texture_from_world : (2, 4) array
-    parts : int
-        Of each of the triangles' sides; each triangle is drawn as the square of it.
-
-    Returns
-    -------
-    (texels, px) or None
-        None where the near plane cuts a triangle.
+    Each side of a triangle is cut into `parts`. None if the near plane cuts a triangle.
     """
     starts, steps = _edges_at_rim(parts)
     ends = np.stack([starts, starts + steps]) / parts  # (2, m, 3), of the triangle's corners
@@ -108,7 +71,7 @@ def largest_errors(
     if trace.outside[..., 0].any():
         return None
     width, height = projection.image_size
-    # What is linear on a triangle: clip x, y, w of every edge's two ends, (2, t, m, 3).
+    # Clip x, y, w are linear on a triangle; those of both ends of every edge, (2, t, m, 3).
     clip = ends[:, None] @ trace.clip[None, ..., [0, 1, 3]]
     with np.errstate(over="ignore", invalid="ignore", divide="ignore"):
         image = clip[..., :2] / clip[..., 2:] * (width / 2.0, height / 2.0)
@@ -123,18 +86,15 @@ def largest_errors(
 
 @cache
 def _edges_at_rim(parts: int) -> tuple[Array, Array]:
-    """The small triangles' edges where an error can be the largest, of each of three directions.
+    """The small triangles' edges that can have the largest error, in each of three directions.
 
     Of the edges of one direction the nearest have the largest e. An edge's length on the screen is
-    the length of something affine in its place, times a factor that depends on w alone: along a
-    line of constant w it is convex, and so it is largest where that line meets the rim of the
-    triangle of the edges' starts.
+    that of an affine function of its place, times a factor that depends on w alone. So it is convex
+    along a line of constant w, and largest where that line meets the rim of the triangle of the
+    edges' starts.
 
-    Returns
-    -------
-    (m, 3) and (m, 3) arrays
-        Starts and steps, as multiples of the three corners; the starts add up to `parts`, the
-        steps to 0.
+    Returns starts and steps (m, 3) as multiples of the three corners: the starts add up to `parts`,
+    the steps to 0.
     """
     grid = np.array([(a, b) for a in range(parts) for b in range(parts - a)], dtype=np.float64)
     rest = parts - 1.0 - grid.sum(axis=1, keepdims=True)
@@ -151,7 +111,7 @@ def _edges_at_rim(parts: int) -> tuple[Array, Array]:
 
 
 def planar_texture(subject: Subject) -> Array:
-    """s and t of a world point along the two largest extents of a subject's bounds, (2, 4)."""
+    """The (2, 4) matrix for s and t along the two largest extents of the subject's bounds."""
     low = np.array(subject.lower)
     extent = np.array(subject.upper) - low
     axes = sorted(np.argsort(-extent, kind="stable")[:2].tolist())
@@ -168,33 +128,34 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Illus
         planar_texture(subject), _CHECKS, affine, parts, settings["pattern"] == "coordinates"
     )
     rendering = Rendering(texture=texture)
-    triangles, ends, said, cut = _looked_at(subject, parts)
+    mesh = subject.mesh
+    triangles, ends, said, cut = _BOARD, _CORNERS[[0, 3]], None, WORDS.phrase("cut")
+    if mesh is not None:
+        triangles, ends = mesh.triangles[: max(1, _MOST_PARTS // parts)], mesh.edges[0]
+        said, cut = WORDS.phrase("laid"), WORDS.phrase("mesh-cut")
+        if mesh.more_triangles or len(triangles) < len(mesh.triangles):
+            said = WORDS.phrase("some", str(len(triangles)))
     errors = largest_errors(projection, triangles, texture.texture_from_world, parts)
+    note = cut if errors is None else None
     trace = projection.trace(ends)
-    note = Phrase(cut) if errors is None else None
     if trace.outside[:, 0].any() or not np.isfinite(trace.image).all():
-        return Illustration(
-            _readings(errors, None, Phrase(cut), said), rendering=rendering, warning=Phrase(cut)
-        )
+        return Illustration(_readings(errors, None, cut, said), rendering=rendering, warning=cut)
     nearer_first = np.argsort(trace.clip[:, 3], kind="stable")
     ends, w = ends[nearer_first], trace.clip[nearer_first, 3]
     part = 1.0 / (float(w[1] / w[0]) + 1.0)
     in_world = np.stack([ends.mean(axis=0), ends[0] + part * (ends[1] - ends[0])])
     middles = projection.trace(in_world)
-    words = (
-        QT_TRANSLATE_NOOP("phenomena", "½ in the world"),
-        QT_TRANSLATE_NOOP("phenomena", "½ on the screen"),
-    )
     world: list[Mark] = [Line(ends, "ink", 1.5)]
     image: list[Mark] = [*seen_lines(projection, trace.clip[None], ("ink",), 1.5)]
     in_image = (middles.image[0], trace.image.mean(axis=0))
-    for word, colour, place, pixel, shown in zip(
-        words, ("target", "accent"), in_world, in_image, seen(middles), strict=True
+    names = (WORDS["half-in-world"], "target"), (WORDS["half-on-screen"], "accent")
+    for (word, colour), place, pixel, shown in zip(
+        names, in_world, in_image, seen(middles), strict=True
     ):
         world.append(named(word, place, colour, 1.4))
         if shown:
             image.append(named(word, pixel, colour, 1.4))
-    parallel = of_parallel(projection, _PARALLEL)
+    parallel = WORDS.of_parallel(projection)
     return Illustration(
         _readings(errors, part, note, said),
         world=Marks.of(*world),
@@ -208,168 +169,64 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Illus
 def _along_edge(projection: Projection, ends: Array, w: Array) -> tuple[Diagram, ...]:
     """1/w and the depth z' = A + B/z along the marked edge, over the part t of it on the screen.
 
-    Of the points of the edge that are seen at t, each by its own place in the world: that both come
-    out straight is what is shown (lecture 003: 1/z3 = (1 - t)/z1 + t/z2; 000 and 002: A + B/z).
-
-    Parameters
-    ----------
-    projection : Projection
-    ends : (2, 3) array
-        World coordinates.
-    w : (2,) array
-        Their distances from the eye plane.
+    Both are computed for the points of the edge that are seen at t, each from its own place in the
+    world, and come out straight (lecture 003: 1/z3 = (1 - t)/z1 + t/z2; 000 and 002: A + B/z). The
+    ends (2, 3) have the distances w (2,) from the eye plane.
     """
     near, far = (1.0 - _STEPS) / w[0], _STEPS / w[1]
     trace = projection.trace(ends[0] + (far / (near + far))[:, None] * (ends[1] - ends[0]))
-    half = len(_STEPS) // 2
     affine = 1.0 / ((1.0 - _STEPS) * w[0] + _STEPS * w[1])
-    low, high = sorted(projection.depth_range)
-    diagrams = []
-    for title, y_label, y, wrong, bounds in (
-        (
-            QT_TRANSLATE_NOOP("phenomena", "1/w along the marked edge is straight"),
-            "1/w = −1/z",
-            1.0 / trace.clip[:, 3],
-            affine,
-            (0.0, 1.1 / float(w.min())),
-        ),
-        (
-            QT_TRANSLATE_NOOP("phenomena", "depth z' = A + B/z along the marked edge is, too"),
-            "z'",
-            trace.ndc[:, 2],
-            None,
-            (low, high),
-        ),
-    ):
-        curves = [Curve(np.column_stack([_STEPS, y]), "accent", "", 2.0)]
-        if wrong is not None:
-            linear = QT_TRANSLATE_NOOP("phenomena", "if w were linear")
-            curves.append(Curve(np.column_stack([_STEPS, wrong]), "u", linear))
-        marked = Spot(0.5, float(y[half]), "t = ½", colour="accent")
-        diagrams.append(
-            Diagram(
-                title,
-                tuple(curves),
-                left=0.0,
-                right=1.0,
-                bottom=bounds[0],
-                top=bounds[1],
-                x_label=QT_TRANSLATE_NOOP("phenomena", "t, part of the edge on the screen"),
-                y_label=y_label,
-                spots=(marked,),
-            )
+
+    def diagram(
+        title: str, y_label: str, y: Array, bounds: tuple[float, float], *more: Curve
+    ) -> Diagram:
+        half = Spot(0.5, float(y[len(_STEPS) // 2]), "t = ½", colour="accent")
+        return Diagram(
+            WORDS[title],
+            (Curve(np.column_stack([_STEPS, y]), "accent", "", 2.0), *more),
+            *(0.0, 1.0, *bounds),
+            x_label=WORDS["t"],
+            y_label=y_label,
+            spots=(half,),
         )
-    return tuple(diagrams)
 
-
-def _looked_at(subject: Subject, parts: int) -> tuple[Array, Array, Phrase | None, str]:
-    """Triangles, the edge that is marked, what is to be said of them, and what if near cuts."""
-    mesh = subject.mesh
-    if mesh is None:
-        return _BOARD, _CORNERS[[0, 3]], None, _CUT
-    triangles = mesh.triangles[: max(1, _MOST_PARTS // parts)]
-    some = mesh.more_triangles or len(triangles) < len(mesh.triangles)
-    said = Phrase(_SOME, (str(len(triangles)),)) if some else Phrase(_LAID)
-    return triangles, mesh.edges[0], said, _MESH_CUT
+    linear = Curve(np.column_stack([_STEPS, affine]), "u", WORDS["linear"])
+    low, high = sorted(projection.depth_range)
+    one_over_w = 1.0 / trace.clip[:, 3]
+    return (
+        diagram("one-over-w", "1/w = −1/z", one_over_w, (0.0, 1.1 / float(w.min())), linear),
+        diagram("depth", "z'", trace.ndc[:, 2], (low, high)),
+    )
 
 
 def _readings(
-    errors: tuple[float, float] | None,
-    part: float | None,
-    note: Phrase | None,
-    said: Phrase | None,
+    errors: tuple[float, float] | None, part: float | None, note: Phrase | None, said: Phrase | None
 ) -> tuple[Reading, ...]:
-    """The readout; `note` says why there is none, `said` what it is of."""
-    texels, px = (None, None) if errors is None else errors
+    """The readout; `note` says why a value is missing, `said` what was examined."""
+    texels, px = errors or (None, None)
+    half_way = None if part is None else 100.0 * part
     return (
-        Reading(
-            QT_TRANSLATE_NOOP("phenomena", "largest error of affine, in texels of 256"),
-            texels,
-            note=note or said,
-        ),
-        Reading(
-            QT_TRANSLATE_NOOP("phenomena", "largest error of affine, on the screen"),
-            px,
-            "px",
-            note,
-        ),
-        Reading.or_why(
-            QT_TRANSLATE_NOOP(
-                "phenomena",
-                "half-way along the marked edge on the screen, in the world, from its nearer end",
-            ),
-            None if part is None else 100.0 * part,
-            "%",
-            note,
-        ),
+        Reading(WORDS["texels"], texels, note=note or said),
+        Reading(WORDS["px"], px, "px", note),
+        Reading.or_why(WORDS["half-way"], half_way, "%", note),
     )
 
 
 PHENOMENON = Phenomenon(
-    name="interpolation",
-    title=QT_TRANSLATE_NOOP("phenomena", "Perspective-correct interpolation"),
-    explanation=QT_TRANSLATE_NOOP(
-        "phenomena",
-        "What is half-way on the screen is not half-way in the world: along an edge 1/w is linear"
-        " on the screen, and so is s/w, but s is not. Interpolated linearly (affine), a texture"
-        " bends at the diagonal of every quadrangle. Smaller triangles hide it: twice as many"
-        " parts leave more than a quarter of the error while they are few, a quarter in the limit.",
-    ),
-    tries=(
-        QT_TRANSLATE_NOOP("phenomena", "Where does the texture bend?"),
-        QT_TRANSLATE_NOOP("phenomena", "Choose “correct”: what has moved?"),
-        QT_TRANSLATE_NOOP("phenomena", "Double the parts: is the error halved?"),
-    ),
+    WORDS,
     lectures=("002", "003"),
     start=Projection(
-        Camera((1.5, 4.0, 10.0), (0.0, 0.0, 0.5)),
-        Perspective(fov_y_deg=50.0, near=3.0, far=24.0),
+        Camera((1.5, 4.0, 10.0), (0.0, 0.0, 0.5)), Perspective(fov_y_deg=50.0, near=3.0, far=24.0)
     ),
     geometry=_geometry,
     show=_show,
-    settings=(
-        Setting(
-            "interpolation",
-            QT_TRANSLATE_NOOP("phenomena", "Interpolation"),
-            QT_TRANSLATE_NOOP("phenomena", "How the texture's coordinates are spread over a face"),
-            "affine",
-            choices=(
-                ("affine", QT_TRANSLATE_NOOP("phenomena", "affine: s linear on the screen")),
-                ("correct", QT_TRANSLATE_NOOP("phenomena", "correct: s/w and 1/w, divided")),
-            ),
-        ),
-        Setting(
-            "subdivision",
-            QT_TRANSLATE_NOOP("phenomena", "Parts a side"),
-            QT_TRANSLATE_NOOP("phenomena", "Into how many parts the board's sides are cut"),
-            1.0,
-            low=1.0,
-            high=64.0,
-            logarithmic=True,
-            whole=True,
-        ),
-        Setting(
-            "pattern",
-            QT_TRANSLATE_NOOP("phenomena", "Texture"),
-            QT_TRANSLATE_NOOP("phenomena", "Checks, or the coordinates themselves as colours"),
-            "checks",
-            choices=(
-                ("checks", QT_TRANSLATE_NOOP("phenomena", "checks")),
-                ("coordinates", QT_TRANSLATE_NOOP("phenomena", "s red, t green")),
-            ),
-        ),
+    adjustable=(
+        Setting("interpolation", "affine"),
+        Setting("subdivision", 1.0, 1.0, 64.0, logarithmic=True, whole=True),
+        Setting("pattern", "checks"),
     ),
     controls=("camera.azimuth_deg",),
     leading="image",
     requires=frozenset({"texture"}),
     own_mesh=True,
-    comparisons=(
-        Comparison(
-            "interpolation",
-            (
-                (QT_TRANSLATE_NOOP("phenomena", "affine"), ("settings.interpolation=affine",)),
-                (QT_TRANSLATE_NOOP("phenomena", "correct"), ("settings.interpolation=correct",)),
-            ),
-        ),
-    ),
 )

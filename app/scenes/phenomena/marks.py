@@ -1,7 +1,10 @@
 """What a phenomenon draws into the panes: marks, and copies of the scene; plain data.
 
-And how the scene itself is rasterised. What follows every vertex is a matrix (`Copy`) or the
+Also how the scene itself is rasterised. Whatever follows every vertex is a matrix (`Copy`) or the
 rasteriser's own work (`Rendering`); marks are few.
+
+Colours are names of `app.drawings.style.Style`, such as ``"near"``, or ``"#rrggbb"``. Points are
+world coordinates in the world pane, NDC in the NDC pane and pixels in the image pane.
 """
 
 from __future__ import annotations
@@ -11,6 +14,7 @@ from dataclasses import dataclass
 from typing import Any, TypeAlias
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from app.model.depth import DepthBuffer
 from app.model.projection import Array, Vector
@@ -19,17 +23,7 @@ from app.scenes.shapes import Coloured
 
 @dataclass(frozen=True, eq=False)
 class Line:
-    """A polyline.
-
-    Attributes
-    ----------
-    points : (k, 3) array, or (k, 2) in image pixels
-    colour : str
-    width : float
-        In ordinary lines.
-    about : tuple of str
-        In the world: what it stands out with, as of `Reading`.
-    """
+    """A polyline (k, 2 or 3); `about` names what it is highlighted with, as in `Reading`."""
 
     points: Array
     colour: str = "ink"
@@ -39,7 +33,7 @@ class Line:
 
 @dataclass(frozen=True, eq=False)
 class Face:
-    """A flat convex polygon, translucent, seen from both sides; (k, 3), or (k, 2) in pixels."""
+    """A flat convex polygon (k, 2 or 3), translucent, seen from both sides."""
 
     points: Array
     colour: str = "accent"
@@ -48,7 +42,7 @@ class Face:
 
 @dataclass(frozen=True, eq=False)
 class Dot:
-    """A round point of `size` ordinary dots; `point` is (3,), or (2,) in pixels."""
+    """A round point (2 or 3,); `size` is relative to an ordinary dot."""
 
     point: Array
     colour: str = "accent"
@@ -57,19 +51,10 @@ class Dot:
 
 @dataclass(frozen=True, eq=False)
 class Text:
-    """A few letters beside a point.
+    """A few letters beside a point (2 or 3,).
 
-    Attributes
-    ----------
-    text : str
-    point : (3,) array, or (2,) in image pixels
-    colour : str
-        Of its plate, if it has one.
-    about : tuple of str
-        As of `Line`.
-    away_from : array like `point`, optional
-        In world and NDC, a point that they are rather not towards: the middle of what has an edge
-        here, or what a curve bends away from.
+    `colour` is that of its plate, if it has one. In the world and in NDC the letters are placed
+    away from the point `away_from`: the middle of a figure with an edge here, for example.
     """
 
     text: str
@@ -81,12 +66,7 @@ class Text:
 
 @dataclass(frozen=True, eq=False)
 class Marks:
-    """What is drawn over one pane.
-
-    Colours are names of `app.drawings.style.Style` (``"near"``, ``"accent"``, ``"u"``, ...) or
-    ``"#rrggbb"``. In the world pane points are world coordinates, in the NDC pane NDC, in the
-    image pane pixels of the image.
-    """
+    """All marks of one pane."""
 
     lines: tuple[Line, ...] = ()
     faces: tuple[Face, ...] = ()
@@ -95,7 +75,7 @@ class Marks:
 
     @classmethod
     def of(cls, *marks: Mark) -> Marks:
-        """Marks of any kinds, sorted by their kinds; each kind in this order."""
+        """Sort marks by kind; within a kind they keep their order."""
         found: dict[type, list[Any]] = {Line: [], Face: [], Dot: [], Text: []}
         for mark in marks:
             if isinstance(mark, Marks):
@@ -107,42 +87,40 @@ class Marks:
 
     @property
     def kinds(self) -> tuple[tuple[Any, ...], ...]:
-        """All of them, kind by kind."""
         return self.lines, self.faces, self.dots, self.texts
 
 
 Mark: TypeAlias = Marks | Line | Face | Dot | Text
 
 
+def segment(
+    start: ArrayLike, end: ArrayLike, colour: str, width: float, about: tuple[str, ...] = ()
+) -> Line:
+    return Line(np.array([start, end]), colour, width, about)
+
+
 def named(name: str, point: Array, colour: str = "accent", size: float = 1.3) -> Marks:
-    """A dot with its letter beside it."""
+    """A dot and its letter."""
     return Marks.of(Dot(point, colour, size), Text(name, point, colour))
 
 
 def outline(corners: Array) -> Array:
-    """A polygon's corners (k, ...), and the first of them once more."""
+    """The corners of a polygon (k, ...), closed with the first one."""
     return np.concatenate([corners, corners[:1]])
 
 
 def plate(
     corners: Array, colour: str, width: float, opacity: float, about: tuple[str, ...] = ()
 ) -> Marks:
-    """A flat convex polygon (k, 2 or 3), as a face with its outline in the same colour."""
+    """A flat convex polygon (k, 2 or 3): its face, and its outline in the same colour."""
     return Marks.of(Line(outline(corners), colour, width, about), Face(corners, colour, opacity))
 
 
 @dataclass(frozen=True, eq=False)
 class Grip:
-    """Where a setting that is a point or a direction is taken hold of in the world pane.
+    """A handle in the world pane for a setting that is a point or a direction.
 
-    Attributes
-    ----------
-    setting : str
-        Its name.
-    point : (3,) array
-        World coordinates.
-    base : tuple of 3 floats
-        The setting is ``point - base``: 0 for a point, where it is held from for a direction.
+    The setting's value is ``point - base``; of a direction, `base` is where it starts.
     """
 
     setting: str
@@ -152,18 +130,9 @@ class Grip:
 
 @dataclass(frozen=True, eq=False)
 class Length:
-    """What one of the world's flat views measures across the axis, beside the distances along it.
+    """A length across the axis that a flat view of the world measures: ``"side"`` or ``"top"``.
 
-    Attributes
-    ----------
-    view : str
-        ``"side"`` or ``"top"``.
-    name : str
-        Its letter.
-    value : float
-        With its sign.
-    start, end : (3,) array
-        World coordinates, parallel to the screen there.
+    `value` has a sign. `start` and `end` are world points, parallel to that view's screen.
     """
 
     view: str
@@ -175,15 +144,10 @@ class Length:
 
 @dataclass(frozen=True, eq=False)
 class Copy:
-    """The scene's faces once more, under a further 4x4.
+    """The scene's faces drawn once more, after a further matrix on their world coordinates.
 
-    Attributes
-    ----------
-    world_from_world : (4, 4) array
-        Applied to the scene's world coordinates first; may be projective, and singular (a shadow).
-    panes : tuple of {"world", "ndc", "image"}
-    colour : str
-        Of all faces; empty for their own.
+    The 4x4 matrix may be projective and singular, as for a shadow. `panes` are some of ``"world"``,
+    ``"ndc"`` and ``"image"``; an empty `colour` keeps the faces' own.
     """
 
     world_from_world: Array
@@ -198,13 +162,13 @@ class Texture:
     Attributes
     ----------
     texture_from_world : (2, 4) array
-        The texture's s and t of a world point; 0 to 1 across the board.
+        Gives s and t of a world point, 0 to 1 across the board.
     checks : int
         Along each side.
     affine : bool
         Interpolate s and t linearly on the screen, without the divide that makes them right.
     subdivision : int
-        Each face is drawn as the triangles of so many parts a side.
+        Each side of a face is cut into so many parts.
     coordinates : bool
         Show s as red and t as green instead of the checks.
     """
@@ -218,14 +182,10 @@ class Texture:
 
 @dataclass(frozen=True)
 class Fog:
-    """What is far fades into the background.
+    """Colours fade into the background with the distance w from the eye plane.
 
-    Attributes
-    ----------
-    start, end : float
-        Distances from the eye plane between which it thickens, linearly.
-    density : float
-        If greater than 0, what is left falls as ``exp(-density w)`` instead.
+    The fog thickens linearly from `start` to `end`, or, with a density above 0, leaves
+    ``exp(-density w)``.
     """
 
     start: float = 0.0
@@ -233,7 +193,7 @@ class Fog:
     density: float = 0.0
 
     def left(self, distance: float) -> float:
-        """The part of a colour's contrast to the background that is left at a distance, 0..1."""
+        """The part, 0 to 1, of a colour's contrast to the background left at a distance."""
         if self.density > 0.0:
             return math.exp(-self.density * max(distance, 0.0))
         return min(max((self.end - distance) / (self.end - self.start), 0.0), 1.0)
@@ -243,13 +203,8 @@ class Fog:
 class Level:
     """One level of detail of the scene's objects.
 
-    Attributes
-    ----------
-    faces : Coloured
-    objects : (m, 3) array
-        The place, in world coordinates, of the object that each face is a part of.
-    until : float
-        Distance of that place from the eye plane from which the next level is drawn.
+    `objects` (m, 3) holds, for each of the m faces, the world place of its object. Where that place
+    is farther than `until` from the eye plane, the next level is drawn.
     """
 
     faces: Coloured
@@ -259,17 +214,10 @@ class Level:
 
 @dataclass(frozen=True, eq=False)
 class Rendering:
-    """How the scene is rasterised, where it is not the ordinary way.
+    """How the image pane rasterises the scene, where that is not the ordinary way.
 
-    Attributes
-    ----------
-    buffer : DepthBuffer, optional
-        The picture's depths are rounded to the codes of this one.
-    texture : Texture, optional
-    fog : Fog, optional
-    levels : tuple of Level
-        Drawn in place of the scene's faces: three of them, nearest first, or none. Their faces
-        are those of the first time.
+    The depths are rounded to the codes of `buffer`. The `levels`, nearest first, are none or three,
+    and replace the scene's faces; their faces must never change.
     """
 
     buffer: DepthBuffer | None = None

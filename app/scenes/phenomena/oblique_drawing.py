@@ -1,8 +1,8 @@
 """Oblique drawing: cavalier, cabinet and any other slant of the projectors.
 
-Faces parallel to the image keep their shape, edges along n are drawn at one angle and one scale:
-``-cot(alpha), -cot(beta)`` per unit of depth (lecture 002, matrix H). At scale 0 the drawing is the
-orthographic one, at 1 a cavalier, at 1/2 a cabinet drawing.
+Faces parallel to the image keep their shape, and edges along n are drawn at one angle and one
+scale: ``-cot(alpha), -cot(beta)`` for a unit of depth (lecture 002, matrix H). At scale 0 the
+drawing is the orthographic one, at 1 a cavalier, at 1/2 a cabinet drawing.
 """
 
 from __future__ import annotations
@@ -22,12 +22,12 @@ from app.model.projection import (
     oblique_angles,
     receding_of,
 )
-from app.model.refusal import QT_TRANSLATE_NOOP
 from app.scenes.phenomena.illustration import Illustration, Phenomenon, Subject
-from app.scenes.phenomena.marks import Dot, Line, Mark, Marks, Text
+from app.scenes.phenomena.marks import Dot, Line, Mark, Marks, Text, segment
 from app.scenes.phenomena.picture import seen_lines, seen_texts, world_from_view
 from app.scenes.phenomena.readout import Phrase, Reading, figure
 from app.scenes.phenomena.settings import CLOSE, Found, Setting, Settings, number
+from app.scenes.phenomena.words import Words
 from app.scenes.shapes import (
     SIDE_RGB,
     Coloured,
@@ -38,26 +38,12 @@ from app.scenes.shapes import (
     joined,
 )
 
-_NOT_PARALLEL = QT_TRANSLATE_NOOP(
-    "phenomena", "with a perspective lens equal edges are drawn unequal: choose the oblique lens"
-)
-_END_ON = QT_TRANSLATE_NOOP("phenomena", "receding edges are seen end on, as points")
-_UNMEASURED = QT_TRANSLATE_NOOP(
-    "phenomena", "the edge's pixels are too many or too few for float64 to measure"
-)
+WORDS = Words("oblique-drawing")
 
-_STRETCHED = QT_TRANSLATE_NOOP(
-    "phenomena",
-    "the picture is stretched {0} times as much upwards as across: faces do not keep their shape",
-)
-_BEFORE = QT_TRANSLATE_NOOP(
-    "phenomena",
-    "the angles α and β give scale and angle as they are before it is stretched",  # noqa: RUF001
-)
-_SQUARE = 1e-6
-"""Relative to 1: how much longer v may be than u."""
 
+_SQUARE = 1e-6  # by how much v may be drawn longer than u, relative to 1
 _SCALES = {"cavalier": 1.0, "cabinet": 0.5}
+_COLOURS = ("u", "v", "n")
 
 # Cells of a cube of two by two by two; the upper left one in front is missing.
 _CELLS = tuple(
@@ -83,16 +69,16 @@ def _geometry() -> tuple[Coloured, Coloured]:
 
 
 class Drawn(NamedTuple):
-    """How an edge along n is drawn, beside edges along u and v: measured on the image.
+    """An edge along n as drawn, measured on the image beside equal edges along u and v.
 
     Attributes
     ----------
     scale : float
-        Its length in units of an equal edge's along u.
+        Its length in units of the edge along u.
     up : float
-        Likewise of an edge along v: 1 unless the picture is stretched.
+        Likewise for the edge along v: 1 unless the picture is stretched.
     angle_deg : float
-        Its direction away from the viewer, from the right, anticlockwise; of no meaning at scale 0.
+        Its direction away from the viewer, from the right, anticlockwise; meaningless at scale 0.
     """
 
     scale: float
@@ -101,17 +87,9 @@ class Drawn(NamedTuple):
 
 
 def measured(ends_px: Array) -> Drawn | None:
-    """Measure drawn edges.
+    """Measure drawn edges: pixels (4, 2) of a corner and of their ends along -u, v and -n.
 
-    Parameters
-    ----------
-    ends_px : (4, 2) array
-        Pixels of a corner and of the ends of equal edges from it along -u, v and -n.
-
-    Returns
-    -------
-    Drawn or None
-        None if a pixel is missing, or an edge along u or v has no length.
+    None if a pixel is missing, or an edge along u or v has no length.
     """
     corner, left, top, back = ends_px.tolist()
     across, up = corner[0] - left[0], corner[1] - top[1]
@@ -126,11 +104,7 @@ def measured(ends_px: Array) -> Drawn | None:
 def oblique(projection: Projection, scale: float, angle_deg: float) -> Projection:
     """The same camera with an oblique lens; the picture of the plane through the target stays.
 
-    Parameters
-    ----------
-    projection : Projection
-    scale, angle_deg : float
-        As `app.model.lenses.oblique_angles` takes them.
+    `scale` and `angle_deg` as in `app.model.lenses.oblique_angles`.
     """
     straight = projection.with_lens("orthographic")
     lens: Any = straight.lens
@@ -138,7 +112,7 @@ def oblique(projection: Projection, scale: float, angle_deg: float) -> Projectio
     left, right, bottom, top = straight.window
     box = (lens.near, lens.far, lens.keep)
     slanted = Oblique(left, right, bottom, top, *box, alpha_deg, beta_deg)
-    # On the near plane nothing is shifted; what shall stay is the plane through the target.
+    # The near plane would stay where it is, but the plane through the target should.
     x, y = (cot * (projection.camera.distance - lens.near) for cot in slanted.shear)
     slanted = replace(slanted, left=left - x, right=right - x, bottom=bottom - y, top=top - y)
     return replace(projection, lens=slanted)
@@ -160,7 +134,7 @@ def _found(projection: Projection, settings: Settings) -> Found:
     slant = (-wanted * math.cos(turned), -wanted * math.sin(turned))
     if math.dist(lens.shear, slant) <= CLOSE * max(1.0, wanted):
         return settings
-    # It is drawn so, then, and nothing of it is on the way from the orthographic drawing.
+    # The lens was set directly, so the morph is complete.
     scale, angle_deg = receding_of(lens)
     near = (name for name, known in _SCALES.items() if math.isclose(scale, known, rel_tol=CLOSE))
     return {
@@ -172,7 +146,7 @@ def _found(projection: Projection, settings: Settings) -> Found:
 
 
 def _wanted(settings: Found) -> tuple[float, float]:
-    """Receding scale and angle that the settings ask for."""
+    """The receding scale and angle of the settings."""
     scale = _SCALES.get(str(settings["drawing"]), number(settings, "receding"))
     return scale * number(settings, "morph"), number(settings, "angle_deg")
 
@@ -183,112 +157,90 @@ def _wanted(settings: Found) -> tuple[float, float]:
 def _show(projection: Projection, _settings: Settings, subject: Subject) -> Illustration:
     lens, camera = projection.lens, projection.camera
     u, v, n = camera.frame
-    # The lower right corner in front: with things receding to the upper right, its edge is seen.
+    # From the lower right corner in front an edge that recedes to the upper right is seen.
     corner = np.array([subject.upper[0], subject.lower[1], subject.upper[2]])
     length = max(high - low for low, high in zip(subject.lower, subject.upper, strict=True))
     ends = corner + length * np.array([np.zeros(3), -u, v, -n])
     segments = np.array([ends[[0, i]] for i in (1, 2, 3)])
-    if receding_of(lens)[0] > 0.0 and lens.shear[0] < 0.0:
-        segments[1] += ends[3] - corner  # the outer one of these edges: beside it is room
-    colours = ("u", "v", "n")
-    edges = [Line(ends, c, 2.0) for ends, c in zip(segments, colours, strict=True)]
-
-    corners = box_corners(subject.lower, subject.upper)
-    named = np.array([segments[0, 1], *segments[1:].mean(axis=1)])  # where beside them is room
-    trace = projection.trace(np.concatenate([ends, corners, named]))
     by_formula = receding_of(lens)
-    warning = Phrase(_NOT_PARALLEL) if lens.central else None
+    if by_formula[0] > 0.0 and lens.shear[0] < 0.0:
+        segments[1] += ends[3] - corner  # the outer one of these edges has room beside it
+    edges = [Line(ends, colour, 2.0) for ends, colour in zip(segments, _COLOURS, strict=True)]
+    corners = box_corners(subject.lower, subject.upper)
+    named = np.array(
+        [segments[0, 1], *segments[1:].mean(axis=1)]
+    )  # where there is room beside them
+    trace = projection.trace(np.concatenate([ends, corners, named]))
+    warning = WORDS.phrase("not-parallel") if lens.central else None
     drawn = measured(trace.image[:4]) if warning is None else None
     note = None
     if drawn is None:
-        note = warning or Phrase(_UNMEASURED)
+        note = warning or WORDS.phrase("unmeasured")
     elif abs(drawn.up - 1.0) > _SQUARE:
-        note = Phrase(_STRETCHED, (float(drawn.up),))
-    end_on = drawn is not None and by_formula[0] == 0.0
-    has_angle = drawn is not None and not end_on
-    readings = [
-        Reading(
-            QT_TRANSLATE_NOOP("phenomena", "receding scale as drawn"),
-            None if drawn is None else drawn.scale,
-            "×",
-            note,
-        ),
-        Reading(
-            QT_TRANSLATE_NOOP("phenomena", "receding angle as drawn"),
-            drawn.angle_deg if drawn is not None and has_angle else None,
-            "°",
-            Phrase(_END_ON) if end_on else note,
-        ),
-    ]
-    if isinstance(lens, Oblique):
-        readings += [
-            Reading(
-                "√(cot²α + cot²β)",  # noqa: RUF001
-                by_formula[0],
-                "×",
-                Phrase(_BEFORE) if drawn is not None and note is not None else None,
-            ),
-            Reading(
-                "atan2(−cot β, −cot α)",  # noqa: RUF001
-                None if end_on or by_formula[0] == 0.0 else by_formula[1],
-                "°",
-                Phrase(_END_ON) if by_formula[0] == 0.0 else None,
-            ),
-            Reading("α, β", (lens.alpha_deg, lens.beta_deg), "°"),  # noqa: RUF001
-        ]
+        note = WORDS.phrase("stretched", drawn.up)
+
     labels: tuple[str, ...] = "{axis_u}", "{axis_v}", "{axis_n}"
     if drawn is not None:
-        label = f"{{axis_n}}: {drawn.scale:.3g} ×"
+        angle = f", {figure(drawn.angle_deg, 3)}°" if by_formula[0] != 0.0 else ""
         up = 1.0 if note is None else drawn.up
-        labels = (
-            "{axis_u}: 1 ×",
-            f"{{axis_v}}: {up:.3g} ×",
-            label + (f", {figure(drawn.angle_deg, 3)}°" if has_angle else ""),
-        )
+        scales = "1 ×", f"{up:.3g} ×", f"{drawn.scale:.3g} ×{angle}"
+        labels = tuple(map("{}: {}".format, labels, scales))
 
     def texts(places: Array) -> list[Text]:
-        return list(map(Text, labels, places, colours))
+        return list(map(Text, labels, places, _COLOURS))
 
     world: list[Mark] = [*edges, *texts(segments.mean(axis=1))]
     if warning is None:
         world = [_projectors(projection, corners, trace.view[4:12]), *world]
     segments_clip = projection.trace(segments).clip
     return Illustration(
-        tuple(readings),
+        _readings(projection, drawn, by_formula, note),
         world=Marks.of(*world),
         image=Marks.of(
-            *seen_lines(projection, segments_clip, colours, 2.0),
-            *seen_texts(trace, texts(named)),
+            *seen_lines(projection, segments_clip, _COLOURS, 2.0), *seen_texts(trace, texts(named))
         ),
         warning=warning,
     )
 
 
+def _readings(
+    projection: Projection,
+    drawn: Drawn | None,
+    by_formula: tuple[float, float],
+    note: Phrase | None,
+) -> tuple[Reading, ...]:
+    """Scale and angle as drawn, `note` about them, and those of the formula with its angles."""
+    lens = projection.lens
+    scale, angle_deg = by_formula
+    end_on = WORDS.phrase("end-on") if scale == 0.0 else None
+    drawn_deg = drawn.angle_deg if drawn is not None and end_on is None else None
+    readings = [
+        Reading(WORDS["scale"], drawn and drawn.scale, "×", note),
+        Reading(WORDS["angle"], drawn_deg, "°", note if drawn is None else end_on or note),
+    ]
+    if isinstance(lens, Oblique):
+        before = WORDS.phrase("before") if drawn is not None and note is not None else None
+        readings += [
+            Reading("√(cot²α + cot²β)", scale, "×", before),  # noqa: RUF001
+            Reading("atan2(−cot β, −cot α)", None if end_on else angle_deg, "°", end_on),  # noqa: RUF001
+            Reading("α, β", (lens.alpha_deg, lens.beta_deg), "°"),  # noqa: RUF001
+        ]
+    return tuple(readings)
+
+
 def _projectors(projection: Projection, corners: Array, view: Array) -> Marks:
-    """From the subject's corners (8, 3), also in view, to the near plane."""
+    """From the subject's corners (8, 3), in the world and in view space, to the near plane."""
     cot_alpha, cot_beta = projection.shear
     near = projection.lens.near
     depth = view[:, 2] + near  # 0 on the near plane
     x, y = view[:, 0] + cot_alpha * depth, view[:, 1] + cot_beta * depth
     feet = world_from_view(projection, np.column_stack([x, y, np.full(len(view), -near)]))
-    rays = (Line(np.array(pair), "accent", 0.5) for pair in zip(corners, feet, strict=True))
+    rays = (segment(*pair, "accent", 0.5) for pair in zip(corners, feet, strict=True))
     return Marks.of(*rays, *(Dot(foot, "accent", 0.7) for foot in feet))
 
 
 PHENOMENON = Phenomenon(
-    name="oblique-drawing",
-    title=QT_TRANSLATE_NOOP("phenomena", "Oblique drawing"),
-    explanation=QT_TRANSLATE_NOOP(
-        "phenomena",
-        "All projectors are parallel, but slant towards the image: faces parallel to it keep their"
-        " shape, and receding edges are drawn at one angle and one scale. With scale 1 it is a"
-        " cavalier drawing, with 1/2 a cabinet drawing, and with 0 the orthographic one.",
-    ),
-    tries=(
-        QT_TRANSLATE_NOOP("phenomena", "Play “From orthographic”."),
-        QT_TRANSLATE_NOOP("phenomena", "Which faces keep their shape?"),
-        QT_TRANSLATE_NOOP("phenomena", "Cavalier or cabinet: which looks right?"),
-    ),
+    WORDS,
     replaces=("preset", "receding", "receding_deg"),
     lectures=("002",),
     start=oblique(
@@ -301,53 +253,13 @@ PHENOMENON = Phenomenon(
     ),
     geometry=_geometry,
     show=_show,
-    settings=(
+    adjustable=(
+        Setting("drawing", "cavalier"),
         Setting(
-            "drawing",
-            QT_TRANSLATE_NOOP("phenomena", "Drawing"),
-            QT_TRANSLATE_NOOP("phenomena", "How long receding edges are drawn"),
-            "cavalier",
-            choices=(
-                ("cavalier", QT_TRANSLATE_NOOP("phenomena", "Cavalier: 1 ×")),
-                ("cabinet", QT_TRANSLATE_NOOP("phenomena", "Cabinet: 1/2 ×")),
-                ("free", QT_TRANSLATE_NOOP("phenomena", "Free scale")),
-            ),
+            "receding", 0.7, 0.0, 100.0, span=(0.0, 2.0), unit="×", only_with=("drawing", "free")
         ),
-        Setting(
-            "receding",
-            QT_TRANSLATE_NOOP("phenomena", "Free receding scale"),
-            QT_TRANSLATE_NOOP(
-                "phenomena", "Drawn length of receding edges per true length, of the free drawing"
-            ),
-            0.7,
-            low=0.0,
-            high=100.0,
-            span=(0.0, 2.0),
-            unit="×",
-            only_with=("drawing", "free"),
-        ),
-        Setting(
-            "angle_deg",
-            QT_TRANSLATE_NOOP("phenomena", "Receding angle"),
-            QT_TRANSLATE_NOOP(
-                "phenomena", "Direction in which things recede, from the right, anticlockwise"
-            ),
-            45.0,
-            low=-360.0,
-            high=360.0,
-            span=(-180.0, 180.0),
-            unit="°",
-        ),
-        Setting(
-            "morph",
-            QT_TRANSLATE_NOOP("phenomena", "From orthographic"),
-            QT_TRANSLATE_NOOP("phenomena", "0 is the orthographic drawing, 1 the oblique one"),
-            1.0,
-            low=0.0,
-            high=1.0,
-            unit="",
-            per_second=0.5,
-        ),
+        Setting("angle_deg", 45.0, -360.0, 360.0, span=(-180.0, 180.0), unit="°"),
+        Setting("morph", 1.0, 0.0, 1.0, per_second=0.5),
     ),
     leading="image",
     follow=_follow,

@@ -1,7 +1,7 @@
-"""Marks of the image pane: what of a world point, line or direction the picture shows, in pixels.
+"""From the world to marks of the image pane, in pixels, and back.
 
-Lines are cut in clip space, before the divide by w, so that a mark never is a mirrored one and
-never runs to infinity, whatever the camera does.
+Lines are cut in clip space, before the divide by w, so that no mark is mirrored or runs to
+infinity, whatever the camera does.
 """
 
 from __future__ import annotations
@@ -17,11 +17,11 @@ from app.model.projection import PLANES, Array, Projection, Trace, Vector
 from app.scenes.phenomena.marks import Line, Text
 
 SIDES = ("left", "right", "bottom", "top")
-"""The planes that cut a line which is in the picture at any depth: a guide line, the horizon."""
+"""The planes that cut a line which may be at any depth, such as the horizon."""
 
 
 def box_edges(lower: Vector, upper: Vector) -> Array:
-    """The edges of a box, four each along x, y, z, from lower to upper end, (3, 4, 2, 3)."""
+    """The four edges of a box along each of x, y, z, from lower to upper end, (3, 4, 2, 3)."""
     low, high = np.array(lower), np.array(upper)
     edges = np.empty((3, 4, 2, 3))
     for axis in range(3):
@@ -41,13 +41,13 @@ def world_from_view(projection: Projection, points_view: ArrayLike) -> Array:
 
 
 def drawn_planes(projection: Projection) -> tuple[float, float]:
-    """Distances of near and far; of an infinite far as much as things are away."""
+    """The distances of near and far; for an infinite far plane, one beyond the scene."""
     near, far = projection.lens.near, projection.lens.far
     return near, max(3.0 * projection.camera.distance, 4.0 * near) if far == math.inf else far
 
 
 def section(projection: Projection, distance: float) -> Array:
-    """Where a plane at a distance from the eye cuts the frustum, in the world, (4, 3)."""
+    """World corners of the frustum's section at a distance from the eye, (4, 3)."""
     left, right, bottom, top = projection.lens.window_at(projection.window, distance)
     corners = [(left, bottom), (right, bottom), (right, top), (left, top)]
     return world_from_view(projection, [(x, y, -distance) for x, y in corners])
@@ -71,25 +71,12 @@ def image_from_clip(projection: Projection, points_clip: Array) -> Array:
 
 
 def cut_in_picture(
-    projection: Projection,
-    starts_clip: Array,
-    ends_clip: Array,
-    planes: Iterable[str] = PLANES,
+    projection: Projection, starts_clip: Array, ends_clip: Array, planes: Iterable[str] = PLANES
 ) -> list[Array | None]:
-    """What the picture shows of segments between clip points, in pixels.
+    """The visible parts of segments between clip points (k, 4), in pixels: (2, 2) each, or None.
 
-    Parameters
-    ----------
-    projection : Projection
-    starts_clip, ends_clip : (k, 4) arrays
-        Ends may be points at infinity: directions of the world have ``w`` like points.
-    planes : names in `PLANES`
-        Left and right must be among them.
-
-    Returns
-    -------
-    list of k (2, 2) arrays or None
-        None where nothing is seen, and for a segment through the eye, whose picture is a point.
+    Ends may be points at infinity. `planes` must include left and right. None stands for a segment
+    that is not seen, or that goes through the eye, so that its picture is a point.
     """
     with np.errstate(over="ignore", invalid="ignore", divide="ignore"):
         largest = [np.abs(ends).max(axis=1, keepdims=True) for ends in (starts_clip, ends_clip)]
@@ -111,7 +98,7 @@ def cut_in_picture(
 def seen_lines(
     projection: Projection, segments_clip: Array, colours: Iterable[str], width: float = 1.0
 ) -> tuple[Line, ...]:
-    """Segments (k, 2, 4) of clip space as lines of the image, cut to the view volume."""
+    """Clip-space segments (k, 2, 4) as lines of the image, cut to the view volume."""
     pieces = cut_in_picture(projection, segments_clip[:, 0], segments_clip[:, 1])
     return tuple(
         Line(piece, colour, width)
@@ -127,7 +114,7 @@ def seen(trace: Trace) -> NDArray[np.bool_]:
 
 
 def seen_texts(trace: Trace, texts: Sequence[Text]) -> tuple[Text, ...]:
-    """Letters beside the last of traced points, as letters of the image: those in the volume."""
+    """The letters of the last traced points in the image, if their points are in the volume."""
     last = slice(len(trace.image) - len(texts), None)
     return tuple(
         Text(text.text, place, text.colour)

@@ -5,13 +5,13 @@ the plane along the line through L and x::
 
     x' = (p·L) x - (p·x) L        S = (p·L) I - L p^T
 
-which is a perspective projection with its centre in the light (lecture 002, "Perspective
-shadows"), and a parallel one for the sun. For a light above the plane ``w' = p·L - L_w (p·x)`` is
-the height of the light above the point: above 0 for what lies below the light. What is as high as
-the light has its shadow at infinity, and what is higher has ``w' < 0``: divided all the same, it
-is drawn on the other side of the light as an anti-shadow. The GPU cuts it off before it divides,
-because it clips what has w < 0; the matrix -S turns the sign round and lets it through. (Where the
-camera's own w is below 0 too, the product of both is above: such points are beyond the far plane.)
+It is a perspective projection with its centre in the light (lecture 002, "Perspective shadows"),
+and a parallel one for the sun. For a light above the plane ``w' = p·L - L_w (p·x)`` is the height
+of the light above the point. A point as high as the light has its shadow at infinity; a higher one
+has ``w' < 0``, and the divide draws it on the other side of the light as an anti-shadow. The GPU
+clips ``w < 0`` before it divides; the matrix -S reverses the sign and lets the anti-shadow through.
+(Where the camera's own w is below 0 too, the product of both is positive: such points are beyond
+the far plane.)
 """
 
 from __future__ import annotations
@@ -26,11 +26,25 @@ from app.model.limits import NOT_ZERO
 from app.model.projection import Array, Camera, Perspective, Projection
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal, format_value
 from app.scenes.phenomena.illustration import Illustration, Phenomenon, Subject
-from app.scenes.phenomena.marks import Copy, Dot, Grip, Line, Mark, Marks, Text, named, plate
+from app.scenes.phenomena.marks import (
+    Copy,
+    Dot,
+    Grip,
+    Line,
+    Mark,
+    Marks,
+    Text,
+    named,
+    plate,
+    segment,
+)
 from app.scenes.phenomena.picture import seen
 from app.scenes.phenomena.readout import Phrase, Reading, figure
 from app.scenes.phenomena.settings import Setting, Settings, number, point
+from app.scenes.phenomena.words import Words
 from app.scenes.shapes import letter_f_on_grid
+
+WORDS = Words("planar-shadow")
 
 ABOVE_THE_PLANE = QT_TRANSLATE_NOOP(
     "Refusal",
@@ -41,32 +55,13 @@ FROM_ABOVE = QT_TRANSLATE_NOOP(
     "must point upward, to the sun: parallel to the plane or from under it, its rays never meet it",
 )
 
-_IN_THE_OBJECT = QT_TRANSLATE_NOOP(
-    "phenomena", "the light is inside the object's bounds: move it out to see the whole shadow"
-)
-_NO_SHADOW = QT_TRANSLATE_NOOP(
-    "phenomena", "every vertex is as high as the light or higher: none has a shadow on the plane"
-)
-_FAR_AWAY = QT_TRANSLATE_NOOP("phenomena", "the shadow is farther than 1e30 away")
-
-_OF_LAMP = QT_TRANSLATE_NOOP(
-    "phenomena", "S = (p·L) I − L pᵀ, plane p = (0, 1, 0, {0}), L = ({1}, {2}, {3}, 1)"
-)
-_OF_SUN = QT_TRANSLATE_NOOP(
-    "phenomena",
-    "S = (p·L) I − L pᵀ, plane p = (0, 1, 0, {0}), L = ({1}, {2}, {3}, 0): the direction over"
-    " its largest part, {4}",
-)
-
-_LAMP = QT_TRANSLATE_NOOP("phenomena", "light")
-_SUN = QT_TRANSLATE_NOOP("phenomena", "sun")
 
 _PANES = ("world", "ndc", "image")
 _TRUSTED = 1e30  # how far away a mark may be
 
 
 def _light(settings: Settings) -> Array:
-    """The light, homogeneous; of the sun, whose length has no meaning, with 1 as largest part."""
+    """The light, homogeneous; the sun's direction is scaled so that its largest part is 1."""
     light = np.array([*point(settings, "light"), 1.0])
     if settings["kind"] == "sun":
         light[3] = 0.0
@@ -77,31 +72,19 @@ def _light(settings: Settings) -> Array:
 def shadow_matrix(light: Array, height: float) -> Array:
     """The matrix S that casts world points on the plane y = height, (4, 4).
 
-    Parameters
-    ----------
-    light : (4,) array
-        Homogeneous world coordinates.
-    height : float
-
-    Returns
-    -------
-    (4, 4) array
-        ``(p·L) I - L p^T`` with the plane p = (0, 1, 0, -height); w' > 0 for points below a light
-        that is above the plane.
+    ``(p·L) I - L p^T`` with the plane p = (0, 1, 0, -height) and the homogeneous light (4,). w' > 0
+    for points below a light above the plane.
     """
     plane = np.array([0.0, 1.0, 0.0, -height])
-    # The difference first where the light is a point: p·L itself.
+    # For a lamp, p·L is a difference that is rounded once.
     matrix: Array = (light[1] - height * light[3]) * np.eye(4) - np.outer(light, plane)
     return matrix
 
 
 def on_ray(light: Array, height: float, place: Array) -> Array | None:
-    """Where the ray from the light through a point meets y = height; no matrix is used.
+    """Where the ray from the light through a point meets y = height, without the matrix.
 
-    Returns
-    -------
-    (3,) array or None
-        None where the ray does not come down to the plane, or does so too far away.
+    None if the ray does not come down to the plane, or does so too far away.
     """
     way = -light[:3] if light[3] == 0.0 else place - light[:3]
     if way[1] >= 0.0:
@@ -112,14 +95,9 @@ def on_ray(light: Array, height: float, place: Array) -> Array | None:
 
 
 class Cast(NamedTuple):
-    """The shadows of n points.
+    """The shadows of n points: places (n, 3), and w' (n,) before the divide.
 
-    Attributes
-    ----------
-    places : (n, 3) array
-        NaN where w' is 0 or too small to divide by.
-    w : (n,) array
-        Their w' before the divide; at 0 and below there is no shadow.
+    A place is NaN where w' is 0 or too small to divide by. A point with w' <= 0 has no shadow.
     """
 
     places: Array
@@ -151,30 +129,45 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Illus
     matrix = shadow_matrix(light, height)
     shadows = cast(matrix, subject.points)
     too_high = int(np.count_nonzero(shadows.w <= 0.0))
-    scaled = matrix / np.abs(matrix).max()  # the same map, with numbers that float32 holds
+    scaled = matrix / np.abs(matrix).max()  # the same map, in numbers that float32 holds
     copies = [Copy(scaled, _PANES, "shadow")]
     if too_high and not settings["clip"]:
         copies.append(Copy(-scaled, _PANES, "u"))
-    # The vertex followed: the highest of those with a shadow, and among these the farthest one.
+    # P is the highest vertex with a shadow, and among several the farthest along x.
+    place = shadow = met = warning = None
+    note = WORDS.phrase("no-shadow")
     lit = np.flatnonzero(shadows.w > 0.0)
-    chosen = None
     if len(lit):
         tops = subject.points[lit]
         chosen = lit[np.lexsort((tops[:, 0], tops[:, 1]))[-1]]
-    world, image = _marks(projection, settings, subject, light, shadows, chosen)
-    inside = light[3] == 1.0 and all(
-        low <= part <= high
-        for low, part, high in zip(subject.lower, light[:3], subject.upper, strict=True)
-    )
-    warning = Phrase(_IN_THE_OBJECT) if inside else None
-    if warning is None and chosen is None:
-        warning = Phrase(_NO_SHADOW)
+        place, note = subject.points[chosen], WORDS.phrase("far-away")
+        met = on_ray(light, height, place)
+        if np.isfinite(shadows.places[chosen]).all():
+            shadow = shadows.places[chosen]
+    if (
+        light[3] == 1.0
+        and ((np.array(subject.lower) <= light[:3]) & (light[:3] <= np.array(subject.upper))).all()
+    ):
+        warning = WORDS.phrase("in-the-object")
+    elif place is None:
+        warning = note
+    marked = [each for each in (place, shadow) if each is not None]
+    trace = projection.trace(np.reshape(marked, (-1, 3)))
+    measured = None if met is None else shadow
+    off = None if measured is None else float(np.linalg.norm(measured - met))
+    of_all = WORDS.phrase("of-all", str(len(subject.points)))
     return Illustration(
-        _readings(
-            matrix, _formula(settings, light), light, height, subject, shadows, chosen, too_high
+        (
+            Reading(
+                "S", tuple((matrix + 0.0).reshape(-1).tolist()), note=_formula(settings, light)
+            ),
+            Reading.or_why(WORDS["vertex"], _three(place), why=note),
+            Reading.or_why(WORDS["shadow"], _three(measured), why=note),
+            Reading.or_why(WORDS["off"], off, why=note),
+            Reading(WORDS["too-high"], float(too_high), note=of_all),
         ),
-        world=world,
-        image=image,
+        world=_world_marks(settings, subject, light, marked),
+        image=Marks.of(*(Dot(at, "accent", 1.2) for at in trace.image[seen(trace)])),
         copies=tuple(copies),
         warning=warning,
         grips=(_grip(light, subject),),
@@ -182,54 +175,15 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Illus
 
 
 def _formula(settings: Settings, light: Array) -> Phrase:
-    """What S is made of."""
+    """The parts of S."""
     parts = [-number(settings, "height"), *light[:3].tolist()]
     if light[3] == 1.0:
-        return Phrase(_OF_LAMP, tuple(parts))
-    largest = max(map(abs, point(settings, "light")))
-    return Phrase(_OF_SUN, (*parts, largest))
-
-
-def _readings(
-    matrix: Array,
-    formula: Phrase,
-    light: Array,
-    height: float,
-    subject: Subject,
-    shadows: Cast,
-    chosen: int | None,
-    too_high: int,
-) -> tuple[Reading, ...]:
-    place = shadow = met = None
-    note = Phrase(_NO_SHADOW)
-    if chosen is not None:
-        place = subject.points[chosen]
-        note = Phrase(_FAR_AWAY)
-        met = on_ray(light, height, place)
-        if met is not None and np.isfinite(shadows.places[chosen]).all():
-            shadow = shadows.places[chosen]
-    off = None if shadow is None or met is None else float(np.linalg.norm(shadow - met))
-    return (
-        Reading("S", tuple(float(part) + 0.0 for part in matrix.reshape(-1)), note=formula),
-        Reading.or_why(QT_TRANSLATE_NOOP("phenomena", "vertex P"), _three(place), why=note),
-        Reading.or_why(
-            QT_TRANSLATE_NOOP("phenomena", "its shadow S·P / w"), _three(shadow), why=note
-        ),
-        Reading.or_why(
-            QT_TRANSLATE_NOOP("phenomena", "from there to the ray's end"), off, why=note
-        ),
-        Reading(
-            QT_TRANSLATE_NOOP("phenomena", "vertices not below the light"),
-            float(too_high),
-            note=Phrase(
-                QT_TRANSLATE_NOOP("phenomena", "of {0} vertices"), (str(len(subject.points)),)
-            ),
-        ),
-    )
+        return WORDS.phrase("of-lamp", *parts)
+    return WORDS.phrase("of-sun", *parts, max(map(abs, point(settings, "light"))))
 
 
 def _three(place: Array | None) -> tuple[float, ...] | None:
-    return None if place is None else tuple(float(part) for part in place)
+    return None if place is None else tuple(place.tolist())
 
 
 def _reach(subject: Subject) -> tuple[Array, float]:
@@ -247,29 +201,21 @@ def _grip(light: Array, subject: Subject) -> Grip:
     return Grip("light", middle + reach * light[:3] / np.linalg.norm(light[:3]), (x, y, z))
 
 
-def _marks(
-    projection: Projection,
-    settings: Settings,
-    subject: Subject,
-    light: Array,
-    shadows: Cast,
-    chosen: int | None,
-) -> tuple[Marks, Marks]:
-    """World and image: the plane, the light, and the rays through the object's highest corners."""
+def _world_marks(settings: Settings, subject: Subject, light: Array, marked: list[Array]) -> Marks:
+    """The plane, the light, and the rays through the object's highest corners.
+
+    `marked` are P and its shadow, if there are any.
+    """
     height = number(settings, "height")
     middle, reach = _reach(subject)
-    corners = np.array(
-        [
-            (middle[0] + x * reach, height, middle[2] + z * reach)
-            for x, z in ((-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0))
-        ]
-    )
+    sides = np.array([(-1.0, 0.0, -1.0), (1.0, 0.0, -1.0), (1.0, 0.0, 1.0), (-1.0, 0.0, 1.0)])
+    corners = (middle[0], height, middle[2]) + reach * sides
     sun = light[3] == 0.0
     way = light[:3] / np.linalg.norm(light[:3]) if sun else light[:3]
 
     def ray(place: Array, end: Array, *drawn: Any) -> Line:
         """From the light through a point to its end."""
-        return Line(np.array([place + reach * way if sun else light[:3], end]), *drawn)
+        return segment(place + reach * way if sun else light[:3], end, *drawn)
 
     y = Text(f"y = {figure(height, 4)}", corners[3])
     world: list[Mark] = [plate(corners, "muted", 1.0, 0.2), y]
@@ -278,98 +224,40 @@ def _marks(
     ends = cast(shadow_matrix(light, height), tops)
     for top, end, w in zip(tops, ends.places, ends.w, strict=True):
         if w > 0.0:
-            world.append(ray(top, end if np.isfinite(end).all() else top, "muted"))
+            world.append(ray(top, end if np.isfinite(end).all() else top, "muted", 1.0))
         elif not settings["clip"] and np.isfinite(end).all():
-            world.append(Line(np.array([top, end]), "u", 0.5))
+            world.append(segment(top, end, "u", 0.5))
     if sun:
         head = middle + reach * way
         tail = head - 0.3 * reach * way
-        world.append(Line(np.array([head, tail]), "accent", 2.0))
-        above_deg = math.degrees(math.asin(min(float(way[1]), 1.0)))
-        world.append(Text(f"{figure(above_deg, 4)}°", (head + tail) / 2.0))
+        world.append(segment(head, tail, "accent", 2.0))
+        text = f"{figure(math.degrees(math.asin(min(float(way[1]), 1.0))), 4)}°"
     else:
         head = light[:3]
-        foot = np.array([head[0], height, head[2]])
-        world.append(Line(np.array([head, foot]), "ink", 1.0))
-        above = "L_y − h" if height else "L_y"
-        world.append(Text(f"{above} = {figure(head[1] - height, 4)}", (head + foot) / 2.0))
-    world.append(named(_SUN if sun else _LAMP, head, size=1.6))
-    image = Marks()
-    if chosen is not None:
-        place, shadow = subject.points[chosen], shadows.places[chosen]
-        world.append(named("P", place, size=1.2))
-        shown = [place]
-        if np.isfinite(shadow).all():
-            world += [ray(place, shadow, "accent", 1.5), named("P'", shadow, size=1.2)]
-            shown.append(shadow)
-        trace = projection.trace(np.array(shown))
-        image = Marks.of(*(Dot(at, "accent", 1.2) for at in trace.image[seen(trace)]))
-    return Marks.of(*world), image
+        tail = np.array([head[0], height, head[2]])
+        world.append(segment(head, tail, "ink", 1.0))
+        text = f"{'L_y − h' if height else 'L_y'} = {figure(head[1] - height, 4)}"
+    world.append(Text(text, (head + tail) / 2.0))
+    world.append(named(WORDS["sun" if sun else "lamp"], head, size=1.6))
+    world += [named(name, at, size=1.2) for name, at in zip(("P", "P'"), marked, strict=False)]
+    if len(marked) == 2:
+        world.append(ray(*marked, "accent", 1.5))
+    return Marks.of(*world)
 
 
 PHENOMENON = Phenomenon(
-    name="planar-shadow",
-    title=QT_TRANSLATE_NOOP("phenomena", "Planar shadow"),
-    explanation=QT_TRANSLATE_NOOP(
-        "phenomena",
-        "A shadow is a projection with its centre in the light: the object is drawn once more, in"
-        " one colour, under the matrix S; for the sun, a light at infinity with w = 0, the"
-        " projection is parallel. With a lamp lower than the object's top, what is higher has"
-        " w < 0, and unless it is clipped it is drawn on the other side as an anti-shadow.",
-    ),
-    tries=(
-        QT_TRANSLATE_NOOP("phenomena", "Drag the lamp: where is the shadow?"),
-        QT_TRANSLATE_NOOP("phenomena", "Lower it below the top of the F."),
-        QT_TRANSLATE_NOOP("phenomena", "Stop the clipping: what appears?"),
-    ),
+    WORDS,
     lectures=("002",),
     start=Projection(
-        Camera((6.0, 7.5, 12.0), (1.9, 1.7, -0.6)),
-        Perspective(fov_y_deg=32.0, near=4.0, far=24.0),
+        Camera((6.0, 7.5, 12.0), (1.9, 1.7, -0.6)), Perspective(fov_y_deg=32.0, near=4.0, far=24.0)
     ),
     geometry=partial(letter_f_on_grid, (-8.0, -8.0), (8.0, 8.0)),
     show=_show,
-    settings=(
-        Setting(
-            "kind",
-            QT_TRANSLATE_NOOP("phenomena", "Kind of light"),
-            QT_TRANSLATE_NOOP("phenomena", "A lamp at a point, or the sun: a point at infinity"),
-            "point",
-            choices=(
-                ("point", QT_TRANSLATE_NOOP("phenomena", "Lamp at a point")),
-                ("sun", QT_TRANSLATE_NOOP("phenomena", "Sun")),
-            ),
-        ),
-        Setting(
-            "light",
-            QT_TRANSLATE_NOOP("phenomena", "Light L"),
-            QT_TRANSLATE_NOOP(
-                "phenomena",
-                "Where the lamp is, in world coordinates; of the sun, the direction to it",
-            ),
-            (-4.0, 9.0, 3.0),
-        ),
-        Setting(
-            "height",
-            QT_TRANSLATE_NOOP("phenomena", "Height of the plane"),
-            QT_TRANSLATE_NOOP(
-                "phenomena", "World y of the plane; at most 0, where the object stands"
-            ),
-            0.0,
-            low=-1e6,
-            high=0.0,
-            span=(-4.0, 0.0),
-        ),
-        Setting(
-            "clip",
-            QT_TRANSLATE_NOOP("phenomena", "Clip what is above the light"),
-            QT_TRANSLATE_NOOP(
-                "phenomena",
-                "Only what is between light and plane casts a shadow; without clipping the rest"
-                " casts an anti-shadow, with w < 0",
-            ),
-            True,
-        ),
+    adjustable=(
+        Setting("kind", "point"),
+        Setting("light", (-4.0, 9.0, 3.0)),
+        Setting("height", 0.0, -1e6, 0.0, span=(-4.0, 0.0)),
+        Setting("clip", True),
     ),
     numbers=3,
     check=_check,

@@ -1,12 +1,11 @@
-"""Far objects popping in, and the two ways out of it that lecture 001 names: fog, level of detail.
+"""Far objects popping in, and lecture 001's two remedies: fog and level of detail.
 
-Driving along an avenue with a row of trees every `SPACING` on both sides, a tree of each row
-passes the far plane every ``SPACING / speed``: with density 1/SPACING a row, ``speed x density``
-objects a second appear out of nothing, or vanish into it for who looks back. Fog hides it where
-little contrast is left at the far plane: ``(end - far)/(end - start)`` of it for linear fog,
-``exp(-density far)`` for exponential.
-Level of detail draws what is far with fewer vertices, so that the far plane can be farther away
-for the same price.
+Along an avenue with a tree every `SPACING` on both sides, a tree of each row passes the far plane
+every ``SPACING / speed``. With density 1/SPACING a row, ``speed x density`` trees a second appear
+out of nothing or, looking back, vanish into it. Fog hides that where it leaves little contrast at
+the far plane: ``(end - far)/(end - start)`` for linear fog, ``exp(-density far)`` for exponential.
+Level of detail draws far trees with fewer vertices, so that the far plane can be farther away at
+the same cost.
 """
 
 from __future__ import annotations
@@ -22,26 +21,22 @@ from numpy.typing import NDArray
 
 from app.model.limits import ABOVE
 from app.model.projection import LARGEST, Array, Camera, Perspective, Projection
-from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
+from app.model.refusal import Refusal
 from app.scenes.phenomena.diagram import Curve, Diagram
 from app.scenes.phenomena.illustration import Illustration, Phenomenon, Subject
 from app.scenes.phenomena.marks import Fog, Level, Rendering
-from app.scenes.phenomena.readout import Phrase, Reading
+from app.scenes.phenomena.readout import Reading
 from app.scenes.phenomena.settings import Found, Setting, Settings, number
+from app.scenes.phenomena.words import Words
 from app.scenes.shapes import Coloured, box_corners, brightness, ground_grid
 
-SPEED = 12.0
-"""World units a second, when the position is played."""
+WORDS = Words("far-plane-popping")
+
+SPEED = 12.0  # world units a second, when the position is played
 SPACING = 6.0
-ROWS = (-4.0, 4.0)
-"""World x of the two rows of trees; they stand at z = 0, -SPACING, ..."""
-TREES = 60
-"""In a row."""
+ROWS = (-4.0, 4.0)  # world x of the two rows of trees; they stand at z = 0, -SPACING, ...
+TREES = 60  # in a row
 HEIGHT = 5.0
-
-_FAR_AT_INFINITY = QT_TRANSLATE_NOOP("phenomena", "the far plane is at infinity: nothing pops in")
-
-_NONE_POPS = QT_TRANSLATE_NOOP("phenomena", "no tree passes the far plane in the picture")
 
 _TRUNK_RGB, _CROWN_RGB = (150, 100, 60), (0, 158, 115)
 # Of each level: sides of the trunk and of the crown, and radius and height of the crown's rings.
@@ -65,15 +60,18 @@ def _between(lower: Array, upper: Array) -> Array:
     return np.stack([lower, np.roll(lower, -1, axis=0), np.roll(upper, -1, axis=0), upper], axis=1)
 
 
-def _tree(level: int) -> Coloured:
-    """One tree at the origin."""
+def _rings(level: int) -> list[list[Array]]:
+    """The rings of a tree at the origin: the crown's, and the trunk's if it has one."""
     trunk_sides, crown_sides, rings = _SHAPES[level]
-    parts: list[tuple[Array, Sequence[int]]] = []
-    if trunk_sides:
-        trunk = _between(_ring(0.25, 0.0, trunk_sides), _ring(0.2, 1.2, trunk_sides))
-        parts.append((trunk, _TRUNK_RGB))
-    circles = [_ring(radius, height, crown_sides) for radius, height in rings]
-    parts += [(_between(low, high), _CROWN_RGB) for low, high in pairwise(circles)]
+    crown = [_ring(radius, height, crown_sides) for radius, height in rings]
+    trunk = [_ring(0.25, 0.0, trunk_sides), _ring(0.2, 1.2, trunk_sides)]
+    return [crown, trunk] if trunk_sides else [crown]
+
+
+def _tree(level: int) -> Coloured:
+    crown, *trunk = _rings(level)
+    parts = [(_between(*each), _TRUNK_RGB) for each in trunk]
+    parts += [(_between(low, high), _CROWN_RGB) for low, high in pairwise(crown)]
     colours = []
     for quads, rgb in parts:
         normals = np.cross(quads[:, 1] - quads[:, 0], quads[:, 3] - quads[:, 0])
@@ -92,7 +90,7 @@ def places() -> Array:
 
 @cache
 def _levels() -> tuple[tuple[Coloured, Array], ...]:
-    """Of each level: the faces of all trees, and the place of each face's tree."""
+    """For each level, the faces of all trees, and the place of each face's tree."""
     made = []
     for level in range(len(_SHAPES)):
         quads, rgb = _tree(level)
@@ -103,7 +101,7 @@ def _levels() -> tuple[tuple[Coloured, Array], ...]:
 
 
 VERTICES = tuple(4 * (trunk + crown * (len(rings) - 1)) for trunk, crown, rings in _SHAPES)
-"""Of a tree's faces, at each level of detail."""
+"""Of one tree, at each level of detail."""
 
 
 def _geometry() -> tuple[Coloured, Coloured]:
@@ -119,7 +117,6 @@ def _check(settings: Settings) -> None:
 
 
 def fog_of(settings: Settings) -> Fog | None:
-    """The fog that the settings describe."""
     if settings["fog"] == "linear":
         return Fog(number(settings, "fog_start"), number(settings, "fog_end"))
     if settings["fog"] == "exponential":
@@ -128,7 +125,7 @@ def fog_of(settings: Settings) -> Fog | None:
 
 
 def trees_in_view(projection: Projection) -> NDArray[np.bool_]:
-    """Which of the `places` have a tree in the view volume, by its bounds, (n,) bool."""
+    """Which of the `places` (n,) have a tree in the view volume, judged by its bounds."""
     corners = box_corners((-_RADIUS, 0.0, -_RADIUS), (_RADIUS, HEIGHT, _RADIUS))
     outside = projection.trace(places()[:, None] + corners).outside
     beyond_one_plane = np.asarray(outside.all(axis=1))
@@ -136,15 +133,9 @@ def trees_in_view(projection: Projection) -> NDArray[np.bool_]:
 
 
 def vertices_drawn(projection: Projection, seen: NDArray[np.bool_], until: Sequence[float]) -> int:
-    """Vertices of the trees in view, each at its level.
+    """Vertices of the trees that are `seen`, each at its level.
 
-    Parameters
-    ----------
-    projection : Projection
-    seen : (n,) array of bool
-        `trees_in_view`.
-    until : sequence of 2 floats
-        Distances at which the next level begins; infinity for none.
+    The next level begins at each of the two distances `until`; infinity for none.
     """
     w = -projection.trace(places()[seen]).view[:, 2]
     return int(np.array(VERTICES)[np.searchsorted(until, w, side="right")].sum())
@@ -153,32 +144,23 @@ def vertices_drawn(projection: Projection, seen: NDArray[np.bool_], until: Seque
 def popped_per_second(
     projection: Projection, until: Sequence[float] = (math.inf, math.inf)
 ) -> tuple[float, float]:
-    """How many trees pass the far plane in the picture, or a part of each, a second at `SPEED`.
+    """Trees a second that come into the picture and that leave it through the far plane.
 
-    Parameters
-    ----------
-    projection : Projection
-    until : sequence of 2 floats
-        As of `vertices_drawn`.
-
-    Returns
-    -------
-    (float, float)
-        Driving on along -z: those that come into the picture, and those that go. All come where
-        the camera looks the way it drives, and all go where it looks back.
+    The camera drives along -z at `SPEED`. If it looks ahead all of them come, if it looks back all
+    of them go. A tree counts if a part of it is in the picture.
     """
     far, camera = projection.lens.far, projection.camera
     n = camera.frame[2]
     if far == math.inf or n[2] == 0.0:
         return 0.0, 0.0
     outline = _outline(int(np.searchsorted(until, far, side="right")))
-    # A point that is driven past goes along z: where its row's trees meet w = n . (eye - p) = far.
+    # For the camera a tree moves along z, and meets the far plane where w = n . (eye - p) = far.
     places = np.zeros((len(ROWS), *outline.shape[:2], 3))
     places[..., :2] = outline
     places[..., 0] += np.array(ROWS)[:, None, None]
     with np.errstate(over="ignore"):
         places[..., 2] = (float(n @ np.array(camera.eye)) - far - places @ n) / n[2]
-    if not (np.abs(places) <= LARGEST).all():  # so far away that nothing passes it
+    if not (np.abs(places) <= LARGEST).all():  # too far away for anything to pass it
         return 0.0, 0.0
     clip, z = projection.trace(places).clip, places[..., 2:]
     x_y, w = clip[..., :2], clip[..., 3:]
@@ -192,20 +174,16 @@ def popped_per_second(
 
 @cache
 def _outline(level: int) -> Array:
-    """A tree seen along z, which the drive leaves as it is: trapezoids (k, 4, 2) of x and y."""
-    trunk_sides, crown_sides, rings = _SHAPES[level]
-    circles = [[_ring(radius, height, crown_sides) for radius, height in rings]]
-    if trunk_sides:
-        circles.append([_ring(0.25, 0.0, trunk_sides), _ring(0.2, 1.2, trunk_sides)])
+    """A tree seen along z, the direction of the drive: trapezoids (k, 4, 2) of x and y."""
     return np.array([
         [ring[at, :2] for ring, at in ((one, left), (one, right), (other, right), (other, left))]
-        for stack in circles for one, other in pairwise(stack)
+        for stack in _rings(level) for one, other in pairwise(stack)
         for left, right in [(one[:, 0].argmin(), one[:, 0].argmax())]
     ])  # fmt: skip
 
 
 def _is_within(polygon: list[list[float]]) -> bool:
-    """Whether a point of a convex polygon has nothing below 0; of each corner a few numbers."""
+    """Whether a convex polygon has a point whose numbers, a few for each corner, are all >= 0."""
     for which in range(len(polygon[0])):
         kept = []
         for here, there in zip(polygon, polygon[1:] + polygon[:1], strict=True):
@@ -245,82 +223,39 @@ def _show(projection: Projection, settings: Settings, _subject: Subject) -> Illu
         Level(faces, objects, end)
         for (faces, objects), end in zip(_levels(), (*until, math.inf), strict=True)
     )
-    note = Phrase(_FAR_AT_INFINITY) if far == math.inf else None
+    note = WORDS.phrase("far-at-infinity") if far == math.inf else None
     contrast = 1.0 if fog is None else fog.left(far)
     popped_in, popped_out = popped_per_second(projection, until)
-    why = note if note is not None or popped_in + popped_out > 0.0 else Phrase(_NONE_POPS)
+    why = note if note is not None or popped_in + popped_out > 0.0 else WORDS.phrase("none-pops")
     seen = trees_in_view(projection)
-    readings = (
-        Reading(
-            QT_TRANSLATE_NOOP("phenomena", "vertices drawn"),
-            float(vertices_drawn(projection, seen, until)),
-        ),
-        Reading(
-            QT_TRANSLATE_NOOP("phenomena", "vertices drawn without level of detail"),
-            float(VERTICES[0] * int(seen.sum())),
-        ),
-        Reading(
-            QT_TRANSLATE_NOOP(
-                "phenomena", "trees that pop in each second, driving on at 12 units a second"
-            ),
-            popped_in,
-            note=note,
-        ),
-        Reading(
-            QT_TRANSLATE_NOOP("phenomena", "trees that pop out each second, driving on"),
-            popped_out,
-            note=note,
-        ),
-        Reading(
-            QT_TRANSLATE_NOOP("phenomena", "contrast left where they pop"),
-            100.0 * contrast if why is None else None,
-            "%",
-            why,
-        ),
-    )
+    contrast_left = 100.0 * contrast if why is None else None
     return Illustration(
-        readings,
+        (
+            Reading(WORDS["vertices"], float(vertices_drawn(projection, seen, until))),
+            Reading(WORDS["without-detail"], float(VERTICES[0] * int(seen.sum()))),
+            Reading(WORDS["pop-in"], popped_in, note=note),
+            Reading(WORDS["pop-out"], popped_out, note=note),
+            Reading(WORDS["contrast"], contrast_left, "%", why),
+        ),
         diagrams=(_diagram(fog, far),),
         rendering=Rendering(fog=fog, levels=levels),
     )
 
 
 def _diagram(fog: Fog | None, far: float) -> Diagram:
-    """Contrast over distance, and where the far plane cuts."""
-    right = far if 0.0 < far < _RIGHT else _RIGHT
-    w = np.linspace(0.0, 1.1 * right, 120)
+    """Contrast over distance, and where the far plane cuts it off."""
+    right = 1.1 * (far if 0.0 < far < _RIGHT else _RIGHT)
+    w = np.linspace(0.0, right, 120)
     left = np.array([1.0 if fog is None else fog.left(at) for at in w.tolist()])
     curves = [Curve(np.stack([w, 100.0 * left], axis=1), "accent", width=2.0)]
-    if 0.0 < far <= 1.1 * right:
-        word = QT_TRANSLATE_NOOP("phenomena", "far")
-        curves.append(Curve(np.array([(far, 0.0), (far, 100.0)]), "far", word))
-    return Diagram(
-        QT_TRANSLATE_NOOP("phenomena", "Contrast left by fog"),
-        tuple(curves),
-        0.0,
-        1.1 * right,
-        0.0,
-        100.0,
-        x_label="w",
-        y_label="%",
-    )
+    if 0.0 < far <= right:
+        curves.append(Curve(np.array([(far, 0.0), (far, 100.0)]), "far", WORDS["far"]))
+    title = WORDS["diagram"]
+    return Diagram(title, tuple(curves), 0.0, right, 0.0, 100.0, x_label="w", y_label="%")
 
 
 PHENOMENON = Phenomenon(
-    name="far-plane-popping",
-    title=QT_TRANSLATE_NOOP("phenomena", "Popping at the far plane"),
-    explanation=QT_TRANSLATE_NOOP(
-        "phenomena",
-        "What is beyond the far plane is not drawn: on a drive along the avenue, trees appear out"
-        " of nothing, or vanish into it on the way back. Fog hides it if little contrast is left at"
-        " the far plane. Level of detail draws far trees with fewer vertices, which pays for a far"
-        " plane farther away.",
-    ),
-    tries=(
-        QT_TRANSLATE_NOOP("phenomena", "Play the drive: where do trees appear?"),
-        QT_TRANSLATE_NOOP("phenomena", "Choose a fog that hides it."),
-        QT_TRANSLATE_NOOP("phenomena", "Switch the detail on: what is saved?"),
-    ),
+    WORDS,
     lectures=("001",),
     start=Projection(
         Camera((0.5, 2.2, _START_Z), (0.0, 2.0, -40.0)),
@@ -328,85 +263,24 @@ PHENOMENON = Phenomenon(
     ),
     geometry=_geometry,
     show=_show,
-    settings=(
-        Setting(
-            "position",
-            QT_TRANSLATE_NOOP("phenomena", "Position"),
-            QT_TRANSLATE_NOOP("phenomena", "How far the camera has driven along the avenue"),
-            0.0,
-            low=0.0,
-            high=300.0,
-            per_second=SPEED,
-        ),
-        Setting(
-            "fog",
-            QT_TRANSLATE_NOOP("phenomena", "Fog"),
-            QT_TRANSLATE_NOOP("phenomena", "How colours fade into the background with distance"),
-            "none",
-            choices=(
-                ("none", QT_TRANSLATE_NOOP("phenomena", "none")),
-                ("linear", QT_TRANSLATE_NOOP("phenomena", "linear, from start to end")),
-                ("exponential", QT_TRANSLATE_NOOP("phenomena", "exponential, by its density")),
-            ),
-        ),
-        Setting(
-            "fog_start",
-            QT_TRANSLATE_NOOP("phenomena", "Fog starts at"),
-            QT_TRANSLATE_NOOP("phenomena", "Distance at which linear fog begins"),
-            15.0,
-            low=0.0,
-            high=1e6,
-            span=(0.0, 200.0),
-            only_with=("fog", "linear"),
-        ),
-        Setting(
-            "fog_end",
-            QT_TRANSLATE_NOOP("phenomena", "Fog ends at"),
-            QT_TRANSLATE_NOOP("phenomena", "Distance at which linear fog leaves nothing"),
-            66.0,
-            low=1e-3,
-            high=1e6,
-            span=(1.0, 400.0),
-            only_with=("fog", "linear"),
-        ),
+    adjustable=(
+        Setting("position", 0.0, 0.0, 300.0, per_second=SPEED),
+        Setting("fog", "none"),
+        Setting("fog_start", 15.0, 0.0, 1e6, span=(0.0, 200.0), only_with=("fog", "linear")),
+        Setting("fog_end", 66.0, 1e-3, 1e6, span=(1.0, 400.0), only_with=("fog", "linear")),
         Setting(
             "fog_density",
-            QT_TRANSLATE_NOOP("phenomena", "Fog density"),
-            QT_TRANSLATE_NOOP("phenomena", "Of exponential fog: what is left is exp(-density w)"),
             0.05,
-            low=1e-6,
-            high=10.0,
+            1e-6,
+            10.0,
             span=(1e-3, 1.0),
             unit="1/w",
             logarithmic=True,
             only_with=("fog", "exponential"),
         ),
-        Setting(
-            "detail",
-            QT_TRANSLATE_NOOP("phenomena", "Level of detail"),
-            QT_TRANSLATE_NOOP("phenomena", "Draw simpler trees where they are far"),
-            False,
-        ),
-        Setting(
-            "detail_1",
-            QT_TRANSLATE_NOOP("phenomena", "Simpler from"),
-            QT_TRANSLATE_NOOP("phenomena", "Distance from which trees have fewer vertices"),
-            20.0,
-            low=0.0,
-            high=1e6,
-            span=(0.0, 200.0),
-            only_with=("detail", True),
-        ),
-        Setting(
-            "detail_2",
-            QT_TRANSLATE_NOOP("phenomena", "Simplest from"),
-            QT_TRANSLATE_NOOP("phenomena", "Distance from which trees have fewest vertices"),
-            40.0,
-            low=1e-3,
-            high=1e6,
-            span=(1.0, 200.0),
-            only_with=("detail", True),
-        ),
+        Setting("detail", False),
+        Setting("detail_1", 20.0, 0.0, 1e6, span=(0.0, 200.0), only_with=("detail", True)),
+        Setting("detail_2", 40.0, 1e-3, 1e6, span=(1.0, 200.0), only_with=("detail", True)),
     ),
     controls=("lens.far",),
     leading="image",

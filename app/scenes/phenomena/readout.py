@@ -5,19 +5,10 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 
-from app.model.projection import Projection
-
 
 @dataclass(frozen=True)
 class Phrase:
-    """A sentence with values in it, to be translated before they are filled in.
-
-    Attributes
-    ----------
-    template : str
-        Marked with ``QT_TRANSLATE_NOOP("phenomena", ...)``; ``{0}``, ``{1}`` for the values.
-    values : tuple of str or float
-    """
+    """A sentence with values in it; ``{0}``, ``{1}`` in the translatable template."""
 
     template: str
     values: tuple[str | float, ...] = ()
@@ -27,7 +18,7 @@ class Phrase:
         translate: Callable[[str], str] = str,
         write: Callable[[float], str] = lambda value: figure(value, 4),
     ) -> str:
-        """The sentence in another language, with its numbers as they are written there."""
+        """Translate the template, then fill in the values; `write` formats the numbers."""
         values = (value if isinstance(value, str) else write(value) for value in self.values)
         return translate(self.template).format(*values)
 
@@ -39,19 +30,18 @@ class Reading:
     Attributes
     ----------
     label : str
-        Translatable; letters as in the lectures.
+        Translatable, with letters as in the lectures.
     value : float, tuple of floats, str or None
-        A str is a translatable word; None if there is none, and `note` says why.
+        A str is a translatable word. None means that there is no value, and `note` says why.
     unit : str
         ``"px"``, ``"°"``, ``"%"``, ``"×"``, or empty for world units.
-    note : Phrase, optional
-    about : tuple of str
-        What it speaks of, by the names of `app.lecture.highlight`: it stands out with that.
-    cell : int, optional
-        Of a matrix, which of its cells, counted row by row, speaks of that; without it all do.
     counted : bool
-        Whether the value is not computed but counted in the picture's pixels, by somebody who can
-        draw; until then it is None. `note` says why, if there turns out to be nothing to count.
+        The value is counted later in the pixels of the picture, and None until then. `note` says
+        why, if there turns out to be nothing to count.
+    about : tuple of str
+        The names of `app.lecture.highlight` that it is highlighted with.
+    cell : int, optional
+        Of a matrix, the only cell that is highlighted, counted row by row.
     """
 
     label: str
@@ -70,15 +60,10 @@ class Reading:
         unit: str = "",
         why: Phrase | None = None,
     ) -> Reading:
-        """A line with a note only where there is no value: why there is none."""
+        """A line with a note only if it has no value."""
         return cls(label, value, unit, why if value is None else None)
 
 
-def of_parallel(projection: Projection, template: str) -> Phrase | None:
-    """What is to be said of a lens whose projectors do not meet in an eye, if it is one."""
-    return None if projection.lens.central else Phrase(template)
-
-
 def figure(value: float, digits: int) -> str:
-    """A number for a mark or a sentence, with the minus of the readouts."""
+    """A number for a mark or a sentence, with the minus sign of the readouts."""
     return f"{value + 0.0:.{digits}g}".replace("-", "−")

@@ -2,8 +2,9 @@
 
 A rasteriser for a few thousand places, in numpy. For a triangle with clip coordinates
 ``p_i = (x, y, w)`` the place ``s = (x/w, y/w, 1)`` has the barycentric weights
-``b_i ~ (p_j x p_k) . s``: all of one sign inside, also where a corner is behind the eye, and linear
-in the place (Olano and Greer, *Triangle Scan Conversion using 2D Homogeneous Coordinates*, 1997).
+``b_i ~ (p_j x p_k) . s``. They have one sign inside, also if a corner is behind the eye, and are
+linear in the place (Olano and Greer, *Triangle Scan Conversion using 2D Homogeneous Coordinates*,
+1997).
 """
 
 from __future__ import annotations
@@ -16,31 +17,17 @@ from numpy.typing import NDArray
 
 from app.model.projection import Array, Projection
 
-_SIDE = 64
-"""Of the grid of places over what the surface covers; finer where that is little of the grid."""
+_SIDE = 64  # of the grid of places over what the surface covers
 _FINEST = 160
-_WANTED = 1600
-"""Places that hit the surface: fewer, and the grid is made finer once."""
-_LARGEST = 60_000
-"""Pairs of place and triangle that are tried, at most; the grid is coarser beyond."""
+_WANTED = 1600  # places that hit the surface; if there are fewer, the grid is made finer once
+_LARGEST = 60_000  # pairs of place and triangle; if there are more, the grid is coarser
 
 
 def seen_distances(projection: Projection, triangles: Array, gap: float) -> tuple[Array, Array]:
-    """Distances from the eye plane of a surface and of the same one moved away along n.
+    """Distances from the eye plane of a surface (t, 3, 3) and of one moved away by the gap along n.
 
-    Parameters
-    ----------
-    projection : Projection
-    triangles : (t, 3, 3) array
-        World coordinates.
-    gap : float
-        By which the second surface is moved.
-
-    Returns
-    -------
-    (first, second) : (k,) arrays
-        Of what is nearest between near and far, at places spread evenly over the pixels that both
-        cover.
+    Both (k,), of what is nearest between near and far at places spread evenly over the pixels that
+    both cover.
     """
     camera = projection.camera
     view = camera.frame @ (triangles.reshape(-1, 3) - np.array(camera.eye)).T
@@ -63,15 +50,15 @@ def seen_distances(projection: Projection, triangles: Array, gap: float) -> tupl
 
 
 class _Corners:
-    """Triangles' corners in clip coordinates, their distances, and bounds in the picture.
+    """The triangles that are at least partly in front of the near plane.
 
     Attributes
     ----------
     clip : (3, 3, t) array
-        x, y, w; of each corner; of each triangle in front of the near plane at least in part.
+        x, y, w; of each corner; of each triangle.
     depth : (3, t) array
     low, high : (2, t) arrays
-        In NDC.
+        Bounds in NDC.
     """
 
     def __init__(self, projection: Projection, view: Array) -> None:
@@ -84,7 +71,7 @@ class _Corners:
         # Corner after corner: numpy is slow along an axis of three.
         clip = np.ascontiguousarray(clip.reshape(3, -1, 3).swapaxes(1, 2))
         depth = np.ascontiguousarray(depth.reshape(-1, 3).T)
-        # Of each triangle to the same size: what is made of it are ratios.
+        # Each triangle is scaled to the same size, because only ratios matter.
         size = np.abs(clip).reshape(9, -1).max(axis=0)
         held = (size > 0.0) & (size < np.inf)
         held &= (depth.max(axis=0) >= self.near) & (depth.min(axis=0) <= self.far)
@@ -95,7 +82,7 @@ class _Corners:
         self.low, self.high = self.low[:, seen], self.high[:, seen]
 
     def _bounds(self) -> tuple[Array, Array]:
-        """Of what is in front of the near plane, in NDC, (2, t) each."""
+        """Bounds in NDC of the parts in front of the near plane, (2, t) each."""
         with np.errstate(all="ignore"):
             places = self.clip[:2] / self.clip[2]
         low, high = places.min(axis=1), places.max(axis=1)
@@ -114,14 +101,14 @@ class _Corners:
         return np.nan_to_num(low, nan=-np.inf), np.nan_to_num(high, nan=np.inf)
 
     def window(self) -> Array | None:
-        """What of the picture they may cover: lower and upper corner in NDC, (2, 2)."""
+        """The part of the picture that they may cover: lower and upper corner in NDC, (2, 2)."""
         if not self.depth.size:
             return None
         window: Array = np.clip([self.low.min(axis=1), self.high.max(axis=1)], -1.0, 1.0)
         return window
 
     def _cells(self, window: Array, side: int) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
-        """The first and the last cell of a grid that each may cover, (2, t) each."""
+        """The first and the last cell of a grid that each triangle may cover, (2, t) each."""
         with np.errstate(all="ignore"):
             cells = side / (window[1] - window[0])
             ends = (np.stack([self.low, self.high]) - window[0, :, None]) * cells[:, None]
@@ -129,7 +116,7 @@ class _Corners:
         return first, last
 
     def tries(self, window: Array) -> int:
-        """How many pairs of place and triangle there would be in the ordinary grid."""
+        """The number of pairs of place and triangle in the ordinary grid."""
         first, last = self._cells(window, _SIDE)
         return int((last - first + 1).prod(axis=0).sum())
 
@@ -176,6 +163,6 @@ class _Corners:
 
 @cache
 def _within_cells(side: int) -> Array:
-    """Where in each cell of a grid its place is, (2, side^2): stripes are rows, places are not."""
+    """The random place in each cell of a grid, (2, side^2): stripes are rows, places are not."""
     places: Array = np.random.default_rng(side).random((2, side * side))
     return places

@@ -1,4 +1,4 @@
-"""What can be chosen of a phenomenon, beside camera and lens."""
+"""The settings of a phenomenon, beside camera and lens."""
 
 from __future__ import annotations
 
@@ -14,12 +14,12 @@ from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
 
 Value: TypeAlias = float | bool | str | Vector
 Settings: TypeAlias = Mapping[str, Value]
-"""The value of each `Setting` of a phenomenon, by its name; complete and checked."""
+"""The checked value of every `Setting` of a phenomenon, by its name."""
 Found: TypeAlias = Mapping[str, Value | None]
-"""Likewise, as camera and lens have them; None where they are as no value makes them."""
+"""Likewise as camera and lens have them; None where no value gives the present state."""
 
 CLOSE = 1e-7
-"""Of a number, or of its slider's length: nearer to the one that was chosen, it is that one."""
+"""Relative to a number, or to its slider's length: a nearer number is the one that was chosen."""
 
 WHOLE = QT_TRANSLATE_NOOP("Refusal", "must be a whole number")
 YES_OR_NO = QT_TRANSLATE_NOOP("Refusal", "must be true or false")
@@ -29,58 +29,52 @@ YES_OR_NO = QT_TRANSLATE_NOOP("Refusal", "must be true or false")
 class Setting:
     """One thing that can be changed about a phenomenon, beside camera and lens.
 
-    What it is follows from its default: a bool is a switch, a str one of `choices`, a tuple a
-    point or direction of the world, a float a number with a slider.
+    The type of its default says what it is: a bool is a switch, a str one of `choices`, a tuple a
+    point or a direction of the world, a float a number with a slider.
 
     Attributes
     ----------
     name : str
         In the document, ``settings.NAME``.
-    label, tip : str
-        For the control; translatable.
     default : float, bool, str or tuple of 3 floats
     low, high : float
         Bounds of a number, included.
     span : (float, float), optional
-        What the slider covers, within the bounds; all of them if not given.
+        The range of the slider within the bounds; all of it if not given.
     unit : str
-    choices : tuple of (str, str)
-        Values of a choice and their translatable labels.
     logarithmic, whole : bool
-        Of a number: whether its slider runs over powers; whether it counts.
+        Of a number: its slider is logarithmic; it is an integer.
     per_second : float
-        How fast a number moves while it is played; 0 if it is not.
+        How fast a number moves while it is played; 0 if it cannot be played.
     only_with : (str, value), optional
-        Another setting's name, and the value of it without which this one has no effect.
+        The name of another setting, and the only value of it with which this one has an effect.
+    label, tip : str
+        Translatable; like `choices`, they come from the content file (`Words.worded`).
+    choices : tuple of (str, str)
+        The values of a choice and their translatable labels.
     """
 
     name: str
-    label: str
-    tip: str
     default: Value
     low: float = -math.inf
     high: float = math.inf
     span: tuple[float, float] | None = None
     unit: str = ""
-    choices: tuple[tuple[str, str], ...] = ()
     logarithmic: bool = False
     whole: bool = False
     per_second: float = 0.0
     only_with: tuple[str, Value] | None = None
+    label: str = ""
+    tip: str = ""
+    choices: tuple[tuple[str, str], ...] = ()
 
     @property
     def path(self) -> str:
-        """Where the document holds it."""
+        """Its path in the document."""
         return f"settings.{self.name}"
 
     def checked(self, value: Any) -> Value:
-        """The value as its type wants it.
-
-        Raises
-        ------
-        Refusal
-            If it is of another kind, or out of bounds.
-        """
+        """The value in the setting's type; a `Refusal` for another kind, or out of bounds."""
         if isinstance(self.default, bool):
             if not isinstance(value, bool):
                 raise Refusal(self.path, value, YES_OR_NO)
@@ -98,7 +92,6 @@ class Setting:
         return number
 
     def can_be(self, value: Value | None) -> bool:
-        """Whether this is a value for it."""
         try:
             self.checked(value)
         except Refusal:
@@ -106,7 +99,7 @@ class Setting:
         return True
 
     def rounded(self, value: float, chosen: float) -> float | None:
-        """A number that was found, without rounding errors if it is the one that was chosen."""
+        """A number that was found: the chosen one, if they differ by rounding errors alone."""
         if not math.isfinite(value):
             return None
         low, high = self.span or (self.low, self.high)
@@ -117,7 +110,7 @@ class Setting:
 
 
 def number(settings: Found, name: str) -> float:
-    """A setting that is a number."""
+    """The value of a setting that is a number."""
     value = settings[name]
     if isinstance(value, bool) or not isinstance(value, numbers.Real):
         raise TypeError(name)
@@ -125,7 +118,7 @@ def number(settings: Found, name: str) -> float:
 
 
 def point(settings: Settings, name: str) -> Vector:
-    """A setting that is a point or a direction."""
+    """The value of a setting that is a point or a direction."""
     value = settings[name]
     if not isinstance(value, tuple):
         raise TypeError(name)

@@ -1,8 +1,8 @@
-"""Similar triangles: a plane at distance d cuts the projectors, before the eye or behind it.
+"""Similar triangles: a plane at distance d cuts the projectors, in front of the eye or behind it.
 
 A point at depth ``w = -z`` in view space meets the plane ``z = -d`` at ``x_p = d x / w``,
-``y_p = d y / w`` (lectures 000, 002, 004). With d negative the plane is behind the eye, as the
-film of a camera obscura is behind its hole (lectures 001, 002): the same formula, and both
+``y_p = d y / w`` (lectures 000, 002, 004). If d is negative, the plane is behind the eye, as the
+film of a camera obscura is behind its hole (lectures 001, 002): by the same formula both
 coordinates change their signs.
 """
 
@@ -27,30 +27,27 @@ from app.scenes.phenomena.marks import (
     Text,
     named,
     plate,
+    segment,
 )
 from app.scenes.phenomena.picture import section, seen, world_from_view
-from app.scenes.phenomena.readout import Phrase, Reading, figure, of_parallel
+from app.scenes.phenomena.readout import Reading, figure
 from app.scenes.phenomena.settings import Setting, Settings, number, point
+from app.scenes.phenomena.words import Words
 from app.scenes.shapes import box_corners, letter_f_on_grid
+
+WORDS = Words("similar-triangles")
 
 NOT_THE_EYE_PLANE = QT_TRANSLATE_NOOP(
     "Refusal", "must not be 0: the plane would go through the eye, where nothing is cut"
 )
-_BEHIND = QT_TRANSLATE_NOOP(
-    "phenomena", "the point is behind the eye or beside it: its projector meets no plane in front"
-)
-_PARALLEL = QT_TRANSLATE_NOOP(
-    "phenomena",
-    "a parallel lens has no eye that projectors meet in: choose a perspective lens to see them",
-)
 
 _MINUS_ONE_OVER_D = 4 * 3 + 2  # the cell that d is in: row 4, column 3
-# What numbers and lines speak of, by the names of `app.lecture.highlight`.
+# What numbers and lines are highlighted with, by the names of `app.lecture.highlight`.
 _OF_D, _OF_POINT, _OF_W = ("settings.distance",), ("settings.point",), ("w",)
 _OF_X_P, _OF_Y_P = ("x_p",), ("y_p",)
 _OF_IMAGE = (*_OF_X_P, *_OF_Y_P)
 
-_SLAB = 4e-3  # of the plane's distance: thickness of the picture on it
+SLAB = 4e-3  # of the plane's distance: thickness of the picture on it
 
 
 def _check(settings: Settings) -> None:
@@ -59,20 +56,9 @@ def _check(settings: Settings) -> None:
 
 
 def projected(projection: Projection, distance: float, place: Array) -> tuple[float, float] | None:
-    """Where a world point's projector meets the plane, (x_p, y_p) in view coordinates.
+    """Where the projector of a world point (3,) meets the plane, (x_p, y_p) in view coordinates.
 
-    Parameters
-    ----------
-    projection : Projection
-    distance : float
-        Of the plane from the eye, d; negative behind it.
-    place : (3,) array
-        World coordinates.
-
-    Returns
-    -------
-    (float, float) or None
-        ``d x / w, d y / w`` (002, similar triangles); None for a point that is not in front.
+    ``d x / w, d y / w`` (002, similar triangles); None for a point that is not in front.
     """
     x, y, z = projection.trace(place).view.tolist()
     if z >= 0.0:
@@ -92,18 +78,11 @@ def lecture_matrix(distance: float) -> Array:
 
 
 def onto_plane(projection: Projection, distance: float, slab: float = 0.0) -> Array:
-    """The 4x4 that takes world points along their projectors onto the plane, (4, 4).
+    """The 4x4 that takes world points along their projectors onto the plane.
 
     In view space ``(x, y, z, 1) -> (d x, d y, d z, -z)``: rows ``d, d, d`` and ``0 0 -1 0``, the
-    matrix with -1/d of the lectures times d.
-
-    Parameters
-    ----------
-    projection : Projection
-    distance : float
-    slab : float
-        Lifts a point at depth w off the plane by ``slab / w`` against the view direction, so that
-        what is in front stays in front.
+    matrix with -1/d of the lectures times d. It lifts a point at depth w off the plane by
+    ``slab / w``, towards the eye, so that the parts in front stay in front.
     """
     eye, frame = np.array(projection.camera.eye), projection.camera.frame
     view, back = np.eye(4), np.eye(4)
@@ -118,7 +97,7 @@ def onto_plane(projection: Projection, distance: float, slab: float = 0.0) -> Ar
 def _show(projection: Projection, settings: Settings, subject: Subject) -> Illustration:
     distance = number(settings, "distance")
     place = np.array(point(settings, "point"))
-    if (parallel := of_parallel(projection, _PARALLEL)) is not None:
+    if (parallel := WORDS.of_parallel(projection)) is not None:
         return Illustration((), warning=parallel)
     eye = np.array(projection.camera.eye)
 
@@ -146,11 +125,11 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Illus
         world += [
             Face(np.array([eye, axis, place]), "accent", 0.16),
             Face(np.array([eye, foot, hit]), "accent", 0.3),
-            Line(np.array([foot, eye]), "ink", 1.0, _OF_D),
-            Line(np.array([eye, axis]), "ink", 1.0, _OF_W),
-            Line(np.array([axis, place]), "ink", 1.0, _OF_POINT),
+            segment(foot, eye, "ink", 1.0, _OF_D),
+            segment(eye, axis, "ink", 1.0, _OF_W),
+            segment(axis, place, "ink", 1.0, _OF_POINT),
             Line(_through(eye, place, hit, distance, w), "accent", 1.5),
-            Line(np.array([foot, hit]), "v", 2.0, _OF_IMAGE),
+            segment(foot, hit, "v", 2.0, _OF_IMAGE),
             named("P", place),
             named("P'", hit),
             Text("w", (eye + axis) / 2.0, about=_OF_W),
@@ -162,38 +141,22 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Illus
             Length("top", "x", x, axis, at(x, 0.0, z)),
             Length("top", "x_p", x_p, foot, at(x_p, 0.0, -distance)),
         )
-    note = Phrase(_BEHIND) if x_p is None else None
+    note = WORDS.phrase("behind") if x_p is None else None
     matrix = lecture_matrix(distance)
+    product = tuple((matrix @ (x, y, z, 1.0) + 0.0).tolist())
+    scale = None if x_p is None else distance / w
     readings = (
         Reading(
-            QT_TRANSLATE_NOOP("phenomena", "projection, with −1/d"),
-            tuple(matrix.reshape(-1).tolist()),
-            about=_OF_D,
-            cell=_MINUS_ONE_OVER_D,
+            WORDS["matrix"], tuple(matrix.reshape(-1).tolist()), about=_OF_D, cell=_MINUS_ONE_OVER_D
         ),
-        Reading(
-            QT_TRANSLATE_NOOP("phenomena", "of P: (x, y, z, −z/d)"),
-            tuple((matrix @ (x, y, z, 1.0) + 0.0).tolist()),
-            about=(*_OF_D, *_OF_W, *_OF_POINT),
-        ),
+        Reading(WORDS["product"], product, about=(*_OF_D, *_OF_W, *_OF_POINT)),
         Reading("x_p = d·x / w", x_p, note=note, about=_OF_X_P),
         Reading("y_p = d·y / w", y_p, note=note, about=_OF_Y_P),
-        Reading(
-            QT_TRANSLATE_NOOP("phenomena", "scale d / w"),
-            None if x_p is None else distance / w,
-            "×",
-            note,
-            about=(*_OF_D, *_OF_W),
-        ),
+        Reading(WORDS["scale"], scale, "×", note, about=(*_OF_D, *_OF_W)),
         Reading("w", w, about=_OF_W),
-        Reading(
-            QT_TRANSLATE_NOOP("phenomena", "the image on the plane"),
-            QT_TRANSLATE_NOOP("phenomena", "upright")
-            if distance > 0.0
-            else QT_TRANSLATE_NOOP("phenomena", "upside down and left for right"),
-        ),
+        Reading(WORDS["image"], WORDS["upright" if distance > 0.0 else "upside-down"]),
     )
-    slab = _SLAB * abs(distance) * (nearest if nearest < math.inf else 1.0)
+    slab = SLAB * abs(distance) * (nearest if nearest < math.inf else 1.0)
     here = bool(seen(trace))
     return Illustration(
         readings,
@@ -208,7 +171,7 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Illus
 
 
 def _outermost(subject: Subject) -> Array:
-    """Vertices of the subject that are farthest toward the corners of its bounds, (k, 3)."""
+    """The vertices of the subject that are nearest to the corners of its bounds, (k, 3)."""
     towards = box_corners((-1.0, -1.0, -1.0), (1.0, 1.0, 1.0))
     which = (subject.points @ towards.T).argmax(axis=0)
     outermost: Array = subject.points[np.unique(which)]
@@ -216,52 +179,23 @@ def _outermost(subject: Subject) -> Array:
 
 
 def _through(eye: Array, end: Array, hit: Array, distance: float, w: float) -> Array:
-    """A projector from the farthest to the last of the point, the eye and the plane, (2, 3)."""
+    """A projector through the point, the eye and the plane, from end to end, (2, 3)."""
     if distance < 0.0:
         return np.array([end, hit])
     return np.array([eye, hit if distance > w else end])
 
 
 PHENOMENON = Phenomenon(
-    name="similar-triangles",
-    title=QT_TRANSLATE_NOOP("phenomena", "Similar triangles"),
-    explanation=QT_TRANSLATE_NOOP(
-        "phenomena",
-        "Every projector runs from a point, of the object or beside it, to the eye; where it meets"
-        " the plane at distance d is the point's image. The two triangles between eye, axis and"
-        " projector are similar, so x_p : d = x : w. With d below 0 the plane is behind the eye, as"
-        " in a camera obscura: the image is upside down.",
-    ),
-    tries=(
-        QT_TRANSLATE_NOOP("phenomena", "Drag d: how large is the image of P?"),
-        QT_TRANSLATE_NOOP("phenomena", "Double d: what are x_p and y_p now?"),
-        QT_TRANSLATE_NOOP("phenomena", "Make d negative: what turns over?"),
-    ),
+    WORDS,
     lectures=("000", "001", "002", "004"),
     start=Projection(
-        Camera((5.5, 3.6, 9.5), (0.3, 2.4, 0.0)),
-        Perspective(fov_y_deg=40.0, near=2.0, far=14.0),
+        Camera((5.5, 3.6, 9.5), (0.3, 2.4, 0.0)), Perspective(fov_y_deg=40.0, near=2.0, far=14.0)
     ),
     geometry=partial(letter_f_on_grid, (-4.0, -2.0), (4.0, 10.0)),
     show=_show,
-    settings=(
-        Setting(
-            "distance",
-            QT_TRANSLATE_NOOP("phenomena", "Plane distance d"),
-            QT_TRANSLATE_NOOP(
-                "phenomena", "From the eye to the plane of projection; below 0 behind the eye"
-            ),
-            4.0,
-            low=-1e6,
-            high=1e6,
-            span=(-8.0, 12.0),
-        ),
-        Setting(
-            "point",
-            QT_TRANSLATE_NOOP("phenomena", "Point P"),
-            QT_TRANSLATE_NOOP("phenomena", "The point whose projector is followed"),
-            (1.5, 5.0, 0.5),
-        ),
+    adjustable=(
+        Setting("distance", 4.0, -1e6, 1e6, span=(-8.0, 12.0)),
+        Setting("point", (1.5, 5.0, 0.5)),
     ),
     controls=("lens.fov_y_deg", "camera.distance"),
     numbers=6,

@@ -1,0 +1,162 @@
+"""The words of a phenomenon: its content file, which is read when a word is first needed.
+
+The file is Markdown in the manner of a lesson. Every text stands on one line::
+
+    # Title of the scene
+    The explanation.
+
+    ## Try
+    - A question, or something to do.
+
+    ## Label of a setting {#its_name}
+    Its tooltip.
+    - value: label of this choice
+
+    ## Compare: name
+    - label of a picture: settings.preset=wide lens.near=1
+
+    ## Words
+    - name: a label or a sentence that the phenomenon's code shows
+
+The window translates these texts in the context "phenomena". lupdate reads no Markdown:
+`tests/texts.py` makes a source for it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+from functools import cached_property
+from pathlib import Path
+from typing import NamedTuple
+
+from app.model.projection import Projection
+from app.scenes.phenomena.readout import Phrase
+from app.scenes.phenomena.settings import Setting
+
+CONTENT = Path(__file__).with_name("content")
+_COMPARE = "Compare: "
+
+
+@dataclass(frozen=True)
+class Comparison:
+    """Pictures of a phenomenon that belong side by side.
+
+    Attributes
+    ----------
+    name : str
+        In the document: ``view.compare=NAME``.
+    pictures : tuple of (str, tuple of str)
+        From left to right, the translatable label and the assignments of each picture, as in
+        ``--set``: ``"settings.preset=wide"``. In all else they follow the document. The document
+        is one of them, or the last one if it matches none.
+    """
+
+    name: str
+    pictures: tuple[tuple[str, tuple[str, ...]], ...]
+
+
+class _Section(NamedTuple):
+    """What stands below one heading: lines of text, and the items of a list."""
+
+    text: list[str]
+    items: list[str]
+
+    @property
+    def named(self) -> dict[str, str]:
+        return dict(item.split(": ", 1) for item in self.items)
+
+
+class Words:
+    """The words of one phenomenon.
+
+    Parameters
+    ----------
+    name : str
+        The scene's name; the content file is ``NAME.md``.
+    text : str, optional
+        The content, if it is in no file.
+    """
+
+    def __init__(self, name: str, text: str | None = None) -> None:
+        self.name, self._given = name, text
+
+    @cached_property
+    def _sections(self) -> dict[str, _Section]:
+        text = self._given or (CONTENT / f"{self.name}.md").read_text(encoding="utf-8")
+        found: dict[str, _Section] = {}
+        for line in filter(None, text.splitlines()):
+            if line.startswith("#"):
+                section = found.setdefault(line.lstrip("# "), _Section([], []))
+            elif line.startswith("- "):
+                section.items.append(line[2:])
+            else:
+                section.text.append(line)
+        return found
+
+    @cached_property
+    def _named(self) -> dict[str, str]:
+        return self._sections["Words"].named
+
+    def __getitem__(self, key: str) -> str:
+        return self._named[key]
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self._named)
+
+    def phrase(self, key: str, *values: str | float) -> Phrase:
+        """A sentence, and the values to fill in."""
+        return Phrase(self[key], values)
+
+    def of_parallel(self, projection: Projection) -> Phrase | None:
+        """The sentence "parallel" for a lens whose projectors do not meet in an eye."""
+        return None if projection.lens.central else self.phrase("parallel")
+
+    @property
+    def title(self) -> str:
+        return next(iter(self._sections))
+
+    @property
+    def explanation(self) -> str:
+        return self._sections[self.title].text[0]
+
+    @property
+    def tries(self) -> tuple[str, ...]:
+        return tuple(self._sections["Try"].items)
+
+    def worded(self, setting: Setting) -> Setting:
+        """The setting with its label, its tooltip and its choices."""
+        ending = f" {{#{setting.name}}}"
+        heading = next(each for each in self._sections if each.endswith(ending))
+        section = self._sections[heading]
+        return replace(
+            setting,
+            label=heading.removesuffix(ending),
+            tip=section.text[0],
+            choices=tuple(section.named.items()),
+        )
+
+    @property
+    def comparisons(self) -> tuple[Comparison, ...]:
+        return tuple(
+            Comparison(
+                heading.removeprefix(_COMPARE),
+                tuple((label, tuple(values.split())) for label, values in section.named.items()),
+            )
+            for heading, section in self._sections.items()
+            if heading.startswith(_COMPARE)
+        )
+
+    @property
+    def texts(self) -> set[str]:
+        """Every text that can be translated."""
+        found = {self.title, *self.tries}
+        for heading, section in self._sections.items():
+            found.update(section.text)
+            if heading.startswith(_COMPARE):
+                found.update(section.named)
+            elif heading != "Try":
+                found.update(section.named.values())
+            if heading.endswith("}"):
+                found.add(heading.rpartition(" {#")[0])
+        return found

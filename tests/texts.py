@@ -1,0 +1,35 @@
+"""``python3 -m tests.texts OUT.py``: the texts of the content files, as a source for lupdate.
+
+It reads no Markdown, but finds what is marked in Python::
+
+    python3 -m tests.texts texts.py
+    pyside6-lupdate app widgets texts.py -ts frustum_lab_hr.ts
+"""
+
+from __future__ import annotations
+
+import argparse
+import json
+from pathlib import Path
+
+from app.scenes.phenomena import PHENOMENA
+
+
+def content_texts() -> set[str]:
+    """The texts that the content files of the phenomena hold."""
+    return {text for phenomenon in PHENOMENA.values() for text in phenomenon.words.texts}
+
+
+def source() -> str:
+    """Python that marks them all."""
+    lines = (
+        f'QT_TRANSLATE_NOOP("phenomena", {json.dumps(text, ensure_ascii=False)})\n'
+        for text in sorted(content_texts())
+    )
+    return "".join(lines)
+
+
+if __name__ == "__main__":
+    parser = argparse.ArgumentParser(prog="python3 -m tests.texts", description=__doc__)
+    parser.add_argument("out", type=Path)
+    parser.parse_args().out.write_text(source(), encoding="utf-8")
