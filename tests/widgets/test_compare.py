@@ -1,4 +1,4 @@
-"""The picture is held, something is changed, and both are seen; or the lectures' own pictures."""
+"""Comparing a held picture with the live one, and the lectures' own comparisons."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ from widgets.window.main_window import MainWindow
 
 
 def hold(window: MainWindow) -> Any:
-    """Hold the picture by the button of its pane, and take what compares it."""
+    """Hold the picture with the button of its pane, and return the `Compare`."""
     click(window.comparing.button)
     return window.comparing.pictures
 
@@ -49,7 +49,7 @@ def change(window: MainWindow, **lens: float) -> Projection:
 
 
 def surface_of(window: MainWindow) -> np.ndarray:
-    """What is seen of the image pane's pictures, all of them."""
+    """The pixels of all pictures in the image pane."""
     pane = window.panes["image"]
     settle()
     whole = rgb_of(pane.grab().toImage())

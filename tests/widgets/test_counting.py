@@ -1,4 +1,4 @@
-"""What is counted in the picture of a phenomenon once the hand rests, in the real window."""
+"""Counting the pixels of a phenomenon's picture after a gesture, in the real window."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The keyboard in the panes: a cursor that goes, picks, drags and says where it is; no mouse."""
+"""The keyboard cursor in the panes: it moves, picks, drags and is read aloud."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ CTRL = Qt.KeyboardModifier.ControlModifier
 
 
 def press(key: Qt.Key, modifier: Any = NONE, times: int = 1) -> None:
-    """Press a key where the keyboard is."""
+    """Press a key in the widget with the focus."""
     for _ in range(times):
         focus = QApplication.focusWidget()
         assert focus is not None
@@ -45,7 +45,7 @@ def go_to(window: MainWindow, name: str) -> QWidget:
 
 
 def said(window: MainWindow, name: str = "world") -> str:
-    """What is written beside the cursor, with all its digits."""
+    """The text beside the cursor, with all digits."""
     if not window.menus.all_digits.isChecked():
         window.menus.all_digits.trigger()
     label = window.panes[name].canvas.findChild(QLabel, "cursorLabel")
@@ -56,7 +56,7 @@ def said(window: MainWindow, name: str = "world") -> str:
 
 
 def ring(window: MainWindow, name: str = "world") -> tuple[float, float] | None:
-    """Where the cursor is, in device pixels from the pane's top left; None for nowhere."""
+    """The cursor's place in device pixels from the pane's top left; None if it is hidden."""
     canvas = window.panes[name].canvas
     widget = canvas.findChild(QWidget, "cursorRing")
     assert widget is not None
@@ -67,7 +67,7 @@ def ring(window: MainWindow, name: str = "world") -> tuple[float, float] | None:
 
 
 def go_to_handle(window: MainWindow, words: str) -> None:
-    """Go from handle to handle to the one that says this first."""
+    """Go to the handle whose text begins with these words."""
     for _ in range(12):
         press(KEY.Key_PageDown, SHIFT)
         if said(window).startswith(words):
@@ -80,18 +80,18 @@ def model(window: MainWindow) -> Projection:
 
 
 def seen(window: MainWindow, name: str, point: Vector) -> tuple[float, float]:
-    """Where a pane shows a point."""
+    """The pixel of a point in a pane."""
     x, y = window.panes[name].drawing.sight.seen([point])[0].tolist()
     return x, y
 
 
 def vertex(text: str) -> tuple[float, ...]:
-    """The coordinates that are said."""
+    """The coordinates in a text."""
     return tuple(map(float, text.partition("(")[2].rstrip(")").split(",")))
 
 
 def walk(window: MainWindow, name: str, key: Qt.Key = KEY.Key_PageDown) -> list[tuple[float, ...]]:
-    """All vertices that a key goes to, until it comes to the first again."""
+    """All vertices that a key visits until it returns to the first."""
     found: list[tuple[float, ...]] = []
     while True:
         press(key)
@@ -121,7 +121,7 @@ def window(window: MainWindow) -> MainWindow:
 
 @pytest.fixture
 def heard(monkeypatch: pytest.MonkeyPatch) -> list[str]:
-    """What a screen reader is told."""
+    """The announcements to a screen reader."""
     texts: list[str] = []
     listening = SimpleNamespace(updateAccessibility=lambda event: texts.append(event.message()))
     monkeypatch.setattr("widgets.panes.cursor.QAccessible", listening)
@@ -182,7 +182,7 @@ def test_a_lesson_without_the_mouse(either: MainWindow, heard: list[str]) -> Non
 
 
 def in_front_of_all(eye: np.ndarray, vertices: np.ndarray, faces: np.ndarray) -> list[bool]:
-    """Which vertices can be seen from the eye: each face against each line of sight."""
+    """Which vertices are visible from the eye: each face against each line of sight."""
     free = []
     a, b, c = faces[:, 0], faces[:, 1], faces[:, 2]
     for point in vertices:

@@ -1,4 +1,4 @@
-"""u, v, n, step by step: the panel, the drawing, and what happens when up nears the view."""
+"""u, v and n step by step: the panel, the drawing, and up near the view direction."""
 
 from __future__ import annotations
 
@@ -61,7 +61,7 @@ def window(window: MainWindow) -> MainWindow:
 
 
 def numbers(panel: FramePanel) -> str:
-    """What is read of them, by whoever hears them."""
+    """The numbers as a screen reader reads them."""
     return panel.numbers.text()
 
 
@@ -476,7 +476,7 @@ def test_the_view_matrix_s_formula_is_the_lecture_s(window: MainWindow) -> None:
 def test_l1_the_frame_is_seen_in_large_and_nothing_covers_the_look_arrow(
     window: MainWindow,
 ) -> None:
-    """A third of the pane, all of it in there, and with its letters; and back when it folds."""
+    """The axes are large and completely in the pane; the view returns when the panel is folded."""
     drawing: Any = window.panes["world"].drawing
     window.panels.open(window.matrices)
     settle()

@@ -1,4 +1,4 @@
-"""Linked highlight: what is pointed at in one place stands out in all the others."""
+"""Linked highlight: a thing under the mouse is highlighted everywhere."""
 
 from __future__ import annotations
 
@@ -39,7 +39,7 @@ PLANES = {"near", "far", "left", "right", "bottom", "top"}
 
 
 def hover(window: MainWindow, widget: QWidget, place: QPoint | None = None) -> None:
-    """Move the mouse there as the window system does: with enter and leave, no button down."""
+    """Move the mouse as the window system does, with enter and leave, without a button."""
     if place is None:
         place = widget.rect().center()
     QTest.mouseMove(window.windowHandle(), widget.mapTo(window, place))
@@ -64,7 +64,7 @@ def changed(before: dict[str, np.ndarray], after: dict[str, np.ndarray]) -> set[
 
 
 def marked(window: MainWindow) -> set[str]:
-    """The rows in use that are marked."""
+    """The visible rows that are marked."""
     rows = window.controls.rows.items()
     return {name for name, row in rows if row.is_marked and row.isVisibleTo(window)}
 
@@ -133,7 +133,7 @@ def test_every_control_has_its_letters() -> None:
 
 
 def box(width: float = 100.0, height: float = 60.0) -> list[tuple[float, float, float]]:
-    """A view volume seen straight on, its far face smaller and shifted; the near one in front."""
+    """A view volume seen from the front, with a smaller and shifted far face."""
     near = [(0, height, 0.0), (width, height, 0.0), (width, 0, 0.0), (0, 0, 0.0)]
     return near + [(30 + 0.4 * x, 20 + 0.4 * y, 1.0) for x, y, _ in near]
 
@@ -246,7 +246,7 @@ def test_a_click_leaves_no_highlight_behind(window: MainWindow, highlighted: Hig
 def test_the_world_knows_what_is_under_the_mouse(
     window: MainWindow, highlighted: Highlighted
 ) -> None:
-    """By the pane's own sight, which is tested against VTK's camera."""
+    """With the pane's own sight, which is tested against VTK's camera."""
     projection = window.store.document.projection
     window.slots.bring("world")
     settle()
@@ -601,7 +601,7 @@ def test_l6_each_number_of_the_window_lights_its_edge(
 def test_l15_the_plane_of_a_step_lights_the_rows_that_it_is_made_of(
     window: MainWindow, highlighted: Highlighted
 ) -> None:
-    """Left keeps w + x >= 0: rows 1 and 4 of the clip matrices, until something is pointed at."""
+    """Left keeps w + x >= 0: rows 1 and 4 of the clip matrices are highlighted."""
     show_scene(window, "clipping")
     window.panels.open(window.matrices)
     card = window.controls.card

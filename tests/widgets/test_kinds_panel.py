@@ -1,4 +1,4 @@
-"""The tree of planar projections as a panel: clicked, lit, said, and by the keyboard."""
+"""The tree of planar projections: mouse, keyboard, highlight and words."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ def lit(window: MainWindow) -> list[str]:
 
 
 def point_at(window: MainWindow, name: str) -> str:
-    """What is said of a node under the mouse, which then leaves it."""
+    """The text about a node while the mouse is on it."""
     node, panel = window.kinds_panel.nodes[name], window.kinds_panel
     place = QPointF(3.0, 3.0)
     QApplication.sendEvent(node, QEnterEvent(place, place, place))

@@ -1,4 +1,4 @@
-"""The camera taken hold of with the mouse: by its handles in the world, by the picture itself."""
+"""Dragging the camera by its handles in the world, and by the picture."""
 
 from __future__ import annotations
 
@@ -66,7 +66,7 @@ def world(window: MainWindow) -> WorldDrawing:
 
 
 def marks(window: MainWindow) -> dict[Handle, tuple[float, float]]:
-    """The handles in the world pane, and where they are."""
+    """The handles in the world pane, and their pixels."""
     drawing: Any = world(window)
     return dict(drawing.handles.shown)
 
@@ -92,7 +92,7 @@ def release(window: MainWindow, name: str, at: QPoint, key: Any = NONE) -> None:
 def drag(
     window: MainWindow, name: str, at: QPoint, *ways: tuple[int, int], key: Any = NONE
 ) -> None:
-    """Press, go to each of these places from there, let go at the last."""
+    """Press at a place, move by each of these ways from there, and release at the last."""
     press(window, name, at, key)
     for way in ways:
         move(window, name, at + QPoint(*way), key)
@@ -117,7 +117,7 @@ def wheel(window: MainWindow, steps: float, name: str = "image", *, wait: bool =
 
 
 def along(window: MainWindow, handle: Handle, **fields: float) -> tuple[int, int]:
-    """From where a handle is to where it is when the lens has other fields, in whole pixels."""
+    """The way of a handle, in pixels, when fields of the lens change."""
     drawing, now = world(window), model(window)
     drawing.hold(handle)
     before = marks(window)[handle]
@@ -130,7 +130,7 @@ def along(window: MainWindow, handle: Handle, **fields: float) -> tuple[int, int
 
 @pytest.fixture
 def window(window: MainWindow) -> MainWindow:
-    """With the world pane alone, where the near face is large enough for its corners."""
+    """With the world pane alone, in which the near face is large."""
     window.store.set_projection(replace(model(window), lens=LENSES["perspective"]))
     window.slots.bring("world")
     window.slots.reset_views()
@@ -152,7 +152,7 @@ def test_a_handle_follows_the_mouse_and_the_view_stays(window: MainWindow) -> No
 
 
 def drag_a_handle(window: MainWindow, lens: Lens, name: str) -> None:
-    """Drag it a little, and undo that."""
+    """Drag a handle a little, and undo that."""
     start, place = model(window), view(window)
     window.store.mark_saved()
     handle, spot = mark(window, name)
@@ -264,12 +264,12 @@ def test_hovering_says_what_a_drag_does_and_costs_one_repaint(window: MainWindow
 
 
 def held_line(window: MainWindow) -> QLabel:
-    """What is said over the pane where its title leaves no room."""
+    """The line over the pane that is used where the title leaves no room."""
     return window.panes["world"].findChild(QLabel, "heldLine")
 
 
 def test_the_text_about_a_handle_is_fully_visible_and_does_not_jump(window: MainWindow) -> None:
-    """Beside the title where there is room, otherwise in a line over the pane; never in both."""
+    """The text is beside the title if there is room, else in a line over the pane."""
     hand, pane = window.manipulation, window.panes["world"]
     _, spot = mark(window, "eye")
     at = point_of(spot)
@@ -498,7 +498,7 @@ def test_a_step_adds_and_removes_nothing_and_a_figure_has_no_marks() -> None:
 
 
 def test_marks_are_seen_in_every_style(window: MainWindow) -> None:
-    """A rim of ink round a fill: in dark and light, and larger for the back row."""
+    """A rim of ink around a fill, larger while presenting."""
     for theme, style, presents in (("light", LIGHT, True), ("dark", DARK, False)):
         window.look.set_theme(theme)
         window.look.set_presenting(presents)
@@ -534,7 +534,7 @@ def picture(window: MainWindow) -> Any:
 
 
 def target_px(window: MainWindow) -> np.ndarray:
-    """Where the image pane shows the first target, which the drags leave in the world."""
+    """The pixel of the first target in the image pane."""
     left, top, width, height = picture(window).picture_rectangle_px
     x, y = model(window).trace(load("letter-f").start.camera.target).image
     return np.array([left + x * width / 1280, top + y * height / 720])
@@ -732,7 +732,7 @@ def test_a_scene_without_points_has_no_grips(make_scene: Callable[[str], MainWin
 
 @pytest.mark.parametrize("name", ["world", "image"])
 def test_another_scene_ends_the_drag(window: MainWindow, name: str) -> None:
-    """Its own camera stays, and undo goes back to where the drag had come to."""
+    """The new scene keeps its camera, and undo restores the dragged state."""
     at = point_of(mark(window, "target")[1])
     if name == "image":
         drawing = window.panes["image"].drawing

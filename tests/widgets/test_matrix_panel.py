@@ -52,7 +52,7 @@ STOPS = (
     "depth_range_from_canonical_parallel",
     "image_from_ndc",
 )
-"""The matrices by which the stage strip comes to its stops."""
+"""The matrices that lead to the stops of the stage strip."""
 
 
 @pytest.fixture
@@ -76,7 +76,7 @@ def shown_after(panel: MatrixPanel, qtbot: QtBot, projection: Projection) -> Non
 
 
 def shown_at_last(panel: MatrixPanel, qtbot: QtBot, projection: Projection) -> None:
-    """Wait until what runs is shown."""
+    """Wait until the pending value is shown."""
     rows, running = panel.vectors.currentData() == "rows", panel.running.isChecked()
     matrices = notation.matrices(
         projection, panel.letters.currentData(), rows=rows, running=running
@@ -85,18 +85,18 @@ def shown_at_last(panel: MatrixPanel, qtbot: QtBot, projection: Projection) -> N
 
 
 def title_of(panel: MatrixPanel, name: str) -> QLabel:
-    """What stands above a matrix."""
+    """The label above a matrix."""
     return panel.views[name].parentWidget().findChild(QLabel, "paneTitle")
 
 
 def speaks_of(panel: MatrixPanel, *names: str) -> bool:
-    """Whether a cell of one of these matrices is explained."""
+    """Whether the explanation is about one of these matrices."""
     starts = tuple(f"{panel.views[name].accessibleName()}, row " for name in names)
     return bool(panel.explanation.text().startswith(starts))
 
 
 def title(panel: MatrixPanel, name: str) -> str:
-    """What is written above a matrix."""
+    """The text above a matrix."""
     return str(title_of(panel, name).text())
 
 
@@ -106,7 +106,7 @@ def fold(panel: MatrixPanel, name: str) -> QToolButton:
 
 
 def left_of(panel: MatrixPanel, name: str) -> int:
-    """Where a matrix stands in what is seen of them all, in px."""
+    """The left edge of a matrix in the visible part of the row, in px."""
     return panel.views[name].mapTo(panel.findChild(QScrollArea).viewport(), QPoint()).x()
 
 
@@ -129,7 +129,7 @@ def test_numbers_are_those_of_the_command(panel: MatrixPanel) -> None:
 
 
 def lit(view: MatrixView) -> set[tuple[int, int]]:
-    """Row and column of the cells with a frame and a ground of the accent's colour."""
+    """Row and column of the cells with a frame and a background in the accent's colour."""
     picture, found = rgb_of(view.grab().toImage()).astype(int), set()
     accent = np.array(QColor(LIGHT.accent).getRgb()[:3])
     ground = np.array(view.palette().window().color().getRgb()[:3])
@@ -144,7 +144,7 @@ def lit(view: MatrixView) -> set[tuple[int, int]]:
 
 
 def underlined_px(view: MatrixView, row: int, column: int) -> int:
-    """The width of the longest level line in a cell."""
+    """The length of the longest horizontal line in a cell."""
     cell = view.cell_rect(row, column).toRect()
     dark = rgb_of(view.grab().toImage()).mean(axis=2) < 128
     lines = dark[cell.top() : cell.bottom(), cell.left() : cell.right()]
@@ -781,7 +781,7 @@ def test_the_explanation_follows_the_value(panel: MatrixPanel, qtbot: QtBot) -> 
 
 
 def test_a_vector_is_told_from_the_plane_of_its_letter(panel: MatrixPanel) -> None:
-    """(f + n)(n.e): n is near outside the product, and the camera's axis inside."""
+    """In (f + n)(n.e) the first n is near, and the second the camera's axis."""
     choose(panel.cells, "formulas")
     panel.running.setChecked(True)
     for letters, vectors in zip(LETTERS, itertools.cycle(("columns", "rows")), strict=False):
@@ -855,7 +855,7 @@ def test_no_formula_is_cut_and_fractions_are_stacked(panel: MatrixPanel) -> None
 def test_a_held_cell_is_silent_after_its_matrix_was_removed(
     window: MainWindow, qtbot: QtBot
 ) -> None:
-    """As with the other hand on the keyboard; what it said reached a widget that was deleted."""
+    """As with the other hand on the keyboard; its signal once reached a deleted widget."""
     start, panel = window.store.document.projection, window.matrices
     window.panels.open(panel)
     qtbot.waitUntil(panel.isVisible)
@@ -907,13 +907,13 @@ def test_l9_the_chain_is_the_lectures_and_without_identities(panel: MatrixPanel)
 
 
 def end_of(panel: MatrixPanel, side: str) -> QToolButton:
-    """What says that the row goes on at a side."""
+    """The arrow at an end of the row."""
     button: QToolButton = named(panel, QToolButton, f"Matrices to the {side}")
     return button
 
 
 def whole(panel: MatrixPanel) -> list[str]:
-    """The matrices that are seen from one bracket to the other."""
+    """The matrices that are visible from one bracket to the other."""
     seen = panel.findChild(QScrollArea).viewport().width()
     return [
         matrix.name

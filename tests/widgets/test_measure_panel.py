@@ -1,4 +1,4 @@
-"""The Measure panel: real measurements by the real process, and what is made of them."""
+"""The Measure panel, with real measurements by the real process."""
 
 from __future__ import annotations
 
@@ -71,7 +71,7 @@ def heads(panel: MeasurePanel) -> list[str]:
 
 
 def found(view: Any) -> dict[str, tuple[QPoint, bool]]:
-    """Of the spots that can be chosen, a place at which each is under the mouse, and if marked."""
+    """A pixel of each spot that can be chosen, and whether the spot is marked."""
     spots = {}
     for x, y in product(range(0, view.width(), 3), range(0, view.height(), 3)):
         spot = view.spot_at(QPointF(x, y), key_only=True)
@@ -88,7 +88,7 @@ def click_spot(panel: MeasurePanel, key: str) -> None:
 
 
 def process_of(panel: MeasurePanel) -> QProcess:
-    """What measures, while it does; one that has ended may not be deleted yet."""
+    """The running process; an earlier one may not be deleted yet."""
     return panel.measuring.findChildren(QProcess)[-1]
 
 
@@ -372,7 +372,7 @@ def test_a_file_that_cannot_be_read_is_a_sentence(panel: MeasurePanel, tmp_path:
 def test_the_depth_chart_s_names_cross_nothing(
     panel: MeasurePanel, document: Document, tmp_path: Path
 ) -> None:
-    """In a panel as low as it opens: no name lies on another one, on a dot or on the frontier."""
+    """In the lowest panel no name covers another name, a dot or the frontier."""
     found = replace(RESULTS, trades=(depth.measure(document.projection),), sweeps=())
     panel.resize(1340, 225)
     panel.load(write(tmp_path / "a.json", found))
@@ -393,7 +393,7 @@ def test_the_depth_chart_s_names_cross_nothing(
 
 
 def test_every_name_of_a_choice_is_put_together_from_translated_parts(document: Document) -> None:
-    """Each part is either a format's or a program's own name, or is looked up."""
+    """Each part is a format's or a program's own name, or is translated."""
     looked_up: list[str] = []
 
     def translate(text: str) -> str:
@@ -423,7 +423,7 @@ def test_every_name_of_a_choice_is_put_together_from_translated_parts(document: 
 
 
 def test_an_unusable_choice_is_in_italics_and_says_why(panel: MeasurePanel, tmp_path: Path) -> None:
-    """In italics and in words; grey is something else."""
+    """In italics and in words; grey means something else."""
     usable = Choice("MSAA 2", 2.0, 2.0, 2.0, use={"smoothing": "MSAA 2"})
     winner = "supersampling 3 x 3"
     finer = replace(usable, name=winner, cost=1.0, error=1.0, use={"smoothing": winner})

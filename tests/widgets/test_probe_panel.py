@@ -60,7 +60,7 @@ from widgets.parts.typeset import typeset
 from widgets.window.main_window import MainWindow
 
 CORNER = (1.5, 5.0, 0.5)
-"""Of the letter F: seen in the image, in the world pane and in the cube at the start."""
+"""A corner of the letter F that is visible in all three panes at the start."""
 ACCENT = np.round(255 * np.array(rgb(LIGHT.accent)))
 
 
@@ -82,7 +82,7 @@ def any_mark(window: MainWindow, name: str) -> bool:
 
 
 def place_in(window: MainWindow, name: str, point: Any) -> tuple[float, float]:
-    """Where a pane shows a world point, by VTK's own camera; pixels from the top left."""
+    """The pixel of a world point by VTK's own camera, from the pane's top left."""
     pane, projection = window.panes[name], window.store.document.projection
     drawing: Any = pane.drawing
     if name == "image":
@@ -103,14 +103,14 @@ def place_in(window: MainWindow, name: str, point: Any) -> tuple[float, float]:
 
 
 def cells(panel: ProbePanel, block: int, row: int) -> list[str]:
-    """What a line of a probe shows."""
+    """The texts of a line of a probe."""
     model = panel.table.model()
     texts = [model.data(model.index(row, 1 + 4 * block + part)) for part in range(4)]
     return [text for text in texts if text]
 
 
 def copied(panel: ProbePanel) -> list[list[str]]:
-    """All of the table, as it is copied: the formula of each line, and its numbers."""
+    """The whole table as it is copied: the formula of each line, and its numbers."""
     QGuiApplication.clipboard().clear()
     panel.table.selectAll()
     QTest.keyClick(panel.table, Qt.Key.Key_C, Qt.KeyboardModifier.ControlModifier)
@@ -141,7 +141,7 @@ EYES = {
 
 
 def is_seen(sight: Sight, vertex: Array, triangles: Array, lines: Array) -> bool:
-    """Whether no face and no line is between a vertex and where the lines of sight come from."""
+    """Whether no face and no line hides a vertex."""
     at = np.append(vertex - sight.eye, 1.0)
     x, y, order, w = sight.rows
     if (sight.limits @ at < 0.0).any() or w @ at <= 0.0:
@@ -175,7 +175,7 @@ def is_seen(sight: Sight, vertex: Array, triangles: Array, lines: Array) -> bool
 def test_a_click_on_or_beside_a_visible_vertex_picks_it_in_every_pane(
     make_window: MakeWindow, lens: str, eye: str
 ) -> None:
-    """0 and 2 px to each side: the edges that run to it or past it are not what is meant."""
+    """0 and 2 px to each side: the edges beside the vertex are not picked."""
     window, scene = make_window(), load("letter-f")
     window.store.set_projection(replace(start(), lens=LENSES[lens], camera=EYES[eye]))
     QApplication.processEvents()
@@ -273,7 +273,7 @@ def test_picking_is_prepared_in_a_thread_when_the_scene_is_opened(
 
 
 def in_gesture(panel: ProbePanel) -> bool:
-    """Whether its numbers run."""
+    """Whether the panel is in a gesture."""
     return bool(panel.findChild(Readable).in_gesture)
 
 
@@ -599,7 +599,7 @@ def test_the_formulas_fractions_are_stacked_in_rows_that_hold_them(panel: ProbeP
 
 
 def test_an_open_panel_is_whole_in_letters_for_a_class_and_back(window: MainWindow) -> None:
-    """Every formula, and all nine lines; back, it takes less room again."""
+    """Every formula and all nine lines are visible; afterwards the panel is small again."""
     window.resize(1920, 1080)
     panel = window.probe_panel
     window.panels.open(panel)
@@ -820,7 +820,7 @@ def test_letters_are_those_of_the_other_panels(panel: ProbePanel) -> None:
 
 
 def test_l13_the_panel_that_is_opened_by_hand_follows_a_vertex_at_once(window: MainWindow) -> None:
-    """One click from the letter F to the rows of a point; a probe that there is stays."""
+    """One click shows the numbers of a point; an existing probe stays."""
     panel = window.probe_panel
     (name,) = (b for b in window.panels.names.findChildren(QToolButton) if b.text() == "Probe")
     name.click()

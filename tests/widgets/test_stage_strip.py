@@ -67,7 +67,7 @@ def shown() -> Iterator[Callable[..., Shown]]:
 
 
 def lit(pixels: Pixels, colour: str) -> NDArray[np.bool_]:
-    """Where a colour is drawn."""
+    """The pixels of a colour."""
     wanted = np.round(np.array(rgb(colour)) * 255.0)
     close: NDArray[np.bool_] = (np.abs(pixels.astype(int) - wanted) <= 3).all(axis=-1)
     return close
@@ -94,7 +94,7 @@ def test_back_at_ndc_every_pixel_is_as_before(lens: Lens, shown: Callable[..., S
 def test_the_scene_is_in_the_pane_at_every_stop(
     lens: Lens, style: Style, shown: Callable[..., Shown]
 ) -> None:
-    """The letter's own faces are on the screen, and do not touch its border."""
+    """The letter's faces are visible, and do not touch the border."""
     screen = shown((320, 460), style)
     screen.drawing.show_projection(replace(screen.scene.start, lens=lens))
     for position in (0.0, 1.0, 2.0, 3.0, 4.0, 5.0):
@@ -107,7 +107,7 @@ def test_the_scene_is_in_the_pane_at_every_stop(
 
 
 def test_in_a_low_pane_of_large_letters_the_cube_is_not_small(shown: Callable[..., Shown]) -> None:
-    """As for a class: 0.40 of its height where the labels' margins had half of it."""
+    """As while presenting; it had 0.40 of the height when the labels' margins took half of it."""
     style, height = LIGHT.enlarged(17.0 / LIGHT.font_size), 126
     screen = shown((480, height), style)
     screen.drawing.show_layers(frozenset({"labels"}))
@@ -119,7 +119,7 @@ def test_in_a_low_pane_of_large_letters_the_cube_is_not_small(shown: Callable[..
 
 
 def test_at_the_image_stop_the_cube_is_the_picture(shown: Callable[..., Shown]) -> None:
-    """Letter F where `trace` says, in the rectangle of the picture seen from the front."""
+    """The letter F is where `trace` puts it in the rectangle of the picture."""
     screen = shown((400, 300))
     projection = screen.scene.start
     pixels = screen.pixels(float(IMAGE))
@@ -142,7 +142,7 @@ def test_at_the_image_stop_the_cube_is_the_picture(shown: Callable[..., Shown]) 
 def test_l9_a_canonical_volume_fills_its_pane(
     position: float, lens: Lens, shown: Callable[..., Shown]
 ) -> None:
-    """With the plates of near and far it is as high as the pane has room under its title."""
+    """With the labels of near and far it is as high as the pane under the title."""
     screen = shown((580, 600))
     screen.pixels(position)
     screen.drawing.show_projection(replace(screen.scene.start, lens=lens))
@@ -152,7 +152,7 @@ def test_l9_a_canonical_volume_fills_its_pane(
 
 
 def test_the_scene_is_whole_until_the_volume_closes(shown: Callable[..., Shown]) -> None:
-    """A frustum that holds nothing of the letter: all of it is seen, then none."""
+    """The frustum holds nothing of the letter: first all of it is visible, then none."""
     screen = shown((600, 600))
     away = replace(screen.scene.start, lens=Perspective(45.0, 25.0, 30.0))
     screen.drawing.show_projection(away)
@@ -263,7 +263,7 @@ def test_at_ndc_the_cube_waits_for_another_depth_range(
 def test_the_heads_of_the_axes_are_as_long_in_half_a_cube(
     depth: Any, shown: Callable[..., Shown]
 ) -> None:
-    """Seen from the right, the blue head of z is as large as it is in a whole one."""
+    """Seen from the right, the blue head of z is as large as in a whole cube."""
     screen = shown((400, 400))
     screen.drawing.show_projection(replace(screen.scene.start, depth=depth))
     camera = screen.plotter.renderer.GetActiveCamera()
@@ -397,7 +397,7 @@ def test_a_name_goes_to_its_stop_and_the_header_says_so(window: MainWindow) -> N
 
 
 def test_the_stops_of_a_parallel_lens_are_named_what_they_are(window: MainWindow) -> None:
-    """It has its box at once; that M_pp is the identity is said where nothing moves."""
+    """It has no pyramid; where nothing moves, the note says that M_pp is the identity."""
     strip, pane, start = window.strip, window.panes["ndc"], window.store.document.projection
     window.store.set_projection(start.with_lens("orthographic"))
     names = [button.text() for button in strip.stops]

@@ -39,7 +39,7 @@ from app.model.projection import Projection
 from app.model.refusal import Refusal
 from widgets.panels.cell_words import CellWords
 from widgets.panels.matrix_row import MatrixBox, MatrixRow
-from widgets.panels.matrix_view import MatrixView, Writing, rich
+from widgets.panels.matrix_view import MatrixView, Writing, add_copies, rich
 from widgets.parts.buttons import tool_button
 from widgets.parts.combo import Combo
 from widgets.parts.fields import parse_number, refusal
@@ -140,14 +140,8 @@ class MatrixPanel(ReadablePanel):
             name=self.tr("Copy all matrices"),
         )
         self.copy.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
-        menu = QMenu(self.copy)
-        for form, text in (
-            ("text", self.tr("As text")),
-            ("numpy", self.tr("For NumPy (numbers)")),
-            ("latex", self.tr("For LaTeX (needs amsmath)")),
-        ):
-            menu.addAction(text, partial(self._copy_all, form))
-        self.copy.setMenu(menu)
+        self.copy.setMenu(QMenu(self.copy))
+        add_copies(self.copy.menu(), lambda form: self._copy(form, *self.shown))
         self.explanation = WarningLabel()
         self.explanation.set_warns(False)
         self.explanation.setAccessibleDescription(self.tr("About the cell"))
@@ -180,7 +174,7 @@ class MatrixPanel(ReadablePanel):
     def _new_view(self, name: str) -> MatrixView:
         view = MatrixView(stage_title(name), self.sentence, editable=name in EDITABLE)
         view.pointed.connect(partial(self._said, view))
-        view.copied.connect(lambda form, matrix: self._copy(form, matrix))
+        view.copied.connect(self._copy)
         view.highlighted.connect(self.highlighted)
         view.show_highlight(self._highlight)
         view.typed.connect(partial(self._typed, view, name))
@@ -379,9 +373,6 @@ class MatrixPanel(ReadablePanel):
         self._row.close_gap()
 
     # -- copying
-
-    def _copy_all(self, form: str) -> None:
-        self._copy(form, *self.shown)
 
     def _copy(self, form: str, *copied: Matrix) -> None:
         letters, formulas = self._letters, self._writing.formulas

@@ -11,7 +11,7 @@ from collections.abc import Callable
 from functools import partial
 from typing import NamedTuple
 
-from PySide6.QtCore import QEvent, QPointF, QRectF, QSize, Qt, Signal
+from PySide6.QtCore import QCoreApplication, QEvent, QPointF, QRectF, QSize, Qt, Signal
 from PySide6.QtGui import (
     QColor,
     QContextMenuEvent,
@@ -498,13 +498,19 @@ class MatrixView(QWidget):
     def contextMenuEvent(self, event: QContextMenuEvent) -> None:
         menu = QMenu(self)
         menu.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
-        for form, text in (
-            ("text", self.tr("Copy as text")),
-            ("numpy", self.tr("Copy for NumPy (numbers)")),
-            ("latex", self.tr("Copy for LaTeX (needs amsmath)")),
-        ):
-            menu.addAction(text, partial(self.copied.emit, form, self._matrix))
+        matrix = self._matrix
+        add_copies(menu, lambda form: self.copied.emit(form, matrix))
         menu.popup(event.globalPos())
+
+
+def add_copies(menu: QMenu, copy: Callable[[str], object]) -> None:
+    """Add an action for each format in which matrices are copied."""
+    for form, text in (
+        ("text", QCoreApplication.translate("MatrixView", "Copy as text")),
+        ("numpy", QCoreApplication.translate("MatrixView", "Copy for NumPy (numbers)")),
+        ("latex", QCoreApplication.translate("MatrixView", "Copy for LaTeX (needs amsmath)")),
+    ):
+        menu.addAction(text, partial(copy, form))
 
 
 def rich(text: str) -> Markup:
