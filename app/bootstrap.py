@@ -1,6 +1,6 @@
-"""Everything Frustum Lab needs, brought to a machine that has only Python.
+"""Set up everything that Frustum Lab needs, on a machine that has only Python.
 
-``start`` is called first by both commands, ``python3 -m app`` and ``python3 -m tests``::
+``python3 -m app`` and ``python3 -m tests`` both call `start` first::
 
     packages in this Python? --yes--> system libraries there? --yes--> go on
             | no                              | no
@@ -9,13 +9,12 @@
             | no
             v
     under a lock: make .venv, pip install, stamp it --> same command again, inside .venv
-            | fails, and what was there before has all that is imported
-            +-----------------------------------------> the same, and what is not up to date is said
+            | fails, and the former .venv still has all that is imported
+            +-----------------------------------------> the same, and say what is not up to date
 
-What stays in one place: the packages and their bounds are in ``pyproject.toml``, the tested exact
-versions in ``constraints.txt``, the system libraries in ``SYSTEM`` below. This room imports the
-standard library only, and nothing of ours: it runs before there is anything else. All it says goes
-to standard error, because standard output belongs to the command that was asked for.
+The packages and their bounds are in ``pyproject.toml``, the tested exact versions in
+``constraints.txt``, the system libraries in `SYSTEM`. This module imports the standard library
+only. It writes to standard error, because standard output belongs to the command.
 """
 
 from __future__ import annotations
@@ -24,7 +23,6 @@ import contextlib
 import ctypes
 import gc
 import hashlib
-import importlib
 import importlib.util
 import os
 import re
@@ -42,22 +40,20 @@ from pathlib import Path
 from typing import IO, Literal, NoReturn
 
 ROOT = Path(__file__).resolve().parent.parent
-#: What starts the program: an installed one has no checkout around it.
+#: The command that starts the program: an installed one has no checkout around it.
 PROGRAM = "python3 -m app" if (ROOT / "pyproject.toml").exists() else "frustum-lab"
 EXIT_NOT_SET_UP = 3
 #: Of a fresh environment with the tests' packages, 1.15, and pip's temporary files.
 SPACE_GB = 1.5
-
-#: How often it is said again what is being done: on a terminal, in one line, and elsewhere.
+#: How often the progress is repeated: on a terminal in one line, and elsewhere.
 TICK_S, TICK_ELSEWHERE_S = 0.5, 10.0
 
-#: What a command asks of the machine: no graphics at all, pictures without a window, a window, or
-#: a window on a virtual display of its own.
+#: What a command needs of the machine: no graphics, pictures without a window, a window, or a
+#: window on a virtual display of its own.
 Need = Literal["numbers", "picture", "window", "tests"]
 _PICTURE: tuple[Need, ...] = ("picture", "window", "tests")
 _WINDOW: tuple[Need, ...] = ("window", "tests")
 
-_STAMP = "frustum-lab.stamp"
 _UNFINISHED = "setting up\n"
 _UNOBTAINABLE = "No matching distribution|ResolutionImpossible"
 _NO_ANSWER = r"Retrying \("
@@ -75,21 +71,14 @@ class SetupError(Exception):
     """What is missing and the command that helps, in one sentence."""
 
 
-# --- what must be there ---------------------------------------------------------------------------
+# --- the operating system's part ------------------------------------------------------------------
 
 
 @dataclass(frozen=True)
 class System:
-    """One thing of the operating system: a shared library or a program.
+    """A shared library, by its soname, or a program of the operating system.
 
-    Attributes
-    ----------
-    name : str
-        The library's soname, as the dynamic loader knows it, or the name of a program.
-    packages : str
-        The packages of Debian and Ubuntu that bring it, separated by spaces.
-    needs : tuple of Need
-        The needs it belongs to.
+    `packages` are those of Debian and Ubuntu that bring it, separated by spaces.
     """
 
     name: str
@@ -97,7 +86,7 @@ class System:
     needs: tuple[Need, ...] = _WINDOW
 
     def is_here(self) -> bool:
-        """Ask the loader itself: right on every distribution, whatever its package manager."""
+        """Ask the loader itself, which is right on every distribution."""
         if ".so" not in self.name:
             return shutil.which(self.name) is not None
         try:
@@ -107,7 +96,6 @@ class System:
         return True
 
 
-@dataclass(frozen=True)
 class _Fonts(System):
     """Qt draws its letters with the system's fonts; without one it opens a window of boxes."""
 
@@ -130,19 +118,22 @@ class _Fonts(System):
 
 @contextlib.contextmanager
 def _in_a_folder() -> Iterator[None]:
-    """Be in a folder: where the current one was deleted, fontconfig cannot read what it needs."""
-    try:
-        os.getcwd()
-    except FileNotFoundError:
-        deleted = os.open(".", os.O_RDONLY)
-        os.chdir("/")
-        try:
-            yield
-        finally:
-            os.fchdir(deleted)
-            os.close(deleted)
-    else:
+    """Leave a current folder that was deleted: fontconfig cannot read its files from there."""
+    if os.path.exists("."):
         yield
+        return
+    deleted = os.open(".", os.O_RDONLY)
+    os.chdir("/")
+    try:
+        yield
+    finally:
+        os.fchdir(deleted)
+        os.close(deleted)
+
+
+class _EnsurePip(System):
+    def is_here(self) -> bool:
+        return importlib.util.find_spec("ensurepip") is not None
 
 
 #: Where the loader's libGL and libEGL lead (Mesa or a vendor's driver) is the machine's own choice,
@@ -177,126 +168,9 @@ SYSTEM = (
     System("Xvfb", "xvfb xauth", ("tests",)),
 )
 
-#: Distributions whose import name is not simply their own name.
-_IMPORT_NAME = {
-    "markdown-it-py": "markdown_it",
-    "pillow": "PIL",
-    "vtk": "vtkmodules",
-    "pyside6-essentials": "PySide6",
-    "pytest-qt": "pytestqt",
-    "pytest-xdist": "xdist",
-}
-
-
-@dataclass(frozen=True)
-class Requirement:
-    """One line of ``pyproject.toml``: a distribution and the half-open range it may be in."""
-
-    text: str
-    name: str
-    bounds: tuple[tuple[str, tuple[int, ...]], ...]
-
-    @property
-    def import_name(self) -> str:
-        """The module whose presence shows that the distribution is there."""
-        return _IMPORT_NAME.get(self.name.lower(), self.name.lower().replace("-", "_"))
-
-    def admits(self, version: str) -> bool:
-        """Whether a version such as ``"6.11.3"`` lies within all bounds."""
-        found = _release(version)
-        return all(_HOLDS[operator](found, bound) for operator, bound in self.bounds)
-
-
-def _release(version: str) -> tuple[int, ...]:
-    """The numbers of a version, without the zeros at its end: 6.12 and 6.12.0 are equal."""
-    match = re.match(r"\d+(\.\d+)*", version)
-    numbers = [int(part) for part in match.group().split(".")] if match else []
-    while numbers and numbers[-1] == 0:
-        numbers.pop()
-    return tuple(numbers)
-
-
-_HOLDS = {
-    ">=": lambda found, bound: found >= bound,
-    "<": lambda found, bound: found < bound,
-    "==": lambda found, bound: found == bound,
-}
-
-
-def requirements(root: Path, extras: Sequence[str] = ()) -> list[Requirement]:
-    """What ``pyproject.toml`` asks for on this Python.
-
-    Parameters
-    ----------
-    root : Path
-        The folder of ``pyproject.toml``.
-    extras : sequence of str
-        Names of optional groups that are wanted too.
-    """
-    project = tomllib.loads((root / "pyproject.toml").read_text(encoding="utf-8"))["project"]
-    texts = list(project["dependencies"])
-    for extra in extras:
-        texts += project["optional-dependencies"][extra]
-    here, found = _release(f"{sys.version_info[0]}.{sys.version_info[1]}"), []
-    for text in texts:
-        asked, _, marker = text.partition(";")
-        if all(_HOLDS[operator](here, python) for operator, python in _bounds(marker)):
-            name = re.match(r"[\w.-]+", asked)
-            assert name is not None
-            found.append(Requirement(text, name[0], _bounds(asked)))
-    return found
-
-
-def _bounds(text: str) -> tuple[tuple[str, tuple[int, ...]], ...]:
-    """The bounds in ``numpy>=2.2,<2.5`` and in ``python_version < '3.12'``."""
-    found = re.findall(r"(>=|<|==)\s*['\"]?([\d.]+)", text)
-    return tuple((operator, _release(version)) for operator, version in found)
-
-
-def _are_importable(wanted: Iterable[Requirement]) -> bool:
-    """Whether every package can be found, by looking only: importing VTK takes a second."""
-    for requirement in wanted:
-        spec = importlib.util.find_spec(requirement.import_name)
-        # A folder left behind by an uninstalled package is found too, but leads to no file.
-        if spec is None or spec.origin is None:
-            return False
-    return True
-
-
-def unmet(wanted: Iterable[Requirement]) -> list[Requirement]:
-    """The requirements that this interpreter does not meet, by version and by import name."""
-    from importlib import metadata
-
-    missing = []
-    for requirement in wanted:
-        try:
-            version = metadata.version(requirement.name)
-        except metadata.PackageNotFoundError:
-            missing.append(requirement)
-            continue
-        if not requirement.admits(version) or not _are_importable([requirement]):
-            missing.append(requirement)
-    return missing
-
-
-@contextlib.contextmanager
-def _stoppable() -> Iterator[None]:
-    """Say how to go on after Ctrl-C, which elsewhere interrupts a look round only."""
-    try:
-        yield
-    except KeyboardInterrupt:
-        _say(f"the set-up was stopped; to go on: {_command_again()}")
-        raise
-
-
-# --- the operating system's part ------------------------------------------------------------------
-
 
 def missing_system(need: Need) -> list[System]:
-    """Which libraries and programs of the operating system a need still lacks.
-
-    macOS and Windows bring everything; on Linux nothing can be taken for granted.
-    """
+    """The libraries and programs that a need lacks; macOS and Windows have them all."""
     if not sys.platform.startswith("linux"):
         return []
     # An X server is there already where DISPLAY names one.
@@ -306,6 +180,12 @@ def missing_system(need: Need) -> list[System]:
         for item in SYSTEM
         if need in item.needs and (item.name != "Xvfb" or own_display) and not item.is_here()
     ]
+
+
+def venv_module() -> list[System]:
+    """Debian and Ubuntu have ensurepip, which a new environment needs, in a package of its own."""
+    item = _EnsurePip("ensurepip", f"python3.{sys.version_info[1]}-venv")
+    return [] if item.is_here() else [item]
 
 
 def advice(missing: Sequence[System]) -> str:
@@ -344,29 +224,29 @@ def _is_root() -> bool:
     return sys.platform != "win32" and os.geteuid() == 0
 
 
-@_stoppable()
 def _ensure_system(missing: Sequence[System]) -> None:
-    """Install what is missing where that is ours to do, else say how."""
+    """Install what is missing, as root with apt-get; otherwise say how."""
     if not missing:
         return
     if not _is_root() or shutil.which("apt-get") is None:
         raise SetupError(advice(missing))
-    environment = {**os.environ, "DEBIAN_FRONTEND": "noninteractive"}
     packages = _packages(missing)
     _say(f"this system lacks {' '.join(packages)}")
-    with _Progress() as progress:
-        progress.say("updating the list of system packages")
-        # A repository that cannot be reached is no reason to stop: the one that matters may be.
-        subprocess.run(["apt-get", "update"], env=environment, capture_output=True, check=False)
-        progress.say("installing system packages")
-        done = subprocess.run(
-            [*_APT_INSTALL, *packages],
-            env=environment,
-            capture_output=True,
-            text=True,
-            errors="replace",
-            check=False,
-        )
+    with _stoppable(), _Progress() as progress:
+        for text, command in (
+            # A repository that cannot be reached is no reason to stop: the one that matters may be.
+            ("updating the list of system packages", ["apt-get", "update"]),
+            ("installing system packages", [*_APT_INSTALL, *packages]),
+        ):
+            progress.say(text)
+            done = subprocess.run(
+                command,
+                env={**os.environ, "DEBIAN_FRONTEND": "noninteractive"},
+                capture_output=True,
+                text=True,
+                errors="replace",
+                check=False,
+            )
     if done.returncode != 0:
         why = _last_line(done.stderr.splitlines(), "E:") or f"exit status {done.returncode}"
         raise SetupError(f"apt-get failed ({why}); try: {_apt_command(packages)}")
@@ -376,62 +256,144 @@ def _ensure_system(missing: Sequence[System]) -> None:
         raise SetupError(advice(left))
 
 
-class _EnsurePip(System):
-    def is_here(self) -> bool:
-        return importlib.util.find_spec("ensurepip") is not None
+# --- Python packages ------------------------------------------------------------------------------
+
+#: Distributions whose import name is not simply their own name.
+_IMPORT_NAME = {
+    "markdown-it-py": "markdown_it",
+    "pillow": "PIL",
+    "vtk": "vtkmodules",
+    "pyside6-essentials": "PySide6",
+    "pytest-qt": "pytestqt",
+    "pytest-xdist": "xdist",
+}
+_HOLDS: dict[str, Callable[[tuple[int, ...], tuple[int, ...]], bool]] = {
+    ">=": lambda found, bound: found >= bound,
+    "<": lambda found, bound: found < bound,
+    "==": lambda found, bound: found == bound,
+}
+Bounds = tuple[tuple[str, tuple[int, ...]], ...]
 
 
-def venv_module() -> list[System]:
-    """Debian and Ubuntu deliver ensurepip, without which no environment can be made, apart."""
-    item = _EnsurePip("ensurepip", f"python3.{sys.version_info[1]}-venv")
-    return [] if item.is_here() else [item]
+@dataclass(frozen=True)
+class Requirement:
+    """One line of ``pyproject.toml``: a distribution and the half-open range of its version."""
+
+    text: str
+    name: str
+    bounds: Bounds
+
+    def admits(self, version: str) -> bool:
+        """Whether a version such as ``"6.11.3"`` lies within all bounds."""
+        return _within(_release(version), self.bounds)
+
+    @property
+    def import_name(self) -> str:
+        name = self.name.lower()
+        return _IMPORT_NAME.get(name, name.replace("-", "_"))
+
+    def is_importable(self) -> bool:
+        """Whether its module can be found, by looking only: importing VTK takes a second."""
+        spec = importlib.util.find_spec(self.import_name)
+        # A folder left behind by an uninstalled package is found too, but leads to no file.
+        return spec is not None and spec.origin is not None
+
+    def is_met(self) -> bool:
+        """Whether this interpreter has it, by version and by import name."""
+        from importlib import metadata
+
+        try:
+            version = metadata.version(self.name)
+        except metadata.PackageNotFoundError:
+            return False
+        return self.admits(version) and self.is_importable()
+
+
+def _release(version: str) -> tuple[int, ...]:
+    """The numbers of a version, without the zeros at its end: 6.12 and 6.12.0 are equal."""
+    match = re.match(r"\d+(\.\d+)*", version)
+    numbers = [int(part) for part in match[0].split(".")] if match else []
+    while numbers and numbers[-1] == 0:
+        numbers.pop()
+    return tuple(numbers)
+
+
+def _bounds(text: str) -> Bounds:
+    """The bounds in ``numpy>=2.2,<2.5`` and in ``python_version < '3.12'``."""
+    found = re.findall(r"(>=|<|==)\s*['\"]?([\d.]+)", text)
+    return tuple((operator, _release(version)) for operator, version in found)
+
+
+def _within(version: tuple[int, ...], bounds: Bounds) -> bool:
+    return all(_HOLDS[operator](version, bound) for operator, bound in bounds)
+
+
+def requirements(root: Path, extras: Sequence[str] = ()) -> list[Requirement]:
+    """What ``pyproject.toml`` asks for on this Python, with these optional groups."""
+    project = tomllib.loads((root / "pyproject.toml").read_text(encoding="utf-8"))["project"]
+    texts = list(project["dependencies"])
+    for extra in extras:
+        texts += project["optional-dependencies"][extra]
+    here, found = _release(f"{sys.version_info[0]}.{sys.version_info[1]}"), []
+    for text in texts:
+        asked, _, marker = text.partition(";")
+        if _within(here, _bounds(marker)):
+            name = re.match(r"[\w.-]+", asked)
+            assert name is not None
+            found.append(Requirement(text, name[0], _bounds(asked)))
+    return found
+
+
+def unmet(wanted: Iterable[Requirement]) -> list[Requirement]:
+    """The requirements that this interpreter does not meet."""
+    return [each for each in wanted if not each.is_met()]
+
+
+def _are_importable(wanted: Iterable[Requirement]) -> bool:
+    return all(each.is_importable() for each in wanted)
 
 
 # --- the virtual environment ----------------------------------------------------------------------
 
+#: Runs inside an environment: prints which Python it is, whether it has pip, and what is old.
+_PROBE = """
+import importlib.util, sys
+print(sys.implementation.cache_tag)
+print("pip" if importlib.util.find_spec("pip") else "")
+sys.path.insert(0, sys.argv[1])
+from app import bootstrap
+wanted = bootstrap.requirements(bootstrap.ROOT, sys.argv[2:])
+if bootstrap._are_importable(wanted):
+    print(", ".join(each.text for each in bootstrap.unmet(wanted)))
+"""
 
-@dataclass(frozen=True)
+
 class Environment:
     """The ``.venv`` beside the code, trusted only as far as its stamp says.
 
-    The stamp holds one line for each group of packages (the program's own, with the test extras)
-    that was installed completely, naming the Python, the platform and the exact requirements it
-    was installed for. While packages are being installed it says so instead, and an environment
-    that still says so when nobody holds the lock was left half-made. Until pip has all that it
-    installs, nothing is touched: an environment that has to be made anew waits under another name,
-    `aside`, and comes back when its successor comes to nothing.
+    The stamp has one line for each group of packages that was installed completely: the program's,
+    and the program's with extras. A line names the Python, the platform and the exact
+    requirements. While packages are being installed, the stamp ends in a line that says so, and an
+    environment with such a stamp that nobody has locked was left half-made. Until pip has all that
+    it installs, nothing is touched. An environment that must be made anew waits under another name,
+    `aside`, and comes back if its successor fails.
     """
 
-    root: Path
-    extras: tuple[str, ...] = ()
-
-    @property
-    def folder(self) -> Path:
-        return self.root / ".venv"
-
-    @property
-    def aside(self) -> Path:
-        return self.root / ".venv.old"
-
-    @property
-    def python(self) -> Path:
-        inside = "Scripts/python.exe" if sys.platform == "win32" else "bin/python"
-        return self.folder / inside
-
-    @property
-    def stamp(self) -> Path:
-        return self.folder / _STAMP
+    def __init__(self, root: Path, extras: Sequence[str] = ()) -> None:
+        self.root, self.extras = root, tuple(extras)
+        self.folder, self.aside = root / ".venv", root / ".venv.old"
+        self.python = self.folder / (
+            "Scripts/python.exe" if sys.platform == "win32" else "bin/python"
+        )
+        self.stamp = self.folder / "frustum-lab.stamp"
+        self.constraints = root / "constraints.txt"
 
     def line(self, extras: Sequence[str] = ()) -> str:
         """The stamp's line for a complete installation of the program and these extras."""
         texts = [requirement.text for requirement in requirements(self.root, extras)]
         texts.append(self.constraints.read_text(encoding="utf-8"))
         digest = hashlib.sha256("\n".join(texts).encode()).hexdigest()
-        return f"{sys.implementation.cache_tag} {sys.platform} {'+'.join(extras) or '-'} {digest}"
-
-    @property
-    def constraints(self) -> Path:
-        return self.root / "constraints.txt"
+        return f"{_here()}{'+'.join(extras) or '-'} {digest}"
 
     def read_stamp(self) -> str | None:
         try:
@@ -441,19 +403,17 @@ class Environment:
 
     def is_complete(self) -> bool:
         stamp = self.read_stamp()
-        if stamp is None or not self.python.exists():
-            return False
-        return self.line(self.extras) in stamp.split("\n")
+        complete = stamp is not None and self.line(self.extras) in stamp.split("\n")
+        return complete and self.python.exists()
 
     def is_running(self) -> bool:
         """Whether the present interpreter is this environment's own."""
         return Path(sys.prefix).resolve() == self.folder.resolve()
 
-    @_stoppable()
     def make(self) -> None:
         """Bring the environment to completion from whatever state it is in."""
         started = time.monotonic()
-        with _lock(self.root / ".venv.lock") as held, _Progress() as progress:
+        with _stoppable(), _lock(self.root / ".venv.lock") as held, _Progress() as progress:
             self._bring_back()  # what was left aside by a set-up that was killed
             if self.is_complete():  # another start has just finished it
                 return
@@ -465,9 +425,9 @@ class Environment:
                     raise _no_space(self.root)
                 progress.say(f"first start: setting up {self.folder} (once; needs the network)")
                 self._make_anew(held, progress)
-            lines = [self.line()] + ([self.line(self.extras)] if self.extras else [])
+            lines = dict.fromkeys(f"{self.line(extras)}\n" for extras in ((), self.extras))
             fresh = self.stamp.with_suffix(".new")
-            fresh.write_text("\n".join(lines) + "\n", encoding="utf-8")
+            fresh.write_text("".join(lines), encoding="utf-8")
             fresh.replace(self.stamp)
             self._bring_back()
         _say(f"set up in {time.monotonic() - started:.0f} s")
@@ -476,124 +436,101 @@ class Environment:
         if self.read_stamp() in (None, _UNFINISHED):
             self._clear(self.folder)
         else:  # it serves another Python, or the program while the tests' part is half-made
-            try:
+            with self._not_in_use():
                 self.folder.rename(self.aside)
-            except OSError as error:
-                raise self._in_use(error) from None
         try:
             self.folder.mkdir(parents=True)
             self.stamp.write_text(_UNFINISHED, encoding="utf-8")
-            self._create(held)
+            output: list[str] = []
+            status = held.run([sys.executable, "-I", "-m", "venv", str(self.folder)], output.append)
+            if status != 0:
+                raise self._failure(
+                    status, output, "",
+                    "Python could not make a virtual environment ({}); try it with: "
+                    + command_line([sys.executable, "-m", "venv", "--clear", str(self.folder)]),
+                )  # fmt: skip
             self._install(held, progress)
         except BaseException:
             self._bring_back()
             raise
 
     def _bring_back(self) -> None:
-        """Let what was put aside be the environment again, but where the new one is complete."""
-        if not self.aside.exists():
-            return
-        if self.is_complete():
-            self._clear(self.aside)
-        else:
-            self._clear(self.folder)
-            self.aside.rename(self.folder)
+        """Let what was put aside be the environment again, unless the new one is complete."""
+        if self.aside.exists():
+            if self.is_complete():
+                self._clear(self.aside)
+            else:
+                self._clear(self.folder)
+                self.aside.rename(self.folder)
 
     def _clear(self, folder: Path) -> None:
-        try:
+        with self._not_in_use():
             if folder.exists():
                 shutil.rmtree(folder)
-        except OSError as error:
-            raise self._in_use(error) from None
 
-    def _in_use(self, error: OSError) -> SetupError:
-        return SetupError(
-            f"{self.folder} could not be removed ({error}); close what runs in it and run "
-            f"again: {_command_again()}"
-        )
+    @contextlib.contextmanager
+    def _not_in_use(self) -> Iterator[None]:
+        try:
+            yield
+        except OSError as error:
+            raise SetupError(
+                f"{self.folder} could not be removed ({error}); close what runs in it and run "
+                f"again: {_command_again()}"
+            ) from None
 
     def mark_unfinished(self, *, whole: bool = True) -> None:
-        """Trust from here on nothing but the program's own part, where extras are concerned.
+        """Trust nothing from here on; where extras are concerned, the program's part stays trusted.
 
-        Parameters
-        ----------
-        whole : bool
-            Whether that part is, as far as one knows besides the stamp.
+        That part must be `whole`, as far as one knows besides the stamp.
         """
         whole = whole and self.line() in (self.read_stamp() or "").split("\n")
         kept = f"{self.line()}\n" if self.extras and whole else ""
         self.stamp.write_text(kept + _UNFINISHED, encoding="utf-8")
 
     def can_be_kept(self) -> bool:
-        """Whether what is there can be completed by pip; else it has to be made anew."""
-        if not self.python.exists():
-            return False
+        """Whether pip can complete what is there; else it has to be made anew."""
+        tag, has_pip, old = self._look()
         stamp = self.read_stamp()
         if stamp is not None:
             # Neither unfinished, nor for another Python or platform (a folder two machines share).
-            ours = f"{sys.implementation.cache_tag} {sys.platform} "
-            return (
-                stamp.startswith(ours)
-                and not stamp.endswith(_UNFINISHED)
-                and self._runs() is not None
-            )
-        # Somebody made it by hand. It is theirs: complete it, or leave it alone.
-        tag = self._runs()
-        if tag is None and self._what_is_old() is not None:
+            return stamp.startswith(_here()) and not stamp.endswith(_UNFINISHED) and has_pip
+        # Somebody else made it: complete it, or leave it alone.
+        how = _remove(self.folder)
+        if not has_pip and old is not None:
             raise SetupError(
                 f"{self.folder} was made by another program and has no pip; bring it up to date "
-                f"with that, or remove it and start again: {_remove(self.folder)}"
+                f"with that, or remove it and start again: {how}"
             )
-        if tag is not None and tag != sys.implementation.cache_tag:
+        if has_pip and tag != sys.implementation.cache_tag:
             raise SetupError(
                 f"{self.folder} was made by hand for another Python; remove it and start again: "
-                f"{_remove(self.folder)}"
+                f"{how}"
             )
-        return tag is not None
+        return has_pip
 
     def serves(self) -> bool:
         """Whether somebody else made it, as ``uv run`` does, and it has all that is wanted."""
-        made = self.read_stamp() is None and self.python.exists()
-        return made and self._what_is_old() == ""
+        return self.read_stamp() is None and self._look()[2] == ""
 
     def still_lacks(self) -> str | None:
-        """What is not as new as it should be; None where anything that is imported is missing."""
-        return self._what_is_old() if self.can_be_kept() else None
+        """What is not as new as it should be; None if something that is imported is missing."""
+        return self._look()[2] if self.can_be_kept() else None
 
-    def _what_is_old(self) -> str | None:
-        probe = (
-            "import sys; sys.path.insert(0, sys.argv[1]); from app import bootstrap; "
-            "bootstrap.tell_what_is_old(sys.argv[2:])"
-        )
-        command: list[str | Path] = [self.python, "-I", "-c", probe, self.root, *self.extras]
-        done = subprocess.run(command, capture_output=True, text=True, check=False)
-        return done.stdout.strip() if done.returncode == 0 else None
+    def _look(self) -> tuple[str, bool, str | None]:
+        """Which Python it runs, whether it has pip, and what it has too old or too new.
 
-    def _runs(self) -> str | None:
-        """Which Python the environment runs, or None where it does not run, or has no pip."""
-        probe = "import sys, pip; print(sys.implementation.cache_tag)"
+        The last is None if it lacks something; all are empty if it does not run.
+        """
+        command = [str(self.python), "-I", "-c", _PROBE, str(self.root), *self.extras]
         try:
-            done = subprocess.run(
-                [self.python, "-I", "-c", probe], capture_output=True, text=True, check=False
-            )
+            done = subprocess.run(command, capture_output=True, text=True, check=False)
         except OSError:
-            return None
-        return done.stdout.strip() if done.returncode == 0 else None
-
-    def _create(self, held: Held) -> None:
-        output: list[str] = []
-        status = held.run([sys.executable, "-I", "-m", "venv", str(self.folder)], output.append)
-        if status != 0:
-            if _shows(output, _FULL):
-                raise _no_space(self.folder)
-            why = _last_line(output) or f"exit status {status}"
-            raise SetupError(
-                f"Python could not make a virtual environment ({why}); try it with: "
-                f"{command_line([sys.executable, '-m', 'venv', '--clear', str(self.folder)])}"
-            )
+            return "", False, None
+        tag, pip, *old = [*done.stdout.split("\n")[:-1], "", ""][:3]
+        return tag, bool(pip), old[0] if done.stdout.count("\n") > 2 else None
 
     def _install(self, held: Held, progress: _Progress) -> None:
-        """Install the tested versions, or where they do not exist for this machine, newer ones."""
+        """Install the tested versions or, where this machine cannot have them, newer ones."""
         wanted = [requirement.text for requirement in requirements(self.root, self.extras)]
         # -I: a package on PYTHONPATH must not pass for an installed one. Wheels only: building VTK
         # or numpy from source is no fallback for a teaching program. Later ones of the user's own
@@ -605,18 +542,20 @@ class Environment:
             progress.say("the tested versions do not exist for this machine: trying others")
             status, output = self._pip(held, progress, [*pip, *wanted])
         if status != 0:
-            if _shows(output, _FULL):
-                raise _no_space(self.folder)
-            why = _last_line(output, "ERROR:") or f"exit status {status}"
-            to_do = "check the network"
-            if _shows(output, _NO_ANSWER):
-                why = "no package server could be reached"  # whatever pip concluded from that
-            elif _shows(output, _HELD):
-                to_do = "close all windows of Frustum Lab"
-            raise SetupError(
-                f"the Python packages could not be installed ({why}); "
-                f"{to_do} and run again: {_command_again()}"
-            )
+            held_open = _shows(output, _HELD) and not _shows(output, _NO_ANSWER)
+            to_do = "close all windows of Frustum Lab" if held_open else "check the network"
+            what = "the Python packages could not be installed ({}); "
+            again = f"{to_do} and run again: {_command_again()}"
+            raise self._failure(status, output, "ERROR:", what + again)
+
+    def _failure(self, status: int, output: list[str], start: str, what: str) -> SetupError:
+        """Why a command failed, by its output, put into a sentence."""
+        if _shows(output, _FULL):
+            return _no_space(self.folder)
+        why = _last_line(output, start) or f"exit status {status}"
+        if _shows(output, _NO_ANSWER):
+            why = "no package server could be reached"  # whatever pip concluded from that
+        return SetupError(what.replace("{}", why, 1))
 
     def _pip(self, held: Held, progress: _Progress, command: list[str]) -> tuple[int, list[str]]:
         output: list[str] = []
@@ -643,21 +582,18 @@ class Environment:
         return sum(1 for _ in self.folder.glob(f"{inside}/site-packages/*.dist-info/RECORD"))
 
 
-def tell_what_is_old(extras: Sequence[str]) -> None:
-    """Print what this Python has too old or too new; end with status 1 where it lacks something."""
-    wanted = requirements(ROOT, extras)
-    if not _are_importable(wanted):
-        raise SystemExit(1)
-    print(", ".join(requirement.text for requirement in unmet(wanted)))
+def _here() -> str:
+    return f"{sys.implementation.cache_tag} {sys.platform} "
 
 
 def _progress(line: str) -> str | None:
     """What a line of pip's output means to somebody who waits; None for most of them."""
-    line = line.strip()
-    match = re.match(r"(?:Downloading|Using cached|Processing) (?:\S*/)?([^/\s]+)\.whl(.*)", line)
+    match = re.match(
+        r"\s*(?:Downloading|Using cached|Processing) (?:\S*/)?([^/\s]+)\.whl(.*)", line
+    )
     if match and not match[2].startswith(".metadata"):
         name, version = match[1].split("-")[:2]
-        return f"{name} {version}{match[2]}"
+        return f"{name} {version}{match[2].rstrip()}"
     if re.search(_NO_ANSWER, line):
         return "the package server does not answer; trying again"
     return None
@@ -693,20 +629,17 @@ def _last_line(lines: Iterable[str], start: str = "") -> str:
 
 
 class _Progress:
-    """Says what is being done, and again that it still is, so that nobody takes it for dead.
+    """Says what is being done, and repeats it, so that nobody thinks the program hangs.
 
     On a terminal the line counts the seconds; elsewhere there is a new line now and then.
     """
 
     def __init__(self) -> None:
         self._live = sys.stderr is not None and sys.stderr.isatty()
-        self._lock = threading.Lock()
-        self._over = threading.Event()
+        self._lock, self._over = threading.Lock(), threading.Event()
         self._thread = threading.Thread(target=self._tick, daemon=True)
-        self._text = ""
+        self._text, self._since = "", 0.0
         self._more: Callable[[], str] = str
-        self._since = time.monotonic()
-        self._width = 0
 
     def __enter__(self) -> _Progress:
         self._thread.start()
@@ -720,11 +653,10 @@ class _Progress:
     def say(self, text: str, more: Callable[[], str] = str) -> None:
         """Say what is done from now on; `more` is asked how far it is."""
         with self._lock:
-            if text == self._text:
-                return
-            self._end_line()
-            self._text, self._more, self._since = text, more, time.monotonic()
-            self._write() if self._live else _say(text)
+            if text != self._text:
+                self._end_line()
+                self._text, self._more, self._since = text, more, time.monotonic()
+                self._write() if self._live else _say(text)
 
     def _tick(self) -> None:
         while not self._over.wait(TICK_S if self._live else TICK_ELSEWHERE_S):
@@ -735,19 +667,17 @@ class _Progress:
     def _write(self) -> None:
         seconds = time.monotonic() - self._since
         how_far = [self._more(), f"{seconds:.0f} s" if seconds >= 1 else ""]
-        text, end = self._text, "".join(f", {part}" for part in how_far if part)
+        end = "".join(f", {part}" for part in how_far if part)
         if not self._live:
-            _say(text + end)
+            _say(self._text + end)
             return
-        room = shutil.get_terminal_size().columns - len("frustum-lab: ") - 1
-        line = f"frustum-lab: {text[: max(0, room - len(end))]}{end}"
-        print(f"\r{line.ljust(self._width)}", end="", file=sys.stderr, flush=True)
-        self._width = len(line)
+        room = max(0, shutil.get_terminal_size().columns - len("frustum-lab: ") - 1)
+        line = f"{self._text[: max(0, room - len(end))]}{end}".ljust(room)
+        print(f"\rfrustum-lab: {line}", end="", file=sys.stderr, flush=True)
 
     def _end_line(self) -> None:
-        if self._width:
+        if self._live and self._text:
             print(file=sys.stderr, flush=True)
-            self._width = 0
 
 
 class Held:
@@ -765,10 +695,9 @@ class Held:
         """Run a command, hand each line it says to `follow`, return its exit status."""
         unwanted = ("PIP_USER", "PIP_TARGET", "PIP_PREFIX", "PIP_ROOT", "PYTHONHOME")
         environment = {key: value for key, value in os.environ.items() if key not in unwanted}
-        environment["PYTHONUNBUFFERED"] = "1"
         with subprocess.Popen(
             command,
-            env=environment,
+            env=environment | {"PYTHONUNBUFFERED": "1"},
             stdin=subprocess.DEVNULL,
             stdout=subprocess.PIPE,
             stderr=subprocess.STDOUT,
@@ -830,7 +759,6 @@ def start(need: Need, extras: Sequence[str] = ()) -> None:
     Parameters
     ----------
     need : Need
-        What the command asks of the operating system.
     extras : sequence of str
         Optional groups of ``pyproject.toml`` that are needed too.
 
@@ -841,7 +769,10 @@ def start(need: Need, extras: Sequence[str] = ()) -> None:
         the user can bring.
     """
     with _in_one_sentence():
-        _start(need, tuple(extras))
+        if _has_packages(tuple(extras)):
+            _ensure_system(missing_system(need))
+        else:
+            _set_up(need, Environment(ROOT, tuple(extras)))
 
 
 def enter() -> bool:
@@ -852,11 +783,69 @@ def enter() -> bool:
     bool
         Whether this Python has all the packages of the program, of whatever version.
     """
-    if not (ROOT / "pyproject.toml").exists():
-        return True
     with _in_one_sentence():
-        wanted = requirements(ROOT)
-        return _enter(Environment(ROOT), wanted) or _are_importable(wanted)
+        return _has_packages() or _are_importable(requirements(ROOT))
+
+
+def _has_packages(extras: tuple[str, ...] = ()) -> bool:
+    """Whether this interpreter has the packages; goes into .venv first, where that says it does."""
+    if not (ROOT / "pyproject.toml").exists():  # installed by pip, which has seen to the packages
+        return True
+    environment, wanted = Environment(ROOT, extras), requirements(ROOT, extras)
+    if os.environ.get(_AGAIN) == _AS_IT_IS and environment.is_running():
+        # That stays said: what is started from here need not try the network again.
+        return _are_importable(wanted)
+    if _is_met(wanted, environment):
+        os.environ.pop(_AGAIN, None)
+        return True
+    may_go = _AGAIN not in os.environ and not environment.is_running()
+    if may_go and (environment.is_complete() or environment.serves()):
+        _again(environment.python)
+    return False
+
+
+def _is_met(wanted: Sequence[Requirement], environment: Environment) -> bool:
+    """Whether this interpreter has the packages; quick to say no, and quick to say yes in .venv."""
+    if not _are_importable(wanted):
+        return False
+    stamp = environment.read_stamp() if environment.is_running() else None
+    if stamp is not None and (environment.is_complete() or stamp.endswith(_UNFINISHED)):
+        return environment.is_complete()
+    return not unmet(wanted)
+
+
+def _set_up(need: Need, environment: Environment) -> NoReturn:
+    """Bring the environment to completion, and start the same command again inside it."""
+    names = ", ".join(each.name for each in unmet(requirements(ROOT, environment.extras)))
+    if _AGAIN in os.environ:
+        raise SetupError(
+            f"{environment.folder} lacks {names} although pip installed them; remove it and start "
+            f"again: {_remove(environment.folder)}"
+        )
+    if environment.is_running():
+        if environment.is_complete():  # so it says, but it has lost something since
+            environment.mark_unfinished(whole=_are_importable(requirements(ROOT)))
+        # An environment cannot be made anew while it runs: that is done from outside.
+        outside = Path(getattr(sys, "_base_executable", sys.executable))
+        if sys.platform == "win32":  # where this process would wait, and hold its own file
+            raise SetupError(
+                f"{environment.folder} lacks {names or 'a part'}; start again: "
+                f"{command_line([str(outside), *sys.orig_argv[1:]])}"
+            )
+        _again(outside)
+    _ensure_system([*venv_module(), *missing_system(need)])
+    how = "made"
+    try:
+        environment.make()
+    except SetupError as error:
+        lacking = environment.still_lacks()
+        if lacking is None:
+            raise
+        _say(f"{error}")
+        _say(f"going on with what is installed{lacking and f', which is not {lacking}'}")
+        how = _AS_IT_IS
+    os.environ[_AGAIN] = how
+    _again(environment.python)
 
 
 @contextlib.contextmanager
@@ -876,88 +865,14 @@ def _in_one_sentence() -> Iterator[None]:
         raise SystemExit(130) from None
 
 
-def _start(need: Need, extras: tuple[str, ...]) -> None:
-    if not (ROOT / "pyproject.toml").exists():
-        # Installed by pip, which has seen to the packages.
-        _ensure_system(missing_system(need))
-        return
-    environment = Environment(ROOT, extras)
-    wanted = requirements(ROOT, extras)
-    if _enter(environment, wanted):
-        _ensure_system(missing_system(need))
-        return
-    if _AGAIN in os.environ:
-        names = ", ".join(requirement.name for requirement in unmet(wanted))
-        raise SetupError(
-            f"{environment.folder} lacks {names} although pip installed them; remove it and start "
-            f"again: {_remove(environment.folder)}"
-        )
-    if environment.is_running():
-        if environment.is_complete():  # so it says, but it has lost something since
-            environment.mark_unfinished(whole=_are_importable(requirements(ROOT)))
-        # An environment cannot be made anew while it runs: that is done from outside.
-        outside = Path(getattr(sys, "_base_executable", sys.executable))
-        if sys.platform == "win32":  # where this process would wait, and hold its own file
-            names = ", ".join(requirement.name for requirement in unmet(wanted))
-            raise SetupError(
-                f"{environment.folder} lacks {names or 'a part'}; start again: "
-                f"{command_line([str(outside), *sys.orig_argv[1:]])}"
-            )
-        _again(outside)
-    _ensure_system([*venv_module(), *missing_system(need)])
-    try:
-        environment.make()
-        how = "made"
-    except SetupError as error:
-        lacking = environment.still_lacks()
-        if lacking is None:
-            raise
-        _say(f"{error}")
-        _say(f"going on with what is installed{lacking and f', which is not {lacking}'}")
-        how = _AS_IT_IS
-    os.environ[_AGAIN] = how
-    _again(environment.python)
-
-
-def _enter(environment: Environment, wanted: Sequence[Requirement]) -> bool:
-    """Whether this interpreter has the packages; goes into .venv first, where that says it does."""
-    if os.environ.get(_AGAIN) == _AS_IT_IS and environment.is_running():
-        # That stays said: what is started from here need not try the network again.
-        return _are_importable(wanted)
-    if _is_met(wanted, environment):
-        os.environ.pop(_AGAIN, None)
-        return True
-    may_go = _AGAIN not in os.environ and not environment.is_running()
-    if may_go and (environment.is_complete() or environment.serves()):
-        _again(environment.python)
-    return False
-
-
-def _is_met(wanted: Sequence[Requirement], environment: Environment) -> bool:
-    """Whether this interpreter has the packages; quick to say no, and quick to say yes in .venv."""
-    if not _are_importable(wanted):
-        return False
-    if environment.is_running() and (stamp := environment.read_stamp()) is not None:
-        if environment.is_complete():
-            return True
-        if stamp.endswith(_UNFINISHED):
-            return False
-    return not unmet(wanted)
-
-
 @contextlib.contextmanager
-def for_good() -> Iterator[None]:
-    """Import what stays until the end, which no collection of garbage need look through.
-
-    While VTK and Qt are imported Python would do so some 500 times, a tenth of the time to the
-    first frame; and later again in the middle of a drag, for as long as three frames.
-    """
-    gc.disable()
+def _stoppable() -> Iterator[None]:
+    """Say how to go on after Ctrl-C, which elsewhere interrupts a look round only."""
     try:
         yield
-    finally:
-        gc.freeze()
-        gc.enable()
+    except KeyboardInterrupt:
+        _say(f"the set-up was stopped; to go on: {_command_again()}")
+        raise
 
 
 def fail(sentence: str) -> NoReturn:
@@ -1000,3 +915,18 @@ def _command_again() -> str:
 def _say(text: str) -> None:
     if sys.stderr is not None:
         print(f"frustum-lab: {text}", file=sys.stderr, flush=True)
+
+
+@contextlib.contextmanager
+def for_good() -> Iterator[None]:
+    """Import what stays until the end without collecting garbage, and exempt it from collection.
+
+    Otherwise Python collects some 500 times while VTK and Qt are imported, a tenth of the time to
+    the first frame, and later in the middle of a drag, for as long as three frames.
+    """
+    gc.disable()
+    try:
+        yield
+    finally:
+        gc.freeze()
+        gc.enable()

@@ -14,7 +14,7 @@ import signal
 import subprocess
 import sys
 import tempfile
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from types import FrameType
 
 from app import bootstrap
@@ -45,6 +45,14 @@ def screens(count: int) -> Iterator[dict[str, str]]:
         environment["DISPLAY"] = displays[0]
         environment["TEST_DISPLAYS"] = " ".join(displays)
         yield environment
+
+
+@contextlib.contextmanager
+def at_home(extras: Sequence[str] = ("test",)) -> Iterator[dict[str, str]]:
+    """Set up, and yield the environment for a screen and a home of a tool's own."""
+    bootstrap.start("tests", extras=extras)
+    with screens(1) as environment, tempfile.TemporaryDirectory() as home:
+        yield environment | dict.fromkeys(("HOME", "XDG_DATA_HOME", "XDG_CONFIG_HOME"), home)
 
 
 @contextlib.contextmanager

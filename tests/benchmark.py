@@ -7,6 +7,8 @@ time is a ratio of two things done in turn in the same process. ``--json FILE`` 
 from __future__ import annotations
 
 import argparse
+import collections
+import contextlib
 import gc
 import itertools
 import json
@@ -16,16 +18,16 @@ import random
 import statistics
 import subprocess
 import sys
-import tempfile
 import time
 import weakref
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from dataclasses import replace
 from functools import partial
 from pathlib import Path
-from typing import Any, NamedTuple
+from typing import Any
 
 from app import bootstrap
+from tests.__main__ import at_home
 
 VERTICES = (100, 10_000, 1_000_000)
 PANES = ("world", "ndc", "image")
@@ -44,12 +46,8 @@ def main() -> int:
         return 0
     # The libraries that the points are compared with are wanted for that only.
     extras = ("test", "bench") if options.only in (None, "points") else ("test",)
-    bootstrap.start("tests", extras=extras)
-    from tests.__main__ import screens
-
     figures: dict[str, Any] = {}
-    with screens(1) as environment, tempfile.TemporaryDirectory() as home:
-        environment |= {"HOME": home, "XDG_DATA_HOME": home, "XDG_CONFIG_HOME": home}
+    with at_home(extras) as environment:
         for part in [options.only] if options.only else PARTS:
             command = [sys.executable, "-m", "tests.benchmark", "--inside", part]
             command += ["--quick"] if options.quick else []
@@ -115,6 +113,14 @@ def settle(app: Any) -> None:
         app.processEvents()
 
 
+def rest(seconds: float) -> None:
+    """Let the window do what it does by itself."""
+    until = time.perf_counter() + seconds
+    while time.perf_counter() < until:
+        application().processEvents()
+        time.sleep(0.002)
+
+
 def close_window(window: Any) -> None:
     """Close as a user does, nothing unsaved."""
     window.store.mark_saved()
@@ -135,8 +141,97 @@ def sphere(vertices: int) -> str:
     return str(path)
 
 
-def rounded(seconds: float) -> float:
-    return round(1e3 * seconds, 2)
+def ms(*seconds: float) -> list[float]:
+    return [round(1e3 * each, 2) for each in seconds]
+
+
+def p50(times: list[float]) -> float:
+    return statistics.median(times)
+
+
+def p95(times: list[float]) -> float:
+    return statistics.quantiles(times, n=20)[-1]
+
+
+def ratio(mine: list[float], other: list[float], digits: int = 3) -> list[float]:
+    """The first over the second, at p50 and at p95."""
+    return [round(p50(mine) / p50(other), digits), round(p95(mine) / p95(other), digits)]
+
+
+def timed(act: Callable[[], object]) -> float:
+    """Seconds of an act, with all that Qt does because of it."""
+    began = time.perf_counter()
+    act()
+    application().processEvents()
+    return time.perf_counter() - began
+
+
+def in_turn(
+    acts: dict[str, Callable[[], object]], turns: int, skipped: int = 3
+) -> dict[str, list[float]]:
+    """Seconds of each act, one after the other, turn after turn, without the first turns."""
+    times: dict[str, list[float]] = {name: [] for name in acts}
+    for turn in range(turns + skipped):
+        for name, act in acts.items():
+            seconds = timed(act)
+            if turn >= skipped:
+                times[name].append(seconds)
+    return times
+
+
+def repaint(window: Any) -> None:
+    """Repaint the panes, and nothing else."""
+    for pane in window.panes.values():
+        pane.request_repaint()
+
+
+def stepping(row: Any, there: int = 40) -> Callable[[], None]:
+    """An act that moves a slider to and fro as a hand drags.
+
+    It goes one way for a while, and not about the saved value, where every step would also enable
+    or disable Undo and change the window's title.
+    """
+    turns = itertools.count()
+
+    def step() -> None:
+        row.slider.setValue(row.slider.value() + (1 if next(turns) // there % 2 else -1))
+
+    return step
+
+
+@contextlib.contextmanager
+def dragging(window: Any) -> Iterator[None]:
+    """As while a slider is dragged: antialiasing waits, in the steps and in the repaints."""
+    window.store.begin_gesture()
+    yield
+    window.store.end_gesture()
+
+
+def in_a_drag(window: Any, name: str, turns: int) -> dict[str, list[float]]:
+    """Bare repaints, repaints with a slider, and its steps, in turn, in the middle of a drag."""
+    row = window.controls.rows[name]
+    with dragging(window):
+        return in_turn(
+            {
+                "bare repaint": partial(repaint, window),
+                "repaint with the slider": lambda: (repaint(window), row.slider.update()),
+                "step": stepping(row),
+            },
+            turns,
+        )
+
+
+def compared(times: dict[str, list[float]], where: str) -> dict[str, Any]:
+    """The figures of steps beside repaints."""
+    figures: dict[str, Any] = {
+        f"{where}: p50, p95 of step / {name}": ratio(times["step"], other)
+        for name, other in times.items()
+        if name != "step"
+    }
+    figures[f"{where}: bare, with slider, step (ms, medians)"] = ms(
+        *(p50(times[name]) for name in ("bare repaint", "repaint with the slider", "step"))
+    )
+    return figures
 
 
 def step_over_repaint(scale: float) -> dict[str, Any]:
@@ -148,67 +243,13 @@ def step_over_repaint(scale: float) -> dict[str, Any]:
     figures: dict[str, Any] = {}
     for vertices in VERTICES:
         window = open_window(sphere(vertices))
-        app = application()
-        # As while a slider is dragged: antialiasing waits, in the steps and in the repaints.
-        window.store.begin_gesture()
-        row = window.controls.rows["fov_y_deg"]
-        start = row.value()
         turns = max(8, round(scale * (200 if vertices < 1_000_000 else 40)))
-        bare, with_slider, step = [], [], []
         drawn = count_repaints(window)
-        for turn in range(turns + 3):
-            began = time.perf_counter()
-            for pane in window.panes.values():
-                pane.request_repaint()
-            app.processEvents()
-            middle = time.perf_counter()
-            for pane in window.panes.values():
-                pane.request_repaint()
-            row.slider.update()
-            app.processEvents()
-            later = time.perf_counter()
-            # To and fro as a hand drags: one way for a while, and not about the saved value, where
-            # every step would also enable or disable Undo and change the window's title.
-            row.slider.setValue(row.slider.value() + (1 if turn // 40 % 2 else -1))
-            app.processEvents()
-            ended = time.perf_counter()
-            if turn >= 3:
-                bare.append(middle - began)
-                with_slider.append(later - middle)
-                step.append(ended - later)
-        assert row.value() != start
+        times = in_a_drag(window, "fov_y_deg", turns)
         assert set(drawn.values()) == {3 * (turns + 3)}, drawn
-        window.store.end_gesture()
-        for name, other in (("bare repaint", bare), ("repaint with the slider", with_slider)):
-            figures[f"{vertices} vertices: p50, p95 of step / {name}"] = [
-                round(statistics.median(step) / statistics.median(other), 3),
-                round(percentile95(step) / percentile95(other), 3),
-            ]
-        figures[f"{vertices} vertices: bare, with slider, step (ms, medians)"] = [
-            rounded(statistics.median(times)) for times in (bare, with_slider, step)
-        ]
+        figures |= compared(times, f"{vertices} vertices")
         close_window(window)
     return figures
-
-
-def in_a_drag(window: Any, row: Any, turns: int) -> tuple[list[float], list[float]]:
-    """Seconds of bare repaints and of a slider's steps, in turn, in the middle of a drag."""
-    app = application()
-    window.store.begin_gesture()
-    bare, step = [], []
-    for turn in range(turns + 3):
-        began = time.perf_counter()
-        for pane in window.panes.values():
-            pane.request_repaint()
-        app.processEvents()
-        middle = time.perf_counter()
-        row.slider.setValue(row.slider.value() + (1 if turn // 40 % 2 else -1))
-        app.processEvents()
-        if turn >= 3:
-            bare.append(middle - began)
-            step.append(time.perf_counter() - middle)
-    window.store.end_gesture()
-    return bare, step
 
 
 WINDOWS = ((1366, 768), (1920, 1080))
@@ -220,34 +261,26 @@ def canvases(scale: float) -> dict[str, Any]:
     figures: dict[str, Any] = {}
     for size in WINDOWS:
         windows = {canvas: open_window(size=size, canvas=canvas) for canvas in ("raster", "opengl")}
-        acts = ("step", "slider", "hover", "typing")
-        times: dict[str, dict[str, list[float]]] = {
-            act: {canvas: [] for canvas in windows} for act in acts
-        }
+        times: dict[tuple[str, str], list[float]] = {}
         for turn in range(max(10, round(100 * scale))):
             for canvas, window in windows.items():
                 window.raise_()
                 settle(app)
                 row = window.controls.rows["fov_y_deg"]
-                letter = "12"[turn % 2]
                 names = frozenset({"near"} if turn % 2 else ())
-                window.store.begin_gesture()
-                for act, do in {
+                acts: dict[str, Callable[[], object]] = {
                     "step": partial(row.slider.setValue, row.slider.value() + 1 - 2 * (turn // 40)),
                     "slider": row.slider.update,
                     "hover": partial(window.highlighter.mark, len(window.panes), names),
-                    "typing": partial(row.field.setText, row.field.text()[:3] + letter),
-                }.items():
-                    began = time.perf_counter()
-                    do()
-                    app.processEvents()
-                    if turn >= 3:
-                        times[act][canvas].append(time.perf_counter() - began)
-                window.store.end_gesture()
-        for act, taken in times.items():
-            raster, opengl = (statistics.median(taken[canvas]) for canvas in ("raster", "opengl"))
+                    "typing": partial(row.field.setText, row.field.text()[:3] + "12"[turn % 2]),
+                }
+                with dragging(window):
+                    for act, do in acts.items():
+                        times.setdefault((act, canvas), []).append(timed(do))
+        for act in dict.fromkeys(act for act, _ in times):
+            raster, opengl = (p50(times[act, canvas][3:]) for canvas in windows)
             figures[f"{size[0]} x {size[1]}: {act}, pixels / OpenGL widgets; ms"] = [
-                round(raster / opengl, 3), rounded(raster), rounded(opengl),
+                round(raster / opengl, 3), *ms(raster, opengl),
             ]  # fmt: skip
         for window in windows.values():
             close_window(window)
@@ -278,60 +311,52 @@ def peers(scale: float) -> dict[str, Any]:
         window = open_window(sphere(vertices), WINDOWS[1])
         window.look.adaptive.set_target(0.0)
         settle(app)
-        row = window.controls.rows["fov_y_deg"]
         mesh = window.shown.scene.surface
         points, triangles = np.asarray(mesh.points, dtype=float), mesh.regular_faces
-        sizes = [(pane.canvas.width(), pane.canvas.height()) for pane in window.panes.values()]
-
         beside = QWidget()
         layout = QHBoxLayout(beside)
-        shown = []
-        for place, (width, height) in enumerate(sizes):
+        shown, drawn = [], []
+        for pane in window.panes.values():
+            width, height = pane.canvas.width(), pane.canvas.height()
             canvas = QtInteractor(beside, auto_update=False, multi_samples=0)
             canvas.setFixedSize(width, height)
             layout.addWidget(canvas)
             shown.append((canvas, mesh.copy()))
-            canvas.add_mesh(shown[place][1], scalars="rgb", rgb=True, lighting=False)
+            canvas.add_mesh(shown[-1][1], scalars="rgb", rgb=True, lighting=False)
+            if vertices <= 10_000:
+                figure = Figure((width / 100.0, height / 100.0), dpi=100.0)
+                faces = Poly3DCollection(points[triangles])
+                figure.add_subplot(projection="3d").add_collection3d(faces)
+                drawn.append((FigureCanvasAgg(figure), faces))
         beside.show()
         settle(app)
-        dpi = 100.0
-        drawn = []
-        for width, height in sizes if vertices <= 10_000 else ():
-            figure = Figure((width / dpi, height / dpi), dpi=dpi)
-            faces = Poly3DCollection(points[triangles])
-            figure.add_subplot(projection="3d").add_collection3d(faces)
-            drawn.append((FigureCanvasAgg(figure), faces))
 
-        window.store.begin_gesture()
-        times: dict[str, list[float]] = {"ours": [], "pyvista": [], "matplotlib": []}
-        for turn in range(max(5, round(scale * (40 if vertices < 1_000_000 else 10)))):
-            began = time.perf_counter()
-            row.slider.setValue(row.slider.value() + (1 if turn // 20 % 2 else -1))
-            app.processEvents()
-            times["ours"].append(time.perf_counter() - began)
-            matrix = window.shown.projection.clip_from_world
-            began = time.perf_counter()
+        def by_pyvista(shown: Any = shown, points: Any = points, window: Any = window) -> None:
             for canvas, copy in shown:
                 if canvas is not shown[0][0]:
-                    copy.points = in_ndc(points, matrix)
+                    copy.points = in_ndc(points, window.shown.projection.clip_from_world)
                 QWidget.update(canvas)
-            app.processEvents()
-            times["pyvista"].append(time.perf_counter() - began)
-            if turn <= 5 and drawn:
-                began = time.perf_counter()
-                for canvas, faces in drawn:
-                    if canvas is not drawn[0][0]:
-                        faces.set_verts(in_ndc(points, matrix)[triangles])
-                    canvas.draw()
-                times["matplotlib"].append(time.perf_counter() - began)
-        window.store.end_gesture()
-        ours = statistics.median(times.pop("ours")[2:])
+
+        def by_matplotlib(
+            drawn: Any = drawn, points: Any = points[triangles], window: Any = window
+        ) -> None:
+            for canvas, faces in drawn:
+                if canvas is not drawn[0][0]:
+                    matrix = window.shown.projection.clip_from_world
+                    faces.set_verts(in_ndc(points.reshape(-1, 3), matrix).reshape(points.shape))
+                canvas.draw()
+
+        acts = {"ours": stepping(window.controls.rows["fov_y_deg"], 20), "pyvista": by_pyvista}
+        turns = max(3, round(scale * (38 if vertices < 1_000_000 else 8)))
+        with dragging(window):
+            times = in_turn(acts, turns, 2)
+            if drawn:
+                times |= in_turn({"matplotlib": by_matplotlib}, 4, 2)
+        ours = p50(times.pop("ours"))
         for name, taken in times.items():
-            if taken:
-                theirs = statistics.median(taken[2:])
-                figures[f"{vertices} vertices: a step of ours / {name}'s; ms"] = [
-                    round(ours / theirs, 3), rounded(ours), rounded(theirs),
-                ]  # fmt: skip
+            figures[f"{vertices} vertices: a step of ours / {name}'s; ms"] = [
+                round(ours / p50(taken), 3), *ms(ours, p50(taken)),
+            ]  # fmt: skip
         for canvas, _ in shown:
             canvas.close()
         beside.deleteLater()
@@ -346,14 +371,11 @@ def scene_steps(scale: float) -> dict[str, Any]:
     figures: dict[str, Any] = {}
     for name in BUILT_IN:
         window = open_window(name, WINDOWS[1])
-        row = window.controls.rows["azimuth_deg"]
-        bare, step = in_a_drag(window, row, max(8, round(100 * scale)))
+        times = in_a_drag(window, "azimuth_deg", max(8, round(100 * scale)))
+        step = times["step"]
         figures[f"{name}: p50, p95 of step / bare repaint; p50, p95 of it (ms)"] = [
-            round(statistics.median(step) / statistics.median(bare), 3),
-            round(percentile95(step) / percentile95(bare), 3),
-            rounded(statistics.median(step)),
-            rounded(percentile95(step)),
-        ]
+            *ratio(step, times["bare repaint"]), *ms(p50(step), p95(step)),
+        ]  # fmt: skip
         close_window(window)
     return figures
 
@@ -364,34 +386,29 @@ def panel_steps(scale: float) -> dict[str, Any]:
     In turn in one process, the step itself, and the step over the bare repaint of the panes as
     high as they are then: an open panel leaves them less to draw.
     """
-    rounds: dict[str, list[float]] = {}
-    steps: dict[str, list[float]] = {}
+    names = {"": "no panel", "matrices": "matrices and three probes",
+             "probe_panel": "the probes' numbers"}  # fmt: skip
+    steps: dict[str, list[float]] = {panel: [] for panel in names}
+    rounds: dict[str, list[float]] = {panel: [] for panel in names}
     for _ in range(3):
-        for panel in ("", "matrices", "probe_panel"):
+        for panel in names:
             window = open_window()
             for point in ((0.0, 0.0, 0.0), (1.0, 2.0, 0.5), (0.5, 4.0, 0.0)) if panel else ():
                 window.probe_panel.follow(point=point)
                 window.probe_panel.pin.click()
             window.panels.open(getattr(window, panel) if panel else None)
             settle(application())
-            row = window.controls.rows["azimuth_deg"]
-            bare, step = in_a_drag(window, row, max(8, round(60 * scale)))
-            ratio = statistics.median(step) / statistics.median(bare)
-            rounds.setdefault(panel, []).append(ratio)
-            steps.setdefault(panel, []).append(statistics.median(step))
+            times = in_a_drag(window, "azimuth_deg", max(8, round(60 * scale)))
+            steps[panel].append(p50(times["step"]))
+            rounds[panel].append(steps[panel][-1] / p50(times["bare repaint"]))
             close_window(window)
-    names = {"": "no panel", "matrices": "matrices and three probes",
-             "probe_panel": "the probes' numbers"}  # fmt: skip
-    ratios = {panel: statistics.median(found) for panel, found in rounds.items()}
     figures: dict[str, Any] = {
-        f"{names[panel]}: step / bare repaint": round(ratio, 3) for panel, ratio in ratios.items()
+        f"{names[panel]}: step / bare repaint": round(p50(found), 3)
+        for panel, found in rounds.items()
     }
     for panel in ("matrices", "probe_panel"):
-        against = statistics.median(steps[panel]) / statistics.median(steps[""])
-        figures[f"{names[panel]}: step / step without"] = round(against, 3)
-        figures[f"{names[panel]}: the same, each over its bare repaint"] = round(
-            ratios[panel] / ratios[""], 3
-        )
+        for what, found in (("step without", steps), ("the same over bare repaints", rounds)):
+            figures[f"{names[panel]}: step / {what}"] = round(p50(found[panel]) / p50(found[""]), 3)
     return figures
 
 
@@ -404,39 +421,25 @@ def strip_step(scale: float) -> dict[str, Any]:
     figures: dict[str, Any] = {}
     for vertices in VERTICES:
         window = open_window(sphere(vertices))
-        app = application()
         pane, slider = window.panes["ndc"], window.strip.slider
         window.strip.gesture_started.emit()  # antialiasing waits, as in a drag
         turns = max(12, round(scale * (240 if vertices < 1_000_000 else 60)))
         stride = slider.maximum() // turns
-        bare, with_slider, step = [], [], []
         slider.setValue(0)
-        settle(app)
-        for turn in range(turns):
-            began = time.perf_counter()
-            slider.setValue((turn + 1) * stride)
-            app.processEvents()
-            middle = time.perf_counter()
-            pane.request_repaint()
-            app.processEvents()
-            later = time.perf_counter()
-            pane.request_repaint()
-            slider.update()
-            app.processEvents()
-            ended = time.perf_counter()
-            if turn >= 3:
-                step.append(middle - began)
-                bare.append(later - middle)
-                with_slider.append(ended - later)
-        for name, other in (("bare repaint", bare), ("repaint with the slider", with_slider)):
-            ratios = [mine / theirs for mine, theirs in zip(step, other, strict=True)]
-            figures[f"{vertices} vertices: step / {name}, medians and median of pairs"] = [
-                round(statistics.median(step) / statistics.median(other), 3),
-                round(statistics.median(ratios), 3),
-            ]
-        figures[f"{vertices} vertices: bare, with slider, step (ms, medians)"] = [
-            rounded(statistics.median(times)) for times in (bare, with_slider, step)
-        ]
+        settle(application())
+        acts: dict[str, Callable[[], object]] = {
+            "step": lambda slider=slider, stride=stride: slider.setValue(slider.value() + stride),
+            "bare repaint": pane.request_repaint,
+            "repaint with the slider": lambda pane=pane, slider=slider: (
+                pane.request_repaint(),
+                slider.update(),
+            ),
+        }
+        times = in_turn(acts, turns - 3)
+        figures |= compared(times, f"{vertices} vertices")
+        for name in ("bare repaint", "repaint with the slider"):
+            ratios = [mine / its for mine, its in zip(times["step"], times[name], strict=True)]
+            figures[f"{vertices} vertices: step / {name}, median of pairs"] = round(p50(ratios), 3)
         close_window(window)
     return figures
 
@@ -451,34 +454,24 @@ def adaptive(scale: float) -> dict[str, Any]:
     for size, vertices in itertools.product(((1600, 700), (1920, 1080)), VERTICES):
         window = open_window(sphere(vertices), size)
         where = f"{size[0]} x {size[1]}, {vertices} vertices"
-        app = application()
-        row = window.controls.rows["fov_y_deg"]
-        target_ms = window.settings.frame_ms
-        for target in (0.0, target_ms):
+        step = stepping(window.controls.rows["fov_y_deg"])
+        for target in (0.0, window.settings.frame_ms):
             window.look.adaptive.set_target(target)
-            settle(app)
+            settle(application())
             frames: list[float] = []
             for _ in range(4):
-                window.store.begin_gesture()
-                for turn in range(max(15, round(scale * (60 if target else 15)))):
-                    began = time.perf_counter()
-                    row.slider.setValue(row.slider.value() + (1 if turn // 40 % 2 else -1))
-                    app.processEvents()
-                    frames.append(time.perf_counter() - began)
-                level, late_ms = window.look.adaptive.budget.level, window.look.adaptive.late_ms
-                window.store.end_gesture()
-                settle(app)
+                with dragging(window):
+                    turns = max(15, round(scale * (60 if target else 15)))
+                    frames += in_turn({"step": step}, turns, 0)["step"]
+                    adapted = window.look.adaptive
+                    found = [adapted.budget.level.share, bool(adapted.late_ms)]
+                settle(application())
             name = f"target {target:g} ms" if target else "no target"
-            figures[f"{where}, {name}: p50, p95, longest (ms)"] = [
-                rounded(statistics.median(frames)),
-                rounded(percentile95(frames)),
-                rounded(max(frames)),
-            ]
+            figures[f"{where}, {name}: p50, p95, longest (ms)"] = ms(
+                p50(frames), p95(frames), max(frames)
+            )
             if target:
-                figures[f"{where}: share of the triangles, said to be late"] = [
-                    level.share,
-                    bool(late_ms),
-                ]
+                figures[f"{where}: share of the triangles, said to be late"] = found
         close_window(window)
     return figures
 
@@ -491,37 +484,23 @@ def measuring(scale: float) -> dict[str, Any]:
     """
     window = open_window(sphere(10_000))
     app = application()
-    row, panel = window.controls.rows["fov_y_deg"], window.measure_panel
+    panel, step = window.measure_panel, stepping(window.controls.rows["fov_y_deg"])
     progress: list[float] = []
     panel.measuring.progressed.connect(progress.append)
     count = max(10, round(40 * scale))
-    turn = 0
 
-    def steps(until: Callable[[], bool]) -> list[float]:
-        nonlocal turn
-        found = []
-        while not until() or len(found) < 5:
-            began = time.perf_counter()
-            row.slider.setValue(row.slider.value() + (1 if turn // 40 % 2 else -1))
-            app.processEvents()
-            found.append(time.perf_counter() - began)
-            turn += 1
+    def steps(seconds: float = 0.0) -> list[float]:
+        until, found = time.monotonic() + seconds, []
+        while time.monotonic() < until or len(found) < (5 if seconds else count):
+            found.append(timed(step))
         return found
 
-    def dragged(until: Callable[[], bool]) -> list[float]:
+    def dragged(seconds: float = 0.0) -> list[float]:
         window.controls.gesture_started.emit()
-        found = steps(until)
+        found = steps(seconds)
         window.controls.gesture_finished.emit()
         settle(app)
         return found
-
-    def some() -> Callable[[], bool]:
-        last = turn + count
-        return lambda: turn >= last
-
-    def seconds(count: float) -> Callable[[], bool]:
-        last = time.monotonic() + count
-        return lambda: time.monotonic() > last
 
     def wait(fraction: float) -> None:
         until = time.monotonic() + 60.0
@@ -530,38 +509,30 @@ def measuring(scale: float) -> dict[str, Any]:
             app.processEvents()
             time.sleep(0.01)
 
-    dragged(some())  # finds the quality
+    dragged()  # finds the quality
     figures: dict[str, Any] = {}
     panel.how.setCurrentIndex(panel.how.findData(False))
     for name in ("arithmetic", "interpolation", "smoothing", "detail", "near"):
-        taken: dict[str, list[float]] = {}
+        taken: dict[str, list[float]] = collections.defaultdict(list)
         for _ in range(max(1, round(2 * scale))):
-            taken.setdefault("dragged alone", []).extend(dragged(some()))
-            taken.setdefault("typed alone", []).extend(steps(some()))
+            taken["dragged alone"] += dragged()
+            taken["typed alone"] += steps()
             progress.clear()
             panel.choose(name)
             panel.run()
-            starting = dragged(seconds(2.0))  # it tells nothing while it waits
-            taken.setdefault("dragged while it starts", []).extend(starting)
+            taken["dragged while it starts"] += dragged(2.0)  # it tells nothing while it waits
             wait(0.01)
-            taken.setdefault("dragged", []).extend(dragged(some()))
+            taken["dragged"] += dragged()
             wait(progress[-1] + 0.01)
-            taken.setdefault("typed", []).extend(steps(some()))
+            taken["typed"] += steps()
             assert panel.measuring.running, "steps beside nothing"
             panel.measuring.kill()
             settle(app)
         for kind in ("dragged", "typed", "dragged while it starts"):
             alone = taken[f"{kind.split()[0]} alone"]
-            figures[f"{name}, {kind}: p50, p95 over a step without"] = [
-                round(statistics.median(taken[kind]) / statistics.median(alone), 2),
-                round(percentile95(taken[kind]) / percentile95(alone), 2),
-            ]
+            figures[f"{name}, {kind}: p50, p95 over a step without"] = ratio(taken[kind], alone, 2)
     close_window(window)
     return figures
-
-
-def percentile95(values: list[float]) -> float:
-    return statistics.quantiles(values, n=20)[-1]
 
 
 def count_repaints(window: Any) -> dict[str, int]:
@@ -585,27 +556,23 @@ def repaints(scale: float) -> dict[str, Any]:
     counts = count_repaints(window)
     figures: dict[str, Any] = {}
 
-    def change(fov_y_deg: float) -> None:
-        old = window.store.document.projection
-        window.store.set_projection(replace(old, lens=Perspective(fov_y_deg, 1.0, 30.0)))
-        settle(app)
+    def changed(first: float) -> list[int]:
+        counts.update(dict.fromkeys(counts, 0))
+        for step in range(50):
+            old = window.store.document.projection
+            lens = Perspective(first + step, 1.0, 30.0)
+            window.store.set_projection(replace(old, lens=lens))
+            settle(app)
+        return list(counts.values())
 
-    for step in range(50):
-        change(46.0 + step)
-    figures["50 changes, repaints of the visible panes"] = list(counts.values())
+    figures["50 changes, repaints of the visible panes"] = changed(46.0)
+    window.slots.bring("world")
+    settle(app)
+    figures["50 changes, repaints with NDC and image hidden"] = changed(100.0)
     window.slots.bring("world")
     settle(app)
     counts.update(dict.fromkeys(counts, 0))
-    for step in range(50):
-        change(100.0 + step)
-    figures["50 changes, repaints with NDC and image hidden"] = list(counts.values())
-    window.slots.bring("world")
-    settle(app)
-    counts.update(dict.fromkeys(counts, 0))
-    until = time.monotonic() + 5.0
-    while time.monotonic() < until:
-        app.processEvents()
-        time.sleep(0.01)
+    rest(5.0)
     figures["5 s of idling, repaints"] = list(counts.values())
     close_window(window)
     return figures
@@ -629,12 +596,12 @@ def first_frame(scale: float) -> dict[str, Any]:
     empty = [whole for whole, _dock in times.pop("empty")]
     for name, taken in times.items():
         for what, ours in zip(("picture", "dock"), zip(*taken, strict=True), strict=True):
-            ratios = [mine / other for other, mine in zip(empty, ours, strict=True)]
+            ratios = [mine / its for its, mine in zip(empty, ours, strict=True)]
             key = f"exec to {what} / empty window with three interactors, {name}"
             found[f"{key} (median, lowest, highest)"] = [
-                round(ratio, 2) for ratio in (statistics.median(ratios), min(ratios), max(ratios))
+                round(each, 2) for each in (p50(ratios), min(ratios), max(ratios))
             ]
-    return found | {"empty window (ms, median)": rounded(statistics.median(empty))}
+    return found | {"empty window (ms, median)": ms(p50(empty))}
 
 
 WINDOW = (1366, 768)
@@ -734,7 +701,7 @@ def project_points(scale: float) -> dict[str, Any]:
     script = times.pop("script")
     return {
         f"10000 points as {name} / a numpy script (median of pairs)": round(
-            statistics.median(mine / its for mine, its in zip(found, script, strict=True)), 2
+            p50([mine / its for mine, its in zip(found, script, strict=True)]), 2
         )
         for name, found in times.items()
     }
@@ -884,8 +851,8 @@ def points(scale: float) -> dict[str, Any]:
             np.testing.assert_allclose(answer, expected, rtol=tolerance, err_msg=name)
         runs = {"ours": ours.run} | {name: way.run for name, way in every.items()}
         calls = max(1, 5_000 // size)
-        times = in_turn(runs, calls, max(5, round(scale * (20 if size == 1_000_000 else 100))))
-        medians = {name: statistics.median(seconds.wall) for name, seconds in times.items()}
+        turns = max(5, round(scale * (20 if size == 1_000_000 else 100)))
+        medians = {name: p50(times) for name, times in calls_in_turn(runs, calls, turns).items()}
         own = medians.pop("ours")
         figures[f"{size} points: ours (ns a point, median)"] = round(1e9 * own / size, 1)
         for name, median in medians.items():
@@ -895,25 +862,18 @@ def points(scale: float) -> dict[str, Any]:
     return figures | beside_a_renderer(projection, max(100, round(2000 * scale)))
 
 
-class Times(NamedTuple):
-    """Seconds a call, on the clock and of this thread's processor."""
-
-    wall: list[float]
-    processor: list[float]
-
-
-def in_turn(runs: dict[str, Callable[[], Any]], calls: int, turns: int) -> dict[str, Times]:
-    """Time each, one after the other, turn after turn."""
-    times = {name: Times([], []) for name in runs}
+def calls_in_turn(
+    runs: dict[str, Callable[[], Any]], calls: int, turns: int
+) -> dict[str, list[float]]:
+    """Seconds a call of each, so many calls one after the other, turn after turn."""
+    times: dict[str, list[float]] = {name: [] for name in runs}
     for turn in range(turns + 2):
         for name, run in runs.items():
-            began, thread_began = time.perf_counter(), time.thread_time()
+            began = time.perf_counter()
             for _ in range(calls):
                 run()
-            seconds, thread_seconds = time.perf_counter() - began, time.thread_time() - thread_began
             if turn >= 2:
-                times[name].wall.append(seconds / calls)
-                times[name].processor.append(thread_seconds / calls)
+                times[name].append((time.perf_counter() - began) / calls)
     return times
 
 
@@ -948,12 +908,11 @@ def beside_a_renderer(projection: Any, calls: int) -> dict[str, Any]:
                 "ours": lambda: projection.trace(world),
                 "an empty loop as long": lambda length=length: idle_loop(length),
             }
-            for name, (times, _) in in_turn(runs, 1, calls).items():
-                median = statistics.median(times)
+            for name, times in calls_in_turn(runs, 1, calls).items():
                 p99 = statistics.quantiles(times, n=100)[-1]
-                figures[f"100000 points beside {beside}, {name}: median, p99, max (ms)"] = [
-                    rounded(median), rounded(p99), rounded(max(times)),
-                ]  # fmt: skip
+                figures[f"100000 points beside {beside}, {name}: median, p99, max (ms)"] = ms(
+                    p50(times), p99, max(times)
+                )
         finally:
             if renderer is not None:
                 renderer.kill()
@@ -1006,25 +965,11 @@ def talks(scale: float) -> dict[str, Any]:
     """
     from app.lessons.course import contained
 
-    app = application()
     window = open_window(size=(1366, 768))
     window.settings.speaker_window = False
-    path, opening = a_talk(200), []
-    for _ in range(5):
-        began = time.perf_counter()
-        assert window.lessons.open(path)
-        app.processEvents()
-        opening.append(time.perf_counter() - began)
-    figures: dict[str, Any] = {
-        "200 steps: opened (ms, median)": rounded(statistics.median(opening))
-    }
-
-    def rest() -> None:
-        until = time.perf_counter() + 2.5  # what is made ahead is made then
-        while time.perf_counter() < until:
-            app.processEvents()
-            time.sleep(0.002)
-
+    path = a_talk(200)
+    opening = in_turn({"open": lambda: window.lessons.open(path)}, 5, 0)["open"]
+    figures: dict[str, Any] = {"200 steps: opened (ms, median)": ms(p50(opening))}
     window.present.begin()
     for talk in contained():
         if not talk.stem.startswith("talk-"):
@@ -1033,29 +978,18 @@ def talks(scale: float) -> dict[str, Any]:
         course, bare = window.lessons.course, []
         own: dict[str, list[float]] = {"same scene": [], "other scene": []}
         for place in range(1, max(2, round(scale * len(course.lesson.steps)))):
-            rest()
+            rest(2.5)  # what is made ahead is made then
             before = window.store.document.scene
-            began = time.perf_counter()
-            window.lessons.go(place)
-            app.processEvents()
-            took = time.perf_counter() - began
-            rest()
-            repaints = []
-            for _ in range(5):
-                began = time.perf_counter()
-                for pane in window.panes.values():
-                    pane.request_repaint()
-                app.processEvents()
-                repaints.append(time.perf_counter() - began)
-            bare.append(statistics.median(repaints))
+            took = timed(partial(window.lessons.go, place))
+            rest(2.5)
+            bare.append(p50(in_turn({"bare": partial(repaint, window)}, 5, 0)["bare"]))
             same = window.store.document.scene == before
             own["same scene" if same else "other scene"].append(took - bare[-1])
-        name = talk.stem
-        figures[f"{name}: bare repaint of the panes (ms, p50)"] = rounded(statistics.median(bare))
+        figures[f"{talk.stem}: bare repaint of the panes (ms, p50)"] = ms(p50(bare))
         for kind, times in own.items():
             if times:
-                figures[f"{name}: own work, {kind} (ms: p50, max; steps)"] = [
-                    rounded(statistics.median(times)), rounded(max(times)), len(times),
+                figures[f"{talk.stem}: own work, {kind} (ms: p50, max; steps)"] = [
+                    *ms(p50(times), max(times)), len(times),
                 ]  # fmt: skip
     window.present.end()
     window.lessons.close()

@@ -42,63 +42,13 @@ DOCUMENTS = 300
 SEED = 17
 SHOWN = 12
 """Differences of a kind that are shown in full."""
-
-# What every scene can be set to. Ranges are the sensible ones, and a little more.
-SCENES: dict[str, dict[str, Any]] = {
-    "letter-f": {},
-    "cube": {},
-    "posts": {},
-    "similar-triangles": {"distance": (-8.0, 12.0), "point": ((-3.0, 3.0),)},
-    "camera-obscura": {"distance": (1.0, 8.0)},
-    "field-of-view": {
-        "preset": ["wide", "tele", "eye", "monitor", "phone"],
-        "distance": (0.4, 8.0),
-        "enlarged": ["true", "false"],
-    },
-    "view-volumes": {"volume": ["pyramid", "box", "oblique", "cone"]},
-    "off-axis-window": {"shift": (-5.0, 5.0), "screens": ["1", "2"]},
-    "oblique-drawing": {
-        "drawing": ["cavalier", "cabinet", "free"],
-        "receding": (0.1, 2.0),
-        "angle_deg": (-180.0, 180.0),
-        "morph": (0.0, 1.0),
-    },
-    "vanishing-points": {
-        "points": ["1", "2", "3", "free"],
-        "edge": ["x", "y", "z"],
-        "t": (0.0, 2.0),
-    },
-    "eye-plane": {"start": ((-8.0, 8.0),), "end": ((-8.0, 8.0),)},
-    "clipping": {"step": (0, 6)},
-    "affine-depth": {"start": ((-12.0, 12.0),), "end": ((-12.0, 12.0),)},
-    "depth-buffer": {
-        "gap": (1e-3, 1.0),
-        "format": ["fixed8", "fixed16", "fixed24", "fixed32", "float16", "float32"],
-        "range": ["standard", "reversed", "infinite", "logarithmic"],
-    },
-    "interpolation": {
-        "interpolation": ["affine", "correct"],
-        "subdivision": (1, 64),
-        "pattern": ["checks", "coordinates"],
-    },
-    "planar-shadow": {
-        "kind": ["point", "sun"],
-        "light": ((-9.0, 9.0),),
-        "height": (-4.0, 0.0),
-        "clip": ["true", "false"],
-    },
-    "far-plane-popping": {
-        "position": (0.0, 300.0),
-        "fog": ["none", "linear", "exponential"],
-        "fog_start": (0.0, 60.0),
-        "fog_end": (70.0, 200.0),
-        "fog_density": (0.005, 0.2),
-        "detail": ["true", "false"],
-        "detail_1": (5.0, 30.0),
-        "detail_2": (40.0, 80.0),
-    },
-    "focus": {"focus": (0.3, 30.0), "aperture": (1.0, 32.0), "confusion": (0.005, 0.2)},
-}
+DOCUMENT: dict[str, Any] = {
+    "format": "frustum-lab", "version": 1, "scene": "letter-f",
+    "camera": {"eye": [6, 5, 9], "target": [0, 2.2, 0], "up": [0, 1, 0]},
+    "lens": {"kind": "perspective", "fov_y_deg": 45, "near": 1, "far": 30},
+    "depth": "opengl", "image": {"width": 1280, "height": 720},
+}  # fmt: skip
+"""What the window opens, and random documents differ from."""
 
 
 def main() -> int:
@@ -198,17 +148,16 @@ def logarithmic(draw: random.Random, low: float, high: float) -> float:
 
 
 def random_settings(draw: random.Random, scene: str) -> list[str]:
+    """``--set`` for every setting of a scene."""
+    from app.scenes.phenomena import PHENOMENA
+    from tests.support.edits import a_setting
+
     words = []
-    for name, values in SCENES[scene].items():
-        if isinstance(values, list):
-            text = draw.choice(values)
-        elif len(values) == 1:
-            text = ",".join(f"{draw.uniform(*values[0]):.3f}" for _ in range(3))
-        elif isinstance(values[0], int):
-            text = str(draw.randint(*values))
-        else:
-            text = f"{draw.uniform(*values):.4g}"
-        words += ["--set", f"settings.{name}={text}"]
+    for setting in PHENOMENA[scene].settings if scene in PHENOMENA else ():
+        value = a_setting(draw, setting)
+        parts = value if isinstance(value, tuple) else (value,)
+        text = ",".join(f"{p:.4g}" if isinstance(p, float) else str(p).lower() for p in parts)
+        words += ["--set", f"{setting.path}={text}"]
     return words
 
 
@@ -226,47 +175,44 @@ def random_camera(draw: random.Random) -> dict[str, list[float]]:
     return {"eye": eye, "target": target, "up": up}
 
 
-def random_lens(draw: random.Random, kind: str) -> dict[str, Any]:
+def random_lens(draw: random.Random, kind: str) -> tuple[dict[str, Any], list[str]]:
+    """A perspective lens, and what makes one of another kind of it."""
     near = logarithmic(draw, 1e-6, 1e4) if draw.random() < 0.3 else logarithmic(draw, 0.05, 5)
     ratio = logarithmic(draw, 1.0001, 1e9) if draw.random() < 0.3 else logarithmic(draw, 2, 1000)
-    far: float | str = near * ratio
-    if kind == "matrix":
-        former = random_lens(draw, draw.choice(("perspective", "orthographic")))
-        cells = [[round(draw.gauss(0, 1), 2) for _ in range(4)] for _ in range(4)]
+    fov = draw.choice((draw.uniform(5, 120), 1e-4, 179.99, 90, logarithmic(draw, 1e-3, 179)))
+    far = "inf" if kind in ("perspective", "frustum") and draw.random() < 0.2 else near * ratio
+    values = [f"kind={kind}"]
+    if kind == "matrix" and draw.random() < 0.7:
+        cells = [round(draw.gauss(0, 1), 2) for _ in range(16)]
         if draw.random() < 0.5:  # a projection with one cell changed
-            cells = [[1.5, 0, 0.1, 0], [0, 2, 0, 0], [0, 0, -1.1, -2.1], [0, 0, -1, 0]]
-            cells[draw.randrange(4)][draw.randrange(4)] += draw.choice((0.5, -0.25, 1.0))
+            cells = [1.5, 0, 0.1, 0, 0, 2, 0, 0, 0, 0, -1.1, -2.1, 0, 0, -1, 0]
+            cells[draw.randrange(16)] += draw.choice((0.5, -0.25, 1.0))
         if draw.random() < 0.1:
-            cells[2] = cells[3][:]  # singular
-        lens: dict[str, Any] = {"kind": kind, "clip_from_view": cells}
-        if draw.random() < 0.5:
-            view = [[round(draw.gauss(0, 1), 2) for _ in range(4)] for _ in range(3)]
-            lens["view_from_world"] = [*view, [0, 0, 0, 1]]
-        return lens | {"former": former}
-    if kind in ("perspective", "frustum") and draw.random() < 0.2:
-        far = "inf"
-    if kind == "perspective":
-        fov = draw.choice((draw.uniform(5, 120), 1e-4, 179.99, 90, logarithmic(draw, 1e-3, 179)))
-        return {"kind": kind, "fov_y_deg": fov, "near": near, "far": far}
-    width = near if kind == "frustum" else logarithmic(draw, 0.01, 100)
-    left, bottom = (round(draw.uniform(-2, 0.8), 3) * width for _ in range(2))
-    lens = {
-        "kind": kind, "left": left, "right": left + width * round(draw.uniform(0.1, 3), 3),
-        "bottom": bottom, "top": bottom + width * round(draw.uniform(0.1, 3), 3),
-        "near": near, "far": far, "keep": draw.choice(("stretch", "x", "y")),
-    }  # fmt: skip
+            cells[8:12] = cells[12:]  # singular
+        values.append(f"clip_from_view={','.join(map(str, cells))}")
+    elif kind not in ("perspective", "matrix"):
+        values.append(f"keep={draw.choice(('stretch', 'x', 'y'))}")
+        if draw.random() < 0.5:  # off the axis
+            width = near if kind == "frustum" else logarithmic(draw, 0.01, 100)
+            for low, high in (("left", "right"), ("bottom", "top")):
+                start = round(draw.uniform(-2, 0.8), 3) * width
+                values += [f"{low}={start!r}", f"{high}={start + width * draw.uniform(0.1, 3)!r}"]
     if kind == "oblique":
-        lens["alpha_deg"] = draw.choice((45, 63.4, 90, draw.uniform(5, 175)))
-        lens["beta_deg"] = draw.choice((45, 90, draw.uniform(5, 175)))
-    return lens
+        for angle in ("alpha_deg", "beta_deg"):
+            values.append(f"{angle}={draw.choice((45, 63.4, 90, draw.uniform(5, 175)))}")
+    lens = {"kind": "perspective", "fov_y_deg": fov, "near": near, "far": far}
+    return lens, [word for value in values for word in ("--set", f"lens.{value}")]
 
 
 def random_case(number: int) -> dict[str, Any]:
     """A document, the words that name it, and points for it; the same ones for a number."""
+    from app.model.projection import DEPTH_RANGES, kinds
+    from app.scenes.phenomena import PHENOMENA
+
     draw = random.Random(f"{SEED}-{number}")
     width, height = draw.choice(((1280, 720), (640, 480), (1, 1), (16384, 3), (101, 977)))
-    depth = draw.choice(("opengl", "direct3d", "reversed"))
-    names = list(SCENES)
+    depth = draw.choice(list(DEPTH_RANGES))
+    names, text = list(PHENOMENA), ""
     if number % 4 == 3:
         scene = names[(number // 4) % len(names)]
         words = ["--set", f"scene={scene}", *random_settings(draw, scene)]
@@ -274,19 +220,15 @@ def random_case(number: int) -> dict[str, Any]:
             words += ["--set", f"depth={depth}", "--set", f"image.width={width}"]
             words += ["--set", f"image.height={height}"]
         if draw.random() < 0.3:
-            kind = draw.choice(("frustum", "orthographic", "oblique", "perspective"))
-            words += ["--set", f"lens.kind={kind}"]
-        text = ""
+            words += ["--set", f"lens.kind={draw.choice(kinds())}"]
     else:
-        kinds = ("perspective", "frustum", "orthographic", "oblique", "matrix")
-        words = ["document.json"]
-        text = json.dumps(
-            {
-                "format": "frustum-lab", "version": 1, "scene": draw.choice(names[:3]),
-                "camera": random_camera(draw), "lens": random_lens(draw, kinds[number % 5]),
-                "depth": depth, "image": {"width": width, "height": height},
-            }
-        )  # fmt: skip
+        lens, changes = random_lens(draw, kinds()[number % len(kinds())])
+        words = ["document.json", *changes]
+        tree = DOCUMENT | {
+            "scene": draw.choice(("letter-f", "cube", "posts")), "camera": random_camera(draw),
+            "lens": lens, "depth": depth, "image": {"width": width, "height": height},
+        }  # fmt: skip
+        text = json.dumps(tree)
         if draw.random() < 0.15:
             words += ["--set", f"lens.near={logarithmic(draw, 0.01, 100)!r}"]
     return {"number": number, "words": words, "document": text}
@@ -398,7 +340,7 @@ def states(scene: str) -> list[list[str]]:
     draw = random.Random(f"{SEED}-{scene}")
     one = random_settings(draw, scene)
     other = [*random_settings(draw, scene), "--set", "depth=reversed", "--theme", "dark"]
-    if not SCENES[scene]:
+    if not one:
         one = ["--set", "lens.kind=oblique", "--set", "camera.eye=-7,3,6"]
         other = ["--set", "lens.fov_y_deg=80", "--set", "lens.far=inf", "--theme", "dark"]
         other += ["--set", "image.width=500", "--set", "image.height=700"]
@@ -410,6 +352,8 @@ def pictures(record: bool, folder: Path, skip: Sequence[str]) -> int:
     import numpy as np
     from PIL import Image
 
+    from app.scenes.scene import BUILT_IN
+
     kept, differing = folder / "pictures", folder / "differences"
     listed = folder / "pictures.json"
     report, compared = Report("pictures", skip), 0
@@ -418,7 +362,7 @@ def pictures(record: bool, folder: Path, skip: Sequence[str]) -> int:
         cases = {
             f"{scene}-{number}-{pane}": ["--panes", pane, "--size", "400x300",
                                          "--set", f"scene={scene}", *words]
-            for scene in SCENES
+            for scene in BUILT_IN
             for number, words in enumerate(states(scene))
             for pane in ("world", "ndc", "image")
         }  # fmt: skip
@@ -813,17 +757,7 @@ def run_window() -> list[dict[str, Any]]:
     """Open the window by the command line, and work with it instead of waiting for a hand."""
     steps: list[dict[str, Any]] = []
     file = Path(os.environ["HOME"]) / "golden.json"
-    file.write_text(
-        json.dumps(
-            {
-                "format": "frustum-lab", "version": 1, "scene": "letter-f",
-                "camera": {"eye": [6, 5, 9], "target": [0, 2.2, 0], "up": [0, 1, 0]},
-                "lens": {"kind": "perspective", "fov_y_deg": 45, "near": 1, "far": 30},
-                "depth": "opengl", "image": {"width": 1280, "height": 720},
-            }
-        ),
-        encoding="utf-8",
-    )  # fmt: skip
+    file.write_text(json.dumps(DOCUMENT), encoding="utf-8")
 
     def work(*_: object) -> int:
         user = Window(file)

@@ -11,12 +11,12 @@ import collections
 import os
 import subprocess
 import sys
-import tempfile
 from pathlib import Path
 from types import FrameType
 from typing import Any
 
 from app import bootstrap
+from tests.__main__ import at_home
 
 
 def main() -> int:
@@ -26,11 +26,7 @@ def main() -> int:
     if parser.parse_args().inside:
         _count()
         return 0
-    bootstrap.start("tests", extras=("test",))
-    from tests.__main__ import screens
-
-    with screens(1) as environment, tempfile.TemporaryDirectory() as home:
-        environment |= {"HOME": home, "XDG_DATA_HOME": home, "XDG_CONFIG_HOME": home}
+    with at_home() as environment:
         command = [sys.executable, "-m", "tests.near", "--inside"]
         return subprocess.run(command, env=environment, cwd=bootstrap.ROOT, check=False).returncode
 

@@ -1,6 +1,6 @@
-"""What the commands open: documents, what ``--set`` makes of them, and scenes.
+"""What the commands open: documents, the values that ``--set`` gives them, and scenes.
 
-Numbers only: a scene is loaded, and VTK with it, when it is asked for.
+VTK is imported only when a scene is loaded.
 """
 
 from __future__ import annotations
@@ -29,12 +29,12 @@ if TYPE_CHECKING:
 
 
 def document_of(file: str | None, assignments: Sequence[str]) -> Document:
-    """The document that a FILE is, holds, or opens with, after the values set by ``--set``."""
+    """The document of a FILE, with the values of ``--set``."""
     return with_values(document_before(file, assignments), assignments)
 
 
 def first_state(lesson: str) -> Document:
-    """What a lesson or a talk begins with."""
+    """The document that a lesson or a talk begins with."""
     from app.lessons.course import Course
     from app.lessons.lesson import read as read_lesson
 
@@ -42,9 +42,9 @@ def first_state(lesson: str) -> Document:
 
 
 def document_before(file: str | None, assignments: Sequence[str]) -> Document:
-    """The document that a FILE is, holds, or opens with, before the values set by ``--set``.
+    """The document of a FILE (a document, picture or mesh), before the values of ``--set``.
 
-    Without a FILE, ``scene=NAME`` opens that scene as the menu does: seen with its own camera.
+    Without a FILE, ``scene=NAME`` opens that scene with its own camera, as the menu does.
     """
     scene = _texts(assignments).get("scene")
     if file is None:
@@ -56,7 +56,7 @@ def document_before(file: str | None, assignments: Sequence[str]) -> Document:
 
 
 def with_values(document: Document, assignments: Sequence[str]) -> Document:
-    """A document after the values set by ``--set``, or a complaint that speaks of these."""
+    """A document with the values of ``--set``, or a refusal that names what was set."""
     texts = _texts(assignments)
     try:
         return set_values(document, assignments)
@@ -65,16 +65,9 @@ def with_values(document: Document, assignments: Sequence[str]) -> Document:
 
 
 def _seen_from(texts: Container[str], error: Refusal) -> Refusal:
-    """Turn a complaint so that it speaks of what was set.
+    """Let a refusal name what was set.
 
     The model says "target must differ from the eye" whichever of the two was set.
-
-    Parameters
-    ----------
-    texts : container of str
-        The paths that were set.
-    error : Refusal
-        What the document answered.
     """
     if error.bound == NOT_THE_EYE and "camera.eye" in texts and error.field not in texts:
         return Refusal.in_document(NOT_THE_TARGET, field="camera.eye", value=error.value)
@@ -87,13 +80,7 @@ def _texts(assignments: Iterable[str]) -> dict[str, str]:
 
 
 def full_path(name: str) -> str:
-    """A file's name with all the folders that it is in.
-
-    Raises
-    ------
-    CliError
-        If it begins in the current folder, and that was deleted.
-    """
+    """A file's absolute path; a `CliError` if the current folder was deleted."""
     try:
         return os.path.abspath(name)
     except FileNotFoundError as error:
@@ -101,13 +88,7 @@ def full_path(name: str) -> str:
 
 
 def check_out(name: str, out: str) -> None:
-    """Make sure, before anything is computed, that a file can be written, as far as one can tell.
-
-    Raises
-    ------
-    CliError
-        If it cannot.
-    """
+    """Refuse a file that cannot be written, as far as one can tell before anything is computed."""
     if os.path.isdir(out):
         raise CliError(f"{name} = {out!r}: is a folder.")
     needed = [out] if os.path.exists(out) else []
@@ -128,13 +109,7 @@ def _opened(scene: str) -> Document:
 
 
 def _start(scene: str) -> Projection:
-    """How a scene opens; only what is no phenomenon has to be loaded for that.
-
-    Raises
-    ------
-    CliError
-        If there is no such scene.
-    """
+    """How a scene opens; only a scene that is no phenomenon must be loaded for that."""
     return PHENOMENA[scene].start if scene in PHENOMENA else load_scene(scene).start
 
 
@@ -146,15 +121,7 @@ def _open(file: str) -> Document:
 
 
 def load_scene(scene: str, mesh: str = "", file: str | None = None) -> Scene:
-    """Load a scene once, with VTK's import failing like any other lack of a library.
-
-    Parameters
-    ----------
-    scene, mesh : str
-        As a document names them.
-    file : str, optional
-        The document, perhaps, that asks for them.
-    """
+    """Load a scene once; a `CliError` if that fails, which names the document in `file`, if any."""
     try:
         with bootstrap.for_good():
             from app.scenes.scene import load
@@ -172,12 +139,12 @@ def _load_once(load: Callable[..., Scene], scene: str, mesh: str) -> Scene:
     return load(scene, mesh=mesh)
 
 
-# pyvista's meshes, as they go, need its modules, which the end of the interpreter takes apart.
+# pyvista's meshes need its modules when they are deleted, and Python clears modules at its end.
 atexit.register(_load_once.cache_clear)
 
 
 def cannot_import(error: ImportError) -> CliError:
-    """What to say of a library that cannot be loaded: what is missing, and how to get it."""
+    """What is missing if a library cannot be loaded, and how to get it."""
     missing = bootstrap.missing_system("window")
     if missing:
         return CliError(f"{bootstrap.advice(missing)}.", CANNOT_DRAW)

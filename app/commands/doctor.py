@@ -1,6 +1,6 @@
-"""What this machine has of all that Frustum Lab needs, and how to get what is missing.
+"""The command ``doctor``: what this machine has, what is missing, and how to get it.
 
-Drivers are tried in processes of their own: a broken one ends the process that asks it.
+Drivers are tried in processes of their own, because a broken driver ends the process.
 """
 
 from __future__ import annotations
@@ -18,19 +18,11 @@ from app import __version__, bootstrap
 from app.commands.options import CANNOT_DRAW, parser_of, write_out
 
 LONGEST_TRIAL_S = 60.0
-"""A driver that has not answered by then is taken for one that never will."""
+"""How long a driver may take to answer."""
 
 
 class Finding(NamedTuple):
-    """One line of the report.
-
-    Attributes
-    ----------
-    name, text : str
-        What was looked at, and what was found.
-    remedy : str
-        What to do about it; empty if nothing is wrong.
-    """
+    """One line of the report, with what to do about it; empty if nothing is wrong."""
 
     name: str
     text: str
@@ -38,18 +30,7 @@ class Finding(NamedTuple):
 
 
 def command(arguments: Sequence[str]) -> int:
-    """The command ``doctor``: print what is found, with what is missing at the end.
-
-    Parameters
-    ----------
-    arguments : sequence of str
-        What follows ``doctor``.
-
-    Returns
-    -------
-    int
-        The exit status.
-    """
+    """The command ``doctor``: print the findings, and at the end what is missing."""
     parser_of("doctor").read(arguments)
     missing = []
     for finding in examine():
@@ -65,10 +46,7 @@ def command(arguments: Sequence[str]) -> int:
 
 
 def examine() -> Iterator[Finding]:
-    """Look at everything in turn; the slow parts come last.
-
-    Where nothing is set up yet, it looks at what can be seen without: nothing is downloaded.
-    """
+    """Look at everything in turn, the slow parts last, and download nothing."""
     set_up = bootstrap.enter()
     yield Finding("Frustum Lab", f"{__version__} in {bootstrap.ROOT}")
     yield Finding("Python", f"{platform.python_version()} ({sys.executable})")
@@ -184,7 +162,7 @@ def _off_screen() -> Finding:
 
 
 def _try(command: list[str], environment: dict[str, str]) -> tuple[dict[str, Any] | None, str]:
-    """Run a trial that prints JSON in its last line; None and why, if it fails."""
+    """Run a trial, which prints JSON in its last line; None and the reason if it fails."""
     try:
         done = subprocess.run(
             command, cwd=bootstrap.ROOT, env=environment, capture_output=True, text=True,
@@ -203,7 +181,7 @@ def _try(command: list[str], environment: dict[str, str]) -> tuple[dict[str, Any
 
 
 def _draw_off_screen() -> None:
-    """Draw a red square without a window, make sure that it is there, print by what."""
+    """Draw a red square without a window, check its colour, and print what drew it."""
     from app.drawings.actors import face_actor, identity_camera
     from app.drawings.off_screen import check_off_screen, off_screen, pixels_of
 

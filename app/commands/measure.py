@@ -31,23 +31,7 @@ from app.model.refusal import Cancelled
 
 
 def run(arguments: Sequence[str]) -> int:
-    """Measure, and print and write what came out, as `app.commands.cli.main` is told.
-
-    Parameters
-    ----------
-    arguments : sequence of str
-        What follows ``measure``.
-
-    Returns
-    -------
-    int
-        The exit status.
-
-    Raises
-    ------
-    CliError
-        For input that is wrong.
-    """
+    """Measure, print and write the results; the exit status. A `CliError` for wrong input."""
     found, words = parser_of("measure").read(arguments)
     swept = dict(_range(name, ends) for name, ends in found.sweep or ())
     if found.attended and sys.platform != "win32":

@@ -1,6 +1,6 @@
-"""The words that the command line takes: commands, their options, their complaints.
+"""The command line's words: commands, their options, and how wrong ones are refused.
 
-Standard library only: help is given, and a mistyped option refused, before anything is set up.
+Standard library only: help comes, and a mistyped option is refused, before anything is set up.
 Every wrong input becomes a `CliError` of one sentence.
 """
 
@@ -53,9 +53,9 @@ SETTABLE = (
     "view.stage", "view.frame_step", "view.panel", "view.letters", "view.layers", "view.fixed",
     "view.probes", "view.compare", "view.dividers",
 )  # fmt: skip
-"""Every path that ``--set`` knows, of all lenses; and each scene has ``settings.NAME`` of its own.
+"""Every path that ``--set`` knows, for all lenses; each scene adds its own ``settings.NAME``.
 
-What these names are of lies in rooms that need more than Python; a test compares them.
+These lists repeat names of modules that need more than Python; a test compares them.
 """
 
 
@@ -75,11 +75,11 @@ def complain(sentence: str, status: int) -> int:
 
 
 def standard_output() -> TextIO:
-    """Where the output goes, whose every character can be written there.
+    """Standard output, set so that it takes every character.
 
-    Files and other programs get UTF-8, as the documents are and as TeX and JSON are read, wherever
-    it was made; Python would take the locale's, in Windows cp1252, which has no minus sign. What
-    shows itself has its own: there a character that it lacks is told by its number.
+    Files and other programs get UTF-8 everywhere, as TeX and JSON are read; Python would use the
+    locale's encoding, which is cp1252 in Windows and has no minus sign. A terminal keeps its own
+    encoding, and shows the number of a character that it lacks.
 
     Raises
     ------
@@ -95,7 +95,7 @@ def standard_output() -> TextIO:
 
 
 def write_out(texts: Iterable[str]) -> None:
-    """Write to standard output, now: an error must come here, not when Python ends."""
+    """Write to standard output and flush, so that an error comes here and not when Python ends."""
     out = standard_output()
     try:
         for text in texts:
@@ -202,13 +202,7 @@ def parse_number(text: str) -> float:
 
 
 def check_file(word: str) -> None:
-    """Take a word that is no file and looks like none for the command that it was to be.
-
-    Raises
-    ------
-    CliError
-        Naming the nearest command.
-    """
+    """Refuse a word that is not a file as a misspelt command, naming the nearest one."""
     if os.path.lexists(word) or not re.fullmatch(r"\w[\w-]*", word):
         return
     if word in SUMMARIES:
@@ -225,18 +219,14 @@ def _size(value: str) -> tuple[int, int]:
     return int(match[1]), int(match[2])
 
 
-def _scale(value: str) -> float:
-    try:
-        return parse_number(value)
-    except ValueError:
-        raise CliError(f"--scale = {value!r}: must be a finite number.") from None
+def _number(option: str, bound: str) -> Callable[[str], float]:
+    def read(value: str) -> float:
+        try:
+            return parse_number(value)
+        except ValueError:
+            raise CliError(f"{option} = {value!r}: must be {bound}.") from None
 
-
-def _points(value: str) -> float:
-    try:
-        return parse_number(value)
-    except ValueError:
-        raise CliError(f"--text-size = {value!r}: must be a number of points.") from None
+    return read
 
 
 def _sweep(value: str) -> tuple[str, str]:
@@ -291,10 +281,14 @@ def _export() -> Parser:
         help="pixels at scale 1 (640x640 for each pane, or the image's own size for it alone)",
     )
     parser.add_argument(
-        "--scale", type=_scale, default=1.0, metavar="FACTOR", help="the same figure, finer (1)"
+        "--scale",
+        type=_number("--scale", "a finite number"),
+        default=1.0,
+        metavar="FACTOR",
+        help="the same figure, finer (1)",
     )
     parser.add_argument(
-        "--text-size", type=_points, metavar="PT",
+        "--text-size", type=_number("--text-size", "a number of points"), metavar="PT",
         help="height of the letters in points, 300 pixels to 72 of them at scale 1 (6 in a pane of"
         " 640 pixels, and in others in proportion)",
     )  # fmt: skip
@@ -404,12 +398,12 @@ def parser_of(command: str) -> Parser:
 
 
 def answer(arguments: Sequence[str]) -> None:
-    """Print the help or the version that is asked for, and end; or return.
+    """Print the help or the version, and end, if one of them is asked for; otherwise return.
 
     Raises
     ------
     SystemExit, CliError
-        Having answered, or for what else is wrong on the command line.
+        After the answer, or for another error on the command line.
     """
     end = arguments.index("--") if "--" in arguments else len(arguments)
     if {"-h", "--help", "--version"}.isdisjoint(arguments[:end]):
@@ -422,7 +416,7 @@ def answer(arguments: Sequence[str]) -> None:
 
 
 def outcome(run: Callable[[], _Status]) -> _Status | int:
-    """The exit status of what is run, after what it complains of."""
+    """Run, print the sentence of an error, and return the exit status."""
     try:
         return run()
     except CliError as error:

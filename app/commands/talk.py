@@ -42,7 +42,6 @@ def talk(arguments: Sequence[str]) -> int:
 
 
 def _draw() -> Callable[[Document], object]:
-    """Return a function that draws a document's panes without a display."""
     try:
         with bootstrap.for_good():
             from app.drawings.figures import render

@@ -1,7 +1,7 @@
-"""Pictures beside the document's own: what each of them shows, and in what they differ.
+"""Pictures compared with the document's own: what each shows, and where they differ.
 
-A picture is held, a state of camera, lens, image and settings as it was; or it follows the document
-in everything but some values of its own (the same camera, another interpolation).
+A held picture keeps the camera, lens, image and settings of one moment. Any other picture follows
+the document in everything but some values of its own (another interpolation, say).
 """
 
 from __future__ import annotations
@@ -32,21 +32,14 @@ ONLY_OF_THE_PICTURE = QT_TRANSLATE_NOOP(
 )
 HELD_ELSEWHERE = QT_TRANSLATE_NOOP("Refusal", "must be the document's own, {0}")
 PARTS = ("settings", "camera", "lens", "image", "object", "depth")
-"""What of a document a picture shows, and can have for itself."""
+"""The parts of a document that a picture shows, and may have for itself."""
 ON, OFF = QT_TRANSLATE_NOOP("phenomena", "on"), QT_TRANSLATE_NOOP("phenomena", "off")
 _ALONG = 1e-9  # sine between two camera axes that are one
 
 
 @dataclass(frozen=True)
 class Held:
-    """A state that stays as it was.
-
-    Attributes
-    ----------
-    projection : Projection
-    settings : mapping
-        Of the scene's phenomenon; complete.
-    """
+    """A state that stays as it was; the settings are those of the scene's phenomenon."""
 
     projection: Projection
     settings: Settings = field(default_factory=lambda: MappingProxyType({}))
@@ -54,15 +47,15 @@ class Held:
 
 @dataclass(frozen=True)
 class Picture:
-    """One of the pictures that are seen beside each other.
+    """One of the pictures that are compared.
 
     Parameters
     ----------
     name : str
-        What it is called; translatable, if it is one of a phenomenon's own.
+        Translatable, if a phenomenon gives it.
     changes : tuple of str
-        In what it differs from the document, as ``--set`` has it: ``"lens.keep=x"``. Of the
-        document's own, with what values it has its name.
+        The values that differ from the document's, as ``--set`` has them: ``"lens.keep=x"``. For
+        the document's own picture, the values for which it has its name.
     held : Held, optional
         What it shows instead of following the document.
     live : bool
@@ -71,7 +64,7 @@ class Picture:
     Raises
     ------
     Refusal
-        For changes that are none of a picture.
+        For changes of what no picture shows.
     """
 
     name: str = ""
@@ -87,13 +80,7 @@ class Picture:
 
 
 def check_pictures(pictures: Sequence[Picture], dividers: Sequence[float]) -> None:
-    """Refuse what is no comparison.
-
-    Raises
-    ------
-    Refusal
-        For the number of pictures, or dividers that are none between them.
-    """
+    """Refuse a wrong number of pictures, and dividers that do not divide them."""
     count = len(pictures)
     live = sum(picture.live for picture in pictures)
     if count and not (2 <= count <= MOST_PICTURES and live == 1):
@@ -116,18 +103,10 @@ def check_pictures(pictures: Sequence[Picture], dividers: Sequence[float]) -> No
 
 
 def differences(states: Sequence[Held]) -> list[tuple[str, tuple[Any, ...]]]:
-    """In what some states differ: path in the document, and each state's value.
+    """The paths at which states differ, each with every state's value.
 
-    Parameters
-    ----------
-    states : sequence of Held
-        In the order in which they are seen.
-
-    Returns
-    -------
-    list of (str, tuple)
-        Settings first. ``camera.distance`` stands for the eye where only that differs, ``image``
-        is (width, height), and of lenses of several kinds only what all of them have is named.
+    Settings come first. ``camera.distance`` stands for the eye if only that differs, and ``image``
+    is (width, height). For lenses of several kinds only common fields are compared.
     """
     found: list[tuple[str, tuple[Any, ...]]] = []
 
@@ -161,15 +140,8 @@ def differences(states: Sequence[Held]) -> list[tuple[str, tuple[Any, ...]]]:
 
 @dataclass(frozen=True)
 class Written:
-    """How a difference is written, in some language.
-
-    Attributes
-    ----------
-    field : callable
-        The name of a field of the model.
-    text : callable
-        A text of the phenomena: a setting's name, unit, or choice; ``on`` and ``off``.
-    number : callable
+    """How to write a difference in some language: the name of a field of the model, a text of the
+    phenomena (a setting's name, unit or choice; ``on`` and ``off``), and a number.
     """
 
     field: Callable[[str], str]
@@ -183,18 +155,9 @@ def in_words(
     settings: Sequence[Setting],
     written: Written,
 ) -> list[str]:
-    """In what pictures differ, one text for each difference: ``near 4 \u2192 8``.
+    """The differences of pictures in words: ``near 4 \u2192 8``.
 
-    What the pictures have their names from is said by these, unless nothing else differs.
-
-    Parameters
-    ----------
-    pictures : sequence of Picture
-    states : sequence of Held
-        What they show.
-    settings : sequence of Setting
-        Those of the scene's phenomenon.
-    written : Written
+    Values that name a picture are left out, unless nothing else differs.
     """
     found = differences(states)
     named = {change.partition("=")[0] for each in pictures for change in each.changes}
@@ -222,7 +185,7 @@ def _in_words(path: str, values: Sequence[Any], setting: Setting | None, written
 
 
 def _value(value: Any, written: Written) -> str:
-    """Of a number, a point, a word; of what is larger nothing."""
+    """A number, a point or a word; empty for anything larger."""
     if isinstance(value, bool):
         return written.text(ON if value else OFF)
     if isinstance(value, (int, float)):
@@ -233,7 +196,7 @@ def _value(value: Any, written: Written) -> str:
 
 
 def _same_axis(cameras: Sequence[Camera]) -> bool:
-    """Whether they look at one target along one line, one way up."""
+    """Whether they look at the same target along the same line with the same up."""
     first = cameras[0]
     if any((camera.target, camera.up) != (first.target, first.up) for camera in cameras):
         return False

@@ -15,29 +15,21 @@ from app.model.projection import Projection
 
 UNDO_LIMIT = 1000
 OPENED_LIMIT = 3
-"""So many openings undo can take back: the scenes of all of them are kept in memory."""
+"""How many openings undo can take back: their scenes stay in memory."""
 
 
 @dataclass(eq=False)
 class Origin:
-    """Where a document came from: one for each time that something is opened.
-
-    Attributes
-    ----------
-    saved : Document or None
-        What is in its file, or opened as it was; None for what is in none.
-    path : Path or None
-        Where it is saved.
-    written : object
-        How that file was when it was read or written here last.
-    is_work : bool
-        Whether it may be lost: what is tried out beside a lesson's step is not.
-    """
+    """Where a document came from: one for each time that something is opened."""
 
     saved: Document | None
+    """The document as its file has it, or as it was opened; None if no file has it."""
     path: Path | None = None
+    """Where it is saved."""
     written: object = None
+    """The state of that file when it was last read or written here."""
     is_work: bool = True
+    """Whether it must not get lost: what a student tries out beside a lesson's step may."""
 
 
 class _Step(NamedTuple):
@@ -50,38 +42,29 @@ class Store(QObject):
 
     Edits come in as whole values and go out as one `changed(document)`; an edit that changes
     nothing is silent. A gesture (a drag, a play of the animation) is one undo step however many
-    edits it makes; one that comes while another goes on (a drag while the animation plays) is a
-    step of its own, and so is a change of the whole document, and to open another one: undo brings
-    the former back, with its file and its unsaved work. What the outer one does afterwards belongs
-    to that step: undo takes back what the user did last.
+    edits it makes. A gesture inside another one (a drag while the animation plays) is a step of its
+    own, and what the outer one does afterwards belongs to that step: undo takes back what the user
+    did last. A change of the whole document is a step, and so is opening another one: undo brings
+    the former document back, with its file and its unsaved work.
 
-    How a document is looked at is no step. The widgets know it; they are asked when another
-    document takes its place, so that undo brings it back as it was looked at.
+    A change of the view is no step. The widgets know the view; the store asks them (`look`) when
+    another document comes, so that undo brings the view back, too.
 
     Parameters
     ----------
     document : Document
-        What is open at the start.
     saved : Document, optional
-        What is in its file, if that is another one; undo goes back to it where it has the same
-        scene, which is there.
-
-    Attributes
-    ----------
-    origin : Origin
-        Of the document as it stands.
-    look : callable
-        Tells how it is looked at just now.
+        The document's file, if it differs; undo goes back to it if it has the same scene.
     """
 
     changed = Signal(object)
     """The new `Document`, once per change."""
     history_changed = Signal()
-    """Undo, redo or the unsaved mark may be different now."""
+    """Undo, redo or the unsaved mark may have changed."""
     view_changed = Signal(object)
-    """The `Document`, to be looked at otherwise, and else the same."""
+    """The `Document`, of which only the view has changed."""
     leaving = Signal()
-    """A document of another origin is about to come."""
+    """A document of another origin is about to be shown."""
 
     def __init__(
         self,
@@ -102,7 +85,7 @@ class Store(QObject):
         self._gestures = 0
         self._gesture_start: Document | None = None
         self._before: tuple[Any, ...] | None = None
-        """What a change that is refused goes back to."""
+        """The state that a refused change goes back to."""
         self._is_refused = False
 
     @property
@@ -154,17 +137,15 @@ class Store(QObject):
         path: Path | None = None,
         is_work: bool = True,
     ) -> bool:
-        """Change to a document from elsewhere: one step, whatever becomes of the one before.
+        """Change to a document from elsewhere, as one step.
 
         Parameters
         ----------
         document : Document
         saved : bool
-            False for a recovered document, which is not in any file of the user's.
-        path : Path, optional
-            Where it is saved.
-        is_work : bool
-            Whether what is changed of it can be lost.
+            False for a recovered document, which no file of the user's has.
+        path, is_work
+            As for `Origin`.
 
         Returns
         -------
@@ -185,12 +166,7 @@ class Store(QObject):
         self.history_changed.emit()
 
     def set_view(self, **changes: Any) -> None:
-        """Look at the document otherwise: no step, no unsaved work; what is as it was is silent.
-
-        Parameters
-        ----------
-        **changes
-            Some fields of the `View`; the others are as they are just now.
+        """Change some fields of the `View`: no step, no unsaved work; an equal view is silent.
 
         Raises
         ------
@@ -204,7 +180,7 @@ class Store(QObject):
             self.view_changed.emit(self._document)
 
     def _keep_view(self, view: View) -> None:
-        """Let all steps since the view came, this one too, be looked at so."""
+        """Give a view to this step, and to all others that have had the same one."""
         old = self._document.view
 
         def kept(document: Document) -> Document:
@@ -217,7 +193,7 @@ class Store(QObject):
             self._gesture_start = kept(self._gesture_start)
 
     def _leave(self, document: Document, origin: Origin) -> None:
-        """Before another document comes: note how this one is looked at, and what to go back to."""
+        """Keep the view, and the state to go back to, before another document comes."""
         if document.view is not self._document.view:
             self._keep_view(self.look())
         self._before = (
@@ -227,7 +203,7 @@ class Store(QObject):
             self.leaving.emit()
 
     def _put_aside(self, document: Document, origin: Origin) -> None:
-        """Make a step of a change to another document."""
+        """Make the change to another document a step."""
         self._close_gesture()
         self._gesture_start = None
         self._leave(document, origin)
@@ -236,33 +212,27 @@ class Store(QObject):
         self.origin = origin
 
     def refuse(self) -> None:
-        """Take the change that `changed` is just telling back: its scene cannot be drawn."""
+        """Take back the change that `changed` announces just now: its scene cannot be drawn."""
         self._is_refused = True
 
     def set_document(self, document: Document) -> bool:
-        """Change the whole document (to another scene, say), always one step; equal is silent.
-
-        Returns
-        -------
-        bool
-            False if it is refused: everything is as before.
-        """
+        """Change the whole document as one step; False if it is refused, and all is as before."""
         if document == self._document:
             return True
         self._put_aside(document, self.origin)
         return self._show(document)
 
     def go_on(self, document: Document) -> None:
-        """Go on with the change that `set_document` or `open` began: no step of its own."""
+        """Go on with the change that `set_document` or `open` began, in the same step."""
         self._show(document)
 
     def set_projection(self, projection: Projection) -> None:
-        """Make an edit of the projection; equal is silent."""
+        """Edit the projection."""
         if projection != self._document.projection:
             self._edit(replace(self._document, projection=projection))
 
     def set_settings(self, settings: Mapping[str, Any]) -> None:
-        """Make an edit of some of the scene's settings, which the camera may follow.
+        """Edit some of the scene's settings; the camera may follow.
 
         Raises
         ------
@@ -280,13 +250,7 @@ class Store(QObject):
         self._show(document)
 
     def show_again(self) -> bool:
-        """Announce the document as it stands: a file that it names holds something else now.
-
-        Returns
-        -------
-        bool
-            False if that is refused.
-        """
+        """Announce the document because a file that it names has changed; False if refused."""
         self._leave(self._document, self.origin)
         return self._show(self._document)
 
@@ -306,7 +270,7 @@ class Store(QObject):
         self.history_changed.emit()
 
     def abandon_gesture(self) -> None:
-        """Put back what the gesture has changed so far, as if it had not; not among several."""
+        """Take back what the only gesture has changed so far; with several, do nothing."""
         if self._gestures == 1 and self._gesture_moved and self._gesture_start is not None:
             self._show(self._gesture_start)
 

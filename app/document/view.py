@@ -1,6 +1,6 @@
 """How a document is looked at: what a lecturer prepares beside the model, and finds again.
 
-It is no part of the model: a change of it is no undo step and no unsaved work.
+The view is no part of the model: changing it is no undo step and no unsaved work.
 """
 
 from __future__ import annotations
@@ -38,9 +38,9 @@ PANELS = ("matrices", "frame", "kinds", "probe", "scene", "measure")
 LAYERS = ("labels", "handles", "grid", "frustum", "camera", "near-picture")
 """What of the world can be hidden."""
 FIXED = ("side", "top", "axis", "eye")
-"""From where the world can be looked at beside freely."""
+"""From where the world can be seen, beside freely."""
 MOST_PROBES = 6
-"""More than these are no comparison any more."""
+"""More cannot be compared at a glance."""
 
 A_STAGE = QT_TRANSLATE_NOOP("Refusal", "must be one of {0}, or a number from 0 to {1}")
 ONE_OR_NONE = QT_TRANSLATE_NOOP("Refusal", "must be one of {0}, or empty for none")
@@ -55,60 +55,34 @@ PROBE_NUMBERS = QT_TRANSLATE_NOOP("Refusal", "must be a list of numbers that pro
 
 @dataclass(frozen=True)
 class View:
-    """How a document is looked at.
-
-    Parameters
-    ----------
-    layout : str
-        One of `LAYOUTS`.
-    large : str
-        The pane in the large place, one of `PANES`; empty for the one that the scene names.
-    stage : float
-        Position on the stage strip: whole at `STAGES`.
-    frame_step : str
-        How far the camera's frame is built: one of `camera_frame.STEPS`.
-    panel : str or None
-        The open panel of the drawer, one of `PANELS`; empty for none, and None for what the scene
-        itself opens.
-    letters : str
-        Whose letters formulas are written in: one of `notation.LETTERS`.
-    layers : frozenset of str
-        Those of `LAYERS` that are hidden.
-    fixed : str
-        From where the world is looked at, one of `FIXED`; empty for freely.
-    probes : tuple of Probe
-        Points that are followed, in the order of their numbers.
-    pinned : frozenset of int
-        Numbers of the probes that the next click leaves alone.
-    compare : tuple of Picture
-        The pictures of the image pane, from left to right or from above, one of them the
-        document's own; none while it is seen alone.
-    dividers : tuple of float
-        Where the pictures compared lie over each other and are divided, as fractions of the
-        picture's width; none where they are side by side.
-    panes : dict of str to Camera
-        From where a pane was looked at, if somebody turned it; also of panes that are not here.
-        Not to be changed in place.
-
-    Raises
-    ------
-    Refusal
-        If one of them is none of these.
-    """
+    """How a document is looked at; a `Refusal` for what is none of this."""
 
     layout: str = "pictures"
     large: str = ""
+    """The pane in the large place; empty for the one that the scene names."""
     stage: float = float(NDC)
+    """Position on the stage strip: whole at `STAGES`."""
     frame_step: str = STEPS[0]
+    """How far the camera's frame is built."""
     panel: str | None = None
+    """The open panel of the drawer; empty for none, None for the one that the scene opens."""
     letters: Letters = LETTERS[0]
+    """The lecture whose letters formulas are written in."""
     layers: frozenset[str] = frozenset()
+    """The hidden `LAYERS`."""
     fixed: str = ""
+    """From where the world is seen; empty for freely."""
     probes: tuple[Probe, ...] = ()
+    """Points that are followed, in the order of their numbers."""
     pinned: frozenset[int] = frozenset()
+    """Numbers of the probes that the next click does not move."""
     compare: tuple[Picture, ...] = ()
+    """The compared pictures from left to right, one of them the document's own; or none."""
     dividers: tuple[float, ...] = ()
+    """Where the pictures lie over each other and are divided, as fractions of the width; none
+    where they are side by side."""
     panes: dict[str, Camera] = field(default_factory=dict)
+    """The camera of each pane that somebody turned, also of unknown panes. Do not change it."""
 
     def __post_init__(self) -> None:
         _check_name("layout", self.layout, LAYOUTS, ONE_OF)
@@ -141,7 +115,7 @@ class View:
 
     @property
     def step(self) -> int | None:
-        """The step of the camera's frame that is drawn: None while its panel is not open."""
+        """The step of the camera's frame that is drawn; None while its panel is closed."""
         return STEPS.index(self.frame_step) if self.panel == "frame" else None
 
 
@@ -158,7 +132,7 @@ def _check_name(name: str, value: object, names: Sequence[str], bound: Bound) ->
 
 
 AS_EVER = View()
-"""What nobody has said anything about is looked at so."""
+"""The default view."""
 
 
 # --------------------------------------------------------------------------- as JSON has it
@@ -169,18 +143,8 @@ def read_view(
 ) -> View:
     """A view from its part of a document, as `view_tree` writes it.
 
-    Parameters
-    ----------
-    values : mapping
-        A field that is missing gets its default; what is no field of a view is ignored.
-    panes : dict of str to Camera
-    compare : tuple of Picture
-        Both read already.
-
-    Raises
-    ------
-    Refusal
-        For a value that no view has.
+    Missing fields get their defaults, and unknown ones are ignored. The cameras of panes and the
+    compared pictures are given ready-made. A `Refusal` for a value that no view has.
     """
     found = {
         name: _AS_READ.get(name, _same)(values[name])
@@ -191,7 +155,7 @@ def read_view(
 
 
 def view_tree(view: View) -> dict[str, Any]:
-    """A document's part for a view: what is not as ever, without cameras and pictures."""
+    """A document's part for a view: what differs from `AS_EVER`, but for cameras and pictures."""
     values = {name: getattr(view, name) for name in FIELDS if name not in ("panes", "compare")}
     return {
         name: _AS_WRITTEN.get(name, _same)(value)

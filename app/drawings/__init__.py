@@ -40,7 +40,6 @@ class Words(dict[str, str]):
         return in_letters(word, self._letters)
 
     def get(self, word: str, default: object = None) -> str:
-        """The word; a scene's own is one itself."""
         return self[word]
 
 

@@ -1,14 +1,14 @@
-"""What the drawings share: actors under one 4x4, labels, and a renderer made ready for them.
+"""What the drawings share: actors under one 4x4, labels, and a prepared renderer.
 
-How a slider step reaches the screen without any work per vertex::
+A slider step reaches the screen without any work per vertex::
 
     Space.set(matrix)  writes 16 numbers into a vtkMatrix4x4 that all its actors hold
                        as their user matrix; the GPU divides by w
 
-(`precisions` has the other way, for pictures that float32 cannot draw.)
+(`precision` has the other way, for pictures that float32 cannot draw.)
 
-Such a matrix is projective, so that what VTK computes from bounds is useless: the actors give
-no bounds, the renderer has no cullers, and the drawings set their cameras' clipping ranges.
+Such a matrix is projective, and everything that VTK computes from bounds is useless then. The
+actors give no bounds, the renderer has no cullers, and the drawings set the clipping ranges.
 """
 
 from __future__ import annotations
@@ -27,7 +27,9 @@ import pyvista as pv
 import vtkmodules.vtkRenderingFreeType
 import vtkmodules.vtkRenderingOpenGL2  # noqa: F401  both register what renders, on import
 from numpy.typing import ArrayLike
-from vtkmodules.vtkCommonDataModel import vtkPlane, vtkPolyData
+from vtkmodules.util.numpy_support import numpy_to_vtk
+from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPlane, vtkPolyData
 from vtkmodules.vtkCommonMath import vtkMatrix4x4
 from vtkmodules.vtkRenderingCore import (
     vtkActor,
@@ -73,21 +75,13 @@ _LIFT_STEP = 6e-4  # in NDC of the pane's own camera
 
 
 class Space:
-    """One 4x4, projective or not, that actors stand under; setting it moves them all.
-
-    Attributes
-    ----------
-    unit : float
-        What `set_projective` took out: w of the homogeneous coordinates is so many times the
-        rasteriser's.
-    """
+    """One 4x4, projective or not, of several actors; setting it moves them all."""
 
     def __init__(self) -> None:
         self.matrix = vtkMatrix4x4()
         self.unit = 1.0
 
     def add(self, *actors: vtkActor) -> None:
-        """Put actors under this matrix."""
         for actor in actors:
             actor.SetUserMatrix(self.matrix)
 
@@ -103,10 +97,7 @@ class Space:
         )
 
     def set_projective(self, matrix: Array) -> None:
-        """Write a matrix of homogeneous coordinates, where a common factor changes nothing.
-
-        It is taken out as far as it could keep the matrix from fitting into float32.
-        """
+        """Write a matrix of homogeneous coordinates, scaled into the range of float32."""
         exponent = math.frexp(float(np.abs(matrix).max()))[1]
         self.unit = 2.0 ** min(exponent, 1023)
         self.set(matrix * 2.0**-exponent)
@@ -115,15 +106,9 @@ class Space:
 class Canvas:
     """A drawing's props in one render window, added together and taken out together.
 
-    Parameters
-    ----------
-    screen : OffScreen or a canvas of a pane's
-        What has `render_window` and `renderer`; it is not kept.
-    style : Style
-        The background and the labels' size.
-    layout : callable
-        ``layout(width_px, height_px)``, called just before a rendering in which the window has
-        another size than in the last one, or after `relayout`. It must not render.
+    `screen` has `render_window` and `renderer`; it is not kept. ``layout(width_px, height_px)`` is
+    called just before a rendering in a window of another size, and after `relayout`. It must not
+    render.
     """
 
     def __init__(self, screen: Any, style: Style, layout: Callable[[int, int], None]) -> None:
@@ -157,9 +142,9 @@ class Canvas:
         renderer.SetUseOIT(False)
 
     def add(self, *props: vtkProp, renderer: Any = None, layer: str = "") -> None:
-        """Add props, to the screen's own renderer unless another one is named.
+        """Add props to a renderer, the screen's own by default.
 
-        Those of a layer are shown and hidden by `set_visible` alone.
+        The props of a layer are shown and hidden by `set_visible` alone.
         """
         renderer = self.renderer if renderer is None else renderer
         for prop in props:
@@ -170,12 +155,11 @@ class Canvas:
                 prop.SetVisibility(layer not in self.hidden)
 
     def set_visible(self, prop: vtkProp, visible: bool) -> None:
-        """Show a prop of a layer, unless the layer is switched off; or hide it."""
+        """Show a prop of a layer, unless the layer is hidden; or hide the prop."""
         (self._unwanted.discard if visible else self._unwanted.add)(prop)
         prop.SetVisibility(visible and self._layers[prop] not in self.hidden)
 
     def show_layers(self, hidden: frozenset[str]) -> None:
-        """Switch these layers off, and no others."""
         self.hidden = hidden
         for prop, layer in self._layers.items():
             prop.SetVisibility(prop not in self._unwanted and layer not in hidden)
@@ -183,7 +167,6 @@ class Canvas:
             label.set_shown("labels" not in hidden)
 
     def label(self, text: str, renderer: Any = None, **options: Any) -> Label:
-        """Add a `Label` with these options; `Label` describes them."""
         label = Label(text, self.style, **options)
         label.set_shown("labels" not in self.hidden)
         self._labels.append(label)
@@ -196,7 +179,6 @@ class Canvas:
         self._laid_out = None
 
     def remove(self) -> None:
-        """Take everything out of the window."""
         if self._observer is not None:
             self.window.RemoveObserver(self._observer)
             self._observer = None
@@ -220,19 +202,11 @@ class Canvas:
 
 
 class Label:
-    """A word at a point of the pane's own world, always legible and of constant size.
+    """A word at a point of the pane's own world, of constant size.
 
-    Parameters
-    ----------
-    text : str
-    style : Style
-    plate : str, optional
-        Colour of the plate behind the text, which is then black or white.
-    in_pixels : bool
-        Take positions as pixels from the renderer's bottom left, not in the pane's own world.
-    anchor : (int, int)
-        Which part of the text is there: -1 left, 0 centre, 1 right; -1 bottom, 0 middle, 1 top.
-    bold : bool
+    `plate` is the colour of a plate behind the text, which is then black or white. With
+    `in_pixels`, positions are pixels from the renderer's bottom left. `anchor` says which part of
+    the text is at the position: -1 left, 0 centre, 1 right; -1 bottom, 0 middle, 1 top.
     """
 
     def __init__(
@@ -284,16 +258,15 @@ class Label:
 
     @property
     def text(self) -> str:
-        """What is written on it."""
         return self._text or ""
 
     @property
     def is_visible(self) -> bool:
-        """What `set_visible` said last."""
+        """What `set_visible` was told last."""
         return self._visible
 
     def set_plate(self, plate: str) -> None:
-        """Put a label that has a plate on one of another colour, in whatever reads better there."""
+        """Change the colour of the plate, and that of the text to fit."""
         if plate == self._plate:
             return
         self._plate = plate
@@ -302,50 +275,47 @@ class Label:
         self.property.SetColor(*rgb(self._style.text_on(plate)))
 
     def set_position(self, position: ArrayLike) -> None:
-        """Move to a point of the pane's own world, (3,)."""
         x, y, z = np.asarray(position, dtype=np.float64).tolist()
         self._place.SetValue(x, y, z)
 
     def set_visible(self, visible: bool) -> None:
-        """Show or hide."""
         self._visible = visible
         self.actor.SetVisibility(visible and self._shown)
 
     def set_shown(self, shown: bool) -> None:
-        """Switch it off, whatever `set_visible` says, or on again."""
+        """Switch the label off, whatever `set_visible` says, or on again."""
         self._shown = shown
         self.actor.SetVisibility(self._visible and shown)
 
     def set_framed(self, framed: bool) -> None:
-        """Put a frame round the plate, or take it off."""
         self.property.SetFrame(framed)
 
     def box_px(self, renderer: Any) -> tuple[float, float, float, float]:
-        """Its left, right, bottom and top, counted from the renderer's left and bottom."""
+        """Return left, right, bottom and top, counted from the renderer's left and bottom."""
         box = [0.0] * 4
         self.actor.GetBoundingBox(renderer, box)
         x, y = self.actor.GetPositionCoordinate().GetComputedDoubleViewportValue(renderer)
         return x + box[0], x + box[1], y + box[2], y + box[3]
 
     def covers(self, renderer: Any, x_px: float, y_px: float) -> bool:
-        """Whether it is seen at a pixel, counted from the renderer's left and bottom."""
+        """Return whether the label is visible at a pixel from the renderer's left and bottom."""
         if not self.actor.GetVisibility():
             return False
         left, right, bottom, top = self.box_px(renderer)
         return left <= x_px <= right and bottom <= y_px <= top
 
     def set_dpi(self, dpi: int) -> None:
-        """Keep the size in pixels whatever dots per inch the window claims."""
+        """Keep the size in pixels, whatever the window's dots per inch."""
         self._dpi = dpi
         self.property.SetFontSize(max(1, round(self._font_px * _DPI / dpi)))
 
 
 @cache
 def font_file(bold: bool) -> str:
-    """DejaVu Sans, which comes with pyvista's matplotlib.
+    """Return the path of DejaVu Sans, which comes with matplotlib, a dependency of pyvista.
 
-    VTK's built-in font has no Cyrillic, and a font of the system would make a figure look
-    different from machine to machine.
+    VTK's built-in font has no Cyrillic, and a system font would make figures differ between
+    machines.
     """
     spec = importlib.util.find_spec("matplotlib")
     if spec is None or not spec.submodule_search_locations:
@@ -355,7 +325,7 @@ def font_file(bold: bool) -> str:
 
 
 def identity_camera() -> vtkCamera:
-    """A camera that takes clip coordinates as they are."""
+    """Return a camera that takes clip coordinates as they are."""
     camera = vtkCamera()
     camera.SetPosition(0.0, 0.0, 0.0)
     camera.SetFocalPoint(0.0, 0.0, -1.0)
@@ -365,13 +335,10 @@ def identity_camera() -> vtkCamera:
 
 
 def unlit_actor(mesh: pv.PolyData) -> vtkActor:
-    """An actor in flat colours that no bounds and no light have a say in.
+    """Return an actor in flat colours, without bounds and light.
 
-    Parameters
-    ----------
-    mesh : pyvista.PolyData
-        Its ``cell_data["rgb"]``, uint8 (n, 3), colours it if there is one. It is not copied, so
-        that two actors of one window share what is on the GPU.
+    ``cell_data["rgb"]``, uint8 (n, 3), colours the mesh if present. The mesh is not copied, so that
+    two actors of one window share what is on the GPU.
     """
     mapper = vtkPolyDataMapper()
     mapper.SetInputData(mesh)
@@ -395,7 +362,6 @@ def unlit_actor(mesh: pv.PolyData) -> vtkActor:
 
 
 def colour_by_points(actor: vtkActor, name: str) -> None:
-    """Take each point's colour from an array of uint8."""
     mapper = actor.GetMapper()
     mapper.SetScalarModeToUsePointFieldData()
     mapper.SelectColorArray(name)
@@ -404,7 +370,7 @@ def colour_by_points(actor: vtkActor, name: str) -> None:
 
 
 def actor_2d(mesh: vtkPolyData) -> vtkActor2D:
-    """An actor in the plane of the screen, in pixels from the renderer's left and bottom."""
+    """Return an actor in the plane of the screen, in pixels from the renderer's left and bottom."""
     mapper = vtkPolyDataMapper2D()
     mapper.SetInputData(mesh)
     actor = vtkActor2D()
@@ -412,8 +378,29 @@ def actor_2d(mesh: vtkPolyData) -> vtkActor2D:
     return actor
 
 
+class ScreenCells:
+    """Cells in the plane of the screen, in one array of pixels that a step writes.
+
+    Write `px`, (cells, points, 3), from the renderer's left and bottom; then call `changed`.
+    """
+
+    def __init__(self, cells: int, points: int) -> None:
+        self.px = np.zeros((cells, points, 3), dtype=np.float32)
+        self._points, array = vtkPoints(), vtkCellArray()
+        self._points.SetData(numpy_to_vtk(self.px.reshape(-1, 3)))  # type: ignore[no-untyped-call]
+        for first in range(0, cells * points, points):
+            array.InsertNextCell(points, range(first, first + points))
+        self.mesh = vtkPolyData()
+        self.mesh.SetPoints(self._points)
+        (self.mesh.SetLines if points == 2 else self.mesh.SetPolys)(array)
+        self.actor = actor_2d(self.mesh)
+
+    def changed(self) -> None:
+        self._points.Modified()
+
+
 def axes_of(camera: vtkCamera) -> Array:
-    """Right, up and toward what a pane's camera looks at, the rows of a (3, 3)."""
+    """Return right, up and the direction of view of a pane's camera, the rows of a (3, 3)."""
     toward = np.array(camera.GetDirectionOfProjection())
     right = np.cross(toward, camera.GetViewUp())
     right /= np.linalg.norm(right)
@@ -421,25 +408,11 @@ def axes_of(camera: vtkCamera) -> Array:
 
 
 class SceneActors:
-    """The scene's faces and its lines, in scene-local coordinates (origin taken off).
+    """The scene's faces and lines, in scene-local coordinates (origin taken off).
 
-    The ground's lines are among the lines as long as nothing is moved. Then they are another
-    actor's, which stays where it is. Each actor stands under a 4x4 of its own.
-
-    Parameters
-    ----------
-    scene : Scene
-    style : Style
-    clip : iterable of vtkPlane
-        Planes in the pane's own world, behind which nothing is drawn.
-
-    Attributes
-    ----------
-    surface, lines, ground : vtkActor or None
-    spaces : tuple of 3 Space
-        What these stand under.
-    is_moved : bool
-        Whether the ground stays behind.
+    The ground's lines belong to the lines until the objects move (`is_moved`). Then they are an
+    actor of their own, which stays. Each of the three actors, None if it has nothing, has its own
+    4x4 in `spaces`. `clip` are planes in the pane's own world, behind which nothing is drawn.
     """
 
     def __init__(self, scene: Scene, style: Style, clip: Iterable[vtkPlane] = ()) -> None:
@@ -463,22 +436,20 @@ class SceneActors:
                 actor.GetMapper().AddClippingPlane(plane)
 
     def __iter__(self) -> Iterator[vtkActor]:
-        """Those that there are."""
         return (actor for actor, _ in self.placed)
 
     @property
     def placed(self) -> list[tuple[vtkActor, Space]]:
-        """Those that there are, and what each stands under."""
+        """The existing actors, each with its `Space`."""
         pairs = zip((self.surface, self.lines, self.ground), self.spaces, strict=True)
         return [(actor, space) for actor, space in pairs if actor is not None]
 
     def show_grid(self, shown: bool) -> None:
-        """Draw the ground's lines, or leave them out."""
         self._has_grid = shown
         self._share_out()
 
     def show_moved(self, moved: bool) -> None:
-        """Let the ground stay behind while the objects move, or be one with them again."""
+        """Let the ground stay behind while the objects move, or join them again."""
         if moved != self.is_moved:
             self.is_moved = moved
             self._share_out()
@@ -496,11 +467,11 @@ class SceneActors:
 
 
 def _faces_actor(scene: Scene, surface: pv.PolyData) -> vtkActor:
-    """Faces in a colour each, without VTK's cell colours.
+    """Faces with one colour each, without VTK's cell colours.
 
-    Those are looked up in a buffer for every fragment, which makes a repaint of 1e6 vertices
-    on a software renderer 1.4 times as long as with each triangle's last corner carrying the
-    triangle's colour (which GL's ``flat`` takes for all of it). The pixels are the same.
+    VTK looks cell colours up in a buffer for every fragment, which makes a repaint of 1e6 vertices
+    1.4 times as long on a software renderer. Here each triangle's last corner carries the
+    triangle's colour, and GL's ``flat`` takes it for all of it. The pixels are the same.
     """
     mesh = _provoking.get(scene)
     if mesh is None:
@@ -516,13 +487,7 @@ def _faces_actor(scene: Scene, surface: pv.PolyData) -> vtkActor:
 
 
 class Detail:
-    """Faces actors of one scene that can show another one's faces: the same with fewer triangles.
-
-    Parameters
-    ----------
-    *actors : vtkActor or None
-        As `SceneActors` made them.
-    """
+    """Replaces the faces of one scene's actors by those of a scene with fewer triangles."""
 
     def __init__(self, *actors: vtkActor | None) -> None:
         self._actors = [actor for actor in actors if actor is not None]
@@ -530,9 +495,9 @@ class Detail:
         self._fewer: WeakKeyDictionary[Scene, list[Any]] = WeakKeyDictionary()
 
     def show(self, fewer: Scene | None) -> None:
-        """Show the faces of a scene, which has some, or None for the actors' own.
+        """Show the faces of a scene, or the actors' own for None.
 
-        What was shown once stays on the graphics card, so that only the first time takes long.
+        The graphics card keeps what was shown once, so that only the first time takes long.
         """
         mappers = self._whole if fewer is None else self._fewer.get(fewer)
         if mappers is None:
@@ -577,20 +542,8 @@ def _with_provoking_corners(surface: pv.PolyData) -> pv.PolyData:
 def line_actor(
     points: ArrayLike, lines: Sequence[Sequence[int]], colour: str, width: float
 ) -> vtkActor:
-    """Polylines in one colour.
-
-    Parameters
-    ----------
-    points : (n, 3) array_like
-    lines : sequence of sequences of int
-        Indices of each polyline's points.
-    colour : str
-    width : float
-        Pixels.
-    """
-    cells = np.concatenate([[len(line), *line] for line in lines])
-    actor = unlit_actor(pv.PolyData(np.array(points, dtype=np.float64), lines=cells))
-    actor.GetProperty().SetColor(*rgb(colour))
+    """Polylines in one colour: points (n, 3), each line's indices, and the width in pixels."""
+    actor = _coloured(points, colour, lines=_cells(lines))
     actor.GetProperty().SetLineWidth(width)
     _after_position(actor, _KEEP_OFF_ZERO)
     _cut_behind(actor)
@@ -600,49 +553,36 @@ def line_actor(
 def face_actor(
     points: ArrayLike, faces: Sequence[Sequence[int]], colour: str, opacity: float = 1.0
 ) -> vtkActor:
-    """Polygons in one colour, seen from both sides.
-
-    Parameters
-    ----------
-    points : (n, 3) array_like
-    faces : sequence of sequences of int
-        Indices of each polygon's points.
-    colour : str
-    opacity : float
-        0..1
-    """
-    cells = np.concatenate([[len(face), *face] for face in faces])
-    actor = unlit_actor(pv.PolyData(np.array(points, dtype=np.float64), faces=cells))
-    actor.GetProperty().SetColor(*rgb(colour))
+    """Polygons in one colour, seen from both sides: points (n, 3) and each face's indices."""
+    actor = _coloured(points, colour, faces=_cells(faces))
     actor.GetProperty().SetOpacity(opacity)
     return actor
 
 
 def point_actor(points: ArrayLike, colour: str, size: float) -> vtkActor:
-    """Round points in one colour.
-
-    Parameters
-    ----------
-    points : (n, 3) array_like
-    colour : str
-    size : float
-        Diameter in pixels.
-    """
-    actor = unlit_actor(pv.PolyData(np.array(points, dtype=np.float64)))
-    actor.GetProperty().SetColor(*rgb(colour))
+    """Round points, (n, 3), in one colour, with a diameter in pixels."""
+    actor = _coloured(points, colour)
     actor.GetProperty().SetPointSize(size)
     actor.GetProperty().RenderPointsAsSpheresOn()
     return actor
 
 
+def _coloured(points: ArrayLike, colour: str, **cells: Any) -> vtkActor:
+    actor = unlit_actor(pv.PolyData(np.array(points, dtype=np.float64), **cells))
+    actor.GetProperty().SetColor(*rgb(colour))
+    return actor
+
+
+def _cells(cells: Sequence[Sequence[int]]) -> Any:
+    return np.concatenate([[len(cell), *cell] for cell in cells])
+
+
 def lift_lines(actor: vtkActor, steps: float = 1) -> None:
-    """Draw an actor's lines a little nearer to the pane's camera, so that faces do not eat them.
+    """Draw lines a little nearer to the pane's camera, so that faces do not hide them.
 
-    Lines lifted by more steps are drawn over lines that lie in the same place.
-
-    By a constant step of the depth buffer, which suits an ordinary pane camera with a tight
-    clipping range; under the model's camera use `lifted`. Moving vertices costs nothing, where
-    VTK's own offset writes every fragment's depth and is one setting for the whole process.
+    Lines lifted by more steps cover lines in the same place. A step is constant in the depth
+    buffer, which suits a pane's camera with a tight clipping range; under the model's camera use
+    `lifted`. Moving vertices costs nothing; VTK's own offset writes every fragment's depth.
     """
     _after_position(
         actor, f"{_KEEP_OFF_ZERO}\n  gl_Position.z -= {_LIFT_STEP * steps} * gl_Position.w;"
@@ -650,21 +590,21 @@ def lift_lines(actor: vtkActor, steps: float = 1) -> None:
 
 
 def put_in_front(actor: vtkActor) -> None:
-    """Draw an actor before everything else, where its own points hide one another no more."""
+    """Draw an actor before everything else; its own points no longer hide one another."""
     _after_position(actor, "gl_Position.z = -0.99999 * gl_Position.w;")
 
 
 def put_behind(actor: vtkActor) -> None:
-    """Draw an actor as if behind everything else: a tint that colours no face of the scene."""
+    """Draw an actor behind everything else: a tint that colours no face of the scene."""
     _after_position(actor, "gl_Position.z = 0.99999 * gl_Position.w;")
 
 
 def _cut_behind(actor: vtkActor) -> None:
-    """Cut an actor's wide lines where they run behind the eye, before they become ribbons.
+    """Cut wide lines where they run behind the eye, before they become ribbons.
 
-    VTK makes two triangles of a line. Of one whose second end is behind the eye their common side,
-    from a corner of the one end to the opposite corner of the other, meets the ribbon's sides at
-    infinity instead: they fill a wedge, the wider the farther the line reaches behind.
+    VTK makes two triangles of a line. If its second end is behind the eye, their common diagonal
+    meets the ribbon's sides at infinity, and they fill a wedge that widens with the line's reach
+    behind.
     """
     properties = actor.GetShaderProperty()
     start = "//VTK::System::Dec"  # in every shader of VTK's: no use of the function is without it
@@ -676,7 +616,7 @@ def _cut_behind(actor: vtkActor) -> None:
 
 
 def _after_position(actor: vtkActor, statement: str) -> None:
-    """Let a statement of the vertex shader follow VTK's own that make `gl_Position`."""
+    """Append a statement to those of VTK's vertex shader that set `gl_Position`."""
     position = "//VTK::PositionVC::Impl"
     actor.GetShaderProperty().AddVertexShaderReplacement(
         position, True, f"{position}\n  {statement}\n", False
@@ -684,22 +624,11 @@ def _after_position(actor: vtkActor, statement: str) -> None:
 
 
 def lifted(clip_from_local: Array, projection: Projection, scene: Scene) -> Array:
-    """A `Projection.clip_from_world_at` for lines: the same picture, a little nearer in depth.
+    """Return a `Projection.clip_from_world_at` for lines: the same pixels, a little nearer.
 
-    Every point keeps its pixel and gets the depth of a point `_LIFT` of the way nearer to the
-    eye (for a parallel lens, or an eye far away: of the scene's size). In proportion to the
-    distance, it neither drowns in a depth buffer of extreme far/near nor shows what is hidden.
-
-    Parameters
-    ----------
-    clip_from_local : (4, 4) array
-        For `projection`'s own depth range.
-    projection : Projection
-    scene : Scene
-
-    Returns
-    -------
-    (4, 4) float64 array
+    Every point keeps its pixel and gets the depth of a point `_LIFT` of the way nearer to the eye
+    (for a parallel lens, or an eye far away: of the scene's size). In proportion to the distance,
+    it neither drowns in a depth buffer of extreme far/near nor shows what is hidden.
     """
     distance = math.dist(projection.camera.eye, scene.centre)
     share = _LIFT * (min(1.0, scene.size / distance) if distance > 0.0 else 1.0)
@@ -711,7 +640,13 @@ def lifted(clip_from_local: Array, projection: Projection, scene: Scene) -> Arra
 
 
 def applied(matrix: Array, points: Array) -> Array:
-    """Points, (n, 3), under a projective matrix."""
+    """Apply a projective matrix to points, (n, 3)."""
     homogeneous = np.column_stack([points, np.ones(len(points))]) @ matrix.T
     result: Array = homogeneous[:, :3] / homogeneous[:, 3:]
     return result
+
+
+def fitting(matrix: Array) -> Array:
+    """A homogeneous matrix without a common factor that could keep it from float32."""
+    fitted: Array = matrix * 2.0 ** -math.frexp(float(np.abs(matrix).max()))[1]
+    return fitted

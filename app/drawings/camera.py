@@ -1,7 +1,7 @@
 """The model's camera in the world pane: its body, eye, target, line of sight and axes.
 
-Eye, target and axes are shrunk towards the pane's own camera, so that they stay on their pixels
-but come before what would hide them.
+Eye, target and axes are shrunk towards the pane's own camera: they keep their pixels but come
+before what would hide them.
 """
 
 from __future__ import annotations
@@ -15,7 +15,8 @@ from vtkmodules.vtkRenderingCore import vtkActor
 from app.drawings import actors
 from app.drawings.actors import Canvas, Space, applied
 from app.drawings.frame import LARGER, TIPS, FrameSteps, arrow, arrow_tips, is_built
-from app.drawings.labels import AXES, PaneView
+from app.drawings.labels import AXES
+from app.drawings.pane_view import PaneView
 from app.drawings.pointing import FACES, FAR_FACE, NEAR_FACE
 from app.lecture.highlight import SIDES
 from app.model.projection import Array, Camera
@@ -39,49 +40,30 @@ _BEYOND_TIP = (1.2, 1.5, 1.9)
 
 
 class Standing(NamedTuple):
-    """How the model's camera stands in a scene; scene-local, world units.
-
-    Attributes
-    ----------
-    camera : Camera
-    origin : (3,) array
-        World point that scene-local coordinates are relative to.
-    eye, target : (3,) array
-    view_from_local, local_from_view : (4, 4) array
-    depths : (float, float)
-        Least and largest distance of anything in the scene from the eye plane.
-    objects_depth : float
-        The largest one of the scene's objects.
-    extent : float
-        The scene's size, and how far away it is.
-    """
+    """How the model's camera stands in a scene; scene-local, world units."""
 
     camera: Camera
-    origin: Array
+    origin: Array  # world point that scene-local coordinates are relative to
     eye: Array
     target: Array
     view_from_local: Array
     local_from_view: Array
-    depths: tuple[float, float]
-    objects_depth: float
-    extent: float
+    depths: tuple[float, float]  # least and largest distance of anything from the eye plane
+    objects_depth: float  # the largest one of the scene's objects
+    extent: float  # the scene's size plus its distance
 
 
 class CameraDrawing:
-    """The camera, as a thing among things.
+    """The camera as an object in the world.
 
     Attributes
     ----------
     solid : tuple of vtkActor
-        The body.
-    shafts : mapping from str to vtkActor
-        Of the axes, by their names.
-    discs : mapping from str to vtkActor
-        Of the eye and of the target.
+        The body, `body_size` large in world units.
+    shafts, discs : mapping from str to vtkActor
+        The axes' lines; the dots at eye and target.
     steps : FrameSteps or None
-        What else is drawn while the camera's frame is built step by step; None before that.
-    body_size : float
-        World units.
+        What the frame's construction adds; None before it is first shown.
     """
 
     def __init__(self, canvas: Canvas) -> None:
@@ -118,12 +100,12 @@ class CameraDrawing:
         self.step: int | None = None
 
     def show(self, standing: Standing) -> None:
-        """Stand there; `follow` then says how large."""
+        """Place the camera; `follow` then sets its size."""
         self._standing = standing
         self._sight_space.set(_scaled(standing.local_from_view, standing.camera.distance))
 
     def follow(self, pane: PaneView) -> None:
-        """Take a twelfth of the pane, however near its camera is: a sign and not a thing."""
+        """Scale the body to a twelfth of the pane, however near it is: it is a symbol."""
         eye = self._standing.eye
         most_px = _PART_OF_PANE * min(pane.size_px)
         depth = max(float(pane.axes[2] @ (eye - pane.eye)), 1e-6 * self._standing.extent)
@@ -145,7 +127,7 @@ class CameraDrawing:
 
     @property
     def arrows(self) -> tuple[tuple[str, ...], Array]:
-        """The arrows that are drawn at the camera, and from the eye to their tips, world units."""
+        """The names of the visible arrows, and the vectors from the eye to their tips."""
         camera = self._standing.camera
         tips = {a: TIPS[a] for a in AXES} if self.step is None else arrow_tips(self.step, camera)
         directions = np.array(list(tips.values())).reshape(-1, 3)
@@ -158,7 +140,7 @@ class CameraDrawing:
 
     @property
     def names(self) -> tuple[tuple[str, ...], Array]:
-        """The arrows that are drawn, and where their names can be, (k n, 3), best first."""
+        """The visible arrows, and where their names can be, (k n, 3), best first."""
         arrows, directions = self.arrows
         larger = self.axes_size / self.body_size
         beyond = [1.0 + (k - 1.0) / larger for k in _BEYOND_TIP]
@@ -166,16 +148,14 @@ class CameraDrawing:
 
     @property
     def box(self) -> Array:
-        """The corners of a box round the body, (8, 3)."""
         return applied(self._local_from_body, _BODY_BOX)
 
     @property
     def around(self) -> Array:
-        """What the body and its axes lie between, (6, 3)."""
         return self._standing.eye + _AROUND * self.axes_size * SIX_WAYS
 
     def depths(self, pane: PaneView) -> tuple[float, float, float]:
-        """How far from the pane's camera eye, target and axes are."""
+        """Return the distances of eye, target and axes from the pane's camera."""
         eye, target = self._standing.eye, self._standing.target
         toward = pane.axes[2]
         eye_depth, target_depth = (float((p - pane.eye) @ toward) for p in (eye, target))
@@ -185,13 +165,7 @@ class CameraDrawing:
     def come_before(self, pane: PaneView, depths: tuple[float, float, float], near: float) -> None:
         """Bring eye, target and axes before what would hide them.
 
-        Parameters
-        ----------
-        pane : PaneView
-        depths : (float, float, float)
-            As of `depths`.
-        near : float
-            From which depth on the pane's camera sees.
+        `depths` are those of the method; `near` is the depth from which on the pane's camera sees.
         """
         standing = self._standing
         eye, target = standing.eye, standing.target
@@ -219,12 +193,9 @@ def view_matrices(camera: Camera, origin: Array) -> tuple[Array, Array]:
 
 
 def _camera_body() -> tuple[Array, list[tuple[int, ...]], list[tuple[int, ...]]]:
-    """A box with a lens hood and a viewfinder, in view space: the eye in the hood's mouth.
+    """A box with a lens hood and a viewfinder, in view space, the eye in the hood's mouth.
 
-    Returns
-    -------
-    points : (n, 3) array
-    faces, edges : lists of tuples of int
+    Returns the points (n, 3), the faces and the edges.
     """
     points: list[tuple[float, float, float]] = []
     faces: list[tuple[int, ...]] = []

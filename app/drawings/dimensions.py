@@ -1,4 +1,4 @@
-"""How far and how wide, in the world pane's flat views: the sketch on the blackboard.
+"""Lengths and angles in the world pane's flat views, as in a sketch on the blackboard.
 
 Lines of the screen, in one array of pixels that a step writes, and a text for each::
 
@@ -9,8 +9,7 @@ Lines of the screen, in one array of pixels that a step writes, and a text for e
            d
        far
 
-What a lens does not have is left out, and so is what a pane has no room for; a sentence at the
-bottom says so.
+A lens may lack some of them, and a pane may have no room; a sentence at the bottom says so.
 """
 
 from __future__ import annotations
@@ -22,12 +21,10 @@ from fractions import Fraction
 from typing import NamedTuple
 
 import numpy as np
-from vtkmodules.util.numpy_support import numpy_to_vtk
-from vtkmodules.vtkCommonCore import vtkPoints
-from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 
-from app.drawings.actors import Canvas, actor_2d
-from app.drawings.labels import Layout, Leader, Spot, written_distance
+from app.drawings.actors import Canvas, ScreenCells
+from app.drawings.labels import Layout, Leader, written_distance
+from app.drawings.pane_view import Spot
 from app.drawings.style import rgb
 from app.model.projection import Array, Projection
 from app.picking.handles import has_camera
@@ -55,62 +52,32 @@ Way = tuple[float, float]
 
 
 class Measured(NamedTuple):
-    """What is measured.
+    """What is measured; scene-local."""
 
-    Attributes
-    ----------
-    view : str
-        One of `app.document.view.FIXED`, or ``""``: nothing is.
-    projection : Projection
-    eye, target : (3,) array
-        Scene-local.
-    corners : (8, 3) array or None
-        Of the frustum as it is drawn.
-    objects : (8, 3) array
-        Of the box round them.
-    distances : tuple of (str, float)
-        What else is measured from the eye along the axis. If none of it is d, that is the
-        target's.
-    lengths : tuple of (str, float, (3,) array, (3,) array)
-        What is measured across it: its letter, how long it is, and its ends, scene-local.
-    """
-
-    view: str
+    view: str  # one of `app.document.view.FIXED`; empty for nothing
     projection: Projection
     eye: Array
     target: Array
-    corners: Array | None
-    objects: Array
-    distances: tuple[tuple[str, float], ...]
-    lengths: tuple[tuple[str, float, Array, Array], ...] = ()
+    corners: Array | None  # (8, 3), of the frustum as drawn
+    objects: Array  # (8, 3), of the box round the objects
+    distances: tuple[
+        tuple[str, float], ...
+    ]  # more lengths from the eye along the axis; d is the target's unless it is here
+    lengths: tuple[
+        tuple[str, float, Array, Array], ...
+    ] = ()  # across the axis: letter, value, two ends
 
 
 class Half(NamedTuple):
-    """Half a window, from the axis to its top or its right.
+    """Half a window, from the axis to its top or its right."""
 
-    Attributes
-    ----------
-    angle_deg : float or None
-        Under which the eye sees it; None for a lens without an eye, or off the axis.
-    at_far : float
-        Its length on the far plane; infinite with that.
-    """
-
-    angle_deg: float | None
-    at_far: float
+    angle_deg: float | None  # at the eye; None without an eye, or off the axis
+    at_far: float  # its length on the far plane; infinite if far is
 
 
 def half_of(projection: Projection, axis: int) -> Half | None:
-    """The right or upper half of a lens' window; None for a typed matrix.
+    """Return the right (axis 0) or upper (axis 1) half of a window; None for a typed matrix.
 
-    Parameters
-    ----------
-    projection : Projection
-    axis : int
-        0 for the right one, 1 for the upper one.
-
-    Notes
-    -----
     Lecture 001: half the height on the far plane is ``f tan(fov/2)``.
     """
     lens = projection.lens
@@ -133,31 +100,12 @@ def half_of(projection: Projection, axis: int) -> Half | None:
 
 
 class Dimensions:
-    """The dimension lines of one pane.
-
-    Parameters
-    ----------
-    canvas : Canvas
-    words : Mapping[str, str]
-        `app.drawings.WORDS` or a translation.
-    """
-
     def __init__(self, canvas: Canvas, words: Mapping[str, str]) -> None:
         self._canvas, self._words = canvas, words
         self._em = canvas.style.font_size
-        self._places = np.full((_SEGMENTS, 2, 3), _AWAY_PX, dtype=np.float32)
-        self._places[..., 2] = 0.0
-        self._used = 0
-        self._points = vtkPoints()
-        places = numpy_to_vtk(self._places.reshape(-1, 3))  # type: ignore[no-untyped-call]
-        self._points.SetData(places)
-        cells = vtkCellArray()
-        for i in range(_SEGMENTS):
-            cells.InsertNextCell(2, (2 * i, 2 * i + 1))
-        lines = vtkPolyData()
-        lines.SetPoints(self._points)
-        lines.SetLines(cells)
-        actor = actor_2d(lines)
+        self._lines, self._used = ScreenCells(_SEGMENTS, 2), 0
+        self._lines.px[..., :2] = _AWAY_PX
+        actor = self._lines.actor
         actor.GetProperty().SetColor(*rgb(canvas.style.ink))
         actor.GetProperty().SetLineWidth(canvas.style.line_width / 2.0)
         canvas.add(actor, layer="labels")
@@ -172,33 +120,25 @@ class Dimensions:
         self.hide()
 
     def hide(self) -> None:
-        """Show none."""
         self._sentence.set_visible(False)
         self._begin()
-        self._points.Modified()
+        self._lines.changed()
 
     def _begin(self) -> None:
         for label in self._texts.values():
             label.set_visible(False)
         for leader in self._leaders.values():
             leader.set_visible(False)
-        self._places[: self._used, :, :2] = _AWAY_PX
+        self._lines.px[: self._used, :, :2] = _AWAY_PX
         self._used, self._is_left_out = 0, False
 
     def below_em(self, size_px: tuple[int, int], measured: Measured) -> float:
-        """How much room there is to be under what is drawn, in ems.
-
-        Parameters
-        ----------
-        size_px : (int, int)
-            Of the pane.
-        measured : Measured
-        """
+        """Return how much room the lines and the sentence need below the drawing, in ems."""
         rows_em = self._rows_em(size_px, measured)
         return (rows_em or 0.0) + self._said_em(self._said(size_px, measured, rows_em))
 
     def _rows_em(self, size_px: tuple[int, int], measured: Measured) -> float | None:
-        """What the lines under the drawing take; None if they would leave it too little."""
+        """The height of the lines below the drawing; None if they would leave it too little."""
         if measured.view == "axis":
             rows_em = _ACROSS_EM
         elif measured.view in ("side", "top"):
@@ -215,22 +155,16 @@ class Dimensions:
         size_px: tuple[int, int],
         measured: Measured,
     ) -> None:
-        """Show them, before other labels take their places; draw nothing yet.
+        """Show the dimensions, before other labels take their places; draw nothing yet.
 
-        Parameters
-        ----------
-        layout : Layout
-        seen : callable
-            From scene-local points, (n, 3), to where they are in the pane.
-        size_px : (int, int)
-        measured : Measured
+        `seen` converts scene-local points, (n, 3), to the pane.
         """
         before = layout.so_far
         self._place(layout, seen, size_px, measured, self._rows_em(size_px, measured))
         if self._is_left_out:
             layout.go_back(before)
             self._place(layout, seen, size_px, measured, None)
-        self._points.Modified()
+        self._lines.changed()
 
     def _place(
         self,
@@ -266,14 +200,9 @@ class Dimensions:
     # -- what is drawn
 
     def _along(
-        self,
-        layout: Layout,
-        spots: Array,
-        measured: Measured,
-        size_px: tuple[int, int],
-        y: float,
+        self, layout: Layout, spots: Array, measured: Measured, size_px: tuple[int, int], y: float
     ) -> None:
-        """From the eye to near, target and far, one under the other, the shortest on top."""
+        """From the eye to near, target and far, one below the other, the shortest on top."""
         eye, target = spots[:2, 0].tolist()
         faces = {"near": spots[2:6, 0], "far": spots[6:10, 0]}
         top = y - 0.5 * _ROW_EM * self._em
@@ -293,7 +222,6 @@ class Dimensions:
         layout.keep_free_box([(0.0, 0.0, 1.0), (float(size_px[0]), top, 1.0)])
 
     def _ways(self, measured: Measured) -> list[tuple[str, float]]:
-        """What is measured along the axis, the shortest first."""
         projection, ways = measured.projection, dict[str, float]()
         if has_camera(projection):
             ways = {"d": projection.camera.distance, **dict(measured.distances)}
@@ -302,7 +230,6 @@ class Dimensions:
         return sorted(ways.items(), key=lambda way: abs(way[1]))
 
     def _length(self, layout: Layout, name: str, length: float, start: Spot, end: Spot) -> None:
-        """An upright line with its letter beside its middle."""
         self._line(start[:2], end[:2])
         middle = (start[0] + end[0]) / 2.0, (start[1] + end[1]) / 2.0
         text = f"{name} = {written_distance(length)}"
@@ -316,7 +243,6 @@ class Dimensions:
             return
 
         def keep_off(face: Array) -> None:
-            """Let no text lie on a plane, which is a line here."""
             layout.keep_free_box([(x, y, 1.0) for x, y in face.tolist()])
 
         eye, far_edge = spots[0], spots[edge]
@@ -389,7 +315,7 @@ class Dimensions:
         end: Way,
         otherwise: Sequence[Way] = (),
     ) -> None:
-        """Put a text on the middle of its level line, or in its row beside one too short for it."""
+        """Put a text on the middle of its level line, or beside a line that is too short."""
         room_px = end[0] - start[0]
         if layout.half(text)[0] * 2.0 + self._em <= room_px:
             middle = (start[0] + end[0]) / 2.0, start[1]
@@ -408,11 +334,11 @@ class Dimensions:
         label = self._texts[name]
         label.set_text(text)
         leader = self._leaders.get(name)
-        return layout.place(label, text, [(*place, 1.0)], sides, leader, gaps=gaps)
+        return layout.place(label, [(*place, 1.0)], sides, leader, gaps=gaps)
 
     def _line(self, start: Way, end: Way) -> None:
         if self._used < _SEGMENTS:
-            self._places[self._used, :, :2] = start, end
+            self._lines.px[self._used, :, :2] = start, end
             self._used += 1
 
     # -- what a lens does not have, or a pane no room for
@@ -432,14 +358,14 @@ class Dimensions:
     def _said(
         self, size_px: tuple[int, int], measured: Measured, rows_em: float | None
     ) -> list[str]:
-        """Line by line, what is left out and why."""
+        """The lines of the sentence that says what is left out, and why."""
         names = (self._lacks(measured), "no room" if rows_em is None else "")
         sentence = " ".join(self._words[name] for name in names if name)
         across = max(12, int((size_px[0] / self._em - 2.0) / 0.58))
         return textwrap.wrap(sentence, across) if sentence else []
 
     def _lacks(self, measured: Measured) -> str:
-        """Which of `app.drawings.WORDS` says what there is not; or none."""
+        """The key in `app.drawings.WORDS` for what the lens lacks; empty for nothing."""
         lens = measured.projection.lens
         if lens.planes is None:
             return "no planes"

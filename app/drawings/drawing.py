@@ -57,7 +57,6 @@ class Drawing(Protocol):
 
     @property
     def precision(self) -> Precision:
-        """The arithmetic that the scene is drawn with."""
         return "float32"
 
     # -- the pane's own camera
@@ -120,7 +119,6 @@ class Drawing(Protocol):
 
     @property
     def has_object_axes(self) -> bool:
-        """Whether the object's axes are drawn."""
         return False
 
     @property
@@ -135,7 +133,6 @@ class Drawing(Protocol):
 
     @property
     def held(self) -> Handle | None:
-        """The highlighted handle."""
         return None
 
     def hold(self, handle: Handle | None) -> None:

@@ -1,9 +1,8 @@
-"""Off-screen pictures of the panes, for papers and slides; needs no window and no display.
+"""Off-screen pictures of the panes, for papers and slides, without a window or a display.
 
-A figure is drawn by the same drawings as the panes, but into windows of its own, so that it does
-not depend on a screen's size, scale or presence. It is drawn several times as large as asked for
-and averaged, which every driver does alike, where multisampling differs from driver to driver.
-This room knows no Qt.
+The panes' own drawings draw a figure in a window of its own, which makes it independent of a
+screen's size and scale. It is drawn several times as large as asked for and averaged: every driver
+does that alike, while multisampling differs from driver to driver.
 """
 
 from __future__ import annotations
@@ -106,52 +105,40 @@ def render(
     quality: Quality = AUTOMATIC,
     text_pt: float | None = None,
 ) -> Pixels:
-    """Draw one pane, or several side by side.
+    """Draw one pane, or several side by side, and return (height, width, 3 or 4) uint8 pixels.
+
+    The first row is the top one; colours are not multiplied by alpha.
 
     Parameters
     ----------
-    scene : Scene
-    projection : Projection
     panes : sequence of {"world", "ndc", "image"}
-        From left to right, in equal widths.
+        From left to right, in equal widths. The image alone is drawn without its frame.
     size : (int, int), optional
-        Width and height in pixels. If not given: `PANE_PX` squares, and for the image alone the
-        image's own size. The image alone is drawn without its frame.
+        In pixels; by default `PANE_PX` squares, or the image's own size for the image alone.
     scale : float, optional
-        Multiplies the size, with all lines and letters: the same figure, finer.
-    transparent : bool, optional
-        Leave the background out.
-    style : Style, optional
+        Multiplies the size with all lines and letters: the same figure, finer.
     words : mapping, optional
-        The words written into the drawings; if not given, English with the view's letters.
-    view : View, optional
-        How it is looked at; its panel and its layout are none of a figure's.
+        The words in the drawings; by default English with the view's letters.
     progress : callable, optional
-        Called before each pane with the fraction done; when it returns False, drawing stops.
+        Called before each pane with the fraction done; drawing stops when it returns False.
     settings : mapping, optional
-        Those of the scene's phenomenon, by name; one that is not there has its default.
+        Of the scene's phenomenon, by name; the others have their defaults.
     quality : Quality, optional
-        The smoothing is none of a figure's choices: it is always averaged.
+        Its smoothing does not matter: a figure is always averaged.
     text_pt : float, optional
-        Height of an em in points, of which 72 are `DPI` pixels; `USUAL_TEXT` if not given.
-
-    Returns
-    -------
-    (height, width, 3) uint8 array, or (height, width, 4) if transparent
-        The first row is the top one; colours are not multiplied by alpha.
+        Height of an em in points, of which 72 are `DPI` pixels; by default `USUAL_TEXT`.
 
     Raises
     ------
     Refusal
-        For an unknown pane, a size or scale that no figure can have, or a setting that the
-        phenomenon cannot have.
+        For an unknown pane, a size, a scale or a setting that is not possible.
     Cancelled
         When `progress` returned False.
 
     Notes
     -----
-    Beside live Qt panes, release Qt's current OpenGL context first (``doneCurrent``): where Qt
-    and VTK reach OpenGL through different systems, VTK would take Qt's context for its own.
+    Beside live Qt panes, release Qt's current OpenGL context first (``doneCurrent``). Otherwise VTK
+    may use Qt's context for its own.
     """
     width, height = checked_size(projection.image_size, panes, size, scale)
     text_pt = checked_text(projection.image_size, panes, size, text_pt)
@@ -193,23 +180,15 @@ def write_png(
     document_json: str | None = None,
     scale: float = 1.0,
 ) -> None:
-    """Write a figure, whole or not at all, with the document that it shows inside.
+    """Write a figure, whole or not at all.
 
-    Parameters
-    ----------
-    path : str or Path
-    pixels : (height, width, 3 or 4) uint8 array
-        As `render` returns it.
-    document_json : str, optional
-        Dropped on the window, the picture brings this document back.
-    scale : float, optional
-        With which it was drawn: the file says how many of its pixels are an inch.
+    Dropped on the window, the file brings `document_json` back. `scale` sets its dots per inch.
     """
     write_bytes_atomically(path, png_bytes(pixels, document_json, scale))
 
 
 def png_bytes(pixels: Pixels, document_json: str | None = None, scale: float = 1.0) -> bytes:
-    """The file that `write_png` writes, for a clipboard; parameters as there."""
+    """Return the file that `write_png` writes, for a clipboard."""
     buffer = io.BytesIO()
     dpi = max(1.0, DPI * scale)
     info = PngImagePlugin.PngInfo()
@@ -222,7 +201,6 @@ def png_bytes(pixels: Pixels, document_json: str | None = None, scale: float = 1
 def usual_text_pt(
     image_size: tuple[int, int], panes: Sequence[str], size: tuple[int, int] | None
 ) -> float:
-    """The height of an em, in points, in a figure where nobody asks for another."""
     return max(_LEAST_TEXT_PX, USUAL_TEXT * _shorter_px(image_size, panes, size)) * 72.0 / DPI
 
 
@@ -232,13 +210,7 @@ def checked_text(
     size: tuple[int, int] | None,
     text_pt: float | None,
 ) -> float:
-    """The height of an em in points, for `render`'s parameters of these names.
-
-    Raises
-    ------
-    Refusal
-        If no pane of that size can have such letters.
-    """
+    """Return the height of an em in points, for `render`'s parameters; refuse an impossible one."""
     if text_pt is None:
         return usual_text_pt(image_size, panes, size)
     least = _LEAST_TEXT_PX * 72.0 / DPI
@@ -256,20 +228,13 @@ def _shorter_px(
 
 
 def _own_size(image_size: tuple[int, int], panes: Sequence[str]) -> tuple[int, int]:
-    """The size of a figure that nobody has asked for another."""
     return image_size if tuple(panes) == ("image",) else (PANE_PX * len(panes), PANE_PX)
 
 
 def checked_size(
     image_size: tuple[int, int], panes: Sequence[str], size: tuple[int, int] | None, scale: float
 ) -> tuple[int, int]:
-    """The figure's width and height in pixels, for `render`'s parameters of these names.
-
-    Raises
-    ------
-    Refusal
-        For an unknown pane, or a size or scale that no figure can have.
-    """
+    """Return the figure's width and height in pixels for `render`; refuse an impossible size."""
     if isinstance(panes, str) or not panes:
         raise Refusal.saying(NO_PANES, repr(panes), ", ".join(PANES))
     for pane in panes:
@@ -299,9 +264,9 @@ def _compared(
     style: Style,
     words: Mapping[str, str],
 ) -> Pixels:
-    """The pictures that a document's is compared with, and it: divided, or side by side.
+    """The document's picture and those it is compared with, divided or side by side.
 
-    `draw` draws a pane's pixels, and tells where its picture begins and ends in them.
+    `draw` returns a pane's pixels, and where its picture begins and ends in them.
     """
     pictures, dividers = document.view.compare, document.view.dividers
     shown = []
@@ -347,7 +312,7 @@ def _compared(
 
 
 def _with_words(pixels: Pixels, ink: Array | None, style: Style) -> Pixels:
-    """A picture with what is written below it, on what lies beside it."""
+    """A picture with a band of text below it, on the same background."""
     if ink is None or not len(ink):
         return pixels
     beside = pixels[0, 0].astype(float)
@@ -359,13 +324,9 @@ def _with_words(pixels: Pixels, ink: Array | None, style: Style) -> Pixels:
 def _in_words(
     document: Document, scene: Scene, words: Mapping[str, str], size: tuple[int, int], style: Style
 ) -> Array:
-    """In what the pictures differ, to be written below them: how much ink there is, 0 to 1.
+    """The differences of the pictures in words, as ink from 0 to 1, (n, width).
 
-    Returns
-    -------
-    (n, width) array
-        Of whole lines, at most a quarter of the height; what has no room in them is left out.
-        Empty where nothing differs.
+    Whole lines, at most a quarter of the height; the rest is dropped. Empty without a difference.
     """
     phenomenon, (width, height) = scene.phenomenon, size
     written = Written(
@@ -410,7 +371,7 @@ def _render_pane(
     middle: float = 0.5,
     bare: bool = False,
 ) -> tuple[Pixels, tuple[float, float]]:
-    """A pane's pixels, and from where to where its picture is in them, if it has one."""
+    """A pane's pixels, and where its picture begins and ends in them."""
     factor = _oversampling(size)
     width, height = (factor * side for side in size)
     options: dict[str, Any] = {}
@@ -454,7 +415,7 @@ def _render_pane(
 
 
 def _clear_plates(renderer: Any) -> None:
-    """Take the plates away that only have the background's colour: it is not there any more."""
+    """Remove the plates in the background's colour, which is not drawn."""
     for actor in renderer.GetViewProps():
         if isinstance(actor, vtkTextActor):
             text = actor.GetTextProperty()
@@ -475,20 +436,15 @@ def _oversampling(size: tuple[int, int]) -> int:
 def _averaged(drawn: Pixels, factor: int, transparent: bool) -> Pixels:
     """Average blocks of pixels, (factor h, factor w, 4) to (h, w, 4), or 3 if opaque.
 
-    On a transparent background OpenGL's blending leaves colours multiplied by their alpha, and
-    only so can they be averaged; dividing afterwards, no edge has a dark seam.
+    On a transparent background OpenGL leaves colours multiplied by their alpha. They are averaged
+    so, and divided afterwards; then no edge has a dark seam.
     """
     channels = 4 if transparent else 3
-    if factor == 1 and not transparent:
-        return drawn[..., :3].copy()
-    if factor == 1:
-        total = drawn[..., :channels].astype(np.uint16)
-    else:
-        height, width = drawn.shape[0] // factor, drawn.shape[1] // factor
-        total = np.zeros((height, width, channels), dtype=np.uint16)
-        for row in range(factor):
-            for column in range(factor):
-                total += drawn[row::factor, column::factor, :channels]
+    height, width = drawn.shape[0] // factor, drawn.shape[1] // factor
+    total = np.zeros((height, width, channels), dtype=np.uint16)
+    for row in range(factor):
+        for column in range(factor):
+            total += drawn[row::factor, column::factor, :channels]
     count = factor * factor
     if not transparent:
         return ((total + count // 2) // count).astype(np.uint8)

@@ -1,8 +1,8 @@
-"""The camera's frame in the world pane, step by step: look, up, n, u, v and their right angles.
+"""The construction of the camera's frame: look, up, n, u, v and their right angles.
 
-Made when it is first asked for. Everything but up stands still in view space; up has one matrix
-of its own, a turn about u. A step of the panel switches visibilities, a slider step sets the two
-matrices.
+Created on first use. All but up is fixed in view space; up has a matrix of its own, a turn about
+u. A step of the panel changes visibilities, a slider step sets the two matrices. The object's own
+axes, the columns of `world_from_object`, are here as well.
 """
 
 from __future__ import annotations
@@ -14,8 +14,9 @@ import numpy as np
 from vtkmodules.vtkRenderingCore import vtkActor
 
 from app.drawings import actors
-from app.drawings.actors import Canvas, Space
+from app.drawings.actors import Canvas, Space, put_in_front
 from app.lecture.camera_frame import STEPS, up_and_view
+from app.lecture.highlight import OBJECT_AXES
 from app.model.projection import Array, Camera
 
 TIPS = {"v": (0.0, 2.0, 0.0), "n": (0.0, 0.0, 2.6), "u": (2.0, 0.0, 0.0)}
@@ -29,12 +30,12 @@ DIMMED = 0.22
 _RIGHT_ANGLES = {"u": ("up-u", "u-n"), "v": ("v-n", "v-u"), "view": ("u-n", "v-n", "v-u")}
 """Between which arrows a step shows right angles: those that it is about."""
 _UP, _LOOK = 2.7, (0.0, 0.0, -2.6)
+_PART_OF_SCENE = 0.6  # of its size: the object's axes are no longer
+_BEYOND_TIP = (1.12, 1.3, 1.6)
 _SQUARE = 0.55  # side of a right angle's mark
 
 
 class FrameSteps:
-    """The arrows and marks that the ordinary drawing has not."""
-
     def __init__(self, canvas: Canvas) -> None:
         self._canvas, style = canvas, canvas.style
         self._space, self._up_space = Space(), Space()
@@ -56,7 +57,7 @@ class FrameSteps:
             canvas.add(*made, layer="camera")
 
     def show(self, step: int | None) -> None:
-        """Show what is built up to a step, 0 to ``len(STEPS) - 1``; nothing for None."""
+        """Show the arrows up to a step, 0 to ``len(STEPS) - 1``; nothing for None."""
         for name, made in self._shown_from.items():
             for actor in made:
                 self._canvas.set_visible(actor, is_built(name, step))
@@ -74,25 +75,24 @@ class FrameSteps:
 
 
 def is_built(name: str, step: int | None) -> bool:
-    """Whether one of `STEPS` is reached by a step."""
     return step is not None and STEPS.index(name) <= step
 
 
 def arrow_tips(step: int, camera: Camera) -> dict[str, tuple[float, float, float]]:
-    """The tips of all arrows of a step in view space, in sizes of the camera's body."""
+    """Return the tips of a step's arrows in view space, in sizes of the camera's body."""
     y, z = _up_direction(camera)
     tips = {**TIPS, "up": (0.0, _UP * y, _UP * z), "look": _LOOK}
     return {name: tip for name, tip in tips.items() if is_built(name, step)}
 
 
 def _up_direction(camera: Camera) -> tuple[float, float]:
-    """The direction of up in view space, where it has no x: along v, and along n."""
+    """The components of up along v and along n; it has none along u."""
     angle = math.radians(up_and_view(camera).angle_deg)
     return math.sin(angle), -math.cos(angle)
 
 
 def arrow(tip: Array, colour: str, width: float) -> tuple[vtkActor, vtkActor]:
-    """A line from the origin along an axis, and its pointed head."""
+    """Return a line from the origin along an axis, and its pointed head."""
     neck, radius = 0.82 * tip, 0.06 * float(np.linalg.norm(tip))
     along = tip / np.linalg.norm(tip)
     one, two = np.roll(along, 1), np.roll(along, 2)
@@ -107,3 +107,59 @@ def _right_angle(one: Array, other: Array, colour: str, width: float) -> Any:
     """A small square at the origin, between two axes."""
     points = _SQUARE * np.stack([one, one + other, other])
     return actors.line_actor(points, [(0, 1, 2)], colour, width)
+
+
+class ObjectAxes:
+    """Three arrows, each along a column and `reach` times as long.
+
+    `reach` is a round number, so that the arrows come out of the object. `shafts` and `colours` are
+    mappings by `OBJECT_AXES`' names.
+    """
+
+    def __init__(self, canvas: Canvas, size: float) -> None:
+        style = canvas.style
+        self.reach = axes_reach(size)
+        self._space = Space()
+        self._local_from_object = np.eye(4)
+        self.shafts: dict[str, vtkActor] = {}
+        self._actors: list[vtkActor] = []
+        colours = style.u, style.v, style.n
+        self.colours = dict(zip(OBJECT_AXES, colours, strict=False))
+        for tip, (name, colour) in zip(self.reach * np.eye(3), self.colours.items(), strict=True):
+            shaft, head = arrow(tip, colour, 1.5 * style.line_width)
+            self.shafts[name] = shaft
+            for actor in (shaft, head):
+                self._space.add(actor)
+                put_in_front(actor)  # most of it is inside the object
+                self._actors.append(actor)
+        canvas.add(*self._actors)
+
+    def show(self, local_from_object: Array, shown: bool) -> None:
+        self._local_from_object = local_from_object
+        self._space.set(local_from_object)
+        for actor in self._actors:
+            actor.SetVisibility(shown)
+
+    @property
+    def origin(self) -> Array:
+        """The object's origin, scene-local, (3,)."""
+        origin: Array = self._local_from_object[:3, 3]
+        return origin
+
+    @property
+    def ways(self) -> Array:
+        """The vectors from the origin to the tips, (3, 3), one axis a row."""
+        ways: Array = self.reach * self._local_from_object[:3, :3].T
+        return ways
+
+    @property
+    def names(self) -> Array:
+        """Where the axes' letters can be, (k, 3, 3), best first."""
+        return np.stack([self.origin + k * self.ways for k in _BEYOND_TIP])
+
+
+def axes_reach(size: float) -> float:
+    """Return the largest of 1, 2, 5, 10, ... below a part of a scene's size."""
+    most = _PART_OF_SCENE * size
+    unit = 10.0 ** math.floor(math.log10(most))
+    return next(k * unit for k in (5.0, 2.0, 1.0) if k * unit <= most * (1.0 + 1e-12))

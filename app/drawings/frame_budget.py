@@ -1,7 +1,7 @@
-"""Which quality holds a target frame time while a control is dragged.
+"""Chooses the quality that holds a target frame time while a control is dragged.
 
-Levels are tried from the finest on. What a level that was not tried yet would take is reckoned
-from those that were, as a fixed time and one in proportion to what is drawn.
+Levels are tried from the finest on. The time of an untried level is estimated from the others, as
+a constant plus a part in proportion to what is drawn.
 """
 
 from __future__ import annotations
@@ -24,35 +24,21 @@ _SMOOTH_COSTS = 2.0  # times as much as without, until it is known
 
 
 class Level(NamedTuple):
-    """One quality.
-
-    Attributes
-    ----------
-    smooth : bool
-    share : float
-        Of the triangles, 0..1.
-    """
+    """One quality: with or without smoothing, and a share of the triangles, 0..1."""
 
     smooth: bool
     share: float
 
     @property
     def weight(self) -> float:
-        """What is drawn, compared with other levels."""
         return self.share * (_SMOOTH_COSTS if self.smooth else 1.0)
 
 
 class FrameBudget:
     """Chooses a level frame by frame.
 
-    Parameters
-    ----------
-    levels : sequence of Level
-        From the finest to the coarsest; at least one.
-    target_ms : float
-        Longest frame that is wanted, in ms; 0 for any.
-    first : int
-        The level of the first frame.
+    `levels` run from the finest to the coarsest; `target_ms` is 0 for no limit; `first` is the
+    level of the first frame.
     """
 
     def __init__(self, levels: Sequence[Level], target_ms: float, first: int = 0) -> None:
@@ -66,23 +52,22 @@ class FrameBudget:
 
     @property
     def level(self) -> Level:
-        """What the next frame is to be drawn with."""
         return self._levels[self._now]
 
     @property
     def frame_ms(self) -> float:
-        """What nearly all frames of this level take at the most; 0 before there are any."""
+        """The time that nearly all frames of this level stay below; 0 before the first one."""
         return self._high() if self._recent else 0.0
 
     @property
     def is_late(self) -> bool:
-        """Whether not even the coarsest level holds the target."""
+        """Whether even the coarsest level exceeds the target."""
         coarsest = self._now == len(self._levels) - 1
         known = len(self._recent) >= _FRAMES_TO_JUDGE
         return coarsest and known and 0.0 < self.target_ms < self.frame_ms
 
     def frame(self, ms: float) -> None:
-        """Take note of how long a frame at the present level took, and choose the next one's."""
+        """Record how long a frame of the present level took, and choose the next one's level."""
         self._count += 1
         if self.target_ms <= 0.0:
             return
@@ -115,7 +100,6 @@ class FrameBudget:
         self._recent.clear()
 
     def _expected(self, level: int) -> float:
-        """What a frame of a level would take, in ms."""
         known = {i: ms for i, (ms, at) in self._known.items() if self._count - at < _REMEMBERED}
         if level in known:
             return known[level]

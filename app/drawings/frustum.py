@@ -1,11 +1,11 @@
 """The model's frustum in the world pane: the NDC cube's own edges and faces under the inverse.
 
-The cube that is drawn has the reversed depth range whatever the model's own is: there 1/w of the
-far face is 1/far itself, where [-1, 1] makes it a difference of two numbers of the size of 1/near,
-of which float32 keeps nothing once far/near reaches 1e6.
+The cube has the reversed depth range, whatever the model's own is. There 1/w of the far face is
+1/far itself. In [-1, 1] it is a difference of two numbers of the size of 1/near, of which float32
+keeps nothing once far/near reaches 1e6.
 
-Distances along the line of sight are drawn true to scale from `Reach.low` to `Reach.high`. What
-lies beyond is drawn at the limit, behind a visible break, with its true distance written there::
+Distances along the line of sight are drawn to scale from `Reach.low` to `Reach.high`. Planes
+beyond are drawn at the limit, behind a visible break, with their true distances written there::
 
     eye <------ near ============== / / - - far 1e+06
     0           1                   break   high
@@ -21,7 +21,7 @@ from vtkmodules.vtkRenderingCore import vtkActor
 from app.drawings import actors
 from app.drawings.actors import Canvas, Space, applied
 from app.drawings.camera import Standing
-from app.drawings.labels import PaneView
+from app.drawings.pane_view import PaneView
 from app.drawings.pointing import FACES, FAR_FACE, NEAR_FACE
 from app.lecture.highlight import SIDES
 from app.model.projection import Array, Lens, Projection
@@ -43,29 +43,19 @@ _CUBE_FROM_PYRAMID = np.eye(4)[[0, 1, 3, 2]]
 
 
 class Reach(NamedTuple):
-    """Which distances from the eye plane are drawn where they are; world units.
+    """The distances from the eye plane that are drawn to scale; world units."""
 
-    Attributes
-    ----------
-    low, high : float
-        The limits; low is negative: behind the eye, for a parallel lens.
-    near, far : float
-        Where the planes are drawn, ``low <= near < far <= high``.
-    near_break, far_break : (float, float) or None
-        From where to where the frustum's edges are broken, if the planes are not drawn where
-        they are.
-    """
-
-    low: float
+    low: float  # the limits; low is negative, behind the eye, for a parallel lens
     high: float
-    near: float
+    near: float  # where the planes are drawn, low <= near < far <= high
     far: float
-    near_break: tuple[float, float] | None
+    near_break: (
+        tuple[float, float] | None
+    )  # where edges are broken, if a plane is not at its own distance
     far_break: tuple[float, float] | None
 
     @property
     def body(self) -> tuple[float, float]:
-        """The part of near..far whose edges are whole."""
         start, end = self.near, self.far
         if self.near_break is not None and self.near_break[0] >= start:
             start = self.near_break[1]
@@ -75,32 +65,20 @@ class Reach(NamedTuple):
 
 
 class FrustumDrawing:
-    """The frustum, broken where it is too deep to be drawn true to scale.
-
-    Parameters
-    ----------
-    canvas : Canvas
-    size : float
-        Of the scene, world units.
+    """The frustum, broken where it is too deep to be drawn to scale.
 
     Attributes
     ----------
-    space : Space
-        From the cube's corners to scene-local coordinates.
+    space, apex_space : Space
+        From the cube's corners to scene-local coordinates; of the pyramid from the eye to near.
     outlines : mapping from str to vtkActor
-        Of the near and the far plane, by their names.
-    apex : vtkActor
-        The lines from the eye to the near plane, under `apex_space`.
-    breaks : mapping from str to list of (Space, vtkActor)
-        The edges that are drawn broken, before near and before far.
+        Edges of ``"near"`` and ``"far"``; `apex` are the lines from the eye to near.
     dimmable : tuple of vtkActor
-        What fades while something else is taught; the planes' tints do so by `tint`.
+        All but the planes' tints, which `tint` sets.
     corners : (8, 3) array
-        As it is drawn, scene-local; in the order of `CUBE`.
+        As drawn, scene-local.
     reach : Reach or None
-        None under a free matrix, whose volume is drawn whole.
-    seen : bool
-        Whether there is one; only a free matrix may have none.
+        None under a typed matrix, which may have no frustum at all (`seen`).
     """
 
     def __init__(self, canvas: Canvas, size: float) -> None:
@@ -142,7 +120,7 @@ class FrustumDrawing:
         canvas.add(*lines, far_face, walls, near_face, layer="frustum")
 
     def show(self, projection: Projection, standing: Standing, held_depth: float = 0.0) -> None:
-        """Take over the model's volume; `held_depth` is that of points which a scene has beside."""
+        """Take over the model's volume; `held_depth` is the depth of a scene's own grips."""
         self._extent = standing.extent
         self.reach = self._reach_of(projection.lens, standing, held_depth)
         if self.reach is None:
@@ -151,7 +129,7 @@ class FrustumDrawing:
             self._show_broken(projection, standing, self.reach)
 
     def _show_whole(self, projection: Projection, standing: Standing) -> None:
-        """The cube under the inverse of a free matrix; nothing where it has none."""
+        """Draw the cube under the inverse of a free matrix; nothing if it has none."""
         self.seen = projection.frustum_sign != 0
         for actor in (*self._volume, self._body):
             self._canvas.set_visible(actor, self.seen)
@@ -168,7 +146,7 @@ class FrustumDrawing:
             self._body_space.set(frustum)
 
     def _show_broken(self, projection: Projection, standing: Standing, reach: Reach) -> None:
-        """A lens' frustum, with breaks where its planes are not drawn where they are."""
+        """Draw a lens' frustum, with breaks where a plane is not drawn at its own distance."""
         lens, local_from_view = projection.lens, standing.local_from_view
         self.seen = True
         for actor in self._volume:
@@ -195,7 +173,7 @@ class FrustumDrawing:
             self.apex_space.set(base @ _CUBE_FROM_PYRAMID)
 
     def _break(self, name: str, ends: Array | None) -> None:
-        """Break the edges before a plane between these corners, (8, 3); None: nowhere."""
+        """Break the edges before a plane between these corners, (8, 3); None for no break."""
         for _, edge in self.breaks[name]:
             self._canvas.set_visible(edge, ends is not None)
         self._break_ends.pop(name, None)
@@ -227,7 +205,7 @@ class FrustumDrawing:
         return Reach(low, high, near, far, near_break, far_break)
 
     def tint(self, pane: PaneView, light: float) -> None:
-        """Tint the planes, less where they would flood the pane; `light` is 1 or less."""
+        """Tint the planes, less where they would flood the pane; `light` is at most 1."""
         parts = pane.parts_covered(self.corners, _FADE_FROM)
         for (tint, opacity), part in zip(self.tints, parts, strict=True):
             flood = (part - _FADE_FROM) / (1.0 - _FADE_FROM)
@@ -236,7 +214,7 @@ class FrustumDrawing:
             )
 
     def turn_breaks(self, pane: PaneView) -> None:
-        """Turn the strokes of each broken edge until they cross it in the plane of the screen."""
+        """Turn the strokes of each broken edge into the plane of the screen."""
         em = self._em
         for name, ends in self._break_ends.items():
             starts, along = ends[:4], ends[4:] - ends[:4]
@@ -261,7 +239,7 @@ class FrustumDrawing:
 
 
 def matrices_between(projection: Projection, near: float, far: float) -> tuple[Array, Array]:
-    """`Projection.matrices_between`, the inverse no wider than float32 can draw."""
+    """`Projection.matrices_between`, with an inverse that float32 can draw."""
     clip_from_view, view_from_clip = projection.matrices_between(near, far)
     widest = _STEEPEST if projection.lens.central else _WIDEST
     view_from_clip[:2] = np.clip(view_from_clip[:2], -widest, widest)
@@ -269,10 +247,10 @@ def matrices_between(projection: Projection, near: float, far: float) -> tuple[A
 
 
 def _cube_from_part(view_from_cube: Array, near: float, far: float) -> Array:
-    """From the cube of a part of a view volume to that of the whole, (4, 4).
+    """Return the matrix from the cube of a part of a view volume to that of the whole, (4, 4).
 
-    The distance from the eye plane is ``-(A z + B) / (C z + D)`` with the rows (A, B) and (C, D)
-    of `view_from_cube` that make z and w; solved for z at both distances.
+    The distance from the eye plane is ``-(A z + B) / (C z + D)`` with the rows (A, B) and (C, D) of
+    `view_from_cube` that make z and w; solved for z at both distances.
     """
     (a, b), (c, d) = view_from_cube[2:, 2:].tolist()
     at_near, at_far = (-(b + distance * d) / (a + distance * c) for distance in (near, far))
@@ -290,11 +268,8 @@ def normalised(matrix: Array) -> Array:
 def _broken_edge() -> tuple[Array, list[tuple[int, ...]]]:
     """An edge with two strokes across, and dashed from there: ``--- / / - - -``.
 
-    Returns
-    -------
-    points : (n, 3) array
-        How far along the edge, 0..1, and by how many em of the screen across and along it.
-    lines : list of tuples of int
+    Returns points (n, 3), along the edge from 0 to 1 and in ems of the screen across and along it,
+    and the lines between them.
     """
     at, gap, half, slant = _STROKES_AT, 0.21, 0.5, 0.17
     strokes = [((at, -half, z - slant), (at, half, z + slant)) for z in (-gap, gap)]

@@ -1,9 +1,8 @@
-"""The marks by which the camera is taken hold of in a live pane; figures have none.
+"""The marks of the handles of a live pane; figures have none.
 
-One actor holds them all, a disc for a point, a diamond for a plane and a square for a corner, each
-with a rim, and round that a ring of the background's colour, which sets it off from what is drawn
-there: a step writes one small array of pixels. What is pointed out is larger and filled with the
-accent's colour, so that colour is not alone in telling it.
+One actor holds all marks: a disc for a point, a diamond for a plane, a square for a corner. Each
+has a rim, and a ring in the background's colour around it. A step writes one small array of pixels.
+The highlighted mark is larger as well as in the accent's colour: colour is never alone.
 """
 
 from __future__ import annotations
@@ -14,10 +13,8 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 from vtkmodules.util.numpy_support import numpy_to_vtk
-from vtkmodules.vtkCommonCore import vtkPoints
-from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 
-from app.drawings.actors import Canvas, actor_2d
+from app.drawings.actors import Canvas, ScreenCells
 from app.drawings.style import rgb
 from app.picking.handles import Handle, Spot
 
@@ -46,12 +43,8 @@ _AWAY_PX = -1e4
 class HandleMarks:
     """The marks of the handles in one pane.
 
-    Attributes
-    ----------
-    held : Handle or None
-        The one to point out, from the next `show` on.
-    shown : list of (Handle, (float, float))
-        Those that have room, in pixels from the pane's top left.
+    `held` is the highlighted one, from the next `show` on. `shown` are the visible ones, in pixels
+    from the pane's top left.
     """
 
     def __init__(self, canvas: Canvas) -> None:
@@ -70,31 +63,16 @@ class HandleMarks:
             for name in fills
             for out in (False, True)
         }
-        self._places = np.zeros((_MOST, _LAYERS, _POINTS, 3), dtype=np.float32)
-        self._points = vtkPoints()
-        places = numpy_to_vtk(self._places.reshape(-1, 3))  # type: ignore[no-untyped-call]
-        self._points.SetData(places)
-        cells = vtkCellArray()
-        for i in range(_LAYERS * _MOST):  # ring, rim, fill, ring, ...: the later ones lie on top
-            cells.InsertNextCell(_POINTS, range(i * _POINTS, (i + 1) * _POINTS))
+        # Ring, rim, fill, ring, ...: the later ones lie on top.
+        self._cells = ScreenCells(_MOST * _LAYERS, _POINTS)
+        self._places = self._cells.px.reshape(_MOST, _LAYERS, _POINTS, 3)
         self._colours = np.zeros((_MOST, _LAYERS, 3), dtype=np.uint8)
         self._scalars = numpy_to_vtk(self._colours.reshape(-1, 3))  # type: ignore[no-untyped-call]
-        marks = vtkPolyData()
-        marks.SetPoints(self._points)
-        marks.SetPolys(cells)
-        marks.GetCellData().SetScalars(self._scalars)
-        canvas.add(actor_2d(marks), layer="handles")
+        self._cells.mesh.GetCellData().SetScalars(self._scalars)
+        canvas.add(self._cells.actor, layer="handles")
 
     def show(self, handles: Sequence[tuple[Handle, Spot]], height_px: int) -> None:
-        """Mark these handles, and no others; draw nothing yet.
-
-        Parameters
-        ----------
-        handles : sequence of (Handle, (float, float))
-            Pixels from the pane's top left.
-        height_px : int
-            Of the pane, whose pixels VTK counts from below.
-        """
+        """Mark these handles, at pixels from the pane's top left, and no others."""
         self.shown = list(handles)[:_MOST]
         self._places[len(self.shown) :, ..., :2] = _AWAY_PX
         for i, (handle, (x, y)) in enumerate(self.shown):
@@ -105,12 +83,12 @@ class HandleMarks:
             self._places[i, ..., :2] = self._outlines[kind, out] + (x, height_px - y)
             fill = self._accent if out else self._fills[kind]
             self._colours[i] = self._ring, self._ink, fill
-        self._points.Modified()
+        self._cells.changed()
         self._scalars.Modified()
 
 
 def _outline(corners: int, radius: float, factor: float) -> NDArray[np.float32]:
-    """A regular polygon in em, its corners repeated: with its ring, its rim, inside: (3, 16, 2)."""
+    """The outlines of a mark's ring, rim and fill in em, as regular polygons: (3, 16, 2)."""
     standing = corners == 4 and radius == _CORNER[1]  # the square on its side, not on its corner
     turns = np.repeat(np.arange(corners), _POINTS // corners) / corners + 0.125 * standing
     angles = 2.0 * math.pi * turns

@@ -1,15 +1,15 @@
 """The image pane: exactly the picture, as large as the pane allows, and its pixel axes.
 
-The scene stands under ``clip_from_world`` and nothing else: this pane's camera is the identity.
-Where float32 cannot hold that, its vertices are clip coordinates already (`precisions`).
-The picture does not depend on the depth range, and so it is always drawn with OpenGL's, which is
-what the depth buffer here takes.
+The scene stands under ``clip_from_world`` alone: this pane's camera is the identity. Where float32
+cannot hold that matrix, the vertices are clip coordinates already (`precision`). The picture does
+not depend on the depth range, and is drawn with OpenGL's, which the depth buffer takes.
 """
 
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -47,24 +47,10 @@ _EM_OF_DIGIT = 0.64  # width of a digit of the labels' font
 class ImageDrawing(Drawing):
     """The picture that the model's camera takes.
 
-    Parameters
-    ----------
-    screen : OffScreen or a canvas of a pane's
-    scene : Scene
-    words : mapping
-        The words written here: ``x``, ``y``.
-    style : Style
-    tolerance_px : float
-        Error up to which the GPU's own float32 may draw.
-    quality : Quality
-        Of which the depth buffer is drawn with, unless the scene is about a buffer itself.
-    framed : bool
-        Draw frame, axes and margins round the picture. Without them it fills the pane as far as
-        its aspect allows: wholly, if the pane has the image's size.
-    caption : str
-        Written above a framed picture; a pane has a title of its own there.
-    middle : float
-        Where, as a part of the picture's width.
+    `tolerance_px` is the error up to which the GPU's own float32 may draw. The depth buffer is that
+    of `quality`, unless the scene is about a buffer itself. Without `framed`, the picture has no
+    frame, no axes and no margins. A framed picture can have a `caption` above it, at `middle` of
+    its width.
     """
 
     def __init__(
@@ -176,7 +162,7 @@ class ImageDrawing(Drawing):
 
     @property
     def _seen(self) -> Projection:
-        """In OpenGL's range, whatever the model's: the picture is the same."""
+        """The projection with OpenGL's depth range; the picture is the same."""
         return self._projection.with_depth("opengl")
 
     def _show_illustration(self, illustration: Illustration | None) -> None:
@@ -285,7 +271,7 @@ class ImageDrawing(Drawing):
         return right_px * width / rectangle.width, down_px * height / rectangle.height
 
     def _scaled(self, rectangle: Rectangle) -> NDArray[np.float64]:
-        """Pixels from the picture's top left, from the image's pixels."""
+        """From the image's pixels to the pane's, from the picture's top left."""
         width, height = self._image_size
         return np.diag([rectangle.width / width, rectangle.height / height, 1.0])
 
@@ -317,56 +303,48 @@ class ImageDrawing(Drawing):
 
     def _add_axes(self, words: Mapping[str, str]) -> None:
         style = self._style
-        self._bars = {name: Space() for name in ("frame", "x", "y", "origin")}
-        self._heads = {name: Space() for name in ("x", "y")}
-        colours = {"frame": style.ink, "x": style.u, "y": style.v, "origin": style.ink}
-        for name, space in self._bars.items():
-            self._add_face(space, _SQUARE, colours[name], "" if name == "frame" else AXES)
-        heads = {
-            "x": ((0.0, -1.0, 0.0), (2.0, 0.0, 0.0), (0.0, 1.0, 0.0)),
-            "y": ((-1.0, 0.0, 0.0), (0.0, 2.0, 0.0), (1.0, 0.0, 0.0)),
-        }
-        for name, space in self._heads.items():
-            self._add_face(space, heads[name], colours[name], AXES)
-
-        def label(text: str, anchor: tuple[int, int], plate: str | None = None) -> Any:
-            return self._canvas.label(text, anchor=anchor, plate=plate, in_pixels=True)
-
-        self._zero = label("0, 0", (-1, -1))
-        self._width_label = label("", (1, -1))
-        self._height_label = label("", (-1, 1))
-        self._x_label = label(words["x"], (-1, 1), style.u)
-        self._y_label = label(words["y"], (1, 1), style.v)
+        self._spaces: dict[str, Space] = {}
+        for name, colour, points in (
+            ("frame", style.ink, _SQUARE),
+            ("x axis", style.u, _SQUARE),
+            ("y axis", style.v, _SQUARE),
+            ("origin", style.ink, _SQUARE),
+            ("x head", style.u, ((0.0, -1.0, 0.0), (2.0, 0.0, 0.0), (0.0, 1.0, 0.0))),
+            ("y head", style.v, ((-1.0, 0.0, 0.0), (0.0, 2.0, 0.0), (1.0, 0.0, 0.0))),
+        ):
+            self._add_face(name, colour, points, "" if name == "frame" else AXES)
+        label = partial(self._canvas.label, in_pixels=True)
+        self._zero = label("0, 0", anchor=(-1, -1))
+        self._width_label = label("", anchor=(1, -1))
+        self._height_label = label("", anchor=(-1, 1))
+        self._x_label = label(words["x"], anchor=(-1, 1), plate=style.u)
+        self._y_label = label(words["y"], anchor=(1, 1), plate=style.v)
         self._axis_labels = (
             self._zero, self._width_label, self._height_label, self._x_label, self._y_label
         )  # fmt: skip
 
     def _add_sides(self) -> None:
-        """Bars and squares over the frame that show while a side or a corner is highlighted."""
-        self._side_bars = {side: Space() for side in SIDES}
-        self._corner_squares = [Space() for _ in SIDES]
-        for side, space in self._side_bars.items():
+        """Bars and squares over the frame for a highlighted side or corner."""
+        accent, hidden = self._style.accent, self._emphasis.hidden
+        for side in SIDES:
             names = (side, "fov") if side in ("top", "bottom") else (side,)
-            self._emphasis.hidden(self._add_face(space, _SQUARE, self._style.accent), *names)
-        for i, space in enumerate(self._corner_squares):
-            square = self._add_face(space, _SQUARE, self._style.accent)
-            self._emphasis.hidden(square, *_at_corner(i))
-        self._axis_bars = {name: Space() for name in ("u", "v")}
-        for name, space in self._axis_bars.items():
-            bar = self._add_face(space, _SQUARE, getattr(self._style, name))
-            self._emphasis.hidden(bar, name)
+            hidden(self._add_face(side, accent), *names)
+        for i in range(4):
+            hidden(self._add_face(f"corner {i}", accent), *_at_corner(i))
         for name, label in (("u", self._x_label), ("v", self._y_label)):
+            hidden(self._add_face(name, getattr(self._style, name)), name)
             self._emphasis.label(label, name)
 
     def _add_face(
         self,
-        space: Space,
-        points: tuple[tuple[float, float, float], ...],
+        name: str,
         colour: str,
+        points: Sequence[tuple[float, float, float]] = _SQUARE,
         layer: str = "",
     ) -> Any:
         actor = face_actor(points, [range(len(points))], colour)
-        space.add(actor)
+        self._spaces[name] = Space()
+        self._spaces[name].add(actor)
         self._canvas.add(actor, layer=layer)
         return actor
 
@@ -405,37 +383,31 @@ class ImageDrawing(Drawing):
         self._place_texts()
         if not self._framed:
             return
-        pane = np.array([pane_width_px, pane_height_px], dtype=np.float64)
-
-        def place(space: Space, x: float, y: float, size_x: float, size_y: float) -> None:
-            """Unit lengths to this many pixels, 0 to this pixel from the pane's top left."""
-            matrix = np.diag([2.0 * size_x / pane[0], -2.0 * size_y / pane[1], 1.0, 1.0])
-            matrix[:2, 3] = 2.0 * x / pane[0] - 1.0, 1.0 - 2.0 * y / pane[1]
-            space.set(matrix)
-
         em = self._style.font_size
         thin, thick = (max(1, round(k * self._style.line_width)) for k in (0.5, 1.0))
-        tip, head = round(0.6 * em), 0.3 * em
-        place(self._bars["frame"], left - thin, top - thin, width + 2 * thin, height + 2 * thin)
-        place(self._bars["x"], left - thick, top - thick, width + thick + tip, thick)
-        place(self._bars["y"], left - thick, top - thick, thick, height + thick + tip)
-        place(self._bars["origin"], left - 2 * thick, top - 2 * thick, 2 * thick, 2 * thick)
-        place(self._heads["x"], right + tip, top - thick / 2.0, head, head)
-        place(self._heads["y"], left - thick / 2.0, bottom + tip, head, head)
-
-        wide = 3 * thick
-        for side, x, y, across, down in (
-            ("left", left - wide, top - wide, wide, height + 2 * wide),
-            ("right", right, top - wide, wide, height + 2 * wide),
-            ("top", left - wide, top - wide, width + 2 * wide, wide),
-            ("bottom", left - wide, bottom, width + 2 * wide, wide),
-        ):
-            place(self._side_bars[side], x, y, across, down)
-        at = (left, bottom), (right, bottom), (right, top), (left, top)
-        for square, (x, y) in zip(self._corner_squares, at, strict=True):
-            place(square, x - 2 * wide, y - 2 * wide, 4 * wide, 4 * wide)
-        place(self._axis_bars["u"], left - thick, top - wide, width + thick + tip, wide)
-        place(self._axis_bars["v"], left - wide, top - thick, wide, height + thick + tip)
+        tip, head, wide = round(0.6 * em), 0.3 * em, 3 * thick
+        places: dict[str, tuple[float, float, float, float]] = {
+            "frame": (left - thin, top - thin, width + 2 * thin, height + 2 * thin),
+            "x axis": (left - thick, top - thick, width + thick + tip, thick),
+            "y axis": (left - thick, top - thick, thick, height + thick + tip),
+            "origin": (left - 2 * thick, top - 2 * thick, 2 * thick, 2 * thick),
+            "x head": (right + tip, top - thick / 2.0, head, head),
+            "y head": (left - thick / 2.0, bottom + tip, head, head),
+            "left": (left - wide, top - wide, wide, height + 2 * wide),
+            "right": (right, top - wide, wide, height + 2 * wide),
+            "top": (left - wide, top - wide, width + 2 * wide, wide),
+            "bottom": (left - wide, bottom, width + 2 * wide, wide),
+            "u": (left - thick, top - wide, width + thick + tip, wide),
+            "v": (left - wide, top - thick, wide, height + thick + tip),
+        }
+        corners = (left, bottom), (right, bottom), (right, top), (left, top)
+        for i, (at_x, at_y) in enumerate(corners):
+            places[f"corner {i}"] = at_x - 2 * wide, at_y - 2 * wide, 4 * wide, 4 * wide
+        for name, (x, y, across, down) in places.items():
+            # Unit lengths to pixels, 0 to a pixel from the pane's top left.
+            matrix = np.diag([2.0 * across / pane_width_px, -2.0 * down / pane_height_px, 1.0, 1.0])
+            matrix[:2, 3] = 2.0 * x / pane_width_px - 1.0, 1.0 - 2.0 * y / pane_height_px
+            self._spaces[name].set(matrix)
 
         def move(label: Any, x: float, y: float) -> None:
             label.set_position((x, pane_height_px - y, 0.0))

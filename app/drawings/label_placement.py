@@ -1,84 +1,172 @@
-"""Where the names of points and curves stand: beside them, free of each other; numpy only.
+"""The one placer of labels, for panes, diagrams and charts; numpy only.
 
-Greedy: one name after the other takes the free place that costs least. Of n names with the few
-places that are tried for each this is n^2 comparisons of boxes at once.
+The input is a frame, the boxes that are taken, and for each label its candidates, best first: where
+its box could be, which anchor it names, and what the caller charges for it. The output is the
+cheapest free candidate, whose box is taken from then on. Labels choose one after the other.
 """
 
 from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterable, Sequence
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 Floats = NDArray[np.float64]
 
+GAP_PX = 3.0
+"""Between a curve and its name."""
+LEADER, INK = 1.0, 2.0
+"""Costs of a leader that crosses something, and of a label on what should stay visible."""
+
 _DIRECTIONS = np.array(
     [(1, 0), (1, -1), (1, 1), (-1, 0), (-1, -1), (-1, 1), (0, -1), (0, 1)], dtype=np.float64
 )
 """From a point to its name, the better ones first."""
-GAP_PX = 3.0
-"""Between a curve and its name."""
 _STEPS = 7
 """Heights of a name that it may be away from its point."""
+
+
+class Box(NamedTuple):
+    """A rectangle in pixels; low and high count upwards in a pane, downwards in a diagram."""
+
+    left: float
+    low: float
+    right: float
+    high: float
+
+    @property
+    def middle(self) -> tuple[float, float]:
+        return (self.left + self.right) / 2.0, (self.low + self.high) / 2.0
+
+    def nearest(self, spot: tuple[float, float]) -> tuple[float, float]:
+        x, y = spot
+        return min(max(x, self.left), self.right), min(max(y, self.low), self.high)
+
+
+class Candidate(NamedTuple):
+    """A possible place of a label."""
+
+    box: Box
+    anchor: tuple[float, float] | None = None  # what a leader would join to the label
+    cost: float = 0.0  # what the caller charges for this place
+    key: Any = None  # for the caller; the placer ignores it
+
+
+class Placer:
+    """Places the labels of one picture, in plain floats: most labels stay where they were.
+
+    `ink` returns whether a box, ``(left, low, right, high)``, hides something of the subject. A
+    leader is checked for crossings at these parts of its length (`samples`), within `halo_px`.
+    """
+
+    def __init__(
+        self,
+        frame: Box,
+        ink: Callable[[float, float, float, float], bool] | None = None,
+        samples: Sequence[float] = (0.4, 0.7),
+        halo_px: float = 0.0,
+    ) -> None:
+        self.frame, self._ink, self._samples, self._halo_px = frame, ink, samples, halo_px
+        self.taken: list[Box] = []
+        """What no label may overlap, and no leader cross."""
+        self.bodies: list[Box] = []
+        """Those of `taken` that the leader of a point inside them may leave."""
+
+    def place(
+        self,
+        candidates: Iterable[Candidate],
+        apart_from: Sequence[tuple[float, float]] = (),
+        apart_px: float = 0.0,
+        at_worst: float = math.inf,
+    ) -> Candidate | None:
+        """Take the cheapest free candidate, and return it with its total cost.
+
+        Candidates come in order of their own costs, so that most need not be looked at. The label
+        keeps `apart_px` from the points `apart_from`, which it must not seem to belong to. A higher
+        cost than `at_worst` is not accepted.
+        """
+        frame_left, frame_low, frame_right, frame_high = self.frame
+        found: Candidate | None = None
+        for candidate in candidates:
+            left, low, right, high = box = candidate.box
+            if left < frame_left or low < frame_low or right > frame_right or high > frame_high:
+                continue
+            for t_left, t_low, t_right, t_high in self.taken:
+                if left < t_right and right > t_left and low < t_high and high > t_low:
+                    break
+            else:
+                if any(math.dist(box.nearest(other), other) < apart_px for other in apart_from):
+                    continue
+                cost = candidate.cost
+                if self._ink is not None and self._ink(left, low, right, high):
+                    cost += INK
+                elif candidate.anchor is not None and self._crosses(candidate.anchor, box):
+                    cost += LEADER
+                if found is None or cost < found.cost:
+                    found = candidate._replace(cost=cost)
+                if cost == candidate.cost:
+                    break
+        if found is None or found.cost > at_worst:
+            return None
+        self.taken.append(found.box)
+        return found
+
+    def _crosses(self, anchor: tuple[float, float], box: Box) -> bool:
+        """Whether a leader would seem to belong to something else that it runs under."""
+        (x, y), (end_x, end_y), halo = anchor, box.nearest(anchor), self._halo_px
+        own = [body for body in self.bodies if body.nearest(anchor) == anchor]
+        for part in self._samples:
+            on_x, on_y = x + part * (end_x - x), y + part * (end_y - y)
+            for taken in self.taken:
+                left, low, right, high = taken
+                within = left - halo < on_x < right + halo and low - halo < on_y < high + halo
+                if within and taken not in own:
+                    return True
+        return False
 
 
 def beside(
     points: Floats, sizes: Floats, frame: Floats, along: Floats, gaps: Floats, taken: Floats
 ) -> list[Floats | None]:
-    """Places for the names of points.
+    """Place the names of points; None where a name or its leader has no free place.
 
     Parameters
     ----------
-    points : (n, 2) array
-        In pixels; the first ones choose first.
-    sizes : (n, 2) array
-        Widths and heights of the names; those of no width need no place.
-    frame : (4,) array
-        Left, low, right, high: where names may be.
+    points, sizes : (n, 2) arrays
+        In pixels; the first ones choose first. A name without width gets no place.
+    frame, taken : (4,) and (k, 4) arrays
+        Left, low, right, high: where names may be, and boxes of other names; so is the result.
     along : (m, 2) array
         Places along curves, which no name hides.
     gaps : (n,) array
         From each point to its name.
-    taken : (k, 4) array
-        Boxes like `frame` where other names stand already.
-
-    Returns
-    -------
-    list of n (4,) arrays or None
-        Boxes like `frame`; None where there is no free place: one that neither the name nor the
-        line to it shares with another name, a dot or, but for the line, a curve.
     """
+    placer = Placer(Box(*frame.tolist()), samples=np.linspace(0.1, 0.9, 8).tolist(), halo_px=1.0)
     reach = gaps[:, None] - 1.0
-    dots = np.hstack([points - reach, points + reach])
+    placer.bodies = _boxes(np.hstack([points - reach, points + reach]))
+    placer.taken = [*_boxes(taken), *placer.bodies]
     crossed = np.hstack([along - 1.0, along + 1.0])
     steps = np.repeat(np.arange(_STEPS), len(_DIRECTIONS))
     directions = np.tile(_DIRECTIONS, (_STEPS, 1))
     found: list[Floats | None] = []
     for point, size, gap in zip(points, sizes, gaps, strict=True):
-        if size[0] <= 0.0:
-            found.append(None)
-            continue
-        away = gap + size[1] * steps[:, None]
-        centres = point + directions * (size / 2.0 + away)
+        centres = point + directions * (size / 2.0 + gap + size[1] * steps[:, None])
         # To the side of a point a name need not be farther up too.
         centres[steps == 0, 1] -= (directions * gap)[steps == 0, 1]
         boxes = np.hstack([centres - size / 2.0, centres + size / 2.0])
-        free = (boxes[:, :2] >= frame[:2]).all(axis=1) & (boxes[:, 2:] <= frame[2:]).all(axis=1)
-        free &= ~_overlap(boxes, np.vstack([taken, dots])).any(axis=1)
-        free &= ~_overlap(boxes, crossed).any(axis=1)
-        cost = 4.0 * steps + 0.1 * np.tile(np.arange(len(_DIRECTIONS)), _STEPS)
-        # The line from a point to its name runs through no other name, and no other dot.
-        lines = _line(point, np.clip(point, boxes[:, :2], boxes[:, 2:]))
-        others = dots[np.abs(points - point).max(axis=1) > 2.0 * gap]
-        struck = _overlap(lines.reshape(-1, 4), np.vstack([taken, others]))
-        free &= ~struck.reshape(*lines.shape[:2], -1).any(axis=(1, 2))
-        if not free.any():
-            found.append(None)
-            continue
-        chosen = int(np.argmin(np.where(free, cost, np.inf)))
-        best: Floats = boxes[chosen]
-        # Nor is a later name put on it, but on its point's end, where dots are alone anyway.
-        taken = np.vstack([taken, best, *(lines[chosen][2:] if steps[chosen] else ())])
-        found.append(best)
+        boxes = boxes[~_overlap(boxes, crossed).any(axis=1)]
+        anchor = float(point[0]), float(point[1])
+        candidates = (Candidate(box, anchor) for box in _boxes(boxes))
+        chosen = placer.place(candidates, at_worst=0.0) if size[0] > 0.0 else None
+        found.append(None if chosen is None else np.array(chosen.box))
+        if chosen is not None:  # later names keep off the leader, except at its point
+            x, y = chosen.box.nearest(anchor)
+            if math.dist((x, y), anchor) > 2.0 * gap:
+                ends = np.linspace(0.3, 1.0, 7)[:, None] * (x - point[0], y - point[1]) + point
+                placer.taken += _boxes(np.hstack([ends - 1.0, ends + 1.0]))
     return found
 
 
@@ -91,49 +179,41 @@ def beside_curve(
     lines: Floats,
     kept: Floats | None = None,
 ) -> Floats:
-    """A place for a curve's name: beside the curve, free of other names and of curves.
+    """Place a curve's name beside the curve, free of other names and of curves, if possible.
+
+    Without a free place the name goes into a list at the top left.
 
     Parameters
     ----------
     frame : (4,) array
-        Left, top, right, bottom: where names may be.
+        Left, top, right, bottom: where names may be; so are all boxes.
     along : (n, 2) array
-        Places along the curve.
-    half : float
-        How far the curve reaches from there.
-    size : (float, float)
-        Of the name.
-    taken : (m, 4) array
-        Where names are already: left, top, right, bottom.
-    lines : (k, 4) array
-        Pieces of all curves, likewise.
+        Places along the curve, which is `half` pixels wide on either side.
+    taken, lines : (m, 4) and (k, 4) arrays
+        Boxes of other names, and of pieces of all curves.
     kept : (4,) array, optional
-        Where the name stood before: good enough while it is free and beside its curve.
-
-    Returns
-    -------
-    (4,) array
-        Left, top, right, bottom. Where there is no free place, or nothing is seen of the curve,
-        the next line of a list at the top left.
+        The name's last place, which is kept while it is free and beside its curve.
     """
     width, height = size
-    ends = frame * (1.0, 1.0, -1.0, -1.0)
+    placer = Placer(Box(*frame.tolist()))
+    placer.taken = _boxes(taken)
     if kept is not None and np.abs(kept[2:] - kept[:2] - size).max() < 1e-3:
-        inside = (kept * (1.0, 1.0, -1.0, -1.0) >= ends).all()
-        free = not _overlap(kept[None], np.vstack([taken, lines])).any()
         near = kept + height * np.array([-1.0, -1.0, 1.0, 1.0])
-        if inside and free and _overlap(near[None], np.hstack([along, along])).any():
+        if _overlap(near[None], np.hstack([along, along])).any() and (
+            not _overlap(kept[None], lines).any()
+            and placer.place([Candidate(Box(*kept.tolist()))]) is not None
+        ):
             return kept
     right, left = GAP_PX + half - 1.0, 1.0 - half - width  # a line touches its name, a dot does not
     sides = np.array([(right, -height), (left, -height), (right, 1.0), (left, 1.0)])
     corners = (along[::-1, None, :] + sides).reshape(-1, 2)  # from the right, where curves part
     boxes = np.hstack([corners, corners + size])
-    boxes = boxes[(boxes * (1.0, 1.0, -1.0, -1.0) >= ends).all(axis=1)]
-    boxes = boxes[~_overlap(boxes, taken).any(axis=1)]
-    if len(boxes):
-        crossed = _overlap(boxes, lines).sum(axis=1)
-        best: Floats = boxes[np.argmin(100 * crossed + np.arange(len(boxes)))]
-        return best
+    costs = _overlap(boxes, lines).sum(axis=1)
+    order = np.argsort(costs, kind="stable")
+    candidates = (Candidate(Box(*boxes[i].tolist()), cost=float(costs[i])) for i in order)
+    chosen = placer.place(candidates)
+    if chosen is not None:
+        return np.array(chosen.box)
     left, top = frame[:2] + GAP_PX
     box = np.array([left, top, left + width, top + height])
     while _overlap(box[None], taken).any() and box[3] < frame[3]:
@@ -141,15 +221,11 @@ def beside_curve(
     return box
 
 
-def _line(point: Floats, ends: Floats) -> Floats:
-    """Small boxes along lines from a point, (n, 8, 4)."""
-    parts = np.linspace(0.1, 0.9, 8)[:, None]
-    places = point + parts * (ends - point)[:, None, :]
-    return np.concatenate([places - 1.0, places + 1.0], axis=-1)
+def _boxes(rows: Floats) -> list[Box]:
+    return [Box(*row) for row in rows.tolist()]
 
 
 def _overlap(boxes: Floats, others: Floats) -> NDArray[np.bool_]:
-    """Which boxes overlap which others, (m, n)."""
     left, low, right, high = boxes.T[:, :, None]
     other_left, other_low, other_right, other_high = others.T[:, None, :]
     across = (left < other_right) & (other_left < right)

@@ -1,17 +1,17 @@
-"""What a phenomenon draws over a pane: lines, faces, dots, letters, and the scene once more.
+"""A phenomenon's marks over a pane: lines, faces, dots, texts, and copies of the scene.
 
 ============  ============================================  =====================================
 what          how it is drawn                               a change writes
 ============  ============================================  =====================================
-lines, faces  among the scene, a little in front of what    points and colours of one mesh for
+lines, faces  in the scene, a little in front of what       points and colours of one mesh for
               they lie on                                   each width, one for the faces
 dots, texts   before everything else, of constant size      the same; pixels of the texts
 copies        the scene's own faces under a further 4x4     16 numbers
 ============  ============================================  =====================================
 
-Actors are made when an illustration has more to show than any before it, and never taken out: a
-slider step shows, hides and moves. Marks reach the GPU relative to the scene's origin, subtracted
-in float64, and cut to a box that float32 can hold; a copy's matrix is moved there likewise::
+Actors are created when an illustration needs more than any earlier one, and never removed: a slider
+step shows, hides and moves. Marks reach the GPU relative to the scene's origin, subtracted in
+float64, and cut to a box that float32 can hold; a copy's matrix is moved there likewise::
 
     local_from_local = world_to_origin . world_from_world . origin_to_world
 """
@@ -42,7 +42,8 @@ from app.drawings.actors import (
     put_in_front,
     unlit_actor,
 )
-from app.drawings.labels import GAPS_EM, Layout, Leader, Spot
+from app.drawings.labels import GAPS_EM, Layout, Leader
+from app.drawings.pane_view import Spot
 from app.drawings.style import rgb
 from app.lecture.highlight import NOTHING, Highlight
 from app.model.clipping import LARGEST_CLIP, clip_polygon, clip_segments
@@ -68,21 +69,14 @@ _ROUND = (*_BESIDE, (1.0, 0.0), (-1.0, 0.0))
 
 
 class Placing(NamedTuple):
-    """From the coordinates of marks to those of the pane's actors: ``scale * point + shift``.
-
-    Attributes
-    ----------
-    scale, shift : (3,) array
-    limit : float
-        Half the side of the box, about the actors' origin, that marks are cut to.
-    """
+    """From the coordinates of marks to those of the pane's actors: ``scale * point + shift``."""
 
     scale: Array
     shift: Array
-    limit: float
+    limit: float  # half the side of the box, about the actors' origin, that marks are cut to
 
     def placed(self, points: Array) -> Array:
-        """Points (n, 3), or (n, 2) in a plane, as actors have them, (n, 3)."""
+        """Convert points (n, 3), or (n, 2) in a plane, to (n, 3)."""
         if points.shape[1] == 2:
             points = np.column_stack([points, np.zeros(len(points))])
         with np.errstate(over="ignore", invalid="ignore"):  # what overflows is dropped
@@ -93,23 +87,9 @@ class Placing(NamedTuple):
 class MarksDrawing:
     """An illustration in one pane.
 
-    Parameters
-    ----------
-    canvas : Canvas
-    scene : Scene
-        What copies are copies of.
-    words : mapping
-        Texts that there is a word for are written with it: of another language.
-    renderer : vtkRenderer, optional
-        Where to draw; the pane's own if not given.
-    clip : iterable of vtkPlane
-        As for `SceneActors`; cuts copies.
-    over : bool
-        Whether marks lie in one plane before everything else.
-    leads : bool
-        Whether a text that had to move away from its point is joined to it by a line.
-    lifts_copies : bool
-        Whether copies are brought forward here, and not by the matrices of `place_copies`.
+    `words` translates texts. `clip` are planes that cut copies. With `over`, marks lie in one plane
+    before everything else. With `leads`, leaders join texts to their points. With `lifts_copies`,
+    copies are brought forward here, and not by the matrices of `place_copies`.
     """
 
     def __init__(
@@ -136,7 +116,6 @@ class MarksDrawing:
         self._best: dict[Label, Sequence[int]] = {}
         self._copies: list[_CopyActors] = []
         self._colours: dict[tuple[str, int], NDArray[np.uint8]] = {}
-        self._texts: list[str] = []
         self._text_abouts: list[tuple[str, ...]] = []
         self._text_points = self._dot_points = self._away_points = np.empty((0, 3))
         self._shown: list[tuple[_CopyActors, Array]] = []
@@ -150,11 +129,7 @@ class MarksDrawing:
     def show(self, marks: Marks, placing: Placing) -> None:
         """Draw these marks, and no others; the texts wait for `place_texts`.
 
-        Parameters
-        ----------
-        marks : Marks
-            A point that is not finite, or too far away for what it belongs to, is left out.
-        placing : Placing
+        Points that are not finite, or too far away, are dropped.
         """
         self._now = marks, placing
         drawn = [self._show_lines(marks.lines, placing), *self._show_faces(marks.faces, placing)]
@@ -163,7 +138,6 @@ class MarksDrawing:
         self.points = np.concatenate(drawn)
 
     def show_highlight(self, highlighted: Highlight) -> bool:
-        """Let what is about what is highlighted stand out; tell whether that is a change."""
         before, self._highlighted = self._highlighted, highlighted
         if self._now is None:
             return False
@@ -177,7 +151,7 @@ class MarksDrawing:
         return True
 
     def label_at(self, x_px: float, y_px: float) -> Highlight:
-        """What the label at a pixel from the pane's top left is about."""
+        """Return the subjects of the label at a pixel from the pane's top left."""
         height_px = self._canvas.window.GetSize()[1]
         renderer = self._renderer or self._canvas.renderer
         for label, about in zip(self._labels, self._text_abouts, strict=False):
@@ -270,7 +244,7 @@ class MarksDrawing:
         points = _placed_each(texts, placing)
         near = np.flatnonzero(_within(points, placing.limit)).tolist()
         words = [self._words.get(texts[i].text, texts[i].text) for i in near]
-        self._text_points, self._texts = points[near], words
+        self._text_points = points[near]
         self._text_abouts = [texts[i].about for i in near]
         away = [texts[i] if texts[i].away_from is None else _away(texts[i]) for i in near]
         self._away_points = _placed_each(away, placing)
@@ -301,34 +275,27 @@ class MarksDrawing:
     ) -> None:
         """Put each text beside its point, where it hides no dot and no other label.
 
-        Parameters
-        ----------
-        layout : Layout
-            Of the renderer, where other labels have their places already.
-        seen : callable
-            From points of the pane's actors, (n, 3), to where they are in the renderer.
-        subject : (n, 2) array, optional
-            Where `spread_over` of the scene is seen: what texts rather do not hide. If it is not
-            given, they stay on the sides that were best then, so that a drag makes none jump.
+        `seen` converts points of the pane's actors, (n, 3), to the renderer. `subject`, (n, 2), is
+        where `spread_over` of the scene is seen: what texts avoid. Without it, texts stay on their
+        last sides, so that a drag makes none jump.
         """
-        if not self._texts:
+        count = len(self._text_points)
+        if not count:
             return
-        count = len(self._texts)
         points = (self._text_points, self._away_points, self._dot_points)
         spots = seen(np.concatenate(points))
         layout.keep_free([spot for spot in spots[2 * count :] if spot[2] > 0.0])
         gaps = _GAPS_WITH_LEADER if self._leads else _GAPS
-        for label, leader, text, spot, away in zip(
-            self._labels, self._leaders, self._texts, spots, spots[count:], strict=False
-        ):
+        labels = zip(self._labels, self._leaders, strict=True)
+        for (label, leader), spot, away in zip(labels, spots[:count], spots[count:], strict=False):
             if not self._over:
                 sides, most = _sides_away(spot, away), len(GAPS_EM) if self._leads else gaps
-                layout.place(label, text, [spot], sides, leader, gaps=most)
+                layout.place(label, [spot], sides, leader, gaps=most)
                 continue
             if subject is not None:
-                self._best[label] = layout.least_hiding(text, spot, _BESIDE, gaps, subject)
+                self._best[label] = layout.least_hiding(label, spot, _BESIDE, gaps, subject)
             best = self._best.get(label, ())
-            layout.place(label, text, [spot], _BESIDE, leader, gaps=gaps, best=best)
+            layout.place(label, [spot], _BESIDE, leader, gaps=gaps, best=best)
 
     # -- copies
 
@@ -353,35 +320,30 @@ class MarksDrawing:
     def place_copies(self, pane_from_local: Callable[[float], Array]) -> None:
         """Set the copies' matrices.
 
-        Parameters
-        ----------
-        pane_from_local : callable
-            The scene's own matrix in this pane, (4, 4), for a multiple of how far its lines come
-            forward.
+        `pane_from_local` returns the scene's own matrix in this pane, (4, 4), for a multiple of how
+        far its lines come forward.
         """
         for actors, local_from_local in self._shown:
             actors.space.set_projective(pane_from_local(COPY_LIFT) @ local_from_local)
 
     @property
     def copied_faces(self) -> list[tuple[vtkActor, Space]]:
-        """The faces of all copies there ever were, and what they stand under."""
+        """The faces of all copies so far, each with its `Space`."""
         return [(copy.surface, copy.space) for copy in self._copies if copy.surface is not None]
 
     def copied(self, points: Array) -> Array:
-        """Where the copies have these points (n, 3) of the scene's faces, (m, 4), scene-local."""
+        """Return the copies of points (n, 3) of the scene's faces, (m, 4), scene-local."""
         homogeneous = np.column_stack([points, np.ones(len(points))])
         return np.concatenate(
             [np.empty((0, 4)), *(homogeneous @ matrix.T for _, matrix in self._shown)]
         )
 
     def show_detail(self, fewer: Scene | None) -> None:
-        """Draw copies of a scene with fewer triangles, or of all that there are for None."""
         for copy in self._copies:
             if copy.detail is not None:
                 copy.detail.show(fewer)
 
     def _build(self, actors: _CopyActors) -> None:
-        """Make what a copy needs and has not got."""
         if actors.detail is not None:
             return
         actors.surface = SceneActors(self._scene, self._style, self._clip).surface
@@ -393,7 +355,6 @@ class MarksDrawing:
             self._canvas.add(actors.surface, renderer=self._renderer)
 
     def _dress(self, actors: _CopyActors, copy: Copy | None) -> None:
-        """Show a copy in its colour, or not at all."""
         if actors.surface is None:
             return
         actors.surface.SetVisibility(copy is not None)
@@ -405,7 +366,6 @@ class MarksDrawing:
     # -- shared
 
     def _named(self, colour: str) -> str:
-        """``"#rrggbb"`` for the name of one of the style's colours."""
         return colour if colour.startswith("#") else str(getattr(self._style, colour))
 
     def _rgba(self, colour: str, opacity: float = 1.0) -> NDArray[np.uint8]:
@@ -451,7 +411,7 @@ def spread_over(scene: Scene) -> Array:
 
 
 class _CopyActors:
-    """What one copy is drawn with, made when it is first needed."""
+    """The actors of one copy, created on first use."""
 
     def __init__(self) -> None:
         self.surface: vtkActor | None = None
@@ -473,7 +433,6 @@ class _Batch:
         self.actor.SetVisibility(False)
 
     def hide(self) -> None:
-        """Draw nothing."""
         self.actor.SetVisibility(False)
 
     def show(
@@ -481,13 +440,8 @@ class _Batch:
     ) -> None:
         """Draw these cells, and no others.
 
-        Parameters
-        ----------
-        points : (m, k, 3) array, or (n, 3) if `sizes` are given
-        rgba : (n, 4) uint8 array
-            Of each point.
-        sizes : sequence of int, optional
-            How many points each cell has.
+        `points` are (m, k, 3), or (n, 3) with the `sizes` of the cells; `rgba`, (n, 4), colours
+        each.
         """
         cells = [points.shape[1]] * len(points) if sizes is None else list(sizes)
         if cells != self._sizes:
@@ -518,13 +472,12 @@ class _Batch:
 
 
 def _away(text: Text) -> Text:
-    """The text where it is not to be."""
     assert text.away_from is not None
     return replace(text, point=text.away_from)
 
 
 def _sides_away(spot: Spot, away: Spot) -> Sequence[tuple[float, float]]:
-    """Where a text goes beside its point: farthest from another one first, if there is one."""
+    """The sides of a text, those away from another point first."""
     x, y = spot[0] - away[0], spot[1] - away[1]
     if not math.hypot(x, y) > 0.0:
         return _BESIDE
@@ -535,14 +488,12 @@ def _sides_away(spot: Spot, away: Spot) -> Sequence[tuple[float, float]]:
 
 
 def _placed_each(marks: Sequence[Dot | Text], placing: Placing) -> Array:
-    """Where the points of dots or texts are, (n, 3)."""
     if not marks:
         return np.empty((0, 3))
     return placing.placed(np.array([mark.point for mark in marks], dtype=np.float64))
 
 
 def _within(points: Array, limit: float) -> NDArray[np.bool_]:
-    """Which points (..., 3) are in the box."""
     return np.asarray((np.abs(points) <= limit).all(axis=-1))  # NaN is not
 
 
@@ -552,7 +503,7 @@ def _in_box(points: Array, limit: float) -> Array:
 
 
 def _cut_segments(segments: Array, limit: float) -> tuple[Array, NDArray[np.intp]]:
-    """What is inside the box of segments (m, 2, 3), and of which each is left."""
+    """The parts of segments (m, 2, 3) inside the box, and the segment of each."""
     kept = _within(segments, limit).all(axis=1)
     crossing = ~kept & _within(segments, LARGEST_CLIP * min(limit, 1.0)).all(axis=1)
     clip = _in_box(segments[crossing], limit)
@@ -564,7 +515,7 @@ def _cut_segments(segments: Array, limit: float) -> tuple[Array, NDArray[np.intp
 
 
 def _cut_polygon(points: Array, limit: float) -> Array:
-    """What is inside the box of a polygon (k, 3); nothing of one that is not finite."""
+    """The part of a polygon (k, 3) inside the box; nothing of one that is not finite."""
     if _within(points, limit).all():
         return points
     if not _within(points, LARGEST_CLIP * min(limit, 1.0)).all():

@@ -2,8 +2,8 @@
 
     local_from_film . flatten . clip_from_local
 
-where flatten squeezes all depths into a thin slab at the near face, on the side from which it is
-looked at, so that what is in front stays in front.
+where flatten squeezes all depths into a thin slab at the near face, on the viewer's side, so that
+nearer objects stay in front.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ from app.drawings import actors
 from app.drawings.actors import Canvas
 from app.drawings.camera import Standing
 from app.drawings.frustum import FrustumDrawing, matrices_between, normalised
-from app.drawings.labels import PaneView
+from app.drawings.pane_view import PaneView
 from app.model.projection import Array, Projection
 from app.scenes.scene import Scene
 
@@ -31,17 +31,6 @@ _LEAST_PX = 1.5
 
 
 class NearPicture:
-    """The scene, flattened onto the near plane and cut by the picture's window.
-
-    Attributes
-    ----------
-    faces, lines : vtkActor or None
-    space : Space
-        What the faces stand under.
-    actors : list of vtkActor
-        Faces and lines.
-    """
-
     def __init__(self, canvas: Canvas, scene: Scene) -> None:
         self._canvas = canvas
         self._planes = [vtkPlane() for _ in range(6)]
@@ -89,20 +78,11 @@ class NearPicture:
 
 
 class Film(NamedTuple):
-    """The picture on the near plane.
+    """The picture on the near plane, as matrices local from local."""
 
-    Attributes
-    ----------
-    surface, lines : (4, 4) float64 array
-        Local from local: from the scene to its picture; that of the lines lies a little in front.
-    planes : (6, 4) float64 array
-        Half-spaces ``a x + b y + c z + d >= 0`` of the pane's world, normals of length 1: left,
-        right, bottom, top, near, far. What is outside one of them is not in the picture.
-    """
-
-    surface: Array
-    lines: Array
-    planes: Array
+    surface: Array  # from the scene to its picture
+    lines: Array  # the same, a little in front
+    planes: Array  # (6, 4): left, right, bottom, top, near, far; a x + b y + c z + d >= 0
 
 
 def flatten(
@@ -115,25 +95,14 @@ def flatten(
 ) -> Film:
     """Squeeze the scene into a thin slab at the near face, every point along its ray to the eye.
 
-    Parameters
-    ----------
-    projection : Projection
-    view : (4, 4) float64 arrays
-        View from scene-local coordinates, and back.
-    depths : (float, float)
-        Least and largest distance of anything in the scene from the eye plane, in front (+) or
-        behind (-), in world units. The slab's thickness is spent on them.
-    reach : float
-        A length in world units to which a parallel lens' slab is proportioned.
-    toward_eye : bool
-        On which side of the near plane the slab lies. On the eye's, the nearest is on top, as
-        seen from there; on the other, the nearest is again on top as seen from *there*: a
-        picture looked at from behind is its mirror image, not the things' back sides.
+    `view` are view from scene-local coordinates, (4, 4), and back. `depths` are the least and
+    largest distance of anything in the scene from the eye plane, in front (+) or behind (-); the
+    slab's thickness is spent on them. A parallel lens' slab is proportional to the length `reach`.
+    `toward_eye` is the side of the near plane. Seen from its own side the nearest is on top: from
+    behind, a picture is its mirror image, not the things' back sides.
 
-    Notes
-    -----
-    In homogeneous coordinates, with depth 1 at the near and 0 at the far end of what is in the
-    picture: ``flatten: z' = w +- slab z``; x, y and w stay, so that each point keeps its ray.
+    In homogeneous coordinates, with depth 1 at the near and 0 at the far end of the picture:
+    ``flatten: z' = w +- slab z``; x, y and w stay, so that each point keeps its ray.
     """
     lens = projection.lens
     near, far = lens.near, lens.far
@@ -151,7 +120,7 @@ def flatten(
 
 
 def flatten_free(projection: Projection, origin: Array, pane_eye: Array) -> Film:
-    """`flatten` under a free matrix: onto the cube's near face, on the side that is looked at."""
+    """`flatten` under a free matrix: onto the cube's near face, on the viewer's side."""
     reversed_range = projection.with_depth("reversed")
     clip_from_local = reversed_range.clip_from_world_at(origin)
     local_from_clip = reversed_range.world_from_clip_at(origin)

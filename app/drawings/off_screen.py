@@ -1,4 +1,4 @@
-"""VTK's windows that are on no screen: with a display or without, through X, EGL or Mesa alone."""
+"""VTK's off-screen windows: with a display or without, through X, EGL or Mesa alone."""
 
 from __future__ import annotations
 
@@ -24,12 +24,9 @@ _WINDOW_CHOICE = "VTK_DEFAULT_OPENGL_WINDOW"
 
 
 def check_off_screen() -> None:
-    """Make sure that VTK can draw without a window: with less OpenGL it ends the process.
+    """Raise RuntimeError, with what to do, if VTK cannot draw without a window.
 
-    Raises
-    ------
-    RuntimeError
-        If it cannot: what to do, in one sentence.
+    With too little OpenGL, VTK would end the process.
     """
     # A search through X, EGL and Mesa that leads to a picture is nothing to warn of.
     vtkLogger.SetStderrVerbosity(vtkLogger.VERBOSITY_ERROR)
@@ -44,15 +41,9 @@ def check_off_screen() -> None:
 
 
 class OffScreen:
-    """A render window that is on no screen, and its one renderer: what a drawing is made in.
+    """A render window that is on no screen, and its one renderer.
 
-    It is VTK's own and no `pyvista.Plotter`, which has three layers more to draw and takes longer
-    to import than all that is drawn here.
-
-    Parameters
-    ----------
-    width, height : int
-        Pixels.
+    A `pyvista.Plotter` would have three more layers and take longer to import than to draw.
     """
 
     def __init__(self, width: int, height: int) -> None:
@@ -64,7 +55,7 @@ class OffScreen:
         self.render_window.Initialize()  # X's crashes if it is let go without
 
     def clear(self, width: int, height: int) -> None:
-        """Be as new, in another size, but for the shaders, which need not be compiled again."""
+        """Return to the first state, in another size, but keep the compiled shaders."""
         window = self.render_window
         for renderer in list(window.GetRenderers()):
             window.RemoveRenderer(renderer)
@@ -75,7 +66,6 @@ class OffScreen:
         window.AddRenderer(self.renderer)
 
     def close(self) -> None:
-        """Give back what OpenGL holds for it."""
         self.render_window.Finalize()
 
 
@@ -85,9 +75,9 @@ _kept: list[OffScreen] = []
 
 @contextmanager
 def off_screen(width: int, height: int) -> Iterator[OffScreen]:
-    """Draw off the screen; the window is kept for the next figure, unless something happens.
+    """Draw off the screen; the window is kept for the next figure, unless an exception occurs.
 
-    To make one, and its shaders, takes longer than to draw a figure.
+    To create a window and its shaders takes longer than to draw a figure.
     """
     if _kept:
         screen = _kept.pop()
@@ -117,7 +107,7 @@ def _close_kept() -> None:
 
 @functools.cache
 def _window_that_draws() -> type:
-    """Which of VTK's windows draws here. Each one that VTK is left to choose is tried out first."""
+    """The class of VTK's windows that works here. VTK tries each that it may choose."""
     if sys.platform != "linux" or os.environ.get("DISPLAY") or _WINDOW_CHOICE in os.environ:
         return type(vtkRenderWindow())
     # Without a display a try of X's would end in a warning.
@@ -129,7 +119,7 @@ def _window_that_draws() -> type:
 
 
 def pixels_of(window: Any) -> Pixels:
-    """What a render window shows, (height, width, 4), the first row at the top."""
+    """Return the pixels of a render window, (height, width, 4), the first row at the top."""
     width, height = window.GetSize()
     buffer = vtkUnsignedCharArray()
     window.GetRGBACharPixelData(0, 0, width - 1, height - 1, 0, buffer)

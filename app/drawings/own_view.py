@@ -1,7 +1,7 @@
 """The world pane's own camera, which looks at everything from outside and is not the model's.
 
-Free, it frames what is drawn while nobody has moved it; `OwnView.refit` follows when a gesture
-ends. Fixed, it stands in the model's camera frame and goes with it:
+Free, it frames the drawing until the user moves it; `OwnView.refit` follows when a gesture ends.
+Fixed, it stands in the model's camera frame and moves with it:
 
 ======  =========================  ===========  ==========================
 name    projection                 right, up    looks along
@@ -25,7 +25,7 @@ from numpy.typing import NDArray
 
 from app.drawings.actors import Canvas, axes_of
 from app.drawings.camera import AROUND_PX, SIX_WAYS
-from app.drawings.labels import PaneView
+from app.drawings.pane_view import PaneCamera, PaneView
 from app.drawings.pointing import FACES
 from app.drawings.style import TITLE_EM
 from app.model.projection import Array, Camera
@@ -56,78 +56,36 @@ _AXES = {
 
 
 class Framed(NamedTuple):
-    """What the pane shows, and how it is oriented.
+    """What the pane shows, and how it is oriented; scene-local."""
 
-    Attributes
-    ----------
-    camera : Camera
-        The model's.
-    eye : (3,) array
-        Its own, scene-local.
-    points : (n, 3) array
-        What is to be in view, but for the camera's body and axes.
-    corners : (8, 3) array or None
-        Of the frustum.
-    objects : (8, 3) array
-        Of the box round them.
-    has_eye : bool
-        Whether the lens' projectors meet.
-    below_em : float
-        What is written under all that in a fixed view, in ems.
-    """
-
-    camera: Camera
+    camera: Camera  # the model's
     eye: Array
-    points: Array
-    corners: Array | None
-    objects: Array
-    has_eye: bool
-    below_em: float
+    points: Array  # (n, 3): must be in view, as must the camera's body and axes
+    corners: Array | None  # (8, 3), of the frustum
+    objects: Array  # (8, 3), of the box round the objects
+    has_eye: bool  # whether the lens' projectors meet
+    below_em: float  # height of the text below a fixed view
 
 
 class _Flat(NamedTuple):
-    """Where a fixed view stands, from the model's eye in the pane's own axes.
-
-    Attributes
-    ----------
-    right, up, back : float
-        Of the pane's camera; it looks forward.
-    half_height : float
-        That it sees; as a slope from the eye.
-    """
+    """Where a fixed view stands, from the model's eye in the pane's own axes."""
 
     right: float
     up: float
     back: float
-    half_height: float
+    half_height: float  # that it sees; from the eye a slope
 
 
-class OwnView:
-    """Where the pane's own camera stands, and what it frames.
+class OwnView(PaneCamera):
+    """The place of the pane's own camera, and what it frames.
 
-    Parameters
-    ----------
-    canvas : Canvas
-    origin : (3,) array
-        World; all else here is relative to it.
-    middle : (3,) array
-        Of the scene's objects.
-
-    Attributes
-    ----------
-    pane : PaneView
-        How it looks just now; a move from outside is seen by `look`.
-    around : float
-        How much larger than ever the camera's axes are.
-    fixed : str
-        One of `app.document.view.FIXED`, or ``""``.
+    `pane` is how it looks now; `look` notices a move from outside. `around` is the enlargement of
+    the camera's axes, `fixed` one of `app.document.view.FIXED`, or ``""``.
     """
 
     def __init__(self, canvas: Canvas, origin: Array, middle: Array) -> None:
-        self._camera = canvas.renderer.GetActiveCamera()
-        self._window, self._origin, self._middle = canvas.window, origin, middle
-        self._em = canvas.style.font_size
-        self._placed: tuple[float, ...] | None = None
+        super().__init__(canvas)
+        self._origin, self._middle = origin, middle
         self._framed: Framed | None = None
         self._framed_first: Framed | None = None
         self.fixed = ""
@@ -138,7 +96,7 @@ class OwnView:
         self._take()
 
     def look(self) -> None:
-        """Take over where the camera stands; a fixed view that was turned is fixed no more."""
+        """Take over the camera's place; a fixed view that was turned becomes the free one."""
         if self.fixed and self.was_moved:
             self._was_moved_while_fixed()
         self._take()
@@ -152,23 +110,6 @@ class OwnView:
         self.pane = PaneView(eye, axes_of(camera), slope, self.size_px, flat)
 
     @property
-    def size_px(self) -> tuple[int, int]:
-        """Width and height of the pane."""
-        width_px, height_px = self._window.GetSize()
-        return max(1, width_px), max(1, height_px)
-
-    @property
-    def _now(self) -> tuple[float, ...]:
-        camera = self._camera
-        scale = camera.GetParallelScale() if camera.GetParallelProjection() else 0.0
-        return (*camera.GetPosition(), *camera.GetFocalPoint(), scale)
-
-    @property
-    def was_moved(self) -> bool:
-        """Whether somebody has moved it since it was placed."""
-        return self._placed != self._now
-
-    @property
     def view(self) -> Camera | None:
         """Where it was moved to, in world coordinates; None if it was not, or is fixed."""
         if self.fixed or not self.was_moved:
@@ -178,18 +119,14 @@ class OwnView:
         return Camera(tuple(origin + eye), tuple(origin + target), camera.GetViewUp())
 
     def show(self, view: Camera) -> None:
-        """Move it to a `view` of before."""
         self.fixed = ""
         self._see_by_perspective()
-        camera = self._camera
-        camera.SetPosition(*(view.eye - self._origin))
-        camera.SetFocalPoint(*(view.target - self._origin))
-        camera.SetViewUp(*view.up)
+        self._stand_at(view.eye - self._origin, view.target - self._origin, view.up)
 
     # -- the free view
 
     def reset(self, framed: Framed) -> None:
-        """Look from where most is seen of what must be told apart, or as the fixed view does."""
+        """Look from where the parts are seen best, or as the fixed view does."""
         self._framed = self._framed_first = framed
         self._was_shifted = False
         if not self.fixed:
@@ -197,15 +134,10 @@ class OwnView:
         self.place(framed)
 
     def refit(self, framed: Framed) -> bool:
-        """Frame what has left the view or nearly vanished.
+        """Frame what has left the view or nearly vanished; return whether the camera has moved.
 
-        And go back to what `reset` framed as soon as that shows everything again. The direction
-        of looking stays.
-
-        Returns
-        -------
-        bool
-            Whether it has moved.
+        It goes back to what `reset` framed as soon as that shows everything again. The direction of
+        looking stays.
         """
         if self.fixed:
             return self._refit_fixed(framed)
@@ -233,7 +165,7 @@ class OwnView:
         return True
 
     def _fits(self, points: Array, eye: Array) -> bool:
-        """Whether points are in the view from `eye` in the direction of now, and large enough."""
+        """Whether points are in the view from `eye` in the present direction, and large enough."""
         pane = self.pane
         x, y, depth = pane.axes @ (points - eye).T
         if depth.min() <= 0.0:
@@ -247,19 +179,15 @@ class OwnView:
         return inside and largest >= _SHRUNK
 
     def place(self, framed: Framed) -> None:
-        """Stand in the direction of now from the framed points, as near as the window allows."""
+        """Look at the framed points in the present direction, from as near as the window allows."""
         if self.fixed:
             if not self._was_shifted:
                 self._flat = None
             self.follow(framed)
             return
         assert self._framed is not None
-        camera = self._camera
-        position, seen = self._stand(self._framed)
         self._see_by_perspective()
-        camera.SetPosition(*position)
-        camera.SetFocalPoint(*seen)
-        camera.SetViewUp(0.0, 1.0, 0.0)
+        self._stand_at(*self._stand(self._framed))
         self._placed = self._now
 
     def _see_by_perspective(self) -> None:
@@ -267,17 +195,14 @@ class OwnView:
         self._camera.SetViewAngle(_VIEW_ANGLE_DEG)
 
     def _room(self, below_em: float) -> tuple[float, float]:
-        """What of the pane's width and height is for what is framed, each 1/2 to 1."""
+        """The parts of the pane's width and height for what is framed, each 1/2 to 1."""
         wide, high = self.size_px
         margin = min(2.0 * _MARGIN_EM * self._em, _SMALL_MARGIN * min(wide, high))
         beside = (TITLE_EM + below_em) * self._em
-        return (
-            max(0.5, (wide - margin) / wide),
-            max(0.5, (high - margin - beside) / high),
-        )
+        return (max(0.5, (wide - margin) / wide), max(0.5, (high - margin - beside) / high))
 
     def _stand(self, framed: Framed) -> tuple[Array, Array]:
-        """Where to stand for these points, and what to look at: (3,) each."""
+        """Return the camera's place for these points, and its focal point: (3,) each."""
         out, size_px, eye = self._direction, self.size_px, framed.eye
         axes, half = _axes_from(out), math.tan(math.radians(_VIEW_ANGLE_DEG / 2.0))
         wide, high = self._room(0.0)
@@ -296,7 +221,6 @@ class OwnView:
     # -- fixed views
 
     def follow(self, framed: Framed) -> None:
-        """Stand where the model's camera has taken a fixed view."""
         frame = framed.camera.frame
         right, up, toward = (sign * frame[which] for which, sign in _AXES[self.fixed])
         if self._flat is None:
@@ -309,9 +233,7 @@ class OwnView:
             camera.SetParallelScale(flat.half_height)
         else:
             camera.SetViewAngle(2.0 * math.degrees(math.atan(flat.half_height)))
-        camera.SetPosition(*position)
-        camera.SetFocalPoint(*(position + away * toward))
-        camera.SetViewUp(*up)
+        self._stand_at(position, position + away * toward, up)
         self._axes = np.stack([right, up, toward])
         self._placed = self._now
 
@@ -350,7 +272,7 @@ class OwnView:
         return _Flat(float(middle[0]), float(middle[1]), 2.0 * deepest, float(half))
 
     def _was_moved_while_fixed(self) -> None:
-        """Keep the fixed view if it was shifted or enlarged; a turn makes the free one of it."""
+        """Keep the fixed view if it was shifted or enlarged; a turn makes it the free one."""
         camera, (right, up, toward), flat = self._camera, self._axes, self._flat
         assert flat is not None
         now = np.array(camera.GetDirectionOfProjection())
@@ -366,11 +288,9 @@ class OwnView:
             self._placed, self._was_shifted = self._now, True
             return
         self.fixed = ""
+        distance, focus = camera.GetDistance(), np.array(camera.GetFocalPoint())
         if camera.GetParallelProjection():  # as large as it was, seen from a place
             distance = camera.GetParallelScale() / math.tan(math.radians(_VIEW_ANGLE_DEG) / 2.0)
-            focus = np.array(camera.GetFocalPoint())
-        else:
-            distance, focus = camera.GetDistance(), np.array(camera.GetFocalPoint())
         if abs(now[1]) > _HIGHEST:  # the free view keeps the world's vertical, and needs one
             level = math.copysign(1.0, -now[1]) * np.array([up[0], 0.0, up[2]])
             if not np.linalg.norm(level) > 1e-6:
@@ -378,22 +298,13 @@ class OwnView:
             level *= math.sqrt(1.0 - _HIGHEST**2) / np.linalg.norm(level)
             now = level + np.array([0.0, math.copysign(_HIGHEST, now[1]), 0.0])
         self._see_by_perspective()
-        camera.SetFocalPoint(*focus)
-        camera.SetPosition(*(focus - distance * now))
-        camera.SetViewUp(0.0, 1.0, 0.0)
+        self._stand_at(focus - distance * now, focus)
         self._placed = None
 
     # -- what depends on where it stands
 
     def fit_range(self, points: Array, *depths: float) -> float:
-        """Let the camera see all of these points; tell from which depth on it sees.
-
-        Parameters
-        ----------
-        points : (n, 3) array
-        *depths : float
-            Depths of what else is to be seen.
-        """
+        """Let the camera see these points, (n, 3), and depths; return the nearest visible depth."""
         camera = self._camera
         of_points = (points - self.pane.eye) @ self.pane.axes[2]
         closest: float = 0.95 * min(float(of_points.min()), *depths)
@@ -414,7 +325,6 @@ class OwnView:
 
     @property
     def sight(self) -> Sight:
-        """How the pane looks at the world just now."""
         pane = self.pane
         width_px, height_px = pane.size_px
         right, up, toward = pane.axes
@@ -447,7 +357,7 @@ def _axes_from(out: Array) -> Array:
 def _stand_back(
     axes: Array, points: Array, slopes: tuple[float, float], lower: float = 0.0
 ) -> Array:
-    """From where these points just fill a view of these slopes, which is lower by one, (3,)."""
+    """Return where these points just fill a view of these slopes, lowered by one, (3,)."""
     right, up, toward = axes
     x, y, away = axes @ points.T
     centre, distance = [], -math.inf
@@ -461,7 +371,7 @@ def _stand_back(
 
 
 def _directions(frame: Array) -> Iterator[Array]:
-    """From where the pane may be looked at: beside the model's camera, and a little behind it."""
+    """The directions to look from: beside the model's camera, and a little behind it."""
     behind = np.array([frame[2, 0], 0.0, frame[2, 2]])
     beside = np.cross(behind, (0.0, 1.0, 0.0))
     if np.linalg.norm(beside) < 0.2:  # it looks straight down or up: stand at its right
@@ -479,11 +389,10 @@ def _directions(frame: Array) -> Iterator[Array]:
 
 
 def _clearest(framed: Framed, middle: Array) -> Array:
-    """The direction from which most is seen of eye, near plane, objects and far plane, (3,).
+    """The direction that shows eye, near plane, objects and far plane best, (3,).
 
-    By how much of a square pane each of the four takes that none of the others does, and all of
-    the drawing together: the product of these parts is largest. The same for a pane of any other
-    proportions, so that a pane that is enlarged shows what it showed.
+    It maximises the product of the parts of a square pane that each of the four takes alone, and
+    that all of them take together. The result does not depend on the pane's proportions.
     """
     half = math.tan(math.radians(_VIEW_ANGLE_DEG / 2.0))
     eye = framed.eye[None]

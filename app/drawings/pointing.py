@@ -1,13 +1,13 @@
-"""Pointing in a pane: what is under a pixel, and what stands out while it is highlighted.
+"""Pointing in a pane: what is under a pixel, and how it is highlighted.
 
-Everything that stands out is made with its drawing and waits there: what is highlighted changes
-line widths, point sizes and visibilities, never the number of actors, and no slider step knows.
+Everything for the highlight is created with its drawing. A highlight changes line widths, point
+sizes and visibilities, never the number of actors, and costs a slider step nothing.
 """
 
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from itertools import pairwise
 from typing import Any, TypeAlias
 
@@ -44,51 +44,43 @@ Segment: TypeAlias = tuple[Highlight, Spot, Spot]
 
 
 class Emphasis:
-    """What of one drawing stands out, and while what is highlighted."""
-
     def __init__(self, canvas: Canvas) -> None:
         self._canvas = canvas
-        self._lines: list[tuple[Highlight, Any, float]] = []
-        self._points: list[tuple[Highlight, Any, float]] = []
-        self._hidden: list[tuple[Highlight, Any]] = []
+        self._told: list[tuple[Highlight, Callable[[bool], object]]] = []
         self._labels: list[tuple[str, Label]] = []
-        self._shown = NOTHING
-        self._names = NOTHING
+        self._shown = self._names = NOTHING
+
+    def _tell(self, names: Iterable[str], tell: Callable[[bool], object]) -> None:
+        self._told.append((frozenset(names), tell))
+        self._names |= frozenset(names)
 
     def line(self, actor: vtkActor, *names: str) -> None:
-        """Draw these lines wider."""
-        width = actor.GetProperty().GetLineWidth()
-        self._lines.append((self._known(names), actor.GetProperty(), width))
+        """Draw these lines wider while one of the names is highlighted."""
+        line = actor.GetProperty()
+        width = line.GetLineWidth()
+        self._tell(names, lambda on: line.SetLineWidth(width * (_WIDER if on else 1.0)))
 
     def point(self, actor: vtkActor, *names: str) -> None:
         """Draw these points larger."""
-        size = actor.GetProperty().GetPointSize()
-        self._points.append((self._known(names), actor.GetProperty(), size))
+        point = actor.GetProperty()
+        size = point.GetPointSize()
+        self._tell(names, lambda on: point.SetPointSize(size * (_LARGER if on else 1.0)))
 
     def hidden(self, actor: Any, *names: str) -> None:
-        """Draw this only then."""
+        """Draw this only while one of the names is highlighted."""
         actor.SetVisibility(False)
-        self._hidden.append((self._known(names), actor))
+        self._tell(names, actor.SetVisibility)
 
     def label(self, label: Label, name: str) -> None:
         """Put a frame round this label's plate; it can be pointed at, too."""
-        self._known((name,))
+        self._tell((name,), label.set_framed)
         self._labels.append((name, label))
 
     def volume(self, space: Space, corners: Array) -> list[Any]:
-        """Make faces, outlines and corners of a view volume that only show when highlighted.
+        """Create a view volume's faces, outlines and corners that only a highlight shows.
 
-        Parameters
-        ----------
-        space : Space
-            What the corners stand under.
-        corners : (8, 3) array
-            In the order of `highlight.CORNERS`.
-
-        Returns
-        -------
-        list of vtkActor
-            The faces, which may have to be put behind the scene.
+        `corners`, (8, 3), are in the order of `highlight.CORNERS` and under `space`. Returns the
+        faces, which may have to be put behind the scene.
         """
         faces, style = [], self._canvas.style
         for name, face in FACES.items():
@@ -107,29 +99,18 @@ class Emphasis:
             self.hidden(point, name)
         return faces
 
-    def _known(self, names: Iterable[str]) -> Highlight:
-        added = frozenset(names)
-        self._names |= added
-        return added
-
     def show(self, highlighted: Highlight) -> bool:
-        """Let what is highlighted stand out, and nothing else; tell whether that is a change."""
+        """Highlight these things, and nothing else; return whether anything has changed."""
         shown = highlighted & self._names
         if shown == self._shown:
             return False
         self._shown = shown
-        for names, line, width in self._lines:
-            line.SetLineWidth(width * (_WIDER if names & shown else 1.0))
-        for names, point, size in self._points:
-            point.SetPointSize(size * (_LARGER if names & shown else 1.0))
-        for names, actor in self._hidden:
-            actor.SetVisibility(bool(names & shown))
-        for name, label in self._labels:
-            label.set_framed(name in shown)
+        for names, tell in self._told:
+            tell(bool(names & shown))
         return True
 
     def label_at(self, x_px: float, y_px: float) -> Highlight:
-        """What the label at a pixel from the pane's top left is about."""
+        """Return what the label at a pixel, counted from the pane's top left, is about."""
         height_px = self._canvas.window.GetSize()[1]
         for name, label in self._labels:
             if label.covers(self._canvas.renderer, x_px, height_px - y_px):
@@ -138,7 +119,7 @@ class Emphasis:
 
 
 def volume_edges(spots: Sequence[Spot]) -> list[Segment]:
-    """The twelve edges of a view volume by its eight corners, and which planes they are of."""
+    """Return a view volume's twelve edges from its eight corners, with the planes of each."""
     edges = []
     for line in CUBE_EDGES:
         for start, end in pairwise(line):
@@ -156,18 +137,10 @@ def pointed_at(
     segments: Iterable[Segment],
     corners: Sequence[Spot] = (),
 ) -> Highlight:
-    """What is at a pixel: the nearest point, else the nearest line, else the foremost face.
+    """Return what is at a pixel: the nearest point, else the nearest line, else the foremost face.
 
-    Parameters
-    ----------
-    place : (float, float)
-        Pixels from the pane's top left.
-    em : float
-        Height of the labels' font, by which a hand's aim is measured, pixels.
-    points, segments : iterables
-        What they are about, and where; a place that is NaN is nowhere.
-    corners : sequence of 8 Spot
-        Of the view volume, for its faces.
+    `place` counts from the pane's top left; `em`, the height of the labels' font in pixels, scales
+    the hand's precision; NaN places are ignored; `corners` are the view volume's, for its faces.
     """
     best, found = _POINT_EM * em, NOTHING
     for names, spot in points:

@@ -1,7 +1,7 @@
-"""The scene as the model's camera sees it, in the cheaper arithmetic that is exact enough.
+"""The scene as the model's camera sees it, in the cheapest arithmetic that is exact enough.
 
 ==========  ================================================================================
-precision        how vertices get their clip coordinates
+precision   how vertices get their clip coordinates
 ==========  ================================================================================
 float32     on the GPU, by one concatenated matrix; a step of a slider sets that matrix
 float64     here, eye first, by `Projection.trace`; the GPU is handed the results
@@ -10,12 +10,12 @@ float64     here, eye first, by `Projection.trace`; the GPU is handed the result
 Faces choose for themselves, and so do lines: each takes the cheaper one if its bound, over the
 boxes that hold them, is below the tolerance.
 
-In the second the price is paid per vertex and step. A vertex handed over has three coordinates,
-and they are x, y, z of clip space: w is ``(z - b)/a`` with lecture 000's ``z = a w + b``, or 1
-for a parallel lens, so that a matrix of a handful of numbers restores it. Rounding these to
-float32 costs 2e-4 px of 1280 at most. For edges to be as exact as their ends, what lies outside a
-cone somewhat wider than the picture, before near or beyond far is cut off beforehand: an edge
-that ends 1e5 pictures away would be drawn 1e5 times as inexactly as one that ends here.
+In float64 the price is paid per vertex and step. A vertex handed over has three coordinates, x, y,
+z of clip space. w is ``(z - b)/a`` with lecture 000's ``z = a w + b``, or 1 for a parallel lens, so
+that a matrix restores it. Rounding these to float32 costs 2e-4 px of 1280 at most. For edges to be
+as exact as their ends, everything outside a cone somewhat wider than the picture, before near or
+beyond far is cut off beforehand: an edge that ends 1e5 pictures away would be drawn 1e5 times as
+inexactly as one that ends here.
 
 Under a free matrix w is no function of z. There the divide is done here too, which for faces of
 one colour draws the same picture.
@@ -56,10 +56,7 @@ _SHALLOW = 1.0 - 2.0**-22  # of the depth range: or the far plane takes what flo
 
 
 def least_tolerance(scene: Scene, tolerance_px: float) -> float:
-    """The tolerance at which a scene can be drawn.
-
-    A texture is laid over the scene's own vertices, and so over those that the GPU projects.
-    """
+    """Return a scene's tolerance: infinite with a texture, which needs the GPU's vertices."""
     return math.inf if "texture" in scene.requires else tolerance_px
 
 
@@ -67,21 +64,9 @@ _projected: WeakKeyDictionary[Scene, _Projected] = WeakKeyDictionary()
 
 
 class ModelActors:
-    """A scene's actors under a projection: their matrices, and the vertices that they have.
+    """A scene's actors under a projection: their matrices and their vertices.
 
-    Parameters
-    ----------
-    scene : Scene
-    style : Style
-    tolerance_px : float
-        Error up to which the GPU's own float32 may draw.
-    clip : iterable of vtkPlane
-        As for `SceneActors`.
-
-    Attributes
-    ----------
-    actors : SceneActors
-    surface : vtkActor or None
+    The GPU's own float32 may draw up to an error of `tolerance_px`.
     """
 
     def __init__(
@@ -101,7 +86,6 @@ class ModelActors:
         return "float64" if any(made and made.is_projected for made in self._made) else "float32"
 
     def show_detail(self, fewer: Scene | None) -> None:
-        """Take a scene's fewer triangles, or None for all; then show a projection."""
         self.show_local()
         self._detail.show(fewer)
         self._fewer = fewer
@@ -111,7 +95,6 @@ class ModelActors:
         )
 
     def show_grid(self, shown: bool) -> None:
-        """Draw the ground's lines, or leave them out; then show a projection."""
         self.show_local()
         self.actors.show_grid(shown)
         self.show_detail(self._fewer)
@@ -123,17 +106,10 @@ class ModelActors:
             self.show_detail(self._fewer)
 
     def show_projection(self, projection: Projection) -> tuple[Array, Array, Array]:
-        """Choose the precision and give the actors their vertices.
+        """Choose the precision, and give the actors their vertices.
 
-        Parameters
-        ----------
-        projection : Projection
-            Of the depth range ``opengl``.
-
-        Returns
-        -------
-        surface, lines, ground : (4, 4) float64 arrays
-            Clip from vertex coordinates, for the actors to stand under.
+        `projection` has the depth range ``opengl``. Returns the matrices, (4, 4), of surface, lines
+        and ground: clip from vertex coordinates.
         """
         scene, placement = self._scene, projection.placement
         self._move(placement)
@@ -154,19 +130,16 @@ class ModelActors:
         return surface, lines, ground
 
     def show_placed(self, placement: ObjectTransform) -> Array:
-        """Give the actors the scene's own vertices, and tell where the objects' stand.
+        """Give the actors the scene's own vertices, and return the objects' matrix, (4, 4).
 
-        Returns
-        -------
-        (4, 4) array
-            World-local coordinates from the objects' own; the ground has the world's.
+        It converts the objects' coordinates to world-local ones, which the ground has already.
         """
         self._move(placement)
         self.show_local()
         return placement.local_from(self._scene.origin, self._scene.origin)
 
     def show_local(self) -> None:
-        """Give the actors the scene's own vertices, scene-local, whatever they stand under."""
+        """Give the actors the scene's own vertices, scene-local."""
         if self.precision != "float32":
             _projected.pop(self._scene, None)
         for made in self._made:
@@ -174,7 +147,7 @@ class ModelActors:
                 made.restore()
 
     def _part(self, which: int, made: _Made, projection: Projection) -> _Vertices:
-        """What a projection leaves of a mesh, computed once for all panes that show it."""
+        """What a projection leaves of a mesh, computed once for all panes."""
         kept = _projected.get(self._scene)
         if kept is None or kept.fewer is not self._fewer or kept.projection != projection:
             kept = _projected[self._scene] = _Projected(self._fewer, projection)
@@ -187,7 +160,7 @@ class ModelActors:
 
 @dataclass
 class _Projected:
-    """What of a scene was projected last: faces are part 0, lines 1 and a ground `_GROUND`."""
+    """The last projection of a scene's parts: 0 for faces, 1 for lines, `_GROUND` for a ground."""
 
     fewer: Scene | None
     projection: Projection
@@ -195,17 +168,10 @@ class _Projected:
 
 
 class _Vertices:
-    """What is left of a mesh, as the GPU is handed it: never changed, so that panes can share it.
+    """What is left of a mesh, for the GPU; never changed, so that panes can share it.
 
-    Attributes
-    ----------
-    points : vtkPoints
-        x, y and z of clip space.
-    cells : vtkCellArray or None
-        None if all are left.
-    rgb : (vtkDataArray or None, vtkDataArray or None)
-        Colours of the points and of the cells that are left, where there are any.
-    clip_from_vertex : (4, 4) array
+    `points` are x, y and z of clip space; `cells` is None if all are left; `rgb` holds the colours
+    of the points and of the cells that are left, where there are any.
     """
 
     def __init__(self, part: _Part, made: _Made, projection: Projection) -> None:
@@ -237,7 +203,7 @@ class _Vertices:
 
 
 class _Made:
-    """An actor, the mesh that it was made with, and the one that a projection has put there.
+    """An actor, the mesh that it was made with, and its replacement by a projection.
 
     All cells of the mesh are of one kind: points, segments or triangles.
     """
@@ -254,7 +220,7 @@ class _Made:
 
     @cached_property
     def clusters(self) -> _Clusters:
-        """Its cells by where they are, once one of them has to be projected here."""
+        """Its cells by their places, once one of them has to be projected here."""
         return _Clusters.of(self.points.astype(np.float64), self.cells)
 
     @property
@@ -280,22 +246,19 @@ class _Made:
 
     @property
     def is_seen(self) -> bool:
-        """Whether there is anything, and nothing else is drawn in its place."""
         return bool(self._actor.GetVisibility() and self._mesh.GetNumberOfCells())
 
     @property
     def is_projected(self) -> bool:
-        """Whether it shows what a projection has put there."""
         return self._mapper.GetInput() is self._projected
 
     def restore(self) -> None:
-        """Show the mesh that it was made with."""
         if self.is_projected:
             self._mapper.SetInputData(self._mesh)
             self._projected.Initialize()
 
     def replace(self, vertices: _Vertices) -> Array:
-        """Show the same things with other vertices; what they are to stand under, (4, 4)."""
+        """Show the mesh with other vertices, and return their matrix, (4, 4)."""
         made = self._projected
         made.ShallowCopy(self._mesh)
         made.SetPoints(vertices.points)
@@ -319,32 +282,19 @@ def _cells(mesh: vtkPolyData, kind: str) -> vtkCellArray:
 
 
 class _Part(NamedTuple):
-    """What is left of a mesh.
+    """What is left of a mesh."""
 
-    Attributes
-    ----------
-    clip : (n, 4) float64 array
-        Vertices in clip space.
-    cells : (m, k) array of int
-    vertex, cell : arrays of int, (n,) and (m,), or None
-        Of which vertex each has the colour, and of which cell each is left; None if all are.
-    """
-
-    clip: Array
-    cells: NDArray[np.integer]
-    vertex: NDArray[np.integer] | None
-    cell: NDArray[np.integer] | None
+    clip: Array  # (n, 4): vertices in clip space
+    cells: NDArray[np.integer]  # (m, k)
+    vertex: NDArray[np.integer] | None  # (n,): whose colour each has; None if all are left
+    cell: NDArray[np.integer] | None  # (m,): of which cell each was part; likewise
 
 
 class _Clusters(NamedTuple):
-    """Cells of a mesh by where they are, so that most of what is not seen is told at a glance.
+    """Cells of a mesh by their places, so that whole clusters can be skipped.
 
-    Attributes
-    ----------
-    boxes : (c, 8, 3) array
-        Corners of boxes round the clusters, scene-local.
-    cluster : (m,) array of int
-        Of each cell.
+    `boxes`, (c, 8, 3), are the corners of boxes round the clusters, scene-local; `cluster`, (m,),
+    is the cluster of each cell.
     """
 
     boxes: Array
@@ -352,7 +302,7 @@ class _Clusters(NamedTuple):
 
     @classmethod
     def of(cls, points: Array, cells: NDArray[np.integer]) -> _Clusters:
-        """Clusters of cells, (m, k), over points, (n, 3)."""
+        """Cluster cells, (m, k), over points, (n, 3)."""
         first, *others = (points[corners] for corners in cells.T)
         low = reduce(np.minimum, others, first)
         high = reduce(np.maximum, others, first)
@@ -370,7 +320,7 @@ class _Clusters(NamedTuple):
 
 
 def _projected_part(made: _Made, projection: Projection, origin: Array, space: Space) -> _Part:
-    """What a projection leaves of a mesh; clusters that lie beyond one plane are not looked at."""
+    """What a projection leaves of a mesh; clusters beyond one plane are skipped."""
     planes, cells, points = _planes(projection), made.cells, made.points
     beyond = np.zeros(0, dtype=np.bool_)
     if len(cells) > MANY_CELLS:
@@ -402,12 +352,9 @@ def _w_of_z(projection: Projection) -> tuple[float, float]:
 
 
 def _planes(projection: Projection) -> tuple[Array, Array]:
-    """Half-spaces of clip space that the picture lies in, the depth range exactly.
+    """Half-spaces of clip space round the picture, with the exact depth range.
 
-    Returns
-    -------
-    normals, offsets : (p, 4) and (p,) arrays
-        What is inside has ``normal . (x, y, z, w) + offset >= 0`` for all.
+    What is inside has ``normal . (x, y, z, w) + offset >= 0`` for all (p, 4) normals and offsets.
     """
     sides = [(1.0, 0.0, 0.0, _WIDE), (-1.0, 0.0, 0.0, _WIDE)]
     sides += [(0.0, 1.0, 0.0, _WIDE), (0.0, -1.0, 0.0, _WIDE)]
@@ -417,7 +364,7 @@ def _planes(projection: Projection) -> tuple[Array, Array]:
 
 
 def _cut(clip: Array, cells: NDArray[np.integer], planes: tuple[Array, Array]) -> _Part:
-    """Leave of points, segments or triangles what lies within planes."""
+    """Cut points, segments or triangles at planes."""
     normals, offsets = planes
     out = np.zeros(len(clip), dtype=np.uint8)
     for bit, (normal, offset) in enumerate(zip(normals, offsets, strict=True)):
@@ -447,7 +394,6 @@ def _cut(clip: Array, cells: NDArray[np.integer], planes: tuple[Array, Array]) -
 def _cut_at(
     pieces: Array, owner: NDArray[np.integer], normal: Array, offset: float
 ) -> tuple[Array, NDArray[np.integer]]:
-    """Cut points, segments or triangles (m, k, 4) at one plane."""
     values = pieces @ normal + offset
     inside = values >= 0.0
     if inside.all():

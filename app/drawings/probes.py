@@ -1,11 +1,10 @@
 """The marks of the probes, the same in all three panes.
 
-A probe is a disc with a rim and its number on a plate, or, of the lecturer's pointer, which has no
-number, in a ring that the back row sees; always in front. It stands where the pane
-shows the point, reckoned in float64. Its projector, the line that one pixel's points share, is
-drawn among the scene: from the eye in the world, parallel to z in the NDC cube. A disc is hollow
-where the point is outside of the view volume, and there is none where the point has no picture
-(w <= 0): a mirrored one would be a lie.
+A probe is a disc with a rim and its number on a plate. The lecturer's pointer has no number, and a
+ring that can be seen from the back row. Both are always in front, where the pane shows the point,
+computed in float64. The projector, the line that one pixel's points share, is drawn in the scene:
+from the eye in the world, parallel to z in the NDC cube. A disc is hollow if the point is outside
+the view volume. A point without a picture (w <= 0) has no disc: a mirrored one would be a lie.
 """
 
 from __future__ import annotations
@@ -36,53 +35,23 @@ _TRIED = 40  # vertices: of a million each takes a millisecond or two
 
 
 class Mark(NamedTuple):
-    """What is drawn of a probe in one pane.
+    """The mark of a probe in one pane; pixels from its top left."""
 
-    Attributes
-    ----------
-    number : int
-        Written beside it; 0 for what has none.
-    spot_px : (2,) array or None
-        Where its disc is, from the pane's top left; None or NaN for nowhere.
-    solid : bool
-        Whether the point is inside the view volume.
-    line : (2, 3) array or None
-        Ends of its projector, in the coordinates of the pane's actors.
-    crossing_px : (2,) array or None
-        Where the projector meets the near plane.
-    """
-
-    number: int
-    spot_px: Array | None
-    solid: bool = True
-    line: Array | None = None
-    crossing_px: Array | None = None
+    number: int  # written beside it, unless it is 0
+    spot_px: Array | None  # of the disc; None or NaN for nowhere
+    solid: bool = True  # whether the point is inside the view volume
+    line: Array | None = None  # (2, 3): the projector, in the actors' coordinates
+    crossing_px: Array | None = None  # where the projector meets the near plane
 
 
 class Probes:
-    """The probes' marks in one pane.
-
-    Parameters
-    ----------
-    canvas : Canvas
-    renderer : vtkRenderer, optional
-        Where to draw; the pane's own if not given.
-    """
-
     def __init__(self, canvas: Canvas, renderer: Any = None) -> None:
         self._canvas, self._renderer = canvas, renderer
         self._slots: list[_Slot] = []
         self.probes: Sequence[Probe] = ()
 
     def show(self, marks: Sequence[Mark], size_px: tuple[int, int]) -> None:
-        """Draw these marks, and no others.
-
-        Parameters
-        ----------
-        marks : sequence of Mark
-        size_px : (int, int)
-            Of the renderer, whose pixels count from below.
-        """
+        """Draw these marks, and no others, in a renderer of this size."""
         while len(self._slots) < len(marks):
             self._slots.append(_Slot(self._canvas, self._renderer))
         for i, slot in enumerate(self._slots):
@@ -93,15 +62,8 @@ class Probes:
     ) -> list[Mark]:
         """The marks of the world pane.
 
-        Parameters
-        ----------
-        projection : Projection
-        origin : (3,) array
-            What the pane's actors are relative to.
-        drawn : (float, float)
-            Distances at which near and far are drawn.
-        sight : Sight
-            How the pane looks at the world.
+        `origin` is the origin of the pane's actors, `drawn` the distances at which near and far are
+        drawn.
         """
         near, far = drawn
         has_near = projection.frustum_sign != 0
@@ -194,8 +156,6 @@ def _traced_at_infinity(projection: Projection, direction: Vector) -> Trace:
 
 
 class _Slot:
-    """The actors of one probe."""
-
     def __init__(self, canvas: Canvas, renderer: Any) -> None:
         self._canvas, self._style = canvas, canvas.style
         style, em = canvas.style, canvas.style.font_size
@@ -256,7 +216,7 @@ class _Slot:
 
 
 def _place(spot_px: Array | None, height_px: int) -> tuple[float, float] | None:
-    """From the bottom left, if it is anywhere near a screen."""
+    """Convert a spot to pixels from the bottom left; None if it is far off the screen."""
     if spot_px is None or not np.isfinite(spot_px).all() or np.abs(spot_px).max() > 1e5:
         return None
     x, y = spot_px.tolist()
@@ -264,7 +224,6 @@ def _place(spot_px: Array | None, height_px: int) -> tuple[float, float] | None:
 
 
 def _disc(radius_px: float, colour: str, corners: int = 24, hole_px: float = 0.0) -> vtkActor2D:
-    """A disc, or a ring with a hole of a radius."""
     points, cells = vtkPoints(), vtkCellArray()
     for radius in (radius_px, hole_px) if hole_px else (radius_px,):
         for i in range(corners):
@@ -291,7 +250,7 @@ _sorting = ThreadPoolExecutor(1, "sorting")
 
 
 def sort_ahead(scene: Scene) -> None:
-    """Sort the scene's faces as they are picked, beside all else: a million vertices take 0.1 s."""
+    """Start to sort the scene's faces for picking: a million vertices take 0.1 s."""
     if scene in _sorted:
         return
     mesh = scene.surface
@@ -312,7 +271,7 @@ def pick_in(
     pixel: tuple[float, float],
     pixel_ratio: float = 1.0,
 ) -> Hit | None:
-    """What of a scene is seen at a pixel; see `picking.pick`."""
+    """Return what of a scene is seen at a pixel; see `picking.pick`."""
     sort_ahead(scene)
     surface, lines = _sorted[scene]
     placement = projection.placement
@@ -344,26 +303,12 @@ def next_vertex(
     *,
     forwards: bool,
 ) -> int | None:
-    """Which vertex of a scene's faces comes after another one, of those that no face hides.
+    """Return the next visible vertex of a scene's faces, or the one before.
 
-    Parameters
-    ----------
-    scene : Scene
-    projection : Projection
-    sight : Sight
-    rectangle_px : (float, float, float, float)
-        The part of the pane in which the scene is drawn: left, top, width and height.
-    pixel_ratio : float
-    at : int or None
-        The other one; the first of all comes after one that is not in view, and after None.
-    forwards : bool
-        Or which comes before it.
-
-    Returns
-    -------
-    int or None
-        None if no other vertex is seen. Where very many in a row are hidden, one of them: a key
-        that is held goes on from there.
+    `rectangle_px` is the part of the pane with the scene: left, top, width and height. After a
+    vertex `at` that is out of view, and after None, comes the first one. None if no other vertex is
+    visible. Where very many in a row are hidden, the result is one of them, and a key that is held
+    goes on.
     """
     if scene.surface is None:
         return None
@@ -383,7 +328,7 @@ def next_vertex(
 
 
 def vertex_of(scene: Scene, projection: Projection, number: int) -> Vector:
-    """Where a vertex of a scene's faces is in the world; the same bits as where it is picked."""
+    """Return a vertex of a scene's faces in the world, with the same bits as when it is picked."""
     assert scene.surface is not None
     point = np.array([scene.surface.points[number] + np.array(scene.origin)], dtype=np.float64)
     ((x, y, z),) = projection.placement.placed(point).world.tolist()

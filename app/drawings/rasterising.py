@@ -1,24 +1,24 @@
-"""What the rasteriser does with a scene's faces, where a phenomenon is about the rasteriser itself.
+"""Changes to the rasterising of a scene's faces, for phenomena about the rasteriser itself.
 
-The picture is still the graphics card's own: its triangles, its interpolation, its depth test.
-What differs is said to it in a few lines of shader that stand in VTK's template, once per scene;
-a change of a setting writes uniforms, which costs neither a new shader nor any work per vertex.
+The picture is still the graphics card's own: its triangles, its interpolation, its depth test. A
+few lines of shader in VTK's template, once per scene, make the difference. A setting writes
+uniforms, which costs neither a new shader nor any work per vertex.
 
 ============  ===============================================================================
 depth         each fragment's depth is rounded to the code that a buffer would hold
 texture       s and t as varyings, and s w, t w, w, whose quotients are linear on the screen
 fog           a fragment's colour fades into the background with its distance w
-levels        the vertices of all levels of detail are there; those that are not wanted at an
-              object's distance go where all of them are clipped
+levels        the vertices of all levels of detail are there; those of the wrong level for an
+              object's distance are moved to where they are clipped
 ============  ===============================================================================
 
 The depth that is rounded comes from w, ``1/gl_FragCoord.w``, not from z, which the lens has
-squeezed by then. Formats differ in what they do near the far plane, and so the shader works with
-r, the depth from there: ``r = n f/(f - n) (1 - w/f)/w``, which is small where digits matter. Fixed
-codes count ``round(r (2^bits - 1))``, the same for the standard and the reversed range. What is
-written is ``1 - r`` again, rounded, so that a buffer of 24 bits keeps all codes of up to 24 bits
-apart. VTK's own has 32, of fixed point or of a float, of which a float32 shader fills 24: the codes
-of the formats of 32 bits are spread over it by their logarithm, as many as there are.
+squeezed by then. Formats differ near the far plane, and so the shader works with r, the depth from
+there: ``r = n f/(f - n) (1 - w/f)/w``, which is small where digits matter. Fixed codes count
+``round(r (2^bits - 1))``, the same for the standard and the reversed range. The shader writes
+``1 - r``, rounded again, so that a buffer of 24 bits keeps all codes of up to 24 bits apart. VTK's
+own has 32, of fixed point or of a float, of which a float32 shader fills 24: the codes of the
+formats of 32 bits are spread over it by their logarithm, as many as there are.
 """
 
 from __future__ import annotations
@@ -59,7 +59,7 @@ MOST_TRIANGLES = 1_000_000
 LEAST_COUNTED = 20
 """Pixels of which a share is counted: of fewer, each is more than 5 points."""
 
-_Uniform: TypeAlias = tuple[str, float | int | tuple[float, ...]]
+_Uniforms: TypeAlias = dict[str, float | int | tuple[float, ...]]
 _RED, _BLUE = (1.0, 0.0, 0.0), (0.0, 0.0, 1.0)
 
 _W = "float flW = flUnit / gl_FragCoord.w;"
@@ -118,28 +118,13 @@ _LEVEL = """
 class Rasteriser:
     """How a scene's actors are rasterised in one pane; for scenes that require it.
 
-    Parameters
-    ----------
-    scene : Scene
-    style : Style
-    requires : set of {"depth", "texture", "fog", "levels"}
-        What it is to be able to do.
-    add : callable
-        Adds an actor to the pane, for levels of detail: called once, by the first `show` that
-        has some.
-    surface : (vtkActor, Space)
-        The scene's faces and what they stand under.
-    others : iterable of (vtkActor, Space)
-        Its lines and the faces of its copies, which take part in depth and fog.
-    picture : bool
-        Whether the pane shows the picture of the model's own lens. Any other one shows the
-        texture as it is, and nothing else of this.
+    `requires` are some of "depth", "texture", "fog" and "levels". `add` adds an actor to the pane,
+    for levels of detail. `surface` are the scene's faces with their matrix; `others` are its lines
+    and the faces of its copies, which take part in depth and fog. A pane that is not the `picture`
+    of the model's own lens shows the texture alone.
 
-    Attributes
-    ----------
-    refused : bool
-        Whether this computer's OpenGL did not take the shader: known after the first rendering,
-        in which the faces are missing; from the next one on they are drawn the ordinary way.
+    `refused` is True if this computer's OpenGL has rejected the shader. It is known after the first
+    rendering, in which the faces are missing; from the next one on they are drawn the ordinary way.
     """
 
     def __init__(
@@ -174,14 +159,10 @@ class Rasteriser:
 
     @property
     def problem(self) -> Phrase | None:
-        """Why the picture is not what was asked for, if it is not."""
         return Phrase(REFUSED) if self.refused else self._note
 
     def show(self, rendering: Rendering, projection: Projection) -> None:
-        """Rasterise like this from now on; draws nothing yet.
-
-        To be called after the actors' spaces have been set.
-        """
+        """Rasterise like this from now on; call it after the actors' spaces have been set."""
         if not self._picture:
             plain = rendering.texture and replace(rendering.texture, affine=False, subdivision=1)
             rendering = Rendering(texture=plain)
@@ -201,7 +182,7 @@ class Rasteriser:
             fragment = shader.GetFragmentCustomUniforms()
             if self._requires & {"depth", "fog"}:
                 _set(fragment, "flUnit", space.unit)
-            for name, value in (*depth, *fog):
+            for name, value in (depth | fog).items():
                 _set(fragment, name, value)
             if actor is self._levels and rendering.levels:
                 vertex = shader.GetVertexCustomUniforms()
@@ -209,7 +190,7 @@ class Rasteriser:
                 vertex.SetUniform2f("flUntil", until)
             if actor is self._surface and "texture" in self._requires:
                 vertex = shader.GetVertexCustomUniforms()
-                for name, value in texture:
+                for name, value in texture.items():
                     where = vertex if name in ("flS", "flT") else fragment
                     _set(where, name, value)
 
@@ -281,14 +262,14 @@ class Rasteriser:
 
     # -- what they are told
 
-    def _depth_uniforms(self, buffer: DepthBuffer | None, projection: Projection) -> list[_Uniform]:
+    def _depth_uniforms(self, buffer: DepthBuffer | None, projection: Projection) -> _Uniforms:
         if "depth" not in self._requires:
-            return []
+            return {}
+        plain = dict.fromkeys(("flA", "flInverseFar", "flLog", "flByNdc"), 0.0)
+        plain |= dict.fromkeys(("flSteps", "flScale"), 1.0)
+        uniforms: _Uniforms = {"flBuffer": 0, "flMapping": 0, **plain}
         if buffer is None:
-            return [
-                *(("flBuffer", 0), ("flMapping", 0), ("flA", 0.0), ("flInverseFar", 0.0)),
-                *(("flSteps", 1.0), ("flScale", 1.0), ("flLog", 0.0), ("flByNdc", 0.0)),
-            ]
+            return uniforms
         near, far, kind = buffer.near, buffer.far, FORMATS[buffer.format]
         a = buffer.lens.depth_slope
         mapping = 1 if a else 0
@@ -309,54 +290,50 @@ class Rasteriser:
             rest = buffer.depth(ends) if reversed_ else 1.0 - buffer.depth(ends)
             largest, smallest = (max(float(part), 1e-30) for part in rest)
             scale, log = scale / largest, 1.0 / (math.log2(largest / smallest) + 1.0)
-        return [
-            *(("flBuffer", which), ("flMapping", mapping), ("flA", a)),
-            *(("flInverseFar", 1.0 / far if mapping else 0.0), ("flSteps", steps)),
-            *(("flScale", scale), ("flLog", log)),
-            # A half, for z in [-1, 1], which costs a float32 a bit; from here, or a compiler
-            # would see that it is for nothing.
-            ("flByNdc", 0.5 if buffer.mapping == "opengl" else 0.0),
-        ]
+        uniforms |= {"flBuffer": which, "flMapping": mapping, "flA": a}
+        uniforms |= {"flInverseFar": 1.0 / far if mapping else 0.0, "flSteps": steps}
+        # A half, for z in [-1, 1], which costs a float32 a bit; from here, or a compiler would see
+        # that it is for nothing.
+        by_ndc = 0.5 if buffer.mapping == "opengl" else 0.0
+        return uniforms | {"flScale": scale, "flLog": log, "flByNdc": by_ndc}
 
-    def _texture_uniforms(self, texture: Texture | None) -> list[_Uniform]:
-        if texture is None:
-            zero = (0.0, 0.0, 0.0, 0.0)
-            return [
-                *(("flS", zero), ("flT", zero), ("flChecks", 0.0)),
-                *(("flAffine", 0), ("flCoordinates", 0)),
-            ]
-        # vertexMC is scene-local, and in float32: the origin is taken off here, in float64.
-        local = texture.texture_from_world.copy()
-        local[:, 3] += local[:, :3] @ np.array(self._scene.origin)
-        s, t = (tuple(row) for row in local.tolist())
-        return [
-            *(("flS", s), ("flT", t), ("flChecks", float(texture.checks))),
-            *(("flAffine", int(texture.affine)), ("flCoordinates", int(texture.coordinates))),
-        ]
+    def _texture_uniforms(self, texture: Texture | None) -> _Uniforms:
+        s, t = [(0.0, 0.0, 0.0, 0.0)] * 2
+        checks, affine, coordinates = 0.0, False, False
+        if texture is not None:
+            # vertexMC is scene-local, and in float32: the origin is taken off here, in float64.
+            local = texture.texture_from_world.copy()
+            local[:, 3] += local[:, :3] @ np.array(self._scene.origin)
+            s, t = (tuple(row) for row in local.tolist())
+            checks, affine = float(texture.checks), texture.affine
+            coordinates = texture.coordinates
+        return {
+            "flS": s, "flT": t, "flChecks": checks,
+            "flAffine": int(affine), "flCoordinates": int(coordinates),
+        }  # fmt: skip
 
-    def _fog_uniforms(self, fog: Fog | None, lens: Lens) -> list[_Uniform]:
+    def _fog_uniforms(self, fog: Fog | None, lens: Lens) -> _Uniforms:
         if "fog" not in self._requires:
-            return []
+            return {}
         which, end, slope = 0, 0.0, 0.0
         if fog is not None and fog.density > 0.0:
             which, slope = 2, fog.density
         elif fog is not None:
             which, end, slope = 1, fog.end, 1.0 / (fog.end - fog.start)
         span = lens.even_extent
-        return [
-            *(("flFog", which), ("flFogEnd", end), ("flFogSlope", slope)),
-            ("flBackground", self._background),
-            *(("flNear", lens.near if span else 0.0), ("flSpan", span)),
-        ]
+        return {
+            "flFog": which, "flFogEnd": end, "flFogSlope": slope, "flBackground": self._background,
+            "flNear": lens.near if span else 0.0, "flSpan": span,
+        }  # fmt: skip
 
     def _distance(self, projection: Projection) -> tuple[float, ...]:
-        """What scene-local coordinates x, y, z, 1 are to be multiplied by to give w."""
+        """The vector whose product with scene-local x, y, z, 1 is w."""
         n = projection.camera.frame[2]
         eye = np.array(projection.camera.eye) - np.array(self._scene.origin)
         return (*(-n).tolist(), float(n @ eye))
 
     def _subdivide(self, texture: Texture | None) -> None:
-        """Give the faces actor the mesh with so many triangles; built when it is first wanted."""
+        """Give the faces actor the mesh with so many triangles; built on first use."""
         parts = 1 if texture is None else texture.subdivision
         self._note = None
         if "texture" not in self._requires:
@@ -377,7 +354,7 @@ class Rasteriser:
 def textured(
     scene: Scene, canvas: Canvas, *faces: tuple[vtkActor | None, Space]
 ) -> list[Rasteriser]:
-    """What lays a scene's texture over faces that are not the picture; none without a texture."""
+    """Return rasterisers for a scene's texture in a pane that is not the picture."""
     if "texture" not in scene.requires:
         return []
     return [
@@ -399,19 +376,10 @@ def _set(uniforms: Any, name: str, value: float | int | tuple[float, ...]) -> No
 
 
 def subdivided(mesh: pv.PolyData, parts: int) -> pv.PolyData:
-    """Each triangle as ``parts**2`` similar ones, in its own colour.
+    """Divide each triangle into ``parts**2`` similar ones, in its own colour.
 
-    Parameters
-    ----------
-    mesh : pyvista.PolyData
-        Triangles whose last corner carries their colour in ``point_data["rgb"]``, if there is one.
-    parts : int
-        Of each side.
-
-    Returns
-    -------
-    pyvista.PolyData
-        Neighbours get the same points on a common side: no pixel between them is lost.
+    A triangle's last corner carries its colour in ``point_data["rgb"]``. Neighbours get the same
+    points on a common side: no pixel between them is lost.
     """
     column, row = np.meshgrid(np.arange(parts), np.arange(parts))
     start = np.stack([column, row], axis=-1)[column + row < parts]
@@ -452,24 +420,11 @@ def _mesh_of_levels(levels: tuple[Level, ...], origin: tuple[float, ...]) -> pv.
 def counted_wrong_share(
     screen: Any, scene: Scene, projection: Projection, buffer: DepthBuffer, behind: Array
 ) -> float | None:
-    """The share of pixels in which a surface behind is drawn over the one in front, counted.
+    """Count the share of pixels in which a surface behind is drawn over the one in front.
 
-    Parameters
-    ----------
-    screen : OffScreen or a canvas of a pane's
-        Off screen, and nothing else in it; its size is the picture's.
-    scene : Scene
-        Whose faces are in front.
-    projection : Projection
-    buffer : DepthBuffer
-    behind : (4, 4) array
-        World from world: the same faces again, where they are behind.
-
-    Returns
-    -------
-    float or None
-        0..1, of the pixels that both surfaces cover, NaN if they are fewer than `LEAST_COUNTED`;
-        None where this computer's OpenGL refuses the shader.
+    The picture is as large as the empty `screen`. `behind`, (4, 4), is world from world: the
+    scene's faces again, behind. The share, 0..1, is of the pixels that both surfaces cover, NaN if
+    they are fewer than `LEAST_COUNTED`; None where this computer's OpenGL rejects the shader.
     """
     if scene.surface is None:
         return None
@@ -528,17 +483,10 @@ def counted_wrong_share(
 
 
 def _over_the_scene(clip_from_local: Array, corners: Array, apart: Array) -> Array:
-    """A parallel lens's matrix whose depths, of all from near to far, are only the scene's own.
+    """A parallel lens's matrix with depths that extend only over the scene and its copy.
 
-    Else a float32 spends its digits on what lies before and behind the scene.
-
-    Parameters
-    ----------
-    clip_from_local : (4, 4) array
-    corners : (8, 3) array
-        Of a box round the scene, in local coordinates.
-    apart : (4, 4) array
-        Local from local: where the scene is once more.
+    A float32 would otherwise spend its digits on the space before and behind the scene. `corners`,
+    (8, 3), are a box round the scene; `apart` is the copy's matrix, local from local.
     """
     points = np.concatenate([corners, corners @ apart[:3, :3].T + apart[:3, 3]])
     z = points @ clip_from_local[2, :3] + clip_from_local[2, 3]

@@ -1,4 +1,4 @@
-"""What every precision can lose of a scene where it stands, before anything is drawn."""
+"""The largest error of each precision for a scene in its present place."""
 
 from __future__ import annotations
 
@@ -10,9 +10,9 @@ from app.scenes.scene import Scene
 
 
 def bounds_px(projection: Projection, scene: Scene) -> tuple[float, ...]:
-    """What float32 can lose of a scene's faces, of its lines, and of a ground left behind.
+    """Return float32's bounds for a scene's faces, for its lines, and for a ground left behind.
 
-    Once for all panes of a step.
+    They are computed once for all panes of a step.
     """
     kept = _bounds.get(scene)
     if kept is None or kept[0] != projection:
@@ -28,7 +28,7 @@ def bounds_px(projection: Projection, scene: Scene) -> tuple[float, ...]:
 
 
 def predictions(projection: Projection, scene: Scene) -> dict[Precision, Prediction] | None:
-    """Bounds of every precision's largest error over a scene's vertices, where they stand."""
+    """Return bounds of every precision's largest error over a scene's vertices."""
     found: dict[Precision, Prediction] | None = None
     for part, space in scene.parts(projection.placement):
         if part.has_vertices:

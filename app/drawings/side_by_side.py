@@ -1,4 +1,4 @@
-"""Where pictures stand that are compared: beside and above each other."""
+"""The places of pictures that are compared: beside and above each other."""
 
 from __future__ import annotations
 
@@ -16,22 +16,11 @@ _LEAST_PX = 24.0
 def cells(
     width_px: int, height_px: int, aspects: Sequence[float], em: float
 ) -> list[tuple[int, int, int, int]]:
-    """Parts of a rectangle for pictures of one height, in as many rows as they are largest in.
+    """Return parts of a rectangle for pictures of one height, in as few rows as makes them largest.
 
-    Parameters
-    ----------
-    width_px, height_px : int
-        Of the whole.
-    aspects : sequence of float
-        Width over height of each picture.
-    em : float
-        Height of letters in pixels, of which their frames and titles have some.
-
-    Returns
-    -------
-    list of (left, top, width, height)
-        In whole pixels; what is left over is at the right, or at the bottom. A last row of fewer
-        pictures is in the middle.
+    `aspects` are the pictures' widths over heights; `em` is the height of letters in pixels, for
+    frames and titles. The parts, (left, top, width, height), are whole pixels; a remainder is left
+    at the right or the bottom. A last row of fewer pictures is centred.
     """
     across, down = 2.0 * BARE_EM * em, (2.0 * BARE_EM + TITLE_EM) * em
 

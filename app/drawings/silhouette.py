@@ -1,8 +1,8 @@
 """Where a scene's faces are seen in a pane: what no label may hide.
 
-In squares of a few pixels, and counted up from a corner, so that what a label's box holds of it is
-four look-ups, whatever the mesh: labels are placed at every step of a drag, and the silhouette
-only changes with the pane's own camera.
+In squares of a few pixels, summed from a corner, so that a label's box needs four look-ups,
+whatever the mesh. Labels are placed at every step of a drag, while the silhouette only changes with
+the pane's own camera.
 """
 
 from __future__ import annotations
@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from app.drawings.labels import PaneView
+from app.drawings.pane_view import PaneView
 from app.model.projection import Array
 from app.scenes.scene import Scene
 
@@ -25,14 +25,7 @@ _MOST_PLACES = 200_000  # looked at together: of more, which lie over one anothe
 
 
 class Silhouette:
-    """The faces of a scene, ready to be asked where they are.
-
-    Parameters
-    ----------
-    scene : Scene
-    em : float
-        Height of the labels' font, pixels.
-    """
+    """The faces of a scene; `em` is the height of the labels' font in pixels."""
 
     def __init__(self, scene: Scene, em: float) -> None:
         self._square_px = _SQUARE_EM * em
@@ -47,7 +40,7 @@ class Silhouette:
             self._triangles = np.repeat(points.astype(np.float64)[:, None], 3, axis=1)
 
     def seen(self, pane: PaneView, local_from_object: Array) -> Mask:
-        """Where they are in a pane now; what reaches behind its camera is left out."""
+        """Return where they are in a pane now; faces that reach behind its camera are left out."""
         square, placed = self._square_px, local_from_object
         triangles = self._triangles @ placed[:3, :3].T + placed[:3, 3]
         shape = tuple(int(side_px / square) + 2 for side_px in pane.size_px)
@@ -75,14 +68,7 @@ class Silhouette:
 
 
 class Mask:
-    """A silhouette in one pane.
-
-    Parameters
-    ----------
-    held : (columns, rows) bool array
-        Counted from the left and from the bottom.
-    square_px : float
-    """
+    """A silhouette in one pane: squares, (columns, rows), from the left and from the bottom."""
 
     def __init__(self, held: NDArray[np.bool_], square_px: float) -> None:
         columns, rows = held.shape
@@ -92,7 +78,7 @@ class Mask:
         self._counted: Any = counted.tolist()
 
     def meets(self, left: float, bottom: float, right: float, top: float) -> bool:
-        """Whether anything of it is in a box, in pixels from the pane's left and bottom."""
+        """Return whether a box, in pixels from the pane's left and bottom, contains any of it."""
         square, counted = self._square_px, self._counted
         # Faces reach a little farther than the samples of them.
         first = min(max(int(left / square - 0.5), 0), self._columns)
@@ -104,7 +90,7 @@ class Mask:
 
 
 def _lattice(count: int) -> Array:
-    """Weights of a triangle's corners at evenly spread places all over it, (m, 3)."""
+    """Weights of a triangle's corners at evenly spread places, (m, 3)."""
     one, two = np.meshgrid(np.arange(count + 1), np.arange(count + 1))
     kept = one + two <= count
     weights: Array = np.stack([one[kept], two[kept], count - one[kept] - two[kept]], axis=1) / count

@@ -1,4 +1,4 @@
-"""The pane that shows a stage of the pipeline: NDC, or any other place of the stage strip.
+"""The pane that shows a stage of the pipeline: NDC, or another position of the stage strip.
 
 ==================  =========================================================================
 what                under which 4x4
@@ -7,14 +7,13 @@ the scene           the stage's matrix, clipped by the planes of the view volume
 the view volume     the stage's matrix of a box: at NDC the cube, or half of it
 ==================  =========================================================================
 
-The matrices are those of `app.lecture.stages`, and the NDC pane, as it opens and as it is
-exported, is nothing but the strip at its NDC stop. NDC is left-handed (z grows away from the
-reader), so that it is shown with z mirrored: the near face looks at the reader, x runs right, and
-the cube's front is the picture. With the reversed range, where z grows towards the reader, there
-is nothing to mirror. The cube is centred where the pane's camera looks.
+The matrices are those of `app.lecture.stages`. The NDC pane, as it opens and in a figure, is the
+strip at its NDC stop. NDC is left-handed (z grows away from the reader) and is shown with z
+mirrored: the near face looks at the reader, x runs right, and the cube's front is the picture. The
+reversed range needs no mirror. The cube is centred where the pane's camera looks.
 
-A step of a slider or of the strip sets matrices and nothing else. What stands round the scene
-depends at NDC on the depth range alone, and waits for that to change.
+A step of a slider or of the strip sets matrices and nothing else. The surroundings of the scene
+depend at NDC on the depth range alone, and wait for it to change.
 """
 
 from __future__ import annotations
@@ -53,20 +52,8 @@ _BOX_FROM_NDC = np.array([[1.0, 0, 0, 0], [0, 1, 0, 0], [0, 0, -0.5, 0.5], [0, 0
 class StageDrawing(Drawing):
     """The scene and the view volume at a stage.
 
-    Parameters
-    ----------
-    screen : OffScreen or a canvas of a pane's
-    scene : Scene
-    words : mapping
-        The words written here: ``near``, ``far``, ``x``, ``y``, ``z``, ``u``, ``v``, ``n``.
-    style : Style
-    tolerance_px : float
-        Error up to which the GPU's own float32 may draw.
-
-    Attributes
-    ----------
-    box : StageBox
-    own : StageView
+    `words` holds those written here: ``near``, ``far``, ``x``, ``y``, ``z``, ``u``, ``v``, ``n``.
+    `tolerance_px` is the error up to which the GPU's own float32 may draw.
     """
 
     def __init__(
@@ -128,7 +115,7 @@ class StageDrawing(Drawing):
 
     @property
     def _morph(self) -> Morph:
-        """Made when something asks for it: most steps at the NDC stop do not."""
+        """Created on demand: most steps at the NDC stop do not need it."""
         if self._made is None:
             scene = self._scene
             corners = scene.reach(self._projection.placement)
@@ -183,19 +170,18 @@ class StageDrawing(Drawing):
 
     @property
     def _seen(self) -> Projection:
-        """In OpenGL's range, whatever the model's: the displayed cube differs by its depth only."""
+        """The projection with OpenGL's depth range; the displayed cube differs in depth only."""
         return self._projection.with_depth("opengl")
 
     @property
     def _display_from_ndc(self) -> Array:
-        """From OpenGL's cube; 0 while there is no volume, so that nothing can be pointed at."""
+        """From OpenGL's cube; 0 without a volume, so that nothing can be pointed at."""
         display: Array = self.box.display_from_box @ _BOX_FROM_NDC
         return display
 
     # -- a phenomenon, probes
 
     def _rasterise(self) -> None:
-        """Lay the texture over the faces, at every stop of the strip."""
         if self._illustration is not None and self._illustration.rendering is not None:
             for rasteriser in self._rasterisers:
                 rasteriser.show(self._illustration.rendering, self._seen)
@@ -316,7 +302,7 @@ class StageDrawing(Drawing):
 
 
 def _spots(points: Array, pane: Array) -> list[Spot]:
-    """Pixels and depth of points (n, 3) in the pane; NaN for what is at infinity or beyond."""
+    """Pixels and depth of points (n, 3) in the pane; NaN for points at infinity or beyond."""
     homogeneous = points @ pane[:, :3].T + pane[:, 3]
     w = homogeneous[:, 3:]
     spots = homogeneous[:, :3] / np.where(w > 0.0, w, np.nan)

@@ -1,7 +1,7 @@
-"""What stands round the scene at a stage of the strip: the view volume, the axes, their words.
+"""The surroundings of the scene at a stage of the strip: view volume, axes and words.
 
-The volume is one box under the stage's matrix: at NDC a cube, or half of one where the depth
-range is [0, 1]; elsewhere a pyramid, or the flat frame of the picture.
+The volume is one box under the stage's matrix: at NDC a cube, or half of one in the depth range
+[0, 1]; elsewhere a pyramid, or the flat frame of the picture.
 """
 
 from __future__ import annotations
@@ -9,6 +9,7 @@ from __future__ import annotations
 import itertools
 import math
 from collections.abc import Callable, Mapping, Sequence
+from functools import partial
 from typing import TypeAlias
 
 import numpy as np
@@ -20,13 +21,15 @@ from app.drawings.actors import (
     Label,
     Space,
     face_actor,
+    fitting,
     lift_lines,
     line_actor,
     put_behind,
     unlit_actor,
 )
 from app.drawings.frustum import CUBE
-from app.drawings.labels import Layout, Leader, Spot
+from app.drawings.labels import Layout, Leader
+from app.drawings.pane_view import Spot
 from app.drawings.pointing import FACES, FAR_FACE, NEAR_FACE, Emphasis
 from app.drawings.stage_view import AXES_LENGTH, CANONICAL_AXES, OVERSHOOT
 from app.drawings.style import rgb
@@ -48,15 +51,8 @@ _NUMBERS_FROM_EM = 8.0  # of the volume's width in the pane: in a smaller one th
 
 # On which sides of their points words can be, best first: right and up, in half labels.
 _Sides: TypeAlias = tuple[tuple[float, float], ...]
-_PLANE: _Sides = (
-    (1.0, 1.0),
-    (-1.0, 1.0),
-    (0.0, 1.0),
-    (1.0, -1.0),
-    (-1.0, -1.0),
-    (0.0, -1.0),
-    (-1.0, 0.0),
-)
+_BESIDE: _Sides = ((1.0, 1.0), (-1.0, 1.0), (0.0, 1.0), (1.0, -1.0), (-1.0, -1.0))
+_PLANE: _Sides = (*_BESIDE, (0.0, -1.0), (-1.0, 0.0))
 _PYRAMID: _Sides = ((-1.0, -0.6), (-1.0, 0.6), (-1.0, -1.0), (0.0, -1.0), *_PLANE)
 _LETTER_SIDES: tuple[_Sides, ...] = (
     ((1.0, 0.0), (1.0, -0.6), (0.0, -1.0), (1.0, 0.6), (0.0, 1.0), (-1.0, 0.0)),
@@ -73,22 +69,14 @@ _NUMBER_SIDES: dict[str, _Sides] = {
 class StageBox:
     """The view volume at a position of the strip.
 
-    Parameters
-    ----------
-    canvas : Canvas
-    words : mapping
-        The words written here: ``near``, ``far``, ``x``, ``y``, ``z``, ``u``, ``v``, ``n``.
-
     Attributes
     ----------
-    near, far : Label
     stop : int
         Whose axes and words are shown.
     display_from_box : (4, 4) array
-        Where the volume is shown; 0 while there is none.
+        Where the volume is shown; 0 without one.
     axes : (3, 3, 3) array
-        Start, end of what lies along the volume, and tip of each axis, in display space; NaN for
-        one that is not shown.
+        Start, end along the volume, and tip of each axis, in display space; NaN for a hidden axis.
     """
 
     def __init__(self, canvas: Canvas, words: Mapping[str, str]) -> None:
@@ -147,22 +135,19 @@ class StageBox:
     def _add_words(self) -> None:
         style, words = self._canvas.style, self._words
 
-        def label(text: str, plate: str | None = None) -> Label:
-            return self._canvas.label(text, plate=plate, in_pixels=True)
-
+        label = partial(self._canvas.label, in_pixels=True)
         # The leaders before all labels, whose plates hide the ends.
         self._leaders = {
             name: Leader(self._canvas, getattr(style, name), style.line_width)
             for name in ("near", "far")
         }
-        self.near = label(words["near"], style.near)
-        self.far = label(words["far"], style.far)
+        self.near = label(words["near"], plate=style.near)
+        self.far = label(words["far"], plate=style.far)
         # Without plates: they lie over what is drawn, and hide nothing of it.
         self._numbers = {name: [label("") for _ in range(2)] for name in "xyz"}
-        self._letters = label("", style.u), label("", style.v), label("", style.n)
+        self._letters = tuple(label("", plate=colour) for colour in (style.u, style.v, style.n))
 
     def make_emphasis(self, emphasis: Emphasis) -> None:
-        """Let faces, edges, corners, axes and words stand out while they are highlighted."""
         for face in emphasis.volume(self._space, CUBE):
             put_behind(face)
         for name, line in self._outlines.items():
@@ -176,7 +161,7 @@ class StageBox:
     # -- at a position of the strip
 
     def show(self, morph: Morph, position: float) -> None:
-        """Stand there; `place_words` then writes what is to be read. Draw nothing yet."""
+        """Move there; `place_words` then writes the words. Draw nothing yet."""
         stop, drawn = morph.stop_at(position), morph.has_volume(position)
         box = fitting(morph.display_from_box(position)) if drawn else np.zeros((4, 4))
         has_depth = stop != IMAGE
@@ -241,7 +226,6 @@ class StageBox:
                 self.axes[i] = np.nan
 
     def _shown(self, points: object) -> Array:
-        """Points of the box, (..., 3), in display space."""
         points = np.asarray(points, dtype=np.float64)
         homogeneous = points @ self.display_from_box[:, :3].T + self.display_from_box[:, 3]
         shown: Array = homogeneous[..., :3] / homogeneous[..., 3:]
@@ -287,15 +271,10 @@ class StageBox:
                 self._at[number] = _edge(box, across, up, limit, along)
 
     def place_words(self, layout: Layout, seen: Callable[[Array], Sequence[Spot]]) -> None:
-        """Put every word where it has room in the pane, on no other one; draw nothing yet.
+        """Place every word in the pane; draw nothing yet.
 
-        Numbers only where the volume is large: in a small pane they give way to the names.
-
-        Parameters
-        ----------
-        layout : Layout
-        seen : callable
-            From points of display space, (n, 3), to where they are in the pane.
+        In a small pane the numbers give way to the names. `seen` converts points of display space,
+        (n, 3).
         """
         if not self._at:
             return
@@ -305,10 +284,10 @@ class StageBox:
         for name, label in (("near", self.near), ("far", self.far)):
             if label in self._written:
                 sides = _PYRAMID if name == "near" and self._is_pyramid else _PLANE
-                layout.place(label, label.text, [spots[label]], sides, self._leaders[name])
+                layout.place(label, [spots[label]], sides, self._leaders[name])
         for letter, beside in zip(self._letters, _LETTER_SIDES, strict=True):
             if letter in self._written:
-                layout.place(letter, letter.text, [spots[letter]], beside, gaps=1)
+                layout.place(letter, [spots[letter]], beside, gaps=1)
         with np.errstate(divide="ignore", invalid="ignore"):  # where far is at infinity
             corners = self._shown(CUBE)
         finite = corners[np.isfinite(corners).all(axis=1)]
@@ -319,17 +298,11 @@ class StageBox:
                     number.set_visible(False)
                 elif number in self._written:
                     beside = _NUMBER_SIDES[name]
-                    layout.place(number, number.text, [spots[number]], beside, gaps=2)
-
-
-def fitting(matrix: Array) -> Array:
-    """A homogeneous matrix without a common factor that could keep it from float32."""
-    fitted: Array = matrix * 2.0 ** -math.frexp(float(np.abs(matrix).max()))[1]
-    return fitted
+                    layout.place(number, [spots[number]], beside, gaps=2)
 
 
 def _turn_to(axis: Array) -> Array:
-    """A rotation that takes x to a direction, (3, 3): half a turn about what is between them."""
+    """A rotation that takes x to a direction, (3, 3): half a turn about the axis between them."""
     between = np.add(axis, (1.0, 0.0, 0.0))
     square = float(between @ between)
     if square < 1e-12:  # the other way round
@@ -346,7 +319,7 @@ def _placed(place: Array, turn: Array) -> Array:
 
 
 def _edge(box: Array, across: float, up: float, limit: float, z: float) -> Array:
-    """Where the corner of the view volume is shown, or its edge leaves the ball that is framed."""
+    """Where a corner of the view volume is shown, or where its edge leaves the framed ball."""
     near, far = (box @ (across, up, end, 1.0) for end in (1.0, 0.0))
     start: Array = near[:3] / near[3]
     if z == 1.0 or math.hypot(*start) >= limit:

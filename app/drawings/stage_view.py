@@ -1,6 +1,6 @@
-"""The own camera of the pane that shows a stage: a parallel one, placed for each stop of the strip.
+"""The own camera of the stage pane: a parallel one, placed for each stop of the strip.
 
-All foreshortening that is to be seen there is the projection's own.
+Any foreshortening in this pane is the projection's own.
 """
 
 from __future__ import annotations
@@ -10,6 +10,7 @@ import math
 import numpy as np
 
 from app.drawings.actors import CUBE_CORNERS, Canvas, axes_of
+from app.drawings.pane_view import PaneCamera
 from app.drawings.style import TITLE_EM
 from app.lecture.stages import (
     CANONICAL_PARALLEL,
@@ -45,29 +46,14 @@ _MARGIN_EM = 2.6  # on each side, for the labels
 _MOST_MARGIN = 1.0 / 2.0, 1.0 / 4.0  # of a small pane's width and height: both sides together
 
 
-class StageView:
-    """Where the camera stands.
-
-    Parameters
-    ----------
-    canvas : Canvas
-    start : Camera
-        The scene's own: the world stop is looked at from beside it.
-    """
+class StageView(PaneCamera):
+    """The place of the camera; `start` is the scene's own, from beside which the world is seen."""
 
     def __init__(self, canvas: Canvas, start: Camera) -> None:
-        self._canvas, self._start = canvas, start
-        self._camera = canvas.renderer.GetActiveCamera()
-        self._placed: tuple[float, ...] = ()
-
-    @property
-    def size_px(self) -> tuple[int, int]:
-        """Width and height of the pane."""
-        width_px, height_px = self._canvas.window.GetSize()
-        return max(1, width_px), max(1, height_px)
+        super().__init__(canvas)
+        self._start = start
 
     def _looked_from(self, stop: int) -> tuple[float, float]:
-        """Azimuth and elevation at a stop, degrees."""
         if stop != WORLD:
             return _LOOKED_FROM_DEG[stop]
         # From beside the scene's own camera, and by the shorter way to the next stop's place.
@@ -76,21 +62,10 @@ class StageView:
         return after + math.remainder(azimuth - after, 360.0), _WORLD_ELEVATION_DEG
 
     def axes(self, stop: int) -> Array:
-        """Right, up and toward the reader at a stop, the rows of a (3, 3)."""
         return _axes(*self._looked_from(stop))
 
     def reset(self, position: float, projection: Projection) -> None:
-        """Look from where a stop is seen best, with all of it in the pane.
-
-        Between two stops of the strip, from between the places that suit them.
-
-        Parameters
-        ----------
-        position : float
-            Of the strip.
-        projection : Projection
-            Of its picture the size, of its lens whether it has a pyramid.
-        """
+        """Show all of a stop from the best direction; between two stops, from a mixture."""
         stop = min(int(position), IMAGE)
         part = position - stop
         framing = self._framing(stop, projection)
@@ -100,14 +75,12 @@ class StageView:
         toward = _axes(*framing[4:])[2]
         camera = self._camera
         camera.ParallelProjectionOn()
-        camera.SetFocalPoint(*centre)
-        camera.SetPosition(*(centre + _DISTANCE * toward))
-        camera.SetViewUp(0.0, 1.0, 0.0)
+        self._stand_at(centre + _DISTANCE * toward, centre)
         camera.SetParallelScale(scale)
         self._placed = self._now
 
     def _framing(self, stop: int, projection: Projection) -> Array:
-        """Where a stop is seen from: centre x, y, z, parallel scale, azimuth, elevation."""
+        """The view of a stop: centre x, y, z, parallel scale, azimuth, elevation."""
         width_px, height_px = self.size_px
         right, up, _ = self.axes(stop)
         if stop <= VIEW:
@@ -127,8 +100,8 @@ class StageView:
             ends = [(1.0 + OVERSHOOT, -1.0, 1.0), (-1.0, 1.0 + OVERSHOOT, 1.0)]
             ends += [(1.0, 1.0, sign * (1.0 + OVERSHOOT)) for sign in (-1.0, 1.0)]
             drawn = np.vstack([CUBE_CORNERS, ends])
-        margins_px = 2.0 * _MARGIN_EM * self._canvas.style.font_size
-        title_px = TITLE_EM * self._canvas.style.font_size
+        margins_px = 2.0 * _MARGIN_EM * self._em
+        title_px = TITLE_EM * self._em
         centre = np.zeros(3)
         scale = 0.0
         sides_px = width_px, height_px - title_px
@@ -139,16 +112,6 @@ class StageView:
             scale = max(scale, (high - low) / 2.0 * height_px / room_px)
         centre += scale * title_px / height_px * up
         return np.array([*centre, scale, *self._looked_from(stop)])
-
-    @property
-    def _now(self) -> tuple[float, ...]:
-        camera = self._camera
-        return (*camera.GetPosition(), *camera.GetFocalPoint(), camera.GetParallelScale())
-
-    @property
-    def was_moved(self) -> bool:
-        """Whether somebody has moved it since it was placed."""
-        return self._now != self._placed
 
     @property
     def view(self) -> Camera | None:
@@ -165,17 +128,12 @@ class StageView:
         return Camera(tuple(eye), tuple(target), camera.GetViewUp())
 
     def show(self, view: Camera) -> None:
-        """Move it to a `view` of before."""
-        camera = self._camera
         target = np.array(view.target)
         away = max(_DISTANCE, 1e-9 * float(np.abs(target).max()))  # or it would be the target
-        camera.SetFocalPoint(*target)
-        camera.SetPosition(*(target + away * view.frame[2]))
-        camera.SetViewUp(*view.up)
-        camera.SetParallelScale(view.distance)
+        self._stand_at(target + away * view.frame[2], target, view.up)
+        self._camera.SetParallelScale(view.distance)
 
     def fit_range(self) -> None:
-        """Fit its near and far to what is drawn."""
         camera = self._camera
         distance = -float(np.dot(camera.GetPosition(), camera.GetDirectionOfProjection()))
         near = distance - _REACH

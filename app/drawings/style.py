@@ -1,10 +1,9 @@
 """Colours and sizes of the drawings: one colour per concept in all panes.
 
-The hues are those of Okabe and Ito, which colour-blind readers can tell apart; on the light
-background the pale ones are darkened until a line of them can be seen (3:1). Text is never
-coloured itself: it is ink on the background, or stands on a plate of its concept's colour in
-whatever reads better there (`Style.text_on`), so that its contrast is at least 4.5:1 and a
-colour is never alone in telling near from far.
+The hues are those of Okabe and Ito, which colour-blind readers can tell apart. On the light
+background the pale ones are darkened until a line of them is visible (3:1). Text has no colour of
+its own: it is ink on the background, or black or white on a plate of its concept's colour
+(`Style.text_on`). So its contrast is at least 4.5:1, and near and far never differ by colour alone.
 """
 
 from __future__ import annotations
@@ -18,54 +17,33 @@ BLACK, WHITE = "#000000", "#ffffff"
 
 @dataclass(frozen=True)
 class Style:
-    """How the drawings look. Colours are ``"#rrggbb"``, sizes device pixels.
+    """The colours, ``"#rrggbb"``, and the sizes, in device pixels."""
 
-    Parameters
-    ----------
-    background : str
-        Behind the scene, in every pane and in the picture itself.
-    margin : str
-        Around the picture in the image pane.
-    ink, muted : str
-        Text and lines; second-rank text and lines.
-    near, far : str
-        The two planes of the view volume.
-    u, v, n : str
-        The axes of the camera's frame; also x, y, z of the spaces after it.
-    eye, target, frustum, accent : str
-        The camera, the point it looks at, the edges of the view volume, what is pointed out.
-    shadow : str
-        Of a thing, on the background or on a ground that is tinted with `muted`.
-    line_width : float
-        Of ordinary lines. Thin ones have half of it and thick ones one and a half, so that at a
-        whole scale all are whole pixels: OpenGL would round them, each way of drawing in its own.
-    font_size : float
-        Height of an em.
-    """
-
-    background: str
-    margin: str
-    ink: str
-    muted: str
+    background: str  # behind the scene, in every pane and in the picture
+    margin: str  # around the picture in the image pane
+    ink: str  # text and lines
+    muted: str  # second-rank text and lines
     near: str
     far: str
-    u: str
+    u: str  # the axes of the camera's frame; also x, y, z of the spaces after it
     v: str
     n: str
     eye: str
     target: str
     frustum: str
-    accent: str
-    shadow: str
+    accent: str  # highlights
+    shadow: str  # on the background or on a ground that is tinted with `muted`
     line_width: float = 2.0
-    font_size: float = 12.0
+    """Of ordinary lines; thin ones have half of it and thick ones one and a half. At a whole scale
+    all are whole pixels: OpenGL would round others differently in each way of drawing."""
+    font_size: float = 12.0  # height of an em
 
     def enlarged(self, factor: float) -> Style:
-        """Larger text and lines: for a projector's back row, or a finer screen."""
+        """Enlarge text and lines: for a projector's back row, or a finer screen."""
         return replace(self, line_width=self.line_width * factor, font_size=self.font_size * factor)
 
     def text_on(self, colour: str) -> str:
-        """Black or white, whichever reads better on a plate of that colour."""
+        """Black or white, whichever has more contrast on a plate of that colour."""
         return max(BLACK, WHITE, key=lambda text: contrast(text, colour))
 
 

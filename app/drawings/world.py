@@ -1,9 +1,8 @@
 """The world pane: the scene, the camera in it, and the camera's frustum.
 
-Each part is a file of its own: `camera`, `frustum`, `near_picture`, and `own_view`, the camera
-from which the pane looks at them. They are put together here, with labels, marks and handles. No
-part computes a projection: the frustum is the NDC cube's own edges and faces under
-``world_from_clip``, and a slider step sets matrices and nothing else.
+`camera`, `frustum`, `near_picture` and `own_view`, the camera from which the pane looks, are
+combined here with labels, marks and handles. No part computes a projection: the frustum is the NDC
+cube's own edges and faces under ``world_from_clip``, and a slider step sets matrices alone.
 
 Everything is scene-local, ``world - scene.origin`` subtracted in float64.
 """
@@ -21,14 +20,14 @@ from app.drawings.actors import Canvas
 from app.drawings.camera import CameraDrawing, Standing, view_matrices
 from app.drawings.dimensions import Dimensions, Measured
 from app.drawings.drawing import Drawing, Rectangle
-from app.drawings.frame import DIMMED, LARGER
+from app.drawings.frame import DIMMED, LARGER, ObjectAxes
 from app.drawings.frustum import CUBE, FrustumDrawing
 from app.drawings.handles import APART_EM, HandleMarks
-from app.drawings.labels import Labels, Layout, Named, PaneView
+from app.drawings.labels import Labels, Layout, Named
 from app.drawings.marks import MarksDrawing, Placing
 from app.drawings.near_picture import NearPicture
-from app.drawings.object_axes import ObjectAxes
 from app.drawings.own_view import Framed, OwnView
+from app.drawings.pane_view import PaneView
 from app.drawings.pointing import Emphasis, Segment, Spot, pointed_at, volume_edges
 from app.drawings.probes import Probes
 from app.drawings.rasterising import textured
@@ -51,25 +50,7 @@ _FRAMED_MARK = 5.0  # of the scene's size: marks farther from it are not brought
 class WorldDrawing(Drawing):
     """The scene with the camera and its frustum in it.
 
-    Parameters
-    ----------
-    screen : OffScreen or a canvas of a pane's
-        Where to draw; its own camera looks at all this from outside and is not the model's.
-    scene : Scene
-    words : Mapping[str, str]
-        `app.drawings.WORDS` or a translation.
-    style : Style
-    live : bool
-        Whether somebody can take hold of what is drawn: then there are marks to do it by.
-
-    Attributes
-    ----------
-    picture : NearPicture
-    camera : CameraDrawing
-    frustum : FrustumDrawing
-    labels : Labels
-    handles : HandleMarks or None
-    own : OwnView
+    The own camera of `screen` looks at all this from outside. A `live` drawing has handles.
     """
 
     def __init__(
@@ -210,7 +191,6 @@ class WorldDrawing(Drawing):
 
     @property
     def _light(self) -> float:
-        """How much is seen of the frustum."""
         return 1.0 if self.camera.step is None else DIMMED
 
     def _name_steps(self) -> None:
@@ -299,7 +279,7 @@ class WorldDrawing(Drawing):
             self._follow_pane(afresh=False)
 
     def _place(self, placement: ObjectTransform) -> bool:
-        """Take where the objects stand; tell whether they stood elsewhere."""
+        """Take over the objects' place; return whether it has changed."""
         if placement == self._placement:
             return False
         scene, origin = self._scene, self._origin
@@ -310,7 +290,7 @@ class WorldDrawing(Drawing):
         return True
 
     def _show_axes(self) -> None:
-        """The object's axes, as soon as they are not the world's or somebody wants them."""
+        """Show the object's axes if they differ from the world's, or are wanted."""
         if self._axes is None and self.has_object_axes:
             self._axes = ObjectAxes(self._canvas, self._scene.size)
             for name, shaft in self._axes.shafts.items():
@@ -327,12 +307,11 @@ class WorldDrawing(Drawing):
 
     @property
     def _object_axes(self) -> ObjectAxes | None:
-        """Those that are drawn."""
         return self._axes if self.has_object_axes else None
 
     @property
     def _deepest_grip(self) -> float:
-        """How far from the eye plane what a scene is held at is; 0 for what is far from it."""
+        """The largest depth of a scene's grips, of those near the scene; 0 without any."""
         at, most = self._stands, _FRAMED_MARK * self._scene.size
         offsets = [np.array(point) - at.camera.eye for point in self._grips.values()]
         depths = [-float(o @ at.camera.frame[2]) for o in offsets if math.hypot(*o) <= most]
@@ -340,7 +319,6 @@ class WorldDrawing(Drawing):
 
     @property
     def _stands(self) -> Standing:
-        """Where the model's camera stands; somewhere from the first projection on."""
         assert self._standing is not None
         return self._standing
 
@@ -360,7 +338,7 @@ class WorldDrawing(Drawing):
         )
 
     def _place_labels(self, *, afresh: bool) -> bool:
-        """The labels, and whether one has changed sides; see `Labels.lay_out`."""
+        """Place the labels; return whether one has changed sides."""
         at, planes = self._stands, self._projection.lens.planes
         arrows, tips = self.camera.names
         unseen = self._unseen
@@ -389,14 +367,14 @@ class WorldDrawing(Drawing):
 
     @property
     def _corners_seen(self) -> Array | None:
-        """Those of the frustum, (8, 3); None if there is none, or its layer is off."""
+        """The corners of the frustum, (8, 3); None without a frustum or its layer."""
         if not self.frustum.seen or "frustum" in self._canvas.hidden:
             return None
         return self.frustum.corners
 
     @property
     def _unseen(self) -> frozenset[str]:
-        """What is neither named nor held, because what it names is not drawn."""
+        """The things without names and handles, because they are not drawn."""
         unseen = set[str]()
         if "frustum" in self._hidden or self.camera.step is not None:
             unseen |= {"near", "far", "corner"}  # nothing before the arrows that are being built
@@ -407,7 +385,7 @@ class WorldDrawing(Drawing):
         return frozenset(unseen)
 
     def _held_at(self) -> dict[str, tuple[float, float]]:
-        """Where near and far are held, from the pane's left and bottom."""
+        """The handles of near and far, from the pane's left and bottom."""
         height_px = self.own.pane.size_px[1]
         return {
             handle.name: (x, height_px - y)
@@ -416,7 +394,7 @@ class WorldDrawing(Drawing):
         }
 
     def _place_first(self, layout: Layout, seen: Callable[[Array], Sequence[Spot]]) -> None:
-        """What the labels keep off: the handles, and the texts of a scene."""
+        """Place handles and texts of a scene, which the labels keep off."""
         height_px = self.own.pane.size_px[1]
         layout.keep_free([(x, height_px - y, 1.0) for _, (x, y) in self.handles_shown])
         if self.own.fixed and self._dimensions is not None:
@@ -432,7 +410,6 @@ class WorldDrawing(Drawing):
 
     @property
     def _in_fixed_view(self) -> Measured:
-        """What is measured where the pane looks from just now."""
         at, view = self._stands, self.own.fixed
         lengths = tuple(
             (each.name, each.value, each.start - self._origin, each.end - self._origin)
@@ -467,18 +444,11 @@ class WorldDrawing(Drawing):
         return Framed(at.camera, at.eye, points, corners, self._objects, has_eye, below_em)
 
     def refit(self) -> bool:
-        """Fit a view that nobody has moved, if what it framed has left it or nearly vanished.
+        """Frame the view again, and go back to what `reset_view` framed once that shows everything.
 
-        And go back to what `reset_view` framed as soon as that shows everything again, as after
-        an undo. The direction of looking stays. To be called when a gesture ends, never during
-        one: while a control is dragged the pane stands still, so that the model is what is seen
-        moving. The labels, which stay on their sides as long as they can, are placed afresh: at
-        rest the picture depends on nothing that was before.
-
-        Returns
-        -------
-        bool
-            Whether anything was changed, and so has to be painted again.
+        The direction of looking stays. The labels are placed afresh: at rest the picture depends on
+        nothing that was before. During a gesture the pane stands still, so that the model is seen
+        moving.
         """
         if self.own.was_moved or not self.own.refit(self._framed()):
             return self._place_labels(afresh=True)
@@ -494,10 +464,10 @@ class WorldDrawing(Drawing):
         self.reset_clipping_range()
 
     def _points_to_frame(self) -> Array:
-        """What `reset_view` brings into view: of a very wide frustum only the part nearby.
+        """The points that `reset_view` brings into view; only the near part of a very wide frustum.
 
-        The wider beyond `_WHOLE`, the less of it, steadily: where the frustum cannot be seen
-        whole without losing the scene, the scene is what matters.
+        The wider the frustum is beyond `_WHOLE`, the less of it is framed, steadily. Where it
+        cannot be seen whole without losing the scene, the scene matters more.
         """
         at = self._stands
         centre = (self._objects.mean(axis=0) + at.eye) / 2.0
@@ -536,7 +506,7 @@ class WorldDrawing(Drawing):
         self._ground_space.set(lifted)
 
     def _follow_pane(self, *, afresh: bool) -> None:
-        """All that depends on the model and on where the pane's camera stands."""
+        """Update everything that depends on the model and on the pane's camera."""
         pane, frustum, at = self.own.pane, self.frustum, self._stands
         self.camera.follow(pane)
         self._place_handles()
@@ -559,7 +529,6 @@ class WorldDrawing(Drawing):
         self._place_probes()
 
     def _show_illustration(self, illustration: Illustration | None) -> None:
-        """What a phenomenon shows, but for its texts."""
         if self._marks is None:
             if illustration is None:
                 return

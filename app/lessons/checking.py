@@ -22,10 +22,10 @@ MOST_STEPS = 7
 MOST_WORDS = 150
 """Of a step's text, and of a note: what is read while something is looked at."""
 
-TOO_LONG = QT_TRANSLATE_NOOP("Refusal", "has {0} words in its step; at most {1} are read")
-LONG_NOTE = QT_TRANSLATE_NOOP("Refusal", "has a note of {0} words; at most {1} can be looked up")
-TOO_MANY = QT_TRANSLATE_NOOP("Refusal", "is step {0} of a lesson; it has at most {1}")
-NOT_TEX = QT_TRANSLATE_NOOP("Refusal", "has a formula that cannot be written: {0}")
+TOO_LONG = QT_TRANSLATE_NOOP("Refusal", "has {0} words in its step; the limit is {1}")
+LONG_NOTE = QT_TRANSLATE_NOOP("Refusal", "has a note of {0} words; the limit is {1}")
+TOO_MANY = QT_TRANSLATE_NOOP("Refusal", "is step {0} of a lesson; the limit is {1}")
+NOT_TEX = QT_TRANSLATE_NOOP("Refusal", "has a formula that cannot be typeset: {0}")
 
 
 @dataclass
@@ -53,7 +53,6 @@ class Report:
             self.take(lesson)
 
     def take(self, lesson: Lesson) -> Course:
-        """Check a lesson, and add what was found."""
         self.lessons += not lesson.is_talk
         self.talks += lesson.is_talk
         course, trial = Course(lesson), Trial(lesson.path)
@@ -64,7 +63,6 @@ class Report:
 
 
 def counted(count: int, word: str) -> str:
-    """Write a number of things in English."""
     return f"{count} {word}{'' if count == 1 else 's'}"
 
 

@@ -42,15 +42,7 @@ def scene_of(document: Document) -> Scene:
 
 
 class Shown(NamedTuple):
-    """What a step shows.
-
-    Attributes
-    ----------
-    document : Document
-        Its view has what the file sets.
-    view : dict
-        The fields of the view that any step of the lesson sets, as this step has them.
-    """
+    """What a step shows: its document, and the fields of the view that any step sets."""
 
     document: Document
     view: dict[str, Any]
@@ -89,13 +81,7 @@ class Course:
         return frozenset(fields) & frozenset(FIELDS)  # a mistyped one is refused at its own step
 
     def shown(self, place: int) -> Shown:
-        """Return what a step shows, counted from 0.
-
-        Raises
-        ------
-        Refusal
-            If its state is impossible; it names the line.
-        """
+        """Return what a step shows, counted from 0; a `Refusal` names the line."""
         begin = place
         while begin > 0 and begin not in self._shown and not self._anew(begin):
             begin -= 1
@@ -176,13 +162,7 @@ class Course:
         return Path(os.path.realpath(path)).is_relative_to(self.folder)
 
     def shown_by(self, place: int, state: State) -> Document:
-        """Return the state that a prediction or a wrong idea shows at a step.
-
-        Raises
-        ------
-        Refusal
-            If it is impossible; it names the line.
-        """
+        """Return what a prediction or a wrong idea shows at a step; a `Refusal` names the line."""
         if not state.begins_anew:
             return self._made(state, self.shown(place).document)
         document = self._made(state, None)
@@ -199,34 +179,27 @@ class AtStep:
 
     @property
     def step(self) -> Step:
-        """Return the step."""
         return self.course.lesson.steps[self.place]
 
     @property
     def document(self) -> Document:
-        """Return its own state; a `Refusal` names the line that makes it impossible."""
         return self.course.shown(self.place).document
 
     @property
     def asked(self) -> Mapping[str, Asked]:
-        """Return what the step asks, by name."""
         return {part.name: part for part in self.step.asked}
 
     @property
     def idea_names(self) -> Sequence[str]:
-        """Return the names of the wrong ideas that the program knows."""
         return [step.name for step in ideas().lesson.steps]
 
     def idea(self, name: str) -> Idea | None:
-        """Return the wrong idea of a name, if the program knows it."""
         return idea_named(name)
 
     def shown_by(self, state: State) -> Document:
-        """Return a state that goes on from the step's own, or begins anew."""
         return self.course.shown_by(self.place, state)
 
     def quantities(self, now: Document | None = None, view: View | None = None) -> Quantities:
-        """Return the names of formulas over the step's own state, or over the window's now."""
         own = self.document
         before = Quantities(own, lambda: scene_of(own))
         return before if now is None else Quantities(now, lambda: scene_of(now), view, before)

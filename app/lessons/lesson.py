@@ -19,11 +19,10 @@ from app.document.codec import Path as AnyPath
 from app.document.files import TOO_LARGE, UNREADABLE, blamed_on
 from app.lecture.notation import LETTERS, Letters
 from app.lessons.blocks import KINDS
-from app.lessons.blocks.block import Asked, Block, Part, of_kind
+from app.lessons.blocks.block import Asked, Block, Part, Words, of_kind
 from app.lessons.blocks.note import Note
 from app.lessons.blocks.samples import Sample, Samples
 from app.lessons.blocks.shown import ShownState
-from app.lessons.blocks.words import Words
 from app.lessons.lines import ONLY_ONCE, Body, Lines, number_in, refused
 from app.lessons.state import State
 from app.lessons.text import markdown
@@ -44,10 +43,10 @@ MOST_STEPS = 500
 """Of a talk."""
 
 TOP = QT_TRANSLATE_NOOP(
-    "Refusal", "must begin the lesson: ---, then lines as “title: ...”, then --- again"
+    "Refusal", "must begin the lesson: ---, then lines like “title: ...”, then --- again"
 )
 TOP_UNCLOSED = QT_TRANSLATE_NOOP(
-    "Refusal", "has no line --- above it, which must end the lines as “title: ...”"
+    "Refusal", "lacks a line --- above it, which ends the lines like “title: ...”"
 )
 NOT_UTF8 = QT_TRANSLATE_NOOP("Refusal", "is not UTF-8 text: save the file in that encoding")
 TOP_KEY = QT_TRANSLATE_NOOP("Refusal", "must be one of {0}, a colon, and its value")
@@ -56,11 +55,11 @@ NEWER = QT_TRANSLATE_NOOP(
     "Refusal",
     "was written for a newer Frustum Lab, which reads version {0}; this one reads up to {1}",
 )
-NO_BLOCK = QT_TRANSLATE_NOOP("Refusal", "has a block that there is not, {0}; the nearest is {1}")
-NO_HEADING = QT_TRANSLATE_NOOP("Refusal", "must begin a step with its title, as “# Title”")
+NO_BLOCK = QT_TRANSLATE_NOOP("Refusal", "has an unknown kind of block, {0}; the nearest is {1}")
+NO_HEADING = QT_TRANSLATE_NOOP("Refusal", "must begin a step with its title, like “# Title”")
 NO_STEPS = QT_TRANSLATE_NOOP("Refusal", "has no steps")
 TOO_MANY_STEPS = QT_TRANSLATE_NOOP("Refusal", "has more than {0} steps")
-TWICE = QT_TRANSLATE_NOOP("Refusal", "has the name of line {0} again; every one needs its own")
+TWICE = QT_TRANSLATE_NOOP("Refusal", "repeats the name of line {0}; each needs its own")
 BAD_NAME = QT_TRANSLATE_NOOP("Refusal", "must be a name of letters, digits and -")
 UNCLOSED = QT_TRANSLATE_NOOP("Refusal", "begins a block that is not closed: a line ``` must end it")
 UNCLOSED_ABOVE = QT_TRANSLATE_NOOP(
@@ -70,12 +69,12 @@ UNCLOSED_ABOVE = QT_TRANSLATE_NOOP(
 )
 CODE_UNCLOSED = QT_TRANSLATE_NOOP(
     "Refusal",
-    "begins code that is not closed: there is a line ``` too many, or one without its kind",
+    "begins code that is not closed: a line ``` is one too many, or lacks its kind",
 )
 BLOCK_IN_CODE = QT_TRANSLATE_NOOP(
     "Refusal",
-    "begins code, not a block, and the block of line {0} is in it: there is a line ``` too many, or"
-    " one without its kind",
+    "begins code, not a block, and the block of line {0} is in it: a line ``` is one too many, or"
+    " lacks its kind",
 )
 STEP_IN_STEP = QT_TRANSLATE_NOOP("Refusal", "has the title of a step, but no line --- above it")
 BLOCK_INDENTED = QT_TRANSLATE_NOOP(
@@ -102,12 +101,10 @@ class Step:
 
     @cached_property
     def words(self) -> tuple[Words, ...]:
-        """Return the texts between the blocks."""
         return of_kind(self.blocks, Words)
 
     @cached_property
     def asked(self) -> tuple[Asked, ...]:
-        """Return what the student has to do."""
         return of_kind(self.blocks, Asked)
 
     @cached_property
@@ -117,12 +114,10 @@ class Step:
 
     @cached_property
     def note(self) -> Note | None:
-        """Return what only the speaker reads."""
         return next(iter(of_kind(self.blocks, Note)), None)
 
     @property
     def samples(self) -> tuple[Sample, ...]:
-        """Return the sample answers."""
         return tuple(each for block in of_kind(self.blocks, Samples) for each in block.samples)
 
 
@@ -132,15 +127,12 @@ class Lesson:
 
     Attributes
     ----------
-    path : Path
-    title, lecture, language : str
     topics : tuple of str
         ``L1`` to ``L24``.
     letters : str, optional
         The lecture whose letters the formulas have; None for those of the window.
     minutes : float
         Planned for all of it.
-    steps : tuple of Step
     """
 
     path: Path
@@ -166,23 +158,17 @@ class Lesson:
 
 
 def is_lesson(path: str) -> bool:
-    """Tell by its name whether a file is a lesson or a talk."""
     return path.lower().endswith(ENDINGS)
 
 
 def read(path: AnyPath, complain: Complain | None = None) -> Lesson:
-    """Read a lesson from its file.
+    """Read a lesson from its file; a `Refusal` names the line that is wrong.
 
     Parameters
     ----------
     path : path
     complain : callable, optional
         Gets the refusal of every wrong step; the lesson is then without these steps.
-
-    Raises
-    ------
-    Refusal
-        If the file is missing, or something in it is wrong: then with its line.
     """
     with blamed_on(path, UNREADABLE):
         with open_regular(path) as file:
@@ -197,7 +183,7 @@ def read(path: AnyPath, complain: Complain | None = None) -> Lesson:
 
 
 class Head(NamedTuple):
-    """What a list of lessons says of one; attributes as of `Lesson`."""
+    """What a list of lessons says of one: as topics a talk has its lecture."""
 
     path: Path
     title: str
@@ -206,13 +192,7 @@ class Head(NamedTuple):
 
 
 def head_of(path: Path) -> Head:
-    """Read only what a list of lessons says of one.
-
-    Raises
-    ------
-    Refusal
-        If the file is missing, or its top is wrong.
-    """
+    """Read only what a list of lessons says of one."""
     with blamed_on(path, UNREADABLE):
         with open_regular(path) as file:
             text = file.read(LARGEST).decode("utf-8-sig", "replace")
@@ -275,7 +255,6 @@ def _top(lines: Sequence[str]) -> tuple[dict[str, Any], int]:
 
 
 def _check_top(key: str, value: str, line: int) -> None:
-    """Refuse a wrong value of the front matter."""
     if key == "version":
         wanted = number_in(value, line, 1, 1e6)
         if wanted > VERSION:
@@ -372,7 +351,6 @@ class _StepReader:
         self._words: list[Token] = []
 
     def step(self) -> Step:
-        """Read the step."""
         name, title, line = self._heading()
         for token in self._tokens[1:]:
             self._take(token)
@@ -416,7 +394,6 @@ class _StepReader:
         self._blocks.append(cls.read(Body(kind, name, line, self._body(token))))
 
     def _end_words(self) -> None:
-        """Make one text of the words since the last block."""
         if self._words:
             begin, end = self._words[0].map[0], self._words[-1].map[1]  # type: ignore[index]
             text = "\n".join(self._lines[self._first + begin : self._first + end])

@@ -17,9 +17,7 @@ from app.model.formula import Formula, parse
 from app.model.refusal import QT_TRANSLATE_NOOP, Bound, Refusal
 
 UNEXPECTED = QT_TRANSLATE_NOOP("Refusal", "must be one of {0}, a colon, and its value")
-INDENTED = QT_TRANSLATE_NOOP(
-    "Refusal", "is indented, but there is nothing above that it belongs to"
-)
+INDENTED = QT_TRANSLATE_NOOP("Refusal", "is indented, but belongs to nothing above it")
 LACKS = QT_TRANSLATE_NOOP("Refusal", "needs {0}")
 ONLY_ONCE = QT_TRANSLATE_NOOP("Refusal", "has {0} twice")
 NO_CHOICE = QT_TRANSLATE_NOOP("Refusal", "must begin with “- [x]”, if it is right, or “- [ ]”")
@@ -55,7 +53,6 @@ def on_line(line: int, what: str = "") -> Iterator[None]:
 
 
 def number_in(text: str, line: int, low: float, high: float) -> float:
-    """Read a number between two bounds."""
     try:
         number = float(text)
     except ValueError:
@@ -68,15 +65,8 @@ def number_in(text: str, line: int, low: float, high: float) -> float:
 class Item(NamedTuple):
     """A line that begins with a key or is a choice, joined with the lines indented below it.
 
-    Attributes
-    ----------
-    key : str
-        ``choice`` for a choice.
-    about : str
-        The word behind the key (``wrong ABOUT: ...``), or ``x`` for a right choice.
-    text : str
-    line : int
-    below : list of Item
+    The key of a choice is ``choice``. `about` is the word behind the key (``wrong ABOUT: ...``), or
+    ``x`` for a right choice.
     """
 
     key: str
@@ -86,7 +76,6 @@ class Item(NamedTuple):
     below: Sequence[Item] = ()
 
     def formula(self) -> Formula:
-        """Read the text as a formula."""
         with on_line(self.line, self.key):
             return parse(self.text)
 
@@ -127,16 +116,7 @@ class Items(tuple[Item, ...]):
 
 
 class Body(NamedTuple):
-    """A block as its file has it.
-
-    Attributes
-    ----------
-    kind, name : str
-    line : int
-        Of its first line, which names the kind.
-    lines : Lines
-        What stands between its first line and its last.
-    """
+    """A block as its file has it; `line` is that of the kind, `lines` are those inside."""
 
     kind: str
     name: str
@@ -144,15 +124,7 @@ class Body(NamedTuple):
     lines: Lines
 
     def items(self, *keys: str, choices: bool = False) -> tuple[str, Items]:
-        """Read the text that the body begins with, and the items that follow it.
-
-        Parameters
-        ----------
-        *keys : str
-            Those that may begin a line.
-        choices : bool
-            Whether lines may be choices.
-        """
+        """Read the text that the body begins with, and the items, with these keys, that follow."""
         question: list[str] = []
         items: list[Item] = []
         for number, text in self.lines:
@@ -174,7 +146,7 @@ class Body(NamedTuple):
                 raise refused(number, bound, ", ".join(keys), value=text.strip()[:60])
         asked = "\n".join(question).strip()
         if not asked:
-            raise refused(self.line, LACKS, "a question or what is to be done")
+            raise refused(self.line, LACKS, "a question or a task")
         return asked, Items(items)
 
 

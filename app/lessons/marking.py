@@ -24,7 +24,7 @@ _LONGEST = 60
 
 EMPTY = QT_TRANSLATE_NOOP("Refusal", "must be a number; nothing is typed yet")
 NO_NUMBER = QT_TRANSLATE_NOOP(
-    "Refusal", "must be a number, as 0.5, 0,5, 1/2, -3 or 2e-3; {0} is none"
+    "Refusal", "must be a number like 0.5, 0,5, 1/2, -3 or 2e-3, and not {0}"
 )
 OVER_ZERO = QT_TRANSLATE_NOOP("Refusal", "must be a number: nothing can be divided by 0")
 TOO_LARGE = QT_TRANSLATE_NOOP(
@@ -50,16 +50,7 @@ _OF_ANY = "units", "unit", "×"
 
 
 class Typed(NamedTuple):
-    """A number as it was typed.
-
-    Attributes
-    ----------
-    value : Fraction
-    digits : int
-        Significant ones; of a fraction as many as are needed.
-    unit : Fraction
-        Of the last digit.
-    """
+    """A number as it was typed; `unit` is the value of one in its last digit."""
 
     value: Fraction
     digits: int
@@ -67,20 +58,7 @@ class Typed(NamedTuple):
 
 
 def read(text: str, unit: str = "") -> Typed:
-    """Read a number as people write it.
-
-    Parameters
-    ----------
-    text : str
-        With comma or point; a fraction; a unit may stand behind it.
-    unit : str
-        The answer's own.
-
-    Raises
-    ------
-    Refusal
-        For what is no number, one beyond bounds, or one with a unit that the answer has not.
-    """
+    """Read a number as people write it, with comma or point; its unit, or `unit`, may follow."""
     if len(text) > _LONGEST:
         raise Refusal("answer", text, TOO_LONG, _LONGEST)
     plain = "".join(text.split()).replace("−", "-").replace("\u2044", "/")
@@ -118,21 +96,14 @@ def read(text: str, unit: str = "") -> Typed:
 
 
 def _unit_of(value: Fraction) -> Fraction:
-    """Of the third significant digit."""
+    """Return the value of one in the third significant digit."""
     if not value:
         return Fraction(0)
     return Fraction(10) ** (math.floor(math.log10(abs(float(value)))) - DIGITS + 1)
 
 
 def equals(typed: Typed, value: float) -> bool:
-    """Whether what was typed counts as a value.
-
-    Parameters
-    ----------
-    typed : Typed
-    value : float
-        Finite.
-    """
+    """Whether what was typed counts as a value, which is finite."""
     away = abs(typed.value - Fraction(value))
     if away <= Fraction(_EXACT) * abs(Fraction(value)) or (not typed.value and abs(value) < 1e-12):
         return True
@@ -140,9 +111,6 @@ def equals(typed: Typed, value: float) -> bool:
 
 
 def is_too_short(typed: Typed, value: float) -> bool:
-    """Whether it is the value rounded to its digits, of which there are not enough.
-
-    One digit alone says too little: 1 would be so of 0.8.
-    """
+    """Whether it is the value rounded to too few digits; one digit alone says too little."""
     away = abs(typed.value - Fraction(value))
     return 1 < typed.digits < DIGITS and 2 * away <= typed.unit

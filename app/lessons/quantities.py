@@ -26,7 +26,6 @@ from app.model.limits import Row
 from app.model.projection import Array, Projection, Trace, focal_length_35mm
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
 from app.scenes.phenomena.readout import Reading
-from app.scenes.phenomena.settings import Value
 
 if TYPE_CHECKING:
     from app.scenes.scene import Scene
@@ -35,10 +34,10 @@ NO_NAME = QT_TRANSLATE_NOOP("Refusal", "has no such name, {0}; the nearest is {1
 NO_FUNCTION = QT_TRANSLATE_NOOP(
     "Refusal", "has no such function or matrix, {0}; the nearest is {1}"
 )
-NO_CELL = QT_TRANSLATE_NOOP("Refusal", "asks {0} for something that it does not have")
+NO_CELL = QT_TRANSLATE_NOOP("Refusal", "asks for a part that {0} does not have")
 DIVIDES_BY_ZERO = QT_TRANSLATE_NOOP("Refusal", "divides by zero")
 TOO_LARGE = QT_TRANSLATE_NOOP("Refusal", "has a value that is too large")
-NOT_DEFINED = QT_TRANSLATE_NOOP("Refusal", "has a function of a value that it is not defined for")
+NOT_DEFINED = QT_TRANSLATE_NOOP("Refusal", "has a function that is not defined for its argument")
 NO_CONDITION = QT_TRANSLATE_NOOP(
     "Refusal",
     "must be a condition: two formulas with =, <, >, <= or >= between them, or NAME = WORD",
@@ -60,7 +59,7 @@ _SPACES = {
 
 
 class NotThere(LookupError):
-    """A quantity that there is, but not just now: the second probe, a parallel lens' angle."""
+    """A quantity that is missing just now: the second probe, a parallel lens' angle."""
 
 
 def _to_degrees(function: Callable[[float], float]) -> Callable[[float], float]:
@@ -68,7 +67,7 @@ def _to_degrees(function: Callable[[float], float]) -> Callable[[float], float]:
 
 
 def _sine(angle: float) -> float:
-    """Of an angle in degrees, exactly 0 and 1 where it is."""
+    """Return the sine of degrees, exactly 0 and 1 where it is."""
     turned = math.remainder(angle, 360.0)
     if abs(turned) > 90.0:  # to the quarter in which it keeps its digits
         turned = math.copysign(180.0, turned) - turned
@@ -101,11 +100,11 @@ class Quantities:
     ----------
     document : Document
     scene : callable
-        The document's scene, when its readout is asked for.
+        Returns its scene, when the readout is needed.
     view : View, optional
-        How it is looked at just now; as the document has it by default.
+        By default that of the document.
     before : Quantities, optional
-        Those of another state, whose names begin with ``was_``.
+        Of another state: their names begin with ``was_``.
     """
 
     def __init__(
@@ -140,14 +139,10 @@ class Quantities:
         return self._number(name, tuple(arguments))
 
     def value(self, asked: Formula) -> float:
-        """A formula's value.
+        """Return a formula's value.
 
-        Raises
-        ------
-        Refusal
-            For a name or function that there is not, a division by zero, a value beyond float64.
-        NotThere
-            If a quantity of it is not there just now.
+        Raise a `Refusal` for an unknown name, a division by zero or a value beyond float64, and
+        `NotThere` if a quantity is missing just now.
         """
         try:
             found = float(asked.evaluate(self, Arithmetic(float, self._call)))  # type: ignore[arg-type]
@@ -180,32 +175,32 @@ class Quantities:
     def _number(self, name: str, places: tuple[float, ...]) -> float:
         if name.startswith("was_") and self._before is not None:
             return self._before._number(name.removeprefix("was_"), places)
-        found = self._looked_up(name, places)
+        found = self._looked_up(name)
         if found is None:
             known = [*self.names, *(() if places == () else _FUNCTIONS)]
             near = difflib.get_close_matches(name, known, n=1, cutoff=0.0)
             bound = NO_FUNCTION if places else NO_NAME
             raise Refusal("formula", name, bound, name, near[0])
-        return _part(name, found(), places)
+        return _part(name, found, places)
 
-    def _looked_up(self, name: str, places: tuple[float, ...]) -> Callable[[], Any] | None:
-        simple = _SIMPLE.get(name)
-        if simple is not None:
-            return lambda: simple(self)
+    def _looked_up(self, name: str) -> Any:
+        """Return a number, several, or for a probe's coordinate a function; None if unknown."""
+        if name in _SIMPLE:
+            return _SIMPLE[name](self)
         if name.startswith("reading_"):
-            return lambda: self._reading(name.removeprefix("reading_"))
+            return self._reading(name.removeprefix("reading_"))
         if name.startswith("settings_"):
             return self._setting(name.removeprefix("settings_"))
         if name in self._matrices:
-            return lambda: self._matrices[name]
+            return self._matrices[name]
         space, _, part = name.partition("_")
         if part in _SPACES.get(space, ()):
-            return lambda: self._probe(space, part)
+            return lambda number=1: self._coordinate(number, space, part)
         return None
 
     @property
     def names(self) -> tuple[str, ...]:
-        """Every name that there is, in this document's scene and lens."""
+        """Return every name that this scene and lens have."""
         settings = [f"settings_{name}" for name in self.document.settings]
         probes = [f"{space}_{part}" for space, parts in _SPACES.items() for part in parts]
         readings = [f"reading_{name}" for name in self._all_readings]
@@ -213,7 +208,6 @@ class Quantities:
 
     @property
     def projection(self) -> Projection:
-        """The document's."""
         return self.document.projection
 
     @property
@@ -223,15 +217,13 @@ class Quantities:
             stage.name: stage.matrix for stage in (*projection.stages, *projection.direct_stages)
         }
 
-    def _setting(self, name: str) -> Callable[[], Any] | None:
-        settings: Mapping[str, Value] = self.document.settings
+    def _setting(self, name: str) -> Any:
+        settings: Mapping[str, Any] = self.document.settings
         if name in settings:
-            return lambda: _numeric(f"settings.{name}", settings[name])
+            return _numeric(f"settings.{name}", settings[name])
         head, _, axis = name.rpartition("_")
-        if axis in XYZ and isinstance(settings.get(head), tuple):
-            vector: Any = settings[head]
-            return lambda: vector[XYZ.index(axis)]
-        return None
+        is_part = axis in XYZ and isinstance(settings.get(head), tuple)
+        return settings[head][XYZ.index(axis)] if is_part else None
 
     @property
     def _all_readings(self) -> dict[str, Any]:
@@ -253,9 +245,6 @@ class Quantities:
             raise Refusal("formula", f"reading_{name}", NO_NAME, name, f"reading_{near[0]}")
         return _numeric(f"reading_{name}", readings[name])
 
-    def _probe(self, space: str, part: str) -> _ByProbe:
-        return _ByProbe(lambda number: self._coordinate(number, space, part))
-
     def _coordinate(self, number: int, space: str, part: str) -> float:
         row = self._row(number)
         if space == "object":
@@ -273,7 +262,7 @@ class Quantities:
         return found
 
     def _row(self, number: int) -> Row:
-        """Homogeneous coordinates of a probe."""
+        """Return the homogeneous coordinates of a probe."""
         probes = {probe.number: probe for probe in self._view.probes}
         row = probes[number].row if number in probes else None
         if row is None:
@@ -281,24 +270,13 @@ class Quantities:
         return row
 
 
-class _ByProbe:
-    """A coordinate of the first probe, or of the one whose number is asked for."""
-
-    def __init__(self, of: Callable[[int], float]) -> None:
-        self._of = of
-
-    def of(self, number: int = 1) -> float:
-        """Of that probe."""
-        return self._of(number)
-
-
 def _part(name: str, value: Any, places: tuple[float, ...]) -> float:
-    """What of a value is asked for: a number, one of a row, a matrix' cell, a probe's number."""
+    """Return a value, or one of its row, its matrix's cell, or its coordinate of a probe."""
     if any(place != int(place) or place < 0 for place in places):
         raise Refusal("formula", name, NO_CELL, name)
     indices = [int(place) for place in places]
-    if isinstance(value, _ByProbe) and len(indices) < 2:
-        return value.of(*indices)
+    if callable(value) and len(indices) < 2:  # of the first probe, or of the one with a number
+        return float(value(*indices))
     if isinstance(value, tuple):
         if not indices:
             indices = [0]
@@ -311,7 +289,6 @@ def _part(name: str, value: Any, places: tuple[float, ...]) -> float:
 
 
 def _numeric(name: str, value: Any) -> Any:
-    """A setting or a reading as a number, or as several."""
     if value is None:
         raise NotThere(name)
     if isinstance(value, str):
@@ -327,7 +304,7 @@ _WORD = re.compile(r"[^\W_]+")
 
 
 def reading_name(label: str) -> str:
-    """What formulas call a line of a scene's readout: its words up to its formula or remark."""
+    """Return the name of a reading: its label's words up to a formula or a remark."""
     head = re.split(r"[=:;]", label)[0]
     return "_".join(_WORD.findall(head))
 
@@ -427,16 +404,7 @@ _COMPARED: dict[str, Callable[[float, float], bool]] = {
 
 @dataclass(frozen=True)
 class Condition:
-    """What must hold of the model: two formulas and a sign, or a word of ``--set``.
-
-    Attributes
-    ----------
-    text : str
-    sign : str
-    left, right : Formula, optional
-    path, word : str
-        Instead of the formulas: ``lens.kind``, ``orthographic``.
-    """
+    """Two formulas and a sign, or a path of ``--set`` and its word."""
 
     text: str
     sign: str
@@ -447,13 +415,6 @@ class Condition:
 
     @classmethod
     def read(cls, text: str) -> Condition:
-        """Read a condition.
-
-        Raises
-        ------
-        Refusal
-            If it is none, or a formula of it is none.
-        """
         signs = list(_SIGN.finditer(text))
         if len(signs) != 1:
             raise Refusal("condition", text, NO_CONDITION)
@@ -464,13 +425,7 @@ class Condition:
         return cls(text, sign, formula.parse(left), formula.parse(right))
 
     def holds(self, known: Quantities) -> bool:
-        """Whether it holds; not where a quantity of it is missing.
-
-        Raises
-        ------
-        Refusal
-            If a formula of it has no value, for any other reason.
-        """
+        """Whether it holds; it does not where a quantity is missing."""
         if self.left is None or self.right is None:
             return known.word(self.path) == self.word
         try:

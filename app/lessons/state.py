@@ -8,24 +8,12 @@ from typing import NamedTuple
 from app.lessons.lines import LACKS, ONLY_ONCE, Item, Lines, refused
 from app.model.refusal import QT_TRANSLATE_NOOP
 
-AN_ASSIGNMENT = QT_TRANSLATE_NOOP(
-    "Refusal", "must be written as NAME=VALUE, or document: FILE.json"
-)
+AN_ASSIGNMENT = QT_TRANSLATE_NOOP("Refusal", "must be NAME=VALUE, or document: FILE.json")
 BESIDE = QT_TRANSLATE_NOOP("Refusal", "must be a file beside the lesson, or in a folder there")
 
 
 class State(NamedTuple):
-    """What the window shows at a step.
-
-    Attributes
-    ----------
-    line : int
-    values : tuple of (int, str)
-        ``NAME=VALUE``, each with its line.
-    document : str
-        Path of a document, from the lesson's folder; empty for none.
-    document_line : int
-    """
+    """What the window shows: ``NAME=VALUE``, each with its line, or a document beside the file."""
 
     line: int
     values: tuple[tuple[int, str], ...] = ()

@@ -60,7 +60,6 @@ def _math(state: StateInline, silent: bool) -> bool:
 
 
 def formulas_in(text: str) -> list[str]:
-    """Return the TeX of every formula in a text."""
     tokens = markdown().parse(text)
     return [
         part.content for token in tokens for part in token.children or () if part.type == "math"
@@ -68,17 +67,10 @@ def formulas_in(text: str) -> list[str]:
 
 
 class Outline(NamedTuple):
-    """A formula's outlines, in em, from where it stands on its line.
+    """A formula's outlines in em, from its place on the line, y upwards.
 
-    Attributes
-    ----------
-    width, ascent, descent : float
-        What of it is above and below the line.
-    vertices : array, shape (n, 2)
-        x to the right, y upwards.
-    codes : array, shape (n,)
-        What each vertex is, as of `matplotlib.path.Path`: 1 move, 2 line, 3 two of a quadratic
-        curve, 4 three of a cubic one, 79 close.
+    `ascent` and `descent` are its extent above and below the line; `vertices` have shape (n, 2);
+    `codes` are those of `matplotlib.path.Path`.
     """
 
     width: float
@@ -90,14 +82,7 @@ class Outline(NamedTuple):
 
 @lru_cache(maxsize=1024)
 def outline(tex: str) -> Outline:
-    """A formula's outlines.
-
-    Raises
-    ------
-    ValueError
-        If something in it cannot be set, a character is not in the font, or its braces are too
-        deep or its spaces too wide.
-    """
+    """Return a formula's outlines; a `ValueError` says why it cannot be drawn."""
     depth = 0
     for opened, closed in re.findall(r"(?<!\\)(?:(\{|\\left\b)|(\}|\\right\b))", tex):
         depth += bool(opened) - bool(closed)
@@ -124,23 +109,17 @@ def outline(tex: str) -> Outline:
 
 
 def _refuse(warning: logging.LogRecord) -> bool:
-    """Mathtext warns of a character it does not have, and writes another one in its place."""
+    """Refuse a character that mathtext would only warn of and replace by another one."""
     if warning.levelno >= logging.WARNING:
         raise ValueError("has a character that the formulas' font lacks")
     return True
 
 
 def html_of(text: str) -> tuple[str, tuple[str, ...]]:
-    """A text as HTML, everything in it escaped, with `FORMULA` for each of its formulas.
+    """Return a text as HTML, with `FORMULA` for each formula, and the TeX of the formulas.
 
-    A formula may be broken where it has a ``\\quad``, and is several then. A table without
-    headings, such as a matrix, is without their row.
-
-    Returns
-    -------
-    html : str
-    formulas : tuple of str
-        TeX, in their order.
+    A formula may be broken at a ``\\quad``: then it counts as several. A table without headings,
+    such as a matrix, has no heading row.
     """
     found: list[str] = []
 
@@ -156,10 +135,7 @@ def html_of(text: str) -> tuple[str, tuple[str, ...]]:
 
 
 def _pieces(tex: str, is_displayed: bool) -> list[str]:
-    """What stands between the wide spaces of a formula that are in no braces.
-
-    Of one that has lines of its own the fractions are large.
-    """
+    """Split a formula at its wide spaces outside braces; fractions of a displayed one are large."""
     pieces, depth = [""], 0
     for part in _BREAK.split(tex):
         if part in ("\\quad", "\\qquad") and not depth:
@@ -173,7 +149,7 @@ def _pieces(tex: str, is_displayed: bool) -> list[str]:
 
 
 def plain_of(text: str) -> str:
-    """A text for those who read or hear text only: without its marks, formulas as TeX."""
+    """Return a text without its marks, formulas as TeX, for a screen reader."""
     words = []
     for token in markdown().parse(text):
         inline = token.children or ()
@@ -188,5 +164,5 @@ def plain_of(text: str) -> str:
 
 
 def escaped(text: str) -> str:
-    """A text as it stands, with nothing in it that Markdown would read."""
+    """Return a text in which Markdown reads nothing."""
     return re.sub(r"([\\`*_{}\[\]<>#$|])", r"\\\1", text)

@@ -14,7 +14,7 @@ from app.scenes.phenomena.settings import Value
 
 
 def can_move(start: Document, end: Document) -> bool:
-    """Whether a model can move from one state to another: it is the same scene and kind of lens."""
+    """Whether the model can move from one state to another: same scene, same kind of lens."""
     lenses = start.projection.lens, end.projection.lens
     return (
         (start.scene, start.mesh) == (end.scene, end.mesh)
@@ -26,18 +26,9 @@ def can_move(start: Document, end: Document) -> bool:
 
 
 def between(start: Document, end: Document, part: float) -> Document | None:
-    """A state on the way, of two for which `can_move` holds.
+    """Return a state between two for which `can_move` holds, or None if it is impossible.
 
-    Parameters
-    ----------
-    start, end : Document
-    part : float
-        From 0 to 1.
-
-    Returns
-    -------
-    Document or None
-        With the end's words and switches, and its view; None where there is no such state.
+    `part` goes from 0 to 1; words, switches and the view are those of the end.
     """
     one, other = start.projection, end.projection
     try:
@@ -55,7 +46,7 @@ def between(start: Document, end: Document, part: float) -> Document | None:
 
 
 def _number(one: float, other: float, part: float) -> float:
-    """In proportion where both are lengths of one kind: as much larger at every moment."""
+    """Interpolate a number; two positive ones in proportion."""
     if one == other or not (math.isfinite(one) and math.isfinite(other)):
         return other
     if one > 0.0 and other > 0.0:
@@ -69,7 +60,7 @@ def _vector(one: Vector, other: Vector, part: float) -> Vector:
 
 
 def _camera(one: Camera, other: Camera, part: float) -> Camera:
-    """The eye goes round its target, on the shorter way."""
+    """Move the eye around its target, the shorter way."""
     a, b = one.orbit, other.orbit
     turn, roll = (
         math.remainder(after - before, 360.0)

@@ -28,11 +28,11 @@ from app.lessons.state import BESIDE
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
 from app.scenes.phenomena import PHENOMENA
 
-NOT_IN_WORDS = QT_TRANSLATE_NOOP("Refusal", "cannot be said by NAME=VALUE alone")
+NOT_IN_WORDS = QT_TRANSLATE_NOOP("Refusal", "cannot be written as NAME=VALUE alone")
 OURS = QT_TRANSLATE_NOOP(
-    "Refusal", "comes with the program and stays as it is: copy it, and open the copy"
+    "Refusal", "comes with the program and cannot be changed: copy it, and open the copy"
 )
-A_TITLE = QT_TRANSLATE_NOOP("Refusal", "must be some words on one line")
+A_TITLE = QT_TRANSLATE_NOOP("Refusal", "must be one line of text")
 NEW_TALK_MINUTES = 2
 """Planned for the first step of a talk, until its teacher says otherwise."""
 
@@ -41,24 +41,11 @@ NEW_TALK_MINUTES = 2
 
 
 def assignments(document: Document, letters: Letters | None = None) -> list[str]:
-    """The shortest list of ``NAME=VALUE`` that makes a document of its scene as it opens.
+    """Return the shortest list of ``NAME=VALUE`` that makes a document of its scene as it opens.
 
-    Parameters
-    ----------
-    document : Document
-        The cameras of its panes and its pins are how somebody looked at it, and none of a state's.
-    letters : str, optional
-        Those of the lesson that it is written for, which need not be said.
-
-    Returns
-    -------
-    list of str
-        ``scene=`` first, then ``mesh=`` if it has one, then what `set_values` is to be given.
-
-    Raises
-    ------
-    Refusal
-        If there are none that give it back to the last bit.
+    ``scene=`` comes first, then ``mesh=``. Cameras of panes and pins are not part of a state, and
+    `letters`, those of the lesson, need not be said. A `Refusal` if no list gives the document back
+    to the last bit.
     """
     wanted = _said(document)
     view = replace(AS_EVER, letters=letters or AS_EVER.letters)
@@ -72,7 +59,7 @@ def assignments(document: Document, letters: Letters | None = None) -> list[str]
 
 
 def _said(document: Document) -> Document:
-    """With what of its view a state has to do with."""
+    """Return a document with only the parts of its view that belong to a state."""
     view = replace(document.view, panes={}, pinned=frozenset())
     if view.panel != "frame":  # how far it is built is not seen
         view = replace(view, frame_step=AS_EVER.frame_step)
@@ -80,7 +67,7 @@ def _said(document: Document) -> Document:
 
 
 def _texts(document: Document) -> dict[str, str]:
-    """What ``--set`` can be given of a document, by its paths."""
+    """Return what ``--set`` can be given of a document, by path."""
     tree = json.loads(to_json(document))
     found = {"depth": str(tree["depth"])}
     for section in ("lens", "camera", "object", "image", "quality", "settings"):
@@ -105,7 +92,7 @@ def _texts(document: Document) -> dict[str, str]:
 
 
 def _text(value: object) -> str:
-    """A value of JSON as ``--set`` has it; what has no such text comes back as something else."""
+    """Return a value of JSON as ``--set`` has it; for some values it does not come back."""
     if isinstance(value, bool):
         return str(value).lower()
     if isinstance(value, list):
@@ -114,9 +101,9 @@ def _text(value: object) -> str:
 
 
 def _lists(start: Document, wanted: Document) -> Iterator[dict[str, str]]:
-    """Lists that may give a document: what differs behind its settings, and all that there is.
+    """Yield lists that may give a document: what differs after its settings, and everything.
 
-    Camera and lens may follow the settings, and a setting the lens: then only one of them will do.
+    Camera and lens may follow the settings, or a setting the lens: then only one of them works.
     """
     before, texts = _texts(start), _texts(wanted)
     settings = {
@@ -131,7 +118,7 @@ def _lists(start: Document, wanted: Document) -> Iterator[dict[str, str]]:
 
 
 def _needed(start: Document, texts: dict[str, str], wanted: Document) -> dict[str, str]:
-    """A list that gives a document, without what the others of it give as well."""
+    """Drop from a list what the rest of it gives as well."""
     for path in [*texts]:
         fewer = {name: text for name, text in texts.items() if name != path}
         if _gives(start, fewer, wanted):
@@ -151,14 +138,7 @@ def _gives(start: Document, texts: Mapping[str, str], wanted: Document) -> bool:
 
 
 class Added(NamedTuple):
-    """Where a step was put.
-
-    Attributes
-    ----------
-    name : str
-    place : int
-        From 0.
-    """
+    """The step that was written; its place counts from 0."""
 
     name: str
     place: int
@@ -167,24 +147,24 @@ class Added(NamedTuple):
 def add_step(
     path: AnyPath, after: str, title: str, document: Document, *, panes: bool = False
 ) -> Added:
-    """Put a state into a lesson's file as one more step; into the file as it is now.
+    """Write a state into a lesson's file, as it is now, as one more step.
+
+    The step comes after the named one, or at the end if that is gone; but behind all steps that
+    would show something else because of it.
 
     Parameters
     ----------
     path : path
-    after : str
-        Name of the step that it comes after, or after those that go on from that one, where these
-        would show something else behind it; one that is not there any more is the last.
-    title : str
+    after, title : str
+        The name of a step; the title of the new one.
     document : Document
     panes : bool
-        Whether the panes are to be looked at as they are, which only a document beside the file
-        can say.
+        Whether to keep how the panes are turned, which needs a document beside the file.
 
     Raises
     ------
     Refusal
-        If it cannot be: the file is as it was.
+        If that is impossible: then the file is unchanged.
     """
     _check_own(path)
     before = read(path)
@@ -206,23 +186,7 @@ def add_step(
 
 
 def begin_talk(path: AnyPath, title: str, document: Document, *, panes: bool = False) -> None:
-    """Begin a talk with a state, in a file of its own.
-
-    Parameters
-    ----------
-    path : path
-        A file that is there gives way to it.
-    title : str
-        Of the talk and of its first step.
-    document : Document
-    panes : bool
-        As of `add_step`.
-
-    Raises
-    ------
-    Refusal
-        If it cannot be: nothing is written.
-    """
+    """Begin a talk in a new file, or over an old one, with a state; as `add_step` does."""
     _check_own(path)
     with blamed_on(path, UNREADABLE):
         letters = document.view.letters
@@ -236,20 +200,15 @@ def begin_talk(path: AnyPath, title: str, document: Document, *, panes: bool = F
         write_bytes_atomically(path, text.encode())
 
 
-def is_ours(path: AnyPath) -> bool:
-    """Whether a file is one of the lessons that come with the program."""
-    return Path(os.path.realpath(path)).is_relative_to(os.path.realpath(CONTENT))
-
-
 def _check_own(path: AnyPath) -> None:
-    if is_ours(path):
+    if Path(os.path.realpath(path)).is_relative_to(os.path.realpath(CONTENT)):
         error = Refusal.in_document(OURS)
         error.file = os.fspath(path)
         raise error
 
 
 class _Written(NamedTuple):
-    """A step as it is going to be written, and the document that it needs beside the file."""
+    """The lines of a new step, and the file of the document that it needs."""
 
     lines: list[str]
     beside: Path | None
@@ -288,7 +247,7 @@ def _one_line(title: str) -> str:
 
 
 def _named(assignment: str, folder: Path) -> str:
-    """With a mesh named as it is called from the lesson's folder."""
+    """Return an assignment, with a mesh named from the folder of the lesson."""
     path, _, value = assignment.partition("=")
     if path in ("scene", "mesh") and is_mesh(value):
         return f"{path}={_beside(value, folder, path)}"
@@ -303,7 +262,7 @@ def _beside(file: str, folder: Path, field: str) -> str:
 
 
 def _free(name: str, is_taken: Callable[[str], bool], ending: str = "") -> str:
-    """A name, with a number behind it if it is taken."""
+    """Return a name, with a number behind it if it is taken."""
     number, found = 1, name + ending
     while is_taken(found):
         number += 1
@@ -312,7 +271,7 @@ def _free(name: str, is_taken: Callable[[str], bool], ending: str = "") -> str:
 
 
 def _with_lines(text: str, end: int, step: Sequence[str]) -> str:
-    """A text with lines more behind so many of its own, all of which stay as they are."""
+    """Insert lines after line `end` of a text, all of whose bytes stay."""
     line_end = next((each for each in ("\r\n", "\n", "\r") if each in text), "\n")
     lines = re.split(r"(?<=\n)|(?<=\r)(?!\n)", text)
     head, tail = "".join(lines[:end]), "".join(lines[end:])
@@ -324,7 +283,7 @@ def _with_lines(text: str, end: int, step: Sequence[str]) -> str:
 
 
 def _following(lesson: Lesson, place: int) -> list[Document | str]:
-    """What the steps show that go on from the one before a place."""
+    """Return what the steps show that go on from the one before a place."""
     course = Course(lesson)
     found: list[Document | str] = []
     for number, step in enumerate(lesson.steps[place:], place):

@@ -32,17 +32,19 @@ from app.document.document import MESH_ENDINGS, Document, is_mesh
 from app.document.files import extract, holds_document, read, write, write_bytes_atomically
 from app.document.settings import set_values
 from app.document.view import FIELDS as VIEW_FIELDS
-from app.document.view import FIXED, LAYERS, LAYOUTS, MOST_PROBES, PANELS, PANES, View
+from app.document.view import FIXED, LAYERS, LAYOUTS, MOST_PROBES, PANELS, PANES, STAGES, View
 from app.lecture.camera_frame import STEPS
 from app.lecture.notation import LETTERS
 from app.model.limits import ABOVE
 from app.model.projection import (
+    DEPTH_RANGES,
     Camera,
     FreeMatrix,
     Frustum,
     Orthographic,
     Perspective,
     Projection,
+    kinds,
 )
 from app.model.refusal import Refusal
 from app.picking.picking import Probe
@@ -73,10 +75,10 @@ BOX = Orthographic(-4.0, 4.0, -3.0, 3.0, -1.0, 30.0, "y")
 PARALLEL = Document("cube", Projection(lens=BOX))
 
 
-def sentence(make: Callable[[], object]) -> str:
+def sentence(make: Callable[..., object], *arguments: object) -> str:
     """The one sentence with which something is refused."""
     with pytest.raises(Refusal) as caught:
-        make()
+        make(*arguments)
     text = str(caught.value)
     assert "\n" not in text
     assert text.endswith(".")
@@ -136,8 +138,8 @@ def test_a_whole_number_may_be_written_with_a_point() -> None:
     assert parse(with_value("lens.near", 1.0)) == parse(DESIGN)
 
 
-FINITE = st.floats(-1e100, 1e100)
-PIXEL = st.floats(0.0, 16384.0)
+COORDINATE = st.floats(-1e100, 1e100)
+PIXELS_IN = st.floats(0.0, 16384.0)
 JSON_VALUES = st.recursive(
     st.one_of(
         st.none(),
@@ -160,9 +162,9 @@ def views(draw: st.DrawFn, camera: Camera) -> View:
     """Any view, with this camera in its panes."""
     numbers = sorted(draw(st.sets(st.integers(1, MOST_PROBES))))
     probes = [
-        Probe(number, point=draw(st.tuples(FINITE, FINITE, FINITE)))
+        Probe(number, point=draw(st.tuples(COORDINATE, COORDINATE, COORDINATE)))
         if draw(st.booleans())
-        else Probe(number, pixel=draw(st.tuples(PIXEL, PIXEL)))
+        else Probe(number, pixel=draw(st.tuples(PIXELS_IN, PIXELS_IN)))
         for number in numbers
     ]
     return View(
@@ -187,7 +189,7 @@ def documents(draw: st.DrawFn) -> Document:
         return (first, second) if second - first > 1e-200 else (low, high)
 
     try:
-        camera = Camera(*draw(st.tuples(*[st.tuples(FINITE, FINITE, FINITE)] * 3)))
+        camera = Camera(*draw(st.tuples(*[st.tuples(COORDINATE, COORDINATE, COORDINATE)] * 3)))
     except Refusal:  # no direction: rare, and not what is tested here
         camera = Camera()
     seen_from = camera if min(camera.distance, math.hypot(*camera.up)) > SHORTEST else Camera()
@@ -279,20 +281,20 @@ def test_a_whole_number_may_be_written_as_any_number() -> None:
 def test_only_a_lens_whose_far_may_be_infinite_says_so() -> None:
     for text in ("Infinity", '"Infinity"'):
         flat = to_json(PARALLEL).replace('"far": 30', f'"far": {text}')
-        assert sentence(lambda flat=flat: parse(flat)).endswith(": must be a finite number.")  # type: ignore[misc]
+        assert sentence(parse, flat).endswith(": must be a finite number.")
     frustum = to_json(set_value(parse(DESIGN), "lens.kind", "frustum"))
     for text in ("Infinity", '"Infinity"'):
         endless = frustum.replace('"far": 30', f'"far": {text}')
-        assert sentence(lambda endless=endless: parse(endless)).endswith("number or inf.")  # type: ignore[misc]
+        assert sentence(parse, endless).endswith("number or inf.")
 
 
 def test_a_newer_version_is_refused() -> None:
-    assert sentence(lambda: parse(with_value("version", 3))) == (
+    assert sentence(parse, with_value("version", 3)) == (
         "The document was written by a newer Frustum Lab: its version is 3, this program reads "
         "up to 2."
     )
     # Whatever else it holds, that is what is said.
-    sentence(lambda: parse(json.dumps({"format": "frustum-lab", "version": 4}))).index("newer")
+    sentence(parse, json.dumps({"format": "frustum-lab", "version": 4})).index("newer")
 
 
 def test_older_versions_are_migrated_step_by_step(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -314,148 +316,114 @@ def test_older_versions_are_migrated_step_by_step(monkeypatch: pytest.MonkeyPatc
 
 # --------------------------------------------------------------------------- what is refused
 
+FINITE = "must be a finite number"
+PLACE = "must be three finite numbers x, y, z"
+KINDS = f"must be one of {', '.join(kinds())}"
+RANGES = f"must be one of {', '.join(DEPTH_RANGES)}"
+PIXELS = "must be a whole number of pixels from 1 to 16384"
+ANGLE = "must lie between 0 and 180, both excluded"
+BRACES = "must be an object with named values in braces"
+VERSIONS = "must be a whole number from 1 on"
+SCENES = "must be the name of a scene or of a mesh file"
 BAD_VALUES: list[tuple[str, object, str]] = [
-    ("lens.near", -1, "lens.near = -1: must be greater than 0."),
-    ("lens.near", 0, "lens.near = 0: must be greater than 0."),
-    ("lens.near", 40, "lens.near = 40: must be less than far, which is 30."),
-    ("lens.near", "1", "lens.near = '1': must be a finite number."),
-    ("lens.near", None, "lens.near = null: must be a finite number."),
-    ("lens.near", True, "lens.near = true: must be a finite number."),
-    ("lens.near", [1], "lens.near = [1]: must be a finite number."),
-    ("lens.near", {"m": 1}, "lens.near = {m: ...}: must be a finite number."),
-    ("lens.near", "inf", "lens.near = 'inf': must be a finite number."),
-    ("lens.far", "infinity", "lens.far = 'infinity': must be a finite number or inf."),
-    ("lens.far", 10**300, "lens.far = 1e+300: must be at most 1e+100."),
-    ("lens.fov_y_deg", 0, "lens.fov_y_deg = 0: must lie between 0 and 180, both excluded."),
-    ("lens.fov_y_deg", 180, "lens.fov_y_deg = 180: must lie between 0 and 180, both excluded."),
-    ("lens.fov_y_deg", -1, "lens.fov_y_deg = -1: must lie between 0 and 180, both excluded."),
-    ("lens.fov_y_deg", 200, "lens.fov_y_deg = 200: must lie between 0 and 180, both excluded."),
-    ("lens.fov_y_deg", 1e308,
-     "lens.fov_y_deg = 1e+308: must lie between 0 and 180, both excluded."),
-    ("lens.kind", "fisheye",
-     "lens.kind = 'fisheye': must be one of perspective, frustum, orthographic, oblique, matrix."),
-    ("lens.kind", ["perspective"],
-     "lens.kind = ['perspective']: must be one of perspective, frustum, orthographic, oblique, "
-     "matrix."),
-    ("camera.eye", [0, 2.2, 0],
-     "camera.target = [0, 2.2, 0]: must differ from the eye, or the camera looks nowhere."),
-    ("camera.eye", [1, 2], "camera.eye = [1, 2]: must be three finite numbers x, y, z."),
-    ("camera.eye", "6,5,9", "camera.eye = '6,5,9': must be three finite numbers x, y, z."),
-    ("camera.eye", [6, None, 9],
-     "camera.eye = [6, null, 9]: must be three finite numbers x, y, z."),
-    ("camera.eye", [6, [5], 9], "camera.eye = [6, [5], 9]: must be three finite numbers x, y, z."),
-    ("camera.up", [0, 0, 0], "camera.up = [0, 0, 0]: must not be the zero vector."),
-    ("camera.up", [12, 5.6, 18],
-     "camera.up = [12, 5.6, 18]: must not be parallel to the view direction."),
-    ("image.width", 0, "image.width = 0: must be a whole number of pixels from 1 to 16384."),
-    ("image.height", 100_000,
-     "image.height = 100000: must be a whole number of pixels from 1 to 16384."),
-    ("image.height", 0.5, "image.height = 0.5: must be a whole number of pixels from 1 to 16384."),
-    ("image.height", "720",
-     "image.height = '720': must be a whole number of pixels from 1 to 16384."),
-    ("depth", "vulkan", "depth = 'vulkan': must be one of opengl, direct3d, reversed."),
-    ("depth", ["opengl"], "depth = ['opengl']: must be one of opengl, direct3d, reversed."),
-    ("depth", {}, "depth = {}: must be one of opengl, direct3d, reversed."),
-    ("scene", "", "scene = '': must be the name of a scene or of a mesh file."),
-    ("scene", 7, "scene = 7: must be the name of a scene or of a mesh file."),
-    ("scene", "a\0.stl", "scene = 'a\\x00.stl': must be the name of a scene or of a mesh file."),
-    ("camera", [6, 5, 9], "camera = [6, 5, 9]: must be an object with named values in braces."),
-    ("lens", "perspective",
-     "lens = 'perspective': must be an object with named values in braces."),
-    ("image", None, "image = null: must be an object with named values in braces."),
-    ("version", 0, "version = 0: must be a whole number from 1 on."),
-    ("version", 1.5, "version = 1.5: must be a whole number from 1 on."),
-    ("version", 0.0, "version = 0: must be a whole number from 1 on."),
-    ("version", True, "version = true: must be a whole number from 1 on."),
-    ("version", "1", "version = '1': must be a whole number from 1 on."),
-    ("format", "obj", "The document is not a Frustum Lab document."),
-    ("format", ["frustum-lab"], "The document is not a Frustum Lab document."),
-    ("format", ..., "The document is not a Frustum Lab document."),
-]  # fmt: skip
+    ("lens.near", -1, "-1: must be greater than 0"),
+    ("lens.near", 40, "40: must be less than far, which is 30"),
+    ("lens.near", None, f"null: {FINITE}"),
+    ("lens.near", True, f"true: {FINITE}"),
+    ("lens.near", {"m": 1}, "{m: ...}: " + FINITE),
+    ("lens.near", "inf", f"'inf': {FINITE}"),
+    ("lens.far", "infinity", f"'infinity': {FINITE} or inf"),
+    ("lens.far", 10**300, "1e+300: must be at most 1e+100"),
+    ("lens.fov_y_deg", 180, f"180: {ANGLE}"),
+    ("lens.fov_y_deg", 1e308, f"1e+308: {ANGLE}"),
+    ("lens.kind", "fisheye", f"'fisheye': {KINDS}"),
+    ("lens.kind", ["perspective"], f"['perspective']: {KINDS}"),
+    ("camera.eye", [1, 2], f"[1, 2]: {PLACE}"),
+    ("camera.eye", "6,5,9", f"'6,5,9': {PLACE}"),
+    ("camera.eye", [6, None, 9], f"[6, null, 9]: {PLACE}"),
+    ("camera.up", [12, 5.6, 18], "[12, 5.6, 18]: must not be parallel to the view direction"),
+    ("image.width", 0, f"0: {PIXELS}"),
+    ("image.height", 0.5, f"0.5: {PIXELS}"),
+    ("image.height", "720", f"'720': {PIXELS}"),
+    ("depth", "vulkan", f"'vulkan': {RANGES}"),
+    ("depth", {}, "{}: " + RANGES),
+    ("scene", "", f"'': {SCENES}"),
+    ("scene", 7, f"7: {SCENES}"),
+    ("scene", "a\0.stl", f"'a\\x00.stl': {SCENES}"),
+    ("camera", [6, 5, 9], f"[6, 5, 9]: {BRACES}"),
+    ("lens", "perspective", f"'perspective': {BRACES}"),
+    ("image", None, f"null: {BRACES}"),
+    ("version", 1.5, f"1.5: {VERSIONS}"),
+    ("version", 0.0, f"0: {VERSIONS}"),
+    ("version", True, f"true: {VERSIONS}"),
+]
 
 
-@pytest.mark.parametrize(("path", "value", "expected"), BAD_VALUES)
-def test_a_wrong_value_is_named_with_its_bound(path: str, value: object, expected: str) -> None:
-    assert sentence(lambda: parse(with_value(path, value))) == expected
+def test_a_wrong_value_is_named_with_its_bound() -> None:
+    for path, value, said in BAD_VALUES:
+        text = with_value(path, value)
+        assert sentence(parse, text) == f"{path} = {said}."
+    moved = with_value("camera.eye", [0, 2.2, 0])  # the model names the target
+    assert sentence(parse, moved).startswith("camera.target = [0, 2.2, 0]: must differ fr")
+    for value in ("obj", ["frustum-lab"], ...):
+        text = with_value("format", value)
+        found = sentence(parse, text)
+        assert found == "The document is not a Frustum Lab document."
 
 
-@pytest.mark.parametrize(
-    "path",
-    [
-        "version", "scene", "camera", "camera.eye", "camera.target", "camera.up", "lens",
-        "lens.kind", "lens.fov_y_deg", "lens.near", "lens.far", "depth", "image", "image.width",
-        "image.height",
-    ],
-)  # fmt: skip
-def test_a_missing_field_is_named(path: str) -> None:
-    assert sentence(lambda: parse(with_value(path, ...))) == f"{path} is missing."
+@pytest.mark.parametrize("document", [Document(), PARALLEL], ids=["perspective", "orthographic"])
+def test_a_missing_field_is_named(document: Document) -> None:
+    tree = json.loads(to_json(document))
+    paths = [key for key in tree if key != "format"]
+    paths += [f"{key}.{name}" for key in tree if isinstance(tree[key], dict) for name in tree[key]]
+    for path in set(paths) - {"lens.keep"}:
+        text = with_value(path, ..., to_json(document))
+        assert sentence(parse, text) == f"{path} is missing."
 
 
-@pytest.mark.parametrize("field", ["left", "right", "bottom", "top", "near", "far"])
-def test_a_missing_field_of_an_orthographic_lens_is_named(field: str) -> None:
-    text = with_value(f"lens.{field}", ..., to_json(PARALLEL))
-    assert sentence(lambda: parse(text)) == f"lens.{field} is missing."
-
-
+NOT_JSON = "The document is broken or cut short: from line {}, column {} on it is not JSON."
+FOREIGN = "The document is not a Frustum Lab document."
+EMPTY = "The document is empty."
+DEEP = "The document has more than 50 levels of brackets."
+ZEROS = "lens.near = 1" + "0" * 56 + f"...: {FINITE}."
 BAD_TEXTS = [
-    ('"near": 1', '"near": NaN', "lens.near = NaN: must be a finite number."),
-    ('"far": 30', '"far": Infinity', "lens.far = Infinity: must be a finite number or inf."),
-    ('"far": 30', '"far": "INF"', "lens.far = 'INF': must be a finite number or inf."),
-    ('"far": 30', '"far": 1e400', "lens.far = 1e400: must be a finite number or inf."),
-    ('"far": 30', '"far": -1e400', "lens.far = -1e400: must be a finite number or inf."),
+    ('"near": 1', '"near": NaN', f"lens.near = NaN: {FINITE}."),
+    ('"far": 30', '"far": Infinity', f"lens.far = Infinity: {FINITE} or inf."),
+    ('"far": 30', '"far": "INF"', f"lens.far = 'INF': {FINITE} or inf."),
+    ('"far": 30', '"far": -1e400', f"lens.far = -1e400: {FINITE} or inf."),
     ('"far": 30', '"far": 30, "far": 31', "lens.far is given twice."),
-    ('"depth"', '"far": Infinity, "depth"', "far = Infinity: must be a finite number."),
-    ("[6, 5, 9]", "[6, -Infinity, 9]", "camera.eye[1] = -Infinity: must be a finite number."),
-    ('"near": 1', '"near": 1' + "0" * 400, "lens.near = 1" + "0" * 56 + "...: must be a finite "
-     "number."),
-    ('"near": 1', '"near": 1' + "0" * 100_000, "lens.near = 1" + "0" * 56 + "...: must be a "
-     "finite number."),
-    ('"depth"', '"note": {"a": [NaN]}, "depth"', "note.a[0] = NaN: must be a finite number."),
-    ('"near": 1', '"near": 1, "near": 2', "lens.near is given twice."),
+    ('"depth"', '"far": Infinity, "depth"', f"far = Infinity: {FINITE}."),
+    ("[6, 5, 9]", "[6, -Infinity, 9]", f"camera.eye[1] = -Infinity: {FINITE}."),
+    ('"near": 1', '"near": 1' + "0" * 100_000, ZEROS),
+    ('"depth"', '"note": {"a": [NaN]}, "depth"', f"note.a[0] = NaN: {FINITE}."),
     ('"depth"', '"depth": "opengl", "depth"', "depth is given twice."),
     ('"depth"', '"a": [{"b": 1, "c": 2, "b": 3}], "depth"', "a[0].b is given twice."),
-    ('"depth"', '"a\\nb": NaN, "depth"', "'a\\nb' = NaN: must be a finite number."),
-    ("\n{", "", "The document is broken or cut short: from line 1, column 9 on it is not JSON."),
-    ('720}}', "720}", "The document is broken or cut short: from line 6, column 1 on it is not "
-     "JSON."),
-    ('720}}', "720}}}", "The document is broken or cut short: from line 5, column 61 on it is "
-     "not JSON."),
-    ('"near": 1', '"near": 0x1', "The document is broken or cut short: from line 4, column 60 "
-     "on it is not JSON."),
-    ('"near": 1', "'near': 1", "The document is broken or cut short: from line 4, column 51 on "
-     "it is not JSON."),
-    (DESIGN, "", "The document is empty."),
-    (DESIGN, " \n\t", "The document is empty."),
-    (DESIGN, "\ufeff", "The document is empty."),
-    (DESIGN, "null", "The document is not a Frustum Lab document."),
-    (DESIGN, "[]", "The document is not a Frustum Lab document."),
-    (DESIGN, "{}", "The document is not a Frustum Lab document."),
-    (DESIGN, "3", "The document is not a Frustum Lab document."),
-    (DESIGN, "NaN", "The document is not a Frustum Lab document."),
-    (DESIGN, "v 1 2 3", "The document is broken or cut short: from line 1, column 1 on it is "
-     "not JSON."),
-    (DESIGN, "[" * 1_000_000, "The document has more than 50 levels of brackets."),
-    (DESIGN, '{"a":' * 1_000_000, "The document has more than 50 levels of brackets."),
-    (DESIGN, "[" * 60 + "]" * 60, "The document has more than 50 levels of brackets."),
-]  # fmt: skip
+    ('"depth"', '"a\\nb": NaN, "depth"', f"'a\\nb' = NaN: {FINITE}."),
+    ("\n{", "", NOT_JSON.format(1, 9)),
+    ("720}}", "720}", NOT_JSON.format(6, 1)),
+    ("720}}", "720}}}", NOT_JSON.format(5, 61)),
+    ('"near": 1', '"near": 0x1', NOT_JSON.format(4, 60)),
+    *((DESIGN, empty, EMPTY) for empty in ("", " \n\t", "\ufeff")),
+    *((DESIGN, other, FOREIGN) for other in ("null", "[]", "{}", "3", "NaN")),
+    *((DESIGN, deep, DEEP) for deep in ("[" * 10**6, '{"a":' * 10**6, "[" * 60 + "]" * 60)),
+]
 
 
-@pytest.mark.parametrize(
-    ("old", "new", "expected"), BAD_TEXTS, ids=[expected for *_, expected in BAD_TEXTS]
-)
-def test_a_wrong_text_is_refused(old: str, new: str, expected: str) -> None:
-    assert old in DESIGN
-    assert sentence(lambda: parse(DESIGN.replace(old, new, 1))) == expected
+def test_a_wrong_text_is_refused() -> None:
+    for old, new, expected in BAD_TEXTS:
+        assert old in DESIGN
+        text = DESIGN.replace(old, new, 1)
+        assert sentence(parse, text) == expected
 
 
 def test_any_beginning_of_a_document_is_refused() -> None:
     for end in range(len(WRITTEN) - 2):
-        sentence(lambda end=end: parse(WRITTEN[:end]))  # type: ignore[misc]
+        sentence(parse, WRITTEN[:end])
 
 
 @given(st.text() | st.from_regex(r'[\[\]{}:,"0-9eE.+\-a-z\\ ]*', fullmatch=True))
 def test_any_other_text_is_refused(text: str) -> None:
-    sentence(lambda: parse(text))
+    sentence(parse, text)
 
 
 @given(st.data())
@@ -474,12 +442,11 @@ def test_any_value_anywhere_is_taken_or_refused(data: st.DataObject) -> None:
 # --------------------------------------------------------------------------- no silent NaN
 
 
-@pytest.mark.parametrize("block", range(4))
-def test_random_documents_give_no_silent_nan(block: int) -> None:
+def test_random_documents_give_no_silent_nan() -> None:
     """Valid ones and such as are refused for many reasons; warnings are errors."""
-    found = [outcome_of(seed) for seed in range(500 * block, 500 * (block + 1))]
-    assert found.count("valid") > 100
-    assert len(set(found)) > 10
+    found = [outcome_of(seed) for seed in range(1000)]
+    assert found.count("valid") > 200
+    assert len(set(found)) > 15
 
 
 @given(st.randoms(use_true_random=False))
@@ -508,12 +475,12 @@ def test_an_error_tells_its_parts_so_that_it_can_be_translated() -> None:
 
 def test_a_long_value_is_cut() -> None:
     for value in ("x" * 10**6, list(range(10**5)), {str(i): i for i in range(10**4)}):
-        assert "...: must be" in sentence(lambda value=value: parse(with_value("depth", value)))  # type: ignore[misc]
+        assert "...: must be" in sentence(parse, with_value("depth", value))
 
 
 def test_a_document_has_a_scene() -> None:
-    assert sentence(lambda: Document("")).startswith("scene = '': ")
-    assert sentence(lambda: Document(None)).startswith("scene = null: ")  # type: ignore[arg-type]
+    assert sentence(Document, "").startswith("scene = '': ")
+    assert sentence(Document, None).startswith("scene = null: ")  # type: ignore[arg-type]
 
 
 # --------------------------------------------------------------------------- --set
@@ -577,62 +544,46 @@ def test_a_change_of_the_lens_keeps_the_picture_alike() -> None:
     assert set_value(document, "lens.kind", "perspective") == document
 
 
+NEAREST = "is not known; the nearest name is"
+WINDOWED = "belongs to another lens: set lens.kind as well (frustum, orthographic, oblique)."
 BAD_SETTINGS = [
-    ("lens.nera=1", "lens.nera is not known; the nearest name is lens.near."),
-    ("near=1", "near is not known; the nearest name is lens.near."),
-    ("fov=60", "fov is not known; the nearest name is lens.fov_y_deg."),
-    ("camera.near=1", "camera.near is not known; the nearest name is lens.near."),
-    ("camera.eyes=1,2,3", "camera.eyes is not known; the nearest name is camera.eye."),
-    ("width=800", "width is not known; the nearest name is image.width."),
-    ("camera=1", "camera is not known; the nearest name is camera.up."),
-    ("lens.kinds=x", "lens.kinds is not known; the nearest name is lens.kind."),
-    ("Depth=opengl", "Depth is not known; the nearest name is depth."),
-    ("dept=opengl", "dept is not known; the nearest name is depth."),
-    ("version=2", None),
+    ("lens.nera=1", f"lens.nera {NEAREST} lens.near."),
+    ("near=1", f"near {NEAREST} lens.near."),
+    ("fov=60", f"fov {NEAREST} lens.fov_y_deg."),
+    ("camera.eyes=1,2,3", f"camera.eyes {NEAREST} camera.eye."),
+    ("width=800", f"width {NEAREST} image.width."),
+    ("camera=1", f"camera {NEAREST} camera.up."),
+    ("Depth=opengl", f"Depth {NEAREST} depth."),
+    ("version=2", f"version {NEAREST}"),
+    ("lens.former=1", "lens.former belongs to another lens: set lens.kind as well (matrix)."),
     ("=1", "=1 must be written as NAME=VALUE."),
-    ("lens.left=1", "lens.left belongs to another lens: set lens.kind as well "
-     "(frustum, orthographic, oblique)."),
-    ("keep=x", "keep belongs to another lens: set lens.kind as well "
-     "(frustum, orthographic, oblique)."),
-    ("lens.beta_deg=40", "lens.beta_deg belongs to another lens: set lens.kind as well (oblique)."),
-    ("lens.near", "lens.near must be written as NAME=VALUE."),
     ("", "'' must be written as NAME=VALUE."),
-    ("lens.kind=frustrum", "lens.kind = 'frustrum': must be one of perspective, frustum, "
-     "orthographic, oblique, matrix."),
-    ("depth=gl", "depth = 'gl': must be one of opengl, direct3d, reversed."),
-    ("scene=", "scene = '': must be the name of a scene or of a mesh file."),
-    ("lens.near=", "lens.near = '': must be a finite number."),
-    ("lens.near=nan", "lens.near = 'nan': must be a finite number."),
-    ("lens.near=inf", "lens.near = 'inf': must be a finite number."),
-    ("lens.far=infinity", "lens.far = 'infinity': must be a finite number or inf."),
-    ("lens.far=1e400", "lens.far = '1e400': must be a finite number or inf."),
-    ("lens.near=0x10", "lens.near = '0x10': must be a finite number."),
-    ("lens.near=1_000", "lens.near = '1_000': must be a finite number."),
-    ("lens.near=1,5", "lens.near = '1,5': must be a finite number."),
-    ("lens.near=\u0661", "lens.near = '\u0661': must be a finite number."),
-    ("lens.near=1 2", "lens.near = '1 2': must be a finite number."),
-    ("lens.near=true", "lens.near = 'true': must be a finite number."),
-    ("lens.near=-1", "lens.near = -1: must be greater than 0."),
+    ("lens.near", "lens.near must be written as NAME=VALUE."),
+    ("lens.left=1", f"lens.left {WINDOWED}"),
+    ("keep=x", f"keep {WINDOWED}"),
+    ("lens.kind=frustrum", f"lens.kind = 'frustrum': {KINDS}."),
+    ("scene=", f"scene = '': {SCENES}."),
+    *(
+        (f"lens.near={text}", f"lens.near = {text!r}: {FINITE}.")
+        for text in ("", "nan", "inf", "0x10", "1_000", "1,5", "\u0661", "1 2", "true")
+    ),
+    ("lens.far=1e400", f"lens.far = '1e400': {FINITE} or inf."),
     ("lens.near=1e-400", "lens.near = 0: must be greater than 0."),
-    ("lens.near=50", "lens.near = 50: must be less than far, which is 30."),
     ("lens.far=0.5", "lens.far = 0.5: must be greater than near, which is 1."),
-    ("camera.eye=1,2", "camera.eye = '1,2': must be three finite numbers x, y, z."),
-    ("camera.eye=1,2,3,4", "camera.eye = '1,2,3,4': must be three finite numbers x, y, z."),
-    ("camera.eye=1,2,inf", "camera.eye = '1,2,inf': must be three finite numbers x, y, z."),
-    ("camera.eye=1;2;3", "camera.eye = '1;2;3': must be three finite numbers x, y, z."),
-    ("camera.up=0,0,0", "camera.up = [0, 0, 0]: must not be the zero vector."),
-    ("image.width=1_000",
-     "image.width = '1_000': must be a whole number of pixels from 1 to 16384."),
-    ("image.width=0.5", "image.width = 0.5: must be a whole number of pixels from 1 to 16384."),
-    ("image.width=0", "image.width = 0: must be a whole number of pixels from 1 to 16384."),
-    ("image.width=" + "9" * 5000, None),
-]  # fmt: skip
+    *(
+        (f"camera.eye={text}", f"camera.eye = {text!r}: {PLACE}.")
+        for text in ("1,2", "1,2,3,4", "1,2,inf", "1;2;3")
+    ),
+    ("image.width=1_000", f"image.width = '1_000': {PIXELS}."),
+    ("image.width=0.5", f"image.width = 0.5: {PIXELS}."),
+    ("image.width=" + "9" * 5000, "image.width = "),
+]
 
 
-@pytest.mark.parametrize(("assignment", "expected"), BAD_SETTINGS)
-def test_a_wrong_setting_is_refused(assignment: str, expected: str | None) -> None:
-    found = sentence(lambda: set_values(parse(DESIGN), [assignment]))
-    assert expected is None or found == expected
+def test_a_wrong_setting_is_refused() -> None:
+    for assignment, expected in BAD_SETTINGS:
+        found = sentence(set_values, parse(DESIGN), [assignment])
+        assert found.startswith(expected)
 
 
 @pytest.mark.parametrize(
@@ -651,12 +602,12 @@ def test_a_wrong_setting_is_refused(assignment: str, expected: str | None) -> No
 )
 def test_a_refused_setting_is_the_one_that_was_made(assignments: list[str], expected: str) -> None:
     """A lens names the lower of two; who set the upper one reads of that."""
-    assert sentence(lambda: set_values(PARALLEL, assignments)) == expected
+    assert sentence(set_values, PARALLEL, assignments) == expected
 
 
 @given(st.text(), st.text())
 def test_any_setting_is_taken_or_refused(path: str, text: str) -> None:
-    sentence(lambda: set_value(Document(), f"my {path}", text))
+    sentence(set_value, Document(), f"my {path}", text)
     for known in ("lens.near", "camera.eye", "image.width", "depth"):
         try:
             set_value(Document(), known, text)
@@ -691,19 +642,19 @@ def test_a_broken_picture_is_refused_wherever_it_is_cut_or_changed() -> None:
     whole = carrier(WRITTEN)
     broken = "The document is not a whole PNG picture: it is broken or cut short."
     for end in range(len(whole)):
-        assert sentence(lambda end=end: extract(whole[:end])) == broken  # type: ignore[misc]
+        assert sentence(extract, whole[:end]) == broken
         changed = bytearray(whole)
         changed[end] ^= 0x21
-        assert sentence(lambda changed=changed: extract(bytes(changed))) == broken  # type: ignore[misc]
+        assert sentence(extract, bytes(changed)) == broken
     for garbage in (b"", b"\x89PNG\r\n\x1a\n", WRITTEN.encode(), whole[8:], bytes(1000)):
-        assert sentence(lambda garbage=garbage: extract(garbage)) == broken  # type: ignore[misc]
+        assert sentence(extract, garbage) == broken
     bomb = zlib.compress(bytes(2**25), 9)
     for body in (
         b"", b"\0", b"\0\0", b"\0\0\0\0\xff\xfe",  # no UTF-8
         b"\1\0\0\0no zlib", b"\1\0\0\0" + zlib.compress(b"x" * 99)[:-5], b"\1\0\0\0" + bomb,
     ):  # fmt: skip
         damaged = whole[:33] + text_chunk(body) + carrier()[33:]
-        assert sentence(lambda damaged=damaged: extract(damaged)) == broken  # type: ignore[misc]
+        assert sentence(extract, damaged) == broken
 
 
 # --------------------------------------------------------------------------- files
@@ -728,67 +679,40 @@ def test_a_file_that_is_no_document_is_refused_by_its_name(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.chdir(tmp_path)
-    contents = {
-        "empty.json": (b"", "empty.json is empty."),
-        "cut.json": (
-            WRITTEN.encode()[:100],
-            "cut.json is broken or cut short: from line 5, column 32 on it is not JSON.",
-        ),
-        "utf16.json": (
-            WRITTEN.encode("utf-16"),
-            "utf16.json is not a Frustum Lab document: it is not UTF-8 text.",
-        ),
-        "latin1.json": (
-            WRITTEN.replace("letter-f", "slovo-č").encode("latin2"),
-            "latin1.json is not a Frustum Lab document: it is not UTF-8 text.",
-        ),
-        "photo.jpg": (
-            b"\xff\xd8\xff\xe0\0\x10JFIF",
-            "photo.jpg is neither a document (.json), a lesson (.md), an exported picture (.png)"
-            " nor a mesh (.obj, .stl, .ply, .gltf, .glb).",
-        ),
-        "fake.png": (
-            b"no picture at all",
-            "fake.png is not a whole PNG picture: it is broken or cut short.",
-        ),
-        "other.json": (b'{"a": 1}', "other.json is not a Frustum Lab document."),
-        "plain.png": (
-            carrier(),
-            "plain.png is a picture without a Frustum Lab document in it.",
-        ),
-        "cut.png": (
-            carrier(WRITTEN)[:-5],
-            "cut.png is not a whole PNG picture: it is broken or cut short.",
-        ),
-        "wrong.png": (
-            carrier(with_value("lens.near", -1)),
-            "wrong.png: lens.near = -1: must be greater than 0.",
-        ),
-        "wrong.json": (
-            with_value("lens.near", -1).encode(),
-            "wrong.json: lens.near = -1: must be greater than 0.",
-        ),
-        "missing.json": (
-            with_value("lens.near", ...).encode(),
-            "missing.json: lens.near is missing.",
-        ),
-        "two\nlines.json": (b"", "'two\\nlines.json' is empty."),
-    }
+    no_text = "is not a Frustum Lab document: it is not UTF-8 text."
+    no_picture = "is not a whole PNG picture: it is broken or cut short."
+    negative, meshes = with_value("lens.near", -1), ", ".join(MESH_ENDINGS)
+    contents: dict[str, tuple[bytes, str]] = {
+        "empty.json": (b"", " is empty."),
+        "two\nlines.json": (b"", " is empty."),
+        "cut.json": (WRITTEN.encode()[:100], " is broken or cut short: from line 5, column 32 on"
+                     " it is not JSON."),
+        "utf16.json": (WRITTEN.encode("utf-16"), f" {no_text}"),
+        "latin1.json": (WRITTEN.replace("letter-f", "slovo-č").encode("latin2"), f" {no_text}"),
+        "photo.jpg": (b"\xff\xd8\xff\xe0\0\x10JFIF", " is neither a document (.json), a lesson"
+                      f" (.md), an exported picture (.png) nor a mesh ({meshes})."),
+        "other.json": (b'{"a": 1}', " is not a Frustum Lab document."),
+        "fake.png": (b"no picture at all", f" {no_picture}"),
+        "cut.png": (carrier(WRITTEN)[:-5], f" {no_picture}"),
+        "plain.png": (carrier(), " is a picture without a Frustum Lab document in it."),
+        "wrong.png": (carrier(negative), ": lens.near = -1: must be greater than 0."),
+        "wrong.json": (negative.encode(), ": lens.near = -1: must be greater than 0."),
+        "missing.json": (with_value("lens.near", ...).encode(), ": lens.near is missing."),
+    }  # fmt: skip
     for name, (content, expected) in contents.items():
         Path(name).write_bytes(content)
-        assert sentence(lambda name=name: read(name)) == expected  # type: ignore[misc]
-    assert sentence(lambda: read("nothing.json")) == "nothing.json does not exist."
-    assert sentence(lambda: read(tmp_path)) == f"{tmp_path} is a folder, not a file."
-    assert sentence(lambda: read("a\0b")) == "'a\\x00b' is not a name that a file can have."
-    assert sentence(lambda: read("\ud800")) == "'\\ud800' is not a name that a file can have."
-    assert sentence(lambda: read("x" * 5000)).endswith("cannot be read: File name too long.")
-    assert sentence(lambda: write(Document(), tmp_path)) == f"{tmp_path} is a folder, not a file."
-    assert sentence(lambda: write(Document(), "no/such.json")) == (
-        "no/such.json cannot be written: No such file or directory."
-    )
-    assert sentence(lambda: write(Document(), "a\0b.json")) == (
-        "'a\\x00b.json' is not a name that a file can have."
-    )
+        shown = repr(name) if "\n" in name else name
+        assert sentence(read, name) == shown + expected
+    no_name = "is not a name that a file can have."
+    assert sentence(read, "nothing.json") == "nothing.json does not exist."
+    assert sentence(read, tmp_path) == f"{tmp_path} is a folder, not a file."
+    assert sentence(read, "a\0b") == f"'a\\x00b' {no_name}"
+    assert sentence(read, "\ud800") == f"'\\ud800' {no_name}"
+    assert sentence(read, "x" * 5000).endswith("cannot be read: File name too long.")
+    assert sentence(write, Document(), tmp_path) == f"{tmp_path} is a folder, not a file."
+    missing = "no/such.json cannot be written: No such file or directory."
+    assert sentence(write, Document(), "no/such.json") == missing
+    assert sentence(write, Document(), "a\0b.json") == f"'a\\x00b.json' {no_name}"
 
 
 def test_a_file_that_is_too_large_is_not_read(
@@ -799,7 +723,7 @@ def test_a_file_that_is_too_large_is_not_read(
     path.write_bytes(WRITTEN.encode() + b" " * (2**20 - len(WRITTEN)))
     assert read(path) == Document()
     path.write_bytes(WRITTEN.encode() + b" " * (2**20 - len(WRITTEN) + 1))
-    assert sentence(lambda: read(path)) == f"{path} is larger than 1 MiB."
+    assert sentence(read, path) == f"{path} is larger than 1 MiB."
     # A picture may be larger.
     path.write_bytes(carrier(json.dumps(json.loads(DESIGN) | {"pad": "x" * 2**20})))
     assert read(path).projection == parse(DESIGN).projection
@@ -889,7 +813,7 @@ def test_the_old_file_stays_whole_when_a_step_fails(
 
     with monkeypatch.context() as patch:
         patch.setattr(os, step, fails)
-        found = sentence(lambda: write(PARALLEL, path))
+        found = sentence(write, PARALLEL, path)
     assert found == f"{path} cannot be written: No space left on device."
     assert path.read_text(encoding="utf-8") == WRITTEN
     assert names_in(tmp_path) == ["lesson.json"]
@@ -1042,7 +966,7 @@ if sys.platform != "win32":  # what only POSIX can do, or be asked
         os.mkfifo(pipe)
         link.symlink_to(pipe)
         for place in (pipe, link, Path("/dev/null"), Path("/dev/full")):
-            found = sentence(lambda place=place: write(Document(), place))
+            found = sentence(write, Document(), place)
             why = "it is a pipe or a device, not a regular file"
             assert found == f"{place} cannot be written: {why}."
         assert pipe.is_fifo()
@@ -1284,84 +1208,78 @@ def test_a_wrong_camera_of_a_pane_is_named_where_the_file_has_it(
     cameras: object, found: str
 ) -> None:
     written = with_value("view", {"panes": cameras})
-    assert sentence(lambda: parse(written)) == f"view.panes{found}"
-    assert sentence(lambda: parse(old(views=cameras))) == f"views{found}"
+    assert sentence(parse, written) == f"view.panes{found}"
+    assert sentence(parse, old(views=cameras)) == f"views{found}"
 
 
-NO_PANE = "must be one of world, ndc, image, or empty for none."
-NO_STAGE = "must be one of world, view, pyramid, box, ndc, image, or a number from 0 to 5."
-NO_PANEL = "must be one of matrices, frame, kinds, probe, scene, measure, or empty for none."
-NO_LAYERS = "must be a list of names out of labels, handles, grid, frustum, camera, near-picture."
+NO_PANE = f"must be one of {', '.join(PANES)}, or empty for none."
+NO_STAGE = f"must be one of {', '.join(STAGES)}, or a number from 0 to 5."
+NO_PANEL = f"must be one of {', '.join(PANELS)}, or empty for none."
+NO_LAYERS = f"must be a list of names out of {', '.join(LAYERS)}."
 NO_PROBE = (
     "must be three numbers for a point, four with its w, two for a pixel's ray, or null for none."
 )
 WRONG_VIEWS: list[tuple[object, str]] = [
-    (7, " = 7: must be an object with named values in braces."),
-    ({"layout": "rows"}, ".layout = 'rows': must be one of pictures, columns."),
+    (7, f" = 7: {BRACES}."),
     ({"layout": ["columns"]}, ".layout = ['columns']: must be one of pictures, columns."),
     ({"large": "second-screen"}, f".large = 'second-screen': {NO_PANE}"),
     ({"large": None}, f".large = null: {NO_PANE}"),
-    ({"large": True}, f".large = true: {NO_PANE}"),
     ({"stage": "pyramids"}, f".stage = 'pyramids': {NO_STAGE}"),
     ({"stage": -0.1}, f".stage = -0.1: {NO_STAGE}"),
     ({"stage": 5.000000000000001}, f".stage = 5.000000000000001: {NO_STAGE}"),
     ({"stage": True}, f".stage = true: {NO_STAGE}"),
-    ({"stage": 10**300}, f".stage = 1e+300: {NO_STAGE}"),
     ({"stage": {}}, ".stage = {}: " + NO_STAGE),
-    ({"stage": math.nan}, ".stage = NaN: must be a finite number."),
-    ({"frame_step": 3}, ".frame_step = 3: must be one of eye, look, up, n, u, v, view."),
+    ({"stage": math.nan}, f".stage = NaN: {FINITE}."),
+    ({"frame_step": 3}, f".frame_step = 3: must be one of {', '.join(STEPS)}."),
     ({"panel": "precision"}, f".panel = 'precision': {NO_PANEL}"),
     ({"panel": None}, f".panel = null: {NO_PANEL}"),
-    ({"panel": False}, f".panel = false: {NO_PANEL}"),
-    ({"letters": "uvn"}, ".letters = 'uvn': must be one of own, 000, 001, 002, 003, 004."),
-    ({"letters": 1}, ".letters = 1: must be one of own, 000, 001, 002, 003, 004."),
+    ({"letters": "uvn"}, f".letters = 'uvn': must be one of {', '.join(LETTERS)}."),
     ({"layers": "grid"}, f".layers = 'grid': {NO_LAYERS}"),
     ({"layers": ["sky"]}, f".layers = ['sky']: {NO_LAYERS}"),
     ({"layers": [["grid"]]}, f".layers = [['grid']]: {NO_LAYERS}"),
-    ({"fixed": "left"}, ".fixed = 'left': must be one of side, top, axis, eye, or empty for none."),
+    ({"fixed": "left"}, f".fixed = 'left': must be one of {', '.join(FIXED)}, or empty for none."),
     ({"probes": {}}, ".probes = {}: must be a list of at most 6 probes."),
-    ({"probes": [None] * 7}, ".probes = [null, null, null, null, null, null, null]: must be a list"
-                             " of at most 6 probes."),
+    ({"probes": [None] * 7}, f".probes = [{', '.join(['null'] * 7)}]: must be a list of at most 6"
+                             " probes."),
     ({"probes": [[1, 2, 3], 4]}, f".probes[1] = 4: {NO_PROBE}"),
-    ({"probes": [[1]]}, f".probes[0] = [1]: {NO_PROBE}"),
     ({"probes": [[1, True, 2]]}, f".probes[0] = [1, true, 2]: {NO_PROBE}"),
     ({"probes": [[0, 0, 0, 0]]}, ".probes[0] = [0, 0, 0, 0]: must not be 0 where x, y and z are:"
                                  " (0, 0, 0, 0) is no point and no direction."),
     ({"probes": [[1, 2, 1e200]]}, ".probes[0] = 1e+200: must be at most 1e+100."),
-    ({"probes": [[640, -1]]}, ".probes[0] = -1: must be at least 0."),
     ({"probes": [None, [16385, 2]]}, ".probes[1] = 16385: must be at most 16384."),
     ({"pinned": [1]}, ".pinned = [1]: must be a list of numbers that probes have."),
+    ({"pinned": 1}, ".pinned = 1: must be a list of numbers that probes have."),
     ({"pinned": [True], "probes": [[1, 2, 3]]},
      ".pinned = [true]: must be a list of numbers that probes have."),
-    ({"pinned": 1}, ".pinned = 1: must be a list of numbers that probes have."),
-    ({"panes": {"": 0}}, ".panes. = 0: must be an object with named values in braces."),
+    ({"panes": {"": 0}}, f".panes. = 0: {BRACES}."),
 ]  # fmt: skip
 
 
-@pytest.mark.parametrize(("view", "found"), WRONG_VIEWS)
-def test_a_wrong_view_is_refused_by_its_field_value_and_bound(view: object, found: str) -> None:
-    assert sentence(lambda: parse(with_value("view", view))) == f"view{found}"
+def test_a_wrong_view_is_refused_by_its_field_value_and_bound() -> None:
+    for view, found in WRONG_VIEWS:
+        text = with_value("view", view)
+        assert sentence(parse, text) == f"view{found}"
 
 
-@pytest.mark.parametrize(
-    ("assignment", "view"),
-    [
-        ("view.layout=columns", View(layout="columns")),
-        ("view.large=image", View(large="image")),
-        ("view.stage=pyramid", View(stage=2.0)),
-        ("view.stage=2.25", View(stage=2.25)),
-        ("view.frame_step=n", View(frame_step="n", panel="frame")),
-        ("view.panel=matrices", View(panel="matrices")),
-        ("view.panel=", View(panel="")),
-        ("view.letters=002", View(letters="002")),
-        ("view.layers=grid, labels", View(layers=frozenset({"grid", "labels"}))),
-        ("view.fixed=axis", View(fixed="axis")),
-        ("view.probes=1,2,3, 4,5,6", View(probes=(Probe(1, (1, 2, 3)), Probe(2, (4, 5, 6))))),
-        ("view.probes=", View()),
-    ],
-)
-def test_a_view_is_set_by_path(assignment: str, view: View) -> None:
-    assert set_values(Document(), [assignment]).view == view
+SET_VIEWS = {
+    "view.layout=columns": View(layout="columns"),
+    "view.large=image": View(large="image"),
+    "view.stage=pyramid": View(stage=2.0),
+    "view.stage=2.25": View(stage=2.25),
+    "view.frame_step=n": View(frame_step="n", panel="frame"),
+    "view.panel=matrices": View(panel="matrices"),
+    "view.panel=": View(panel=""),
+    "view.letters=002": View(letters="002"),
+    "view.layers=grid, labels": View(layers=frozenset({"grid", "labels"})),
+    "view.fixed=axis": View(fixed="axis"),
+    "view.probes=1,2,3, 4,5,6": View(probes=(Probe(1, (1, 2, 3)), Probe(2, (4, 5, 6)))),
+    "view.probes=": View(),
+}
+
+
+def test_a_view_is_set_by_path() -> None:
+    for assignment, view in SET_VIEWS.items():
+        assert set_values(Document(), [assignment]).view == view, assignment
 
 
 def test_a_step_of_the_frame_opens_its_panel_unless_another_is_set() -> None:
@@ -1370,27 +1288,23 @@ def test_a_step_of_the_frame_opens_its_panel_unless_another_is_set() -> None:
     assert found.step is None and View(frame_step="v", panel="frame").step == 5
 
 
-@pytest.mark.parametrize(
-    ("assignment", "found"),
-    [
-        ("view.stage=nan", f"view.stage = 'nan': {NO_STAGE}"),
-        ("view.stage=6", f"view.stage = 6: {NO_STAGE}"),
-        ("view.stage=", f"view.stage = '': {NO_STAGE}"),
-        ("view.layers=sky,grid", f"view.layers = ['grid', 'sky']: {NO_LAYERS}"),
-        ("view.probes=1,2", "view.probes = '1,2': must be x, y, z of one point after the other."),
-        ("view.probes=1,2,nan", "view.probes = '1,2,nan': must be x, y, z of one point"),
-        ("view.panes=1", "view.panes is not known"),
-        ("view.pinned=1", "view.pinned is not known"),
-        ("view=1", "view is not known"),
-        ("views=1", "views is not known"),
-    ],
-)
-def test_a_wrong_value_of_a_view_is_refused_where_it_is_typed(assignment: str, found: str) -> None:
-    assert sentence(lambda: set_values(Document(), [assignment])).startswith(found)
+SET_WRONG_VIEWS = {
+    "view.stage=nan": f"view.stage = 'nan': {NO_STAGE}",
+    "view.stage=6": f"view.stage = 6: {NO_STAGE}",
+    "view.layers=sky,grid": f"view.layers = ['grid', 'sky']: {NO_LAYERS}",
+    "view.probes=1,2,nan": "view.probes = '1,2,nan': must be x, y, z of one point after the other.",
+    **{f"{path}=1": f"{path} {NEAREST}" for path in ("view.panes", "view.pinned", "view", "views")},
+}
+
+
+def test_a_wrong_value_of_a_view_is_refused_where_it_is_typed() -> None:
+    for assignment, found in SET_WRONG_VIEWS.items():
+        said = sentence(set_values, Document(), [assignment])
+        assert said.startswith(found)
 
 
 def test_the_beginning_of_a_name_is_nearest_to_the_whole() -> None:
-    assert "lens.fov_y_deg" in sentence(lambda: set_values(Document(), ["lens.fov=60"]))
+    assert "lens.fov_y_deg" in sentence(set_values, Document(), ["lens.fov=60"])
 
 
 # --------------------------------------------------------------------------- free matrices
@@ -1446,13 +1360,13 @@ FOUR_ROWS = "must be four rows of four finite numbers"
 def test_a_wrong_free_matrix_is_named(change: dict[str, Any], expected: str) -> None:
     tree = json.loads(to_json(Document(projection=Projection(lens=FreeMatrix(SHEAR)))))
     tree["lens"] |= change
-    assert sentence(lambda: parse(json.dumps(tree))) == expected
+    assert sentence(parse, json.dumps(tree)) == expected
 
 
 def test_a_free_matrix_without_cells_is_missing_them() -> None:
     tree = json.loads(to_json(Document()))
     tree["lens"] = {"kind": "matrix"}
-    assert sentence(lambda: parse(json.dumps(tree))) == "lens.clip_from_view is missing."
+    assert sentence(parse, json.dumps(tree)) == "lens.clip_from_view is missing."
 
 
 def test_set_makes_and_changes_a_free_matrix() -> None:
@@ -1466,11 +1380,11 @@ def test_set_makes_and_changes_a_free_matrix() -> None:
     assert back.projection == start
     for path in ("clip_from_view", "view_from_world"):
         for text in ("1,2,3", "nan" + ",0" * 15, "1e400" + ",0" * 15, "x"):
-            said = sentence(lambda path=path, text=text: set_value(made, f"lens.{path}", text))
+            said = sentence(set_value, made, f"lens.{path}", text)
             assert said.startswith(f"lens.{path} = ") and said.endswith(f": {FOUR_ROWS}.")
-    said = sentence(lambda: set_value(made, "lens.near", "2"))
+    said = sentence(set_value, made, "lens.near", "2")
     assert "belongs to another lens" in said
-    said = sentence(lambda: set_value(Document(), "lens.clip_from_view", cells))
+    said = sentence(set_value, Document(), "lens.clip_from_view", cells)
     assert said.endswith("belongs to another lens: set lens.kind as well (matrix).")
 
 
@@ -1566,7 +1480,7 @@ def test_unknown_settings_are_kept_for_those_that_know_them() -> None:
 def test_settings_that_cannot_be_are_refused_by_their_paths(value: object, expected: str) -> None:
     tree = json.loads(with_value("scene", "similar-triangles"))
     tree["settings"] = value
-    assert sentence(lambda: parse(json.dumps(tree))).startswith(expected)
+    assert sentence(parse, json.dumps(tree)).startswith(expected)
 
 
 def test_a_mesh_in_the_place_of_a_scene_s_objects_moves_with_the_document(tmp_path: Path) -> None:
@@ -1593,7 +1507,7 @@ def test_a_mesh_in_the_place_of_a_scene_s_objects_moves_with_the_document(tmp_pa
 def test_a_mesh_that_cannot_be_there_is_refused(scene: str, mesh: object, words: str) -> None:
     tree = json.loads(with_value("scene", scene))
     tree["mesh"] = mesh
-    said = sentence(lambda: parse(json.dumps(tree)))
+    said = sentence(parse, json.dumps(tree))
     assert said.startswith("mesh = ") and words in said
 
 
@@ -1640,17 +1554,17 @@ BAD_SCENE_SETTINGS = [
 def test_a_wrong_setting_of_a_scene_is_refused(
     everything: Document, assignment: str, expected: str | None
 ) -> None:
-    found = sentence(lambda: set_values(everything, [assignment]))
+    found = sentence(set_values, everything, [assignment])
     assert expected is None or found == expected
 
 
 def test_a_setting_of_another_scene_names_that_scene() -> None:
-    said = sentence(lambda: set_values(parse(DESIGN), ["settings.distance=2"]))
+    said = sentence(set_values, parse(DESIGN), ["settings.distance=2"])
     assert said == (
         "settings.distance belongs to another scene: set scene as well (similar-triangles,"
         " camera-obscura, field-of-view)."
     )
-    said = sentence(lambda: set_values(parse(DESIGN), ["settings.colour=2"]))
+    said = sentence(set_values, parse(DESIGN), ["settings.colour=2"])
     assert "is not known; the nearest name is" in said
 
 
@@ -1683,5 +1597,5 @@ def test_the_camera_follows_a_setting_and_what_is_set_itself_holds(everything: D
             everything.projection, camera=Camera((5.5, 1.0, 9.5), (5.5, 7.0, 9.5), (0, 0, 1))
         ),
     )
-    said = sentence(lambda: set_values(at_target, ["settings.light=1,7,3"]))
+    said = sentence(set_values, at_target, ["settings.light=1,7,3"])
     assert said.startswith("camera.target = [5.5, 7, 9.5]: must differ from the eye")

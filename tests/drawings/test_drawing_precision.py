@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -33,8 +33,7 @@ from app.scenes.shapes import EDGE_RGB
 from tests.oracles.exact import dot as exact_dot
 from tests.oracles.exact import frame, minus, mp, vector
 from tests.support.bounds import drawing_bound_px
-from tests.support.drawings import OffScreen, drawn, off_screen, scene_of, to_bytes
-from widgets.window.main_window import MainWindow
+from tests.support.drawings import MakeScreen, OffScreen, drawn, off_screen, scene_of, to_bytes
 
 __all__ = ["off_screen"]
 
@@ -106,10 +105,7 @@ def expected(
         else:
             x, y = (part * mp.mpf(lens.near) / distance for part in (x, y))
         image.append(
-            (
-                width * (x - window_left) / (right - window_left),
-                height * (top - y) / (top - bottom),
-            )
+            (width * (x - window_left) / (right - window_left), height * (top - y) / (top - bottom))
         )
     middle = [sum(part) / len(image) for part in zip(*image, strict=True)]
     nearest = np.full(columns.shape, np.inf)
@@ -135,6 +131,23 @@ def scene_at(points: Any, origin: Any, colours: Any = (RED,)) -> Scene:
     return scene
 
 
+def mistakes(
+    screen: OffScreen, projection: Projection, points: Any, origin: Any, **options: float
+) -> tuple[str, int, int]:
+    """Draw a triangle: the precision used, wrong pixels, and pixels that must be lit."""
+    tolerance_px = options.get("tolerance_px", 0.0)
+    scene = scene_at(points, origin)
+    drawing = ImageDrawing(screen, scene, WORDS, LIGHT, tolerance_px, framed=False)
+    drawing.show_projection(projection)
+    lit = drawn(screen.pixels(), RED)
+    drawing.remove()
+    world = points.astype(float) + np.array(origin, dtype=float)
+    band_px = options.get("band_px", 0.02)
+    must, must_not = expected(projection, world, projection.image_size, band_px)
+    wrong = int((must & ~lit).sum() + (must_not & lit).sum())
+    return drawing.precision, wrong, int(must.sum())
+
+
 FAR_AWAY = (1e7, -2e7, 3e7)
 INSIDE = ((-0.7, -0.6), (0.8, -0.3), (0.1, 0.8))
 ACROSS = ((-40.0, -31.0), (60.0, 40.3), (-0.8, 0.7))  # two corners 15 pictures away and more
@@ -145,60 +158,60 @@ def camera_from(eye: Any, direction: Any) -> Camera:
     return Camera(tuple(eye), tuple(eye + direction))
 
 
+LETTER_EYE, LETTER = (6, 5, 9), Camera((6, 5, 9), (0, 2.2, 0))
 EXTREMES: dict[str, tuple[Projection, Any, tuple[float, float, float]]] = {
-    "eye near a vertex": (
-        Projection(camera_from((6, 5, 9), (-6, -3, -9)), Perspective(60, 1e-6, 100), SIZE),
-        (0, 0, 0),
-        (1e-5, 10.0, 4e-6),
-    ),
-    "eye near a vertex, far from the origin": (
-        Projection(
-            camera_from(np.add(FAR_AWAY, (6, 5, 9)), (-6, -3, -9)), Perspective(60, 1e-6, 100), SIZE
+    name: (Projection(camera, lens, SIZE), origin, distances)
+    for name, camera, lens, origin, distances in (
+        (
+            "eye near a vertex",
+            camera_from(LETTER_EYE, (-6, -3, -9)),
+            Perspective(60, 1e-6, 100),
+            (0, 0, 0),
+            (1e-5, 10.0, 4e-6),
         ),
-        FAR_AWAY,
-        (1e-5, 10.0, 4e-6),
-    ),
-    "narrow": (
-        Projection(Camera((6, 5, 9), (0, 2.2, 0)), Perspective(1e-4, 1, 30), SIZE),
-        (3, -1, 2),
-        (11.0, 12.0, 11.5),
-    ),
-    "wide": (
-        Projection(Camera((0.3, 0.4, 9), (0, 0.2, 0)), Perspective(179.9, 1e-6, 30), SIZE),
-        (0, 0, 0),
-        (1e-5, 2e-5, 2e-5),
-    ),
-    "off axis": (
-        Projection(
-            Camera((6, 5, 9), (0, 2.2, 0)), Frustum(0.5, 0.500002, -0.3, -0.299999, 1, 30), SIZE
+        (
+            "eye near a vertex, far from the origin",
+            camera_from(np.add(FAR_AWAY, LETTER_EYE), (-6, -3, -9)),
+            Perspective(60, 1e-6, 100),
+            FAR_AWAY,
+            (1e-5, 10.0, 4e-6),
         ),
-        (3, -1, 2),
-        (11.0, 12.0, 11.5),
-    ),
-    "parallel, eye far away": (
-        Projection(
+        ("narrow", LETTER, Perspective(1e-4, 1, 30), (3, -1, 2), (11.0, 12.0, 11.5)),
+        (
+            "wide",
+            Camera((0.3, 0.4, 9), (0, 0.2, 0)),
+            Perspective(179.9, 1e-6, 30),
+            (0, 0, 0),
+            (1e-5, 2e-5, 2e-5),
+        ),
+        (
+            "off axis",
+            LETTER,
+            Frustum(0.5, 0.500002, -0.3, -0.299999, 1, 30),
+            (3, -1, 2),
+            (11.0, 12.0, 11.5),
+        ),
+        (
+            "parallel, eye far away",
             Camera((1e7, 2e7, 3e7), (0, 2.2, 0)),
             Orthographic(-4e-5, 4e-5, -3e-5, 3e-5, 1, 1e8),
-            SIZE,
+            (3, -1, 2),
+            (37416573.0, 37416574.0, 37416573.0),
         ),
-        (3, -1, 2),
-        (37416573.0, 37416574.0, 37416573.0),
-    ),
-    "oblique, small window": (
-        Projection(
-            Camera((6, 5, 9), (0, 2.2, 0)),
+        (
+            "oblique, small window",
+            LETTER,
             Oblique(-4e-6, 4e-6, -4e-6, 4e-6, 1, 30, alpha_deg=50, beta_deg=70),
-            SIZE,
+            (3, -1, 2),
+            (11.0, 12.0, 11.5),
         ),
-        (3, -1, 2),
-        (11.0, 12.0, 11.5),
-    ),
+    )
 }
 
 
 @pytest.mark.parametrize("name", ["narrow", "off axis", "oblique, small window"])
 def test_the_picture_has_the_digits_of_the_file(
-    name: str, tmp_path: Path, off_screen: Callable[[int, int], OffScreen]
+    name: str, tmp_path: Path, off_screen: MakeScreen
 ) -> None:
     """Float32 would move these vertices by many pixels: the mesh is a million pictures large."""
     projection, _, distances = EXTREMES[name]
@@ -224,31 +237,22 @@ def test_the_picture_has_the_digits_of_the_file(
 @pytest.mark.parametrize("corners", [INSIDE, ACROSS], ids=["inside", "across"])
 @pytest.mark.parametrize("name", EXTREMES)
 def test_the_picture_is_right_where_float32_is_not(
-    name: str, corners: Any, off_screen: Callable[[int, int], OffScreen]
+    name: str, corners: Any, off_screen: MakeScreen
 ) -> None:
     projection, origin, distances = EXTREMES[name]
     places = [(*corner, d) for corner, d in zip(corners, distances, strict=True)]
     points = triangle_at(projection, places, origin)
-    scene = scene_at(points, origin)
-    wrong = {}
-    for tolerance_px in (math.inf, DRAWING_TOLERANCE_PX):
-        screen = off_screen(*SIZE)
-        drawing = ImageDrawing(screen, scene, WORDS, LIGHT, tolerance_px, framed=False)
-        drawing.show_projection(projection)
-        lit = drawn(screen.pixels(), RED)
-        band_px = 1.0 if tolerance_px == math.inf else 0.02
-        must, must_not = expected(
-            projection, points.astype(float) + np.array(origin, dtype=float), SIZE, band_px
+    screen, wrong = off_screen(*SIZE), {}
+    for tolerance_px, band_px in ((math.inf, 1.0), (DRAWING_TOLERANCE_PX, 0.02)):
+        precision, wrong[precision], lit = mistakes(
+            screen, projection, points, origin, tolerance_px=tolerance_px, band_px=band_px
         )
-        assert must.sum() > 2000 and must_not.sum() > 2000
-        wrong[drawing.precision] = int((must & ~lit).sum() + (must_not & lit).sum())
+        assert 2000 < lit < SIZE[0] * SIZE[1] - 2000
     assert wrong["float64"] == 0
     assert wrong["float32"] > 20, "not an extreme"
 
 
-def test_the_cube_is_right_where_float32_is_not(
-    off_screen: Callable[[int, int], OffScreen],
-) -> None:
+def test_the_cube_is_right_where_float32_is_not(off_screen: MakeScreen) -> None:
     """Looked at from the front, the NDC pane shows the picture, stretched to a square."""
     size = (400, 400)
     for name in ("eye near a vertex", "narrow", "wide", "off axis", "oblique, small window"):
@@ -302,31 +306,23 @@ def random_triangle(random: np.random.Generator, number: int) -> tuple[Projectio
     return Projection(camera, lens, (160, 120)), points.astype(np.float32).astype(float)
 
 
-def test_triangles_are_cut_where_the_model_says(
-    off_screen: Callable[[int, int], OffScreen],
-) -> None:
+def test_triangles_are_cut_where_the_model_says(off_screen: MakeScreen) -> None:
     """Across the eye plane, near, far and the sides, in any combination, every lens."""
     random = np.random.default_rng(7)
     seen, behind = 0, 0
     screen = off_screen(160, 120)
     for number in range(320):
         projection, points = random_triangle(random, number)
-        drawing = ImageDrawing(screen, scene_at(points, (0, 0, 0)), WORDS, LIGHT, 0.0, framed=False)
-        drawing.show_projection(projection)
-        lit = drawn(screen.pixels(), RED)
-        must, must_not = expected(projection, points, (160, 120), 0.02)
-        assert drawing.precision == "float64" or not must.any()  # what is not seen costs nothing
-        assert not (must & ~lit).any() and not (must_not & lit).any(), (number, projection, points)
-        seen += bool(must.any())
-        behind += bool(must.any() and (projection.trace(points).clip[:, 3] < 0.0).any())
-        drawing.remove()
+        precision, wrong, lit = mistakes(screen, projection, points, (0, 0, 0))
+        assert precision == "float64" or not lit  # what is not seen costs nothing
+        assert wrong == 0, (number, projection, points)
+        seen += bool(lit)
+        behind += bool(lit and (projection.trace(points).clip[:, 3] < 0.0).any())
     assert seen > 120 and behind > 25, (seen, behind)
 
 
 @pytest.mark.parametrize("thickness", [1e-5, 3e-6])
-def test_a_thin_slab_is_cut_where_the_model_says(
-    thickness: float, off_screen: Callable[[int, int], OffScreen]
-) -> None:
+def test_a_thin_slab_is_cut_where_the_model_says(thickness: float, off_screen: MakeScreen) -> None:
     """Near and far hardly differ: their planes cross the picture, a third of it apart."""
     near = 12.0
     projection = Projection(
@@ -336,21 +332,17 @@ def test_a_thin_slab_is_cut_where_the_model_says(
     origin = np.array(projection.camera.eye) - near * projection.camera.frame[2]
     origin = origin.astype(np.float32).astype(float)
     points = triangle_at(projection, places, origin)
-    wrong = {}
+    screen, wrong = off_screen(*SIZE), {}
     for tolerance_px in (math.inf, 0.0):
-        screen = off_screen(*SIZE)
-        scene = scene_at(points, origin)
-        drawing = ImageDrawing(screen, scene, WORDS, LIGHT, tolerance_px, framed=False)
-        drawing.show_projection(projection)
-        lit = drawn(screen.pixels(), RED)
-        must, must_not = expected(projection, points.astype(float) + origin, SIZE, 0.02)
-        assert must.sum() > 2000 and must_not.sum() > 2000
-        wrong[drawing.precision] = int((must & ~lit).sum() + (must_not & lit).sum())
+        precision, wrong[precision], lit = mistakes(
+            screen, projection, points, origin, tolerance_px=tolerance_px
+        )
+        assert 2000 < lit < SIZE[0] * SIZE[1] - 2000
     assert wrong["float64"] == 0
     assert wrong["float32"] > 20
 
 
-def test_lines_are_cut_where_the_model_says(off_screen: Callable[[int, int], OffScreen]) -> None:
+def test_lines_are_cut_where_the_model_says(off_screen: MakeScreen) -> None:
     """One that passes the eye at a hand's breadth, and one 1e6 pictures long across it."""
     random = np.random.default_rng(3)
     screen = off_screen(200, 150)
@@ -390,9 +382,7 @@ def test_lines_are_cut_where_the_model_says(off_screen: Callable[[int, int], Off
         assert np.abs(aside).max() < 1.5, lens
 
 
-def test_what_is_before_far_is_drawn_however_near_the_near_plane(
-    off_screen: Callable[[int, int], OffScreen],
-) -> None:
+def test_what_is_before_far_is_drawn_however_near_the_near_plane(off_screen: MakeScreen) -> None:
     """All of it has a depth that float32 rounds to far's own; 6 of these 150 would vanish."""
     random = np.random.default_rng(5)
     screen = off_screen(120, 90)
@@ -405,18 +395,13 @@ def test_what_is_before_far_is_drawn_however_near_the_near_plane(
         projection = Projection(camera, Perspective(60, near, far), (120, 90))
         places = [(*corner, d) for corner, d in zip(INSIDE, distances, strict=True)]
         points = triangle_at(projection, places, (0, 0, 0))
-        scene = scene_at(points, (0, 0, 0))
-        drawing = ImageDrawing(screen, scene, WORDS, LIGHT, 0.0, framed=False)
-        drawing.show_projection(projection)
-        lit = drawn(screen.pixels(), RED)
-        drawing.remove()
-        must, _ = expected(projection, points.astype(float), (120, 90), 0.02)
-        assert must.any() and not (must & ~lit).any(), projection
+        _, wrong, lit = mistakes(screen, projection, points, (0, 0, 0))
+        assert lit and not wrong, projection
 
 
 @pytest.mark.parametrize("extent_over_near", [1e7, 1e10, 1e14])
 def test_what_is_near_is_drawn_however_large_the_scene(
-    extent_over_near: float, off_screen: Callable[[int, int], OffScreen]
+    extent_over_near: float, off_screen: MakeScreen
 ) -> None:
     """From 1e7 on VTK's own shift and scale would drop it."""
     near = 20.0 / extent_over_near
@@ -427,13 +412,8 @@ def test_what_is_near_is_drawn_however_large_the_scene(
         (*corner, d) for corner, d in zip(INSIDE, (3.0 * near, 20.0, 1.5 * near), strict=True)
     ]
     points = triangle_at(projection, places, (0, 0, 0))
-    screen = off_screen(*SIZE)
-    drawing = ImageDrawing(screen, scene_at(points, (0, 0, 0)), WORDS, LIGHT, 0.0, framed=False)
-    drawing.show_projection(projection)
-    lit = drawn(screen.pixels(), RED)
-    must, must_not = expected(projection, points.astype(float), SIZE, 0.02)
-    assert must.sum() > 2000
-    assert not (must & ~lit).any() and not (must_not & lit).any()
+    _, wrong, lit = mistakes(off_screen(*SIZE), projection, points, (0, 0, 0))
+    assert lit > 2000 and wrong == 0
 
 
 # --------------------------------------------------------------------------- both precisions
@@ -459,7 +439,7 @@ def everyday() -> list[tuple[str, Projection]]:
 
 @pytest.mark.parametrize("kind", [ImageDrawing, StageDrawing])
 def test_an_everyday_step_does_nothing_per_vertex(
-    kind: Any, off_screen: Callable[[int, int], OffScreen], monkeypatch: pytest.MonkeyPatch
+    kind: Any, off_screen: MakeScreen, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     calls: list[str] = []
     trace = Projection.trace
@@ -485,9 +465,7 @@ def test_an_everyday_step_does_nothing_per_vertex(
 
 
 @pytest.mark.parametrize("kind", [ImageDrawing, StageDrawing])
-def test_both_precisions_draw_the_same_everyday_picture(
-    kind: Any, off_screen: Callable[[int, int], OffScreen]
-) -> None:
+def test_both_precisions_draw_the_same_everyday_picture(kind: Any, off_screen: MakeScreen) -> None:
     """Also from within the scene, where faces, grid and colours are cut."""
     letter = load("letter-f").start
     inside = Camera((1.2, 1.5, 2.5), (0.0, 2.0, 0.0))
@@ -518,7 +496,7 @@ def meshes(screen: OffScreen) -> dict[Any, Any]:
 
 @pytest.mark.parametrize("kind", [ImageDrawing, StageDrawing])
 def test_there_and_back_is_the_picture_of_a_fresh_drawing(
-    kind: Any, off_screen: Callable[[int, int], OffScreen]
+    kind: Any, off_screen: MakeScreen
 ) -> None:
     """And another drawing of the same scene, which shares its mesh, has not noticed."""
     scene = load("letter-f")
@@ -561,9 +539,7 @@ def projected(screen: OffScreen, own: dict[Any, Any]) -> list[str]:
     ]
 
 
-def test_drawings_of_one_scene_draw_with_the_same_vertices_as_each_for_itself(
-    off_screen: Callable[[int, int], OffScreen],
-) -> None:
+def test_drawings_of_one_scene_draw_the_same_as_each_for_itself(off_screen: MakeScreen) -> None:
     scene = load("letter-f")
     narrow = replace(scene.start, lens=Perspective(0.01, 1, 30))
     pictures: list[Any] = []
@@ -577,9 +553,7 @@ def test_drawings_of_one_scene_draw_with_the_same_vertices_as_each_for_itself(
     assert (pictures[0] == pictures[2]).all() and (pictures[1] == pictures[3]).all()
 
 
-def test_faces_and_lines_choose_for_themselves(
-    off_screen: Callable[[int, int], OffScreen],
-) -> None:
+def test_faces_and_lines_choose_for_themselves(off_screen: MakeScreen) -> None:
     """An avenue whose trees float32 can draw, and not the lines of its ground."""
     scene = load("far-plane-popping")
     faces_px, lines_px = (
@@ -602,9 +576,7 @@ def test_faces_and_lines_choose_for_themselves(
         assert (picture != pictures[0]).any(axis=-1).sum() <= 100
 
 
-def test_what_is_not_drawn_is_not_projected(
-    off_screen: Callable[[int, int], OffScreen],
-) -> None:
+def test_what_is_not_drawn_is_not_projected(off_screen: MakeScreen) -> None:
     """Levels of detail stand in the place of the faces in the image."""
     scene = load("far-plane-popping")
     assert scene.phenomenon is not None
@@ -622,7 +594,7 @@ def test_what_is_not_drawn_is_not_projected(
 
 @pytest.mark.parametrize("fov_y_deg", [45.0, 8.0, 0.5])
 def test_what_float64_leaves_out_at_a_glance_is_not_seen(
-    fov_y_deg: float, off_screen: Callable[[int, int], OffScreen], monkeypatch: pytest.MonkeyPatch
+    fov_y_deg: float, off_screen: MakeScreen, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """From outside, from the middle of a bumpy ball, and close over it: the same pixels."""
     sphere = pv.Sphere(theta_resolution=60, phi_resolution=60)
@@ -656,12 +628,3 @@ def test_what_float64_leaves_out_at_a_glance_is_not_seen(
         assert (pictures[0] != to_bytes(LIGHT.background)).any(axis=-1).sum() > 2000
         whole, kept = counts
         assert kept < {45.0: 0.9, 8.0: 0.3, 0.5: 0.1}[fov_y_deg] * whole or eye[0] == 3.0
-
-
-def test_the_windows_tolerance_chooses_the_precision(window: MainWindow) -> None:
-    used = {name: window.panes[name].drawing.precision for name in ("ndc", "image")}
-    assert used == {"ndc": "float32", "image": "float32"}
-    for tolerance_px, precision in ((1e-4, "float64"), (1.0, "float32")):
-        window.status.tolerance_edited.emit(tolerance_px)
-        used = {name: window.panes[name].drawing.precision for name in ("ndc", "image")}
-        assert used == {"ndc": precision, "image": precision}

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
 from dataclasses import replace
 from typing import Any
 
@@ -17,7 +16,8 @@ from app.drawings import WORDS
 from app.drawings.image import ImageDrawing
 from app.drawings.stage import StageDrawing
 from app.drawings.style import DARK, LIGHT, Style, contrast, rgb
-from app.lecture.typed_matrix import shown, with_cell
+from app.lecture import typed_matrix
+from app.lecture.typed_matrix import with_cell
 from app.model.projection import (
     DEPTH_RANGES,
     LENSES,
@@ -33,7 +33,16 @@ from app.model.projection import (
 from app.model.refusal import Refusal
 from app.precision.levels import DRAWING_TOLERANCE_PX
 from app.scenes.scene import BUILT_IN, Scene, load
-from tests.support.drawings import OffScreen, drawn, off_screen, scene_of, to_bytes
+from tests.support.drawings import (
+    MakeScreen,
+    OffScreen,
+    drawn,
+    off_screen,
+    scene_of,
+    shown,
+    texts_of,
+    to_bytes,
+)
 
 __all__ = ["off_screen"]
 
@@ -123,9 +132,7 @@ def check_lit(image: Any, trace: Trace, unsure: Any = False) -> tuple[int, float
     return found, worst
 
 
-def test_a_vertex_lights_the_pixel_that_the_model_says(
-    off_screen: Callable[[int, int], OffScreen],
-) -> None:
+def test_a_vertex_lights_the_pixel_that_the_model_says(off_screen: MakeScreen) -> None:
     """Every vertex of the letter F from 200 random cameras."""
     screen = off_screen(1280, 720)
     drawing, points = drawn_vertices(screen, DRAWING_TOLERANCE_PX)
@@ -141,9 +148,7 @@ def test_a_vertex_lights_the_pixel_that_the_model_says(
 
 
 @pytest.mark.parametrize("name", BUILT_IN)
-def test_a_face_has_the_same_colour_in_all_panes(
-    name: str, off_screen: Callable[[int, int], OffScreen]
-) -> None:
+def test_a_face_has_the_same_colour_in_all_panes(name: str, off_screen: MakeScreen) -> None:
     scene = without_lines(load(name))
     assert scene.surface is not None
     colours = {tuple(c) for c in scene.surface.cell_data["rgb"].tolist()}
@@ -167,9 +172,7 @@ def test_a_face_has_the_same_colour_in_all_panes(
     assert found <= colours | {tuple(to_bytes(LIGHT.background))}
 
 
-def test_a_polygon_is_one_colour_whatever_triangles_it_is_made_of(
-    off_screen: Callable[[int, int], OffScreen],
-) -> None:
+def test_a_polygon_is_one_colour_whatever_triangles_it_is_made_of(off_screen: MakeScreen) -> None:
     """A fan of hexagons round shared vertices; concave ones too."""
     angles = np.linspace(0.0, 2.0 * np.pi, 7)[:-1]
     ring = np.column_stack([np.cos(angles), np.sin(angles), np.zeros(6)])
@@ -181,9 +184,7 @@ def test_a_polygon_is_one_colour_whatever_triangles_it_is_made_of(
         Camera((0, 0, 5), (0, 0, 0)), Orthographic(-2, 2, -2, 2, 1, 9), (200, 200)
     )
     screen = off_screen(200, 200)
-    drawing = ImageDrawing(screen, scene, WORDS, LIGHT, framed=False)
-    drawing.show_projection(projection)
-    image = screen.pixels()
+    image = shown(screen, scene, projection)
     inside = {0: (-0.4, 0.2, 0), 1: (0.3, -0.4, 0), 2: (1.2, 0.7, 0), 3: (0.1, 1.3, 0)}
     for face, point in inside.items():
         x, y = projection.trace(point).image
@@ -192,16 +193,12 @@ def test_a_polygon_is_one_colour_whatever_triangles_it_is_made_of(
     assert sum(drawn(image, colour).sum() for colour in allowed) == 200 * 200
 
 
-def test_what_is_in_front_stays_in_front_in_every_depth_range(
-    off_screen: Callable[[int, int], OffScreen],
-) -> None:
+def test_what_is_in_front_stays_in_front_in_every_depth_range(off_screen: MakeScreen) -> None:
     square = np.array([(-1, -1, 0), (1, -1, 0), (1, 1, 0), (-1, 1, 0)], dtype=float)
     along = np.array([0.0, 0.0, 1.0])
     near, far = (10, 200, 30), (200, 10, 30)
     scene = scene_of(
-        np.vstack([square - along, square + along]),
-        [(0, 1, 2, 3), (4, 5, 6, 7)],
-        [far, near],
+        np.vstack([square - along, square + along]), [(0, 1, 2, 3), (4, 5, 6, 7)], [far, near]
     )
     for kind in (ImageDrawing, StageDrawing):
         for depth in DEPTH_RANGES:
@@ -229,27 +226,7 @@ def test_what_is_in_front_stays_in_front_in_every_depth_range(
                     assert hidden_share == 0.0
 
 
-def test_only_what_is_before_the_eye_is_drawn(off_screen: Callable[[int, int], OffScreen]) -> None:
-    """A long wall through the eye's plane: the half behind would be upside down elsewhere."""
-    wall = [(-1.0, -1.0, 20.0), (-1.0, -1.0, -20.0), (-1.0, 1.0, -20.0), (-1.0, 1.0, 20.0)]
-    scene = scene_of(wall, [(0, 1, 2, 3)], [(200, 30, 30)])
-    size = (200, 200)
-    projection = Projection(Camera((0, 0, 0), (0, 0, -1)), Perspective(90, 0.1, 100), size)
-    screen = off_screen(*size)
-    drawing = ImageDrawing(screen, scene, WORDS, LIGHT, framed=False)
-    drawing.show_projection(projection)
-    wall_px = drawn(screen.pixels(), (200, 30, 30))
-    # By hand: x = -1, w = -z; on the picture x_ndc = -1/w, |y_ndc| <= 1/w, so all of the left
-    # triangle |y_ndc| <= -x_ndc out to w = 20, x_ndc = -0.05.
-    x, y = np.meshgrid((np.arange(200) + 0.5) / 100 - 1, 1 - (np.arange(200) + 0.5) / 100)
-    expected = (np.abs(y) < -x) & (x < -0.05)
-    assert (wall_px != expected).sum() <= 200  # the edge's pixels
-    assert not wall_px[:, 100:].any()
-
-
-def test_what_reaches_behind_the_eye_is_not_culled_by_its_bounds(
-    off_screen: Callable[[int, int], OffScreen],
-) -> None:
+def test_what_reaches_behind_the_eye_is_not_culled_by_its_bounds(off_screen: MakeScreen) -> None:
     """A strip whose ends, divided by w, are both right of the picture, and its middle in it.
 
     In view coordinates (x, w) it runs from (2, 1) to (-3, -1); x/w is 2 and 3 at its ends, and
@@ -264,9 +241,7 @@ def test_what_reaches_behind_the_eye_is_not_culled_by_its_bounds(
         Camera(tuple(eye), tuple(eye + forward)), Perspective(90, 0.01, 100), (200, 200)
     )
     screen = off_screen(200, 200)
-    drawing = ImageDrawing(screen, scene, WORDS, LIGHT, framed=False)
-    drawing.show_projection(projection)
-    image = screen.pixels()
+    image = shown(screen, scene, projection)
     x, y = projection.trace((0.35 * length, 0.0, 0.0)).image
     assert image[int(y), int(x)].tolist() == [200, 30, 30]
 
@@ -274,7 +249,7 @@ def test_what_reaches_behind_the_eye_is_not_culled_by_its_bounds(
 # --------------------------------------------------------------------------- the NDC pane
 
 
-def test_ndc_clips_the_scene_at_the_cube(off_screen: Callable[[int, int], OffScreen]) -> None:
+def test_ndc_clips_the_scene_at_the_cube(off_screen: MakeScreen) -> None:
     """A scene that surrounds everything: nothing of it outside the cube's silhouette."""
     red = (201, 33, 32)
     big = 40.0 * np.array([(-1, -1, 0), (1, -1, 0), (1, 1, 0), (-1, 1, 0)], dtype=float)
@@ -321,7 +296,7 @@ def distance_outside(corners: NDArray[np.float64], points: NDArray[np.float64]) 
 
 @pytest.mark.parametrize("depth", DEPTH_RANGES)
 def test_ndc_shows_the_near_face_to_the_reader_and_x_to_the_right(
-    depth: Any, off_screen: Callable[[int, int], OffScreen]
+    depth: Any, off_screen: MakeScreen
 ) -> None:
     """From the front the cube looks like the picture: neither mirrored nor turned.
 
@@ -340,9 +315,7 @@ def test_ndc_shows_the_near_face_to_the_reader_and_x_to_the_right(
     drawing.reset_clipping_range()
     ndc = front.pixels()
     screen = off_screen(400, 400)
-    picture = ImageDrawing(screen, scene, WORDS, LIGHT, framed=False)
-    picture.show_projection(projection)
-    image = screen.pixels()
+    image = shown(screen, scene, projection)
     assert scene.surface is not None
     compared = 0
     for colour in np.unique(scene.surface.cell_data["rgb"], axis=0):
@@ -355,9 +328,7 @@ def test_ndc_shows_the_near_face_to_the_reader_and_x_to_the_right(
 
 
 @pytest.mark.parametrize("depth", DEPTH_RANGES)
-def test_ndc_writes_the_ends_of_its_depth_range(
-    depth: Any, off_screen: Callable[[int, int], OffScreen]
-) -> None:
+def test_ndc_writes_the_ends_of_its_depth_range(depth: Any, off_screen: MakeScreen) -> None:
     scene = load("cube")
     screen = off_screen(300, 300)
     drawing = StageDrawing(screen, scene, WORDS, LIGHT)
@@ -374,7 +345,7 @@ def test_ndc_writes_the_ends_of_its_depth_range(
 @pytest.mark.parametrize("size", [(300, 400), (500, 560), (1280, 720), (900, 300), (200, 900)])
 @pytest.mark.parametrize("style", [LIGHT, DARK.enlarged(1.5)], ids=["light", "projector"])
 def test_ndc_is_wholly_in_view_at_any_pane_size(
-    size: tuple[int, int], style: Style, off_screen: Callable[[int, int], OffScreen]
+    size: tuple[int, int], style: Style, off_screen: MakeScreen
 ) -> None:
     """Nothing touches the pane's border, also after the pane got this size only later."""
     scene = without_lines(load("cube"))
@@ -398,7 +369,7 @@ def test_ndc_is_wholly_in_view_at_any_pane_size(
 )
 @pytest.mark.parametrize("pane", [(500, 560), (301, 400), (1280, 720)])
 def test_the_picture_lies_exactly_in_its_rectangle(
-    image_size: tuple[int, int], pane: tuple[int, int], off_screen: Callable[[int, int], OffScreen]
+    image_size: tuple[int, int], pane: tuple[int, int], off_screen: MakeScreen
 ) -> None:
     red = (201, 33, 32)
     wall = [(-9e3, -9e3, -5), (9e3, -9e3, -5), (9e3, 9e3, -5), (-9e3, 9e3, -5)]
@@ -434,9 +405,7 @@ def test_the_picture_lies_exactly_in_its_rectangle(
     assert (image[0, 0] == to_bytes(LIGHT.margin)).all()
 
 
-def test_the_frame_touches_the_picture_and_the_axes_have_their_colours(
-    off_screen: Callable[[int, int], OffScreen],
-) -> None:
+def test_the_frame_touches_the_picture_and_its_axes_are_coloured(off_screen: MakeScreen) -> None:
     scene = without_lines(load("cube"))
     screen = off_screen(500, 400)
     drawing = ImageDrawing(screen, scene, WORDS, LIGHT)
@@ -451,17 +420,10 @@ def test_the_frame_touches_the_picture_and_the_axes_have_their_colours(
     assert image[top - 1, left - 1].tolist() == to_bytes(LIGHT.ink)
     for row, column in ((top, left), (top + height - 1, left + width - 1)):
         assert image[row, column].tolist() == to_bytes(LIGHT.background)
-    texts = [
-        prop.GetInput().strip()
-        for prop in screen.renderer.GetViewProps()
-        if prop.IsA("vtkTextActor")
-    ]
-    assert sorted(texts) == ["0, 0", "1280", "720", "x", "y"]
+    assert sorted(texts_of(screen)) == ["0, 0", "1280", "720", "x", "y"]
 
 
-def test_edges_are_not_eaten_by_faces_nor_seen_through_them(
-    off_screen: Callable[[int, int], OffScreen],
-) -> None:
+def test_edges_are_not_eaten_by_faces_nor_seen_through_them(off_screen: MakeScreen) -> None:
     """Front edges of the cube are ink all along, the back ones hidden, also at extreme near."""
     corners = np.array([(x, y, z) for z in (-1, 1) for y in (-1, 1) for x in (-1, 1)], dtype=float)
     faces = [(0, 1, 3, 2), (4, 5, 7, 6), (0, 1, 5, 4), (2, 3, 7, 6), (0, 2, 6, 4), (1, 3, 7, 5)]
@@ -502,9 +464,7 @@ def test_edges_are_not_eaten_by_faces_nor_seen_through_them(
 
 
 @pytest.mark.parametrize("kind", [StageDrawing, ImageDrawing])
-def test_a_step_sets_matrices_and_nothing_else(
-    kind: Any, off_screen: Callable[[int, int], OffScreen]
-) -> None:
+def test_a_step_sets_matrices_and_nothing_else(kind: Any, off_screen: MakeScreen) -> None:
     scene = load("letter-f")
     screen = off_screen(300, 300)
     drawing = kind(screen, scene, WORDS, LIGHT)
@@ -542,24 +502,7 @@ def test_a_step_sets_matrices_and_nothing_else(
 
 
 @pytest.mark.parametrize("kind", [StageDrawing, ImageDrawing])
-def test_a_step_changes_what_is_seen(
-    kind: Any, off_screen: Callable[[int, int], OffScreen]
-) -> None:
-    scene = load("letter-f")
-    screen = off_screen(300, 300)
-    drawing = kind(screen, scene, WORDS, LIGHT)
-    drawing.show_projection(scene.start)
-    first = screen.pixels()
-    drawing.show_projection(replace(scene.start, lens=Perspective(60.0, 2.0, 20.0)))
-    assert (screen.pixels() != first).any()
-    drawing.show_projection(scene.start)
-    assert (screen.pixels() == first).all()
-
-
-@pytest.mark.parametrize("kind", [StageDrawing, ImageDrawing])
-def test_a_removed_drawing_leaves_room_for_another(
-    kind: Any, off_screen: Callable[[int, int], OffScreen]
-) -> None:
+def test_a_removed_drawing_leaves_room_for_another(kind: Any, off_screen: MakeScreen) -> None:
     scene = load("letter-f")
     screen = off_screen(300, 300)
     found = screen.window.GetRenderers().GetNumberOfItems()
@@ -578,7 +521,7 @@ def test_a_removed_drawing_leaves_room_for_another(
 @pytest.mark.parametrize("kind", [StageDrawing, ImageDrawing])
 @pytest.mark.parametrize("dpi", [72, 144])
 def test_words_have_their_size_whatever_dots_per_inch_the_window_claims(
-    kind: Any, dpi: int, off_screen: Callable[[int, int], OffScreen]
+    kind: Any, dpi: int, off_screen: MakeScreen
 ) -> None:
     scene = load("cube")
     pictures = []
@@ -591,9 +534,7 @@ def test_words_have_their_size_whatever_dots_per_inch_the_window_claims(
     assert (pictures[0] == pictures[1]).all()
 
 
-def test_far_from_the_origin_the_picture_is_the_same(
-    off_screen: Callable[[int, int], OffScreen],
-) -> None:
+def test_far_from_the_origin_the_picture_is_the_same(off_screen: MakeScreen) -> None:
     """The scene's origin meets the eye in float64; float32 would leave steps of 8 here."""
     near_scene = without_lines(load("letter-f"))
     shift = (1e8, -1e8, 1e8)
@@ -610,15 +551,12 @@ def test_far_from_the_origin_the_picture_is_the_same(
         pictures = []
         for scene, camera in ((near_scene, start), (far_scene, far_camera)):
             screen = off_screen(400, 300)
-            drawing = kind(screen, scene, WORDS, LIGHT)
-            drawing.show_projection(replace(near_scene.start, camera=camera))
-            pictures.append(screen.pixels().astype(int))
+            projection = replace(near_scene.start, camera=camera)
+            pictures.append(shown(screen, scene, projection, kind=kind).astype(int))
         assert (pictures[0] != pictures[1]).any(axis=-1).sum() <= 20
 
 
-def test_extreme_projections_draw_without_a_word(
-    off_screen: Callable[[int, int], OffScreen],
-) -> None:
+def test_extreme_projections_draw_without_a_word(off_screen: MakeScreen) -> None:
     """Neither NumPy nor VTK has anything to say; `off_screen` and pytest hold both to it."""
     scene = load("letter-f")
     cameras = (
@@ -651,9 +589,7 @@ def test_extreme_projections_draw_without_a_word(
                     screen.pixels()
 
 
-def test_a_scene_with_nothing_in_it_is_an_empty_pane(
-    off_screen: Callable[[int, int], OffScreen],
-) -> None:
+def test_a_scene_with_nothing_in_it_is_an_empty_pane(off_screen: MakeScreen) -> None:
     scene = replace(load("cube"), surface=None, lines=None)
     screen = off_screen(200, 100)
     drawing = ImageDrawing(screen, scene, WORDS, LIGHT, framed=False)
@@ -733,7 +669,7 @@ def test_a_projector_makes_words_and_lines_larger_and_keeps_the_colours() -> Non
 
 @pytest.mark.parametrize("tolerance_px", [100.0, 1e-4])  # float32 draws, and float64
 def test_a_vertex_under_a_free_matrix_lights_its_pixel(
-    off_screen: Callable[[int, int], OffScreen], tolerance_px: float
+    off_screen: MakeScreen, tolerance_px: float
 ) -> None:
     screen = off_screen(1280, 720)
     drawing, points = drawn_vertices(screen, tolerance_px)
@@ -743,7 +679,7 @@ def test_a_vertex_under_a_free_matrix_lights_its_pixel(
         start = replace(letter.start, image_size=SIZE).with_depth(list(DEPTH_RANGES)[number % 3])
         name = ("clip_from_view", "view_from_world")[number % 4 == 3]
         row, column = random.integers(4, size=2)
-        value = shown(start, name)[row][column] + random.uniform(-0.2, 0.2)
+        value = typed_matrix.shown(start, name)[row][column] + random.uniform(-0.2, 0.2)
         projection = with_cell(start, name, int(row), int(column), value)
         drawing.show_projection(projection)
         precisions.add(drawing.precision)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import itertools
 import math
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import replace
 from typing import Any
@@ -12,19 +12,26 @@ from typing import Any
 import numpy as np
 import pytest
 from numpy.typing import NDArray
-from vtkmodules.vtkRenderingCore import vtkActor2D, vtkTextActor
+from vtkmodules.vtkRenderingCore import vtkActor2D
 
 from app.drawings import WORDS
 from app.drawings.style import LIGHT, TITLE_EM, Style
 from app.drawings.world import WorldDrawing
 from app.model.projection import Camera
 from app.scenes.scene import BUILT_IN, load
-from tests.support.drawings import OffScreen, off_screen, to_bytes
+from tests.support.drawings import (
+    MakeScreen,
+    OffScreen,
+    boxes_of,
+    illustrated,
+    off_screen,
+    overlapping,
+    to_bytes,
+)
 
 __all__ = ["off_screen"]
 
 Mask = NDArray[np.bool_]
-MakeScreen = Callable[[int, int], OffScreen]
 LARGE, SMALL = (580, 640), (300, 200)
 SLOT_PX = 584, 690
 """Of the world in a window of 1366 x 768."""
@@ -34,11 +41,7 @@ def opened(screen: OffScreen, name: str, style: Style = LIGHT, *, live: bool = T
     """A scene's world, as it opens."""
     scene = load(name)
     drawing = WorldDrawing(screen, scene, WORDS, style, live=live)
-    illustration = None
-    if scene.phenomenon is not None:
-        settings = scene.phenomenon.checked({})
-        illustration = scene.phenomenon.illustration(scene.start, settings, scene.subject)
-    drawing.show_projection(scene.start, illustration)
+    drawing.show_projection(scene.start, illustrated(scene))
     drawing.reset_view()
     screen.pixels()
     return drawing
@@ -61,18 +64,6 @@ def mask_of(screen: OffScreen, *shown: Any) -> Mask:
     with alone(screen, *shown):
         image = screen.pixels()
     return np.asarray((image != to_bytes(LIGHT.background)).any(axis=-1)[::-1])
-
-
-def boxes_of(screen: OffScreen) -> dict[str, tuple[float, float, float, float]]:
-    """Left, bottom, right, top of what is written."""
-    found = {}
-    for prop in screen.renderer.GetViewProps():
-        if isinstance(prop, vtkTextActor) and prop.GetVisibility():
-            box = [0.0] * 4
-            prop.GetBoundingBox(screen.renderer, box)
-            x, y = prop.GetPositionCoordinate().GetComputedDoubleViewportValue(screen.renderer)
-            found[prop.GetInput().strip()] = (x + box[0], y + box[2], x + box[1], y + box[3])
-    return found
 
 
 def extent_px(mask: Mask) -> tuple[int, int]:
@@ -100,9 +91,7 @@ def test_no_label_lies_on_the_object_nor_on_another(
         for handle, (x, y) in drawing.handles.shown:
             y = size_px[1] - y
             assert not (left < x < right and bottom < y < top), (text, handle)
-    for (one, a), (other, b) in itertools.combinations(boxes.items(), 2):
-        apart = a[2] <= b[0] or b[2] <= a[0] or a[3] <= b[1] or b[3] <= a[1]
-        assert apart, (one, other)
+    assert overlapping(boxes) == []
 
 
 def faces_of(screen: OffScreen) -> Any:
@@ -110,15 +99,19 @@ def faces_of(screen: OffScreen) -> Any:
     return next(prop for prop in screen.renderer.GetViewProps() if not isinstance(prop, vtkActor2D))
 
 
+def drawn_px(screen: OffScreen, name: str) -> tuple[int, int]:
+    """The extent of a drawing without its labels."""
+    drawing = opened(screen, name, live=False)
+    assert drawing.handles is None
+    for prop in screen.renderer.GetViewProps():
+        if isinstance(prop, vtkActor2D):
+            prop.SetVisibility(False)
+    return extent_px((screen.pixels() != to_bytes(LIGHT.background)).any(axis=-1))
+
+
 def test_the_letters_frustum_takes_its_share_of_the_window(off_screen: MakeScreen) -> None:
     """What is drawn, but for what is written: 15 % of 1366 x 768, and most of a side anywhere."""
-    screen = off_screen(*SLOT_PX)
-    drawing = opened(screen, "letter-f", live=False)
-    assert drawing.handles is None
-    flat = [p for p in screen.renderer.GetViewProps() if isinstance(p, vtkActor2D)]
-    for prop in flat:
-        prop.SetVisibility(False)
-    width, height = extent_px((screen.pixels() != to_bytes(LIGHT.background)).any(axis=-1))
+    width, height = drawn_px(off_screen(*SLOT_PX), "letter-f")
     assert width * height >= 0.15 * 1366 * 768
 
 
@@ -127,13 +120,7 @@ def test_the_letters_frustum_takes_its_share_of_the_window(off_screen: MakeScree
 def test_what_is_drawn_fills_a_pane_of_any_shape(
     off_screen: MakeScreen, name: str, size_px: tuple[int, int]
 ) -> None:
-    screen = off_screen(*size_px)
-    drawing = opened(screen, name, live=False)
-    assert drawing.handles is None
-    flat = [p for p in screen.renderer.GetViewProps() if isinstance(p, vtkActor2D)]
-    for prop in flat:
-        prop.SetVisibility(False)
-    width, height = extent_px((screen.pixels() != to_bytes(LIGHT.background)).any(axis=-1))
+    width, height = drawn_px(off_screen(*size_px), name)
     under_title = size_px[1] - TITLE_EM * LIGHT.font_size
     assert max(width / size_px[0], height / under_title) >= 0.8
     assert min(width / size_px[0], height / under_title) >= 0.35
@@ -180,13 +167,9 @@ def test_what_a_scene_is_held_at_is_not_beyond_a_break(off_screen: MakeScreen) -
     """The line's end Q is 12.8 from the eye plane, the letter 7.7, and far is 14: all is whole."""
     scene = load("affine-depth")
     drawing = WorldDrawing(off_screen(*LARGE), scene, WORDS, LIGHT)
-    phenomenon = scene.phenomenon
-    assert phenomenon is not None
     for far, is_broken in ((14.0, False), (20.0, True)):
         projection = replace(scene.start, lens=scene.start.lens.but(far=far))
-        drawing.show_projection(
-            projection, phenomenon.illustration(projection, phenomenon.checked({}), scene.subject)
-        )
+        drawing.show_projection(projection, illustrated(scene, projection))
         assert any(edge.GetVisibility() for _, edge in drawing.frustum.breaks["far"]) == is_broken
 
 

@@ -4,14 +4,13 @@ from __future__ import annotations
 
 import itertools
 import math
-from collections.abc import Callable
 from dataclasses import replace
 from typing import Any
 
 import numpy as np
 import pytest
 from vtkmodules.vtkCommonDataModel import vtkPolyData
-from vtkmodules.vtkRenderingCore import vtkActor2D, vtkTextActor
+from vtkmodules.vtkRenderingCore import vtkActor2D
 
 from app.document.view import FIXED, LAYERS
 from app.drawings import WORDS
@@ -21,22 +20,26 @@ from app.drawings.stage import StageDrawing
 from app.drawings.style import LIGHT
 from app.drawings.world import WorldDrawing
 from app.lecture.typed_matrix import with_cell
-from app.model.projection import (
-    Array,
-    Camera,
-    Frustum,
-    Orthographic,
-    Projection,
-)
+from app.model.projection import Array, Camera, Frustum, Orthographic, Projection
 from app.picking.handles import TARGET, dragged
 from app.scenes.scene import BUILT_IN, load
 from app.scenes.shapes import GRID_RGB
-from tests.support.drawings import OffScreen as OffScreen
-from tests.support.drawings import Pixels, colours_of, drawn, off_screen, to_bytes
+from tests.support.drawings import (
+    MakeScreen,
+    OffScreen,
+    Pixels,
+    boxes_of,
+    colours_of,
+    drawn,
+    illustrated,
+    off_screen,
+    overlapping,
+    texts_of,
+    to_bytes,
+)
 
 __all__ = ["off_screen"]
 
-MakeScreen = Callable[[int, int], OffScreen]
 SIZE_PX = 580, 640
 START = load("letter-f").start
 
@@ -61,18 +64,6 @@ def at(projection: Projection, u: float, v: float, distance: float) -> Array:
     """A world point by its place in the camera's frame."""
     camera = projection.camera
     return np.asarray(np.array(camera.eye) + np.array((u, v, -distance)) @ camera.frame)
-
-
-def texts(screen: OffScreen) -> dict[str, vtkTextActor]:
-    props = [p for p in screen.renderer.GetViewProps() if isinstance(p, vtkTextActor)]
-    return {p.GetInput().replace("\n ", " ").strip(): p for p in props if p.GetVisibility()}
-
-
-def box_of(screen: OffScreen, actor: vtkTextActor) -> tuple[float, float, float, float]:
-    box = [0.0] * 4
-    actor.GetBoundingBox(screen.renderer, box)
-    x, y = actor.GetPositionCoordinate().GetComputedDoubleViewportValue(screen.renderer)
-    return x + box[0], y + box[2], x + box[1], y + box[3]
 
 
 # --------------------------------------------------------------------------- where it stands
@@ -117,18 +108,12 @@ def test_where_the_planes_lie_on_each_other_each_label_stands_at_its_own_handle(
     drawing.show_fixed(view)
     assert drawing.handles is not None
     held = {str(handle.name): (x, SIZE_PX[1] - y) for handle, (x, y) in drawing.handles.shown}
-    shown = texts(screen)
     for name, other in (("near", "far"), ("far", "near")):
-        (label,) = (actor for text, actor in shown.items() if text.startswith(f"{name} "))
-        left, bottom, right, top = box_of(screen, label)
-
-        def away(
-            spot: tuple[float, float], box: tuple[float, ...] = (left, bottom, right, top)
-        ) -> float:
-            x, y = spot
-            return math.dist(spot, (min(max(x, box[0]), box[2]), min(max(y, box[1]), box[3])))
-
-        assert away(held[name]) < 30.0 < away(held[other])
+        (box,) = (box for text, box in boxes_of(screen).items() if text.startswith(f"{name} "))
+        own, others = (
+            math.dist(s, np.clip(s, box[:2], box[2:])) for s in (held[name], held[other])
+        )
+        assert own < 30.0 < others
 
 
 def test_the_planes_light_their_pixels_from_the_side(off_screen: MakeScreen) -> None:
@@ -233,7 +218,7 @@ def test_a_turn_makes_the_free_view_of_it_and_a_shift_does_not(off_screen: MakeS
         assert camera.GetViewUp() == (0.0, 1.0, 0.0)
         away = np.array(camera.GetDirectionOfProjection())
         assert abs(away[1]) < 0.99  # what turns about the world's vertical does not look along it
-        written = texts(screen)
+        written = texts_of(screen)
         assert not [text for text in written if "=" in text]
         assert colours_of(screen.pixels()) > 5
         drawing.reset_view()
@@ -268,12 +253,10 @@ def test_the_dimensions_are_those_of_the_lecture(
     for name in (*FIXED, view):  # whatever was shown before
         drawing.show_fixed(name)
     screen.pixels()
-    found = texts(screen)
+    found = texts_of(screen)
     assert {text for text in found if "=" in text} == written
-    boxes = {text: box_of(screen, actor) for text, actor in found.items()}
-    for (one, a), (other, b) in itertools.combinations(boxes.items(), 2):
-        apart = a[2] <= b[0] or b[2] <= a[0] or a[3] <= b[1] or b[3] <= a[1]
-        assert apart, (one, other)
+    boxes = boxes_of(screen)
+    assert overlapping(boxes) == []
     for text, (left, bottom, right, top) in boxes.items():
         assert left >= 0 and bottom >= 0 and right <= SIZE_PX[0] and top <= SIZE_PX[1], text
 
@@ -307,16 +290,14 @@ def test_large_letters_leave_the_drawing_in_the_pane_and_what_is_left_out_is_sai
     drawing = WorldDrawing(screen, load("letter-f"), WORDS, replace(LIGHT, font_size=em), live=True)
     drawing.show_fixed(view)
     screen.pixels()
-    boxes = {text: box_of(screen, actor) for text, actor in texts(screen).items()}
+    boxes = boxes_of(screen)
     missing = DIMENSIONS[view] - {text.split(" = ")[0] for text in boxes}
     assert (NO_ROOM in boxes) == bool(missing)
     if is_room is not None:
         assert is_room == (not missing) or (view == "axis" and not is_room)
     spots = pixel_of(drawing, drawing.frustum.corners)
     assert (spots >= 0.0).all() and (spots <= size_px).all()
-    for (one, a), (other, b) in itertools.combinations(boxes.items(), 2):
-        apart = a[2] <= b[0] or b[2] <= a[0] or a[3] <= b[1] or b[3] <= a[1]
-        assert apart, (one, other)
+    assert overlapping(boxes) == []
     # A text in a row stands right beside its own line, or on it.
     eye_x, _ = pixel_of(drawing, [START.camera.eye])[0]
     for text in boxes.keys() & {"near = 4", "d = 11.17", "far = 18"}:
@@ -345,7 +326,7 @@ def test_a_very_wide_and_a_very_narrow_frustum_are_measured_below_what_is_seen(
     drawing = made(screen, with_lens(fov_y_deg=fov_y_deg))
     drawing.show_fixed(view)
     screen.pixels()
-    boxes = {text: box_of(screen, actor) for text, actor in texts(screen).items()}
+    boxes = boxes_of(screen)
     letter = list(itertools.product((-1.5, 1.5), (0.0, 5.0), (-0.5, 0.5)))
     objects = SIZE_PX[1] - pixel_of(drawing, letter)[:, 1].max()
     (actor,) = (prop for prop in screen.renderer.GetViewProps() if dimension_lines(prop))
@@ -373,8 +354,8 @@ def test_what_a_hand_moves_out_of_the_pane_is_not_missed(off_screen: MakeScreen)
     assert drawing.fixed == "side"
     spots = pixel_of(drawing, drawing.frustum.corners)
     assert (spots[4:, 0] > SIZE_PX[0]).all() and (spots[:4, 0] < SIZE_PX[0]).all()
-    assert "near = 4" in texts(screen)
-    assert NO_ROOM not in texts(screen)
+    assert "near = 4" in texts_of(screen)
+    assert NO_ROOM not in texts_of(screen)
 
 
 @pytest.mark.parametrize(
@@ -391,15 +372,10 @@ def test_a_scenes_distances_stand_in_rows_of_their_own(
     """One under the other, the shortest on top; nothing else is there, and no leader ends there."""
     screen, scene = off_screen(*SIZE_PX), load(name)
     drawing = WorldDrawing(screen, scene, WORDS, LIGHT, live=True)
-    phenomenon = scene.phenomenon
-    assert phenomenon is not None
-    drawing.show_projection(
-        scene.start,
-        phenomenon.illustration(scene.start, phenomenon.checked({}), scene.subject),
-    )
+    drawing.show_projection(scene.start, illustrated(scene))
     drawing.show_fixed("side")
     screen.pixels()
-    boxes = {text: box_of(screen, actor) for text, actor in texts(screen).items()}
+    boxes = boxes_of(screen)
     rows = {text: box for text, box in boxes.items() if text in written}
     assert rows.keys() == written
     length = {text: float(text.split(" = ")[1]) for text in rows}
@@ -424,8 +400,7 @@ def test_no_text_lies_on_a_plane(off_screen: MakeScreen, view: str) -> None:
         spots = pixel_of(drawing, window)
         for face in (spots[:4], spots[4:]):
             x, low, high = face[:, 0].mean(), face[:, 1].min(), face[:, 1].max()
-            for text, actor in texts(screen).items():
-                left, bottom, right, top = box_of(screen, actor)
+            for text, (left, bottom, right, top) in boxes_of(screen).items():
                 beside = right <= x or x <= left
                 above = SIZE_PX[1] - top >= high or SIZE_PX[1] - bottom <= low
                 assert "=" not in text or beside or above, (text, near, far)
@@ -442,8 +417,7 @@ def test_along_the_axis_nothing_is_written_over_the_picture(
     spots = pixel_of(drawing, drawing.frustum.corners)
     (near_left, near_top), (near_right, near_bottom) = spots[:4].min(axis=0), spots[:4].max(axis=0)
     (far_left, far_top), (far_right, far_bottom) = spots[4:].min(axis=0), spots[4:].max(axis=0)
-    for text, actor in texts(screen).items():
-        left, bottom, right, top = box_of(screen, actor)
+    for text, (left, bottom, right, top) in boxes_of(screen).items():
         upper, lower = SIZE_PX[1] - top, SIZE_PX[1] - bottom
         aside = (
             right <= near_left or near_right <= left or lower <= near_top or near_bottom <= upper
@@ -478,9 +452,9 @@ def test_dimensions_follow_a_slider_and_reach_the_screen(off_screen: MakeScreen)
     for near in (4.0, 6.0, 9.0):
         drawing.show_projection(with_lens(near=near))
         image = screen.pixels()
-        assert f"near = {near:g}" in texts(screen)
+        assert f"near = {near:g}" in texts_of(screen)
         (eye, plane) = pixel_of(drawing, [START.camera.eye, at(START, 0.0, 0.0, near)])
-        left, bottom, _, top = box_of(screen, texts(screen)[f"near = {near:g}"])
+        left, bottom, _, top = boxes_of(screen)[f"near = {near:g}"]
         row = SIZE_PX[1] - (bottom + top) / 2.0
         inked = drawn(image, to_bytes(LIGHT.ink))[int(row) - 3 : int(row) + 4].any(axis=0)
         columns = np.flatnonzero(inked)
@@ -519,9 +493,9 @@ def test_one_sentence_says_what_a_lens_does_not_have(
     drawing.show_projection(projection)
     drawing.refit()
     screen.pixels()
-    said = {text for text in texts(screen) if text in SENTENCES.values()}
+    said = {text for text in texts_of(screen) if text in SENTENCES.values()}
     assert said == ({SENTENCES[sentence]} if sentence else set())
-    has_angle = any("fov" in text for text in texts(screen))
+    has_angle = any("fov" in text for text in texts_of(screen))
     assert has_angle == (view == "side" and not sentence)
 
 
@@ -556,7 +530,7 @@ def test_extremes_are_drawn_from_every_view(off_screen: MakeScreen, view: str) -
         if view != "eye":
             (spot,) = pixel_of(drawing, [projection.camera.eye])
             assert ((spot > 0) & (spot < (300, 340))).all(), projection
-        assert not any("nan" in text for text in texts(screen))
+        assert not any("nan" in text for text in texts_of(screen))
         drawing.show_projection(START)
         drawing.refit()
         assert not drawing.refit()
@@ -583,7 +557,7 @@ def seen_of(screen: OffScreen, drawing: Any, layer: str) -> bool:
     """Whether anything of a layer is on the screen, by what it alone paints there."""
     image: Pixels = screen.pixels()
     if layer == "labels":
-        return bool(texts(screen))
+        return bool(texts_of(screen))
     if layer == "grid":
         return bool(drawn(image, GRID_RGB).any())
     if layer == "frustum":
@@ -636,13 +610,13 @@ def test_names_and_handles_go_with_what_they_are_of(
     drawing.show_fixed(view)
     assert drawing.handles is not None
     screen.pixels()
-    before, handles = texts(screen).keys(), list(drawing.handles.shown)
+    before, handles = texts_of(screen).keys(), list(drawing.handles.shown)
     assert names - {"near = 4", "far = 18"} <= before
     held = {handle.name for handle, _ in handles if handle.name in ("eye", "target")}
     gone = held if layer == "camera" else {"near", "far", "corner"}
     drawing.show_layers(frozenset({layer}))
     screen.pixels()
-    assert not names & texts(screen).keys()
+    assert not names & texts_of(screen).keys()
     assert {handle.name for handle, _ in drawing.handles.shown} == (
         {handle.name for handle, _ in handles} - gone
     )
@@ -651,7 +625,7 @@ def test_names_and_handles_go_with_what_they_are_of(
     drawing.hold(None)
     drawing.show_layers(frozenset())
     screen.pixels()
-    assert texts(screen).keys() == before and list(drawing.handles.shown) == handles
+    assert texts_of(screen).keys() == before and list(drawing.handles.shown) == handles
 
 
 def test_no_handle_can_be_held_that_is_not_seen(off_screen: MakeScreen) -> None:
@@ -677,11 +651,11 @@ def test_labels_and_grid_are_switched_in_the_other_panes(
         drawing = kind(screen, load(name), WORDS, LIGHT, tolerance_px)
         drawing.show_projection(start)
         before = screen.pixels()
-        assert texts(screen) and drawn(before, GRID_RGB).any()
+        assert texts_of(screen) and drawn(before, GRID_RGB).any()
         drawing.show_layers(frozenset({"labels", "grid"}))
         drawing.show_projection(start)
         without = screen.pixels()
-        assert not texts(screen) and not drawn(without, GRID_RGB).any()
+        assert not texts_of(screen) and not drawn(without, GRID_RGB).any()
         assert colours_of(without) > 3
         drawing.show_layers(frozenset())
         drawing.show_projection(start)
@@ -703,40 +677,23 @@ def test_no_line_of_a_scene_has_a_grids_colour_but_the_grid(name: str) -> None:
 
 
 @pytest.mark.parametrize(
-    ("view", "written"),
-    [("side", {"y = 2.472", "y_p = 1.03"}), ("top", {"x = 0.8126", "x_p = 0.3385"})],
+    ("name", "view", "written"),
+    [
+        # d = 4, w = 9.601: 1.03/4 is 2.472/9.601, and 0.3385/4 is 0.8126/9.601.
+        ("similar-triangles", "side", {"y = 2.472", "y_p = 1.03"}),
+        ("similar-triangles", "top", {"x = 0.8126", "x_p = 0.3385"}),
+        # The film 4 from the hole, d of the scene and not the target's, and the arrow 9, its z.
+        ("camera-obscura", "side", {"d = 4", "z = 9"}),
+        ("camera-obscura", "top", {"d = 4", "z = 9"}),
+    ],
 )
-def test_l5_both_triangles_are_measured_in_the_flat_views(
-    off_screen: MakeScreen, view: str, written: set[str]
+def test_l5_l21_both_triangles_are_measured_in_the_flat_views(
+    off_screen: MakeScreen, name: str, view: str, written: set[str]
 ) -> None:
-    """d = 4, w = 9.601: 1.03/4 is 2.472/9.601, and 0.3385/4 is 0.8126/9.601."""
-    for one, other in (("1.03", "2.472"), ("0.3385", "0.8126")):
-        assert float(one) / 4.0 == pytest.approx(float(other) / 9.601, rel=1e-3)
-    screen, scene = off_screen(*SIZE_PX), load("similar-triangles")
+    screen, scene = off_screen(*SIZE_PX), load(name)
     drawing = WorldDrawing(screen, scene, WORDS, LIGHT)
-    assert scene.phenomenon is not None
-    drawing.show_projection(
-        scene.start,
-        scene.phenomenon.illustration(scene.start, scene.phenomenon.checked({}), scene.subject),
-    )
+    drawing.show_projection(scene.start, illustrated(scene))
     drawing.show_fixed(view)
     screen.pixels()
-    found = {text for text in texts(screen) if text.partition(" ")[0] in ("x", "y", "x_p", "y_p")}
-    assert found == written
-
-
-@pytest.mark.parametrize("view", ["side", "top"])
-def test_l21_the_camera_obscura_is_measured_from_its_hole(
-    off_screen: MakeScreen, view: str
-) -> None:
-    """The film 4 from the hole, d of the scene and not the target's, and the arrow 9, its z."""
-    screen, scene = off_screen(*SIZE_PX), load("camera-obscura")
-    drawing = WorldDrawing(screen, scene, WORDS, LIGHT)
-    assert scene.phenomenon is not None
-    drawing.show_projection(
-        scene.start,
-        scene.phenomenon.illustration(scene.start, scene.phenomenon.checked({}), scene.subject),
-    )
-    drawing.show_fixed(view)
-    screen.pixels()
-    assert {text for text in texts(screen) if text[:3] in ("d =", "z =")} == {"d = 4", "z = 9"}
+    kinds = {text.partition(" ")[0] for text in written} | {"x", "y", "x_p", "y_p"}
+    assert {text for text in texts_of(screen) if text.partition(" ")[0] in kinds} == written

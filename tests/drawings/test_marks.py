@@ -10,24 +10,19 @@ from typing import Any
 import numpy as np
 import pytest
 from numpy.typing import NDArray
-from PySide6.QtWidgets import QWidget
 
-from app.document.document import Document
 from app.drawings import WORDS
 from app.drawings.image import ImageDrawing
 from app.drawings.marks import DOT, MarksDrawing
 from app.drawings.stage import StageDrawing
-from app.drawings.style import DARK, LIGHT, rgb
+from app.drawings.style import DARK, LIGHT
 from app.drawings.world import WorldDrawing
 from app.lecture.stages import IMAGE, NDC, VIEW
-from app.model.projection import DEPTH_RANGES, Camera, Orthographic, Perspective, Projection
+from app.model.projection import DEPTH_RANGES, Camera, Perspective, Projection
 from app.scenes.phenomena.illustration import Illustration
 from app.scenes.phenomena.marks import Copy, Dot, Face, Line, Marks, Text
 from app.scenes.scene import Scene, load
 from tests.support.drawings import Pixels, drawn, off_screen, scene_of, to_bytes
-from widgets.panes.canvas import RasterCanvas
-from widgets.panes.pane import Pane
-from widgets.parts import panel
 
 __all__ = ["off_screen"]
 
@@ -555,22 +550,6 @@ def test_the_world_pane_is_framed_with_its_marks_but_not_with_what_is_far(
     assert (one.drawing.sight.eye == plain).all()
 
 
-@pytest.mark.parametrize(
-    "lens", [Perspective(45.0, 1.0, math.inf), Orthographic(-4, 4, -3, 3, 1, 30)]
-)
-def test_copies_and_marks_hold_for_other_lenses(lens: Any, shown: Callable[..., Shown]) -> None:
-    one = shown("image", square(0.0, (10, 120, 10)))
-    one.projection = Projection(START.camera, lens, START.image_size)
-    one.drawing.show_projection(one.projection)
-    image = one.show(
-        replace(one.marks([PLACES[0]], dots), copies=(Copy(TRANSLATED, ("image",), BLUE),))
-    )
-    assert np.abs(middle(drawn(image, (255, 0, 0))) - one.seen([PLACES[0]])[0]).max() < 0.75
-    corners = one.seen(moved(TRANSLATED, [(-1, 0, 0), (1, 0, 0), (1, 2, 0), (-1, 2, 0)]))
-    x, y = corners.mean(axis=0).astype(int)
-    assert drawn(image, (0, 0, 255))[y, x]
-
-
 # --------------------------------------------------------------------------- in a pane
 
 
@@ -586,72 +565,6 @@ def test_a_scene_without_a_phenomenon_builds_nothing(
         count = actors_of(one)
         one.show(None)
         assert actors_of(one) == count
-
-
-def test_a_hidden_pane_computes_nothing_and_a_visible_one_paints_once(
-    display: Any, qtbot: Any
-) -> None:
-    calls: list[Illustration | None] = []
-
-    class Counting(WorldDrawing):
-        def show_projection(
-            self, projection: Projection, illustration: Illustration | None = None
-        ) -> None:
-            calls.append(illustration)
-            super().show_projection(projection, illustration)
-
-    window = QWidget()
-    qtbot.addWidget(window)
-    pane = Pane("World", Counting, orbits=True, make_canvas=RasterCanvas)
-    pane.setParent(window)
-    pane.open()
-    pane.resize(400, 300)
-    window.resize(400, 300)
-    document = Document("letter-f", START)
-
-    def take(illustration: Illustration | None) -> None:
-        pane.take(panel.Shown(document, LETTER, illustration), frozenset({"illustration"}))
-
-    pane.build(panel.Shown(document, LETTER, None), None, LETTER, WORDS, LIGHT)
-
-    def illustration(x: float) -> Illustration:
-        return Illustration((), world=dots(np.array([(x, 5.0, 0.5)])))
-
-    first, second = illustration(0.0), illustration(1.0)
-    take(first)
-    assert calls == []
-    with qtbot.waitExposed(window):
-        window.show()
-    render_window: Any = pane.canvas.render_window
-    qtbot.waitUntil(lambda: not render_window.GetNeverRendered())
-    assert calls[-1] is first
-    calls.clear()
-    painted: list[int] = []
-    observer = render_window.AddObserver("EndEvent", lambda *_: painted.append(1))
-    display.processEvents()
-    painted.clear()
-    take(second)
-    qtbot.waitUntil(lambda: bool(painted))
-    display.processEvents()
-    assert (calls, len(painted)) == ([second], 1)
-    pane.hide()
-    take(first)
-    take(None)
-    assert calls == [second]
-    pane.show()
-    assert calls == [second, None]
-    # Another style: the drawing is made anew.
-    pane.build(panel.Shown(document, LETTER, second), None, LETTER, WORDS, DARK)
-    assert calls[2:] == [None, second]  # its own start, then what the pane shows
-    image = pane.canvas.grab().toImage()
-    ratio = pane.canvas.devicePixelRatioF()
-    assert pane.drawing is not None
-    (spot,) = pane.drawing.sight.seen([(1.0, 5.0, 0.5)])
-    colour = image.pixelColor(int(spot[0]), int(spot[1])) if ratio == 1.0 else None
-    assert colour is None or colour.getRgb()[:3] == tuple(round(255 * c) for c in rgb(RED))
-    render_window.RemoveObserver(observer)
-    pane.close_canvas()
-    window.close()
 
 
 def test_what_is_about_what_is_highlighted_stands_out(shown: Callable[..., Shown]) -> None:

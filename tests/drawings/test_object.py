@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from dataclasses import replace
 from typing import Any
 
@@ -15,11 +14,10 @@ from app.drawings.image import ImageDrawing
 from app.drawings.style import LIGHT
 from app.model.projection import Camera, ObjectTransform, Perspective, Projection
 from app.scenes.scene import load
-from tests.support.drawings import OffScreen, off_screen
+from tests.support.drawings import MakeScreen, off_screen
 
 __all__ = ["off_screen"]
 
-MakeScreen = Callable[[int, int], OffScreen]
 F = load("letter-f")
 TURN_DEG, SHIFT = 30.0, (1.0, 0.5, -2.0)
 BARE = View(layers=frozenset(LAYERS))

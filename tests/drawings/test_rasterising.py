@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 import math
 from collections.abc import Iterator, Mapping
 from dataclasses import replace
@@ -33,6 +34,7 @@ from app.model.projection import (
 )
 from app.scenes.phenomena import depth_buffer, interpolation, popping
 from app.scenes.phenomena.illustration import Illustration, Phenomenon
+from app.scenes.phenomena.readout import Reading
 from app.scenes.scene import Scene, load
 from tests.support.drawings import heard, rendered
 
@@ -130,11 +132,7 @@ def depth_settings(random: np.random.Generator) -> tuple[Projection, Mapping[str
     if random.uniform() < 0.15:
         projection = projection.with_lens("orthographic")
     kinds = ("standard", "reversed") if projection.lens.parallel else RANGES
-    settings = {
-        "format": kind,
-        "range": str(random.choice(kinds)),
-        "gap": 1.0,
-    }
+    settings = {"format": kind, "range": str(random.choice(kinds)), "gap": 1.0}
     buffer = depth_buffer.buffer_of(projection, settings)
     assert isinstance(buffer, DepthBuffer)
     step = min(float(buffer.gap(projection.camera.distance)), 2.0)
@@ -142,52 +140,51 @@ def depth_settings(random: np.random.Generator) -> tuple[Projection, Mapping[str
     return replace(projection, depth=str(random.choice(list(DEPTH_RANGES)))), settings  # type: ignore[arg-type]
 
 
+def counted(
+    plotter: Any, projection: Projection, settings: Mapping[str, Any]
+) -> tuple[Reading, float]:
+    """The predicted share of wrong pixels, and the counted one in percent."""
+    scene = load("depth-buffer")
+    reading = depth_buffer.PHENOMENON.show(projection, settings, scene.subject).readings[0]
+    buffer = depth_buffer.buffer_of(projection, settings)
+    assert isinstance(reading.value, float) and isinstance(buffer, DepthBuffer)
+    behind = depth_buffer.moved_behind(projection, float(settings["gap"]))
+    share = counted_wrong_share(plotter, scene, projection, buffer, behind)
+    assert share is not None
+    return reading, 100.0 * share
+
+
 def test_the_predicted_share_of_wrong_pixels_is_the_counted_one(plotter: Any) -> None:
     """50 settings that float32 can draw, every format and range among them; within 5 points."""
     random = np.random.default_rng(50)
-    scene, show = load("depth-buffer"), depth_buffer.PHENOMENON.show
-    worst, seen, between = 0.0, set(), 0
+    subject, show = load("depth-buffer").subject, depth_buffer.PHENOMENON.show
+    seen, between = set(), 0
     while len(seen) < 50:
         projection, settings = depth_settings(random)
-        illustration = show(projection, settings, scene.subject)
-        reading, buffer = illustration.readings[0], depth_buffer.buffer_of(projection, settings)
-        if reading.note is not None:  # too fine, or not in the picture
-            continue
-        assert isinstance(reading.value, float) and isinstance(buffer, DepthBuffer)
-        behind = depth_buffer.moved_behind(projection, float(settings["gap"]))
-        counted = counted_wrong_share(plotter, scene, projection, buffer, behind)
-        assert counted is not None
+        if show(projection, settings, subject).readings[0].note is not None:
+            continue  # too fine, or not in the picture
+        reading, share = counted(plotter, projection, settings)
         seen.add((len(seen), settings["format"], settings["range"]))
         between += 5.0 < reading.value < 95.0
-        worst = max(worst, abs(100.0 * counted - reading.value))
-        assert abs(100.0 * counted - reading.value) <= 5.0, (projection, settings, counted)
+        assert share == pytest.approx(reading.value, abs=5.0), (projection, settings)
     assert {name for _, name, _ in seen} == set(FORMATS)
     assert {name for _, _, name in seen} == set(RANGES)
     assert between >= 20, "shares of 0 and 1 prove little"
 
 
 @pytest.mark.parametrize("kind", ["fixed8", "fixed16", "float16"])
-@pytest.mark.parametrize("gap", [1e-9, 1e-6, 5e-6, 1e-4])
+@pytest.mark.parametrize("gap", [1e-9, 5e-6, 1e-4])
 def test_a_gap_that_no_buffer_tells_is_counted_too(plotter: Any, kind: str, gap: float) -> None:
     """What is in front is known, though the picture that tells it has but 24 bits."""
-    scene = load("depth-buffer")
     settings = {"format": kind, "range": "standard", "gap": gap}
-    reading = depth_buffer.PHENOMENON.show(scene.start, settings, scene.subject).readings[0]
-    buffer = depth_buffer.buffer_of(scene.start, settings)
-    assert isinstance(buffer, DepthBuffer) and isinstance(reading.value, float)
-    behind = depth_buffer.moved_behind(scene.start, gap)
-    counted = counted_wrong_share(plotter, scene, scene.start, buffer, behind)
-    assert counted is not None
+    reading, share = counted(plotter, load("depth-buffer").start, settings)
     assert reading.note is None and reading.value > 99.0
-    assert abs(100.0 * counted - reading.value) <= 1.0
+    assert share == pytest.approx(reading.value, abs=1.0)
 
 
-def test_what_a_parallel_lens_shows_is_counted_however_far_its_planes_are_apart(
-    plotter: Any,
-) -> None:
-    """Depths of all from near to far in a float32 would not tell the ramp's two surfaces apart."""
-    scene = load("depth-buffer")
-    for kind, near, far, stored, gap in (
+@pytest.mark.parametrize(
+    ("kind", "near", "far", "stored", "gap"),
+    [
         ("orthographic", 1.0, 5e3, "fixed8", 1e-4),
         ("orthographic", -5e3, 5e3, "fixed16", 1e-4),
         ("orthographic", -1e5, 1e3, "float16", 1e-4),
@@ -196,26 +193,25 @@ def test_what_a_parallel_lens_shows_is_counted_however_far_its_planes_are_apart(
         ("orthographic", -1e5, 1e4, "fixed8", 100.0),
         ("oblique", 1.0, 1e4, "fixed24", 1e-4),
         ("orthographic", 1.0, 2e4, "fixed24", 1e-4),
-    ):
-        projection = scene.start.with_lens(kind)
-        projection = replace(projection, lens=replace(projection.lens, near=near, far=far))
-        settings = {"format": stored, "range": "reversed", "gap": gap}
-        reading = depth_buffer.PHENOMENON.show(projection, settings, scene.subject).readings[0]
-        buffer = depth_buffer.buffer_of(projection, settings)
-        assert isinstance(buffer, DepthBuffer) and isinstance(reading.value, float)
-        behind = depth_buffer.moved_behind(projection, gap)
-        counted = counted_wrong_share(plotter, scene, projection, buffer, behind)
-        assert counted is not None, kind
-        if stored == "fixed24":  # the codes are as fine as the float32 that they are made of
-            assert reading.note is not None and counted > 0.5
-        else:
-            assert reading.note is None
-            assert abs(100.0 * counted - reading.value) <= 5.0, (kind, near, far, stored)
+    ],
+)
+def test_what_a_parallel_lens_shows_is_counted_however_far_its_planes_are_apart(
+    plotter: Any, kind: str, near: float, far: float, stored: str, gap: float
+) -> None:
+    """Depths of all from near to far in a float32 would not tell the ramp's two surfaces apart."""
+    projection = load("depth-buffer").start.with_lens(kind)
+    projection = replace(projection, lens=replace(projection.lens, near=near, far=far))
+    settings = {"format": stored, "range": "reversed", "gap": gap}
+    reading, share = counted(plotter, projection, settings)
+    if stored == "fixed24":  # the codes are as fine as the float32 that they are made of
+        assert reading.note is not None and share > 50.0
+    else:
+        assert reading.note is None
+        assert share == pytest.approx(reading.value, abs=5.0)
 
 
 def test_the_image_pane_shows_the_stripes_that_are_counted(plotter: Any, make: Any) -> None:
     picture = make("depth-buffer").show()
-    start = replace(picture.phenomenon.start, image_size=SIZE)
     pixels = picture.pixels().astype(int)
     front, back = ((pixels == rgb_).all(axis=-1) for rgb_ in ((230, 159, 0), (0, 114, 178)))
     share = back.sum() / (front | back).sum()
@@ -225,7 +221,6 @@ def test_the_image_pane_shows_the_stripes_that_are_counted(plotter: Any, make: A
     again = picture.show().pixels()
     assert (again == pixels).all(), "another format leaves nothing behind"
     assert picture.drawing.problem is None
-    assert start.image_size == SIZE
 
 
 def test_a_picture_is_the_same_whatever_was_shown_before(make: Any) -> None:
@@ -582,46 +577,18 @@ CAMERAS = [
 ]
 
 
-BOUND = ("fog_start", "fog_end", "detail_1", "detail_2", "subdivision")
-"""Settings that do not go together at their ends, or take long there."""
-
-
-def finite_marks(illustration: Illustration) -> bool:
-    marks = [getattr(illustration, pane) for pane in ("world", "ndc", "image")]
-    points = [np.ravel(line.points) for mark in marks for line in mark.lines]
-    points += [np.ravel(at.point) for mark in marks for at in (*mark.dots, *mark.texts)]
-    return all(np.isfinite(part).all() for part in points)
-
-
 @pytest.mark.parametrize("phenomenon", PHENOMENA.values(), ids=PHENOMENA)
-def test_no_camera_makes_a_number_that_is_none(phenomenon: Phenomenon, make: Any) -> None:
+def test_extreme_cameras_and_lenses_are_drawn_without_a_word(
+    phenomenon: Phenomenon, make: Any
+) -> None:
+    """VTK says nothing; `tests/scenes` looks at the numbers."""
     picture = make(phenomenon.name)
-    random = np.random.default_rng(3)
-    for camera in CAMERAS:
-        for lens in LENSES:
-            for depth in DEPTH_RANGES:
-                projection = Projection(camera, lens, SIZE, depth)  # type: ignore[arg-type]
-                settings = {
-                    setting.name: (
-                        setting.choices[random.integers(len(setting.choices))][0]
-                        if setting.choices
-                        else bool(random.integers(2))
-                        if isinstance(setting.default, bool)
-                        else random.choice([setting.default, setting.low, setting.high])
-                    )
-                    for setting in phenomenon.settings
-                    if setting.name not in BOUND
-                }
-                picture.show(projection, **settings)
-                illustration = picture.illustration
-                for reading in illustration.readings:
-                    if reading.value is None:
-                        assert reading.note is not None or reading.counted, reading.label
-                    else:
-                        assert math.isfinite(reading.value), (reading.label, projection)  # type: ignore[arg-type]
-                assert illustration.readings or illustration.warning is not None
-                assert finite_marks(illustration)
-                for diagram in illustration.diagrams:
-                    assert diagram.left < diagram.right
-                    assert all(np.isfinite(curve.points).all() for curve in diagram.curves)
-                picture.window.Render()
+    for number, (camera, lens) in enumerate(itertools.product(CAMERAS, LENSES)):
+        depth = list(DEPTH_RANGES)[number % 3]
+        chosen = {
+            setting.name: setting.choices[number % len(setting.choices)][0]
+            for setting in phenomenon.settings
+            if setting.choices
+        }
+        picture.show(Projection(camera, lens, SIZE, depth), **chosen)
+        picture.window.Render()

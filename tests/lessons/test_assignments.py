@@ -47,7 +47,7 @@ def in_words(document: Document) -> Document:
 def test_a_state_changed_by_hand_gives_itself_back_to_the_last_bit() -> None:
     rng = random.Random(1)
     silent = 0
-    for number in range(300):
+    for number in range(150):
         scene = BUILT_IN[number % len(BUILT_IN)]
         document = Document(scene, scene_of(Document(scene)).start, view=a_view(rng))
         for _ in range(rng.randrange(6)):
@@ -59,19 +59,19 @@ def test_a_state_changed_by_hand_gives_itself_back_to_the_last_bit() -> None:
             silent += 1
             continue
         assert to_json(made) == to_json(in_words(document))
-    assert silent <= 6  # of settings that camera and lens have left behind
+    assert silent <= 3  # of settings that camera and lens have left behind
 
 
 def test_a_document_at_the_ends_of_float64_gives_itself_back() -> None:
     taken = 0
-    for seed in range(400):
+    for seed in range(200):
         try:
             document = parse(json.dumps(a_tree(random.Random(seed))))
         except Refusal:
             continue
         assert to_json(given_back(document)) == to_json(document)
         taken += 1
-    assert taken > 100
+    assert taken > 50
 
 
 def test_the_states_of_the_ideas_are_as_short_as_they_can_be() -> None:
@@ -176,14 +176,11 @@ def test_a_step_more_leaves_every_other_byte_as_it_was(talk: Path, newline: str,
     assert {name: text for name, text in new.items() if name != "new-a-x"} == shown
 
 
-def test_it_comes_behind_the_steps_that_go_on_from_the_one_that_is_shown(talk: Path) -> None:
-    """Between them it would change what the second shows."""
+def test_a_step_comes_after_those_that_it_would_change_and_gets_a_free_name(talk: Path) -> None:
     shown = states(talk)
-    assert add_step(talk, "one", "New", a_state()).place == 2
+    assert add_step(talk, "one", "New", a_state()).place == 2  # the second goes on from the first
     assert {name: text for name, text in states(talk).items() if name != "new"} == shown
-
-
-def test_at_the_end_and_with_a_name_that_is_taken(talk: Path) -> None:
+    talk.write_text(TALK)
     assert add_step(talk, "three", "Two", a_state()) == ("two-2", 3)
     assert talk.read_text().startswith(TALK + "\n\n---\n# Two {#two-2}\n```state\nscene=cube\n")
     assert add_step(talk, "gone meanwhile", "Two", a_state()) == ("two-3", 4)
@@ -223,7 +220,7 @@ def test_a_mesh_must_stand_beside_the_file(talk: Path, tmp_path: Path) -> None:
 
 def test_nothing_is_written_where_it_cannot_be(talk: Path) -> None:
     for title in ("", "  ", "a\x1bb"):
-        with pytest.raises(Refusal, match=r"title = .*must be some words on one line"):
+        with pytest.raises(Refusal, match=r"title = .*must be one line of text"):
             add_step(talk, "two", title, a_state())
     talk.chmod(0o400)
     if os.getuid():

@@ -121,17 +121,17 @@ def test_a_sample_can_have_the_panes_turned_by_hand(tmp_path: Path, sample: str,
     [
         ("value: ", "value: 1 + ", "gets “"),
         ("- [x]", "- [ ]", "just one of them right"),
-        (":= ", ":= 1 + ", "says another number than its formula"),
-        ("wrong ", "wrong nobody-", "names a wrong idea that the program does not know"),
+        (":= ", ":= 1 + ", "says another number than"),
+        ("wrong ", "wrong nobody-", "names an unknown wrong idea"),
         ("until: ", "until: 1 > 0 \nuntil: 2 < 1\nuntil: ", "gets “open” instead of “done”"),
         ("lens.near=", "lens.naer=", "lens.naer is not known"),
-        ("$", "$\\nosuch ", "has a formula that cannot be written: Unknown symbol"),
-        ("$", f"${'{' * 60}x{'}' * 60} ", "written: has more than 12 levels of braces"),
-        ("$", "$\u0663$ ", "written: Unknown symbol: \u0663"),
-        ("$", f"${'x^{' * 60}x{'}' * 60} ", "written: has more than 12 levels of braces"),
+        ("$", "$\\nosuch ", "has a formula that cannot be typeset: Unknown symbol"),
+        ("$", f"${'{' * 60}x{'}' * 60} ", "typeset: has more than 12 levels of braces"),
+        ("$", "$\u0663$ ", "typeset: Unknown symbol: \u0663"),
+        ("$", f"${'x^{' * 60}x{'}' * 60} ", "typeset: has more than 12 levels of braces"),
         ("$", "$\\hspace{99999} ", "is less than 0 or more than 400 letters wide"),
         ("$", "$\\hspace{-999} ", "is less than 0 or more than 400 letters wide"),
-        ("```answer", "```anwser", "has a block that there is not, anwser"),
+        ("```answer", "```anwser", "has an unknown kind of block, anwser"),
     ],
 )
 def test_a_planted_mistake_is_found_with_file_and_line(
@@ -182,7 +182,7 @@ WRONG = [
      "wrong c: 3\n  says: No.\n```\n```task\nDo.\nuntil: near > 0\n```\n"
      "```predict\nQ?\n- [x] a\n- [ ] b\n```\n```test\npredict: 3 -> right\n```\n",
      ["line 8 is wrong, but its formula gives the right value, 2", "line 12 cannot be told from the"
-      " wrong value of line 10, 3", "line 15 is done before anything was done.",
+      " wrong value of line 10, 3", "line 15 is done before the student does anything.",
       "line 25 = '3': must be the number of a choice, from 1 to 2"]),
     ("```state\ndocument: none.json\n```\n", ["line 6 cannot be read: FOLDER/none.json does not"]),
     # All steps of a file.
@@ -190,12 +190,12 @@ WRONG = [
      "```task\nDo.\nuntil: near = 3\n```\n```answer\nQ?\nvalue: 2\nwrong angle-liner: 3\n```\n"
      "```test\ntask: near=3 -> done\n```\n"
      "---\n# Two\n```anser\n```\n---\n# Three\n```state\nscene=moon\n```\n",
-     ["line 22 has a block that there is not, anser; the nearest is answer",
-      "line 15 = 'angle-liner': names a wrong idea that the program does not know (the nearest is"
-      " angle-linear)", "line 18, near is not known; the nearest name is lens.near.",
+     ["line 22 has an unknown kind of block, anser; the nearest is answer",
+      "line 15 = 'angle-liner': names an unknown wrong idea (the nearest is angle-linear)",
+      "line 18, near is not known; the nearest name is lens.near.",
       "line 27 cannot be shown: There is no scene “moon”, only "]),
     (f"word {'word ' * 151}\n```note\n{'word ' * 151}\n```\n",
-     ["line 4 has 152 words in its step; at most 150", "line 6 has a note of 151 words; at most"]),
+     ["line 4 has 152 words in its step; the limit is 150", "line 6 has a note of 151 words; the"]),
 ]  # fmt: skip
 
 
@@ -203,7 +203,7 @@ WRONG = [
 def test_everything_wrong_is_said_at_once_with_its_own_line(
     tmp_path: Path, text: str, said: list[str]
 ) -> None:
-    why = "has a formula that cannot be written:"
+    why = "has a formula that cannot be typeset:"
     wanted = [each.replace("WHY", why).replace("FOLDER", str(tmp_path)) for each in said]
     found = checked(tmp_path / "wrong.md", text)
     assert [each[: len(start)] for each, start in zip(found, wanted, strict=True)] == wanted

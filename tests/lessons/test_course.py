@@ -153,7 +153,7 @@ why: So it is.
 """)
     right = question.mark(here, "91,5°")
     assert (right.right, right.says) == (True, "So it is.")
-    assert right.value == pytest.approx(91.4928445, abs=1e-6)
+    assert question.answer(here) == pytest.approx(91.4928445, abs=1e-6)
     wrong, idea = question.mark(here, "106.7"), idea_named("angle-linear")
     assert idea is not None and not wrong.right
     assert (wrong.idea, wrong.says, wrong.state) == ("angle-linear", idea.says, idea.state)

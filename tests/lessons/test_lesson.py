@@ -79,7 +79,7 @@ def test_what_is_read_is_what_was_written() -> None:
     assert (lesson.title, lesson.lecture) == ("How wide is 60 degrees?", "003")
     assert (lesson.letters, lesson.is_talk) == ("003", False)
     first, second = lesson.steps
-    assert (first.name, first.title, first.line) == ("typed", "The angle that is typed", 6)
+    assert (first.name, first.title, first.line) == ("typed", "The angle that you type", 6)
     assert first.state is not None
     assert first.state.values == ((10, "scene=letter-f"), (11, "lens.fov_y_deg=60"))
     assert formulas_in(first.words[0].text) == ["a = 9/16"]
@@ -179,8 +179,8 @@ FILES = [
     ("---\ntitle: T\nletters: 009\n---\n# A\n", "line 3 = '009': must be one of own, 000"),
     ("---\ntitle: T\nversion: 2\n---\n# A\n", "line 3 was written for a newer Frustum Lab"),
     ("---\ntitle: T\nminutes: many\n---\n# A\n", "line 3 = 'many': must be a number from 0"),
-    ("---\ntitle: T\n\n# A\n", "line 4 = '# A': has no line --- above it, which must end"),
-    ("---\ntitle: T\n```state\n---\n", "line 3 = '```state': has no line --- above it"),
+    ("---\ntitle: T\n\n# A\n", "line 4 = '# A': lacks a line --- above it, which ends"),
+    ("---\ntitle: T\n```state\n---\n", "line 3 = '```state': lacks a line --- above it"),
     ("---\ntitle: T\nlecture: 1\ntitle: U\n---\n# A\n", "line 4 has title twice"),
     ("---\ntitle: T\ntopic: L2, L99\n---\n# A\n", "line 3 = 'L2, L99': must be of L1 to L24"),
     ("---\ntitle: T\ntopic: L0\n---\n# A\n", "line 3 = 'L0': must be of L1 to L24"),
@@ -191,7 +191,7 @@ FILES = [
 ]
 #: After a line 4 with the title of a step.
 STEPS = [
-    ("---\n# Two {#one}\n", "line 6 = 'one': has the name of line 4 again"),
+    ("---\n# Two {#one}\n", "line 6 = 'one': repeats the name of line 4"),
     ("Words.\n# Two {#two}\n", "line 6 = '# Two {#two}': has the title of a step, but no line ---"),
     ("```state\nlens.near=1\n", "line 5 begins a block that is not closed"),
     ("\t```state\n\tlens.near=2\n\t```\n", "line 5 begins a block, but is indented"),
@@ -200,15 +200,15 @@ STEPS = [
     ("```state\nlens.near=2\n```note\nSay.\n```\n",
      "line 5 begins a block that is not closed: a line ``` must end it, above line 7"),
     ("Say.\n```\n---\n# Two\n```state\nlens.near=2\n```\n",
-     "line 6 begins code, not a block, and the block of line 9 is in it: there is a line ``` too"),
-    ("Say.\n```\n---\n# Two\n", "line 6 begins code that is not closed: there is"),
+     "line 6 begins code, not a block, and the block of line 9 is in it: a line ``` is one too"),
+    ("Say.\n```\n---\n# Two\n", "line 6 begins code that is not closed: a line"),
     ("```note\nA\n```\n```note\nB\n```\n", "line 8 has note twice"),
 ]  # fmt: skip
 #: In a block whose first line is line 5.
 BLOCKS = [
-    ("predct\nx", "line 5 has a block that there is not, predct; the nearest is"),
+    ("predct\nx", "line 5 has an unknown kind of block, predct; the nearest is"),
     ("state", "line 5 needs NAME=VALUE"),
-    ("state\nnear 1", "line 6 = 'near 1': must be written as NAME=VALUE"),
+    ("state\nnear 1", "line 6 = 'near 1': must be NAME=VALUE"),
     ("state\nscene=../x.obj", "line 6 = '../x.obj': must be a file beside"),
     ("state\nscene=/etc/x.obj", "line 6 = '/etc/x.obj': must be a file beside"),
     ("state\ndocument: C:\\x.json", "must be a file beside the lesson"),
@@ -223,7 +223,7 @@ BLOCKS = [
     ("predict\nQ?\n- [x] a\n  why: So.\n- [ ] b", "line 8 = 'why: So.': must"),
     ("answer\nQ?\nvalue: 1\nright: 1", "one of value, unit, wrong, check, why"),
     ("answer\nQ?", "line 5 needs “value: FORMULA”, or choices"),
-    ("answer\nQ?\nvalue: 1\n- [x] a\n- [ ] b", "line 7 has choices and a value: only one"),
+    ("answer\nQ?\nvalue: 1\n- [x] a\n- [ ] b", "line 7 has both choices and a value: keep"),
     ("answer\nvalue: 2", "line 5 needs a question"),
     ("answer\nQ?\nvalue: 2*", "line 7, value = '2*': needs a number, a letter"),
     ("answer\nQ?\nvalue: 2\nvalue: 3", "line 8 has value twice"),

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+import itertools
+from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import replace
 from typing import Any
@@ -13,12 +14,19 @@ import pyvista as pv
 from numpy.typing import NDArray
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkOutputWindow, vtkStringOutputWindow, vtkUnsignedCharArray
+from vtkmodules.vtkRenderingCore import vtkTextActor
 
+from app.drawings import WORDS
 from app.drawings import off_screen as app_off_screen
-from app.drawings.style import rgb
+from app.drawings.image import ImageDrawing
+from app.drawings.style import LIGHT, rgb
+from app.model.projection import Projection
+from app.scenes.phenomena.illustration import Illustration
 from app.scenes.scene import Scene, load
 
 Pixels = NDArray[np.uint8]
+Box = tuple[float, float, float, float]
+"""Left, bottom, right, top, in pixels from the bottom left."""
 
 
 class OffScreen(app_off_screen.OffScreen):
@@ -39,6 +47,54 @@ def rendered(window: Any) -> Pixels:
     buffer = vtkUnsignedCharArray()
     window.GetRGBACharPixelData(0, 0, width - 1, height - 1, 0, buffer)
     return np.array(vtk_to_numpy(buffer).reshape(height, width, 4)[::-1, :, :3])
+
+
+MakeScreen = Callable[[int, int], OffScreen]
+
+
+def texts_of(screen: Any) -> dict[str, vtkTextActor]:
+    """The visible labels of a screen's own renderer, by their texts."""
+    props = [p for p in screen.renderer.GetViewProps() if isinstance(p, vtkTextActor)]
+    return {p.GetInput().replace("\n ", " ").strip(): p for p in props if p.GetVisibility()}
+
+
+def boxes_of(screen: Any) -> dict[str, Box]:
+    """The boxes of the visible labels, by their texts."""
+    found = {}
+    for text, actor in texts_of(screen).items():
+        box = [0.0] * 4
+        actor.GetBoundingBox(screen.renderer, box)
+        x, y = actor.GetPositionCoordinate().GetComputedDoubleViewportValue(screen.renderer)
+        found[text] = (x + box[0], y + box[2], x + box[1], y + box[3])
+    return found
+
+
+def overlapping(boxes: Mapping[str, Box]) -> list[tuple[str, str]]:
+    """Pairs of texts whose boxes overlap."""
+    return [
+        (one, other)
+        for (one, a), (other, b) in itertools.combinations(boxes.items(), 2)
+        if a[0] < b[2] and b[0] < a[2] and a[1] < b[3] and b[1] < a[3]
+    ]
+
+
+def illustrated(scene: Scene, projection: Projection | None = None) -> Illustration | None:
+    """What a scene's phenomenon shows with its default settings."""
+    if scene.phenomenon is None:
+        return None
+    settings = scene.phenomenon.checked({})
+    return scene.phenomenon.illustration(projection or scene.start, settings, scene.subject)
+
+
+def shown(screen: Any, scene: Scene, projection: Projection, *args: Any, **options: Any) -> Pixels:
+    """The pixels of an unframed image drawing, or of another `kind`."""
+    kind = options.pop("kind", ImageDrawing)
+    if kind is ImageDrawing:
+        options.setdefault("framed", False)
+    drawing = kind(screen, scene, WORDS, LIGHT, *args, **options)
+    drawing.show_projection(projection)
+    pixels: Pixels = screen.pixels()
+    return pixels
 
 
 @contextmanager

@@ -15,7 +15,7 @@ from PySide6.QtWidgets import QLabel
 
 from app.document.document import Document
 from app.document.files import write
-from app.drawings.object_axes import axes_reach
+from app.drawings.frame import axes_reach
 from app.model.projection import ObjectTransform
 from app.scenes.scene import load
 from tests.support.controls import enter, number

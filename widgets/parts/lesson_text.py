@@ -54,31 +54,14 @@ h1, h2, h3, h4 { margin-top: 0px; margin-bottom: 4px; font-size: large; }
 
 
 def answer_of(part: Part, here: Here) -> str:
-    """Return the right number of a question with its unit, to four digits; empty if it has none.
-
-    Raises
-    ------
-    Refusal
-        If it has no value in the state of its step; it names the line.
-    """
+    """Return the right number with its unit, to four digits; a `Refusal` names the line."""
     return part.answer_text(here, partial(figure_text, digits=FEW))
 
 
 def set_text(
     document: QTextDocument, text: str, *, title: bool = False, palette: QPalette | None = None
 ) -> None:
-    """Fill a document, which has its font already, with a lesson's text.
-
-    Parameters
-    ----------
-    document : QTextDocument
-    text : str
-        Markdown.
-    title : bool
-        Whether it is a step's title.
-    palette : QPalette, optional
-        Of the window; its middle grey is that of tables.
-    """
+    """Fill a document, which has its font already, with a lesson's Markdown."""
     html, formulas = html_of(f"## {text}" if title else text)
     line = palette.color(QPalette.ColorRole.Mid).name() if palette is not None else "#888888"
     document.setDefaultStyleSheet(STYLE % (line, line))
@@ -114,7 +97,6 @@ def set_text(
 
 
 def _before(document: QTextDocument, cursor: QTextCursor) -> str:
-    """Return the letter before a place."""
     return str(cast(Any, document).characterAt(cursor.position() - 1))
 
 
@@ -228,7 +210,6 @@ class LessonText(QTextEdit):
         self.say(text)
 
     def say(self, text: str) -> None:
-        """Show another text."""
         self._text = text
         self._heights.clear()
         set_text(self.document(), text, title=self._is_title, palette=self.palette())

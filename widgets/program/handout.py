@@ -56,13 +56,7 @@ NOTE_CHARACTERS = 36
 
 
 def handout(course: Course) -> bytes:
-    """Return a talk as the content of a PDF file.
-
-    Raises
-    ------
-    Refusal
-        If one of its states is impossible.
-    """
+    """Return a talk as the content of a PDF file; a `Refusal` if a state is impossible."""
     application = QCoreApplication.instance() or QGuiApplication(["app", "-platform", "offscreen"])
     assert isinstance(application, QGuiApplication)
     buffer = QBuffer()
@@ -93,17 +87,7 @@ def handout(course: Course) -> bytes:
 
 @dataclass
 class _Block:
-    """A part of a page over its whole width; lengths in points.
-
-    Attributes
-    ----------
-    height : float
-    what : QTextDocument, QImage, or tuple of Typeset
-    left : float
-        Its indent, marked by a vertical line.
-    kept : bool
-        Whether the next block must begin on the same page.
-    """
+    """A part of a page over its width, in points; `kept` on the page where the next one begins."""
 
     height: float
     what: QTextDocument | QImage | tuple[Typeset, ...]
@@ -223,7 +207,6 @@ def _readout(document: Document, width: float) -> Iterator[_Block]:
 
 
 def _side_by_side(formulas: Iterable[str], width: float) -> Iterator[_Block]:
-    """Place formulas from left to right, in as many rows as they need."""
     font = QFont("DejaVu Sans")
     font.setPixelSize(FORMULA_PX)
     scale = FORMULA_PT / FORMULA_PX
@@ -251,7 +234,6 @@ class _Pages:
         self._y, self._number = 0.0, 1
 
     def head(self, course: Course) -> None:
-        """Draw the title of the talk, and its length."""
         minutes = course.lesson.minutes or sum(
             step.note.minutes for step in course.lesson.steps if step.note is not None
         )
@@ -275,7 +257,6 @@ class _Pages:
             self._draw(block)
 
     def foot(self) -> None:
-        """Draw the foot of the page."""
         painter = self._painter
         painter.save()
         font = QFont("DejaVu Sans")

@@ -80,13 +80,7 @@ def heads(*, talks: bool) -> tuple[Head, ...]:
 
 
 class LessonCard(QFrame):
-    """The open lesson at its step; hidden while no lesson is open.
-
-    Attributes
-    ----------
-    blocks : list of BlockView
-        What the step asks, as far as it is shown.
-    """
+    """The open lesson at its step; hidden while no lesson is open."""
 
     toggled = Signal(bool)
     """The card appeared, or has gone."""
@@ -114,7 +108,7 @@ class LessonCard(QFrame):
         self.blocks: list[BlockView] = []
         self._title = Label(wordWrap=True)
         self._title.setObjectName("paneTitle")
-        forget = self.tr("Begin again: forget what was answered here")
+        forget = self.tr("Begin again: forget the answers of this lesson")
         self.anew = _tool("reset", forget, self.begin_again)
         close = _tool("close", self.tr("Close the lesson"), self.leave)
         self._marks = QWidget()
@@ -144,10 +138,10 @@ class LessonCard(QFrame):
             QKeySequence(key).toString(QKeySequence.SequenceFormat.NativeText)
             for key in (BACK_KEY, AGAIN_KEY, NEXT_KEY)
         )
-        before = self.tr("The step before ({0})").format(back_key)
-        shown = self.tr("Show the step again, whatever was tried ({0})").format(again_key)
-        hints = self.tr("A hint, one after the other (Alt+I)")
-        following = self.tr("The next step ({0})").format(next_key)
+        before = self.tr("Previous step ({0})").format(back_key)
+        shown = self.tr("Show the step again, as its file has it ({0})").format(again_key)
+        hints = self.tr("Show the next hint (Alt+I)")
+        following = self.tr("Next step ({0})").format(next_key)
         self.back = _push(self.tr("&Back"), before, self.go_back)
         self.again = _push(self.tr("Show again"), shown, self.show_again)
         self.again.setAccessibleName(self.tr("Show the step again"))
@@ -336,7 +330,6 @@ class LessonCard(QFrame):
 
     @property
     def _hinting(self) -> BlockView | None:
-        """Return the block that the next hint is for."""
         return next((block for block in self.blocks if block.is_open and block.hints), None)
 
     def _is_done(self, step: Step) -> bool:
@@ -355,7 +348,6 @@ class LessonCard(QFrame):
         self.look_again()
 
     def _note(self, block: str, answer: str) -> None:
-        """Keep an answer."""
         answers = {**self._progress.answers, self._key(block): answer}
         self._progress = replace(self._progress, answers=answers)
         self._keep()
@@ -383,9 +375,7 @@ class LessonCard(QFrame):
         """Go to a step, from 0; an open prediction keeps the student from going on."""
         held = self._uncommitted
         if held is not None and place > self._lessons.place:
-            self._say(
-                self.tr("Make your prediction first: choose one, and Commit. Then it goes on.")
-            )
+            self._say(self.tr("Make your prediction first: choose one, then Commit."))
             if held.first is not None:
                 held.first.setFocus(Qt.FocusReason.OtherFocusReason)
                 self._area.ensureWidgetVisible(held)
@@ -409,7 +399,6 @@ class LessonCard(QFrame):
             self._finish(lesson)
 
     def go_back(self) -> None:
-        """Go to the step before."""
         self._lessons.previous()
 
     def show_again(self) -> None:
@@ -529,13 +518,7 @@ def _push(text: str, tip: str, act: object) -> QPushButton:
 
 
 class Side(QSplitter):
-    """The column beside the pictures, with the lesson's card above the controls.
-
-    Parameters
-    ----------
-    around : QSplitter
-        The column is added to it.
-    """
+    """The column beside the pictures, added to a splitter: the lesson's card above the controls."""
 
     def __init__(self, around: QSplitter) -> None:
         super().__init__(Qt.Orientation.Vertical)
@@ -548,12 +531,10 @@ class Side(QSplitter):
         self.setChildrenCollapsible(False)
 
     def take_card(self, card: LessonCard) -> None:
-        """Put the lesson's card above the controls."""
         self._card = card
         self.insertWidget(0, card)
 
     def show_parts(self, *, card: bool, controls: bool) -> None:
-        """Show some of it."""
         assert self._card is not None
         self._card.setVisible(card)
         self.controls.setVisible(controls)

@@ -40,26 +40,16 @@ SETTLED_MS = 150
 
 
 class Lessons(QObject):
-    """The open lesson, and the step that it is at.
+    """The open lesson, and the step that it is at, from 0.
 
     Parameters
     ----------
-    store : Store
-    files : Files
-    messages : MessageBar
     stand_still : callable
         Stops everything that moves by itself, before another step is shown.
     to_stage : callable
         Moves the stage strip to a position.
     look_from : callable
         Sets the cameras of panes; panes that are not named get their usual one.
-
-    Attributes
-    ----------
-    course : Course or None
-        Of the open lesson.
-    place : int
-        Of the step, from 0.
     """
 
     opened = Signal()
@@ -107,12 +97,10 @@ class Lessons(QObject):
 
     @property
     def lesson(self) -> Lesson | None:
-        """Return the open lesson."""
         return self.course.lesson if self.course is not None else None
 
     @property
     def step(self) -> Step | None:
-        """Return the step that is shown."""
         return self.course.lesson.steps[self.place] if self.course is not None else None
 
     @property
@@ -136,13 +124,7 @@ class Lessons(QObject):
         )
 
     def open(self, path: str | Path, step: str = "") -> bool:
-        """Open a lesson, at its first step or at the named one.
-
-        Returns
-        -------
-        bool
-            False if it cannot be opened: the reason is said, and the window stays as it is.
-        """
+        """Open a lesson at its first step, or at the named one; if it fails, say why."""
         try:
             course = Course(read(path))
             place = course.lesson.place_of(step)
@@ -215,10 +197,7 @@ class Lessons(QObject):
         return self.go(self.place - 1)
 
     def come_back(self) -> bool:
-        """Show the step again, as its file has it and with the cameras of the arrival.
-
-        Undo brings back what was tried, except how a pane was turned.
-        """
+        """Show the step as its file has it, with the cameras of the arrival; undo goes back."""
         return self.go(self.place)
 
     def show_predicted(self, state: State) -> None:
@@ -269,10 +248,7 @@ class Lessons(QObject):
         return replace(look, **shown.view)
 
     def _move_to(self, end: Document, scene: Any) -> bool:
-        """Change to a document in one step of undo; the model moves there if it can.
-
-        Return False if the document is refused: then the window stays as it is.
-        """
+        """Change to a document in one step of undo, moving if possible; False if refused."""
         store = self._store
         start, look = store.document, store.look()
         self._files.keep(end, scene)

@@ -59,12 +59,10 @@ class TalkClock:
 
     @property
     def is_running(self) -> bool:
-        """Whether it counts."""
         return self._since is not None
 
     @property
     def seconds(self) -> float:
-        """Return the seconds that it has counted."""
         return self._before + (self._now() - self._since if self._since is not None else 0.0)
 
     def begin(self) -> None:
@@ -73,7 +71,6 @@ class TalkClock:
             self._since = self._now()
 
     def toggle(self) -> None:
-        """Pause, or go on."""
         if self._since is None:
             self._since = self._now()
         else:
@@ -143,7 +140,7 @@ class SpeakerWindow(QWidget):
         forward = self._button(self.tr("&Next ▶"), self.next_wanted.emit)
         blank = self._button(self.tr("B&lank"), self.blank_wanted.emit)
         swap = self._button(self.tr("S&wap screens"), self.swap_wanted.emit)
-        set_tip(swap, self.tr("Let class and notes change screens (W); it is remembered"))
+        set_tip(swap, self.tr("Swap the screens of class and notes (W); the choice is remembered"))
         times = (self._clock, 8, self._elapsed, 8, self.pause, 8, self.reset, 8, (self._plan, 1))
         layout = QGridLayout()
         layout.addLayout(in_row(*times), 0, 0, 1, 2)
@@ -299,7 +296,6 @@ class SpeakerWindow(QWidget):
 
 
 def _drawn(document: Document, theme: str) -> QImage:
-    """Draw the leading pane of a state."""
     from app.drawings.figures import render
 
     current = QOpenGLContext.currentContext()

@@ -82,6 +82,5 @@ class Ahead(QObject):
 
 
 def _texts_of(step: Step) -> Iterator[str]:
-    """Yield the texts of a step that may hold formulas."""
     yield step.title
     yield from (part.text for part in step.parts)

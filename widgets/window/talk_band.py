@@ -38,13 +38,7 @@ _GAP_PX, _EDGE_PX = 10, 2
 
 
 class TalkBand(QFrame):
-    """A step's title, words and questions, as large as there is room for.
-
-    Attributes
-    ----------
-    note : str
-        A message beside the number of the step.
-    """
+    """A step's title, words and questions, as large as there is room for."""
 
     def __init__(self) -> None:
         super().__init__()
@@ -122,7 +116,6 @@ class TalkBand(QFrame):
 
     @property
     def _room(self) -> QRectF:
-        """Return the area inside the edges."""
         return QRectF(self.rect()).adjusted(_GAP_PX, _EDGE_PX, -_GAP_PX, -_EDGE_PX)
 
     def _columns(self) -> tuple[QRectF, QRectF]:

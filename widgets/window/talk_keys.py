@@ -39,13 +39,7 @@ _IN_FIELDS = (_KEYS.Key_PageDown, _KEYS.Key_PageUp, AGAIN_KEY)
 
 
 class TalkKeys(QObject):
-    """Takes the keys of a talk before Qt gives them to a widget.
-
-    Attributes
-    ----------
-    speaker : SpeakerWindow or None
-        While it is open.
-    """
+    """Takes the keys of a talk before Qt gives them to a widget."""
 
     next = Signal()
     previous = Signal()

@@ -101,16 +101,7 @@ class TalkWriter(QObject):
 
 
 class TitleDialog(QDialog):
-    """Asks for the title of a step.
-
-    Parameters
-    ----------
-    name, title : str
-        Of the dialog, and the proposed title of the step.
-    turned : bool
-        Whether a pane was turned: then the dialog offers to keep that.
-    parent : QWidget
-    """
+    """Asks for the title of a step, and whether turned panes are kept if there are any."""
 
     def __init__(self, name: str, title: str, turned: bool, parent: QWidget) -> None:
         super().__init__(parent)
@@ -119,8 +110,8 @@ class TitleDialog(QDialog):
         self.field = QLineEdit(title)
         self.field.setMinimumWidth(24 * self.fontMetrics().averageCharWidth())
         label.setBuddy(self.field)
-        self.panes = QCheckBox(self.tr("With the &panes turned as they are"))
-        set_tip(self.panes, self.tr("Then the state is a document beside the file"))
+        self.panes = QCheckBox(self.tr("Keep the &panes turned as they are"))
+        set_tip(self.panes, self.tr("The state is then a document beside the file"))
         self.panes.setVisible(turned)
         buttons = QDialogButtonBox(
             QDialogButtonBox.StandardButton.Ok | QDialogButtonBox.StandardButton.Cancel

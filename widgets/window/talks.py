@@ -162,7 +162,6 @@ class Talks(QObject):
             self._lessons.next()
 
     def previous(self) -> None:
-        """Go back."""
         self._unblank()
         self._lessons.previous()
 
@@ -207,7 +206,6 @@ class Talks(QObject):
             self.speaker.say(text or self._refusal or self._complaint)
 
     def _say(self, text: str) -> None:
-        """Say something for a moment."""
         self._keys.forget_later()
         self._band.say(text)
         if self.speaker is not None:
@@ -248,7 +246,7 @@ class Talks(QObject):
     def open_speaker(self) -> None:
         """Open the speaker's window, on another screen if there is one."""
         if not self.has_lesson:
-            self._messages.say(self.tr("Open a talk first: its notes are what the speaker sees."))
+            self._messages.say(self.tr("Open a talk first: the speaker's window shows its notes."))
             return
         if self.speaker is None:
             self.speaker = speaker = SpeakerWindow(self._settings, self._window)
@@ -269,7 +267,6 @@ class Talks(QObject):
         self._show()
 
     def close_speaker(self) -> None:
-        """Close the speaker's window, if it is open."""
         if self.speaker is not None:
             self.speaker.close()
 

@@ -13,20 +13,12 @@ from app.lessons.lines import LACKS, Body, refused
 from app.model.formula import Formula
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
 
-EITHER = QT_TRANSLATE_NOOP("Refusal", "has choices and a value: only one of them can be")
+EITHER = QT_TRANSLATE_NOOP("Refusal", "has both choices and a value: keep one of them")
 
 
 @dataclass(frozen=True, kw_only=True)
 class Answer(Question):
-    """A question whose answer is a number.
-
-    Attributes
-    ----------
-    formula : Formula
-        Of the right number.
-    formula_line : int
-    unit : str
-    """
+    """A question whose answer is a number, that of a formula."""
 
     kind = "answer"
     formula: Formula
@@ -60,25 +52,18 @@ class Answer(Question):
         return self.formula, self.formula_line
 
     def answer(self, here: Here) -> float:
-        """Return the right number."""
         return self.value(here, *self.key)
 
     def mark(self, here: Here, typed: str) -> Verdict:
-        """Return what is said to a number as it was typed.
-
-        Raises
-        ------
-        Refusal
-            If it is not a number, of the field ``answer``; or if the question has no value.
-        """
+        """Return what is said to a typed text; a `Refusal` of ``answer`` if it is not a number."""
         number, value = marking.read(typed, self.unit), self.answer(here)
         if marking.equals(number, value):
-            return Verdict(True, says=self.why, value=value)
+            return Verdict(True, says=self.why)
         for wrong in self.replies:
             assert wrong.formula is not None
             if marking.equals(number, self.value(here, wrong.formula, wrong.line)):
-                return wrong.verdict(here, value=value)
-        return Verdict(False, too_short=marking.is_too_short(number, value), value=value)
+                return wrong.verdict(here)
+        return Verdict(False, too_short=marking.is_too_short(number, value))
 
     def verdict(self, here: Here, sample: str, line: int) -> str:
         try:

@@ -21,17 +21,7 @@ from app.model.refusal import Refusal
 
 
 class Idea(NamedTuple):
-    """A wrong idea that students have.
-
-    Attributes
-    ----------
-    name, title : str
-        The title is the idea in the words of somebody who has it.
-    says : str
-        Markdown; two sentences against it.
-    state : Document
-        That shows it.
-    """
+    """A wrong idea that students have: Markdown against it, and a state that shows it."""
 
     name: str
     title: str
@@ -98,7 +88,7 @@ class Block:
     once : bool
         Whether a step has at most one of the kind.
     asks : bool
-        Whether the student has to do something: then the block has a name.
+        Whether the student has to answer it: then the block has a name.
     """
 
     kind: ClassVar[str] = ""
@@ -136,14 +126,12 @@ class Part(Block):
 
     Attributes
     ----------
-    text : str
-        Markdown.
-    why : str
-        Markdown; the reason, read once the answer is known.
-    show : State, optional
-        The state that the model goes to then.
     reveals : bool
         Whether a talk first puts it to the class and then tells what is right.
+    text, why : str
+        Markdown; the reason is read once the answer is known.
+    show : State, optional
+        The state that the model goes to then.
     """
 
     reveals: ClassVar[bool] = False
@@ -161,15 +149,7 @@ class Part(Block):
         return self.text
 
     def told(self, answer: str, *, others: bool = True) -> str:
-        """Return the question and what is right, as Markdown for a class.
-
-        Parameters
-        ----------
-        answer : str
-            From `answer_text`; empty if it could not be computed.
-        others : bool
-            Whether what is not right is there, too.
-        """
+        """Return it with what is right, as Markdown; `answer` is that of `answer_text`."""
         return self.text
 
     def explained(self, answer: str, *, others: bool = True) -> str:
@@ -181,17 +161,23 @@ class Part(Block):
         return ""
 
 
+class Words(Part):
+    """The text between two blocks."""
+
+    def texts(self) -> Iterator[tuple[int, str]]:
+        yield self.line, self.text
+
+
 @dataclass(frozen=True, kw_only=True)
 class Asked(Part):
     """A block that the student has to answer.
 
     Attributes
     ----------
-    name : str
-        By which samples and the student's progress call it; a step has no two of a name.
     holds : bool
         Whether the step goes on only when it is answered.
-    hints : tuple of str
+    name : str
+        For samples and the student's progress; a step has no two of a name.
     said : tuple of (int, str)
         Everything said to an answer, and the hints, each with its line.
     """

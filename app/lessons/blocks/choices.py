@@ -18,7 +18,7 @@ from app.model.refusal import QT_TRANSLATE_NOOP
 ONE_RIGHT = QT_TRANSLATE_NOOP(
     "Refusal", "needs at least two choices, just one of them right: “- [x]”, the others “- [ ]”"
 )
-OTHER_NUMBER = QT_TRANSLATE_NOOP("Refusal", "says another number than its formula, which gives {0}")
+OTHER_NUMBER = QT_TRANSLATE_NOOP("Refusal", "says another number than its formula's value, {0}")
 A_NUMBER_OF = QT_TRANSLATE_NOOP("Refusal", "must be the number of a choice, from 1 to {0}")
 
 LETTERS = "ABCDEFGHIJ"
@@ -65,21 +65,13 @@ class Choice(Reply):
 
 @dataclass(frozen=True, kw_only=True)
 class Choices(Question):
-    """A question with choices.
-
-    Attributes
-    ----------
-    replies : tuple of Choice
-    retries : bool
-        Whether one may choose again after a wrong choice.
-    """
+    """A question with choices; `retries` tells whether one may choose again."""
 
     retries: ClassVar[bool] = True
     replies: tuple[Choice, ...]
 
     @classmethod
     def of(cls, body: Body, text: str, items: Items, **more: Any) -> Choices:
-        """Make the block of what was read of its body."""
         choices = tuple(Choice.read(item) for item in items if item.key == "choice")
         if len(choices) < 2 or sum(each.right for each in choices) != 1:
             raise refused(body.line, ONE_RIGHT)

@@ -16,11 +16,10 @@ from app.lessons.state import State, state_in
 from app.model.formula import Formula
 from app.model.refusal import QT_TRANSLATE_NOOP
 
-NO_VALUE = QT_TRANSLATE_NOOP("Refusal", "has no value in this state: there is no {0}")
+NO_VALUE = QT_TRANSLATE_NOOP("Refusal", "has no value in this state, which has no {0}")
 NO_IDEA = QT_TRANSLATE_NOOP(
     "Refusal",
-    "names a wrong idea that the program does not know (the nearest is {0}), and has no “says:” of"
-    " its own",
+    "names an unknown wrong idea (the nearest is {0}), and has no “says:” of its own",
 )
 ALSO_RIGHT = QT_TRANSLATE_NOOP("Refusal", "is wrong, but its formula gives the right value, {0}")
 SAME_WRONG = QT_TRANSLATE_NOOP("Refusal", "cannot be told from the wrong value of line {0}, {1}")
@@ -37,17 +36,14 @@ class Verdict(NamedTuple):
 
     Attributes
     ----------
-    right : bool
     idea : str
         Name of the wrong idea behind it; empty if it has none.
     says : str
         Markdown.
     state : Document, optional
-        That shows it.
+        Shows what is said.
     too_short : bool
         Whether it only lacks digits.
-    value : float, optional
-        The right one.
     """
 
     right: bool
@@ -55,7 +51,6 @@ class Verdict(NamedTuple):
     says: str = ""
     state: Document | None = None
     too_short: bool = False
-    value: float | None = None
 
     @property
     def word(self) -> str:
@@ -65,20 +60,7 @@ class Verdict(NamedTuple):
 
 @dataclass(frozen=True, kw_only=True)
 class Reply:
-    """An answer that the lesson knows, and what is said to it.
-
-    Attributes
-    ----------
-    line : int
-    formula : Formula, optional
-        What its number comes from.
-    idea : str
-        Name of the wrong idea that leads there.
-    says : str
-        Markdown.
-    state : State, optional
-        That shows it.
-    """
+    """An answer that the lesson knows, where its number comes from, and what is said to it."""
 
     line: int
     right: bool = False
@@ -87,17 +69,17 @@ class Reply:
     says: str = ""
     state: State | None = None
 
-    def verdict(self, here: Here, why: str = "", value: float | None = None) -> Verdict:
+    def verdict(self, here: Here, why: str = "") -> Verdict:
         """Return what is said to it; a known idea adds its sentences and state if it has none."""
         says = self.says
         state = here.shown_by(self.state) if self.state is not None else None
         if self.right:
-            return Verdict(True, says=says or why, state=state, value=value)
+            return Verdict(True, says=says or why, state=state)
         idea = here.idea(self.idea)
         if idea is not None:
             says = says or idea.says
             state = state or idea.state
-        return Verdict(False, self.idea, says, state, value=value)
+        return Verdict(False, self.idea, says, state)
 
     def check(self, here: Here, trial: Trial) -> None:
         """Complain about an unknown idea without a sentence, and a state that cannot be."""
@@ -149,13 +131,7 @@ class Question(Asked):
         return here.quantities(here.shown_by(self.show) if self.show is not None else None)
 
     def value(self, here: Here, formula: Formula, line: int) -> float:
-        """Return the value of one of its formulas.
-
-        Raises
-        ------
-        Refusal
-            If it has none; it names the line.
-        """
+        """Return the value of one of its formulas; a `Refusal` names the line."""
         known = self.known(here)
         with on_line(line, "formula"):
             try:
@@ -177,33 +153,23 @@ class Question(Asked):
         if formula is not None:
             with trial.kept():
                 value = self.value(here, formula, line)
+                for reply in self.replies:
+                    if reply.right:
+                        reply.check_number(value)
         found: list[tuple[int, float]] = []
-        for reply in sorted(self.replies, key=lambda reply: not reply.right):
-            if reply.right and value is not None:
+        for reply in self.replies:
+            if reply.right or reply.formula is None:
+                continue
+            with trial.kept():
+                wrong = self.value(here, reply.formula, reply.line)
                 with trial.kept():
-                    reply.check_number(value)
-            elif reply.formula is not None and not reply.right:
-                with trial.kept():
-                    wrong = self.value(here, reply.formula, reply.line)
-                    self._check_apart(reply, wrong, value, found, trial)
-                    found.append((reply.line, wrong))
-
-    @staticmethod
-    def _check_apart(
-        reply: Reply,
-        wrong: float,
-        value: float | None,
-        found: Sequence[tuple[int, float]],
-        trial: Trial,
-    ) -> None:
-        """Complain about a wrong value that three digits do not tell from another one."""
-        with trial.kept():
-            reply.check_number(wrong)
-        if value is not None and _alike(wrong, value):
-            trial.complain(refused(reply.line, ALSO_RIGHT, f"{value:.6g}"))
-        for line, other in found:
-            if _alike(wrong, other):
-                trial.complain(refused(reply.line, SAME_WRONG, line, f"{other:.6g}"))
+                    reply.check_number(wrong)
+                if value is not None and _alike(wrong, value):
+                    trial.complain(refused(reply.line, ALSO_RIGHT, f"{value:.6g}"))
+                for line, other in found:
+                    if _alike(wrong, other):
+                        trial.complain(refused(reply.line, SAME_WRONG, line, f"{other:.6g}"))
+                found.append((reply.line, wrong))
 
 
 def _alike(one: float, other: float) -> bool:

@@ -11,7 +11,7 @@ from app.lessons.lines import Body, refused
 from app.model.limits import ONE_OF
 from app.model.refusal import QT_TRANSLATE_NOOP
 
-A_SAMPLE = QT_TRANSLATE_NOOP("Refusal", "must be a sample, as “NAME: SAMPLE -> VERDICT”")
+A_SAMPLE = QT_TRANSLATE_NOOP("Refusal", "must be a sample like “NAME: SAMPLE -> VERDICT”")
 OTHER_VERDICT = QT_TRANSLATE_NOOP("Refusal", "gets “{0}” instead of “{1}”")
 
 

@@ -14,21 +14,13 @@ from app.lessons.quantities import Condition
 from app.model.limits import ONE_OF
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
 
-NOTHING_TO_DO = QT_TRANSLATE_NOOP("Refusal", "is done before anything was done")
+NOTHING_TO_DO = QT_TRANSLATE_NOOP("Refusal", "is done before the student does anything")
 _PANES = "view.panes="
 
 
 @dataclass(frozen=True, kw_only=True)
 class Task(Asked):
-    """Something to do in the window, in any way.
-
-    Attributes
-    ----------
-    until : tuple of (int, Condition)
-        The task is done when all of them hold of the window; each with its line.
-    done : str
-        Markdown; said then.
-    """
+    """Something to do: done when all of `until` hold; then the student reads `done`."""
 
     kind = "task"
     until: tuple[tuple[int, Condition], ...]
@@ -43,13 +35,7 @@ class Task(Asked):
         return cls(**cls.fields(body, text, items), until=until, done=items.text("done"))
 
     def is_done(self, here: Here, now: Document, view: View | None = None) -> bool:
-        """Whether it is done in the window as it stands.
-
-        Raises
-        ------
-        Refusal
-            If a condition has no value there; it names the line.
-        """
+        """Whether the window as it stands fulfils it; a `Refusal` names the line."""
         known = here.quantities(now, view)
         for line, condition in self.until:
             with on_line(line, "until"):

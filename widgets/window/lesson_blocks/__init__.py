@@ -24,5 +24,4 @@ VIEWS: dict[type[Part], Callable[..., BlockView]] = {
 
 
 def view_of(here: AtStep, block: Part) -> BlockView:
-    """Make the view of a block that asks something."""
     return VIEWS[type(block)](here, block)

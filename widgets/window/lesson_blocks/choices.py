@@ -71,14 +71,12 @@ class Chooses(BlockView):
     def __init__(self, here: AtStep, question: Choices) -> None:
         super().__init__(here, question)
         self.question = question
-        self._column.addWidget(LessonText(question.text))
         self._choices = [_Choice(choice.text) for choice in question.replies]
         self._group = QButtonGroup(self)
         for number, choice in enumerate(self._choices):
             self._group.addButton(choice.button, number)
             choice.button.installEventFilter(self)
-            self._column.addWidget(choice)
-        self._column.addLayout(self._said)
+            self._insert(choice)
         name, tip = self.tr("Chec&k"), self.tr("Enter")
         if not question.retries:
             name, tip = self.tr("&Commit"), self.tr("This is my prediction (Enter)")

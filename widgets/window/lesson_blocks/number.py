@@ -10,7 +10,7 @@ from app.lessons.course import AtStep
 from app.lessons.text import plain_of
 from app.model.refusal import Refusal
 from widgets.parts.layouts import FREE
-from widgets.parts.lesson_text import LessonText, answer_of
+from widgets.parts.lesson_text import answer_of
 from widgets.parts.messages import sentence
 from widgets.parts.plain import Label, set_tip
 from widgets.window.lesson_blocks.view import BlockView, button, on_holder
@@ -28,7 +28,6 @@ class Types(BlockView):
         super().__init__(here, question)
         self.question = question
         self._tries = 0
-        self._column.addWidget(LessonText(question.text))
         self.field = QLineEdit()
         self.field.setAccessibleName(self.tr("Answer: {0}").format(plain_of(question.text)))
         set_tip(
@@ -41,8 +40,7 @@ class Types(BlockView):
         self.field.returnPressed.connect(self.check)
         self._check = button(self.tr("Chec&k"), self.tr("Enter"), self.check)
         unit = [Label(question.unit)] if question.unit else []
-        self._column.addWidget(on_holder((self.field, 1), *unit, self._check, FREE, gap=5))
-        self._column.addLayout(self._said)
+        self._insert(on_holder((self.field, 1), *unit, self._check, FREE, gap=5))
 
     @property
     def first(self) -> QWidget | None:
@@ -94,7 +92,7 @@ class Types(BlockView):
             self._say("close", self.tr("Not so"), text)
             self._announce(text)
         if self._tries >= TRIES:
-            tip = self.tr("Say what is right, and why (Alt+A)")
+            tip = self.tr("Show the right answer, and why it is right (Alt+A)")
             self._offer(self.tr("Show the &answer"), tip, self._give_away)
 
     def _close(self, verdict: Verdict | None = None) -> None:

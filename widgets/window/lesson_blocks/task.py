@@ -7,9 +7,7 @@ from app.document.view import View
 from app.lessons.blocks.task import Task
 from app.lessons.course import AtStep
 from app.model.refusal import Refusal
-from widgets.parts.layouts import TOP
-from widgets.parts.lesson_text import LessonText
-from widgets.window.lesson_blocks.view import BlockView, Sign, on_holder
+from widgets.window.lesson_blocks.view import BlockView, Sign
 
 DONE = "done"
 """What is kept of a task that is done."""
@@ -19,11 +17,10 @@ class Tries(BlockView):
     """Something to do in the window, in any way; it ticks itself when it is done."""
 
     def __init__(self, here: AtStep, task: Task) -> None:
-        super().__init__(here, task)
-        self.task = task
-        self._sign = Sign("", self.tr("To do"))
-        self._column.addWidget(on_holder((self._sign, TOP), (LessonText(task.text), 1), gap=4))
-        self._column.addLayout(self._said)
+        sign = Sign("", "")
+        super().__init__(here, task, sign)
+        self.task, self._sign = task, sign
+        sign.show_icon("", self.tr("To do"))
 
     def restore(self, answer: str) -> None:
         self.answer = DONE

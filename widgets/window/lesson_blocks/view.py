@@ -69,7 +69,10 @@ class Sign(QWidget):
 
 
 class BlockView(QFrame):
-    """A block that asks something, in a frame; what is said to the answer comes below."""
+    """A block that asks something, in a frame; what is said to the answer comes below.
+
+    A subclass adds its own widgets by `_insert`; `sign` is a widget beside the text.
+    """
 
     settled = Signal(str)
     """The block is answered: the answer."""
@@ -78,7 +81,7 @@ class BlockView(QFrame):
     spoke = Signal()
     """Something was said to the answer."""
 
-    def __init__(self, here: AtStep, block: Asked) -> None:
+    def __init__(self, here: AtStep, block: Asked, *sign: QWidget) -> None:
         super().__init__()
         self.setObjectName("asked")
         self.here, self.block = here, block
@@ -86,10 +89,17 @@ class BlockView(QFrame):
         self.hints = list(block.hints)
         """Those that were not given yet."""
         self.setAccessibleName(plain_of(block.text))
-        self._column = in_column(on=self, margins=(9, 7, 9, 8), gap=5)
         self.said: list[QWidget] = []
         """What is said to the answer, from the top."""
         self._said = in_column(gap=4)
+        text: QWidget = LessonText(block.text)
+        if sign:
+            text = on_holder(*((each, TOP) for each in sign), (text, 1), gap=4)
+        self._column = in_column(text, self._said, on=self, margins=(9, 7, 9, 8), gap=5)
+
+    def _insert(self, widget: QWidget) -> None:
+        """Add a widget above what is said."""
+        self._column.insertWidget(self._column.indexOf(self._said), widget)
 
     @property
     def is_open(self) -> bool:
@@ -113,13 +123,12 @@ class BlockView(QFrame):
         """See what of it is done in the window as it stands."""
 
     def give_hint(self) -> None:
-        """Say the next hint."""
         if self.hints:
             count = len(self.block.hints) - len(self.hints) + 1
             many = len(self.block.hints) > 1
             head = self.tr("Hint {0}:").format(count) if many else self.tr("Hint:")
             text = f"*{head}* {self.hints.pop(0)}"
-            self._column.insertWidget(self._column.indexOf(self._said), _row("help", "", text))
+            self._insert(_row("help", "", text))
             self._announce(text)
 
     # -- what is said to the answer
@@ -172,9 +181,8 @@ class BlockView(QFrame):
             head = f"{head} {behind}".strip()
         self._say("close", self.tr("Not so"), head or self.tr("That is not it."))
         self._say("", "", verdict.says)
-        self._offer_state(
-            verdict.state, self.tr("Sho&w it"), self.tr("Show a state in which it is seen (Alt+W)")
-        )
+        tip = self.tr("Show a state that makes it visible (Alt+W)")
+        self._offer_state(verdict.state, self.tr("Sho&w it"), tip)
         self._announce(head, verdict.says)
 
     def _announce(self, *texts: str) -> None:
@@ -191,7 +199,6 @@ def _row(icon: str, sign: str, text: str) -> QWidget:
 
 
 def on_holder(*parts: Part, gap: int) -> QWidget:
-    """Put parts side by side on one widget."""
     holder = QWidget()
     in_row(*parts, on=holder, margins=(0, 0, 0, 0), gap=gap)
     return holder

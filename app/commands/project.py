@@ -1,0 +1,294 @@
+"""The command ``project``: points through every stage, as a table, CSV or JSON."""
+
+from __future__ import annotations
+
+import csv
+import io
+import json
+import math
+from collections.abc import Callable, Iterator, Sequence
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from app.commands import points
+from app.commands.aligned import lengths, lens_line, plain, widths
+from app.commands.arguments import document_of
+from app.commands.options import CliError, parser_of, write_out
+from app.document.document import MESH_ENDINGS
+from app.model.projection import PLANES, Array, Projection, Space, Trace
+from app.precision.levels import (
+    Precision,
+    Prediction,
+    precision_for_reading,
+    predict,
+    trace,
+    trace_homogeneous,
+)
+
+
+def run(arguments: Sequence[str]) -> int:
+    """Print the points that are asked for; the exit status."""
+    points.check_typed(arguments)
+    found, (*file, source) = parser_of("project").read(arguments)
+    if not file and source.lower().endswith((".json", *MESH_ENDINGS)):
+        raise CliError(f"POINTS is missing: {source} is what the camera is read from.")
+    projection = document_of(file[0] if file else None, found.set).projection
+    read = points.read(source)
+    rows, has_w = np.array(read.points), read.has_w
+    predictions = predict(projection, rows[rows[:, 3] != 0.0, :3], space=found.space)
+    precision = found.rung or precision_for_reading(predictions)
+    if has_w:
+        traced = trace_homogeneous(projection, rows, precision, found.space)
+    else:
+        traced = trace(projection, rows[:, :3], precision, space=found.space)
+    beyond = ~np.isfinite(np.column_stack([traced.view, traced.clip])).all(axis=1)
+    if beyond.any():  # float32 ends at 3e38, a document and its points do not
+        number = int(beyond.argmax()) + 1
+        raise CliError(
+            f"--rung = {precision!r}: point {number} leads to numbers that it cannot hold."
+        )
+    answer = _Answer(projection, traced, precision, predictions, found.space, read.columns)
+    if found.format == "table":
+        write_out([f"{lens_line(projection)}\n\n"])
+    write_out(_PROJECT_FORMATS[found.format](answer))
+    return 0
+
+
+class _Answer(NamedTuple):
+    """What `project` prints."""
+
+    projection: Projection
+    trace: Trace
+    precision: Precision
+    predictions: dict[Precision, Prediction] | None
+    space: Space
+    columns: points.Columns
+
+    @property
+    def stages(self) -> tuple[tuple[str, tuple[str, ...]], ...]:
+        """Each stage and its columns: with w where the points were given with one."""
+        return _HOMOGENEOUS if self.trace.world.shape[1] == 4 else _STAGES
+
+    @property
+    def counts(self) -> tuple[int, int]:
+        """Numbers of a point, and those of one that has no picture: up to clip space."""
+        columns = [len(names) for _, names in self.stages]
+        return sum(columns), sum(columns[:3])
+
+
+class _Block(NamedTuple):
+    """Some of the points, ready to be written.
+
+    Attributes
+    ----------
+    numbers : (n, k) float64 array
+        The columns of `_Answer.stages`; NaN where there is no picture, and no minus zero.
+    in_front : list of bool
+    outside_of : list of tuple of str
+    """
+
+    numbers: Array
+    in_front: list[bool]
+    outside_of: list[tuple[str, ...]]
+
+    @property
+    def texts(self) -> list[str]:
+        """All numbers, row by row, each as the shortest text that reads back the same."""
+        return list(map(repr, self.numbers.ravel().tolist()))
+
+
+_STAGES: tuple[tuple[str, tuple[str, ...]], ...] = (
+    ("world", ("world_x", "world_y", "world_z")),
+    ("view", ("view_x", "view_y", "view_z")),
+    ("clip", ("clip_x", "clip_y", "clip_z", "clip_w")),
+    ("ndc", ("ndc_x", "ndc_y", "ndc_z")),
+    ("image", ("image_x_px", "image_y_px")),
+    ("depth", ("depth",)),
+)
+_HOMOGENEOUS = tuple(
+    (stage, (*names, f"{stage}_w") if stage in ("world", "view") else names)
+    for stage, names in _STAGES
+)
+"""The same where points may be at infinity."""
+_BLOCK = 4096
+
+
+def _blocks(trace: Trace) -> Iterator[_Block]:
+    named = [
+        tuple(plane for i, plane in enumerate(PLANES) if code >> i & 1)
+        for code in range(1 << len(PLANES))
+    ]
+    for start in range(0, len(trace.world), _BLOCK):
+        part = Trace._make(column[start : start + _BLOCK] for column in trace)
+        codes = part.outside @ (1 << np.arange(len(PLANES)))
+        stages = part.world, part.view, part.clip, part.ndc, part.image, part.depth
+        yield _Block(
+            np.column_stack(stages) + 0.0,
+            part.in_front.tolist(),
+            [named[code] for code in codes.tolist()],
+        )
+
+
+def _project_json(answer: _Answer) -> Iterator[str]:
+    parts = [
+        f'"{stage}": {"[%s]" if len(names) > 1 else "%s"}' % ", ".join(["%s"] * len(names))
+        for stage, names in answer.stages
+    ]
+    seen = "{" + ", ".join(parts)
+    unseen = "{" + ", ".join([*parts[:3], *(f'"{stage}": null' for stage, _ in _STAGES[3:])])
+    count, before_ndc = answer.counts
+    names = answer.columns.names
+    others = answer.columns.written(
+        lambda row: f', "columns": {json.dumps(dict(zip(names, row, strict=True)))}'
+    )
+    separator = '{"points": [\n'
+    for block in _blocks(answer.trace):
+        texts, lines = block.texts, []
+        for i, (in_front, outside_of) in enumerate(
+            zip(block.in_front, block.outside_of, strict=True)
+        ):
+            first = count * i
+            if in_front:
+                line = seen % tuple(texts[first : first + count])
+            else:
+                line = unseen % tuple(texts[first : first + before_ndc])
+            inside = "true" if in_front and not outside_of else "false"
+            outside = json.dumps(outside_of)
+            more = next(others)
+            lines.append(f'{line}, "inside": {inside}, "outside_of": {outside}{more}}}')
+        yield separator + ",\n".join(lines)
+        separator = ",\n"
+    wanted: tuple[str, ...] = ("view_from_world", "clip_from_view", "clip_from_world")
+    if answer.space == "object":
+        wanted = ("world_from_object", *wanted)
+    stages = (*answer.projection.stages, *answer.projection.direct_stages)
+    matrices = {stage.name: plain(stage.matrix) for stage in stages if stage.name in wanted}
+    yield f'\n],\n"matrices": {json.dumps(matrices, allow_nan=False)},\n'
+    errors = {
+        precision: {"px": _finite_or_text(error.px), "depth": _finite_or_text(error.depth)}
+        for precision, error in (answer.predictions or {}).items()
+    }
+    chosen = {
+        "rung": answer.precision,
+        "predicted_error_px": errors[answer.precision]["px"] if errors else None,
+        "predictions": errors,
+    }
+    yield json.dumps(chosen, allow_nan=False)[1:] + "\n"
+
+
+def _finite_or_text(error: float) -> float | str:
+    """JSON has no infinity; the document writes it so, too."""
+    return error if math.isfinite(error) else "inf"
+
+
+def _project_csv(answer: _Answer) -> Iterator[str]:
+    columns = [name for _, names in answer.stages for name in names]
+    others = answer.columns.written(lambda row: f",{_csv_row(row)}")
+    names = f",{_csv_row(answer.columns.names)}" if answer.columns.names else ""
+    yield ",".join([*columns, "inside", "outside_of"]) + names + "\n"
+    count, before_ndc = answer.counts
+    none = [""] * (count - before_ndc)
+    for block in _blocks(answer.trace):
+        texts, lines = block.texts, []
+        for i, (in_front, outside_of) in enumerate(
+            zip(block.in_front, block.outside_of, strict=True)
+        ):
+            cells = texts[count * i : count * (i + 1)]
+            if not in_front:
+                cells[before_ndc:] = none
+            cells += ["true" if in_front and not outside_of else "false", " ".join(outside_of)]
+            lines.append(",".join(cells) + next(others) + "\n")
+        yield "".join(lines)
+
+
+def _csv_row(cells: list[str]) -> str:
+    text = io.StringIO()
+    csv.writer(text, lineterminator="").writerow(cells)
+    return text.getvalue()
+
+
+def _project_table(answer: _Answer) -> Iterator[str]:
+    labels = ("world", "view", "clip", "NDC", "image px", "depth")
+    rows, line = len(labels) + 1, "%*s" * 4 + "\n"
+    seen = "%-10s  " + line + "".join(f"{label:>10}  {line}" for label in labels)
+    unseen = "%-10s  " + line + "".join(f"{label:>10}  {line}" for label in labels[:3])
+    # Where each number stands in a table of four columns, below its head.
+    places = [
+        4 * row + i for row, (_, names) in enumerate(answer.stages, 1) for i in range(len(names))
+    ]
+    numbers, before_ndc = answer.counts
+    number = 0
+    names = answer.columns.names
+    others = answer.columns.written(
+        lambda row: "".join(
+            f"{_printable(name):>10}  {_printable(text)}\n"
+            for name, text in zip(names, row, strict=True)
+        )
+    )
+    for block in _blocks(answer.trace):
+        count, texts = len(block.numbers), block.texts
+        whole = (block.numbers == np.rint(block.numbers)) & (np.abs(block.numbers) < 1e15)
+        for i in np.flatnonzero(whole).tolist():
+            texts[i] = texts[i].removesuffix(".0")
+        counted = np.zeros((2, count, 4 * rows), dtype=int)
+        counted[0, :, :4] = counted[1, :, :4] = 1
+        counted[:, :, places] = np.reshape(lengths(texts), (2, count, numbers))
+        counted[:, ~np.array(block.in_front), places[before_ndc] :] = 0
+        cells = np.full((count, 4 * rows), "", dtype=object)
+        cells[:, :4] = "x", "y", "z", "w"
+        cells[:, places] = np.array(texts, dtype=object).reshape(count, numbers)
+        filled: list[Any] = [None] * (2 * cells.size)
+        filled[::2] = widths(*counted.reshape(2, count, rows, 4))
+        filled[1::2] = cells.ravel().tolist()
+        lines = []
+        for i, (in_front, outside_of) in enumerate(
+            zip(block.in_front, block.outside_of, strict=True)
+        ):
+            number += 1
+            shown = seen if in_front else unseen
+            first = 8 * rows * i
+            values = filled[first : first + 8 * (rows if in_front else 4)]
+            lines.append("\n" if number > 1 else "")
+            lines.append(shown % (f"point {number}", *values))
+            if not in_front:
+                why = _why_none(block.numbers[i, :before_ndc].tolist())
+                lines += [f"{label:>10}  none: {why}\n" for label in labels[3:]]
+            beyond = ", ".join(outside_of)
+            lines.append(
+                f"{'outside of' if beyond else 'inside':>10}  {beyond or 'the view volume'}\n"
+            )
+            lines.append(next(others))
+        yield "".join(lines)
+    if answer.predictions is not None:
+        errors = [
+            f"{precision} {error.px:.1e} px"
+            if math.isfinite(error.px)
+            else f"{precision} has no bound"
+            for precision, error in answer.predictions.items()
+        ]
+        yield f"\ncomputed in {answer.precision}; errors are below: {', '.join(errors)}\n"
+
+
+def _printable(text: str) -> str:
+    """A text without what a terminal would obey."""
+    return "".join(letter if letter.isprintable() else "\ufffd" for letter in text)
+
+
+def _why_none(numbers: list[float]) -> str:
+    """Why a point has no picture, by its numbers up to clip space."""
+    at_infinity, w = len(numbers) > 10 and numbers[3] == 0.0, numbers[-1]
+    if w > 0.0:
+        return "the point is in front of the eye; its pixel is larger than float64 can hold"
+    if not at_infinity:
+        return "the point is not in front of the eye"
+    if w < 0.0:
+        return "the point at infinity is behind the eye; the opposite direction has a picture"
+    return "the picture is at infinity too: w = 0, and lines of this direction stay parallel"
+
+
+_PROJECT_FORMATS: dict[str, Callable[[_Answer], Iterator[str]]] = {
+    "table": _project_table,
+    "csv": _project_csv,
+    "json": _project_json,
+}

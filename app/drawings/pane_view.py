@@ -1,0 +1,142 @@
+"""How a pane's own camera looks at the world: what is seen where."""
+
+from __future__ import annotations
+
+import math
+from typing import Any, NamedTuple, TypeAlias
+
+import numpy as np
+from numpy.typing import ArrayLike
+from vtkmodules.vtkRenderingCore import vtkCamera
+
+from app.drawings.actors import Canvas
+from app.model.projection import Array
+
+# Where in the pane a plane is looked for, from -1 to 1; what is near the bottom left first.
+_ACROSS = 9
+_SAMPLES = np.array([(x, y) for y in range(-4, 5) for x in range(-4, 5)]) * (2.0 / _ACROSS)
+_ONES = np.ones(len(_SAMPLES))
+_YZX, _ZXY = [1, 2, 0], [2, 0, 1]
+
+Spot: TypeAlias = tuple[float, float, float]
+"""Pixels from the pane's left and bottom, and depth: negative behind the pane's camera."""
+
+
+class PaneView(NamedTuple):
+    """The pane's own camera and size."""
+
+    eye: Array  # scene-local
+    axes: Array  # rows: right, up and the direction of view
+    slope: float  # tangent of half the vertical angle of view; 0 if parallel
+    size_px: tuple[int, int]
+    flat: float = 0.0  # half the height that a parallel camera sees, world units
+
+    def unit(self, depth: Any) -> Any:
+        """The size of a pixel in the world at a depth, a float or an array."""
+        return 2.0 * (self.slope * depth + self.flat) / self.size_px[1]
+
+    def brought(self, point: Array, to_depth: float) -> tuple[float, Array]:
+        """Bring a point to a smaller depth without moving its pixel.
+
+        Returns the scale by which its surroundings shrink, and the new point.
+        """
+        depth = float(self.axes[2] @ (point - self.eye))
+        if depth <= to_depth:
+            return 1.0, point
+        if self.flat:
+            return 1.0, point - (depth - to_depth) * self.axes[2]
+        scale = to_depth / depth
+        return scale, (1.0 - scale) * self.eye + scale * point
+
+    def seen(self, points: Array) -> list[Spot]:
+        """Return where scene-local points, (n, 3), are in the pane."""
+        width_px, height_px = self.size_px
+        x, y, depth = self.axes @ (points - self.eye).T
+        in_view = (depth > 0.0) | (self.flat > 0.0)  # parallel rays come from anywhere
+        px = 1.0 / np.where(in_view, self.unit(depth), np.inf)
+        spots = zip(
+            (width_px / 2.0 + px * x).tolist(),
+            (height_px / 2.0 + px * y).tolist(),
+            depth.tolist(),
+            strict=True,
+        )
+        return list(spots)
+
+    def covered(self, face: Array) -> list[Spot]:
+        """Return the evenly spread places of the pane that show a parallelogram, (4, 3)."""
+        middle = (face[0] + face[2]) / 2.0 - self.eye
+        across, up = (face[1] - face[0]) / 2.0, (face[3] - face[0]) / 2.0
+        width_px, height_px = self.size_px
+        rays = np.column_stack([_SAMPLES * (self.slope * width_px / height_px, self.slope), _ONES])
+        # Cramer's rule for depth * ray = middle + s across + t up.
+        spanned = np.stack([middle, across, up]) @ self.axes.T
+        if self.flat:
+            return self._covered_flat(spanned)
+        scale = float(np.abs(spanned).max()) or 1.0  # a volume from afar would be beyond float64
+        spanned /= scale
+        # Row i is the cross product of the other two; much faster than numpy's own of one pair.
+        after, before = spanned[_YZX], spanned[_ZXY]
+        adjugate = after[:, _YZX] * before[:, _ZXY] - after[:, _ZXY] * before[:, _YZX]
+        volume = float(spanned[0] @ adjugate[0])
+        facing, s, t = adjugate @ rays.T
+        largest = np.abs(facing)
+        on = (facing * volume > 0.0) & (np.abs(s) <= largest) & (np.abs(t) <= largest)
+        px = (_SAMPLES[on] + 1.0) / 2.0 * self.size_px
+        return list(map(tuple, np.column_stack([px, scale * volume / facing[on]]).tolist()))
+
+    def _covered_flat(self, spanned: Array) -> list[Spot]:
+        """`covered` for a parallel camera; the middle and both half sides in its own axes."""
+        middle, across, up = spanned
+        area = across[0] * up[1] - across[1] * up[0]
+        if abs(area) <= 1e-12 * float(np.abs(spanned[1:]).max()) ** 2:
+            return []  # seen edge on
+        width_px, height_px = self.size_px
+        x, y = (_SAMPLES * (self.flat * width_px / height_px, self.flat) - middle[:2]).T
+        s, t = (x * up[1] - y * up[0]) / area, (across[0] * y - across[1] * x) / area
+        depth = middle[2] + s * across[2] + t * up[2]
+        on = (np.abs(s) <= 1.0) & (np.abs(t) <= 1.0) & (depth > 0.0)
+        px = (_SAMPLES[on] + 1.0) / 2.0 * self.size_px
+        return list(map(tuple, np.column_stack([px, depth[on]]).tolist()))
+
+    def parts_covered(self, faces: Array, least: float) -> list[float]:
+        """Return the parts of the pane that parallelograms (4 n, 3) cover, 0 if below `least`."""
+        parts, seen = [], self.seen(faces)
+        for first in range(0, len(faces), 4):
+            x, y, depth = zip(*seen[first : first + 4], strict=True)
+            sides = zip((x, y), self.size_px, strict=True)
+            # One sample more than fits, at most, in either direction.
+            most = math.prod((max(s) - min(s)) / side_px + 1.0 / _ACROSS for s, side_px in sides)
+            part = 0.0
+            if min(depth) <= 0.0 or most >= least:
+                part = len(self.covered(faces[first : first + 4])) / len(_SAMPLES)
+            parts.append(part if part >= least else 0.0)
+        return parts
+
+
+class PaneCamera:
+    """A pane's own camera, and whether the user has moved it."""
+
+    def __init__(self, canvas: Canvas) -> None:
+        self._camera: vtkCamera = canvas.renderer.GetActiveCamera()
+        self._window, self._em = canvas.window, canvas.style.font_size
+        self._placed: tuple[float, ...] | None = None
+
+    @property
+    def size_px(self) -> tuple[int, int]:
+        width_px, height_px = self._window.GetSize()
+        return max(1, width_px), max(1, height_px)
+
+    @property
+    def _now(self) -> tuple[float, ...]:
+        camera = self._camera
+        scale = camera.GetParallelScale() if camera.GetParallelProjection() else 0.0
+        return (*camera.GetPosition(), *camera.GetFocalPoint(), scale)
+
+    @property
+    def was_moved(self) -> bool:
+        return self._placed != self._now
+
+    def _stand_at(self, position: Array, focus: Array, up: ArrayLike = (0.0, 1.0, 0.0)) -> None:
+        self._camera.SetPosition(*position)
+        self._camera.SetFocalPoint(*focus)
+        self._camera.SetViewUp(*np.asarray(up))
