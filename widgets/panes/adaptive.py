@@ -127,12 +127,12 @@ class Adaptive(QObject):
         else:
             self._began = None
             share, smoothing = self.quality.detail, self.smoothing(True)
-        whole = self._scene is None or share == self.quality.detail
+        fewer: Scene | None = None
+        if self._scene is not None and share != self.quality.detail:
+            fewer = reduced(self._scene, share)
         for pane in self._panes.values():
             pane.set_smoothing(smoothing)
-            pane.ask(
-                "detail", None if whole or self._scene is None else reduced(self._scene, share)
-            )
+            pane.ask("detail", fewer)
         if not dragging:  # in a drag the first frame decides
             self._tell()
 
