@@ -1,4 +1,4 @@
-"""``python3 -m app``, and the ``frustum-lab`` command: first the set-up, then the command line."""
+"""``python3 -m app`` and ``frustum-lab``: first the set-up, then the command line."""
 
 from __future__ import annotations
 
@@ -6,11 +6,11 @@ import sys
 from collections.abc import Sequence
 
 TYPE_CHECKING = False
-"""What `typing` has of that name, whose import Ctrl-C would find time to interrupt."""
+"""As in `typing`, which is not imported here: Ctrl-C could interrupt that."""
 if TYPE_CHECKING:
     from app import bootstrap
 
-#: What each command asks of the machine; a command that is not named here opens the window.
+#: What each command needs of the machine; all others open the window.
 NEEDS: dict[str, bootstrap.Need] = {
     "project": "numbers",
     "matrices": "numbers",
@@ -21,7 +21,7 @@ HELP = frozenset({"-h", "--help", "--version"})
 
 
 def need_of(arguments: Sequence[str]) -> bootstrap.Need:
-    """Return what the command line asks of the machine."""
+    """What the command line needs of the machine."""
     return next((NEEDS.get(word, "window") for word in arguments if word[:1] != "-"), "window")
 
 
@@ -44,7 +44,7 @@ def main() -> int:
 
 
 def _without_set_up(arguments: Sequence[str]) -> int | None:
-    """Do what needs nothing to be set up, or return None: behind -- a file may have such a name."""
+    """Do what needs no set-up, or return None: after -- a file may have such a name."""
     from app.commands import doctor, options
 
     options.answer(arguments)

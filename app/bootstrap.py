@@ -196,7 +196,7 @@ def advice(missing: Sequence[System]) -> str:
     names = [item.name for item in missing]
     if shutil.which("apt-get") is None:
         what = ", ".join(names)
-        return f"this system lacks {what}; install what brings them, and start again"
+        return f"this system lacks {what}; install what provides them, and start again"
     if len(names) > 3:  # the command names them all
         names[2:] = [f"and {len(names) - 2} more"]
     everything = [*missing, *(item for item in SYSTEM if not item.is_here())]
@@ -474,8 +474,8 @@ class Environment:
             yield
         except OSError as error:
             raise SetupError(
-                f"{self.folder} could not be removed ({error}); close what runs in it and run "
-                f"again: {_command_again()}"
+                f"{self.folder} could not be removed ({error}); close the programs that run in it "
+                f"and run again: {_command_again()}"
             ) from None
 
     def mark_unfinished(self, *, whole: bool = True) -> None:
@@ -499,7 +499,7 @@ class Environment:
         if not has_pip and old is not None:
             raise SetupError(
                 f"{self.folder} was made by another program and has no pip; bring it up to date "
-                f"with that, or remove it and start again: {how}"
+                f"with that program, or remove it and start again: {how}"
             )
         if has_pip and tag != sys.implementation.cache_tag:
             raise SetupError(
@@ -539,7 +539,7 @@ class Environment:
         pip += ["--no-input", "--progress-bar", "off", "--only-binary", ":all:"]
         status, output = self._pip(held, progress, [*pip, "-c", str(self.constraints), *wanted])
         if status != 0 and _shows(output, _UNOBTAINABLE) and not _shows(output, _NO_ANSWER):
-            progress.say("the tested versions do not exist for this machine: trying others")
+            progress.say("this machine cannot have the tested versions: trying others")
             status, output = self._pip(held, progress, [*pip, *wanted])
         if status != 0:
             held_open = _shows(output, _HELD) and not _shows(output, _NO_ANSWER)
@@ -728,7 +728,7 @@ def _lock(path: Path) -> Iterator[Held]:
     """Hold a lock that the operating system takes back from a process that dies."""
     with open(path, "ab") as file:
         if not _try_lock(file):
-            _say("another start is setting up; waiting for it")
+            _say("another start is setting up Frustum Lab; waiting for it to finish")
             while not _try_lock(file):
                 time.sleep(0.2)
         yield Held(file)
@@ -842,7 +842,7 @@ def _set_up(need: Need, environment: Environment) -> NoReturn:
         if lacking is None:
             raise
         _say(f"{error}")
-        _say(f"going on with what is installed{lacking and f', which is not {lacking}'}")
+        _say(f"going on with the installed packages{lacking and f', which do not meet {lacking}'}")
         how = _AS_IT_IS
     os.environ[_AGAIN] = how
     _again(environment.python)

@@ -1,4 +1,4 @@
-"""Files of strangers: opened only where they are files, and shown without what a terminal obeys."""
+"""Files from strangers: open regular files only, and print no control characters."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ LARGEST_FILE = 2 * 2**30
 
 
 def open_regular(path: str | os.PathLike[str]) -> BinaryIO:
-    """Open a file for reading that is one, or a link to one: no pipe, device or socket.
+    """Open a regular file for reading, or a link to one: no pipe, device or socket.
 
     Raises
     ------
@@ -23,7 +23,7 @@ def open_regular(path: str | os.PathLike[str]) -> BinaryIO:
     _check_regular(os.stat(path))  # first: opening a device may already do something
 
     def without_waiting(name: str, flags: int) -> int:
-        # Meanwhile it may have become a pipe, at which one would wait for a writer.
+        # Meanwhile it may have become a pipe, where opening waits for a writer.
         return os.open(name, flags | getattr(os, "O_NONBLOCK", 0))
 
     file = open(path, "rb", opener=without_waiting)  # noqa: SIM115 the caller closes it
@@ -45,10 +45,10 @@ def _check_regular(status: os.stat_result) -> None:
 
 
 def printable(text: str) -> str:
-    """A text with every character that is not shown written as Python writes it: ``\\x1b``.
+    """A text whose unprintable characters are written as Python writes them: ``\\x1b``.
 
-    What a terminal would obey and what no encoding has (half of a surrogate pair, as in a file
-    name that is not UTF-8) is among them, and so is what turns the reading direction.
+    These are control characters, which a terminal obeys, marks that turn the reading direction, and
+    what no encoding has (half of a surrogate pair, as in a file name that is not UTF-8).
     """
     if text.isprintable():
         return text

@@ -1,4 +1,4 @@
-"""What every test stands on: a real X server, real widgets, an own home, nothing left behind."""
+"""Fixtures for all tests: a real X server, real widgets, a home of their own, nothing left over."""
 
 from __future__ import annotations
 
@@ -18,17 +18,16 @@ from pytestqt.qtbot import QtBot
 from tests import PATIENCE_MS
 
 MOST_WIDGETS = 600
-"""That may be left after a test: about two docks full. Python has not collected them yet."""
+"""Most widgets left after a test, about two docks: Python has not collected them yet."""
 
-# Of the processes that share the tests out, each has a screen of its own.
+# Each of the processes that share the tests has a screen of its own.
 _worker = os.environ.get("PYTEST_XDIST_WORKER", "")
 _displays = os.environ.get("TEST_DISPLAYS", "").split()
 if _worker and _displays:
     os.environ["DISPLAY"] = _displays[int(_worker.removeprefix("gw")) % len(_displays)]
 
-# The same examples every time: what is red was changed, not drawn. `--hypothesis-seed` and
-# `--hypothesis-profile default` search further.
-# No deadline: how long one takes is the machine's matter, and what else it does.
+# Every run has the same examples, so that a red test means a change. `--hypothesis-seed` and
+# `--hypothesis-profile default` search further. No deadline, because other jobs slow the machine.
 settings.register_profile("default", deadline=None)
 settings.register_profile("same", settings.get_profile("default"), derandomize=True)
 settings.load_profile("same")
@@ -41,9 +40,9 @@ for wait in ("Until", "Signal", "Signals", "Exposed", "Active", "Callback"):
 def pytest_runtest_makereport(
     call: pytest.CallInfo[None],
 ) -> Generator[None, pytest.TestReport, pytest.TestReport]:
-    """Show what a process said that failed, such as the linker's message.
+    """Show the output of a process that failed, such as the linker's message.
 
-    What was logged while testing is sent between processes, as UTF-8: also what is none.
+    Processes send each other the log as UTF-8, so that other bytes are escaped.
     """
     report = yield
     error = call.excinfo.value if call.excinfo is not None else None
@@ -59,16 +58,16 @@ def pytest_runtest_makereport(
 
 @pytest.fixture(scope="session")
 def homes(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Path]:
-    """Names of folders that are not there yet; `mktemp` looks through all there are, each time."""
+    """Names of new folders; `mktemp` would look through all existing ones each time."""
     folder = tmp_path_factory.mktemp("homes")
-    # Or Mesa compiles its shaders in every home anew, and matplotlib looks for every font.
+    # Otherwise Mesa compiles its shaders in every home, and matplotlib looks for every font.
     os.environ["MESA_SHADER_CACHE_DIR"] = os.environ["MPLCONFIGDIR"] = str(folder)
     return (folder / str(number) for number in itertools.count())
 
 
 @pytest.fixture(autouse=True)
 def own_home(homes: Iterator[Path], monkeypatch: pytest.MonkeyPatch) -> Path:
-    """Keep the user's settings, log and autosaves out of it."""
+    """Keep the user's settings, log and autosaves untouched."""
     home = next(homes)
     home.mkdir()
     for name, folder in (
@@ -83,7 +82,7 @@ def own_home(homes: Iterator[Path], monkeypatch: pytest.MonkeyPatch) -> Path:
 
 @pytest.fixture(autouse=True)
 def nothing_left() -> Iterator[None]:
-    """Delete what a test has closed: what styles the application styles every widget there is."""
+    """Delete what a test has closed: a style is applied to every widget that exists."""
     yield
     if "PySide6.QtWidgets" in sys.modules:
         from PySide6.QtWidgets import QApplication
@@ -113,7 +112,7 @@ def display(qapp: Any) -> Any:
         assert qapp.platformName() == "xcb", os.environ.get("QT_QPA_PLATFORM")
     import widgets.window.main_window  # noqa: F401
 
-    # What is there for good is not searched again for survivors after every window.
+    # Objects that stay are not searched again for survivors after every window.
     gc.collect()
     gc.freeze()
     return qapp
@@ -168,5 +167,5 @@ def window(request: pytest.FixtureRequest, make_window: Callable[..., Any]) -> I
 
 @pytest.hookimpl(trylast=True)
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
-    """First what takes longest alone."""
+    """Run first what takes longest alone."""
     items.sort(key=lambda item: item.path.name != "test_quality.py")

@@ -1,18 +1,18 @@
-"""``python3 -m tests.golden record FOLDER``, and ``compare FOLDER``: does all come out as before?
+"""``python3 -m tests.golden record FOLDER`` and ``compare FOLDER``: are all outputs as before?
 
-A net under changes that must change nothing. `record` keeps what comes out of 300 random
-documents on the command line, every scene's panes as pictures, and what a fixed script of a user's
-actions leads to in the window; `compare` does the same again and tells what differs, with exit
-status 1. It rests on what is stable: command lines, documents, pictures, and what is seen in the
-window. What is tried is read from the recording, so that this file may change in between. What it
-cannot avoid of the program's inside is in `command_line` and `Window.canvas`.
+Use it around a change that must not change behaviour. `record` keeps the command line's output for
+300 random documents, a picture of every scene's panes, and the state of the window after each step
+of a fixed script of user actions. `compare` repeats all that, reports the differences, and ends
+with status 1 if there are any. It uses only what is stable: command lines, documents, pictures, and
+what a user sees in the window. `compare` reads the cases from the recording, so that this file may
+change in between. Only `command_line` and `Window.canvas` know the program's inside.
 
-``--only PART`` does one part; ``--skip KIND``, which may be repeated, leaves out a kind of
-difference that is meant, such as ``"predicted error"`` or ``"matrices text"``: the report names
-the kinds. Pictures that differ are drawn as differences into ``FOLDER/differences``.
+``--only PART`` does one part. ``--skip KIND``, which may be repeated, ignores a kind of difference
+that is intended, such as ``"predicted error"`` or ``"matrices text"``; the report names the kinds.
+``FOLDER/differences`` gets a picture of every difference between pictures.
 
-No part of the suite. The command line is called in this process (300 documents as processes
-would take an hour).
+This is no part of the suite. The command line runs in this process, because 300 documents as
+processes would take an hour.
 """
 
 from __future__ import annotations
@@ -71,7 +71,7 @@ def main() -> int:
     elif not folder.is_dir():
         parser.error(f"there is no recording {options.folder}")
     parts = options.only or PARTS
-    # The window shares the processor with nobody: what is late there is drawn differently.
+    # The window runs alone: if it is late, it draws differently.
     together = [[part for part in parts if part != "window"], [p for p in parts if p == "window"]]
     failed = False
     with screens(1) as environment, tempfile.TemporaryDirectory() as place:
@@ -99,7 +99,7 @@ def main() -> int:
 
 
 def command_line(words: Sequence[str]) -> int:
-    """Run ``python3 -m app WORDS`` in this process: the one name of the program's own."""
+    """Run ``python3 -m app WORDS`` in this process."""
     from app.commands.cli import main as run
 
     return run(list(words))
@@ -117,7 +117,7 @@ def called(words: Sequence[str]) -> str:
 
 
 class Report:
-    """Collects differences by kind, and tells the first of each."""
+    """Collects differences by kind, and prints the first of each kind."""
 
     def __init__(self, part: str, skip: Sequence[str]) -> None:
         self.part, self.skip = part, skip
@@ -127,7 +127,7 @@ class Report:
         self.found[kind].append(text)
 
     def tell(self, compared: int) -> int:
-        """Print it all; 1 if anything differs that is not skipped."""
+        """Print all differences; 1 if any of them is not skipped."""
         for kind, texts in self.found.items():
             skipped = " (skipped)" if kind in self.skip else ""
             print(f"{self.part}: {kind}: {len(texts)} differ{skipped}")
@@ -176,7 +176,7 @@ def random_camera(draw: random.Random) -> dict[str, list[float]]:
 
 
 def random_lens(draw: random.Random, kind: str) -> tuple[dict[str, Any], list[str]]:
-    """A perspective lens, and what makes one of another kind of it."""
+    """A perspective lens, and the ``--set`` options that turn it into one of another kind."""
     near = logarithmic(draw, 1e-6, 1e4) if draw.random() < 0.3 else logarithmic(draw, 0.05, 5)
     ratio = logarithmic(draw, 1.0001, 1e9) if draw.random() < 0.3 else logarithmic(draw, 2, 1000)
     fov = draw.choice((draw.uniform(5, 120), 1e-4, 179.99, 90, logarithmic(draw, 1e-3, 179)))
@@ -205,7 +205,7 @@ def random_lens(draw: random.Random, kind: str) -> tuple[dict[str, Any], list[st
 
 
 def random_case(number: int) -> dict[str, Any]:
-    """A document, the words that name it, and points for it; the same ones for a number."""
+    """A document and the words of its command line; a number always gives the same case."""
     from app.model.projection import DEPTH_RANGES, kinds
     from app.scenes.phenomena import PHENOMENA
 
@@ -411,7 +411,7 @@ def pictures(record: bool, folder: Path, skip: Sequence[str]) -> int:
 
 
 class Window:
-    """The window as a user has it: everything is found by what is written on it."""
+    """The window as a user has it: widgets are found by the text on them."""
 
     def __init__(self, file: Path) -> None:
         from PySide6 import QtCore, QtGui, QtTest, QtWidgets
@@ -430,7 +430,7 @@ class Window:
             drawn.AddObserver("EndEvent", lambda *_, name=name: self._drawn(name))
 
     def canvas(self, name: str) -> Any:
-        """What a pane is drawn in, which has its name, and VTK's window as pyvista names it."""
+        """The widget that draws a pane: it has the pane's name and VTK's window."""
         until = time.monotonic() + 60.0
         while time.monotonic() < until:  # the window is seen before its panes are filled
             for widget in self.window.findChildren(self.parts.QWidget):
@@ -443,7 +443,7 @@ class Window:
         self.repaints[name] += 1
 
     def named(self, widget: Any) -> set[str]:
-        """All that a user may call a widget."""
+        """All names that a user may give a widget."""
         names = {widget.accessibleName()}
         if isinstance(widget, (self.parts.QAbstractButton, self.parts.QLabel)):
             names.add(widget.text().replace("&", ""))
@@ -574,7 +574,7 @@ class Window:
         self.parts.QApplication.sendEvent(row, self.core.QEvent(self.core.QEvent.Type.Leave))
 
     def set_first(self) -> None:
-        """Move the first slider of the scene's own settings, and choose what comes next."""
+        """Move the first slider of the scene's own settings, and step through its first list."""
         region = next(w for w in self._visible(self.window) if type(w).__name__ == "SceneCard")
         for slider in region.findChildren(self.parts.QSlider):
             if slider.isVisible() and slider.isEnabled():
@@ -631,7 +631,7 @@ class Window:
                 yield from self._said(widget)
 
     def _said(self, widget: Any) -> Iterator[str]:
-        """What is read on a widget, with its name: one line for each."""
+        """The text of a widget with its name, line by line."""
         parts, name = self.parts, widget.accessibleName()
         if isinstance(widget, parts.QAbstractItemView):
             model, root = widget.model(), self.core.QModelIndex()
@@ -664,7 +664,7 @@ class Window:
 
 
 def script(user: Window) -> Iterator[tuple[str, Callable[[], object]]]:
-    """A quarter of an hour's work, in the order in which it is done."""
+    """A quarter of an hour's work: each step's name and action, in order."""
     yield "opens", lambda: None
     yield "idle", lambda: user.wait(700)
     yield "drag fov", lambda: user.drag("Field of view", 3, 4, -2)
@@ -748,13 +748,13 @@ def script(user: Window) -> Iterator[tuple[str, Callable[[], object]]]:
 
 OFF_AXIS = "frustum (off-axis)"
 LAID_OUT = ("enlarge the image", "all panes", "present", "present no more")
-"""Where Qt lays all out anew, in as many goes as time leaves it: not how often is told, but who."""
+"""Steps at which Qt lays out the window as often as it can: only whether a pane repaints counts."""
 REST_MS = 450
-"""After which nothing is under way that a timer started: the window counts pixels after 250."""
+"""Time after which no timer is pending: the window counts pixels after 250 ms."""
 
 
 def run_window() -> list[dict[str, Any]]:
-    """Open the window by the command line, and work with it instead of waiting for a hand."""
+    """Open the window by the command line, and run the script in it."""
     steps: list[dict[str, Any]] = []
     file = Path(os.environ["HOME"]) / "golden.json"
     file.write_text(json.dumps(DOCUMENT), encoding="utf-8")

@@ -1,20 +1,19 @@
-"""Damaged and hostile meshes, documents, lessons and talks, each opened by ``python3 -m app``.
+"""Open damaged and hostile meshes, documents, lessons and talks with ``python3 -m app``.
 
-Meshes and documents by ``matrices FILE``, lessons and talks by ``lesson check FILE``. With
-``--window`` each is then opened in a real window too, where all three panes are drawn and every
-step of a lesson is read and answered: an exception there, a drawing that is taken back, more than
-`LONGEST_STALL_S` of work without the window's events, or a file opened that is none of the lesson's
-is a finding. A window that crashes is a finding, and the next file gets another one.
+``python3 -m tests.hostile --count 5000 --seed 1`` makes 5000 files, opens meshes and documents with
+``matrices FILE``, lessons and talks with ``lesson check FILE``, and reports the outcome. A file
+must open, or be refused in one sentence that begins with its name. Anything else is a finding: a
+signal, a traceback, a second line, 10 s of work, 60 s of waiting, or 2 GiB.
 
-``python3 -m tests.hostile --count 5000 --seed 1`` makes so many and tells what became of them. A
-file is sound, or refused in one sentence that begins with its name; anything else is a finding: a
-signal, a traceback, a second line, 10 s of work or 60 s of waiting, or 2 GiB.
+``--window`` also opens each file in a real window, draws all three panes, and reads and answers
+every step of a lesson. There a finding is an exception, a drawing that is taken back, more than
+`LONGEST_STALL_S` of work without handling events, or opening a file that does not belong to the
+lesson. A window that crashes is a finding, and the next file gets a new window.
 
-The command is imported once, and every file is opened by a fork of that process, which ends with
-its own signal and status and is measured alone (its processor time, which other jobs do not
-lengthen); one file in `CONFIRMED`, and every finding, is
-opened by the whole command as well, and must give the same status and the same words. Where
-there is no fork the whole command opens all of them.
+The command is imported once. A fork of that process opens each file, so that its signal, status and
+processor time (which other jobs do not lengthen) are its own. Every finding, and one file in
+`CONFIRMED`, is opened by the whole command as well, which must say the same. Without fork the whole
+command opens all files.
 """
 
 from __future__ import annotations
@@ -43,7 +42,7 @@ CONFIRMED = 50
 LONGEST_S = 10.0
 LONGEST_WAIT_S = 60.0
 LONGEST_STALL_S = 0.2
-"""Of processor time of the window's thread, which other jobs do not lengthen."""
+"""Processor time of the window's thread."""
 LARGEST_BYTES = 2 * 2**30
 
 POINTS = [(0.125, 0, 0.25), (3.25, 0, 0.5), (3.0, 0, 3.125), (0.25, 0, 3), (1.5, 4, 1.75)]
@@ -200,7 +199,7 @@ def _document(rng: random.Random) -> dict[str, Any]:
 
 
 def _viewed(rng: random.Random, tree: dict[str, Any]) -> dict[str, Any]:
-    """Damage in the view alone: most other damage is refused before anybody looks there."""
+    """Damage the view alone: other damage is mostly refused before the view is read."""
     tree["view"] = _structure(rng, {"view": tree["view"]}).get("view")
     return tree
 
@@ -233,7 +232,7 @@ def _flip(rng: random.Random, data: bytes) -> bytes:
 
 
 def _word(rng: random.Random, data: bytes) -> bytes:
-    """Four or eight bytes that mean something when they are a number."""
+    """Replace four or eight bytes by a number that is special."""
     at = rng.randrange(len(data))
     number = rng.choice([0, 1, 2**31 - 1, 2**31, 2**32 - 1, 0x7FC00000, 0x7F800000, 0xFF7FFFFF])
     word = struct.pack(rng.choice("<>") + "I", number) * rng.choice([1, 2])
@@ -245,7 +244,7 @@ def _cut(rng: random.Random, data: bytes) -> bytes:
 
 
 def _chunk(rng: random.Random, data: bytes) -> bytes:
-    """A piece left out, twice, or elsewhere."""
+    """Remove, double or move a piece."""
     a, b = sorted(rng.randrange(len(data) + 1) for _ in range(2))
     b = min(b, a + rng.choice([1, 4, 40, 400]))
     at = rng.randrange(len(data) + 1)
@@ -253,7 +252,7 @@ def _chunk(rng: random.Random, data: bytes) -> bytes:
 
 
 def _token(rng: random.Random, data: bytes) -> bytes:
-    """Words, or parts of them, that are other ones."""
+    """Replace words, or parts of them, by others."""
     places = [m.span() for m in re.finditer(rb"[^\s/]+|/", data[:4000])]
     if not places:
         return data
@@ -266,7 +265,7 @@ def _token(rng: random.Random, data: bytes) -> bytes:
 
 
 def _line(rng: random.Random, data: bytes) -> bytes:
-    """Lines left out, doubled, moved, or one from another kind of file."""
+    """Remove, double or move lines, or insert one from another kind of file."""
     lines = data.splitlines(keepends=True)
     at, other = rng.randrange(len(lines)), rng.randrange(len(lines))
     what = rng.randrange(5)
@@ -298,7 +297,7 @@ def _places(tree: Any, path: tuple[Any, ...] = ()) -> Iterator[tuple[Any, ...]]:
 
 
 def _structure(rng: random.Random, content: Any) -> Any:
-    """Values replaced, left out, repeated or nested, at any depth; addresses and bombs."""
+    """Replace, remove, repeat or nest values at any depth."""
     for _ in range(rng.choice([1, 1, 1, 2, 3])):
         path = rng.choice(list(_places(content)))
         if not path:
@@ -323,13 +322,13 @@ def _structure(rng: random.Random, content: Any) -> Any:
 
 
 def _place(rng: random.Random, content: dict[str, Any]) -> dict[str, Any]:
-    """Buffers elsewhere."""
+    """Let the buffer lie elsewhere."""
     content["buffers"][0]["uri"] = rng.choice(ADDRESSES)
     return content
 
 
 def _bomb(rng: random.Random, content: dict[str, Any]) -> dict[str, Any]:
-    """Few bytes that are to become many triangles, circles, and very deep trees."""
+    """Few bytes that expand to many triangles, circles of nodes, or very deep trees."""
     what, many = rng.randrange(4), rng.choice([10, 300, 3000])
     if what == 0:
         content["meshes"][0]["primitives"] *= rng.choice([1, 30, 300])
@@ -528,7 +527,7 @@ class InWindow:
         return f"the window ended with {status}" if ready else "the window hangs"
 
     def close(self) -> None:
-        """Let the window go."""
+        """End the window."""
         if self._process is not None:
             self._process.kill()
             self._process.wait()

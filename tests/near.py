@@ -1,7 +1,7 @@
-"""``python3 -m tests.near``: the rooms that one step of the near slider visits.
+"""``python3 -m tests.near``: the modules that one step of the near slider visits.
 
-A step that visits many rooms is hard to follow and slow. It is counted with ``sys.setprofile`` in
-the window as it opens with the letter F, from the key press to the last repaint.
+A step that visits many modules is hard to follow and slow. ``sys.setprofile`` counts the calls from
+the key press to the last repaint, in the window with the letter F.
 """
 
 from __future__ import annotations

@@ -1,8 +1,8 @@
-"""``python3 -m tests.pictures``: do README and docs show what the program draws?
+"""``python3 -m tests.pictures``: are the pictures of README and docs those that the program draws?
 
-``--write`` draws their pictures anew, all of them or those that are named. `PICTURES` says of each
-with what command it is drawn; the charts of measurements are drawn from what was measured once,
-``docs/measured-*.json``, which ``python3 -m app measure --json`` has written.
+``--write`` draws the pictures again, all of them or those that are named. `PICTURES` has the
+command for each. The charts are drawn from the recorded measurements ``docs/measured-*.json``,
+which ``python3 -m app measure --json`` has written.
 """
 
 from __future__ import annotations
@@ -26,11 +26,11 @@ from tests.support.commands import run
 
 DOCS = Path(ROOT) / "docs"
 MOST_DIFFERENT = 0.002
-"""Of a picture's squares: drivers and fonts differ in the pixels along an edge."""
+"""Share of a picture's squares that may differ: drivers and fonts differ along edges."""
 _SQUARE_PX, _LEVELS = 8, 24
 
 _PANES = {"view-volumes": "world,ndc", "clipping": "world,ndc", "affine-depth": "ndc,image"}
-"""Of phenomena that are not seen best in the world and in the image."""
+"""The panes of phenomena that the world and the image do not show best."""
 
 
 def _figure(panes: str, size: str, *values: str) -> tuple[str, ...]:
@@ -91,7 +91,7 @@ def draw(name: str, path: Path) -> None:
 
 
 def different(one: Path, other: Path) -> float:
-    """How much of two pictures differs, by their squares: 0 nothing, 1 all, also of the size."""
+    """The share of squares in which two pictures differ; 1 for pictures of different sizes."""
     means = []
     for path in (one, other):
         with Image.open(path) as image:
@@ -105,7 +105,7 @@ def different(one: Path, other: Path) -> float:
 
 
 def compare(names: Iterable[str], folder: Path) -> dict[str, float]:
-    """The pictures that the program draws otherwise now, into a folder, and how much of each."""
+    """The pictures that differ now, drawn into a folder, and the share that differs."""
     found = {}
     for name in names:
         draw(name, folder / name)

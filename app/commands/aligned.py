@@ -15,12 +15,12 @@ from app.model.refusal import format_value
 
 
 def plain(array: Array) -> list[Any]:
-    """Python floats, whose repr is the shortest text that reads back the same; no minus zero."""
+    """An array as Python floats, whose repr is the shortest exact text; no minus zero."""
     return (array + 0.0).tolist()  # type: ignore[no-any-return]
 
 
 def lens_line(projection: Projection) -> str:
-    """The lens as it is used, in the names that ``--set`` has for it."""
+    """The lens and image as they are used, with the names of ``--set``."""
     lens = projection.lens
     parts = [f"lens {lens.kind}"]
     if lens.planes is not None:
@@ -38,7 +38,7 @@ def lens_line(projection: Projection) -> str:
 
 
 def lengths(texts: Sequence[str]) -> tuple[NDArray[np.int_], NDArray[np.int_]]:
-    """Characters of each text, and of them those before a number's point or exponent."""
+    """The length of each text, and of its part before the point or exponent."""
     length = np.fromiter(map(len, texts), int, len(texts))
     point = np.fromiter(map(str.find, texts, itertools.repeat(".")), int, len(texts))
     for i in np.flatnonzero(point < 0).tolist():
@@ -47,7 +47,7 @@ def lengths(texts: Sequence[str]) -> tuple[NDArray[np.int_], NDArray[np.int_]]:
 
 
 def widths(length: NDArray[np.int_], before: NDArray[np.int_]) -> list[int]:
-    """To how many characters each text is filled from the left, so that they stand in columns.
+    """The width to which each text is filled from the left to form columns.
 
     In each table the numbers of a column are under each other at their points.
 

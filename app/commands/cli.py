@@ -201,4 +201,4 @@ COMMANDS: dict[str, Callable[[Sequence[str]], int]] = {
     "talk": _talk,
     "doctor": doctor.command,
 }
-"""The words that the command line may begin with; each takes the arguments after it."""
+"""The commands; each takes the arguments after its name."""

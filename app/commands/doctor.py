@@ -113,7 +113,9 @@ def _folders() -> Iterator[Finding]:
         if there.is_dir() and os.access(there, os.W_OK):
             yield Finding(name, str(folder))
         else:
-            yield Finding(name, f"{folder}: not writable", f"make {there} a folder you may write")
+            yield Finding(
+                name, f"{folder}: not writable", f"make {there} a folder that you may write to"
+            )
 
 
 def _display() -> Iterator[Finding]:
@@ -146,7 +148,10 @@ def _display() -> Iterator[Finding]:
         how = "software, without a graphics card" if answer["software"] else "graphics card"
         text = f"{answer['version']}, {answer['renderer']} ({how})"
         yield Finding("OpenGL", text)
-    ways = {"opengl": "drawn in the window", "raster": "drawn off the screen, pixels painted"}
+    ways = {
+        "opengl": "drawn in the window by OpenGL",
+        "raster": "drawn off-screen and painted as pixels",
+    }
     yield Finding("Panes", f"{ways[answer['canvas']]} (--canvas {answer['canvas']})")
 
 

@@ -15,7 +15,7 @@ from app.model.refusal import format_value
 
 
 def run(arguments: Sequence[str]) -> int:
-    """Print the matrices; the exit status."""
+    """Print every stage's matrix; return the exit status."""
     found, words = parser_of("matrices").read(arguments)
     projection = document_of(words[0] if words else None, found.set).projection
     write_out([_MATRIX_FORMATS[found.format](projection)])
@@ -23,13 +23,13 @@ def run(arguments: Sequence[str]) -> int:
 
 
 def _all_stages(projection: Projection) -> list[Stage]:
-    """Every stage, and the products of those before the divide where they end."""
+    """Every stage; the products of those before the divide come just before the last one."""
     *stages, last = projection.stages
     return [*stages, *projection.direct_stages, last]
 
 
 def _factors(stage: Stage) -> tuple[tuple[str, Array], ...]:
-    """The factors that a reader has not seen as stages."""
+    """The factors of a stage that are no stages themselves."""
     return tuple(factor for factor in stage.factors if "_from_" not in factor[0])
 
 

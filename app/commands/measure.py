@@ -1,4 +1,4 @@
-"""The command ``measure``: what is to be measured, how far it is, and where the results go."""
+"""The command ``measure``: choose what to measure, report progress, write the results."""
 
 from __future__ import annotations
 
@@ -35,14 +35,14 @@ def run(arguments: Sequence[str]) -> int:
     found, words = parser_of("measure").read(arguments)
     swept = dict(_range(name, ends) for name, ends in found.sweep or ())
     if found.attended and sys.platform != "win32":
-        os.nice(10)  # whoever attends draws meanwhile, and comes first; alone it is as fast
+        os.nice(10)  # the attending program draws meanwhile and comes first
     options = {f"--{option}": getattr(found, option) for option in ("json", "csv", "chart")}
     outs = {option: out for option, out in options.items() if out is not None}
     if len(set(outs.values())) < len(outs):
         raise CliError(f"{' and '.join(outs)} must go to different files.")
     if found.chart is not None and not found.chart.lower().endswith(chart.ENDINGS):
         raise CliError(f"--chart = {found.chart!r}: must end in {' or '.join(chart.ENDINGS)}.")
-    # It would take long to find out afterwards.
+    # Check now: the measurement takes long.
     for option, out in outs.items():
         if out != "-":
             check_out(option, out)
@@ -91,7 +91,7 @@ def run(arguments: Sequence[str]) -> int:
 
 
 def _range(name: str, ends: str) -> tuple[str, tuple[float | None, float | None]]:
-    """A parameter's ends, as ``1e-3:10``; none are its own."""
+    """The ends of a sweep, ``1e-3:10``; if none are given, the sweep has its own."""
     if not ends:
         return name, (None, None)
     try:
@@ -109,7 +109,7 @@ def _range(name: str, ends: str) -> tuple[str, tuple[float | None, float | None]
 
 @contextmanager
 def _watched(attended: bool) -> Iterator[Callable[[float], None]]:
-    """Tells how far the measurement is, and stops it when it is told to: Ctrl-C, or ``cancel``."""
+    """Report the progress of a measurement, and stop it on Ctrl-C or ``cancel``."""
     cancelled, going = threading.Event(), threading.Event()
     going.set()
     told = -1.0
@@ -149,7 +149,7 @@ def _watched(attended: bool) -> Iterator[Callable[[float], None]]:
 
 
 def _measured(results: Results) -> Iterator[str]:
-    """Tables to read, with what each trade means."""
+    """The results as tables, each trade with its meaning."""
     for trade in results.trades:
         yield f"{trade.name}{'' if trade.complete else ' (cancelled)'}\n"
         yield from _lines_of(table(trade), str.ljust)
@@ -161,7 +161,7 @@ def _measured(results: Results) -> Iterator[str]:
 
 
 def _lines_of(rows: list[list[str]], align_names: Callable[[str, int], str]) -> Iterator[str]:
-    """A table's lines; names as they are wanted, numbers to the right, notes at the end."""
+    """A table's lines: aligned names, numbers flush right, notes at the end."""
     widths = [max(map(len, column)) for column in zip(*rows, strict=True)]
     for name, *cells, note in rows:
         numbers = [cell.rjust(width) for cell, width in zip(cells, widths[1:-1], strict=True)]

@@ -28,12 +28,12 @@ SUMMARIES = {
     "export": "draw a figure into a PNG picture, without a window or display",
     "project": "follow points through every stage of the projection",
     "matrices": "print every stage's matrix",
-    "measure": "measure what speed costs in accuracy, here, for a scene and a camera",
+    "measure": "measure, on this machine, what speed costs in accuracy",
     "lesson": "check or list lessons and talks",
     "talk": "draw every step of a talk, or print it with its notes",
-    "doctor": "say what this machine has, what is missing and how to get it",
+    "doctor": "report what this machine has, what is missing and how to get it",
 }
-"""The words that the command line may begin with, and what each is for."""
+"""The commands, and what each is for."""
 
 THEMES = ("light", "dark")
 CANVASES = ("opengl", "raster")
@@ -68,7 +68,7 @@ class CliError(Exception):
 
 
 def complain(sentence: str, status: int) -> int:
-    """Write a sentence to standard error, on one line, and give the exit status back."""
+    """Write a sentence to standard error, on one line, and return the exit status."""
     if sys.stderr is not None:
         print(printable(" ".join(sentence.split())), file=sys.stderr)
     return status
@@ -102,7 +102,7 @@ def write_out(texts: Iterable[str]) -> None:
             out.write(text)
         out.flush()
     except OSError as error:
-        # What is still buffered must not fail once more at exit.
+        # Python must not try again at exit to write what is still buffered.
         os.dup2(os.open(os.devnull, os.O_WRONLY), out.fileno())
         if isinstance(error, BrokenPipeError):
             raise
@@ -113,7 +113,7 @@ def write_out(texts: Iterable[str]) -> None:
 
 
 class Parser(argparse.ArgumentParser):
-    """An argument parser whose complaints are sentences, and name the nearest option."""
+    """An argument parser that refuses in sentences and names the nearest option."""
 
     def __init__(self, command: str, names: str, text: str, epilog: str = "") -> None:
         usage = " ".join(f"{bootstrap.PROGRAM} {command} [options] {names}".split())
@@ -129,7 +129,7 @@ class Parser(argparse.ArgumentParser):
         self.add_argument("words", nargs="*", metavar=names, help=text)
 
     def _print_message(self, message: str, _file: object = None) -> None:
-        """Print the help or the version; argparse itself is silent about what fails there."""
+        """Print the help or the version; argparse itself ignores errors of writing."""
         write_out([message])
 
     def error(self, message: str) -> NoReturn:
@@ -137,7 +137,7 @@ class Parser(argparse.ArgumentParser):
 
     def read(self, arguments: Sequence[str]) -> tuple[argparse.Namespace, list[str]]:
         """Parse options and words in any order; refuse too few words and too many."""
-        # Behind -- all are names; argparse forgets it when options and names may be mixed.
+        # After -- all words are names; argparse forgets that when options and names are mixed.
         end = arguments.index("--") if "--" in arguments else len(arguments)
         found, extra = self.parse_known_intermixed_args(arguments[:end])
         for word in extra:
@@ -164,7 +164,7 @@ class Parser(argparse.ArgumentParser):
             action="append",
             default=[],
             metavar="NAME=VALUE",
-            help="change a value of the document, such as lens.far=inf; may be given repeatedly; "
+            help="change a value of the document, such as lens.far=inf; may be repeated; "
             f"the names are {', '.join(SETTABLE)} and settings.NAME of the scene's own",
         )
 
@@ -188,14 +188,14 @@ def _nearest(word: str, known: Iterable[str]) -> str:
 
 def one_of(option: str, value: str, values: Sequence[str]) -> str:
     """An option's value, which must be one of several."""
-    # CliError is none of the errors that argparse would put into words of its own.
+    # argparse does not catch a CliError, and so does not rephrase it.
     if value not in values:
         raise CliError(f"{option} = {value!r}: must be one of {', '.join(values)}.")
     return value
 
 
 def parse_number(text: str) -> float:
-    """A number in the C locale; not what only Python writes, such as 1_000."""
+    """A number in the C locale, without Python's own notation such as 1_000."""
     if "_" in text:
         raise ValueError(text)
     return float(text)
@@ -230,7 +230,7 @@ def _number(option: str, bound: str) -> Callable[[str], float]:
 
 
 def _sweep(value: str) -> tuple[str, str]:
-    """``near`` or ``near=1e-3:10``: the parameter, and what it says of its ends."""
+    """Split ``near`` or ``near=1e-3:10`` into the parameter and its ends."""
     name, equals, ends = value.partition("=")
     one_of("--sweep", name, SWEEPS)
     if equals and not ends:
@@ -250,7 +250,7 @@ def _window() -> Parser:
         f"commands, each with its own --help:\n{lines}",
     )
     parser.add_set()
-    parser.add_choice("--theme", THEMES, "colours for this once")
+    parser.add_choice("--theme", THEMES, "colours, for this start only")
     parser.add_choice(
         "--canvas", CANVASES, "how panes draw (opengl with a graphics card, raster without)"
     )
@@ -266,13 +266,13 @@ def _window() -> Parser:
 
 
 def _export() -> Parser:
-    text = "the picture (.png), and a document, picture or mesh that it shows (the letter F)"
+    text = "the picture to write (.png), and the document, picture or mesh to draw (the letter F)"
     parser = Parser("export", "OUT [FILE]", text)
     parser.add_argument(
         "--panes",
         default="world,ndc,image",
         metavar="world,ndc,image",
-        help="which panes, side by side (all)",
+        help="the panes to draw, side by side (all)",
     )
     parser.add_argument(
         "--size",
@@ -305,9 +305,9 @@ def _project() -> Parser:
         " point at infinity, and divides x, y and z where it is neither 0 nor 1"
     )
     parser = Parser("project", "[FILE] POINTS", text)
-    parser.add_choice("--format", PROJECT_FORMATS, "form of the output (table)", "table")
+    parser.add_choice("--format", PROJECT_FORMATS, "output format (table)", "table")
     parser.add_choice("--rung", PRECISIONS, "arithmetic (float64, or exact where that is needed)")
-    parser.add_choice("--space", SPACES, "what the coordinates are (world)", "world")
+    parser.add_choice("--space", SPACES, "space of the coordinates (world)", "world")
     parser.add_set()
     return parser
 
@@ -315,7 +315,7 @@ def _project() -> Parser:
 def _matrices() -> Parser:
     text = "a document, picture or mesh whose camera is used (the letter F's)"
     parser = Parser("matrices", "[FILE]", text)
-    parser.add_choice("--format", MATRIX_FORMATS, "form of the output (text)", "text")
+    parser.add_choice("--format", MATRIX_FORMATS, "output format (text)", "text")
     parser.add_set()
     return parser
 
@@ -326,28 +326,32 @@ def _measure() -> Parser:
     parser.add_argument(
         "--trade", action="append", metavar="|".join(TRADES),
         type=lambda value: one_of("--trade", value, TRADES),
-        help="measure this one; may be given repeatedly (all, if neither --trade nor --sweep is)",
+        help="measure this one; may be repeated (all, if neither --trade nor --sweep is given)",
     )  # fmt: skip
     parser.add_argument(
         "--sweep", action="append", metavar="NAME[=LOW:HIGH]", type=_sweep,
         help=f"the errors over a parameter's range; NAME is one of {', '.join(SWEEPS)}",
     )  # fmt: skip
     parser.add_argument("--scene", metavar="NAME", help="as --set scene=NAME")
-    parser.add_argument("--quick", action="store_true", help="in half a minute, less exactly")
     parser.add_argument(
-        "--json", metavar="FILE",
-        help="write all that was measured; FILE is overwritten, - is standard output",
-    )  # fmt: skip
-    parser.add_argument(
-        "--csv", metavar="FILE", help="write the tables, one after the other, likewise"
+        "--quick", action="store_true", help="measure for half a minute only, less exactly"
     )
     parser.add_argument(
-        "--chart", metavar="FILE", help="draw it all, likewise: .png, or .pdf in vectors"
+        "--json", metavar="FILE",
+        help="write all results; FILE is overwritten, - is standard output",
+    )  # fmt: skip
+    parser.add_argument(
+        "--csv", metavar="FILE", help="write the tables, one after the other, in the same way"
+    )
+    parser.add_argument(
+        "--chart",
+        metavar="FILE",
+        help="draw all results, in the same way: .png, or .pdf as vectors",
     )
     parser.add_argument(
         "--attended", action="store_true",
-        help="tell the fraction done, a line each, and obey pause, resume and cancel from"
-        " standard input",
+        help="report the fraction done, one per line, and take the commands pause, resume and"
+        " cancel from standard input",
     )  # fmt: skip
     parser.add_set()
     return parser
@@ -355,8 +359,8 @@ def _measure() -> Parser:
 
 def _lesson() -> Parser:
     text = (
-        "check: try all states, keys and samples of lessons and talks (of all that come with the"
-        " program); list: say what there is"
+        "check: try all states, keys and samples of lessons and talks (of those that come with"
+        " the program); list: list them"
     )
     return Parser("lesson", "check|list [FILE...]", text)
 
@@ -393,7 +397,7 @@ _PARSERS: dict[str, Callable[[], Parser]] = {
 
 
 def parser_of(command: str) -> Parser:
-    """The options of a command, or with an empty name of the window."""
+    """The options of a command; an empty name means the window."""
     return _PARSERS[command]()
 
 

@@ -40,7 +40,7 @@ _POINTS = re.compile(r"(?=.*\d)[-+.\deE\s,;()\[\]]+")
 
 
 def check_typed(arguments: Sequence[str]) -> None:
-    """Say how to give coordinates that were typed where a file belongs: 1,2,3, or 1 2 3."""
+    """Refuse coordinates typed in place of a file (1,2,3 or 1 2 3), and say how to give them."""
     typed = [word for word in arguments if _POINTS.fullmatch(word) and not os.path.lexists(word)]
     if not typed:
         return
@@ -70,7 +70,7 @@ def read(source: str) -> Read:
     """
     name = "Standard input" if source == "-" else source
     try:
-        # With the mark that some spreadsheets put before UTF-8, or without.
+        # Some spreadsheets put a byte order mark before UTF-8.
         text = _read_input(source).decode("utf-8-sig")
     except UnicodeDecodeError as error:
         raise CliError(f"{name} is not UTF-8 text.") from error
@@ -94,7 +94,7 @@ def read(source: str) -> Read:
                 has_w = [cell.lower() for cell in cells[3:4]] == ["w"]
                 columns.names.extend(cells[3 + has_w :])
                 if len(set(columns.names)) < len(columns.names):
-                    raise CliError(f"{where}: has two columns of one name.")
+                    raise CliError(f"{where}: has two columns of the same name.")
             else:
                 others = _others(cells, head, has_w, where)
                 has_w |= len(cells) - len(others) == 4
@@ -115,7 +115,7 @@ def read(source: str) -> Read:
 def _others(cells: list[str], head: list[str], has_w: bool, where: str) -> list[str]:
     """The cells of a row after its coordinates; without names, a number there is w."""
     if len(cells) > len(head) > 0:
-        raise CliError(f"{where}: has {len(cells)} columns, more than the {len(head)} named.")
+        raise CliError(f"{where}: has {len(cells)} columns, but the first row names {len(head)}.")
     if head:
         return cells[3 + has_w :]
     while len(cells) > 3 and not cells[-1]:
@@ -127,7 +127,7 @@ def _others(cells: list[str], head: list[str], has_w: bool, where: str) -> list[
     if len(cells) > 4:
         raise CliError(
             f"{where}: has {len(cells)} columns, must have three: x,y,z, or w too;"
-            " others are named in a first row, as x,y,z,name."
+            " name other columns in a first row: x,y,z,name."
         )
     return []
 

@@ -28,11 +28,11 @@ from app.precision.levels import (
 
 
 def run(arguments: Sequence[str]) -> int:
-    """Print the points that are asked for; the exit status."""
+    """Print points at every stage; return the exit status."""
     points.check_typed(arguments)
     found, (*file, source) = parser_of("project").read(arguments)
     if not file and source.lower().endswith((".json", *MESH_ENDINGS)):
-        raise CliError(f"POINTS is missing: {source} is what the camera is read from.")
+        raise CliError(f"POINTS is missing: {source} gives the camera only.")
     projection = document_of(file[0] if file else None, found.set).projection
     read = points.read(source)
     rows, has_w = np.array(read.points), read.has_w
@@ -67,18 +67,18 @@ class _Answer(NamedTuple):
 
     @property
     def stages(self) -> tuple[tuple[str, tuple[str, ...]], ...]:
-        """Each stage and its columns: with w where the points were given with one."""
+        """Each stage and its columns; with w if the points have one."""
         return _HOMOGENEOUS if self.trace.world.shape[1] == 4 else _STAGES
 
     @property
     def counts(self) -> tuple[int, int]:
-        """Numbers of a point, and those of one that has no picture: up to clip space."""
+        """How many numbers a point has, and a point without a picture: those up to clip space."""
         columns = [len(names) for _, names in self.stages]
         return sum(columns), sum(columns[:3])
 
 
 class _Block(NamedTuple):
-    """Some of the points, ready to be written.
+    """Some of the points, ready for output.
 
     Attributes
     ----------
@@ -94,7 +94,7 @@ class _Block(NamedTuple):
 
     @property
     def texts(self) -> list[str]:
-        """All numbers, row by row, each as the shortest text that reads back the same."""
+        """All numbers, row by row, each as the shortest text that gives the same number."""
         return list(map(repr, self.numbers.ravel().tolist()))
 
 
@@ -110,7 +110,7 @@ _HOMOGENEOUS = tuple(
     (stage, (*names, f"{stage}_w") if stage in ("world", "view") else names)
     for stage, names in _STAGES
 )
-"""The same where points may be at infinity."""
+"""The same for points that may be at infinity."""
 _BLOCK = 4096
 
 
@@ -178,7 +178,7 @@ def _project_json(answer: _Answer) -> Iterator[str]:
 
 
 def _finite_or_text(error: float) -> float | str:
-    """JSON has no infinity; the document writes it so, too."""
+    """Infinity as a document writes it, since JSON has none."""
     return error if math.isfinite(error) else "inf"
 
 
@@ -213,7 +213,7 @@ def _project_table(answer: _Answer) -> Iterator[str]:
     rows, line = len(labels) + 1, "%*s" * 4 + "\n"
     seen = "%-10s  " + line + "".join(f"{label:>10}  {line}" for label in labels)
     unseen = "%-10s  " + line + "".join(f"{label:>10}  {line}" for label in labels[:3])
-    # Where each number stands in a table of four columns, below its head.
+    # The place of each number in a table of four columns with a header row.
     places = [
         4 * row + i for row, (_, names) in enumerate(answer.stages, 1) for i in range(len(names))
     ]
@@ -271,12 +271,12 @@ def _project_table(answer: _Answer) -> Iterator[str]:
 
 
 def _printable(text: str) -> str:
-    """A text without what a terminal would obey."""
+    """A text without control characters, which a terminal would obey."""
     return "".join(letter if letter.isprintable() else "\ufffd" for letter in text)
 
 
 def _why_none(numbers: list[float]) -> str:
-    """Why a point has no picture, by its numbers up to clip space."""
+    """The reason why a point has no picture, from its numbers up to clip space."""
     at_infinity, w = len(numbers) > 10 and numbers[3] == 0.0, numbers[-1]
     if w > 0.0:
         return "the point is in front of the eye; its pixel is larger than float64 can hold"

@@ -81,14 +81,14 @@ LONGEST_SHOWN = 60
 MISSING = QT_TRANSLATE_NOOP("Refusal", "is missing")
 EMPTY = QT_TRANSLATE_NOOP("Refusal", "is empty")
 BROKEN = QT_TRANSLATE_NOOP(
-    "Refusal", "is broken or cut short: from line {0}, column {1} on it is not JSON"
+    "Refusal", "is broken or cut short: the text from line {0}, column {1} on is not JSON"
 )
 FOREIGN = QT_TRANSLATE_NOOP("Refusal", "is not a Frustum Lab document")
 NEWER = QT_TRANSLATE_NOOP(
     "Refusal",
     "was written by a newer Frustum Lab: its version is {0}, this program reads up to {1}",
 )
-VERSION_NUMBER = QT_TRANSLATE_NOOP("Refusal", "must be a whole number from 1 on")
+VERSION_NUMBER = QT_TRANSLATE_NOOP("Refusal", "must be a whole number, 1 or more")
 TWICE = QT_TRANSLATE_NOOP("Refusal", "is given twice")
 FINITE_OR_INF = QT_TRANSLATE_NOOP("Refusal", "must be a finite number or inf")
 TOO_DEEP = QT_TRANSLATE_NOOP("Refusal", "has more than {0} levels of brackets")

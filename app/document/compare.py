@@ -20,11 +20,11 @@ MOST_PICTURES = 3
 """As many as the lectures set side by side: stretch, keep x, keep y; naive, cut, clipped."""
 
 SOME_PICTURES = QT_TRANSLATE_NOOP(
-    "Refusal", "must be a list of 2 to {0} pictures, just one of them the document's own"
+    "Refusal", "must be a list of 2 to {0} pictures, exactly one of them the document's own"
 )
 SOME_DIVIDERS = QT_TRANSLATE_NOOP(
     "Refusal",
-    "must be rising numbers from 0 to 1, one fewer than the pictures compared, or none for side by"
+    "must be rising numbers from 0 to 1, one fewer than the compared pictures, or none for side by"
     " side",
 )
 ONLY_OF_THE_PICTURE = QT_TRANSLATE_NOOP(

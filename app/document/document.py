@@ -29,9 +29,7 @@ MESH_NAME = QT_TRANSLATE_NOOP("Refusal", "must be the path of a mesh file ({0}),
 NO_MESH_HERE = QT_TRANSLATE_NOOP(
     "Refusal", "cannot be shown in the scene {0}, which needs its own objects"
 )
-FIXED = QT_TRANSLATE_NOOP(
-    "Refusal", "cannot be moved in the scene {0}, whose objects are fixed; another scene's can"
-)
+FIXED = QT_TRANSLATE_NOOP("Refusal", "cannot be moved in the scene {0}, whose objects are fixed")
 
 
 def is_mesh(scene: str) -> bool:

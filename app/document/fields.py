@@ -23,7 +23,7 @@ from app.scenes.phenomena import PHENOMENA
 
 Tree: TypeAlias = dict[str, Any]
 
-POINTS = QT_TRANSLATE_NOOP("Refusal", "must be x, y, z of one point after the other")
+POINTS = QT_TRANSLATE_NOOP("Refusal", "must be the numbers x, y, z of each point in turn")
 SECTIONS = ("settings", "object", "camera", "lens", "image", "quality", "view")
 
 # What float() takes and no document would: 1_000, nan, infinity, digits of other scripts.

@@ -23,8 +23,8 @@ OTHER_LENS = QT_TRANSLATE_NOOP("Refusal", "belongs to another lens: set lens.kin
 OTHER_SCENE = QT_TRANSLATE_NOOP("Refusal", "belongs to another scene: set scene as well ({0})")
 COMPARED = QT_TRANSLATE_NOOP(
     "Refusal",
-    "must be a ready-made comparison of the scene ({0}), or NAME=VALUE; with ; between the values"
-    " of a picture, and | between pictures",
+    "must be one of the scene's own comparisons ({0}), or NAME=VALUE, with ; between the values of"
+    " a picture and | between pictures",
 )
 NO_EQUALS = QT_TRANSLATE_NOOP("Refusal", "must be written as NAME=VALUE")
 
@@ -48,7 +48,7 @@ def set_values(document: Document, assignments: Iterable[str]) -> Document:
     assignments : iterable of str
         ``lens.far=inf``, ``camera.eye=3,2,4``, ``depth=reversed``, ``scene=cube``,
         ``settings.distance=2``, ``view.stage=pyramid``. A matrix is its 16 cells, row by row;
-        probes are x, y, z of one point after the other; hidden layers are names with commas.
+        probes are the numbers x, y, z of each point in turn; hidden layers are names with commas.
         ``view.compare=lens.near=2;lens.far=9|lens.near=3`` compares with two pictures, and
         ``view.compare=NAME`` with those of a comparison that the scene has ready-made.
 

@@ -44,13 +44,14 @@ MOST_PROBES = 6
 
 A_STAGE = QT_TRANSLATE_NOOP("Refusal", "must be one of {0}, or a number from 0 to {1}")
 ONE_OR_NONE = QT_TRANSLATE_NOOP("Refusal", "must be one of {0}, or empty for none")
-SOME_OF = QT_TRANSLATE_NOOP("Refusal", "must be a list of names out of {0}")
+SOME_OF = QT_TRANSLATE_NOOP("Refusal", "must be a list of names from {0}")
 SOME_PROBES = QT_TRANSLATE_NOOP("Refusal", "must be a list of at most {0} probes")
 A_PROBE = QT_TRANSLATE_NOOP(
     "Refusal",
-    "must be three numbers for a point, four with its w, two for a pixel's ray, or null for none",
+    "must be three numbers for a point, four with w, two for the ray of a pixel, or null for no"
+    " probe",
 )
-PROBE_NUMBERS = QT_TRANSLATE_NOOP("Refusal", "must be a list of numbers that probes have")
+PROBE_NUMBERS = QT_TRANSLATE_NOOP("Refusal", "must be a list of the numbers of probes")
 
 
 @dataclass(frozen=True)

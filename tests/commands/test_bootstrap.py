@@ -393,7 +393,9 @@ def test_an_environment_that_cannot_be_removed_is_in_use(
 
     made.stamp.write_text("setting up\n")
     monkeypatch.setattr(shutil, "rmtree", refuse)
-    with pytest.raises(bootstrap.SetupError, match=r"removed .*close what runs in it and run ag"):
+    with pytest.raises(
+        bootstrap.SetupError, match=r"removed .*close the programs that run in it and ru"
+    ):
         bootstrap.Environment(made.root).make()
 
 
@@ -563,7 +565,7 @@ def test_without_a_network_what_worked_goes_on_under_new_bounds(
     *_, why, what = said.splitlines()
     assert "no package server could be reached" in why
     assert what == (
-        "frustum-lab: going on with what is installed, which is not frustum-probe>=2,<3"
+        "frustum-lab: going on with the installed packages, which do not meet frustum-probe>=2,<3"
     )
     assert made.stamp.read_text() == stamp
     # A program that it starts says nothing of it again, and asks no server.
@@ -585,7 +587,7 @@ def test_without_a_network_tested_versions_that_changed_are_no_reason_to_stop(
     made.ask_for(">=1,<2", exactly="1.7")
     status, output, said = made.run("-m", "app", "project", **offline)
     assert (status, json.loads(output)[1]) == (0, "1.0")
-    assert one_sentence(said) == "frustum-lab: going on with what is installed"
+    assert one_sentence(said) == "frustum-lab: going on with the installed packages"
 
 
 def test_without_a_network_the_tests_are_refused_and_the_program_still_starts(

@@ -398,9 +398,9 @@ def test_a_name_of_a_point_cannot_write_to_the_terminal() -> None:
 @pytest.mark.parametrize(
     ("text", "words"),
     [
-        (b"x,y,z,name\n1,2,3,A,B\n", ["line 2", "has 5 columns, more than the 4 named"]),
+        (b"x,y,z,name\n1,2,3,A,B\n", ["line 2", "has 5 columns, but the first row names 4"]),
         (b"x,y,z,w\n1,2,3,A\n", ["line 2", "w = 'A'"]),
-        (b"x,y,z,a,a\n1,2,3,A,B\n", ["line 1", "two columns of one name"]),
+        (b"x,y,z,a,a\n1,2,3,A,B\n", ["line 1", "two columns of the same name"]),
         (b"", ["no points"]),
         (b"x,y,z\n", ["no points"]),
         (b"1,2,3\n1,2\n", ["line 2", "2 columns", "three"]),

@@ -79,7 +79,7 @@ def test_what_follows_has_its_own_values_and_else_those_of_the_document(held: Do
         ('{"live": true}', '7',
          "view.compare[1] = 7: must be an object with named values in braces."),
         (', {"live": true}', "",
-         "view.compare = ['before', '']: must be a list of 2 to 3 pictures, just one of them the"
+         "view.compare = ['before', '']: must be a list of 2 to 3 pictures, exactly one of them the"
          " document's own."),
         ('["lens.far=30"]', '"lens.far=30"',
          "view.compare[2].set = 'lens.far=30': must be a list of texts NAME=VALUE."),
@@ -88,7 +88,7 @@ def test_what_follows_has_its_own_values_and_else_those_of_the_document(held: Do
          " object or depth, as NAME=VALUE."),
         ("[0.25, 0.5]", "[0.5, 0.25]",
          "view.dividers = [0.5, 0.25]: must be rising numbers from 0 to 1, one fewer than the"
-         " pictures compared, or none for side by side."),
+         " compared pictures, or none for side by side."),
     ],
 )  # fmt: skip
 def test_a_damaged_comparison_is_refused_in_one_sentence(
@@ -116,14 +116,14 @@ def test_a_picture_that_the_document_has_not_just_now_does_not_keep_it_from_open
 @pytest.mark.parametrize(
     ("texts", "sentence"),
     [
-        (["view.compare=other"], "view.compare = 'other': must be a ready-made comparison of the"
-         " scene (interpolation), or NAME=VALUE; with ; between the values of a picture, and"
+        (["view.compare=other"], "view.compare = 'other': must be one of the scene's own"
+         " comparisons (interpolation), or NAME=VALUE, with ; between the values of a picture and"
          " | between pictures."),
         (["view.compare=lens.near=-1"], "lens.near = -1: must be greater than 0."),
         (["view.dividers=0.5"], "view.dividers = [0.5]: must be rising numbers from 0 to 1, one"
-         " fewer than the pictures compared, or none for side by side."),
+         " fewer than the compared pictures, or none for side by side."),
         (["view.compare=interpolation", "view.dividers=x"], "view.dividers = 'x': must be rising"
-         " numbers from 0 to 1, one fewer than the pictures compared, or none for side by side."),
+         " numbers from 0 to 1, one fewer than the compared pictures, or none for side by side."),
     ],
 )  # fmt: skip
 def test_what_cannot_be_compared_cannot_be_set(texts: list[str], sentence: str) -> None:

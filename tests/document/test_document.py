@@ -323,7 +323,7 @@ RANGES = f"must be one of {', '.join(DEPTH_RANGES)}"
 PIXELS = "must be a whole number of pixels from 1 to 16384"
 ANGLE = "must lie between 0 and 180, both excluded"
 BRACES = "must be an object with named values in braces"
-VERSIONS = "must be a whole number from 1 on"
+VERSIONS = "must be a whole number, 1 or more"
 SCENES = "must be the name of a scene or of a mesh file"
 BAD_VALUES: list[tuple[str, object, str]] = [
     ("lens.near", -1, "-1: must be greater than 0"),
@@ -381,7 +381,7 @@ def test_a_missing_field_is_named(document: Document) -> None:
         assert sentence(parse, text) == f"{path} is missing."
 
 
-NOT_JSON = "The document is broken or cut short: from line {}, column {} on it is not JSON."
+NOT_JSON = "The document is broken or cut short: the text from line {}, column {} on is not JSON."
 FOREIGN = "The document is not a Frustum Lab document."
 EMPTY = "The document is empty."
 DEEP = "The document has more than 50 levels of brackets."
@@ -685,8 +685,8 @@ def test_a_file_that_is_no_document_is_refused_by_its_name(
     contents: dict[str, tuple[bytes, str]] = {
         "empty.json": (b"", " is empty."),
         "two\nlines.json": (b"", " is empty."),
-        "cut.json": (WRITTEN.encode()[:100], " is broken or cut short: from line 5, column 32 on"
-                     " it is not JSON."),
+        "cut.json": (WRITTEN.encode()[:100], " is broken or cut short: the text from line 5,"
+                     " column 32 on is not JSON."),
         "utf16.json": (WRITTEN.encode("utf-16"), f" {no_text}"),
         "latin1.json": (WRITTEN.replace("letter-f", "slovo-č").encode("latin2"), f" {no_text}"),
         "photo.jpg": (b"\xff\xd8\xff\xe0\0\x10JFIF", " is neither a document (.json), a lesson"
@@ -1215,9 +1215,10 @@ def test_a_wrong_camera_of_a_pane_is_named_where_the_file_has_it(
 NO_PANE = f"must be one of {', '.join(PANES)}, or empty for none."
 NO_STAGE = f"must be one of {', '.join(STAGES)}, or a number from 0 to 5."
 NO_PANEL = f"must be one of {', '.join(PANELS)}, or empty for none."
-NO_LAYERS = f"must be a list of names out of {', '.join(LAYERS)}."
+NO_LAYERS = f"must be a list of names from {', '.join(LAYERS)}."
 NO_PROBE = (
-    "must be three numbers for a point, four with its w, two for a pixel's ray, or null for none."
+    "must be three numbers for a point, four with w, two for the ray of a pixel, or null for no"
+    " probe."
 )
 WRONG_VIEWS: list[tuple[object, str]] = [
     (7, f" = 7: {BRACES}."),
@@ -1247,10 +1248,10 @@ WRONG_VIEWS: list[tuple[object, str]] = [
                                  " (0, 0, 0, 0) is no point and no direction."),
     ({"probes": [[1, 2, 1e200]]}, ".probes[0] = 1e+200: must be at most 1e+100."),
     ({"probes": [None, [16385, 2]]}, ".probes[1] = 16385: must be at most 16384."),
-    ({"pinned": [1]}, ".pinned = [1]: must be a list of numbers that probes have."),
-    ({"pinned": 1}, ".pinned = 1: must be a list of numbers that probes have."),
+    ({"pinned": [1]}, ".pinned = [1]: must be a list of the numbers of probes."),
+    ({"pinned": 1}, ".pinned = 1: must be a list of the numbers of probes."),
     ({"pinned": [True], "probes": [[1, 2, 3]]},
-     ".pinned = [true]: must be a list of numbers that probes have."),
+     ".pinned = [true]: must be a list of the numbers of probes."),
     ({"panes": {"": 0}}, f".panes. = 0: {BRACES}."),
 ]  # fmt: skip
 
@@ -1292,7 +1293,7 @@ SET_WRONG_VIEWS = {
     "view.stage=nan": f"view.stage = 'nan': {NO_STAGE}",
     "view.stage=6": f"view.stage = 6: {NO_STAGE}",
     "view.layers=sky,grid": f"view.layers = ['grid', 'sky']: {NO_LAYERS}",
-    "view.probes=1,2,nan": "view.probes = '1,2,nan': must be x, y, z of one point after the other.",
+    "view.probes=1,2,nan": "view.probes = '1,2,nan': must be the numbers x, y, z of each point",
     **{f"{path}=1": f"{path} {NEAREST}" for path in ("view.panes", "view.pinned", "view", "views")},
 }
 
