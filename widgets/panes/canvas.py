@@ -37,6 +37,7 @@ from PySide6.QtOpenGLWidgets import QOpenGLWidget
 from PySide6.QtWidgets import QApplication, QGestureEvent, QPinchGesture, QWidget
 
 from widgets.parts.focus import FocusRing
+from widgets.parts.plain import set_tip
 
 if TYPE_CHECKING:
     from app.drawings.off_screen import OffScreen
@@ -291,6 +292,7 @@ class Hand(QObject):
         # By Tab only: a click leaves the focus in a field that is being typed.
         canvas.setFocusPolicy(Qt.FocusPolicy.TabFocus)
         FocusRing(canvas)
+        self._describe()
         kinds = QEvent.Type
         self._takes: dict[QEvent.Type, Any] = {
             kinds.MouseButtonPress: self._press,
@@ -303,6 +305,27 @@ class Hand(QObject):
             kinds.Gesture: self._gesture,
         }
         canvas.installEventFilter(self)
+
+    def _describe(self) -> None:
+        if self._orbits:
+            tip = self.tr(
+                "Click to follow a point; drag to turn, Shift-drag to move, wheel to zoom, "
+                "double-click to reset; or Tab to here, and arrows, + −, Home"
+            )
+            keys = self.tr("Arrow keys turn, Shift and an arrow moves, + and − zoom, Home resets.")
+        else:
+            tip = self.tr(
+                "Click to follow a point; drag to move the camera in its plane, wheel to go "
+                "nearer to the target; or Tab to here, and arrows, + −"
+            )
+            keys = self.tr("Arrow keys move the camera in its plane, + and − go nearer and back.")
+        set_tip(self._canvas, tip)
+        cursor_keys = self.tr(
+            "Page Down and Page Up go from vertex to vertex, with Shift from handle to handle or "
+            "probe to probe; Space follows a vertex; Enter takes hold and lets go, Shift and Enter "
+            "as a drag with Shift; arrows drag by a pixel, with Shift by ten; Escape puts back."
+        )
+        self._canvas.setAccessibleDescription(f"{keys} {cursor_keys}")
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         # Before the canvas is open there is no camera.

@@ -12,7 +12,6 @@ from __future__ import annotations
 import sys
 import time
 from collections.abc import Callable, Sequence
-from functools import partial
 from typing import Any
 
 from PySide6.QtCore import QEvent, QPoint, QPointF, QRect, Qt, Signal
@@ -40,7 +39,6 @@ from widgets.panes.header import Header
 from widgets.parts.buttons import tool_button
 from widgets.parts.layouts import in_column
 from widgets.parts.panel import PROJECTION, Changed, Shown
-from widgets.parts.plain import set_tip
 
 SCALES = {"half resolution": 0.5, "supersampling 2 x 2": 2.0}
 """Drawn pixels for one pixel of the screen, along each side, where it is not one."""
@@ -204,12 +202,11 @@ class Pane(QFrame):
         self.canvas = make_canvas(self)
         self.ahead = Ahead(self.canvas, make_drawing, self._smooth)
         self.canvas.setAccessibleName(title)
-        self._describe_canvas(orbits)
         self.hand = Hand(self.canvas, orbits=orbits)
         self.hand.moved.connect(self._view_moved)
         self.hand.clicked.connect(self.clicked)
-        self.hand.hovered.connect(self._hovered)
-        self.hand.left.connect(partial(self._point_at, NOTHING))
+        self.hand.hovered.connect(self._point_at)
+        self.hand.left.connect(self._point_at)
         self.canvas.painted.connect(lambda ms: self.timed.emit(self._matrices_ms, ms))
         self.surface = Surface(self.canvas)
         self._column = QGridLayout(self)
@@ -220,27 +217,6 @@ class Pane(QFrame):
         sides = Qt.AlignmentFlag
         for bar, side in ((self.header, sides.AlignLeft), (self.header.tools, sides.AlignRight)):
             self._column.addWidget(bar, 0, 0, sides.AlignTop | side)  # on the picture
-
-    def _describe_canvas(self, orbits: bool) -> None:
-        if orbits:
-            tip = self.tr(
-                "Click to follow a point; drag to turn, Shift-drag to move, wheel to zoom, "
-                "double-click to reset; or Tab to here, and arrows, + −, Home"
-            )
-            keys = self.tr("Arrow keys turn, Shift and an arrow moves, + and − zoom, Home resets.")
-        else:
-            tip = self.tr(
-                "Click to follow a point; drag to move the camera in its plane, wheel to go "
-                "nearer to the target; or Tab to here, and arrows, + −"
-            )
-            keys = self.tr("Arrow keys move the camera in its plane, + and − go nearer and back.")
-        set_tip(self.canvas, tip)
-        cursor_keys = self.tr(
-            "Page Down and Page Up go from vertex to vertex, with Shift from handle to handle or "
-            "probe to probe; Space follows a vertex; Enter takes hold and lets go, Shift and Enter "
-            "as a drag with Shift; arrows drag by a pixel, with Shift by ten; Escape puts back."
-        )
-        self.canvas.setAccessibleDescription(f"{keys} {cursor_keys}")
 
     def open(self) -> None:
         """Import VTK if necessary, and let it draw from now on."""
@@ -365,11 +341,10 @@ class Pane(QFrame):
         elif self.drawing.show_highlight(highlighted):
             self.request_repaint()
 
-    def _hovered(self, place: QPointF) -> None:
-        if self.drawing is not None:
-            self._point_at(self.drawing.highlight_at(place.x(), place.y()))
-
-    def _point_at(self, highlighted: Highlight) -> None:
+    def _point_at(self, place: QPointF | None = None) -> None:
+        highlighted = NOTHING
+        if place is not None and self.drawing is not None:
+            highlighted = self.drawing.highlight_at(place.x(), place.y())
         if highlighted != self._pointed_at:
             self._pointed_at = highlighted
             self.highlighted.emit(highlighted)
