@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import argparse
 import collections
+import dataclasses
 import json
 import math
 import random
@@ -91,13 +92,12 @@ def a_tree(rng: random.Random) -> dict[str, Any]:
     """A document with any lens: often valid, sometimes at the limits, sometimes damaged."""
     kind = rng.choice(list(LENSES))
     lens: dict[str, Any] = {"kind": kind}
-    near = a_size(rng) if kind in ("perspective", "frustum") else a_number(rng)
+    names = [field.name for field in dataclasses.fields(LENSES[kind])]
+    near = a_size(rng) if LENSES[kind].central else a_number(rng)
     lens["near"], lens["far"] = an_interval(rng, near)
     if rng.random() < 0.2:
         lens["far"] = "inf"
-    if kind == "perspective":
-        lens["fov_y_deg"] = rng.choice((rng.uniform(0, 180), a_size(rng), 180.0 - a_size(rng)))
-    else:
+    if "left" in names:
         for low, high in (("left", "right"), ("bottom", "top")):
             if rng.random() < 0.5:  # about the axis, as most are
                 lens[high] = a_size(rng)
@@ -105,9 +105,9 @@ def a_tree(rng: random.Random) -> dict[str, Any]:
             else:
                 lens[low], lens[high] = an_interval(rng, a_number(rng))
         lens["keep"] = rng.choice(("stretch", "x", "y"))
-    if kind == "oblique":
-        for name in ("alpha_deg", "beta_deg"):
-            lens[name] = rng.choice((rng.uniform(0, 180), a_size(rng), 180.0 - a_size(rng), 90.0))
+    for name in sorted(set(names) - set(lens)):
+        angles = rng.uniform(0, 180), a_size(rng), 180.0 - a_size(rng), 90.0
+        lens[name] = rng.choice(angles) if name.endswith("_deg") else a_number(rng)
     if rng.random() < 0.2:
         lens = at_the_ends(rng)
     vectors = {key: [a_number(rng) for _ in range(3)] for key in ("eye", "target", "up")}

@@ -20,11 +20,20 @@ def content_texts() -> set[str]:
     return {text for phenomenon in PHENOMENA.values() for text in phenomenon.words.texts}
 
 
+def key_texts() -> set[str]:
+    """The texts of the help's table of keys."""
+    from widgets.window.help import key_groups
+
+    groups = key_groups()
+    return {*groups, *(text for lines in groups.values() for line in lines for text in line)}
+
+
 def source() -> str:
     """Python that marks them all."""
     lines = (
-        f'QT_TRANSLATE_NOOP("phenomena", {json.dumps(text, ensure_ascii=False)})\n'
-        for text in sorted(content_texts())
+        f'QT_TRANSLATE_NOOP("{context}", {json.dumps(text, ensure_ascii=False)})\n'
+        for context, texts in (("phenomena", content_texts()), ("Help", key_texts()))
+        for text in sorted(texts)
     )
     return "".join(lines)
 

@@ -27,7 +27,6 @@ from app.drawings.labels import Layout, Leader, written_distance
 from app.drawings.pane_view import Spot
 from app.drawings.style import rgb
 from app.model.projection import Array, Projection
-from app.picking.handles import has_camera
 
 _SEGMENTS = 64  # there is room for
 _AWAY_PX = -1e4
@@ -73,6 +72,7 @@ class Half(NamedTuple):
 
     angle_deg: float | None  # at the eye; None without an eye, or off the axis
     at_far: float  # its length on the far plane; infinite if far is
+    has_eye: bool = True
 
 
 def half_of(projection: Projection, axis: int) -> Half | None:
@@ -86,7 +86,7 @@ def half_of(projection: Projection, axis: int) -> Half | None:
     near, far = lens.planes
     low, high = projection.window[2 * axis : 2 * axis + 2]
     if not lens.central:
-        return Half(None, high)
+        return Half(None, high, has_eye=False)
     aspect = Fraction(*projection.image_size)
     angles = lens.angles(aspect) if lens.symmetric else None
     if angles is not None:
@@ -223,7 +223,7 @@ class Dimensions:
 
     def _ways(self, measured: Measured) -> list[tuple[str, float]]:
         projection, ways = measured.projection, dict[str, float]()
-        if has_camera(projection):
+        if projection.has_camera:
             ways = {"d": projection.camera.distance, **dict(measured.distances)}
         if projection.lens.planes is not None and measured.corners is not None:
             ways["near"], ways["far"] = projection.lens.planes
@@ -239,7 +239,7 @@ class Dimensions:
         """Half the angle at the eye, and half the window on the far plane."""
         axis, edge = (1, 8) if measured.view == "side" else (0, 7)  # of top, of right
         half = half_of(measured.projection, axis)
-        if half is None or not measured.projection.lens.central:
+        if half is None or not half.has_eye:
             return
 
         def keep_off(face: Array) -> None:
@@ -274,7 +274,7 @@ class Dimensions:
             return
         # The projectors of a parallel lens need not be parallel to its axis.
         # Beside the face, not across it: the picture is there.
-        eye, face = spots[0], spots[6:10] if measured.projection.lens.central else spots[2:6]
+        eye, face = spots[0], spots[6:10] if upper.has_eye else spots[2:6]
         x, y = float(eye[0]), float(eye[1])
         right, top = face[2].tolist()
         aside = right + 0.7 * self._em
@@ -366,12 +366,10 @@ class Dimensions:
 
     def _lacks(self, measured: Measured) -> str:
         """The key in `app.drawings.WORDS` for what the lens lacks; empty for nothing."""
-        lens = measured.projection.lens
-        if lens.planes is None:
+        half = half_of(measured.projection, 1 if measured.view == "side" else 0)
+        if half is None:
             return "no planes"
-        if not lens.central:
+        if not half.has_eye:
             return "no eye" if measured.view == "eye" else "no angle"
-        if measured.view in ("side", "top"):
-            half = half_of(measured.projection, 1 if measured.view == "side" else 0)
-            return "" if half is None or half.angle_deg is not None else "no half angle"
-        return ""
+        has_angle = half.angle_deg is not None or measured.view not in ("side", "top")
+        return "" if has_angle else "no half angle"

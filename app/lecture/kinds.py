@@ -189,7 +189,7 @@ def scale_factors(projection: Projection) -> Vector | None:
         None for a lens whose pictures shrink with the distance, and for a typed matrix, whose
         picture has no size in world units.
     """
-    if projection.lens.planes is None or projection.lens.central:
+    if not projection.lens.even_extent:  # only parallel projectors show lengths
         return None
     left, right, bottom, top = projection.window
     clips = (trace_at_infinity(projection, axis).clip.tolist() for axis in AXES)
@@ -259,8 +259,8 @@ def with_kind(projection: Projection, kind: str) -> Projection:
             projection = leaning(projection, *oblique_angles(node.receding, RECEDING_DEG))
     elif "parallel" in above:
         projection = projection.with_lens("orthographic")
-    elif not projection.lens.central:
-        projection = projection.with_lens("perspective")
+    else:
+        projection = projection.with_eye()
     if kind in path(kind_of(projection) or kind):
         return projection
     return with_kind(projection, next(each.name for each in KINDS.values() if each.parent == kind))

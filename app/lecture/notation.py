@@ -562,7 +562,7 @@ def _written(projection: Projection) -> _Written:
     lens = projection.lens
     placement = projection.placement
     order = "" if placement.is_identity else placement.order
-    return _Written(lens.table, lens.own_view is not None, projection.depth, order)
+    return _Written(lens.table, not projection.has_camera, projection.depth, order)
 
 
 _IDENTITY: Formulas = tuple(tuple(str(int(i == j)) for j in range(4)) for i in range(4))

@@ -392,12 +392,6 @@ class FreeMorph(Morph):
         matrix: Array = view_from_eye @ shift
         return matrix
 
-    @property
-    def _is_rigid(self) -> bool:
-        """Whether the view matrix is the camera's, which the world turns into as a whole."""
-        lens = self.projection.lens
-        return not lens.has_steps and lens.own_view is None
-
     @cached_property
     def _local_from_box(self) -> Array | None:
         if self.projection.frustum_sign <= 0:
@@ -424,7 +418,7 @@ class FreeMorph(Morph):
         return _ball_of(self._framed)
 
     def display_from_stage(self, stop: int) -> Array:
-        if stop != VIEW or self._is_rigid:
+        if stop != VIEW or self.projection.has_camera:  # which the world turns into as a whole
             return super().display_from_stage(stop)
         framed = np.column_stack([self._framed, np.ones(len(self._framed))])
         seen = framed @ self._view_from_local.T
@@ -441,7 +435,7 @@ class FreeMorph(Morph):
 
     def display_from_local(self, position: float) -> Array:
         position = self._jumped(position)
-        if position == WORLD or position >= NDC or (position < VIEW and self._is_rigid):
+        if position == WORLD or position >= NDC or (position < VIEW and self.projection.has_camera):
             return super().display_from_local(position)
         if position < VIEW:
             return (1.0 - position) * self._even(WORLD) + position * self._even(VIEW)

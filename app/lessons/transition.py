@@ -20,8 +20,7 @@ def can_move(start: Document, end: Document) -> bool:
         (start.scene, start.mesh) == (end.scene, end.mesh)
         and start != end
         and lenses[0].kind == lenses[1].kind
-        and lenses[0].own_view is None
-        and lenses[1].own_view is None
+        and all(document.projection.has_camera for document in (start, end))
     )
 
 

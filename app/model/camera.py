@@ -1,4 +1,4 @@
-"""Where the camera stands: eye, target, up, its frame, and the same as an orbit.
+"""The camera: eye, target, up, its frame, and its place on an orbit.
 
 The letters u, v, n and the look-at are those of lecture 004 (Horvat).
 """
@@ -37,7 +37,7 @@ Whole: TypeAlias = tuple[int, int, int]
 
 
 def _whole(*vectors: Vector) -> list[Whole]:
-    """Float64 vectors as whole numbers of one common, very small unit: exact."""
+    """Float64 vectors, exactly, as whole multiples of one common unit."""
     ratios = [[part.as_integer_ratio() for part in vector] for vector in vectors]
     unit = max(below for vector in ratios for _, below in vector)  # they are all powers of two
     return [
@@ -59,7 +59,7 @@ def _cross(a: Whole, b: Whole) -> Whole:
 
 
 def _unit(exact: Whole) -> tuple[Fraction, ...]:
-    """The direction of an exact vector, each component to `double_double.BITS` bits."""
+    """The unit vector of an exact vector, each component to `double_double.BITS` bits."""
     square = _dot(exact, exact)
     unit = []
     for part in exact:
@@ -75,11 +75,10 @@ class Orbit(NamedTuple):
     Attributes
     ----------
     azimuth_deg : float
-        Angle round the world's y axis; 0 puts the eye on the +z side, 90 on the +x side.
+        Angle about the world's y axis; 0 puts the eye on the +z side, 90 on the +x side.
     elevation_deg : float
         Angle above the target's horizon, from -90 to 90.
     distance : float
-        From target to eye, in world units.
     roll_deg : float
         Turn about the view direction, clockwise as the photographer sees the camera.
     """
@@ -92,13 +91,13 @@ class Orbit(NamedTuple):
 
 @dataclass(frozen=True)
 class Camera:
-    """Where the camera stands and what it looks at.
+    """The position and orientation of the camera.
 
     Parameters
     ----------
     eye, target, up : sequence of 3 floats
         World coordinates of the centre of projection and of the point looked at, and the
-        direction that shall be vertical in the picture (any length, not parallel to the view).
+        direction that is vertical in the picture (any length, not parallel to the view).
 
     Raises
     ------
@@ -129,7 +128,7 @@ class Camera:
         """``N = eye - target`` and ``U = up x N`` of lecture 004, without any rounding.
 
         With up 1e-12 rad from the view direction the cross product cancels 12 of float64's 16
-        digits; in whole numbers it cancels none, and rounding once at the end is all that is lost.
+        digits; whole numbers lose none.
         """
         eye, target = _whole(self.eye, self.target)
         backward = (eye[0] - target[0], eye[1] - target[1], eye[2] - target[2])
@@ -158,7 +157,7 @@ class Camera:
 
     @cached_property
     def frame_double_double(self) -> list[list[DoubleDouble]]:
-        """`frame` with twice the digits, rows u, v, n."""
+        """`frame` with twice the digits."""
         return [
             [DoubleDouble(*map(np.asarray, dd.from_exact(part))) for part in axis]
             for axis in self.exact_frame
@@ -172,7 +171,7 @@ class Camera:
         return self.exact_along([Fraction(part) - Fraction(eye) for part, eye in pairs])
 
     def exact_along(self, offset: Sequence[Fraction]) -> tuple[Fraction, Fraction, Fraction]:
-        """The parts of an offset or a direction along u, v and n, as those of `exact_view`."""
+        """The components of an offset or a direction along u, v and n, like `exact_view`."""
         backward, right = self._exact_axes
         x, y, z = (
             sum((c * o for c, o in zip(axis, offset, strict=True)), Fraction(0)) / length
@@ -186,8 +185,8 @@ class Camera:
     def _exact_lengths(self) -> tuple[Fraction, Fraction, Fraction]:
         """Lengths of U, V = N x U and N, to `double_double.BITS` bits.
 
-        Where their ratio is rational it is so to the last bit: a point on a plane of the view
-        volume, where coordinates cancel, is found there.
+        A rational ratio of them is exact, so that a point on a plane of the view volume, where
+        coordinates cancel, is found there.
         """
         backward, right = self._exact_axes
         n_squared, u_squared = _dot(backward, backward), _dot(right, right)
@@ -205,20 +204,13 @@ class Camera:
 
     @classmethod
     def from_orbit(cls, target: Vector, orbit: Orbit) -> Camera:
-        """Place the camera about a target.
-
-        Parameters
-        ----------
-        target : Vector
-            World coordinates of the point looked at.
-        orbit : Orbit
-            Angles in degrees and distance in world units.
+        """Place the camera on an orbit about a target.
 
         Raises
         ------
         Refusal
             For ``distance <= 0``, an elevation outside -90..90, numbers that are not finite, and a
-            distance so small that float64 cannot place the eye there beside the target.
+            distance too small for float64 to tell the eye from the target.
         """
         target = finite_vector("target", target)
         azimuth_deg, elevation_deg, distance, roll_deg = (
@@ -241,7 +233,7 @@ class Camera:
 
     @cached_property
     def orbit(self) -> Orbit:
-        """The same camera as azimuth, elevation, distance and roll about its target."""
+        """The camera's azimuth, elevation, distance and roll about its target."""
         _, upward, backward = self.frame
         horizontal = math.hypot(backward[0], backward[2])
         elevation_deg = math.degrees(math.atan2(backward[1], horizontal))

@@ -7,14 +7,14 @@ Homogeneous Coordinates*, 1978)::
     near  s (z - z_near w)        far  s (z_far w - z)        s = sign(z_far - z_near)
 
 so that for ``opengl`` near and far are ``w + z`` and ``w - z``, for ``direct3d`` ``z`` and
-``w - z``, for ``reversed`` ``w - z`` and ``z``. A sum of two floats has the exact sign, so what is
-in and what is out is never a matter of rounding. Nothing is divided by w: a point behind the eye
-is simply beyond planes, and a point at infinity (a direction of world space) is an end like any
-other. ``left`` and ``right`` together ask ``w >= 0``; only a choice of `planes` without such a
-pair can leave a piece behind the eye.
+``w - z``, for ``reversed`` ``w - z`` and ``z``. A sum of two floats has the exact sign, so rounding
+never decides what is inside. Nothing is divided by w: a point behind the eye is just beyond some
+planes, and a point at infinity (a direction of world space) is an end like any other. ``left`` and
+``right`` together require ``w >= 0``; only `planes` without such a pair can leave a piece behind
+the eye.
 
-Lecture 004's own way, cutting in view space a little before the eye plane, and what happens when
-nothing is cut, are here for comparison.
+For comparison, this module also has lecture 004's method, which cuts in view space a little before
+the eye plane, and the divide without any cut.
 """
 
 from __future__ import annotations
@@ -38,7 +38,7 @@ NOT_CUT = -1
 """In `ClippedSegments.planes`: the end is the segment's own."""
 
 EYE_Z = -0.01
-"""Where lecture 004 cuts, in view space: "a near negative number" instead of the eye plane's 0."""
+"""z of lecture 004's cut in view space: "a near negative number" instead of the eye plane's 0."""
 
 # Coordinate and factor of each plane's equation, coordinate = factor * w.
 _SIDES = {"left": (0, -1.0), "right": (0, 1.0), "bottom": (1, -1.0), "top": (1, 1.0)}
@@ -55,15 +55,13 @@ class ClippedSegments(NamedTuple):
     visible : (...) bool
         Whether any of it is inside; a segment that only touches counts, as one point.
     t : (..., 2) float64
-        Where the visible part begins and ends, 0 at the start and 1 at the end of the whole;
-        linear in clip space, and in the world too where both ends have the same world w. NaN
-        where nothing is visible.
+        Where the visible part begins and ends, from 0 to 1; linear in clip space, and in the
+        world too if both ends have the same world w. NaN where nothing is visible.
     points_clip : (..., 2, 4) float64
         Its ends; a cut end satisfies its plane's equation exactly. NaN where nothing is visible.
     planes : (..., 2) int
-        Index in `PLANES` of the plane that cut each end, or `NOT_CUT`; where the segment misses
-        the volume past an edge of it (invisible, `outside` all false), the two planes between
-        which it passes.
+        Index in `PLANES` of the plane that cut each end, or `NOT_CUT`; for a segment that misses
+        the volume past an edge (`outside` all false), the two planes between which it passes.
     outside : (..., 6) bool
         Which of `PLANES` the whole segment lies beyond.
     """
@@ -76,15 +74,14 @@ class ClippedSegments(NamedTuple):
 
 
 class ClippedPolygon(NamedTuple):
-    """What is left of a convex polygon, in its own order.
+    """The rest of a convex polygon, in its own order.
 
     Attributes
     ----------
     points_clip : (m, 4) float64
-        Its corners; m is 0 where nothing with an area is left.
+        Its corners; m is 0 if no area is left.
     edges : tuple of m (str or None)
-        For the edge from each corner to the next: the plane that made it, or None for a part of
-        an original edge.
+        The plane that made the edge from each corner to the next; None for an original edge.
     """
 
     points_clip: Array
@@ -99,7 +96,7 @@ class EyeCut(NamedTuple):
     case : (...) int
         Lecture 004's: 1 in front, 2 behind, 3 from behind to the front, 4 to behind.
     points_view : (..., 2, 3) float64
-        What is drawn; NaN in case 2, where nothing is.
+        The drawn part; NaN in case 2.
     """
 
     case: NDArray[np.intp]
@@ -132,7 +129,7 @@ def _points(field: str, value: ArrayLike, size: int) -> Array:
 
 
 def _chosen(planes: Iterable[str], depth: str) -> NDArray[np.bool_]:
-    """Which of `PLANES` are asked for, after checking their names and the depth range's."""
+    """Which of `PLANES` are chosen, after a check of all names."""
     if not isinstance(depth, str) or depth not in DEPTH_RANGES:
         raise Refusal("depth", depth, ONE_OF, ", ".join(DEPTH_RANGES))
     names = [planes] if isinstance(planes, str) else list(planes)
@@ -143,10 +140,9 @@ def _chosen(planes: Iterable[str], depth: str) -> NDArray[np.bool_]:
 
 
 def _refuse_opposite(field: str, starts: Array, ends: Array) -> None:
-    """Refuse ends p and -k p: one point of space, with no line from the one to the other.
+    """Refuse ends p and -k p, which are one point of space, with no line between them.
 
-    Halfway between them every coordinate vanishes, and with it the segment's meaning. Scaled to
-    their largest coordinate such ends round to the same four numbers.
+    Scaled to their largest coordinate such ends round to opposite numbers.
     """
     opposite = (starts / np.abs(starts).max(axis=-1, keepdims=True)) == -(
         ends / np.abs(ends).max(axis=-1, keepdims=True)
@@ -174,8 +170,7 @@ def _cut(
 ) -> Array:
     """The points where segments cross a plane, (..., 4).
 
-    The same for the segment and its reverse, because only in and out are told apart, and exactly
-    on the plane, because the coordinate of its equation is set from w.
+    They lie exactly on the plane, and the reversed segment has the same ones.
     """
     total = (b_inside - b_outside)[..., None]
     points = (b_inside[..., None] / total) * outside + (-b_outside[..., None] / total) * inside
@@ -205,12 +200,6 @@ def clip_segments(
     depth : {"opengl", "direct3d", "reversed"}
         The NDC range of z.
     planes : names in `PLANES`
-        The planes to cut with.
-
-    Returns
-    -------
-    ClippedSegments
-        The same from either direction, start and end exchanged.
 
     Raises
     ------
@@ -220,9 +209,9 @@ def clip_segments(
 
     Notes
     -----
-    The crossings are compared by ``b_in/b_out``, whose precision is relative at both ends of the
-    segment; the farthest from either end wins. Where the two that won meet within `_TIE`, whether
-    anything is left between them is decided in rational numbers.
+    The crossings are compared by ``b_in/b_out``, which is precise at both ends of the segment; the
+    one farthest from each end wins. If the two winners meet within `_TIE`, rational numbers decide
+    whether anything is left between them.
     """
     chosen = _chosen(planes, depth)
     starts, ends = np.broadcast_arrays(
@@ -300,24 +289,9 @@ def clip_polygon(
 ) -> ClippedPolygon:
     """Cut a convex polygon to the view volume (Sutherland & Hodgman 1974), in clip space.
 
-    Parameters
-    ----------
-    points_clip : (n, 4) array_like
-        Its corners in order, n >= 3, before the divide; any w.
-    depth : {"opengl", "direct3d", "reversed"}
-        The NDC range of z.
-    planes : names in `PLANES`
-        The planes to cut with, one after the other in the order of `PLANES`.
-
-    Returns
-    -------
-    ClippedPolygon
-        An edge that two polygons share is cut at the same points in both.
-
-    Raises
-    ------
-    Refusal
-        As `clip_segments`, and for fewer than 3 corners.
+    `points_clip`, (n, 4), are its corners in order, before the divide. Arguments and refusals are
+    those of `clip_segments`; fewer than 3 corners are refused, too. Two polygons that share an
+    edge are cut at the same points of it.
     """
     chosen = _chosen(planes, depth)
     points = _points("points_clip", points_clip, 4)
@@ -357,18 +331,8 @@ def clip_polygon(
 def cut_at_eye(starts_view: ArrayLike, ends_view: ArrayLike) -> EyeCut:
     """Lecture 004's own clipping: in view space, against one plane in front of the eye.
 
-    A point is in front where ``z <= EYE_Z``. Cases 3 and 4 are cut at
+    A point, (..., 3), is in front where ``z <= EYE_Z``. Cases 3 and 4 are cut at
     ``t = (z_start - EYE_Z)/(z_start - z_end)`` (lecture 004, "Presjek pravca i ravnine").
-
-    Parameters
-    ----------
-    starts_view, ends_view : (..., 3) array_like
-        The segments' ends in view space, where the camera looks along -z.
-
-    Raises
-    ------
-    Refusal
-        For a coordinate that is not finite.
     """
     starts, ends = np.broadcast_arrays(
         _points("starts_view", starts_view, 3), _points("ends_view", ends_view, 3)
@@ -395,25 +359,11 @@ def cut_at_eye(starts_view: ArrayLike, ends_view: ArrayLike) -> EyeCut:
 
 
 def naive_ndc(points_clip: ArrayLike) -> Array:
-    """Divide by w and ask nothing, as the lecture's first program does.
+    """Divide points (..., 4) by w without a check, as the lecture's first program does.
 
-    A point behind the eye comes out mirrored through the picture's centre, and a segment across
-    the eye plane is then drawn as the wrong one of the projective line's two arcs (lecture 004:
-    the one without the point at infinity).
-
-    Parameters
-    ----------
-    points_clip : (..., 4) array_like
-
-    Returns
-    -------
-    (..., 3) float64 array
-        NaN where w is 0 or so small that the quotient overflows: the picture is at infinity.
-
-    Raises
-    ------
-    Refusal
-        For a coordinate that is not finite or larger than `LARGEST_CLIP`, or four zeros.
+    A point behind the eye is mirrored through the picture's centre. A segment across the eye plane
+    is then drawn as the wrong one of the projective line's two arcs (lecture 004: the one without
+    the point at infinity). NaN where w is 0 or so small that the quotient overflows.
     """
     points = _points("points_clip", points_clip, 4)
     with np.errstate(divide="ignore", invalid="ignore", over="ignore"):

@@ -1,4 +1,4 @@
-"""Depth buffers: what a distance is stored as, and which surfaces can no longer be told apart.
+"""Depth buffers: how a distance is stored, and which surfaces become indistinguishable.
 
 ============  =============================================================================
 mapping       depth in [0, 1] of the distance w from the eye plane (near n, far f)
@@ -11,9 +11,9 @@ logarithmic   ``log(w/n)/log(f/n)`` (Ulrich, *Logarithmic Depth Buffer*: Kemen's
 ============  =============================================================================
 
 with their limits for f = inf, and linear in w for a parallel lens. These are lecture 000's
-A + B/w taken apart so that nothing cancels: ``w - n`` keeps digits that the sum of two large
-numbers loses. Distances come back by way of the *nearness*, ``1 - depth`` or the reversed depth
-itself, for the same reason.
+A + B/w, factored so that nothing cancels: ``w - n`` keeps digits that the sum of two large numbers
+loses. For the same reason distances are computed from the *nearness*, which is ``1 - depth`` or
+the reversed depth itself.
 
 A format rounds the depth once, to the nearest code. That is the best a buffer can do; a GPU rounds
 to float32 on the way there.
@@ -41,13 +41,13 @@ class DepthFormat(NamedTuple):
     Attributes
     ----------
     bits : int
-        Of one pixel.
+        Size of one pixel.
     largest : int
-        The code of depth 1; codes run from 0.
+        The code of depth 1; codes start at 0.
     code_type : numpy dtype
-        Of the codes, unsigned.
+        Unsigned type of the codes.
     float_type : numpy dtype or None
-        Whose bit patterns the codes are; None for unsigned normalised integers.
+        The float type whose bit patterns are the codes; None for unsigned normalised integers.
     digits : int
         Significant bits of the float, 0 for an integer.
     """
@@ -75,24 +75,21 @@ MAPPINGS = (*DEPTH_RANGES, "logarithmic")
 class DepthBuffer:
     """A depth buffer and the lens in front of it.
 
+    Its methods take arrays of any shape, and keep it. Distances are measured from the eye plane in
+    world units. The lens clips them to near and far: a distance elsewhere raises a `Refusal`.
+
     Parameters
     ----------
     format : name in `FORMATS`
     mapping : name in `MAPPINGS`
-        How distance becomes depth.
+        How a distance becomes a depth.
     lens : Lens
-        Whose near and far it is between, and whose depth is stored.
 
     Raises
     ------
     Refusal
-        For an unknown name, and for a typed matrix; for a logarithmic mapping with far = inf or
-        where depth is even in the distance.
-
-    Notes
-    -----
-    All methods take arrays of any shape and keep it. Distances must lie between near and far:
-    a buffer holds nothing else, because the lens clips it.
+        For an unknown name, and for a typed matrix; for a logarithmic mapping if far is infinite
+        or if depth is even in the distance.
     """
 
     format: str = "fixed24"
@@ -115,53 +112,24 @@ class DepthBuffer:
 
     @property
     def near(self) -> float:
-        """The lens' near plane."""
+        """Distance of the near plane."""
         return self.lens.near
 
     @property
     def far(self) -> float:
-        """The lens' far plane, perhaps infinite."""
+        """Distance of the far plane, perhaps infinite."""
         return self.lens.far
 
     # -- from distance to code
 
     def depth(self, distance: ArrayLike) -> Array:
-        """The depth in [0, 1] of a distance, before it is stored.
-
-        Parameters
-        ----------
-        distance : (...) array_like
-            From the eye plane, in world units, between near and far.
-
-        Returns
-        -------
-        (...) float64 array
-            The closed form, right to 4 ulp.
-
-        Raises
-        ------
-        Refusal
-            For a distance that is not a number between near and far.
-        """
+        """The depth in [0, 1] of a distance before it is stored, to 4 ulp."""
         return self._depth(self._distances(distance))
 
     def encode(self, distance: ArrayLike) -> Codes:
-        """The code that is stored for a distance.
+        """The code of a distance: ``round(depth (2^bits - 1))``, or the bits of the nearest float.
 
-        Parameters
-        ----------
-        distance : (...) array_like
-
-        Returns
-        -------
-        (...) array of uint8, uint16 or uint32
-            ``round(depth (2^bits - 1))``, or the bit pattern of the nearest float. Codes order
-            like depths: they fall with the distance if the mapping is reversed.
-
-        Raises
-        ------
-        Refusal
-            As `depth`.
+        Codes are ordered like depths: they fall with the distance if the mapping is reversed.
         """
         kind = FORMATS[self.format]
         depth = self.depth(distance)
@@ -172,22 +140,12 @@ class DepthBuffer:
         return np.asarray(depth).astype(kind.float_type).view(kind.code_type)
 
     def decode(self, code: ArrayLike) -> Array:
-        """The distance that a code stands for: the one whose depth is the code's own.
-
-        Parameters
-        ----------
-        code : (...) array_like of int
-
-        Returns
-        -------
-        (...) float64 array
-            Between near and far, right to some ulp of the distance; the farthest code of an
-            infinite lens is inf.
+        """The distance whose depth a code stores, to some ulp; inf for an infinite far plane.
 
         Raises
         ------
         Refusal
-            For what is not a code of depths 0 to 1 in this format.
+            For a number that is not a code of depths 0 to 1 in this format.
         """
         kind = FORMATS[self.format]
         codes = np.asarray(code)
@@ -221,25 +179,11 @@ class DepthBuffer:
     # -- what is lost
 
     def gap(self, distance: ArrayLike) -> Array:
-        """How far behind a surface another must be, to be sure of another code.
+        """How far behind a surface another one must be to get another code for certain.
 
-        Parameters
-        ----------
-        distance : (...) array_like
-            Of the nearer surface.
-
-        Returns
-        -------
-        (...) float64 array
-            World units: any pair farther apart differs, wherever between two codes it falls; of
-            the nearer pairs some collapse. inf where even what lies on the far plane may not
-            differ. Just below a power of two in the depth, where a float's steps change, it is
-            the larger step's, up to twice too large.
-
-        Raises
-        ------
-        Refusal
-            For a distance that is not a number between near and far.
+        Some pairs that are closer collapse. inf if even a surface on the far plane may collapse.
+        Just below a power of two in the depth, where the steps of a float change, the gap is that
+        of the larger step, up to twice too large.
 
         Notes
         -----
@@ -260,46 +204,15 @@ class DepthBuffer:
             return np.asarray(np.where(gap <= self.far - w, gap, np.inf))
 
     def collapsed_share(self, first: ArrayLike, second: ArrayLike) -> float:
-        """The share of pairs of surfaces that are stored as one, counted.
-
-        Parameters
-        ----------
-        first, second : (...) array_like
-            Distances of each pair's surfaces.
-
-        Returns
-        -------
-        float
-            From 0 to 1; 0 for no pairs.
-
-        Raises
-        ------
-        Refusal
-            As `depth`.
-        """
+        """The counted share of pairs of surfaces that get the same code; 0 for no pairs."""
         same = self.encode(first) == self.encode(second)
         return float(np.mean(same)) if same.size else 0.0
 
     def predicted_collapsed_share(self, first: ArrayLike, second: ArrayLike) -> float:
-        """The share of such pairs that collapses, whatever their place between two codes.
+        """The expected share of pairs that get the same code, wherever they lie between codes.
 
-        A pair whose depths are d apart, where codes lie a step s apart, falls into one code's cell
-        with probability ``1 - d/s``, or not at all if d > s.
-
-        Parameters
-        ----------
-        first, second : (...) array_like
-            Distances of each pair's surfaces.
-
-        Returns
-        -------
-        float
-            From 0 to 1; 0 for no pairs.
-
-        Raises
-        ------
-        Refusal
-            As `depth`.
+        If the depths are d apart and the codes a step s, the probability is ``1 - d/s``, and 0 for
+        d > s.
         """
         one, other = self.depth(first), self.depth(second)
         apart = np.abs(one - other)
@@ -315,7 +228,7 @@ class DepthBuffer:
 
     @property
     def _log_span(self) -> float:
-        """``log(f/n)``, with its digits where near is close to far."""
+        """``log(f/n)``, which keeps its digits if near is close to far."""
         return math.log1p((self.far - self.near) / self.near)
 
     def _distances(self, value: ArrayLike) -> Array:
@@ -335,19 +248,19 @@ class DepthBuffer:
         return distances
 
     def _depth(self, w: Array) -> Array:
-        """The module's table."""
+        """The depth by the module's table."""
         near = self.near
         if self.mapping == "logarithmic":
             return np.asarray(np.minimum(np.log1p((w - near) / near) / self._log_span, 1.0))
         return self.lens.depth(w, reverse=self._is_reversed)
 
     def _cells(self, depth: Array) -> tuple[Any, Any]:
-        """Width of the codes' cells at a depth: the mean, and by how much they alternate.
+        """The mean width of the codes' cells at a depth, and by how much widths alternate.
 
-        The [-1, 1] range rounds twice in a float format, to NDC's own steps and to the format's.
-        Where NDC's are the finer, half of them lie midway between two codes and go to the even
-        one: its cell is wider by one of them, its neighbours' are narrower. Where they are the
-        coarser, near depth 0, the format's finer steps are never used.
+        The [-1, 1] range rounds twice in a float format: to the steps of NDC and to those of the
+        format. Where the steps of NDC are finer, half of them lie midway between two codes and are
+        rounded to the even one, whose cell is wider by one step than its neighbours'. Where they
+        are coarser, near depth 0, the format's finer steps are never used.
         """
         kind = FORMATS[self.format]
         if kind.float_type is None:
@@ -361,7 +274,7 @@ class DepthBuffer:
 
 
 def _ulp(value: Array, digits: int, smallest: float) -> Array:
-    """Distance to the float below, for floats of so many digits."""
+    """Distance to the next smaller float with this many digits."""
     _, exponent = np.frexp(np.nextafter(value, 0.0))
     steps = np.ldexp(1.0, exponent - digits)
     return np.asarray(np.where(value > 0.0, np.maximum(steps, smallest), smallest))

@@ -73,7 +73,7 @@ class EyeFirst:
 
         A constant alone means that points are divided already.
         """
-        (a, b), (c, d) = self._of.clip_from_view[2:, 2:].tolist()
+        (a, b), (c, d) = self._of.clip_from_view[2:, 2:]
         return c / a + 0.0, d - c * b / a
 
     @cached_property
@@ -366,7 +366,7 @@ class EyeFirst:
 
     def half_spaces(self, least_w: float) -> HalfSpaces:
         """Half-spaces of OpenGL's clip space: between near and far, and w at least positive."""
-        if self._lens.parallel:
+        if not self._lens.central:
             return [((0.0, 0.0, 1.0, 0.0), 1.0), ((0.0, 0.0, -1.0, 0.0), 1.0)]
         # By w itself: z and w have not enough digits left to compare if far/near is large.
         found: HalfSpaces = [((0.0, 0.0, 0.0, 1.0), -self._lens.near)]

@@ -1,4 +1,4 @@
-"""Formulas: a small language in which a matrix is stated, evaluated, shown and asked about.
+"""Formulas: the small language in which matrices are stated, evaluated and shown.
 
 A formula is text, parsed once into a tree::
 
@@ -9,10 +9,10 @@ A formula is text, parsed once into a tree::
     atom     = number | letter | function "(" sum { "," sum } ")" | "(" sum ")"
 
 with the precedence of the textbooks (``-n^2`` is ``-(n^2)``, ``a/b*c`` is ``(a/b)*c``). A letter
-may have a subscript: ``n``, ``z_near``, ``alpha``. The tree says which letters it depends on, is
-written as text or LaTeX in whatever symbols a lecture uses, and has a value in any arithmetic:
-rationals, float64, `app.lecture.algebra`'s ratios of letters. Nothing is ever given to Python to
-evaluate, and what a stranger types is bounded: `LONGEST`, `DEEPEST`, `LARGEST_DEGREE`.
+may have a subscript: ``n``, ``z_near``, ``alpha``. A tree has a value in any arithmetic (rationals,
+float64, the ratios of letters of `app.lecture.algebra`) and is written as text or LaTeX in the
+symbols of a lecture. Python never evaluates the text, and its size is bounded: `LONGEST`,
+`DEEPEST`, `LARGEST_DEGREE`.
 """
 
 from __future__ import annotations
@@ -28,11 +28,11 @@ from typing import Any, ClassVar, NamedTuple, TypeAlias
 from app.model.refusal import QT_TRANSLATE_NOOP, Bound, Refusal
 
 LONGEST = 400
-"""Characters of a formula."""
+"""Characters."""
 DEEPEST = 30
-"""Brackets, signs and functions within each other."""
+"""Nested brackets, signs and functions."""
 LARGEST_DEGREE = 100
-"""Of the product that a formula is, all powers multiplied out."""
+"""Factors of the largest product, with all powers multiplied out."""
 
 TOO_LONG = QT_TRANSLATE_NOOP("Refusal", "is longer than {0} characters")
 TOO_DEEP = QT_TRANSLATE_NOOP(
@@ -53,20 +53,12 @@ LEFT_OVER = QT_TRANSLATE_NOOP(
 
 
 def _refused(text: str, position: int, bound: Bound, figure: object) -> Refusal:
-    """What is wrong with a text, and at which character, from 0, it stops being a formula."""
+    """The refusal of a text that stops being a formula at a position, counted from 0."""
     return Refusal("formula", text, bound, figure, position + 1)
 
 
 class Arithmetic(NamedTuple):
-    """What a formula's numbers and functions become; its signs are Python's own.
-
-    Attributes
-    ----------
-    number : callable
-        From a `Fraction` to a number of the arithmetic.
-    call : callable
-        From a function's name and its arguments to its value.
-    """
+    """How numbers are made, and functions called by name; the signs are Python's own."""
 
     number: Callable[[Fraction], Any]
     call: Callable[[str, Sequence[Any]], Any]
@@ -79,7 +71,6 @@ def _no_function(name: str, arguments: Sequence[Any]) -> Any:
 Evaluator: TypeAlias = Callable[[Mapping[str, Any], Arithmetic], Any]
 
 EXACT = Arithmetic(Fraction, _no_function)
-"""Rationals."""
 FLOAT64 = Arithmetic(float, _no_function)
 
 
@@ -88,10 +79,7 @@ FLOAT64 = Arithmetic(float, _no_function)
 
 @dataclass(frozen=True)
 class Formula:
-    """A formula, or a part of one.
-
-    Formulas are equal if their trees are. `app.lecture.algebra` tells whether their values are.
-    """
+    """A formula, or a part of one; two are equal if their trees are."""
 
     @cached_property
     def text(self) -> str:
@@ -100,55 +88,46 @@ class Formula:
 
     @property
     def parts(self) -> tuple[Formula, ...]:
-        """What it is made of."""
+        """The formulas that it consists of."""
         return ()
 
     def __iter__(self) -> Iterator[Formula]:
-        """The formula and every part of it, from the outside in."""
+        """The formula and all its parts, from the outside in."""
         yield self
         for part in self.parts:
             yield from part
 
     @property
     def letters(self) -> tuple[str, ...]:
-        """The letters that it depends on, each once."""
+        """The letters in it, each once."""
         return tuple(dict.fromkeys(part.name for part in self if isinstance(part, Letter)))
 
     def value(self, known: Mapping[str, Any], arithmetic: Arithmetic = EXACT) -> Any:
-        """The formula's value.
+        """The value of the formula, or a KeyError for an unknown letter.
 
-        Parameters
-        ----------
-        known : mapping from str
-            The value of every letter. A term may be known as a whole, by its text: ``r - l`` of
-            a window whose width is not the difference of its rounded sides, ``cot(fov/2)``.
-        arithmetic : Arithmetic
-
-        Raises
-        ------
-        KeyError
-            For a letter that is not known.
+        `known` has the value of every letter, and perhaps of whole terms by their text: ``r - l``
+        where a width is not the difference of its rounded sides, ``cot(fov/2)``.
         """
         return self.evaluate(known, arithmetic)
 
     @cached_property
     def evaluate(self) -> Evaluator:
-        """`value`, ready to be called again and again: the tree is walked once."""
+        """`value` as a function, which walks the tree only once."""
         raise NotImplementedError
 
     def where(self, terms: Mapping[str, Formula]) -> Formula:
-        """The same formula with other formulas in the place of letters or terms, by their text."""
+        """Replace letters or terms, given by their text, with other formulas."""
         found = terms.get(self.text)
         return self._of(part.where(terms) for part in self.parts) if found is None else found
 
     def _of(self, parts: Iterable[Formula]) -> Formula:
-        """The same of other parts."""
+        """The same kind of formula with other parts."""
         return type(self)(*parts) if self.parts else self
 
 
 @dataclass(frozen=True)
 class Number(Formula):
-    """A number as it is typed: whole, or a decimal fraction."""
+    """A whole number or a decimal fraction."""
 
     number: Fraction
 
@@ -166,7 +145,7 @@ class Number(Formula):
 
 @dataclass(frozen=True)
 class Letter(Formula):
-    """A quantity: ``n``, ``fov``, ``p_11``."""
+    """A letter: ``n``, ``fov``, ``p_11``."""
 
     name: str
 
@@ -178,7 +157,7 @@ class Letter(Formula):
 
 @dataclass(frozen=True)
 class Call(Formula):
-    """A function of formulas: ``cot(fov/2)``."""
+    """A function: ``cot(fov/2)``."""
 
     name: str
     arguments: tuple[Formula, ...]
@@ -242,7 +221,7 @@ class Power(Formula):
 
 @dataclass(frozen=True)
 class Pair(Formula):
-    """Two formulas with a sign between them."""
+    """Two formulas and the sign between them."""
 
     sign: ClassVar[Any]
 
@@ -294,18 +273,7 @@ class Quotient(Pair):
 
 @lru_cache(maxsize=4096)
 def parse(text: str) -> Formula:
-    """Read a formula.
-
-    Parameters
-    ----------
-    text : str
-        ``−``, ``·`` and ``×`` are read as ``-`` and ``*``.
-
-    Raises
-    ------
-    Refusal
-        For a text that is no formula, or one beyond the limits.
-    """
+    """Read a formula, or raise a `Refusal`; ``−``, ``·`` and ``×`` stand for ``-`` and ``*``."""
     return _Reader(text).whole()
 
 
@@ -325,7 +293,7 @@ class _Token(NamedTuple):
 
 
 class _Reader:
-    """Recursive descent, one method a line of the grammar."""
+    """Recursive descent: one method for each line of the grammar."""
 
     def __init__(self, text: str) -> None:
         self._text = text
@@ -361,7 +329,7 @@ class _Reader:
         return self._tokens[self._next]
 
     def _taken(self, *signs: str) -> str:
-        """The next token's text if it is one of these signs, and then it is read."""
+        """Read the next token if it is one of these signs; its text, or an empty one."""
         token = self._token
         if token.kind != "sign" or token.text not in signs:
             return ""
@@ -436,12 +404,9 @@ class _Reader:
 
 
 def _degree(formula: Formula, text: str) -> int:
-    """How many factors the formula's largest product has when its powers are multiplied out.
+    """The number of factors of the largest product, with all powers multiplied out.
 
-    Raises
-    ------
-    Refusal
-        For more than `LARGEST_DEGREE`, naming the text: such a value could take for ever.
+    Raises a `Refusal` above `LARGEST_DEGREE`: to evaluate such a formula could take for ever.
     """
     below = [_degree(part, text) for part in formula.parts]
     if isinstance(formula, Power):
@@ -459,21 +424,21 @@ def _degree(formula: Formula, text: str) -> int:
 
 
 _IN_SUM, _IN_PRODUCT, _FACTOR, _BASE = 1, 2, 3, 4
-"""How tightly what stands outside binds: a sum's term, a product's first factor, another one."""
+"""How tightly the surrounding formula binds."""
 
 ARROW = "\u20d7"
-"""After the letter of a vector, as the lectures write it above: n is near, and n\u20d7 an axis."""
+"""Follows the letter of a vector: n is near, and n\u20d7 an axis."""
 OPEN, OVER, CLOSE = "{", "\u2044", "}"
-"""Before, between and after the parts of a stacked fraction; no formula has them."""
+"""Surround and separate the parts of a stacked fraction; no formula contains them."""
 
 
 def stacked_fraction(above: str, below: str) -> str:
-    """A fraction whose numerator stands above its denominator: ``{2n\u2044r − l}``."""
+    """The text of a stacked fraction: ``{2n\u2044r − l}``."""
     return f"{OPEN}{above}{OVER}{below}{CLOSE}"
 
 
 class _Source:
-    """The language itself; the other writers change what looks different with them."""
+    """Writes the language itself; the other writers override what looks different."""
 
     minus, minus_between, plus, space = "-", " - ", " + ", "*"
 
@@ -481,7 +446,7 @@ class _Source:
         self._symbols = symbols
 
     def write(self, formula: Formula, outer: int = 0) -> str:
-        """Write a formula inside one that binds as tightly as `outer`."""
+        """Write a formula that is part of one that binds as tightly as `outer`."""
         if isinstance(formula, Number):
             return _decimal(formula.number)
         if isinstance(formula, Letter):
@@ -524,7 +489,7 @@ class _Source:
 
 
 class _Plain(_Source):
-    """For a reader, in one line."""
+    """Writes one line for a reader."""
 
     minus, minus_between, plus, space = "−", " − ", " + ", "\u2009"
     times = "·"
@@ -541,10 +506,7 @@ class _Plain(_Source):
 
 
 class _Stacked(_Plain):
-    """For a reader, with numerator above denominator.
-
-    Inside another fraction and behind a function's name they stay in one line, as in print.
-    """
+    """Writes stacked fractions; inside a fraction or a function they stay in one line."""
 
     def __init__(self, symbols: Mapping[str, str]) -> None:
         super().__init__(symbols)
@@ -573,7 +535,7 @@ _GREEK = {"\u03b1": r"\alpha", "β": r"\beta", "θ": r"\theta", "φ": r"\varphi"
 
 
 class _Latex(_Stacked):
-    """For LaTeX's mathematics."""
+    """Writes LaTeX mathematics."""
 
     minus, minus_between, plus, space = "-", " - ", " + ", r" \, "
     times = r" \cdot "
@@ -626,21 +588,16 @@ _SOURCE = _Source({})
 def written(formula: Formula, symbols: Mapping[str, str]) -> str:
     """A formula for a reader, in one line: ``2n/(r − l)``.
 
-    Parameters
-    ----------
-    formula : Formula
-    symbols : mapping from str to str
-        What stands for a letter, if not the letter: ``_`` before a subscript, `ARROW` after a
-        vector's letter.
+    `symbols` replace letters: ``_`` precedes a subscript, and `ARROW` follows a vector's letter.
     """
     return _Plain(symbols).write(formula)
 
 
 def stacked(formula: Formula, symbols: Mapping[str, str]) -> str:
-    """A formula for a reader, with `stacked_fraction`; symbols as of `written`."""
+    """A formula for a reader with stacked fractions; `symbols` as in `written`."""
     return _Stacked(symbols).write(formula)
 
 
 def latex(formula: Formula, symbols: Mapping[str, str]) -> str:
-    """A formula for LaTeX's mathematics, ``\\frac{2 n}{r - l}``; symbols as of `written`."""
+    """A formula in LaTeX, ``\\frac{2 n}{r - l}``; `symbols` as in `written`."""
     return _Latex(symbols).write(formula)

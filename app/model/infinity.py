@@ -1,9 +1,9 @@
 """Homogeneous coordinates: points at infinity, which are directions, through every stage.
 
-``(x, y, z, w)`` is the point ``(x/w, y/w, z/w)``; with w = 0 it is no point of space but a
-direction, a point at infinity (lecture 002). A matrix takes a direction by its linear part, so that
-no eye is subtracted from it, and only the divide by the lens' w makes a point of it: the vanishing
-point of all lines that run this way. Everything is computed in rationals and rounded once.
+``(x, y, z, w)`` is the point ``(x/w, y/w, z/w)``; with w = 0 it is a direction, a point at infinity
+(lecture 002). Only the linear part of a matrix applies to a direction: the eye is not subtracted.
+The divide by the lens's w turns it into the vanishing point of all lines in this direction.
+Everything is computed in rationals and rounded once.
 """
 
 from __future__ import annotations
@@ -25,16 +25,7 @@ A_DIRECTION = QT_TRANSLATE_NOOP(
 
 
 def homogeneous(x: object, y: object, z: object, w: object) -> Row:
-    """Homogeneous coordinates as those of a point, w = 1, or of a direction, w = 0.
-
-    Parameters
-    ----------
-    x, y, z, w : float
-
-    Returns
-    -------
-    (float, float, float, float)
-        ``(x/w, y/w, z/w, 1)``, each rounded once, or ``(x, y, z, 0)``.
+    """The point ``(x/w, y/w, z/w, 1)``, each rounded once, or the direction ``(x, y, z, 0)``.
 
     Raises
     ------
@@ -57,25 +48,15 @@ def homogeneous(x: object, y: object, z: object, w: object) -> Row:
 
 
 def trace_at_infinity(projection: Projection, direction: Sequence[float | Fraction]) -> Trace:
-    """Follow one point at infinity through every stage.
-
-    Parameters
-    ----------
-    projection : Projection
-    direction : sequence of 3 numbers
-        In the world.
+    """Follow one direction of the world, a point at infinity, through every stage.
 
     Returns
     -------
     Trace
-        `world` and `view` have four numbers, their w last, and there is one point: no array has
-        a first axis. NDC, image and depth are those of the vanishing point; NaN where w of clip
-        space is 0, whose picture is at infinity too, and where it is less: the lines come from
-        behind the eye then, and it is the opposite direction in which they vanish.
-
-    Notes
-    -----
-    ``n . d`` is exactly 0 where it is: its numerator is a sum of whole numbers.
+        Of one point, without a first axis; `world` and `view` have four numbers, w last. NDC,
+        image and depth are those of the vanishing point. They are NaN if w of clip space is 0
+        (the picture is at infinity, too) or negative (the lines come from behind the eye and
+        vanish in the opposite direction). ``n . d`` is exactly 0 where it should be.
     """
     world = [Fraction(part) for part in direction] + [Fraction(0)]
     own_view = projection.lens.own_view

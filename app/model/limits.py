@@ -1,4 +1,4 @@
-"""What the model's numbers may be: types, limits, what they are called, and checks."""
+"""Types, limits and checks of the model's numbers, and the sentences that refuse them."""
 
 from __future__ import annotations
 
@@ -25,8 +25,6 @@ DEPTH_RANGES: dict[str, tuple[float, float]] = {
 }
 """NDC z of the near and of the far plane."""
 
-"""x and y of a face's corners in the NDC cube, from the left below anticlockwise."""
-
 PLANES = (
     QT_TRANSLATE_NOOP("Plane", "near"),
     QT_TRANSLATE_NOOP("Plane", "far"),
@@ -38,30 +36,30 @@ PLANES = (
 """The six planes of the view volume, in the order of `Trace.outside`."""
 
 LARGEST = 1e100
-"""Largest coordinate or distance; with `SMALLEST`, no matrix overflows float64 (2e205 * 1e100)."""
+"""Largest coordinate or distance: with `SMALLEST` no matrix overflows (2e205 * 1e100)."""
 SMALLEST = 1e-205
 """Smallest near distance, and smallest depth range of a parallel lens."""
 SMALLEST_WINDOW = 1e-200
-"""Smallest side of a parallel lens' window: a point beside it has pixels below 1e305."""
+"""Smallest side of a parallel lens's window: points beside it have pixels below 1e305."""
 LARGEST_IMAGE_PX = 16384
-"""Largest image side, the texture limit that every current OpenGL driver offers."""
+"""Largest image side: the texture limit of every current OpenGL driver."""
 SMALLEST_FIELD = 1e-90
-"""Smallest field of view in degrees; its inverse is the steepest ray to a window's edge."""
+"""Smallest field of view in degrees; its inverse is the steepest ray to the edge of a window."""
 SMALLEST_OPENING = 1e-98
-"""Smallest side of a frustum's window in units of near: that of the smallest field, and less."""
+"""Smallest side of a frustum's window in units of near; less than that of `SMALLEST_FIELD`."""
 SMALLEST_CELL = 1e-75
-"""Smallest cell of a free matrix but 0: its square, and a product of two, is far from underflow."""
+"""Smallest cell of a typed matrix but 0: a product of two is far from underflow."""
 LARGEST_INVERSE = 10**150
-"""Largest cell of a free matrix' inverse, for the same reason."""
+"""Largest cell of the inverse of a typed matrix, for the same reason."""
 BEYOND = 1e250
-"""Where a point is too far away to be one: double-double products would overflow."""
+"""Coordinates from which a point counts as infinitely far: double-double would overflow."""
 LARGEST_SHEAR = 1e6
-"""Largest cotangent of an oblique lens' angles; theirs start at 5.8e-5 degrees."""
+"""Largest cotangent of the angles of an oblique lens, which start at 5.8e-5 degrees."""
 SMALLEST_UP_ANGLE = 1e-15
 """Least angle in radians between up and the view direction.
 
-Coordinates typed in decimal are off by up to half an ulp, so that nearer to parallel than this
-the frame would be made of their rounding errors.
+Decimal coordinates are rounded by up to half an ulp; closer to parallel, the frame would consist of
+these errors.
 """
 
 FINITE_NUMBER = QT_TRANSLATE_NOOP("Refusal", "must be a finite number")
@@ -100,9 +98,9 @@ OTHER_SIDE = {
     LEFT_BEFORE_RIGHT: ("right", RIGHT_OF_LEFT),
     BOTTOM_BEFORE_TOP: ("top", TOP_ABOVE_BOTTOM),
 }
-"""The field on the other side of a bound, and the bound as seen from there.
+"""By the bound of one field, the opposite field and its bound.
 
-A lens cannot know which of the two was changed; who knows it says it with these.
+A lens cannot know which of the two fields was changed; callers that know use these.
 """
 
 
@@ -110,13 +108,13 @@ A lens cannot know which of the two was changed; who knows it says it with these
 
 
 def keep_checked(frozen: object, **values: object) -> None:
-    """Store checked values in a frozen dataclass while it is being made."""
+    """Store checked values in a frozen dataclass during its construction."""
     for name, value in values.items():
         object.__setattr__(frozen, name, value)
 
 
 def real(field: str, value: Any) -> float:
-    """A real number as a float, infinite ones too, or a `Refusal`."""
+    """A real number as a float, perhaps infinite, or a `Refusal`."""
     if isinstance(value, bool) or not isinstance(value, numbers.Real):
         raise Refusal(field, value, FINITE_NUMBER)
     try:
@@ -143,7 +141,7 @@ def positive(field: str, value: Any) -> float:
 
 
 def within(field: str, number: float, low: float, high: float) -> float:
-    """A number inside a closed interval, or a `Refusal` that names the end it is beyond."""
+    """A number inside a closed interval, or a `Refusal` that names the violated end."""
     if number < low:
         raise Refusal(field, number, AT_LEAST, low)
     if number > high:
@@ -183,7 +181,7 @@ def finite_vector(field: str, value: Any) -> Vector:
 
 
 def finite_matrix(field: str, value: Any, smallest: float = 0.0) -> Cells:
-    """Four rows of four finite numbers, 0 or at least as large, or an error that names the cell."""
+    """Four rows of four finite numbers, each 0 or at least `smallest`, or a `Refusal`."""
     try:
         rows = [tuple(row) for row in value]
         if len(rows) != 4 or any(len(row) != 4 for row in rows):

@@ -1,8 +1,8 @@
-"""Where the object stands: its translation, rotation and scale, and the matrix that they make.
+"""The object's translation, rotation and scale, and their matrix.
 
-``world_from_object = T Rz Ry Rx S`` (lecture 003): the columns of the linear part are the object's
-own axes as they lie in the world, and the last one is where its origin is. The other order, R T S,
-moves first and turns the object about the world's origin afterwards.
+``world_from_object = T Rz Ry Rx S`` (lecture 003): its first columns are the object's axes in the
+world, and the last one is the object's origin. The other order, R T S, moves the object first and
+then rotates it about the world's origin.
 """
 
 from __future__ import annotations
@@ -24,10 +24,10 @@ from app.model.tables import Step, evaluated, inverse, matrix, rounded
 
 Order: TypeAlias = Literal["trs", "rts"]
 ORDERS: tuple[Order, ...] = ("trs", "rts")
-"""The factors from left to right: what stands on the right is done first."""
+"""The factors from left to right; the rightmost one is applied first."""
 Space: TypeAlias = Literal["world", "object"]
 SPACES: tuple[Space, ...] = ("world", "object")
-"""Of points that are given: `object` ones go through the object's transform first."""
+"""The space in which points are given."""
 
 NOT_TRANSFORMED = QT_TRANSLATE_NOOP("Stage", "the scene's objects are given in world coordinates")
 FLATTENED = QT_TRANSLATE_NOOP(
@@ -35,9 +35,9 @@ FLATTENED = QT_TRANSLATE_NOOP(
 )
 
 LARGEST_SCALE = 1e30
-"""Either way; of a coordinate up to `LARGEST` no product overflows."""
+"""Largest size of a scale: times a coordinate up to `LARGEST` it does not overflow."""
 _ROUNDINGS = 6.0
-"""Of the double-double terms that a placed coordinate is summed from, at most."""
+"""Roundings of the double-double sum that makes a coordinate, at most."""
 
 
 class Placed(NamedTuple):
@@ -48,9 +48,9 @@ class Placed(NamedTuple):
     world : (n, 3) array
         The nearest float64.
     rest : (n, 3) array or None
-        What that cut off; None if nothing.
+        What rounding cut off; None if nothing.
     lost : (n,) array
-        What both together lack at most: the sum over the three coordinates.
+        Bound of the error of both together, summed over the three coordinates.
     """
 
     world: Array
@@ -59,16 +59,16 @@ class Placed(NamedTuple):
 
     @classmethod
     def at(cls, world: Array) -> Placed:
-        """Points that are given in the world, (n, 3)."""
+        """Points given in world coordinates, (n, 3)."""
         return cls(world, None, np.zeros(len(world)))
 
     def part(self, which: slice) -> Placed:
-        """Some of them."""
+        """Some of the points."""
         rest = None if self.rest is None else self.rest[which]
         return Placed(self.world[which], rest, self.lost[which])
 
     def offset(self, origin: Sequence[float] | Array) -> DoubleDouble:
-        """Their offset from a point of the world, (3, n): subtracted before anything is lost."""
+        """Their offset from a point of the world, (3, n), without cancellation."""
         offset = dd.two_sum(np.ascontiguousarray(self.world.T), -np.reshape(origin, (3, 1)))
         return offset if self.rest is None else dd.two_sum(offset.hi, offset.lo + self.rest.T)
 
@@ -119,23 +119,23 @@ FACTORS = {
     "trs": (("translation", _TRANSLATION), *_TURNS, ("scale", _SCALE)),
     "rts": (*_TURNS, ("translation", _TRANSLATION), ("scale", _SCALE)),
 }
-"""Of `world_from_object`, by order."""
+"""The factors of `world_from_object`, by order."""
 
 
 @dataclass(frozen=True)
 class ObjectTransform:
-    """How the object is scaled, turned and moved from its own space into the world.
+    """How the object is scaled, rotated and moved from its own space into the world.
 
     Parameters
     ----------
     translate : sequence of 3 floats
         World units.
     rotate_deg : sequence of 3 floats
-        About x, then y, then z, of the fixed axes, in degrees; right-handed.
+        About the fixed axes x, then y, then z; right-handed.
     scale : sequence of 3 floats
-        Along the object's own axes; 0 flattens it, a negative one mirrors it.
+        Along the object's own axes; 0 flattens it, a negative number mirrors it.
     order : {"trs", "rts"}
-        Scaled and turned, then moved; or moved, then turned about the world's origin.
+        Scale, rotate, move; or scale, move, rotate about the world's origin.
 
     Raises
     ------
@@ -159,14 +159,14 @@ class ObjectTransform:
 
     @property
     def step(self) -> Step:
-        """`world_from_object` as formulas; without factors where it is the identity."""
+        """`world_from_object` as formulas; the identity has no factors."""
         if self.is_identity:
             return Step(FROM_OBJECT, note=NOT_TRANSFORMED)
         return Step(FROM_OBJECT, FACTORS[self.order], FLATTENED if self.rank < 3 else "")
 
     @cached_property
     def letters(self) -> dict[str, Fraction]:
-        """What the formulas' letters stand for, sines and cosines to `double_double.BITS` bits."""
+        """The values of the letters, sines and cosines to `double_double.BITS` bits."""
         known: dict[str, Fraction] = {}
         for letter, vector in (("move", self.translate), ("size", self.scale)):
             known |= {
@@ -193,7 +193,7 @@ class ObjectTransform:
 
     @cached_property
     def is_identity(self) -> bool:
-        """Whether the object stands where its own coordinates say."""
+        """Whether object coordinates are world coordinates."""
         return (
             not any(self.translate)
             and all(angle % 360.0 == 0.0 for angle in self.rotate_deg)
@@ -202,16 +202,14 @@ class ObjectTransform:
 
     @property
     def rank(self) -> int:
-        """Of the linear part: 3, or less where a scale of 0 flattens the object."""
+        """Rank of the linear part: 3, or less if a scale of 0 flattens the object."""
         return sum(part != 0.0 for part in self.scale)
 
     def placed(self, points_object: Array) -> Placed:
-        """Points (n, 3) of the object, in the world.
+        """Points (n, 3) of the object in the world.
 
-        Notes
-        -----
         Each coordinate is a sum of four double-double terms, so that an object far away keeps the
-        digits that its points differ in.
+        digits in which its points differ.
         """
         if self.is_identity:
             return Placed.at(points_object)
@@ -246,12 +244,9 @@ class ObjectTransform:
         )
 
     def object_from_world(self, homogeneous: Sequence[float]) -> Row:
-        """A point or a direction of the world in the object's coordinates, each rounded once.
+        """A point or a direction of the world in object coordinates, each rounded once.
 
-        Raises
-        ------
-        Refusal
-            For an object that a scale of 0 has flattened.
+        Raises a `Refusal` for an object that a scale of 0 has flattened.
         """
         numbers = [*map(Fraction, homogeneous)]
         x, y, z, w = (
@@ -261,12 +256,9 @@ class ObjectTransform:
         return x, y, z, w
 
     def local_from(self, origin: Vector, target: Vector) -> Array:
-        """From the object's coordinates relative to `origin` to the world's relative to `target`.
+        """From object coordinates relative to `origin` to world ones relative to `target`, (4, 4).
 
-        Returns
-        -------
-        (4, 4) array
-            Every number rounded once: what origins have in common is gone before.
+        Every number is rounded once, after the difference of the origins.
         """
         exact = [list(row) for row in self.exact]
         for row, part, away in zip(exact, self.exactly(origin), target, strict=False):

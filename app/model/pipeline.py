@@ -172,6 +172,11 @@ class Pipeline:
         """NDC z of the near and of the far plane."""
         return DEPTH_RANGES[self.depth]
 
+    @property
+    def has_camera(self) -> bool:
+        """Whether the view is a camera's, and not a view matrix that somebody typed."""
+        return self.lens.own_view is None
+
     @cached_property
     def window(self) -> Window:
         """Left, right, bottom, top of the picture on the near plane, in world units."""
@@ -185,11 +190,11 @@ class Pipeline:
 
     @cached_property
     def stretch(self) -> float:
-        """How much the lens enlarges the rounding of view coordinates, in NDC.
+        """How much the lens enlarges the rounding of view coordinates, in NDC; usually about 4.
 
         A view coordinate is off by some 1e-16 of the point's distance from the eye. The stretch is
         the largest ratio of this distance to half the width or height of the picture there, times
-        what the lens adds: about 4 for everyday lenses.
+        what the lens adds.
         """
         return self.lens.stretch(self.window)
 
@@ -248,13 +253,7 @@ class Pipeline:
 
     @cached_property
     def view_from_clip(self) -> Array:
-        """The inverse of `clip_from_view`, (4, 4), in closed form if the table has one.
-
-        Raises
-        ------
-        Refusal
-            For a typed matrix without an inverse.
-        """
+        """The inverse of `clip_from_view`, (4, 4), or a `Refusal` for a singular typed matrix."""
         table = self.lens.table.view_from_clip
         if table is None:
             return rounded(inverse("clip_from_view", rationals(self.clip_from_view.tolist())))
@@ -309,11 +308,10 @@ class Pipeline:
     def stages(self) -> tuple[Stage, ...]:
         """The pipeline in order; the divide by w comes between clip and NDC.
 
-        The canonical volumes and the matrices between them are those of lecture 001: for a
-        perspective lens the pyramid with its apex in the eye, x and y from -1 to 1 at z = -1, and
-        for every lens the box x, y from -1 to 1, z from 0 at near to -1 at far.
-
-        These matrices are for reading: every number is computed in rationals and rounded once.
+        The canonical volumes are those of lecture 001: for a perspective lens the pyramid with its
+        apex in the eye, x and y from -1 to 1 at z = -1, and for every lens the box with x, y from
+        -1 to 1 and z from 0 at near to -1 at far. Every number is computed in rationals and
+        rounded once.
         """
         steps = (self.placement.step, *self.lens.table.steps, VIEWPORT)
         first, *rest = map(self.staged, steps)
@@ -341,10 +339,7 @@ class Pipeline:
 
     @cached_property
     def direct_stages(self) -> tuple[Stage, Stage]:
-        """`clip_from_view` and `clip_from_world` as products of `stages`, rounded once.
-
-        A typed matrix is one step, and has no factors.
-        """
+        """`clip_from_view` and `clip_from_world` as products of `stages`, rounded once."""
         view, *steps = self.stages[1:-1]
         if steps:
             in_order = [(stage.name, stage.exact) for stage in reversed(steps)]
@@ -358,17 +353,9 @@ class Pipeline:
     # -- points
 
     def placed(self, points: ArrayLike, space: Space = "world") -> Placed:
-        """Points of a space in the world, (n, 3), with the digits that the eye does not share.
+        """Points (..., 3) of a space in the world, (n, 3), with twice the digits of float64.
 
-        Parameters
-        ----------
-        points : (..., 3) array_like
-        space : {"world", "object"}
-
-        Raises
-        ------
-        Refusal
-            If a coordinate is not a finite number, or for another space.
+        Raises a `Refusal` for a coordinate that is not a finite number, and for another space.
         """
         if space not in SPACES:
             raise Refusal("space", space, ONE_OF, ", ".join(SPACES))
@@ -386,12 +373,9 @@ def translation(offset: ArrayLike) -> Array:
 
 
 def checked_points(points: ArrayLike) -> Array:
-    """Points as a float64 array of their own, (..., 3).
+    """Points as a new float64 array, (..., 3), or a `Refusal`.
 
-    Raises
-    ------
-    Refusal
-        If they are not rows of three finite numbers up to `LARGEST`.
+    They must be rows of three finite numbers up to `LARGEST`.
     """
     try:
         given = np.asarray(points)
@@ -409,7 +393,7 @@ def checked_points(points: ArrayLike) -> Array:
 
 
 def checked_pixels(points_image: ArrayLike) -> Array:
-    """Pixels with a depth as a float64 array of their own, (..., 3), or a `Refusal`."""
+    """Pixels with a depth in [0, 1] as a new float64 array, (..., 3), or a `Refusal`."""
     points = checked_points(points_image)
     depth = points[..., 2]
     for wrong, bound, limit in ((depth < 0.0, AT_LEAST, 0), (depth > 1.0, AT_MOST, 1)):

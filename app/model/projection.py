@@ -13,13 +13,13 @@ image              origin top-left, x right, y down, pixels; the first pixel's c
 angles, lengths    degrees at every boundary (``_deg``), world units
 =================  ==========================================================================
 
-Points are projected *eye first*: the eye is subtracted before anything else, then the rotation,
-then the closed form of the lens. A concatenated matrix loses the digits that the eye and the
-point have in common (5e-5 px at 1e9 from the origin, against 1e-12 px here); it is still made,
-because it is what a GPU is given and what the lectures write.
+Points are projected *eye first*: the eye is subtracted before anything else; then follow the
+rotation and the closed form of the lens. A concatenated matrix loses the digits that the eye and
+the point have in common (5e-5 px at 1e9 from the origin, against 1e-12 px here); it exists for the
+GPU, and because the lectures write it.
 
-The dot products of the rotation are taken with some 75 bits, because a lens stretches their
-rounding (a field of view near 0 or 180 degrees, a parallel camera far from its small window).
+The dot products of the rotation have some 75 bits, because a lens stretches their rounding (a field
+of view near 0 or 180 degrees, a parallel camera far from its small window).
 
 The letters u, v, n, the look-at and the view matrix are those of lecture 004 (Horvat); the
 perspective matrix is equation (13) of lecture 000, the oblique one P_ort H of lecture 002, the
@@ -97,52 +97,16 @@ from app.model.refusal import Refusal
 from app.model.tables import evaluated
 from app.model.typed_cells import TypedCells
 
-__all__ = [  # the model's one door: what its other rooms hold can be had here
-    "AT_LEAST",
-    "AT_MOST",
-    "BETWEEN",
-    "DEPTH_RANGES",
-    "FINITE_NUMBER",
-    "LARGEST",
-    "LARGEST_IMAGE_PX",
-    "LARGEST_SHEAR",
-    "LENSES",
-    "NOT_THE_EYE",
-    "OBLIQUE_PRESETS",
-    "ONE_OF",
-    "PLANES",
-    "THREE_NUMBERS",
-    "WHOLE_PIXELS",
-    "Array",
-    "Camera",
-    "DepthRange",
-    "FreeMatrix",
-    "Frustum",
-    "Intrinsics",
-    "Lens",
-    "ObjectTransform",
-    "Oblique",
-    "Orbit",
-    "Orthographic",
-    "Perspective",
-    "Placed",
-    "Projection",
-    "Rationals",
-    "Space",
-    "Stage",
-    "Trace",
-    "Vector",
-    "checked_points",
-    "focal_length_35mm",
-    "focal_length_e",
-    "fov_x_from_fov_y",
-    "fov_y_from_focal_length_35mm",
-    "fov_y_from_focal_length_e",
-    "fov_y_from_window",
-    "kinds",
-    "oblique_angles",
-    "receding_of",
-]
+__all__ = [  # the other rooms import everything of the model from here
+    "AT_LEAST", "AT_MOST", "BETWEEN", "DEPTH_RANGES", "FINITE_NUMBER", "LARGEST",
+    "LARGEST_IMAGE_PX", "LARGEST_SHEAR", "LENSES", "NOT_THE_EYE", "OBLIQUE_PRESETS", "ONE_OF",
+    "PLANES", "THREE_NUMBERS", "WHOLE_PIXELS", "Array", "Camera", "DepthRange", "FreeMatrix",
+    "Frustum", "Intrinsics", "Lens", "ObjectTransform", "Oblique", "Orbit", "Orthographic",
+    "Perspective", "Placed", "Projection", "Rationals", "Space", "Stage", "Trace", "Vector",
+    "checked_points", "focal_length_35mm", "focal_length_e", "fov_x_from_fov_y",
+    "fov_y_from_focal_length_35mm", "fov_y_from_focal_length_e", "fov_y_from_window", "kinds",
+    "oblique_angles", "receding_of",
+]  # fmt: skip
 
 Passage: TypeAlias = EyeFirst | TypedCells
 """The way of points through a lens; both classes have the same methods."""
@@ -213,10 +177,10 @@ class Projection(Pipeline):
 
     @property
     def frustum_sign(self) -> int:
-        """The sign of w at all eight of the cube's corners un-projected; 0 for no frustum.
+        """The sign of w at all eight un-projected corners of the cube; 0 for no frustum.
 
-        A lens always has a frustum, whose far corners may be at infinity. A typed matrix has none
-        without an inverse, with one too large to be drawn, or if its volume reaches infinity.
+        A lens always has a frustum, perhaps with far corners at infinity. A typed matrix has none
+        if it has no inverse, if this is too large to be drawn, or if its volume reaches infinity.
         """
         return self.passage.frustum_sign
 
@@ -246,17 +210,7 @@ class Projection(Pipeline):
             return self.passage.trace(world, rest)
 
     def world_from_image(self, points_image: ArrayLike) -> Array:
-        """Un-project pixels with a depth.
-
-        Parameters
-        ----------
-        points_image : (..., 3) array_like
-            x and y in pixels and depth in [0, 1], as `Trace.image` and `Trace.depth`.
-
-        Returns
-        -------
-        (..., 3) float64 array
-            World coordinates.
+        """World coordinates, (..., 3), of pixels x, y with a depth in [0, 1].
 
         Raises
         ------
@@ -270,17 +224,7 @@ class Projection(Pipeline):
     # -- the same picture with another lens
 
     def with_depth(self, depth: DepthRange) -> Projection:
-        """The same view volume and picture in another depth range.
-
-        Parameters
-        ----------
-        depth : {"opengl", "direct3d", "reversed"}
-
-        Raises
-        ------
-        Refusal
-            For another depth range.
-        """
+        """The same view volume and picture in another depth range."""
         if depth == self.depth:
             return self
         changed = replace(self, depth=depth)
@@ -288,21 +232,12 @@ class Projection(Pipeline):
         return changed if lens is self.lens else replace(changed, lens=lens)
 
     def with_lens(self, kind: str) -> Projection:
-        """Change the kind of lens, keeping the picture as alike as it can be.
+        """Change the kind of lens, which is one of `kinds`, with little change of the picture.
 
-        Near, far and `keep` stay where the new lens can have them. Between the perspective lenses
-        the window on the near plane stays, and so does the whole picture; otherwise the picture
-        of the plane through the target stays. A free matrix starts with the lens' own cells, and
-        goes back to that lens.
-
-        Parameters
-        ----------
-        kind : {"perspective", "frustum", "orthographic", "oblique", "matrix"}
-
-        Raises
-        ------
-        Refusal
-            For another kind.
+        Near, far and `keep` stay if the new lens can have them. Between perspective lenses the
+        window on the near plane stays, and so does the whole picture; otherwise the picture of the
+        plane through the target stays. A typed matrix starts with the cells of the lens, and goes
+        back to that lens.
         """
         if kind not in kinds():
             raise Refusal("kind", kind, ONE_OF, ", ".join(kinds()))
@@ -316,46 +251,29 @@ class Projection(Pipeline):
         seen = Seen(self.lens, self.window, self.camera.distance)
         return replace(self, lens=LENSES[kind].showing(seen))
 
+    def with_eye(self) -> Projection:
+        """The same camera with a lens whose projectors meet in the eye: its own, if they do."""
+        return self if self.lens.central else self.with_lens("perspective")
+
     def between(self, near: float, far: float) -> Projection:
-        """The same view volume, and so the same picture, cut by other near and far planes.
+        """The same view volume and picture between other near and far planes.
 
-        Parameters
-        ----------
-        near, far : float
-            Distances from the eye plane, in world units.
-
-        Raises
-        ------
-        Refusal
-            For planes that the lens cannot have, and for a free matrix.
+        Raises a `Refusal` for planes that the lens cannot have, and for a typed matrix.
         """
         return replace(self, lens=self.lens.cut(self.window, near, far))
 
     def matrices_between(self, near: float, far: float) -> tuple[Array, Array]:
         """`clip_from_view` and `view_from_clip` of `between`, in the reversed depth range.
 
-        Only what belongs to depth is exchanged. So these are had also where no lens can be: its
-        window would overflow there, or vanish beside its shift.
-
-        Parameters
-        ----------
-        near, far : float
-            Distances from the eye plane, in world units; far may be infinite for a central lens.
-
-        Returns
-        -------
-        clip_from_view, view_from_clip : (4, 4) float64 arrays
-
-        Raises
-        ------
-        Refusal
-            For a free matrix, which has no planes.
+        Only the rows of the depth change. So these matrices exist also for planes between which
+        the window of a lens would overflow or vanish, and for far = inf of a central lens. A typed
+        matrix, which has no planes, raises a `Refusal`.
         """
         left, right, bottom, top = self.window  # which a typed matrix does not have
         depth, back = _depth_rows(self.lens.table_to(far), near, far)
         clip_from_view, view_from_clip = self.clip_from_view.copy(), self.view_from_clip.copy()
         clip_from_view[2], view_from_clip[2:] = depth, back
-        if self.lens.parallel:
+        if not self.lens.central:
             for row, (low, high) in enumerate(((left, right), (bottom, top))):
                 cot = self.lens.shear[row]
                 view_from_clip[row, 2] = -cot * (far - near)
@@ -363,24 +281,11 @@ class Projection(Pipeline):
         return clip_from_view, view_from_clip
 
     def with_intrinsics(self, intrinsics: Intrinsics) -> Projection:
-        """The same camera with the lens of a calibrated one.
+        """The same camera with the lens of a calibrated one, in pixels of this image.
 
-        Parameters
-        ----------
-        intrinsics : Intrinsics
-            In pixels of this projection's image.
-
-        Returns
-        -------
-        Projection
-            With a `Perspective` lens if the pixels are square and the axis is in the middle of
-            the image, with a `Frustum` otherwise; near and far stay.
-
-        Raises
-        ------
-        Refusal
-            For a focal length that is not above 0 or a number that is not finite, and for a
-            window that a `Frustum` refuses.
+        It is a `Perspective` lens if the pixels are square and the axis is in the middle of the
+        image, and a `Frustum` otherwise; near and far stay. Raises a `Refusal` for a focal length
+        that is not above 0, a number that is not finite, and a window that a `Frustum` refuses.
         """
         fx, fy, cx, cy = (
             finite(name, value) for name, value in zip(Intrinsics._fields, intrinsics, strict=True)

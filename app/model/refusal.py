@@ -1,7 +1,7 @@
-"""What is refused, in one sentence: field, value, bound; each marked for translation where it is.
+"""Refusals: the one sentence, with field, value and bound, that tells why something is refused.
 
 The core knows no Qt. It marks its sentences with `QT_TRANSLATE_NOOP`, which lupdate finds; the
-widgets translate a template first and fill it in then.
+widgets first translate a template and then fill it in.
 """
 
 from __future__ import annotations
@@ -15,7 +15,7 @@ from typing import Any, Literal, NewType, overload
 from app.strangers import printable
 
 Bound = NewType("Bound", str)
-"""The template of a refusal: only `QT_TRANSLATE_NOOP` makes one, so that each can be translated."""
+"""The template of a refusal; only `QT_TRANSLATE_NOOP` makes one, so each can be translated."""
 
 
 @overload
@@ -23,40 +23,33 @@ def QT_TRANSLATE_NOOP(_context: Literal["Refusal"], text: str) -> Bound: ...
 @overload
 def QT_TRANSLATE_NOOP(_context: str, text: str) -> str: ...
 def QT_TRANSLATE_NOOP(_context: str, text: str) -> str:
-    """Mark a text for translation where it stands; the widgets translate it when it is shown."""
+    """Mark a text for translation; the widgets translate it when they show it."""
     return text
 
 
 THE_DOCUMENT = QT_TRANSLATE_NOOP("Refusal", "The document")
 SHOWN_DIGITS = 6
-"""Of a bound, and of a value that a hand has dragged."""
+"""Digits of a bound, and of a value that was dragged by hand."""
 _SHOWN = 100
 _LONGEST_WRITTEN = 60
 _LONGEST_FILE = 200
 
 
 class Refusal(ValueError):
-    """What cannot be: of the model a value, or of a document, a file or a scene what is wrong.
+    """A value of the model, or a part of a document, a file or a scene, that cannot be used.
 
     Parameters
     ----------
     field : str
-        Name of the refused parameter (``"near"``, ``"up"``); of a document its path in there
-        (``"lens.near"``), or empty for the whole.
+        Name of the refused parameter (``"near"``), or its path in a document (``"lens.near"``);
+        empty for the whole document.
     value : object
-        The value that was refused; `Ellipsis` if there is none to show.
+        The refused value; `Ellipsis` if there is none to show.
     bound : Bound
-        What the value must be, with ``{0}``, ``{1}`` for the limits, so that it can be
-        translated before they are filled in.
+        The condition that the value violates, with ``{0}``, ``{1}`` for the limits.
     *limits : object
-        The limits themselves.
     file : str, optional
-        What the document was read from, empty for none; None for what is no document's.
-
-    See Also
-    --------
-    in_document : With everything but the bound optional.
-    saying : A template that is the whole sentence.
+        The file of the document, or empty; None outside documents.
     """
 
     def __init__(
@@ -70,12 +63,12 @@ class Refusal(ValueError):
     def in_document(
         cls, bound: Bound, *limits: object, field: str = "", value: object = ..., file: str = ""
     ) -> Refusal:
-        """What is wrong with a document, or with a file: its value is shown as it is written."""
+        """Refuse a document or a file; the value is shown as the document writes it."""
         return cls(field, value, bound, *limits, file=file)
 
     @classmethod
     def saying(cls, template: Bound, *parts: object) -> Refusal:
-        """A sentence with names and numbers in it, which says what to do as well."""
+        """Refuse with a template that is the whole sentence."""
         return cls("", ..., template, *parts)
 
     def __str__(self) -> str:
@@ -87,16 +80,10 @@ class Refusal(ValueError):
         field_name: Callable[[str], str] = str,
         written: Callable[[object], str] | None = None,
     ) -> str:
-        """The one sentence that tells what is wrong: file, field, value and bound.
+        """The sentence with file, field, value and bound.
 
-        Parameters
-        ----------
-        translate : callable
-            Turns a template into another language.
-        field_name : callable
-            Likewise the name of a parameter of the model; a document's paths stay.
-        written : callable
-            How a value of the model is shown, if not by `format_value`.
+        `translate` translates templates and `field_name` the names of the model's parameters, but
+        not the paths of a document. `written` replaces `format_value` for values of the model.
         """
         bound = translate(self.bound)
         if self.file is None:
@@ -117,13 +104,7 @@ class Refusal(ValueError):
 
 
 class Cancelled(Exception):
-    """Whoever waits does not want it any more.
-
-    Parameters
-    ----------
-    partial : object, optional
-        What was done until then, of the kind that would have been returned.
-    """
+    """The user has cancelled a computation; `partial` is its result so far."""
 
     def __init__(self, partial: Any = None) -> None:
         super().__init__()
@@ -148,14 +129,9 @@ def format_value(value: object) -> str:
 
 
 def shown_limits(limits: Iterable[object], value: object) -> tuple[object, ...]:
-    """Limits to be read: with six digits, unless the refused value lies beyond what is shown.
+    """Limits for a reader: with six digits, unless the refused value would satisfy these.
 
-    Parameters
-    ----------
-    limits : iterable of object
-        Numbers, their texts, and words, which stay; so does a text beside what is no number.
-    value : object
-        What was refused; a number, or any other thing.
+    Words stay as they are, and so do the texts of numbers if the refused value is not a number.
     """
     return tuple(_shown_limit(limit, value) for limit in limits)
 
@@ -170,9 +146,9 @@ def _shown_limit(limit: object, value: object) -> object:
 
 
 def six_digits(error: Refusal) -> Refusal:
-    """A refusal of what a hand has made, and nobody typed: its value too is shown with six digits.
+    """A refusal of a dragged value, which is also shown with six digits.
 
-    It keeps them all where fewer would put it on the other side of a limit.
+    The value keeps all its digits if six would put it on the other side of a limit.
     """
     value, limits = error.value, shown_limits(error.limits, error.value)
     short = tuple(map(_six_digits, value)) if isinstance(value, tuple) else _six_digits(value)
@@ -187,7 +163,7 @@ def _six_digits(value: Any) -> Any:
 
 
 def _limit_number(limit: Any) -> Any:
-    """The number that a limit is or is the text of; a word has none, and stays."""
+    """The number that a limit is, or whose text it is; a word stays."""
     try:
         return float(limit) if isinstance(limit, (float, str)) else limit
     except ValueError:
@@ -195,7 +171,7 @@ def _limit_number(limit: Any) -> Any:
 
 
 def _sides(value: object, limit: Any) -> list[tuple[bool, bool]]:
-    """On which side of a limit each number of a value is."""
+    """Whether each number of a value is above or below a limit."""
     if not isinstance(limit, float):
         return []
     parts = value if isinstance(value, (tuple, list)) else (value,)
@@ -204,7 +180,7 @@ def _sides(value: object, limit: Any) -> list[tuple[bool, bool]]:
 
 
 def _cut(text: str) -> str:
-    """As much of a text as a sentence can hold."""
+    """A text, cut to the length that a sentence can hold."""
     return text if len(text) <= _SHOWN else text[: _SHOWN - 3] + "..."
 
 
@@ -225,5 +201,5 @@ def _as_written(value: object) -> str:
 
 
 def shown_name(name: str) -> str:
-    """A name as it is, or in quotes where a terminal would obey it."""
+    """A name as it is, or quoted if it has control characters."""
     return name if name.isprintable() else repr(name)

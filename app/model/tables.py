@@ -1,7 +1,7 @@
 """Tables: the steps of a projection as matrices of formulas, and the steps that all lenses share.
 
-A step's matrix is written down once, as the lectures write it, and read in rationals (what is
-shown as numbers), in letters (what is shown as formulas) and in float64.
+A step's matrix is stated once, as the lectures write it, and evaluated in rationals (the numbers
+shown), in letters (the formulas shown) and in float64.
 """
 
 from __future__ import annotations
@@ -19,14 +19,9 @@ Table: TypeAlias = tuple[tuple[Formula, ...], ...]
 
 
 def matrix(text: str, **parts: str) -> Table:
-    """A matrix of formulas from the way in which it is written: a line a row.
+    """A matrix of formulas, one row a line, with two or more spaces between the formulas.
 
-    Parameters
-    ----------
-    text : str
-        Four lines of four formulas, with two spaces or more between them.
-    **parts : str
-        Formulas that stand in the place of letters.
+    `parts` are formulas that replace letters.
     """
     terms = {letter: parse(formula) for letter, formula in parts.items()}
     rows = tuple(
@@ -38,7 +33,7 @@ def matrix(text: str, **parts: str) -> Table:
 
 
 def evaluated(table: Table, known: Mapping[str, Any], arithmetic: Arithmetic = EXACT) -> list[Any]:
-    """A matrix' value, 4 lists of 4 numbers of an arithmetic; `known` as of `Formula.value`."""
+    """The value of a matrix, 4 lists of 4 numbers; `known` as in `Formula.value`."""
     return [[cell.evaluate(known, arithmetic) for cell in row] for row in table]
 
 
@@ -48,13 +43,7 @@ def rounded(matrix: Rationals) -> Array:
 
 
 def inverse(field: str, matrix: Rationals) -> Rationals:
-    """The inverse of a matrix of rationals.
-
-    Raises
-    ------
-    Refusal
-        Naming the field, for a matrix without one.
-    """
+    """The inverse of a matrix of rationals, or a `Refusal` that names the field."""
     rank, _, found = eliminate(matrix)
     if found is None:
         cells = tuple(map(tuple, rounded(matrix).tolist()))
@@ -63,16 +52,10 @@ def inverse(field: str, matrix: Rationals) -> Rationals:
 
 
 class Step(NamedTuple):
-    """One step of the pipeline as the lectures write it.
+    """One step of the pipeline as the lectures write it; compare `app.model.pipeline.Stage`.
 
-    Attributes
-    ----------
-    name : str
-        ``target_from_source``.
-    factors : tuple of (str, Table)
-        Named matrices whose product, in this order, is the step; none for the identity.
-    note : str
-        What is special about it for this lens, marked for translation; empty if nothing is.
+    The product of the named `factors`, in their order, is the step; without factors it is the
+    identity. The `note` is marked for translation.
     """
 
     name: str
@@ -86,7 +69,7 @@ SCALED_BY_NEAR = QT_TRANSLATE_NOOP(
 )
 
 TO_PYRAMID = "canonical_perspective_from_view"
-"""The first step of what meets in an eye."""
+"""The first step of a lens whose projectors meet in an eye."""
 
 DEPTH_RANGE = Step(
     "depth_range_from_canonical_parallel",  # lecture 001's M_z, for any range

@@ -116,7 +116,7 @@ def shown(
         placed_at = sight.seen(np.array(list(points.values()))).tolist()
         spots |= zip(placed, map(tuple, placed_at), strict=True)
         held += placed
-    cameras = [EYE, TARGET] if has_camera(projection) else []
+    cameras = [EYE, TARGET] if projection.has_camera else []
     cameras = [handle for handle in cameras if handle.name not in without]
     places = np.array([projection.camera.eye, projection.camera.target])
     if has_faces:
@@ -156,12 +156,6 @@ def shown(
         if handle != kept:
             take(handle)
     return found
-
-
-def has_camera(projection: Projection) -> bool:
-    """Whether the view is a camera's; it is not where somebody typed another view matrix."""
-    lens = projection.lens
-    return lens.own_view is None
 
 
 def nearest(handles: Sequence[tuple[Handle, Spot]], pixel: Spot, within_px: float) -> Handle | None:
@@ -270,7 +264,7 @@ def dollied(projection: Projection, factor: float) -> Change:
     Refusal
         Where a typed view matrix has taken the camera's place.
     """
-    if not has_camera(projection):
+    if not projection.has_camera:
         raise Refusal("kind", projection.lens.kind, ONE_OF, ", ".join(LENSES))
     eye, target = np.array(projection.camera.eye), np.array(projection.camera.target)
     return {"eye": _vector(target + factor * (eye - target))}

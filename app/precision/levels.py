@@ -1,16 +1,16 @@
-"""Arithmetic precisions: how exactly points are projected, and what each precision's error will be.
+"""Arithmetic precisions: how exactly points are projected, and bounds of the errors.
 
 ==========  =================================================================================
-float32     as a GPU does it: the concatenated matrix and the points rounded to 24 bits
+float32     as on a GPU: the concatenated matrix and the points rounded to 24 bits
 float64     `Projection.trace`: eye first, closed form
-exact       double-double with a running error bound, rounded once; where the bound cannot
-            tell how to round, rationals. Within 0.5001 ulp of the true value, every number
+exact       double-double with a running error bound, rounded once; rationals where the bound
+            does not decide the rounding. Every number is within 0.5001 ulp of the true value
 ==========  =================================================================================
 
-A precision's error is bounded before anything is computed, from the roundings of its operations
-(Higham, Accuracy and Stability of Numerical Algorithms, 3.1) and the sizes of what they round: for
-every point by itself, in half of the time of projecting it. The bound is some ten times the largest
-error that is found, and infinite where a rounding can bring w to 0.
+The error of a precision is bounded before anything is computed, from the roundings of its
+operations (Higham, Accuracy and Stability of Numerical Algorithms, 3.1) and the sizes of the
+rounded numbers. Every point has its own bound, in half the time that it takes to project it. The
+bound is some ten times the largest error found, and infinite where a rounding can bring w to 0.
 """
 
 from __future__ import annotations
@@ -36,11 +36,11 @@ PRECISIONS: tuple[Precision, ...] = ("float32", "float64", "exact")
 """From the cheapest to the most exact."""
 
 DRAWING_TOLERANCE_PX = 0.01
-"""Error up to which `float32` may draw, unless another is set; else `float64` does."""
+"""Default of the error up to which `float32` draws; above it, `float64` does."""
 LEAST_TOLERANCE_PX, LARGEST_TOLERANCE_PX = 1e-4, 100.0
-"""Between which it can be set: below, no drawing in pixels could hold it."""
+"""Limits of this setting."""
 READING_TOLERANCE_PX = 1e-9
-"""Error of float64 from which numbers are read from the exact precision."""
+"""Error of float64 above which displayed numbers come from the exact precision."""
 READING_TOLERANCE_DEPTH = 1e-12
 
 _UNIT_32, _UNIT_64 = 2.0**-24, 2.0**-53
@@ -51,22 +51,14 @@ _ROUNDED_UP = 1.0 + 2.0**-10  # for products of roundings, and for those of the 
 
 
 class Prediction(NamedTuple):
-    """Bounds of the largest errors of a precision over some points.
-
-    Attributes
-    ----------
-    px : float
-        Of x or y in the image, in pixels; ``inf`` where the precision cannot tell.
-    depth : float
-        Of the depth in [0, 1].
-    """
+    """Bounds of a precision's largest errors: of x or y in pixels, and of the depth in [0, 1]."""
 
     px: float
     depth: float
 
 
 class Reference(NamedTuple):
-    """The true image and depth of points, to hold other arithmetics' answers against.
+    """The true image and depth of points, with which other arithmetics are compared.
 
     Attributes
     ----------
@@ -81,24 +73,16 @@ class Reference(NamedTuple):
 
     @classmethod
     def of(cls, projection: Projection, points: ArrayLike, space: Space = "world") -> Reference:
-        """The truth about points (n, 3) in the world or of the object."""
+        """The reference of points (n, 3) of a space."""
         with np.errstate(all="ignore"):
             numbers, rests, _ = _exact_numbers(projection, points, space)
         numbers[~(numbers[:, 6] > 0.0)] = np.nan
         return cls(numbers[:, 10:], rests)
 
     def errors(self, answers: Array) -> Array:
-        """How far answers are off, and what is not known of it.
+        """Upper bounds of the errors of x and y in pixels and depth, (n, 3).
 
-        Parameters
-        ----------
-        answers : (n, 3) array
-            x and y in pixels and depth.
-
-        Returns
-        -------
-        (n, 3) array
-            NaN where the answer is, or where there is no picture.
+        NaN where the answer is NaN or there is no picture.
         """
         unknown = _CERTAIN * np.spacing(np.abs(self.numbers))
         errors: Array = np.abs((answers - self.numbers) - self.rests) + unknown
@@ -120,20 +104,15 @@ def predict(
     ----------
     projection : Projection
     points : (n, 3) array_like
-        Those that `Projection.trace` finds in front of the eye plane count, inside of the view
-        volume or not; the others have no picture.
+        All points in front of the eye plane count, whether they are in the view volume or not.
     origin : Vector
         Point from which the GPU's vertices are measured (a scene's origin).
     space : {"world", "object"}
-        What the coordinates are, the origin's too.
+        The space of the points and of the origin.
 
     Returns
     -------
     dict from precision to Prediction, or None if no point has a picture
-
-    Notes
-    -----
-    Every point is bounded by itself: 0.15 microseconds each where there are many.
     """
     placed = projection.placed(points, space)
     given = np.reshape(points, (-1, 3))
@@ -153,9 +132,9 @@ def predict(
 
 
 class _Bounds:
-    """What bounds every precision's errors at any points under a projection.
+    """Bounds the errors of every precision under one projection.
 
-    What is divided are the *numerators*: x and y of clip space, the depth times w, and w.
+    The *numerators* are the dividends and the divisor: x, y of clip space, depth times w, and w.
     """
 
     def __init__(self, projection: Projection, origin: Vector, space: Space) -> None:
@@ -170,9 +149,9 @@ class _Bounds:
         roundings = np.array(lens.roundings)[:, None]
         cells = np.maximum(sizes, np.abs(self._rows))
         by_distance = np.column_stack([cells[:, :3].sum(axis=1), cells[:, 3]])
-        # What float64 loses of each numerator, what the product in `of` does, and the least w that
-        # this leaves sure; from the view, the depth's numerator, the distance from the eye, 1 and
-        # what the points themselves lack.
+        # Rows: the loss of float64 in each numerator, that of the product in `of`, and the least
+        # certain w. Columns: the view, the depth's numerator, the distance from the eye, 1, and
+        # the error of the points themselves.
         self._weights = np.zeros((8, 7))
         self._weights[:4, [0, 1, 2, 5]] = _UNIT_64 * roundings * sizes
         self._weights[2, 3] = _UNIT_64 * roundings[2, 0]
@@ -183,7 +162,7 @@ class _Bounds:
         self._weights[7, 4:6] = 2.0**-38 * by_distance[3]
 
     def of(self, world: Placed, given: Array) -> Array | None:
-        """The largest errors of x and y in pixels and of the depth by each of `PRECISIONS`, (3, 3).
+        """The largest errors of x, y in pixels and of the depth, for each of `PRECISIONS`, (3, 3).
 
         None if no point has a picture. `given` are the points as the GPU has them, (n, 3).
         """
@@ -228,31 +207,31 @@ class _Bounds:
 
 
 def _with_depth(projection: Projection, clip: Array) -> Array:
-    """Rows of clip space with the depth's numerator in the place of z."""
+    """Rows of clip space with the depth's numerator instead of z."""
     rows = clip.copy()
     rows[2] = projection.image_from_ndc[2, 2:] @ clip[2:]
     return rows
 
 
 def _divided(projection: Projection, quotients: Array, w: Array, lost: Array, unit: float) -> Array:
-    """The largest errors of x and y in pixels and of the depth, (3,); infinite where w may be 0."""
+    """The largest errors of x, y in pixels and of the depth, (3,); infinite if w may be 0."""
     off = _lost_dividing(quotients, w, lost, unit)
     return _on_the_screen(projection, off.max(axis=1, keepdims=True), unit)[:, 0]
 
 
 def _lost_dividing(quotients: Array, w: Array, lost: Array, unit: float) -> Array:
-    """What is lost of the quotients, (3, n), with their own rounding; infinite where w may be 0.
+    """Bounds of the errors of the quotients, (3, n), with their own rounding.
 
     Parameters
     ----------
     quotients : (3, n) or (3, 1) array
-        Their sizes, or more.
+        Upper bounds of their sizes.
     w : (n,) array
-        Or less.
+        Lower bounds; the result is infinite where w may be 0.
     lost : (4, n) array
-        Of the numerators, before the divide.
+        Errors of the numerators before the divide.
     unit : float
-        Half of what 1 is away from the next larger number.
+        Half the distance from 1 to the next larger number.
     """
     rest = w - lost[3]
     if not rest.min() > 0.0:
@@ -268,7 +247,7 @@ def _lost_dividing(quotients: Array, w: Array, lost: Array, unit: float) -> Arra
 def _on_the_screen(projection: Projection, off: Array, unit: float) -> Array:
     """Errors of x, y and depth after the divide, (3, n), in pixels and as depths in [0, 1].
 
-    The quotient's own rounding is one, the sum with 1 and its product with half a side two more.
+    The sum with 1 and the product with half a side are two more roundings.
     """
     width, height = projection.image_size
     summed = np.array([[1.0], [1.0], [float(projection.depth == "opengl")]])
@@ -278,9 +257,9 @@ def _on_the_screen(projection: Projection, off: Array, unit: float) -> Array:
 
 
 def _single_sizes(projection: Projection, local_to_eye: Array) -> Array:
-    """Of the cells that a GPU is given, (4, 4), x, y, depth and w, for `_lost_single`.
+    """Sizes of the cells of a GPU's matrix, (4, 4): rows x, y, depth and w, for `_lost_single`.
 
-    What float64 lost in making them is in it, as 2^-27 of the terms that they are summed from.
+    They include the float64 errors of the cells, as 2^-27 of the terms of their sums.
     """
     cells, axes = projection.passage.stated_in
     summed = projection.lens.cell_sizes(cells) @ np.abs(axes) @ np.abs(local_to_eye)
@@ -289,20 +268,15 @@ def _single_sizes(projection: Projection, local_to_eye: Array) -> Array:
 
 
 def _lost_single(sizes: Array, local: Array) -> Array:
-    """What float32 loses at most of x, y, depth and w, (4, n), before the divide.
+    """Bounds of float32's errors of x, y, depth and w before the divide, (4, n).
 
-    Parameters
-    ----------
-    sizes : (4, 4) array
-        As of `_single_sizes`.
-    local : (3, n) array
-        Sizes of the points' coordinates from the origin.
+    `sizes` are `_single_sizes`, and `local`, (3, n), the sizes of the coordinates from the origin.
 
     Notes
     -----
     A clip coordinate is a sum of four products: 2 u from the rounded factors, 1 from the product
-    and 3 from the sums, each of the sum of the products' sizes. What is below float32's least
-    number may be lost whole, what is beyond its largest is.
+    and 3 from the sums, each of the sum of the products' sizes. A number below float32's least one
+    may be lost completely; one beyond its largest is.
     """
     largest = local.max()
     least = _LEAST_32 / _UNIT_32 * (sizes.sum(axis=1)[:, None] + 3.0 * largest + 4.0)
@@ -319,29 +293,21 @@ def _lost_single(sizes: Array, local: Array) -> Array:
 def drawing_bounds_px(
     projection: Projection, boxes: Array, origin: Vector = (0.0, 0.0, 0.0), space: Space = "world"
 ) -> list[float]:
-    """What `float32` can lose at most in what is seen of boxes, from their corners alone.
+    """Bound the `float32` errors, in pixels, in the visible part of each box, from its corners.
 
-    Quick enough for every step of a slider, and therefore coarse: up to a hundred times the error.
+    This is `predict`'s bound for the largest coordinates and the least w; visible NDC coordinates
+    are at most 1. It is fast enough for every step of a slider, and coarse: up to a hundred times
+    the error.
 
     Parameters
     ----------
     projection : Projection
     boxes : (n, 8, 3) array
-        Boxes that hold things whole: an edge may be as wrong as either of its ends.
+        Each must contain its things completely: an edge may be as wrong as either of its ends.
     origin : Vector
         Point from which the GPU's vertices are measured.
     space : {"world", "object"}
-        What boxes and origin are given in.
-
-    Returns
-    -------
-    list of n floats
-        In pixels.
-
-    Notes
-    -----
-    `predict`'s bound, of the largest coordinates and the least w; where it is seen, no NDC
-    coordinate is larger than 1.
+        The space of the boxes and of the origin.
     """
     local = boxes - origin
     if not len(local):
@@ -364,17 +330,11 @@ def drawing_bounds_px(
 
 
 def _least_w_seen(clip: Array, sizes: Array) -> Array:
-    """The least w of what is in view of boxes, or less, (n,); infinite if nothing is.
+    """Lower bounds of w in the visible parts of boxes, (n,); infinite if nothing is visible.
 
-    A box is cut with each side plane of the view volume alone: where it lies beside the eye, w
-    is much larger in view than at its nearest corner.
-
-    Parameters
-    ----------
-    clip : (n, 8, 4) array
-        Their corners.
-    sizes : (4, n) array
-        Of the terms that clip coordinates are sums of, for their rounding.
+    A box is cut with each side plane of the view volume alone: beside the eye, the visible w is
+    much larger than at the nearest corner. `clip`, (n, 8, 4), are the corners, and `sizes`, (4, n),
+    the sizes of the terms of their sums.
     """
     x, y, _, w = np.moveaxis(clip, -1, 0)
     beyond = 1e-14 * (sizes[[0, 0, 1, 1]] + sizes[3])
@@ -390,7 +350,7 @@ def _least_w_seen(clip: Array, sizes: Array) -> Array:
 
 
 def precision_for_reading(predictions: Mapping[Precision, Prediction] | None) -> Precision:
-    """The precision of numbers that somebody reads: float64 where it is good enough, else exact."""
+    """The precision of displayed numbers: float64 if it is good enough, else exact."""
     if predictions is None:
         return "float64"
     px, depth = predictions["float64"]
@@ -408,17 +368,10 @@ def trace(
     origin: Vector = (0.0, 0.0, 0.0),
     space: Space = "world",
 ) -> Trace:
-    """Follow points through every stage with the arithmetic of a precision.
+    """Follow points (..., 3) of a space through every stage with the arithmetic of a precision.
 
-    Parameters
-    ----------
-    projection : Projection
-    points : (..., 3) array_like
-    precision : {"float32", "float64", "exact"}
-    origin : Vector
-        Point from which the GPU's vertices are measured; `float32` only.
-    space : {"world", "object"}
-        What the coordinates are, the origin's too.
+    `origin` is the point, in the same space, from which the GPU's vertices are measured: for
+    `float32` only.
 
     Raises
     ------
@@ -445,22 +398,9 @@ def trace_homogeneous(
     precision: Precision = "float64",
     space: Space = "world",
 ) -> Trace:
-    """Follow points that may be at infinity through every stage.
+    """Follow points, w = 1, and directions, w = 0, through every stage; `points` are (n, 4).
 
-    Parameters
-    ----------
-    projection : Projection
-    points : (n, 4) array_like
-        Points, w = 1, and directions, w = 0: of `app.model.infinity.homogeneous`.
-    precision : {"float32", "float64", "exact"}
-        Of the points; directions are exact, whichever it is.
-    space : {"world", "object"}
-        What the coordinates are.
-
-    Returns
-    -------
-    Trace
-        `world` and `view` have four numbers each.
+    Directions are always exact. `world` and `view` of the result have four numbers each.
     """
     given = np.asarray(points, dtype=np.float64)
     finite = given[:, 3] != 0.0
@@ -509,7 +449,7 @@ def _trace_float32(
 
 
 def _finish(*parts: Any) -> tuple[Any, ...]:
-    """View, clip, NDC, image, depth as float64, without a picture where there is none."""
+    """View, clip, NDC, image, depth as float64; NaN where there is no picture."""
     *numbers, in_front, outside = parts
     view, clip, ndc, image, depth = (np.array(part, dtype=np.float64) for part in numbers)
     for array in (ndc, image, depth):
@@ -533,7 +473,7 @@ def _divide(projection: Projection, clip: list[Any]) -> list[Any]:
 
 @dataclass(frozen=True)
 class _Bounded:
-    """A double-double array with a bound of its absolute error, to be used like a number."""
+    """A double-double array with a bound of its absolute error, usable like a number."""
 
     value: DoubleDouble
     error: Array
@@ -571,7 +511,7 @@ class _Bounded:
 
 
 def _bounded(number: Any) -> _Bounded:
-    """An exact scalar as an array of no dimension."""
+    """An exact scalar as an array without dimensions."""
     if isinstance(number, _Bounded):
         return number
     hi, lo = dd.from_exact(Fraction(number))
@@ -589,7 +529,7 @@ def _trace_exact(projection: Projection, points: ArrayLike, space: Space) -> tup
 def _exact_numbers(
     projection: Projection, points: ArrayLike, space: Space
 ) -> tuple[Array, Array, Any]:
-    """View 3, clip 4, NDC 3, image 2 and depth; what rounding cut off the last 3; outside 6."""
+    """View 3, clip 4, NDC 3, image 2, depth; what rounding cut off the last 3; outside 6."""
     placed = projection.placed(points, space)
     given = np.asarray(points, dtype=np.float64).reshape(-1, 3)
     numbers, rests = np.empty((len(given), 13)), np.empty((len(given), 3))

@@ -1,8 +1,8 @@
-"""How exactly and how finely a document's panes are drawn, where somebody chose it.
+"""The chosen quality of a document's panes.
 
-Everything is automatic at first: the cheapest arithmetic that is exact enough, edges smoothed
-while the hand rests, all triangles, and the depth buffer that the graphics card has. A choice,
-mostly of a point in a chart of `app.measure`, is part of the document: it can be undone and saved.
+By default everything is automatic: the cheapest arithmetic that is exact enough, smooth edges at
+rest, all triangles, and the depth buffer of the graphics card. A choice, usually a point in a chart
+of `app.measure`, is part of the document: it can be undone and saved.
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ SMOOTHINGS = (
     "supersampling 2 x 2", "supersampling 3 x 3",
 )  # fmt: skip
 LEAST_DETAIL = 0.01
-"""Share of the triangles that is kept at the least."""
+"""Least share of the triangles."""
 _CHOICES = {
     "rung": PRECISIONS,
     "smoothing": SMOOTHINGS,
@@ -33,26 +33,25 @@ _CHOICES = {
 
 @dataclass(frozen=True)
 class Quality:
-    """What was chosen; what was not is automatic.
+    """The chosen quality; a default is automatic.
 
     Parameters
     ----------
     rung : one of `PRECISIONS`
-        The arithmetic that the image and the NDC cube are drawn with.
+        The arithmetic of the image and the NDC cube.
     smoothing : one of `SMOOTHINGS`
-        Of the panes; figures are always averaged.
+        Only for panes; figures are always averaged.
     detail : float
         Share of the scene's triangles that is drawn, from `LEAST_DETAIL` to 1.
     depth_format : name in `app.model.depth.FORMATS`, or empty
-        Of the image's depth buffer; empty for the graphics card's own, or ``"fixed24"`` if
-        there is a mapping.
+        Empty for the graphics card's own, or ``"fixed24"`` if there is a mapping.
     depth_mapping : name in `app.model.depth.MAPPINGS`, or empty
         Empty for the projection's own depth range.
 
     Raises
     ------
     Refusal
-        For a name that is not known, or a share that cannot be drawn.
+        For an unknown name, or a share that cannot be drawn.
     """
 
     rung: str = AUTO
@@ -72,12 +71,12 @@ class Quality:
 
     @property
     def chosen(self) -> dict[str, str | float]:
-        """What is not automatic, by its name in the document."""
+        """The fields that are not automatic, by their names in the document."""
         values = {f.name: (getattr(self, f.name), f.default) for f in fields(self)}
         return {name: value for name, (value, default) in values.items() if value != default}
 
     def tolerance_px(self, tolerance_px: float) -> float:
-        """The error up to which float32 may draw: any, none, or the one that is given."""
+        """The error up to which float32 draws: any, none, or the given one."""
         return {"float32": math.inf, "float64": 0.0}.get(self.rung, tolerance_px)
 
     @property
@@ -86,13 +85,7 @@ class Quality:
         return bool(self.depth_format or self.depth_mapping)
 
     def depth_buffer(self, projection: Projection) -> DepthBuffer:
-        """The depth buffer that was chosen, in front of a projection's lens.
-
-        Raises
-        ------
-        Refusal
-            If the lens cannot have it.
-        """
+        """The chosen depth buffer of a projection's lens, or a `Refusal` if it cannot have it."""
         mapping = self.depth_mapping or projection.depth
         try:
             return DepthBuffer(self.depth_format or "fixed24", mapping, projection.lens)

@@ -1,7 +1,4 @@
-"""What the numbers in hand cost: the sentences of the health line.
-
-Each risk is a sentence with its figures; where nothing is at risk there is none.
-"""
+"""The sentences of the health line: what the present numbers put at risk."""
 
 from __future__ import annotations
 
@@ -81,19 +78,19 @@ def risks(
     drawing_px: float,
     predictions: Mapping[Precision, Prediction] | None,
 ) -> list[Risk]:
-    """Name what the numbers in hand put at risk, the worst first.
+    """The risks of the present numbers, the worst first.
 
     Parameters
     ----------
     projection : Projection
     lower, upper : Vector
-        Bounds of the scene's objects, in their own coordinates.
+        Bounds of the scene's objects, in object coordinates.
     drawn : {"float32", "float64"}
-        The precision that the panes are drawn with.
+        The precision of the panes.
     drawing_px : float
-        What float32 can lose in the picture, the largest of `precision.drawing_bounds_px`.
+        The largest of `levels.drawing_bounds_px`.
     predictions : dict from precision to Prediction, or None
-        As `precision.predict` gives them for the scene's vertices.
+        From `levels.predict`, for the scene's vertices.
     """
     found = []
     size = math.dist(lower, upper)
@@ -125,7 +122,7 @@ def risks(
 
 
 def _decimals(error: float) -> str:
-    """How many decimals of a number with this error are certain."""
+    """The number of certain decimals of a number with this error."""
     if error == math.inf:
         return "0"
     return str(max(0, math.floor(-math.log10(2.0 * error))))

@@ -38,6 +38,7 @@ from app.lecture.notation import LETTERS
 from app.model.limits import ABOVE
 from app.model.projection import (
     DEPTH_RANGES,
+    LENSES,
     Camera,
     FreeMatrix,
     Frustum,
@@ -1352,8 +1353,7 @@ FOUR_ROWS = "must be four rows of four finite numbers"
         ({"former": {"kind": "perspective", "fov_y_deg": 45, "near": 0, "far": 2}},
          "lens.former.near = 0: must be greater than 0."),
         ({"former": {"kind": "matrix"}},
-         "lens.former.kind = 'matrix': must be one of perspective, frustum, orthographic, "
-         "oblique."),
+         f"lens.former.kind = 'matrix': must be one of {', '.join(LENSES)}."),
         ({"former": 7}, "lens.former = 7: must be an object with named values in braces."),
         ({"former": {"kind": "perspective"}}, "lens.former.fov_y_deg is missing."),
     ],

@@ -1160,10 +1160,15 @@ def test_lines_on_faces_are_lifted_along_their_rays(make_view: MakeView, times: 
     np.testing.assert_allclose(lifted, points + times * 2e-3 * (eye - points), atol=1e-12)
 
 
-def test_a_view_that_was_turned_stays_while_the_frame_is_built(make_view: MakeView) -> None:
-    drawing = make_view(load("letter-f")).drawing
-    drawing.own.show(Camera((3.0, 4.0, 20.0), (0.0, 1.0, 0.0)))
-    turned = drawing.own.view
+@pytest.mark.parametrize("origin", [(0.0, 0.0, 0.0), (1e6, -3.0, 7.0)])
+def test_a_view_that_was_turned_stays_while_the_frame_is_built(
+    make_view: MakeView, origin: tuple[float, float, float]
+) -> None:
+    drawing = make_view(replace(load("letter-f"), origin=origin)).drawing
+    eye, target = (tuple(np.add(origin, point)) for point in ((3.0, 4.0, 20.0), (0.0, 1.0, 0.0)))
+    turned = Camera(eye, target)
+    drawing.own.show(turned)
+    assert drawing.own.view == turned
     drawing.show_step(2)
     assert drawing.own.view == turned
     drawing.show_step(None)

@@ -6,6 +6,7 @@ import json
 import math
 import re
 from dataclasses import replace
+from fractions import Fraction
 from itertools import product
 from typing import Any
 
@@ -30,20 +31,10 @@ from app.model.projection import (
     fov_x_from_fov_y,
 )
 from tests.support.commands import told_matrices
+from tests.support.lenses import LENSES
 from tests.support.samples import pairwise
 
 BOX = (-3.0, 4.5, -2.0, 3.25)
-LENSES: dict[str, Lens] = {
-    "perspective": Perspective(50.0, 1.5, 40.0),
-    "wide": Perspective(120.0, 0.5, 20.0),
-    "perspective-inf": Perspective(50.0, 1.5, math.inf),
-    "frustum": Frustum(-0.7, 0.9, -0.4, 0.65, 1.5, 40.0),
-    "frustum-keep": Frustum(-0.7, 0.9, -0.4, 0.65, 1.5, 40.0, "x"),
-    "frustum-inf": Frustum(-0.7, 0.9, -0.4, 0.65, 1.5, math.inf),
-    "orthographic": Orthographic(*BOX, 1.5, 40.0),
-    "behind": Orthographic(*BOX, -3.0, 40.0, "y"),
-    "oblique": Oblique(*BOX, 1.5, 40.0, keep="stretch", alpha_deg=60.0, beta_deg=115.0),
-}
 DEPTHS: tuple[Any, ...] = ("opengl", "direct3d", "reversed")
 SAMPLE = pairwise(product(LENSES, DEPTHS, LETTERS, (False, True)))
 """Each lens, depth range and lecture's letters with each other, as columns and as rows."""
@@ -240,9 +231,9 @@ def test_l9_a_lectures_chain_has_its_own_names_and_no_identity_between(
 
 def test_l11_p_obl_is_p_ort_after_h() -> None:
     """Lecture 002: x' = x - (z_n - z) cot alpha, then its box to the cube, near at z' = 1."""
-    left, right, bottom, top = BOX
-    z_n, z_f = -1.5, -40.0
-    cot_a, cot_b = 1.0 / math.tan(math.radians(60.0)), 1.0 / math.tan(math.radians(115.0))
+    projection = projection_of("oblique")
+    (left, right, bottom, top), lens = projection.window, projection.lens
+    z_n, z_f, (cot_a, cot_b) = -lens.near, -lens.far, lens.shear
     h = [[1, 0, cot_a, -z_n * cot_a], [0, 1, cot_b, -z_n * cot_b], [0, 0, 1, 0], [0, 0, 0, 1]]
     p_ort = [
         [2 / (right - left), 0, 0, -(right + left) / (right - left)],
@@ -250,7 +241,6 @@ def test_l11_p_obl_is_p_ort_after_h() -> None:
         [0, 0, 2 / (z_n - z_f), -(z_n + z_f) / (z_n - z_f)],
         [0, 0, 0, 1],
     ]
-    projection = replace(projection_of("oblique"), image_size=(750, 525))
     shown = matrices(projection, "002")
     for name, expected in (
         ("sheared_from_view", h), ("clip_from_sheared", p_ort),
@@ -271,8 +261,10 @@ def test_l6_off_the_axis_is_h_before_a_window_about_it() -> None:
     """Lecture 002: H brings the window.s middle to the axis; P_persp has no third term."""
     shown = matrices(projection_of("frustum"), "002")
     p_persp, h = (one(shown, name) for name in ("clip_from_sheared", "sheared_from_view"))
-    middle = np.array([(-0.7 + 0.9) / 2.0, (-0.4 + 0.65) / 2.0, -1.5, 1.0])
-    assert np.allclose(h.values @ middle, [0.0, 0.0, -1.5, 1.0], rtol=0.0, atol=1e-15)
+    lens = LENSES["frustum"]
+    left, right, bottom, top = lens.window(Fraction(1))
+    middle = np.array([(left + right) / 2.0, (bottom + top) / 2.0, -lens.near, 1.0])
+    assert np.allclose(h.values @ middle, [0.0, 0.0, -lens.near, 1.0], rtol=0.0, atol=1e-15)
     x, y, _, w = p_persp.formulas
     assert [notation.written(cell, "002") for cell in x] == ["2z_n/(x_r − x_l)", "0", "0", "0"]
     assert [notation.written(cell, "002") for cell in y] == ["0", "2z_n/(y_t − y_b)", "0", "0"]
@@ -297,7 +289,7 @@ def test_lecture_002_maps_near_to_one_and_has_z_for_w() -> None:
     """z' = 1 at z = z_n and -1 at z = z_f, and w' = z."""
     shown = matrices(projection_of("perspective"), "002")
     matrix = np.array(next(m.values for m in shown if m.name == "clip_from_view"))
-    for z, expected in ((-1.5, 1.0), (-40.0, -1.0)):
+    for z, expected in ((-1.0, 1.0), (-30.0, -1.0)):
         _, _, z_clip, w = matrix @ (0.0, 0.0, z, 1.0)
         assert w == z
         assert math.isclose(z_clip / w, expected, rel_tol=1e-14)

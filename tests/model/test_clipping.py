@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from fractions import Fraction
+from itertools import product
 
 import numpy as np
 import pytest
@@ -24,11 +25,12 @@ from app.model.projection import (
     PLANES,
     Array,
     Camera,
-    Orthographic,
     Perspective,
     Projection,
 )
 from app.model.refusal import Refusal
+from tests.support.lenses import LENSES
+from tests.support.samples import pairwise
 
 EPS = float(np.finfo(np.float64).eps)
 Rational = tuple[Fraction, ...]
@@ -223,14 +225,13 @@ def test_l15_each_plane_cuts_where_its_name_says() -> None:
 # --------------------------------------------------------------------------- lenses, w <= 0
 
 CAMERA = Camera((3.0, 2.0, 5.0), (0.0, 0.0, 0.0))
-LENSES = (Perspective(60.0, 0.5, 40.0), Perspective(60.0, 0.5, math.inf), Orthographic())
 
 
-@pytest.mark.parametrize("lens", LENSES, ids=lambda lens: f"{lens.kind}-{lens.far}")
-@pytest.mark.parametrize("depth", DEPTH_RANGES)
-def test_the_visible_part_is_what_the_trace_calls_inside(lens: object, depth: str) -> None:
+@pytest.mark.parametrize(("name", "depth"), pairwise(product(LENSES, DEPTH_RANGES))[:12])
+def test_the_visible_part_is_what_the_trace_calls_inside(name: str, depth: str) -> None:
     """Points of random world segments, many through the eye plane, against `Trace.outside`."""
-    projection = Projection(CAMERA, lens, (800, 600), depth)  # type: ignore[arg-type]
+    lens = LENSES[name]
+    projection = Projection(CAMERA, lens, (800, 600), depth)
     rng = np.random.default_rng(11)
     starts, ends = rng.uniform(-9.0, 9.0, (2, 300, 3))
     first, last = projection.trace(starts), projection.trace(ends)
@@ -243,9 +244,9 @@ def test_the_visible_part_is_what_the_trace_calls_inside(lens: object, depth: st
         near_a_cut = np.abs(share - (t0, t1)).min(axis=-1) < 1e-9
         assert (inside == expected)[~near_a_cut].all()
     crossing = (first.clip[:, 3] > 0.0) != (last.clip[:, 3] > 0.0)
-    assert crossing.any() == isinstance(lens, Perspective)
+    assert crossing.any() == lens.central
     assert (got.points_clip[got.visible][..., 3] > 0.0).all()
-    assert got.visible[crossing].any() or isinstance(lens, Orthographic)
+    assert got.visible[crossing].any() or lens.parallel
 
 
 def test_a_segment_through_the_eye_is_cut_by_near() -> None:
@@ -293,15 +294,12 @@ def test_planes_without_a_pair_may_leave_what_lies_behind_the_eye() -> None:
 # --------------------------------------------------------------------------- degenerate segments
 
 
-def test_a_segment_that_is_a_point() -> None:
+def test_a_segment_that_is_a_point_or_lies_in_a_plane() -> None:
     inside = clip_segments((0.0, 0.0, 0.0, 1.0), (0.0, 0.0, 0.0, 1.0))
     assert inside.visible and inside.t.tolist() == [0.0, 1.0]
     assert inside.planes.tolist() == [NOT_CUT, NOT_CUT]
     beyond = clip_segments((0.0, 3.0, 0.0, 1.0), (0.0, 3.0, 0.0, 1.0))
     assert [PLANES[i] for i in np.flatnonzero(beyond.outside)] == ["top"]
-
-
-def test_a_segment_in_a_plane_is_inside() -> None:
     got = clip_segments((1.0, -3.0, 0.0, 1.0), (1.0, 1.0, 0.0, 1.0))
     assert got.visible and got.t.tolist() == [0.5, 1.0]
     assert PLANES[got.planes[0]] == "bottom"
@@ -322,11 +320,8 @@ def test_a_segment_that_touches_a_corner_is_one_point() -> None:
         ((math.nan, 0, 0, 1), (0, 0, 0, 1), "starts_clip"),
         ((0, 0, 0, 1), (0, math.inf, 0, 1), "ends_clip"),
         ((0, 0, 0, 1), (0, 0, 2 * LARGEST_CLIP, 1), "ends_clip"),
-        ((0, 0, 0, 1), (0, 0, -2 * LARGEST_CLIP, 1), "ends_clip"),
         ((0, 0, 0, 0), (0, 0, 0, 1), "starts_clip"),
         ((0, 0, 0, 1), (0, 0, 1), "ends_clip"),
-        ((0, 0, 0, 1), "near", "ends_clip"),
-        ((0, 0, 0, 1), [[0, 1], [2]], "ends_clip"),
         ((1, 2, 3, 4), (-3, -6, -9, -12), "ends_clip"),
         ((0.1, 0.2, 0.3, 0.7), (-0.1, -0.2, -0.3, -0.7), "ends_clip"),
     ],
@@ -345,15 +340,6 @@ def test_an_unknown_plane_or_depth_range_is_named() -> None:
         clip_segments(point, point, "vulkan")
     with pytest.raises(Refusal, match="depth"):
         clip_polygon([point, point, point], depth=None)  # type: ignore[arg-type]
-
-
-# --------------------------------------------------------------------------- points
-
-
-@given(points=st.lists(points_of(st.one_of(SMALL, WIDE)), min_size=1, max_size=5), depth=DEPTHS)
-def test_which_planes_a_point_lies_beyond_is_exact(points: list[Array], depth: str) -> None:
-    expected = [[room(rational(p), plane, depth) < 0 for plane in PLANES] for p in points]
-    assert clip_segments(points, points, depth).outside.tolist() == expected
 
 
 # --------------------------------------------------------------------------- polygons
@@ -424,18 +410,33 @@ def area_ndc(points: list[Rational]) -> Fraction:
     )
 
 
-def test_a_square_over_a_corner() -> None:
-    """The square (0, 0) to (2, 2) at z = 0 leaves (0, 0) to (1, 1): area 1, two edges cut."""
-    square = [(0.0, 0, 0, 1), (2.0, 0, 0, 1), (2.0, 2, 0, 1), (0.0, 2, 0, 1)]
-    got = clip_polygon(square)
-    assert got.points_clip.tolist() == [[0, 0, 0, 1], [1, 0, 0, 1], [1, 1, 0, 1], [0, 1, 0, 1]]
-    assert got.edges == (None, "right", "top", None)
-    assert area_ndc([rational(p) for p in got.points_clip]) == 1
+def square(low: float, high: float, z: float = 0.0) -> list[tuple[float, ...]]:
+    return [(low, low, z, 1), (high, low, z, 1), (high, high, z, 1), (low, high, z, 1)]
+
+
+FACE = [(1.0, -1.0, -1.0, 1.0), (1.0, 1.0, -1.0, 1.0), (1.0, 1.0, 1.0, 1.0), (1.0, -1.0, 1.0, 1.0)]
+DIAMOND = [(0.0, 0.0, 0.0, 1.0), (1.0, -0.5, 0.0, 1.0), (2.0, 0.0, 0.0, 1.0), (1.0, 0.5, 0.0, 1.0)]
+
+
+@pytest.mark.parametrize(
+    ("polygon", "left", "edges"),
+    [
+        (square(0, 2), square(0, 1), (None, "right", "top", None)),  # over a corner
+        (FACE, FACE, (None,) * 4),  # in a plane
+        # Its diagonal lies on x = w: cutting there makes no new corner.
+        (DIAMOND, [DIAMOND[0], DIAMOND[1], DIAMOND[3]], (None, "right", None)),
+        ([(1.0, -0.5, 0, 1), (2.0, 0, 0, 1), (1.0, 0.5, 0, 1)], [], ()),  # it only touches a side
+        ([(1.0, 1.0, 0, 1), (2.0, 1.5, 0, 1), (1.5, 2.0, 0, 1)], [], ()),  # or a corner
+    ],
+)
+def test_polygons_cut_by_hand(polygon: object, left: object, edges: tuple[str | None, ...]) -> None:
+    got = clip_polygon(polygon)  # type: ignore[arg-type]
+    assert np.array_equal(got.points_clip, np.reshape(left, (-1, 4)))
+    assert got.edges == edges
 
 
 def test_a_square_larger_than_the_cube_becomes_its_face() -> None:
-    square = [(-9.0, -9, 0.5, 1), (9.0, -9, 0.5, 1), (9.0, 9, 0.5, 1), (-9.0, 9, 0.5, 1)]
-    got = clip_polygon(square)
+    got = clip_polygon(square(-9.0, 9.0, 0.5))
     assert set(got.edges) == {"left", "right", "bottom", "top"}
     assert area_ndc([rational(p) for p in got.points_clip]) == 4
 
@@ -485,29 +486,6 @@ def test_a_floor_that_runs_behind_the_eye() -> None:
     assert (got.points_clip[:, 3] >= 0.5 - 1e-15).all()
     assert "bottom" in got.edges  # met before near: the floor leaves the picture at its foot
     assert got.edges.count(None) == 3
-
-
-def test_a_polygon_that_only_touches_has_nothing_left() -> None:
-    touching = [(1.0, -0.5, 0, 1), (2.0, 0, 0, 1), (1.0, 0.5, 0, 1)]
-    assert clip_polygon(touching).points_clip.shape == (0, 4)
-    assert clip_polygon(touching).edges == ()
-    corner = [(1.0, 1.0, 0, 1), (2.0, 1.5, 0, 1), (1.5, 2.0, 0, 1)]
-    assert len(clip_polygon(corner).points_clip) == 0
-
-
-def test_a_polygon_in_a_plane_is_kept_whole() -> None:
-    face = [(1.0, -1, -1, 1), (1.0, 1, -1, 1), (1.0, 1, 1, 1), (1.0, -1, 1, 1)]
-    got = clip_polygon(face)
-    assert got.points_clip.tolist() == [list(p) for p in face]
-    assert got.edges == (None, None, None, None)
-
-
-def test_a_polygon_through_a_corner_of_its_own_gets_no_point_twice() -> None:
-    """The square's diagonal lies on x = w: cutting there makes no new corner."""
-    square = [(0.0, 0, 0, 1), (1.0, -0.5, 0, 1), (2.0, 0, 0, 1), (1.0, 0.5, 0, 1)]
-    got = clip_polygon(square)
-    assert got.points_clip.tolist() == [[0, 0, 0, 1], [1, -0.5, 0, 1], [1, 0.5, 0, 1]]
-    assert got.edges == (None, "right", None)
 
 
 @pytest.mark.parametrize(

@@ -299,9 +299,9 @@ def test_the_gap_is_one_step_of_the_depth(buffer: DepthBuffer) -> None:
             assert low * (1 - 1e-6) <= least <= high * (1 + 1e-6)
 
 
-@pytest.mark.parametrize("mapping", MAPPINGS)
-@pytest.mark.parametrize("name", FORMATS)
-@pytest.mark.parametrize("far", [1e4, math.inf])
+@pytest.mark.parametrize(
+    ("name", "mapping", "far"), pairwise(itertools.product(FORMATS, MAPPINGS, (1e4, math.inf)))
+)
 def test_pairs_farther_apart_than_the_gap_are_told_apart(
     name: str, mapping: str, far: float
 ) -> None:
@@ -393,15 +393,13 @@ def test_reeds_figures_of_the_formats_alone() -> None:
     """
     for name in ("fixed24", "float32"):
         buffer = buffer_of(name, "direct3d", 0.1, 1e4)
-        assert buffer.collapsed_share(REED[:-1], REED[1:]) == pytest.approx(0.7577, abs=2e-4)
-        assert buffer.predicted_collapsed_share(REED[:-1], REED[1:]) == pytest.approx(
-            0.7577, abs=2e-4
-        )
+        for share in (buffer.collapsed_share, buffer.predicted_collapsed_share):
+            assert share(REED[:-1], REED[1:]) == pytest.approx(0.7577, abs=2e-4)
 
 
-@pytest.mark.parametrize("mapping", MAPPINGS)
-@pytest.mark.parametrize("name", FORMATS)
-@pytest.mark.parametrize("scale", [0.2, 0.7, 1.2])
+@pytest.mark.parametrize(
+    ("name", "mapping", "scale"), pairwise(itertools.product(FORMATS, MAPPINGS, (0.2, 0.7, 1.2)))
+)
 def test_the_predicted_share_is_the_counted_one(name: str, mapping: str, scale: float) -> None:
     """40 000 pairs, apart by about the gap: 1 point, 4 deviations of the count."""
     buffer = buffer_of(name, mapping, 0.5, 800.0)
@@ -440,7 +438,6 @@ def test_the_minus_1_to_1_range_loses_a_float_buffers_fine_steps() -> None:
     ("change", "field"),
     [
         ({"format": "fixed12"}, "format"),
-        ({"format": None}, "format"),
         ({"mapping": "vulkan"}, "mapping"),
         ({"mapping": ["opengl"]}, "mapping"),
         ({"lens": Perspective(far=math.inf), "mapping": "logarithmic"}, "far"),
@@ -458,8 +455,6 @@ def test_an_impossible_buffer_is_named(change: dict[str, object], field: str) ->
     ("distance", "message"),
     [
         (0.999, r"distance = 0.999: must be at least 1"),
-        (-5.0, r"distance = -5: must be at least 1"),
-        (31.0, r"distance = 31: must be at most 30"),
         (math.inf, r"distance = inf: must be at most 30"),
         (math.nan, r"distance = nan: must be a finite number"),
         ("far", r"distance = 'far': must be a finite number"),

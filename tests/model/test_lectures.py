@@ -31,12 +31,12 @@ from app.model.projection import (
 )
 from app.model.tables import NO_M_PP
 from tests.support.frustum import corners_world
+from tests.support.lenses import SLANTED
 
 QUICK = settings(max_examples=60)
 
 ORIGIN = Camera((0.0, 0.0, 0.0), (0.0, 0.0, -1.0), (0.0, 1.0, 0.0))
 """World coordinates are the lectures' camera coordinates."""
-SLANTED = Camera((6.0, 5.0, 9.0), (0.0, 2.2, 0.0), (0.3, 1.0, -0.2))
 SIDES = (-0.3, 0.9, -0.7, 0.2)
 OFF_AXIS = Frustum(*SIDES, 1.5, 30.0)
 SYMMETRIC = Perspective(45.0, 1.0, 30.0)

@@ -6,7 +6,7 @@ import math
 import re
 import subprocess
 import sys
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from dataclasses import FrozenInstanceError, replace
 from fractions import Fraction
 from functools import reduce
@@ -19,7 +19,6 @@ from hypothesis import strategies as st
 from vtkmodules.vtkCommonMath import vtkMatrix4x4
 from vtkmodules.vtkRenderingCore import vtkCamera
 
-import app.model.projection
 from app.model import limits
 from app.model.limits import NOT_THE_TARGET, OTHER_SIDE, SMALLEST
 from app.model.projection import (
@@ -45,34 +44,17 @@ from app.model.projection import (
     fov_y_from_focal_length_35mm,
     fov_y_from_focal_length_e,
     fov_y_from_window,
+    kinds,
     oblique_angles,
     receding_of,
 )
 from app.model.refusal import Refusal, shown_limits, six_digits
 from tests.oracles import exact
+from tests.support.lenses import LENSES, ONE_OF_EACH, SLANTED, made
 from tests.support.marked import marked
 
 EPS = float(np.finfo(np.float64).eps)
 QUICK = settings(max_examples=60)
-
-SLANTED = Camera((6.0, 5.0, 9.0), (0.0, 2.2, 0.0), (0.3, 1.0, -0.2))
-WINDOWED: dict[str, Lens] = {
-    "frustum": Frustum(-0.3, 0.9, -0.7, 0.2, 1.0, 30.0),
-    "infinite frustum": Frustum(0.1, 0.9, -0.7, -0.2, 0.5, math.inf),
-    "orthographic": Orthographic(-4.0, 4.0, -3.0, 3.0, 1.0, 30.0),
-    "off-centre": Orthographic(-1.0, 7.0, -9.0, 3.0, -2.0, 5.0),
-    "oblique": Oblique(-4.0, 4.0, -3.0, 3.0, 1.0, 30.0, alpha_deg=110.0, beta_deg=75.0),
-    "oblique off-centre": Oblique(-1.0, 7.0, -9.0, 3.0, -2.0, 5.0, alpha_deg=45.0, beta_deg=150.0),
-}
-LENSES: dict[str, Lens] = {
-    "perspective": Perspective(45.0, 1.0, 30.0),
-    "wide": Perspective(150.0, 0.5, 2.0),
-    "infinite": Perspective(45.0, 1.0, math.inf),
-} | {
-    f"{name}, keep {keep}": replace(lens, keep=keep)
-    for name, lens in WINDOWED.items()
-    for keep in ("stretch", "x", "y")
-}
 
 
 def in_world(projection: Projection, *points_view: tuple[float, float, float]) -> Array:
@@ -103,12 +85,10 @@ def at_distance(
     return x, y, -distance
 
 
-def all_projections() -> list[Projection]:
-    return [
-        Projection(SLANTED, lens, (1280, 720), depth)
-        for lens in LENSES.values()
-        for depth in DEPTH_RANGES
-    ]
+PROJECTIONS = [
+    Projection(SLANTED, LENSES[lens], (1280, 720), depth)
+    for lens, depth in product(LENSES, DEPTH_RANGES)
+]
 
 
 # --------------------------------------------------------------------------- meaning
@@ -156,18 +136,18 @@ def test_meaning(lens: Lens, depth: str) -> None:
     np.testing.assert_allclose(back, points_world[:7], atol=1e-12)
 
 
-@pytest.mark.parametrize("projection", all_projections())
-def test_the_eye_is_the_origin_of_view_space(projection: Projection) -> None:
-    eye = projection.camera.eye
-    np.testing.assert_array_equal(projection.trace(eye).view, [0.0, 0.0, 0.0])
-    np.testing.assert_allclose(
-        projection.view_from_world @ [*eye, 1.0], [0.0, 0.0, 0.0, 1.0], atol=1e-14
-    )
+def test_the_eye_is_the_origin_of_view_space() -> None:
+    for projection in PROJECTIONS:
+        eye = projection.camera.eye
+        np.testing.assert_array_equal(projection.trace(eye).view, [0.0, 0.0, 0.0])
+        np.testing.assert_allclose(
+            projection.view_from_world @ [*eye, 1.0], [0.0, 0.0, 0.0, 1.0], atol=1e-14
+        )
 
 
-@pytest.mark.parametrize("projection", all_projections())
-def test_outside_names_the_planes_that_a_point_lies_beyond(projection: Projection) -> None:
-    near, far = projection.lens.near, projection.lens.far
+@pytest.mark.parametrize("lens", LENSES.values(), ids=LENSES)
+def test_outside_names_the_planes_that_a_point_lies_beyond(lens: Lens) -> None:
+    projection, near, far = Projection(SLANTED, lens), lens.near, lens.far
     middle = near + 1.0  # a distance between the planes, for every lens of the table
     points = {
         (): at_distance(projection, middle),
@@ -180,9 +160,10 @@ def test_outside_names_the_planes_that_a_point_lies_beyond(projection: Projectio
     }
     if far != math.inf:
         points["far",] = at_distance(projection, far + 0.01)
-    outside = projection.trace(in_world(projection, *points.values())).outside
-    found = [tuple(np.array(PLANES)[row].tolist()) for row in outside]
-    assert found == list(points)
+    points_world = in_world(projection, *points.values())
+    for depth in DEPTH_RANGES:
+        outside = replace(projection, depth=depth).trace(points_world).outside
+        assert [tuple(np.array(PLANES)[row].tolist()) for row in outside] == list(points)
 
 
 @pytest.mark.parametrize("kind", ["frustum", "orthographic"])
@@ -191,9 +172,7 @@ def test_what_lies_on_a_plane_is_inside(kind: str) -> None:
     window = (-4, 4, -4, 4, 1, 8) if kind == "orthographic" else (-1, 1, -1, 1, 1, 8)
     on = [(0, 0, -1), (0, 0, -8), (4, 0, -4), (-4, 0, -4), (0, 4, -4), (0, -4, -4)]
     assert (
-        not Projection(AXIS, app.model.projection.LENSES[kind](*window), (800, 800))
-        .trace(on)
-        .outside.any()
+        not Projection(AXIS, type(ONE_OF_EACH[kind])(*window), (800, 800)).trace(on).outside.any()
     )
 
 
@@ -617,7 +596,7 @@ def test_with_lens_keeps_the_size_of_what_is_at_the_target(
 
 def test_with_lens_always_gives_a_lens_that_works() -> None:
     infinite = Projection(lens=Perspective(45.0, 1.0, math.inf))
-    for kind in ("orthographic", "oblique"):
+    for kind in [kind for kind, lens in ONE_OF_EACH.items() if lens.parallel]:
         flat = infinite.with_lens(kind)
         assert math.isfinite(flat.lens.far)
         assert flat.lens.far > infinite.camera.distance  # the target is still in it
@@ -637,7 +616,7 @@ def test_with_lens_always_gives_a_lens_that_works() -> None:
 
 @given(
     projections(wild=False),
-    st.sampled_from(sorted(app.model.projection.LENSES)),
+    st.sampled_from(sorted(ONE_OF_EACH)),
     st.lists(PARTS, max_size=4),
 )
 @QUICK
@@ -649,8 +628,8 @@ def test_with_lens_keeps_the_picture_of_the_plane_through_the_target(
     changed = projection.with_lens(kind)
     assert changed.lens.kind == kind
     assert (changed.camera, changed.image_size) == (projection.camera, projection.image_size)
-    if kind == "perspective" and lens.kind != "perspective":
-        # It has no window off the axis, and none of another shape: only the height is kept.
+    if lens.window_stays and not changed.lens.window_stays:
+        # It may have no window off the axis, and none of another shape: only the height is kept.
         (_, _, bottom, top), (_, _, low, high) = projection.window, changed.window
         scale = 1.0 if not lens.parallel else distance / changed.lens.near
         assert (high - low) * scale == pytest.approx(top - bottom, rel=1e-9)
@@ -682,7 +661,7 @@ def test_perspective_and_symmetric_frustum_are_the_same_picture(
     assert back.fov_y_deg == pytest.approx(fov_y_deg, rel=1e-13)
 
 
-@given(projections(), st.sampled_from(sorted(app.model.projection.LENSES)))
+@given(projections(), st.sampled_from(sorted(ONE_OF_EACH)))
 @QUICK
 def test_with_lens_gives_a_lens_or_a_reason(projection: Projection, kind: str) -> None:
     """Only at the ends of what is allowed is there none; then the field is named."""
@@ -892,103 +871,90 @@ def worst_px(projection: Projection, points: Array) -> float:
 
 OFFSETS = [0.0, 1e3, 1e6, 1e9]
 FARS = [10.0, 1e3, 1e9, math.inf]
+FULL_HD = (1920, 1080)
+WINDOWED = [kind for kind, lens in ONE_OF_EACH.items() if lens.window_stays]
+Measured = tuple[Lens, tuple[int, int], float]
+"""A lens, the size of its image, and the error that it may have, in pixels."""
 
 
-@pytest.mark.parametrize("offset", OFFSETS)
-@pytest.mark.parametrize(
-    "fov_y_deg",
-    [1e-4, 0.01, 1, 2, 10, 20, 45, 90, 90.001, 120, 150, 170, 179, 179.9, 179.99],
-)
-def test_pixels_against_80_digits(offset: float, fov_y_deg: float) -> None:
+def symmetric(fov_y_deg: float) -> Iterator[Measured]:
     """5e-12 px, also where a radian is 3e8 pixels: there the digits are doubled."""
-    rng = np.random.default_rng([int(offset), int(fov_y_deg * 1e4)])
     for far in FARS:
-        projection = Projection(
-            camera_at(rng, offset),
-            Perspective(fov_y_deg, 1.0, far),
-            (1920, 1080),
-            str(rng.choice(sorted(DEPTH_RANGES))),
-        )
-        points = points_in_view(projection, rng.uniform(0.0, 1.0, (8, 3)))
-        assert worst_px(projection, points) < 5e-12
+        yield Perspective(fov_y_deg, 1.0, far), FULL_HD, 5e-12
 
 
-@pytest.mark.parametrize("offset", OFFSETS)
-@pytest.mark.parametrize("aspect", [1e-6, 1e-3, 1.0, 1e3, 1e6])
-def test_pixels_of_a_frustum_against_80_digits(offset: float, aspect: float) -> None:
+def stretched(aspect: float) -> Iterator[Measured]:
     """5e-12 px about the axis at any aspect: stretched windows, and images of 1 x 16384 pixels."""
-    rng = np.random.default_rng([int(offset), int(math.log10(aspect)) + 9])
-    for size in (0.4, 10.0):
+    long, short = LARGEST_IMAGE_PX, 1
+    for size, far in product((0.4, 10.0), FARS[::3]):
         right, top = size * min(aspect, 1.0), size * min(1.0 / aspect, 1.0)
-        lens = Frustum(-right, right, -top, top, 1.0, float(rng.choice(FARS)))
-        points = rng.uniform(0.0, 1.0, (8, 3))
-        projection = Projection(camera_at(rng, offset), lens, (1920, 1080))
-        assert worst_px(projection, points_in_view(projection, points)) < 5e-12
-        if offset > 1e3:  # where points cannot be told apart across such pictures
-            continue
-        for image_size, keep in (((LARGEST_IMAGE_PX, 1), "x"), ((1, LARGEST_IMAGE_PX), "y")):
-            projection = replace(projection, lens=replace(lens, keep=keep), image_size=image_size)
-            error = worst_px(projection, points_in_view(projection, points))
-            assert error < 5e-12 * LARGEST_IMAGE_PX / 1920
+        yield Frustum(-right, right, -top, top, 1.0, far), FULL_HD, 5e-12
+        for image_size, keep in (((long, short), "x"), ((short, long), "y")):
+            lens = Frustum(-right, right, -top, top, 1.0, far, keep)
+            yield lens, image_size, 5e-12 * LARGEST_IMAGE_PX / 1920
 
 
-@pytest.mark.parametrize("kind", ["frustum", "orthographic", "oblique"])
-@pytest.mark.parametrize("offset", OFFSETS)
-@pytest.mark.parametrize("off_axis", [0.5, 10.0, 1e3, 1e6])
-def test_pixels_off_the_axis_against_80_digits(kind: str, offset: float, off_axis: float) -> None:
+def off_axis(away: float) -> Iterator[Measured]:
     """1e-12 px times how far the window is from the axis, in units of its own width.
 
     A point's place is compared with the window's sides, as far from the axis as they are, so that
     it is rounded in units of their distance: a window a million widths off has lost 6 of 16 digits
     (3.5e-7 px). `keep` moves both sides alike, and loses none.
     """
-    rng = np.random.default_rng([int(offset), int(off_axis), len(kind)])
-    width, height = rng.uniform(0.5, 2.0, 2)
-    sides = width * (off_axis - 0.5), width * (off_axis + 0.5), -0.3 * height, 0.7 * height
-    for keep in ("stretch", "x", "y"):
-        for far in (10.0, 1e3):
-            lens: Lens = {
-                "frustum": Frustum(*sides, 1.0, far, keep),
-                "orthographic": Orthographic(*sides, -3.0, far, keep),
-                "oblique": Oblique(*sides, -3.0, far, keep, 89.9, 90.1),
-            }[kind]
-            projection = Projection(camera_at(rng, offset), lens, (1920, 1080))
-            left, right, bottom, top = projection.window
-            loss = max(off_axis * width / (right - left), 1.0 / (top - bottom), 1.0)
-            points = points_in_view(projection, rng.uniform(0, 1, (6, 3)))
-            assert worst_px(projection, points) < 1e-12 * (loss + 0.01 * far)
+    for kind, keep, far in product(WINDOWED, ("stretch", "x", "y"), (10.0, 1e3)):
+        width, sides = 1.7, (1.7 * (away - 0.5), 1.7 * (away + 0.5), -0.3, 0.7)
+        near = -3.0 if ONE_OF_EACH[kind].parallel else 1.0
+        lens = made(kind, sides, near, far, keep=keep, alpha_deg=89.9, beta_deg=90.1)
+        left, right, bottom, top = Projection(AXIS, lens, FULL_HD).window
+        loss = max(away * width / (right - left), 1.0 / (top - bottom), 1.0)
+        yield lens, FULL_HD, 1e-12 * (loss + 0.01 * far)
 
 
-@pytest.mark.parametrize("offset", OFFSETS)
-@pytest.mark.parametrize("size", [1e-6, 1e-3, 1.0, 1e3, 1e9])
-def test_pixels_of_a_parallel_lens_against_80_digits(offset: float, size: float) -> None:
+def boxed(size: float) -> Iterator[Measured]:
     """5e-12 px about the axis, whatever the window's size and however deep the box."""
-    rng = np.random.default_rng([int(offset), int(size * 1e6)])
     for near, far in ((1.0, 30.0), (-1e3, 1e9)):
-        lens = Orthographic(-size, size, -size, size, near, far)
-        projection = Projection(camera_at(rng, offset), lens, (1920, 1080))
-        points = points_in_view(projection, rng.uniform(0, 1, (8, 3)))
-        assert worst_px(projection, points) < 5e-12
+        yield Orthographic(-size, size, -size, size, near, far), FULL_HD, 5e-12
 
 
-@pytest.mark.parametrize("offset", OFFSETS)
-@pytest.mark.parametrize("alpha_deg", [1e-4, 0.01, 1.0, 20.0, 45.0, 109.47, 170.0, 179.999])
-def test_pixels_of_an_oblique_lens_against_80_digits(offset: float, alpha_deg: float) -> None:
+def leaning(alpha_deg: float) -> Iterator[Measured]:
     """1e-12 px times the shear of the whole depth, in units of the window.
 
     A point and its shear are each as far from the window as the shear is long, and are rounded in
     units of that before they meet: 2e-12 px for a cavalier box 4 windows deep, 1e-2 px where the
     projectors lean by 2e12 windows.
     """
-    rng = np.random.default_rng([int(offset), int(alpha_deg * 1e4)])
     for far in (9.0, 30.0, 1e6):
         lens = Oblique(-4.0, 4.0, -3.0, 3.0, 1.0, far, "stretch", alpha_deg, 60.0)
-        projection = Projection(camera_at(rng, offset), lens, (1920, 1080))
         cot_alpha, cot_beta = map(abs, lens.shear)
         shear = 1.0 + max(cot_alpha / 8.0, cot_beta / 6.0) * far
-        points = points_in_view(projection, rng.uniform(0.1, 0.9, (8, 3)))
         if shear < 1e11:  # or rounding the points to float64 moves them out of the picture
-            assert worst_px(projection, points) < 1e-12 * shear
+            yield lens, FULL_HD, 1e-12 * shear
+
+
+MEASURED: list[tuple[Callable[[float], Iterator[Measured]], float]] = [
+    *((symmetric, fov) for fov in (1e-4, 0.01, 1, 10, 45, 90, 90.001, 150, 179, 179.9, 179.99)),
+    *((stretched, aspect) for aspect in (1e-6, 1.0, 1e6)),
+    *((off_axis, away) for away in (0.5, 10.0, 1e3, 1e6)),
+    *((boxed, size) for size in (1e-6, 1.0, 1e9)),
+    *((leaning, alpha_deg) for alpha_deg in (1e-4, 0.01, 20.0, 109.47, 179.999)),
+]
+
+
+@pytest.mark.parametrize("offset", OFFSETS[::3])
+@pytest.mark.parametrize(
+    ("lenses", "figure"), MEASURED, ids=[f"{make.__name__} {figure}" for make, figure in MEASURED]
+)
+def test_pixels_against_80_digits(
+    lenses: Callable[[float], Iterator[Measured]], figure: float, offset: float
+) -> None:
+    rng = np.random.default_rng(int(offset))
+    for lens, size, error in lenses(figure):
+        if offset and size != FULL_HD:  # across such pictures points cannot be told apart there
+            continue
+        depth = str(rng.choice(sorted(DEPTH_RANGES)))
+        projection = Projection(camera_at(rng, offset), lens, size, depth)
+        points = points_in_view(projection, rng.uniform(0.1, 0.9, (8, 3)))
+        assert worst_px(projection, points) < error, lens
 
 
 @given(projections(), st.lists(PARTS, min_size=1, max_size=3))
@@ -1035,7 +1001,7 @@ def test_the_matrix_for_a_far_scene_keeps_its_digits() -> None:
 
 
 @pytest.mark.parametrize("depth", DEPTH_RANGES)
-@pytest.mark.parametrize("ratio", [1.0 + 1e-9, 1.1, 10.0, 1e3, 1e6, 1e12, math.inf])
+@pytest.mark.parametrize("ratio", [1.0 + 1e-9, 1.1, 1e3, 1e12, math.inf])
 def test_depth_against_80_digits(depth: str, ratio: float) -> None:
     # Along the z axis w is exact, so that what is seen is the formula and not the look-at.
     lens = Perspective(45.0, 0.75, 0.75 * ratio)
@@ -1060,7 +1026,7 @@ def implied_distance(lens: Lens, depth: float) -> exact.Any:
 
 
 @pytest.mark.parametrize("kind", ["perspective", "frustum"])
-@pytest.mark.parametrize("ratio", [1e1, 1e2, 1e3, 1e6, 1e9, 1e12, 1e15, math.inf])
+@pytest.mark.parametrize("ratio", [1e1, 1e3, 1e9, 1e15, math.inf])
 def test_distance_implied_by_reversed_depth(kind: str, ratio: float) -> None:
     """4e-16 of the distance for any camera, anywhere, with any field of view."""
     rng = np.random.default_rng([5, int(min(ratio, 1e16))])
@@ -1084,40 +1050,28 @@ def test_distance_implied_by_reversed_depth(kind: str, ratio: float) -> None:
 
 
 @pytest.mark.parametrize("depth", DEPTH_RANGES)
-@pytest.mark.parametrize("extent", [1e-12, 1e-9, 1e-6, 1e-3])
-def test_depth_between_planes_that_almost_meet(depth: str, extent: float) -> None:
-    for near in (0.75, 1.0, 3.3):
-        lens = Perspective(45.0, near, near * (1.0 + extent))
-        projection = Projection(AXIS, lens, (1920, 1080), depth)
-        distance = near + (lens.far - near) * np.random.default_rng(6).uniform(0.0, 1.0, 60)
-        points = np.column_stack([0.0 * distance, 0.0 * distance, -distance])
-        oracle = exact.Exact(projection)
-        for point, found in zip(points, projection.trace(points).depth, strict=True):
-            assert abs(float(oracle(point).depth - float(found))) <= 2.3e-16
-
-
-@pytest.mark.parametrize("depth", DEPTH_RANGES)
-@pytest.mark.parametrize("extent", [1e-12, 1e-9, 1e-6, 1e-3])
+@pytest.mark.parametrize("extent", [1e-12, 1e-9, 1e-3])
 @pytest.mark.parametrize("lens", [Perspective(), Orthographic()], ids=["perspective", "ortho"])
-def test_depth_between_such_planes_of_any_camera(lens: Lens, extent: float, depth: str) -> None:
-    """What w was rounded by is as long as the gap itself, and known to some 25 bits."""
+def test_depth_between_planes_that_almost_meet(lens: Lens, extent: float, depth: str) -> None:
+    """To the last bit on an axis; elsewhere to the 25 bits or so that are left of w."""
     rng = np.random.default_rng(7)
     for near in (0.75, 1.0, 3.3):
         lens = replace(lens, near=near, far=near * (1.0 + extent))
-        projection = Projection(camera_at(rng, 0.0), lens, (1920, 1080), depth)
-        points = points_in_view(projection, rng.uniform(0.0, 1.0, (60, 3)))
-        oracle = exact.Exact(projection)
-        inside = 0
-        for point, found in zip(points, projection.trace(points).depth, strict=True):
-            expected = oracle(point).depth
-            if -1 <= expected <= 2:  # rounding the points to float64 moves them beyond the planes
-                inside += 1
-                assert abs(float(expected - float(found))) <= 4e-16 + 4e-23 / extent
-        assert inside or extent == 1e-12
+        for camera, error in ((AXIS, 2.3e-16), (camera_at(rng, 0.0), 4e-16 + 4e-23 / extent)):
+            projection = Projection(camera, lens, (1920, 1080), depth)
+            points = points_in_view(projection, rng.uniform(0.0, 1.0, (40, 3)))
+            oracle = exact.Exact(projection)
+            inside = 0
+            for point, found in zip(points, projection.trace(points).depth, strict=True):
+                expected = oracle(point).depth
+                if -1 <= expected <= 2:  # rounding the points moves some beyond the planes
+                    inside += 1
+                    assert abs(float(expected - float(found))) <= error
+            assert inside or extent == 1e-12
 
 
-@pytest.mark.parametrize("ratio", [1e1, 1e3, 1e6, 1e9])
-@pytest.mark.parametrize("lens", ["perspective", "frustum", "orthographic", "oblique"])
+@pytest.mark.parametrize("ratio", [1e1, 1e3, 1e9])
+@pytest.mark.parametrize("lens", ONE_OF_EACH)
 def test_projected_and_un_projected(lens: str, ratio: float) -> None:
     """1e-15 of w there and back with a reversed depth; of the box's size for a parallel lens."""
     rng = np.random.default_rng([7, int(ratio)])
@@ -1136,33 +1090,23 @@ def test_projected_and_un_projected(lens: str, ratio: float) -> None:
 
 
 @pytest.mark.parametrize("angle", [1.0, 1e-3, 1e-6, 1e-9, 1e-12])
-def test_frame_with_up_close_to_the_view_direction(angle: float) -> None:
+def test_up_close_to_the_view_direction(angle: float) -> None:
     rng = np.random.default_rng(5)
-    for _ in range(20):
-        eye, target = 10.0 * rng.normal(size=(2, 3))
-        n = (eye - target) / np.linalg.norm(eye - target)
-        aside = np.cross(n, rng.normal(size=3))
-        up = n + angle * aside / np.linalg.norm(aside)
-        camera = Camera(eye, target, up)
+    for offset in OFFSETS:
+        base = camera_at(rng, offset)
+        camera = Camera(base.eye, base.target, base.frame[2] + angle * base.frame[1])
         expected = exact.frame(camera.eye, camera.target, camera.up)
         for row, exact_row in zip(camera.frame, expected, strict=True):
             errors = [abs(float(e - float(f))) for e, f in zip(exact_row, row, strict=True)]
             assert max(errors) < 5e-16
-
-
-@pytest.mark.parametrize("angle", [1e-3, 1e-6, 1e-9, 1e-12])
-def test_pixels_with_up_close_to_the_view_direction(angle: float) -> None:
-    rng = np.random.default_rng(8)
-    for offset in OFFSETS:
-        base = camera_at(rng, offset)
-        n = base.frame[2]
-        camera = Camera(base.eye, base.target, n + angle * base.frame[1])
         projection = Projection(camera, Perspective(45, 1, 100), (1920, 1080))
         points = points_in_view(projection, rng.uniform(0, 1, (10, 3)))
         assert worst_px(projection, points) < 5e-12
     # up x n = (0, -1e-12.., 0): v is x
     camera = Camera((0, 0, 0), (0, 0, -8), (angle, 0, 1))
-    np.testing.assert_allclose(camera.frame, [(0, -1, 0), (1, 0, 0), (0, 0, 1)], atol=1e-15)
+    if angle < 1.0:
+        expected = [(0, -1, 0), (1, 0, 0), (0, 0, 1)]
+        np.testing.assert_allclose(camera.frame, expected, atol=1e-15)
 
 
 @given(st.floats(1e-3, 179.999))
@@ -1262,7 +1206,7 @@ def test_many_points_are_each_point() -> None:
     rng = np.random.default_rng(7)
     points = 20.0 * rng.normal(size=(100_000, 3))
     picked = [0, 1, 16383, 16384, 16385, 32767, 32768, 99_999, *rng.integers(0, 100_000, 200)]
-    for lens in (*LENSES.values(),)[::4]:
+    for lens in ONE_OF_EACH.values():
         projection = Projection(SLANTED, lens)
         many = projection.trace(points)
         behind = ~many.in_front
@@ -1272,7 +1216,7 @@ def test_many_points_are_each_point() -> None:
                 np.testing.assert_allclose(whole[index], single, rtol=1e-11, atol=1e-11)
 
 
-@pytest.mark.parametrize("projection", all_projections()[::4])
+@pytest.mark.parametrize("projection", PROJECTIONS[::3])
 def test_a_trace_is_its_own_formulas_to_the_bit(projection: Projection) -> None:
     """However its blocks and columns are worked through: the same bits as one plain formula."""
     points = 20.0 * np.random.default_rng(7).normal(size=(17_000, 3))
@@ -1301,7 +1245,7 @@ def test_a_trace_is_its_own_formulas_to_the_bit(projection: Projection) -> None:
 # --------------------------------------------------------------------------- values
 
 
-@pytest.mark.parametrize("projection", all_projections()[::7])
+@pytest.mark.parametrize("projection", PROJECTIONS[::5])
 def test_arrays_cannot_be_written_into(projection: Projection) -> None:
     arrays = {"frame": projection.camera.frame}
     for name in dir(type(projection)):
@@ -1336,7 +1280,7 @@ def test_values_are_equal_and_hashable() -> None:
 
 
 def test_stages_multiply_to_the_whole() -> None:
-    for projection in all_projections():
+    for projection in PROJECTIONS:
         stages = {stage.name: stage for stage in projection.stages}
         product = np.eye(4)
         for stage in projection.stages[1:-1]:
@@ -1418,43 +1362,27 @@ BOUNDS = marked(limits)
 REFUSED: list[tuple[Callable[[], object], str]] = [
     # lenses
     (perspective_with(near=0), "near = 0: must be greater than 0."),
-    (perspective_with(near=-1.5), "near = -1.5: must be greater than 0."),
     (perspective_with(near=1e-206), "near = 1e-206: must be at least 1e-205."),
     (perspective_with(near=30), "near = 30: must be less than far, which is 30."),
-    (perspective_with(near=31), "near = 31: must be less than far, which is 30."),
     (perspective_with(near=INF), "near = inf: must be less than far, which is 30."),
     (orthographic_with(near=INF), "near = inf: must be less than far, which is 30."),
     (perspective_with(near=INF, far=INF), "near = inf: must be a finite number."),
     (perspective_with(near=NAN), "near = nan: must be a finite number."),
     (perspective_with(near=True), "near = True: must be a finite number."),
     (perspective_with(near="1"), "near = '1': must be a finite number."),
-    (perspective_with(near=None), "near = None: must be a finite number."),
-    (perspective_with(near=1j), "near = 1j: must be a finite number."),
-    (perspective_with(far=NAN), "far = nan: must be a finite number."),
     (perspective_with(far=-INF), "far = -inf: must be a finite number."),
     (perspective_with(far=1e101), "far = 1e+101: must be at most 1e+100."),
     (perspective_with(far=HUGE), "far = 1e400: must be at most 1e+100."),
-    (perspective_with(far=-HUGE), "far = -1e400: must be at least -1e+100."),
     (perspective_with(far="inf"), "far = 'inf': must be a finite number."),
     (perspective_with(fov_y_deg=0), "fov_y_deg = 0: must lie between 0 and 180, both excluded."),
     (perspective_with(fov_y_deg=180),
      "fov_y_deg = 180: must lie between 0 and 180, both excluded."),
-    (perspective_with(fov_y_deg=-1), "fov_y_deg = -1: must lie between 0 and 180, both excluded."),
-    (perspective_with(fov_y_deg=200),
-     "fov_y_deg = 200: must lie between 0 and 180, both excluded."),
     (perspective_with(fov_y_deg=1e-91), "fov_y_deg = 1e-91: must be at least 1e-90."),
     (perspective_with(fov_y_deg=1e101),
      "fov_y_deg = 1e+101: must lie between 0 and 180, both excluded."),
-    (perspective_with(fov_y_deg=-HUGE),
-     "fov_y_deg = -1e400: must lie between 0 and 180, both excluded."),
-    (perspective_with(fov_y_deg=NAN), "fov_y_deg = nan: must be a finite number."),
-    (perspective_with(fov_y_deg=INF), "fov_y_deg = inf: must be a finite number."),
-    (perspective_with(fov_y_deg=False), "fov_y_deg = False: must be a finite number."),
-    (orthographic_with(near=30), "near = 30: must be less than far, which is 30."),
     (orthographic_with(far=INF), "far = inf: must be a finite number."),
     (orthographic_with(left=4), "left = 4: must be less than right, which is 4."),
     (orthographic_with(bottom=5), "bottom = 5: must be less than top, which is 4."),
-    (orthographic_with(top=NAN), "top = nan: must be a finite number."),
     (orthographic_with(left=0, right=1e-310),
      "left = 0: is too close to 1e-310 for float64 to tell apart."),
     (orthographic_with(keep="z"), "keep = 'z': must be one of stretch, x, y."),
@@ -1463,25 +1391,19 @@ REFUSED: list[tuple[Callable[[], object], str]] = [
      "bottom = 1.000000000000005e+16: is too close to 1.000000000000005e+16 for float64 to tell"
      " apart."),
     # frusta
-    (frustum_with(near=0), "near = 0: must be greater than 0."),
     (frustum_with(right=-0.7), "left = -0.7: must be less than right, which is -0.7."),
     (frustum_with(bottom=0, top=1e-111),
      "bottom = 0: is too close to 1e-111 for a plane as far from the eye as near is."),
     (frustum_with(right=2e89, near=1e-2), "right = 2e+89: must be at most 1e+88."),
     (frustum_with(left=-2e89, near=1e-2), "left = -2e+89: must be at least -1e+88."),
-    (frustum_with(keep="both"), "keep = 'both': must be one of stretch, x, y."),
     (lambda: Projection(lens=Frustum(1.0, 1.0 + 1e-15, 1.0, 2.0, keep="x"), image_size=(9, 1)),
      "bottom = 1.5: is too close to 1.5 for float64 to tell apart."),
     # oblique lenses
     (oblique_with(alpha_deg=0), "alpha_deg = 0: must lie between 0 and 180, both excluded."),
-    (oblique_with(alpha_deg=-1e308),
-     "alpha_deg = -1e+308: must lie between 0 and 180, both excluded."),
     (oblique_with(beta_deg=180), "beta_deg = 180: must lie between 0 and 180, both excluded."),
-    (oblique_with(beta_deg=NAN), "beta_deg = nan: must be a finite number."),
     (oblique_with(alpha_deg=1e-5), "alpha_deg = 1e-05: must be at least 5.72958e-05."),
     (oblique_with(alpha_deg=179.99999),
      "alpha_deg = 179.99999: must be at most 179.99994270422047."),
-    (oblique_with(far=INF), "far = inf: must be a finite number."),
     (oblique_with(left=0, right=1e-195),
      "left = 0: is too close to 1e-195 for float64 to tell apart."),
     (lambda: oblique_angles(-1.0, 45.0), "receding = -1: must be at least 0."),
@@ -1492,27 +1414,20 @@ REFUSED: list[tuple[Callable[[], object], str]] = [
      "target = (0, 2, 0): must differ from the eye, or the camera looks nowhere."),
     (camera_with(up=(0, 0, 0)), "up = (0, 0, 0): must not be the zero vector."),
     (camera_with(eye=(0, 9, 0)), "up = (0, 1, 0): must not be parallel to the view direction."),
-    (camera_with(eye=(0, -9, 0), up=(0, 3, 0)),
-     "up = (0, 3, 0): must not be parallel to the view direction."),
     (camera_with(eye=(0, 9, 0), up=(1e-16, 1, 0)),
      "up = (1e-16, 1, 0): must not be parallel to the view direction."),
-    (camera_with(eye=(NAN, 0, 0)), "eye = (nan, 0, 0): must be three finite numbers x, y, z."),
     (camera_with(target=(0, INF, 0)),
      "target = (0, inf, 0): must be three finite numbers x, y, z."),
     (camera_with(eye=(1, 2)), "eye = (1, 2): must be three finite numbers x, y, z."),
     (camera_with(eye=5), "eye = 5: must be three finite numbers x, y, z."),
-    (camera_with(eye=None), "eye = None: must be three finite numbers x, y, z."),
     (camera_with(eye="123"), "eye = '123': must be three finite numbers x, y, z."),
     (camera_with(eye=("1", 2, 3)), "eye = ('1', 2, 3): must be three finite numbers x, y, z."),
     (camera_with(up=(0, True, 0)), "up = (0, True, 0): must be three finite numbers x, y, z."),
     (camera_with(eye=(1e101, 0, 0)), "eye = 1e+101: must be at most 1e+100."),
-    (camera_with(eye=(HUGE, 0, 0)), "eye = 1e400: must be at most 1e+100."),
     (camera_with(eye=np.zeros((3, 3))),
      "eye = array([[0., 0., 0.], [0., 0., 0.], [0., 0., 0.]]): must be three finite numbers x,"
      " y, z."),
     (orbit_with(distance=0.0), "distance = 0: must be greater than 0."),
-    (orbit_with(distance=-1.0), "distance = -1: must be greater than 0."),
-    (orbit_with(distance=NAN), "distance = nan: must be a finite number."),
     (orbit_with(elevation_deg=90.5), "elevation_deg = 90.5: must be at most 90."),
     (orbit_with(elevation_deg=-91.0), "elevation_deg = -91: must be at least -90."),
     (orbit_with(azimuth_deg=INF), "azimuth_deg = inf: must be a finite number."),
@@ -1524,44 +1439,29 @@ REFUSED: list[tuple[Callable[[], object], str]] = [
     # the image and the depth range
     (projection_with(image_size=(0, 0)),
      "width = 0: must be a whole number of pixels from 1 to 16384."),
-    (projection_with(image_size=(800, 0)),
-     "height = 0: must be a whole number of pixels from 1 to 16384."),
     (projection_with(image_size=(100_000, 100_000)),
      "width = 100000: must be a whole number of pixels from 1 to 16384."),
     (projection_with(image_size=(800.5, 600)),
      "width = 800.5: must be a whole number of pixels from 1 to 16384."),
     (projection_with(image_size=(800, True)),
      "height = True: must be a whole number of pixels from 1 to 16384."),
-    (projection_with(image_size=(800, "600")),
-     "height = '600': must be a whole number of pixels from 1 to 16384."),
-    (projection_with(image_size=(HUGE, 600)),
-     "width = 1e400: must be a whole number of pixels from 1 to 16384."),
-    (projection_with(image_size=(NAN, 600)),
-     "width = nan: must be a whole number of pixels from 1 to 16384."),
     (projection_with(image_size=800),
      "image = 800: must be a whole number of pixels from 1 to 16384."),
-    (projection_with(image_size=(8, 6, 4)),
-     "image = (8, 6, 4): must be a whole number of pixels from 1 to 16384."),
     (projection_with(depth="vulkan"),
      "depth = 'vulkan': must be one of opengl, direct3d, reversed."),
-    (projection_with(depth=[]), "depth = (): must be one of opengl, direct3d, reversed."),
     (lambda: Projection().with_lens("fisheye"),
-     "kind = 'fisheye': must be one of perspective, frustum, orthographic, oblique, matrix."),
+     f"kind = 'fisheye': must be one of {', '.join(kinds())}."),
     (lambda: Projection(DISTANT, Perspective(45, 1, INF)).with_lens("orthographic"),
      "far = 4e+100: must be at most 1e+100."),
     # points
     (tracing((NAN, 0, 0)), "points = (nan, 0, 0): must be three finite numbers x, y, z."),
-    (tracing([(0, 0, 0), (0, -INF, 0)]),
-     "points = (0, -inf, 0): must be three finite numbers x, y, z."),
     (tracing([1, 2]), "points = (1, 2): must be three finite numbers x, y, z."),
     (tracing([(1, 2, 3), (4, 5)]),
      "points = ((1, 2, 3), (4, 5)): must be three finite numbers x, y, z."),
     (tracing("abc"), "points = 'abc': must be three finite numbers x, y, z."),
-    (tracing(["1", "2", "3"]), "points = ('1', '2', '3'): must be three finite numbers x, y, z."),
     (tracing([HUGE, 0, 0]), "points = (1e400, 0, 0): must be three finite numbers x, y, z."),
     (tracing([1e101, 0, 0]), "points = (1e+101, 0, 0): must be three finite numbers x, y, z."),
     # pixels
-    (unprojecting((1, 2)), "points = (1, 2): must be three finite numbers x, y, z."),
     (unprojecting((1, 2, 1.5)), "depth = 1.5: must be at most 1."),
     (unprojecting((1, 2, -0.5)), "depth = -0.5: must be at least 0."),
     (unprojecting([(1, 2, 0.5), (1, 2, 1)], far=INF),
@@ -1581,20 +1481,13 @@ REFUSED: list[tuple[Callable[[], object], str]] = [
      " 1e-60)): must have an inverse that float64 can hold, and multiply."),
     # planes, focal lengths and intrinsics
     (lambda: Projection(lens=Frustum()).between(0, 5), "near = 0: must be greater than 0."),
-    (lambda: Projection(lens=Frustum()).between(5, 5),
-     "near = 5: must be less than far, which is 5."),
-    (lambda: Projection(lens=Frustum()).between("5", 5), "near = '5': must be a finite number."),
     (lambda: Projection(lens=Oblique()).intrinsics,
      "kind = 'oblique': must be one of perspective, frustum."),
     (lambda: Projection().with_intrinsics((0, 1, 2, 3)), "fx = 0: must be greater than 0."),
-    (lambda: Projection().with_intrinsics((1, -1, 2, 3)), "fy = -1: must be greater than 0."),
     (lambda: Projection().with_intrinsics((1, 1, NAN, 3)), "cx = nan: must be a finite number."),
     (lambda: fov_y_from_window(0, 1), "top = 0: must be greater than 0."),
-    (lambda: fov_y_from_window(1, INF), "near = inf: must be a finite number."),
     (lambda: fov_y_from_focal_length_e(-2, 1), "e = -2: must be greater than 0."),
     (lambda: fov_y_from_focal_length_35mm(0, 1.5), "focal_length_mm = 0: must be greater than 0."),
-    (lambda: fov_y_from_focal_length_35mm(NAN, 1.5),
-     "focal_length_mm = nan: must be a finite number."),
 ]  # fmt: skip
 
 

@@ -256,8 +256,10 @@ def test_it_is_in_the_dock(display: Any, qtbot: Any) -> None:
 
 
 def test_the_commands_know_it(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    file = tmp_path / "shift.json"
+    file, out = tmp_path / "shift.json", tmp_path / "shift.png"
     file.write_text(to_json(Document(projection=Projection(lens=SHIFT))))
+    assert cli.main(["export", str(out), str(file), "--panes=image", "--size=160x90"]) == 0
+    assert read(out).projection.lens == SHIFT
     assert cli.main(["matrices", str(file), "--format", "json"]) == 0
     told = json.loads(capsys.readouterr().out)
     assert told["clip_from_view"][1][2] == 0.4
@@ -280,10 +282,3 @@ def test_it_is_drawn() -> None:
     apart = [np.abs(pictures[0] - picture).max(axis=-1) > 8 for picture in pictures[1:]]
     panes = [[pane.mean() for pane in np.split(part, 3, axis=1)] for part in apart]
     assert max(panes[0]) < 1e-3 and min(panes[1]) > 1e-2
-
-
-def test_it_is_exported(tmp_path: Path) -> None:
-    file, out = tmp_path / "shift.json", tmp_path / "shift.png"
-    file.write_text(to_json(Document(projection=Projection(lens=SHIFT))))
-    assert cli.main(["export", str(out), str(file), "--panes=image", "--size=160x90"]) == 0
-    assert read(out).projection.lens == SHIFT

@@ -14,7 +14,6 @@ from app.model.projection import (
     Camera,
     Frustum,
     Lens,
-    Oblique,
     Orthographic,
     Perspective,
     Projection,
@@ -34,16 +33,8 @@ from app.picking.handles import (
     shown,
 )
 from app.picking.picking import Sight
+from tests.support.lenses import LENSES
 
-LENSES: dict[str, Lens] = {
-    "perspective": Perspective(45.0, 1.0, 30.0),
-    "infinite": Perspective(60.0, 0.5, math.inf),
-    "frustum": Frustum(-0.6, 0.9, -0.4, 0.5, 1.0, 40.0),
-    "frustum, kept": Frustum(-0.6, 0.9, -0.4, 0.5, 1.0, 40.0, "x"),
-    "orthographic": Orthographic(-4.0, 4.0, -3.0, 3.0, -5.0, 40.0),
-    "orthographic, kept": Orthographic(-4.0, 5.0, -3.0, 3.0, 1.0, 40.0, "y"),
-    "oblique": Oblique(-5.0, 5.0, -3.0, 3.0, 8.0, 40.0, alpha_deg=60.0, beta_deg=50.0),
-}
 SIZE = (800, 700)
 # Which fields a handle moves; the rest of the projection stays.
 FIELDS = {"eye": {"eye"}, "target": {"target"}, "near": {"near"}, "far": {"far"}}
@@ -135,6 +126,8 @@ def test_a_handle_that_is_not_moved_moves_nothing(lens: Lens) -> None:
         if handle.name == "far" and lens.far == math.inf:
             continue
         x, y = at(projection, handle, drawn, sight).tolist()
+        if math.isnan(x):  # behind the eye of the pane, where no hand reaches
+            continue
         change = dragged(projection, handle, drawn, sight, (x, y))
         moved = changed(projection, change)
         if lens.kind in ("perspective",) or lens.keep == "stretch" or handle.name != "corner":  # type: ignore[union-attr]

@@ -52,10 +52,10 @@ from app.precision.levels import (
 from app.scenes.scene import BUILT_IN, load
 from tests.oracles import exact
 from tests.support.bounds import drawing_bound_px
+from tests.support.lenses import ONE_OF_EACH, SLANTED, made
 from tests.support.samples import pairwise
 
 HD = (1920, 1080)
-SLANTED = Camera((6.0, 5.0, 9.0), (0.0, 2.2, 0.0), (0.3, 1.0, -0.2))
 # With coordinates up to 1e100 and windows down to 1e-205, what is left of a true zero must still
 # be below the smallest float64.
 DIGITS = 700
@@ -214,17 +214,15 @@ def wild(rng: np.random.Generator) -> Projection:
             far = near * (1.0 + power(-15, 15))
             half = power(-9, 9) * size
             window = (-half * power(-3, 0), half, -half, half * power(-3, 3))
-            kind = rng.choice([*LENSES])
-            if kind == "perspective":
-                fov_y_deg = rng.choice([power(-9, 2), 180.0 - power(-9, 2)])
-                lens: Lens = Perspective(fov_y_deg, near, rng.choice([far, math.inf]))
-            elif kind == "frustum":
-                lens = Frustum(*window, near, far, str(rng.choice(["stretch", "x", "y"])))
-            elif kind == "orthographic":
-                lens = Orthographic(*window, -near if rng.random() < 0.3 else near, far)
-            else:
-                angles = rng.uniform(1.0, 179.0, 2).tolist()
-                lens = Oblique(*window, near, far, alpha_deg=angles[0], beta_deg=angles[1])
+            kind = str(rng.choice([*LENSES]))
+            if LENSES[kind].central:
+                far = rng.choice([far, math.inf])
+            elif rng.random() < 0.3:
+                near = -near
+            own = {"keep": str(rng.choice(["stretch", "x", "y"]))}
+            own["fov_y_deg"] = rng.choice([power(-9, 2), 180.0 - power(-9, 2)])
+            own["alpha_deg"], own["beta_deg"] = rng.uniform(1.0, 179.0, 2).tolist()
+            lens = made(kind, window, near, far, **own)
             size_px = (int(rng.integers(1, 16385)), int(rng.integers(1, 16385)))
             return Projection(camera, lens, size_px, str(rng.choice([*DEPTH_RANGES])))
         except Refusal:
@@ -296,13 +294,13 @@ def count_rationals(monkeypatch: pytest.MonkeyPatch) -> Callable[[], int]:
     return lambda: len(calls)
 
 
-@pytest.mark.parametrize("lens", LENSES.values(), ids=LENSES)
+@pytest.mark.parametrize("lens", ONE_OF_EACH.values(), ids=ONE_OF_EACH)
 def test_everyday_points_are_certain_in_double_double(
-    lens: type[Perspective] | type[Oblique], monkeypatch: pytest.MonkeyPatch
+    lens: Lens, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     needed = count_rationals(monkeypatch)
     rng = np.random.default_rng(3)
-    projection = Projection(SLANTED, lens(), HD)
+    projection = Projection(SLANTED, lens, HD)
     points = points_in_view(projection, rng, 20_000)
     traced = trace(projection, points, "exact")
     assert needed() <= 2
@@ -458,14 +456,13 @@ def test_a_level_that_is_none_and_points_that_are_none_are_refused() -> None:
 # --------------------------------------------------------------------------- the float32 level
 
 
-@pytest.mark.parametrize("depth", DEPTH_RANGES)
-@pytest.mark.parametrize("lens", LENSES.values(), ids=LENSES)
-def test_float32_is_what_a_gpu_does_step_by_step(
-    lens: type[Perspective] | type[Oblique], depth: DepthRange
-) -> None:
+@pytest.mark.parametrize(
+    ("kind", "depth"), pairwise(itertools.product(ONE_OF_EACH, DEPTH_RANGES))[::2]
+)
+def test_float32_is_what_a_gpu_does_step_by_step(kind: str, depth: DepthRange) -> None:
     single = np.float32
     rng = np.random.default_rng(6)
-    projection = Projection(camera_at(rng, 1e6), lens(), (1366, 767), depth)
+    projection = Projection(camera_at(rng, 1e6), ONE_OF_EACH[kind], (1366, 767), depth)
     origin = beside(rng, projection)
     points = points_in_view(projection, rng, 50)
     traced = trace(projection, points, "float32", origin)
@@ -588,17 +585,14 @@ def any_projection(rng: np.random.Generator) -> Projection:
     far = near * (1.0 + 10.0 ** rng.uniform(-3.0, 6.0))
     middle, half = rng.normal(size=2), 10.0 ** rng.uniform(-1.0, 1.0, 2)
     window = np.ravel([middle - half, middle + half], order="F")
-    kind = rng.choice([*LENSES])
-    lens: Lens
-    if kind == "perspective":
-        lens = Perspective(rng.uniform(1.0, 170.0), near, rng.choice([far, far, math.inf]))
-    elif kind == "frustum":
-        lens = Frustum(*(near * window).tolist(), near, far)
+    kind = str(rng.choice([*LENSES]))
+    if LENSES[kind].central:
+        far, window = rng.choice([far, far, math.inf]), near * window
     else:
-        box = (*(4.0 * window).tolist(), near, near + 10.0 ** rng.uniform(-2.0, 3.0))
-        alpha_deg, beta_deg = rng.uniform(20.0, 160.0, 2).tolist()
-        oblique = Oblique(*box, alpha_deg=alpha_deg, beta_deg=beta_deg)
-        lens = Orthographic(*box) if kind == "orthographic" else oblique
+        far, window = near + 10.0 ** rng.uniform(-2.0, 3.0), 4.0 * window
+    alpha_deg, beta_deg = rng.uniform(20.0, 160.0, 2).tolist()
+    angles = {"fov_y_deg": rng.uniform(1.0, 170.0), "alpha_deg": alpha_deg, "beta_deg": beta_deg}
+    lens = made(kind, window.tolist(), near, far, **angles)
     camera = camera_at(rng, float(rng.choice([0.0, 10.0, 1e4, 1e7, 1e9])))
     return Projection(camera, lens, HD, str(rng.choice([*DEPTH_RANGES])))
 
@@ -607,19 +601,6 @@ def beside(rng: np.random.Generator, projection: Projection) -> Vector:
     """An origin of a scene in front of the camera."""
     x, y, z = (np.array(projection.camera.target) + rng.normal(size=3)).tolist()
     return x, y, z
-
-
-def test_predictions_for_random_cameras_hold() -> None:
-    rng = np.random.default_rng(8)
-    count, ratios = 0, []
-    while count < 200:
-        projection = any_projection(rng)
-        points = seen(projection, points_in_view(projection, rng, 30))
-        if len(points):
-            name = str(projection)
-            ratios += check_predictions(name, projection, points, beside(rng, projection))
-            count += 1
-    assert np.median(ratios) < 20.0 and np.quantile(ratios, 0.95) < 100.0
 
 
 PROJECTIVE = (
@@ -832,9 +813,9 @@ def test_points_without_a_picture_have_no_prediction() -> None:
 
 def test_numbers_are_read_from_float64_by_everyday_cameras() -> None:
     rng = np.random.default_rng(10)
-    for lens in LENSES.values():
+    for lens in ONE_OF_EACH.values():
         for offset in (0.0, 1e3, 1e6, 1e9):
-            projection = Projection(camera_at(rng, offset), lens(), HD)
+            projection = Projection(camera_at(rng, offset), lens, HD)
             points = points_in_view(projection, rng, 50)
             assert precision_for_reading(predict(projection, points)) == "float64"
 
@@ -842,8 +823,7 @@ def test_numbers_are_read_from_float64_by_everyday_cameras() -> None:
 def test_numbers_are_exact_where_near_is_next_to_far() -> None:
     rng = np.random.default_rng(11)
     projection = Projection(SLANTED, Perspective(45.0, 1.0, 1.0 + 1e-13), HD)
-    points = points_in_view(projection, rng, 20)
-    predictions = predict(projection, points)
+    predictions = predict(projection, points_in_view(projection, rng, 20))
     assert predictions is not None
     assert predictions["float64"].px < READING_TOLERANCE_PX
     assert predictions["float64"].depth > 10.0 * READING_TOLERANCE_DEPTH
@@ -853,10 +833,8 @@ def test_numbers_are_exact_where_near_is_next_to_far() -> None:
 
 def test_numbers_are_exact_where_a_window_is_far_off_the_axis() -> None:
     rng = np.random.default_rng(12)
-    lens = Frustum(1e4, 1e4 + 1e-3, 2e4, 2e4 + 1e-3, 1.0, 1.5)
-    projection = Projection(SLANTED, lens, HD)
-    points = points_in_view(projection, rng, 200)
-    predictions = predict(projection, points)
+    projection = Projection(SLANTED, Frustum(1e4, 1e4 + 1e-3, 2e4, 2e4 + 1e-3, 1.0, 1.5), HD)
+    predictions = predict(projection, points_in_view(projection, rng, 200))
     assert predictions is not None
     assert predictions["float64"].px > 10.0 * READING_TOLERANCE_PX
     assert predictions["float64"].depth < READING_TOLERANCE_DEPTH

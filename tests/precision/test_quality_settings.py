@@ -214,7 +214,7 @@ def test_what_a_pane_cannot_do_is_said_and_it_stays_as_it_was(window: MainWindow
     before = pictures(window)
     window.quality.use({"smoothing": "supersampling 3 x 3"})
     assert same(pictures(window), before) == ALL_SAME
-    sentence = "A pane cannot draw with supersampling 3 x 3: it smooths as ever."
+    sentence = "A pane cannot draw with supersampling 3 x 3: it uses its default smoothing."
     assert sentence in window.status.health.toolTip().splitlines()
     window.store.undo()
     settle()
@@ -225,7 +225,7 @@ def test_what_a_pane_cannot_do_is_said_and_it_stays_as_it_was(window: MainWindow
     ("scene", "choice", "sentence"),
     [
         ("letter-f", {"detail": "0.5"}, "The scene has too few triangles to leave any out."),
-        ("interpolation", {"rung": "float64"}, "What has a texture can be drawn in float32 only."),
+        ("interpolation", {"rung": "float64"}, "A textured surface can be drawn in float32 only."),
     ],
 )
 def test_what_a_scene_cannot_have_is_said_and_it_stays_as_it_was(
@@ -245,7 +245,7 @@ def test_too_few_samples_are_told(window: MainWindow) -> None:
     window.quality.use({"smoothing": "MSAA 8"})
     settle()
     given = window.panes["image"].samples
-    sentence = f"This computer's OpenGL gives {given} samples a pixel instead of MSAA 8."
+    sentence = f"This computer's OpenGL gives {given} samples per pixel instead of MSAA 8."
     assert (sentence in window.status.health.toolTip().splitlines()) == (given < 8)
 
 
@@ -303,7 +303,7 @@ def test_a_depth_buffer_that_a_lens_cannot_have_is_told(window: MainWindow) -> N
         (sentence,) = (
             line
             for line in window.status.health.toolTip().splitlines()
-            if line.startswith("The image has its ordinary depth buffer: ")
+            if line.startswith("The image uses the ordinary depth buffer: ")
         )
         assert words in sentence
         window.store.set_projection(start)
@@ -459,7 +459,7 @@ def test_quality_gives_way_while_one_drags_and_comes_back_whole(
     assert window.look.adaptive.budget.level == Level(False, 0.005)
     dragged_pictures = pictures(window)
     (late,) = said_to_be_late(window)
-    assert late.endswith("ms a frame, not 33.")
+    assert late.endswith("ms per frame, not 33.")
     window.store.end_gesture()
     assert said_to_be_late(window) == []
     settle()

@@ -188,32 +188,21 @@ def test_the_marks_are_the_bow_and_the_straight_image() -> None:
         assert 100 * aside / np.linalg.norm(chord) == pytest.approx(float(percent), abs=1e-8)
 
 
-@pytest.mark.parametrize("lens", [Orthographic(), Oblique()])
-def test_a_parallel_lens_bends_nothing(lens: Lens) -> None:
-    illustration = show(Projection(Camera(), lens), (3.0, 2.0, 2.0), (-2.0, 3.0, -1.0))
-    assert values(illustration) == [0.0, None, 0.0]
-    assert illustration.warning is not None
-    assert all(len(line.points) == 2 for line in illustration.ndc.lines)
-    assert len(illustration.ndc.lines) > 1
-
-
-def test_an_infinite_far_plane_has_no_affine_z() -> None:
-    illustration = show(
-        Projection(Camera(), Perspective(45.0, 1.0, math.inf)), (0, 0, 0), (1, 1, 1)
-    )
-    assert values(illustration) == [None, None, None]
-    assert illustration.warning is not None
-
-
-def test_a_segment_outside_has_none() -> None:
-    projection = Projection(EYE, Perspective(60.0, 1.0, 10.0))
-    for ends in (((0, 0, 1), (1, 1, 5)), ((0, 0, -11), (0, 0, -20)), ((50, 0, -2), (50, 1, -2))):
-        illustration = show(projection, *ends)
-        assert values(illustration)[:2] == [None, None]
-        assert illustration.warning is not None
-    point = show(projection, (0, 0, -2), (0, 0, -2))
-    assert values(point)[:2] == [None, None]
-    along = show(projection, (0, 0, -2), (0, 0, -8))  # in the cube along z: nowhere to bend to
+def test_where_there_is_no_bow_that_is_said() -> None:
+    for lens in (Orthographic(), Oblique()):  # nothing is bent
+        flat = show(Projection(Camera(), lens), (3.0, 2.0, 2.0), (-2.0, 3.0, -1.0))
+        assert values(flat) == [0.0, None, 0.0] and flat.warning is not None
+        assert {len(line.points) for line in flat.ndc.lines} == {2}
+    endless = show(Projection(Camera(), Perspective(45.0, 1.0, math.inf)), (0, 0, 0), (1, 1, 1))
+    assert values(endless) == [None, None, None] and endless.warning is not None
+    seen = Projection(EYE, Perspective(60.0, 1.0, 10.0))
+    for ends in (
+        *(((0, 0, 1), (1, 1, 5)), ((0, 0, -11), (0, 0, -20)), ((50, 0, -2), (50, 1, -2))),
+        ((0, 0, -2), (0, 0, -2)),  # a point
+    ):
+        outside = show(seen, *ends)
+        assert values(outside)[:2] == [None, None] and outside.warning is not None
+    along = show(seen, (0, 0, -2), (0, 0, -8))  # in the cube along z: nowhere to bend to
     assert values(along)[0] == 0.0
 
 

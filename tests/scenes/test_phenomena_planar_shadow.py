@@ -233,9 +233,6 @@ def test_how_high_the_lamp_is_stands_at_its_plumb_line(height: float, written: s
     assert text.text == written and text.point.tolist() == [-4.0, (9.0 + height) / 2.0, 3.0]
     plumb = [[-4.0, 9.0, 3.0], [-4.0, height, 3.0]]
     assert plumb in [line.points.tolist() for line in world.lines]
-
-
-def test_how_high_the_sun_stands_is_its_angle() -> None:
-    """3, 4, 5: sin is 0.8."""
+    # The sun's height is its angle; 3, 4, 5: the sine is 0.8.
     texts = [text.text for text in show(kind="sun", light=(3.0, 4.0, 0.0)).world.texts]
     assert "53.13°" in texts and not any(text.startswith("L_y") for text in texts)

@@ -47,7 +47,8 @@ def driven(projection: Projection, by: float) -> Projection:
 def test_driving_moves_the_camera_along_the_avenue_and_back() -> None:
     start = PHENOMENON.start
     there = driven(start, 30.0)
-    assert there.camera.eye == (start.camera.eye[0], start.camera.eye[1], start.camera.eye[2] - 30)
+    x, y, z = start.camera.eye
+    assert there.camera.eye == (x, y, z - 30.0)
     assert there.camera.target[2] == start.camera.target[2] - 30.0
     one, other = PHENOMENON.checked({"position": 30.0}), PHENOMENON.checked({})
     assert PHENOMENON.follow(there, one, other) == start
@@ -128,7 +129,7 @@ def test_crowns_pass_where_the_middle_of_no_tree_is_seen() -> None:
     assert shown(down, detail=True).readings[2].value == 0.0
 
 
-def test_nothing_pops_past_the_last_tree_or_at_infinity() -> None:
+def test_nothing_pops_in_past_the_last_tree_or_at_infinity_or_looking_back() -> None:
     start = PHENOMENON.start
     assert popped_per_second(start) == (2 * SPEED / SPACING, 0.0)
     end = driven(start, 300.0)
@@ -139,14 +140,8 @@ def test_nothing_pops_past_the_last_tree_or_at_infinity() -> None:
     endless = shown(replace(start, lens=Perspective(45.0, 1.0, math.inf))).readings
     assert endless[2].value == 0.0 and endless[4].value is None
     assert endless[2].note is not None and endless[4].note is not None
-
-
-def test_looking_back_trees_pop_out() -> None:
-    back = replace(PHENOMENON.start, camera=Camera((0.0, 2.0, -200.0), (0.0, 2.0, 0.0)))
-    readings = shown(back).readings
-    assert "pop in" in readings[2].label and readings[2].value == 0.0
-    assert "pop out" in readings[3].label and readings[3].value == 4.0
-    assert readings[4].value == 100.0
+    back = replace(start, camera=Camera((0.0, 2.0, -200.0), (0.0, 2.0, 0.0)))
+    assert [reading.value for reading in shown(back).readings[2:]] == [0.0, 4.0, 100.0]
 
 
 def test_the_vertices_drawn_are_those_of_the_trees_in_view() -> None:

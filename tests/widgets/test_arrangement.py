@@ -92,7 +92,7 @@ def is_as(view: View, other: View) -> bool:
 # -- there and back
 
 
-def test_what_was_prepared_by_hand_comes_back_from_its_file(
+def test_an_arrangement_made_by_hand_comes_back_from_its_file(
     window: MainWindow, tmp_path: Path
 ) -> None:
     open_panel(window, "Matrices")
@@ -224,7 +224,7 @@ def test_unsaved_work_is_undone_to_and_is_in_recovery_meanwhile(
     assert not list(data_folder().glob("autosave-*.json")), "saved work needs no copy"
 
 
-def test_work_that_another_file_took_the_place_of_is_offered_by_the_next_window(
+def test_unsaved_work_behind_another_file_is_offered_by_the_next_window(
     make_window: MakeWindow, prepared: Path
 ) -> None:
     window = make_window(shown=False)
@@ -236,14 +236,14 @@ def test_work_that_another_file_took_the_place_of_is_offered_by_the_next_window(
     assert other.messages.text == "", "the window lives that can undo to it"
     assert window.close(), "of what is before it nothing is unsaved"
     other.recovery.offer()
-    assert other.messages.text.startswith("Work of ")
+    assert other.messages.text.startswith("There is unsaved work from ")
     other.messages.choices[0].click()
     assert other.store.document == work and other.store.modified
     other.history.undo()
     assert other.store.document == Document("letter-f", load("letter-f").start)
 
 
-def test_a_scene_that_is_chosen_keeps_what_was_prepared_and_forgets_what_was_the_scenes(
+def test_another_scene_keeps_the_preparation_and_forgets_what_belongs_to_the_previous_scene(
     window: MainWindow,
 ) -> None:
     click(window.strip.stops[2])

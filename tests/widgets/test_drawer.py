@@ -129,7 +129,7 @@ def test_an_open_panel_has_its_part_of_a_window_that_grows(window: MainWindow) -
     assert window.panels.height() == pytest.approx(250 / 1050 * 1060, abs=1.0)
 
 
-def test_a_height_that_the_hand_has_chosen_stays(window: MainWindow) -> None:
+def test_a_dragged_height_stays(window: MainWindow) -> None:
     window.panels.open(window.matrices)
     settle()
     for away, taller in ((90, -90), (-40, 40), (-400, 50)):

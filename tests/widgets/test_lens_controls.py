@@ -42,11 +42,13 @@ from tests.support.controls import (
     release,
 )
 from tests.support.frustum import corners_world
+from tests.support.lenses import ONE_OF_EACH
 from tests.support.shown import show
 from widgets.controls.controls import Controls
 from widgets.parts.fields import Linear, Log, NumberRow
 
-SHOWN = {p.lens.kind: p for p in (START, OFF_AXIS, BOX, SLANTED)}
+SHOWN = {kind: replace(START, lens=lens) for kind, lens in ONE_OF_EACH.items()}
+SHOWN |= {p.lens.kind: p for p in (START, OFF_AXIS, BOX, SLANTED)}
 
 
 @pytest.fixture

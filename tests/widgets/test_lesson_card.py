@@ -302,7 +302,7 @@ def test_a_right_answer_gives_the_keyboard_to_the_next_block_and_can_be_forgotte
     assert isinstance(QApplication.focusWidget(), QLineEdit)
     assert card.blocks[1].isAncestorOf(QApplication.focusWidget())
     card.begin_again()
-    assert "is forgotten" in window.messages.text and window.lessons.place == 0
+    assert "were deleted" in window.messages.text and window.lessons.place == 0
     assert not window.settings.progress[str(lesson)].answers
     go_to(window.lessons, 2)
     assert card.blocks[0].is_open

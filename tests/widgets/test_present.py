@@ -178,7 +178,7 @@ def test_a_class_sees_the_controls_that_matter_and_nothing_else(window: MainWind
     assert all(widget.isVisible() for widget in beside)
 
 
-def test_a_class_does_not_read_an_offer_which_waits(window: MainWindow) -> None:
+def test_an_offer_waits_until_presenting_ends(window: MainWindow) -> None:
     taken: list[int] = []
     bar = window.messages
     bar.say("Work of yesterday was not saved.", ("Recover it", lambda: taken.append(1)))
@@ -199,7 +199,7 @@ def test_a_class_does_not_read_an_offer_which_waits(window: MainWindow) -> None:
     assert bar.isVisible()
 
 
-def test_in_a_narrow_window_a_class_reads_what_to_try_all_the_same(window: MainWindow) -> None:
+def test_a_class_reads_what_to_try_even_in_a_narrow_window(window: MainWindow) -> None:
     window.resize(1024, 720)
     settle()
     assert not window.controls.isVisible()
@@ -299,7 +299,7 @@ def is_black(window: MainWindow) -> bool:
     return not rgb_of(window.grab().toImage()).any()
 
 
-def test_b_lets_the_class_see_nothing_and_any_way_out_brings_all_back(window: MainWindow) -> None:
+def test_b_blanks_the_screen_and_every_exit_restores_it(window: MainWindow) -> None:
     press(window, Qt.Key.Key_B)
     assert not is_black(window), "only while presenting"
     begin(window)
@@ -376,7 +376,7 @@ def test_it_leaves_no_trace(window: MainWindow) -> None:
     assert not window.isWindowModified() and not window.store.can_undo
 
 
-def test_slots_that_the_hand_has_shared_out_are_so_again(window: MainWindow) -> None:
+def test_dragged_sizes_of_the_slots_come_back(window: MainWindow) -> None:
     window.setGeometry(*ORDINARY)
     settle()
     for splitter, by in ((window.slots, QPoint(90, 0)), (window.slots.widget(1), QPoint(0, 70))):

@@ -108,7 +108,7 @@ def test_a_pane_is_brought_into_the_large_slot_then_alone_and_back(window: MainW
     assert not window.store.can_undo and not window.isWindowModified()
 
 
-def test_while_one_has_the_window_another_takes_its_place(window: MainWindow) -> None:
+def test_another_pane_can_replace_one_that_fills_the_window(window: MainWindow) -> None:
     by_key(window, "world")
     assert is_whole(window)
     by_key(window, "image")
@@ -186,7 +186,7 @@ def all_actions(window: MainWindow) -> Iterator[Any]:
         ("pictures", PANES),
     ],
 )
-def test_docked_panes_share_the_room_of_floating_panes(
+def test_docked_panes_take_the_room_of_floating_ones(
     window: MainWindow, qtbot: QtBot, layout: str, afloat: tuple[str, ...]
 ) -> None:
     window.slots.arrange(layout, "world")
@@ -239,7 +239,7 @@ def test_a_floating_pane_stays_afloat_whatever_is_brought(window: MainWindow, qt
     assert slots(window) == ("ndc", "world", "image")
 
 
-def test_sizes_that_the_hand_has_chosen_are_kept_through_a_swap(window: MainWindow) -> None:
+def test_dragged_sizes_are_kept_when_panes_are_swapped(window: MainWindow) -> None:
     (small,) = window.slots.findChildren(QSplitter)
     drag(window.slots, 1, QPoint(-70, 0))
     drag(small, 1, QPoint(0, 40))
@@ -278,7 +278,7 @@ def test_a_scene_brings_the_pane_that_it_is_about_and_undo_brings_back(window: M
     assert slots(window) == ("world",) and is_whole(window)
 
 
-def test_after_every_arrangement_a_change_is_one_repaint_of_what_is_seen(
+def test_after_every_arrangement_a_change_repaints_each_visible_pane_once(
     window: MainWindow,
 ) -> None:
     fov_deg = 46.0

@@ -22,18 +22,17 @@ from app.drawings.off_screen import OffScreen
 from app.drawings.stage import StageDrawing
 from app.drawings.style import DARK, LIGHT, Style, rgb
 from app.lecture.stages import IMAGE, NDC, STOPS, VIEW, WORLD, Morph, morph_of
-from app.model.projection import DEPTH_RANGES, Frustum, Lens, Oblique, Perspective
+from app.model.projection import DEPTH_RANGES, Lens, Perspective
 from app.scenes.scene import load
 from tests.support.drawings import rendered
+from tests.support.lenses import LENSES
 from tests.support.window import activate, counted_repaints, move_mouse, picture, present, settle
 from widgets.panes.stage_strip import CATCH, REST_S, STEP_S, STEPS, StageStrip
 from widgets.window.main_window import MainWindow
 
 Pixels = NDArray[np.uint8]
-CENTRAL = Perspective(45.0, 1.0, 30.0)
-ENDLESS = Perspective(45.0, 1.0, math.inf)
-OFF_AXIS = Frustum(-0.2, 0.9, -0.3, 0.5, 1.0, 40.0)
-PARALLEL = Oblique(-6.0, 6.0, -4.0, 4.0, 2.0, 25.0, alpha_deg=45.0, beta_deg=60.0)
+CENTRAL, ENDLESS = LENSES["perspective"], LENSES["infinite"]
+OFF_AXIS, PARALLEL = LENSES["frustum"], LENSES["oblique"]
 
 
 class Shown:

@@ -83,7 +83,7 @@ def test_an_error_without_a_bound_is_told_in_a_sentence(
     assert texts[0] == "float32: its error has no bound here  (drawn)"
 
 
-def test_while_it_moves_nothing_is_predicted(
+def test_no_error_is_predicted_while_the_model_moves(
     qtbot: QtBot, line: StatusLine, scene: Scene, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     calls: list[Projection] = []
@@ -101,7 +101,7 @@ def test_while_it_moves_nothing_is_predicted(
     assert calls == moved[-1:]
 
 
-def test_what_is_hidden_is_predicted_when_it_appears(
+def test_errors_are_predicted_when_the_hidden_line_appears(
     qtbot: QtBot, line: StatusLine, scene: Scene
 ) -> None:
     line.hide()

@@ -193,9 +193,8 @@ class Controls(QScrollArea, RowHolder):
         elif "lens" in changed:
             self._lens.follow(projection)
         self._show_values(changed)
-        has_no_camera = projection.lens.own_view is not None
-        if has_no_camera != (before.lens.own_view is not None):
-            self._disable_camera(has_no_camera)
+        if projection.has_camera != before.has_camera:
+            self._disable_camera(not projection.has_camera)
         if "camera" in changed:
             self.animation.show_camera(projection.camera)
 

@@ -271,7 +271,7 @@ class FramePanel(Panel):
     def take(self, shown: Shown, changed: Changed) -> None:
         before, self._projection = self._projection, shown.projection
         if before.camera != shown.projection.camera or (
-            _has_own_view(before) != _has_own_view(shown.projection)
+            before.has_camera != shown.projection.has_camera
         ):
             self._refresh()
 
@@ -309,7 +309,7 @@ class FramePanel(Panel):
                 "Up is only {0}° from the line of sight: up × n is nearly 0, and an error of"
                 " {1}° in up turns the picture by up to {2}°."
             ).format(*map(read_text, (off_deg, NUDGE_DEG, turned_deg)))
-        typed = _has_own_view(self._projection)
+        typed = not self._projection.has_camera
         if typed:
             text = self.tr(
                 "The view matrix was typed, and no camera has it: these are the numbers of the"
@@ -373,11 +373,6 @@ class FramePanel(Panel):
 
 def _button(text: str, tip: str, act: Callable[[], object]) -> QPushButton:
     return push_button(text, tip, act, name=tip)
-
-
-def _has_own_view(projection: Projection) -> bool:
-    """Whether the view matrix was typed and belongs to no camera."""
-    return projection.lens.own_view is not None
 
 
 def _numbers(

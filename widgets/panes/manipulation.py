@@ -31,7 +31,6 @@ from app.picking.handles import (
     dollied,
     dragged,
     dragged_grip,
-    has_camera,
     panned,
     place,
     present,
@@ -170,7 +169,7 @@ class Manipulation(Gestures, QObject):
             drawing = self._world.drawing
             is_gone = drawing is None or not drawing.has_object_axes
         else:
-            is_gone = not has_camera(projection)
+            is_gone = not projection.has_camera
             if handle.face:
                 is_gone = projection.lens.planes is None
         if is_gone:

@@ -98,7 +98,7 @@ class StageStrip(QWidget, Playing, Gestures):
         self._identity = self.tr("M_pp")
         """Name of this stop for a parallel lens, whose box is one stop before."""
         self._projection = Projection()
-        self._parallel = False
+        self._parallel = self._free = False
         self._said = ("", "")
         self._rest_s = 0.0
         self._at = self._before = float(NDC)
@@ -163,7 +163,8 @@ class StageStrip(QWidget, Playing, Gestures):
         """Name the stops, axes and limits of this projection."""
         self._projection = shown.projection
         lens = self._projection.lens
-        parallel = lens.has_steps and not lens.has_pyramid
+        self._free = not lens.has_steps
+        parallel = not self._free and not lens.has_pyramid
         if parallel != self._parallel:
             self._parallel = parallel
             self._name_stops()
@@ -203,8 +204,7 @@ class StageStrip(QWidget, Playing, Gestures):
             self.tr("NDC cube"),
             self.tr("Image"),
         )
-        free = not self._projection.lens.has_steps
-        if free and VIEW < self._at < NDC:
+        if self._free and VIEW < self._at < NDC:
             return f"{self._names[VIEW][0]} → {self._names[NDC][0]}"
         if self._at == self.stop:
             return titles[self.stop]
@@ -220,9 +220,9 @@ class StageStrip(QWidget, Playing, Gestures):
         stop, lens = self.stop, projection.lens
         if stop == WORLD:
             text = self.tr("x, y, z in world units")
-        elif not lens.has_steps and VIEW < stop < NDC:
+        elif self._free and VIEW < stop < NDC:
             text = self.tr("no canonical volumes")
-        elif not lens.has_steps and stop == VIEW:
+        elif self._free and stop == VIEW:
             text = self.tr("x, y, z of view space")
         elif stop == VIEW:
             text = self.tr("{axis_u}, {axis_v}, {axis_n} in world units")
@@ -234,7 +234,7 @@ class StageStrip(QWidget, Playing, Gestures):
             text = self.tr("{0} × {1} pixels, y down").format(width, height)
         elif self._parallel and CANONICAL_PERSPECTIVE <= self._at <= CANONICAL_PARALLEL:
             text = self.tr("x, y ±1, z 0 … -1; M_pp: identity")
-        elif not lens.has_pyramid or stop == CANONICAL_PARALLEL:
+        elif self._parallel or stop == CANONICAL_PARALLEL:
             text = self.tr("x, y ±1, z 0 … -1")
         elif lens.far == math.inf:
             text = self.tr("near z -1, far -∞ (scaled by 1/{n})")

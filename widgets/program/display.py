@@ -18,7 +18,7 @@ from widgets.program.opengl import WITHOUT_OPENGL, DisplayError
 
 WITHOUT_DISPLAY = (
     "“export”, “project”, “matrices”, “measure”, “lesson”, “talk --check”, “talk --handout” and "
-    "“doctor” need none."
+    "“doctor” need no screen."
 )
 X_RETRIES_S = (0.1, 0.4, 0.0)
 """Pauses after each attempt to reach an X server, which may be restarting."""
@@ -55,11 +55,15 @@ def _reach_display() -> Callable[[], object] | None:
     display = os.environ.get("DISPLAY", "")
     if not x11 or not display:
         name = "DISPLAY" if x11 else "WAYLAND_DISPLAY"
-        raise DisplayError(
-            f"There is no screen to open a window on ({name} leads to none): start it in a desktop "
-            f"session, over ssh with -X, or with {_virtual()} in front; {WITHOUT_DISPLAY}"
-        )
+        raise _unreachable(f"There is no screen to open a window on ({name} leads to none)")
     return _reach_x11(display)
+
+
+def _unreachable(problem: str) -> DisplayError:
+    return DisplayError(
+        f"{problem}: start the program in a desktop session, over ssh with -X, or with "
+        f"{_virtual()} in front; {WITHOUT_DISPLAY}"
+    )
 
 
 def _virtual() -> str:
@@ -107,8 +111,6 @@ def _reach_x11(display: str) -> Callable[[], object]:
             return partial(xcb.xcb_disconnect, connection)
         xcb.xcb_disconnect(connection)
         time.sleep(pause_s)
-    raise DisplayError(
-        f"The X server DISPLAY = {display} does not answer or does not let this user in: start "
-        f"it in a desktop session, over ssh with -X, or with {_virtual()} in front; "
-        f"{WITHOUT_DISPLAY}"
+    raise _unreachable(
+        f"The X server DISPLAY = {display} does not answer or does not let this user in"
     )

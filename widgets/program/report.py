@@ -39,7 +39,7 @@ class Report(QDialog):
         self._sentence.setMinimumWidth(420)
         buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Close)
         copy = buttons.addButton(self.tr("Copy details"), QDialogButtonBox.ButtonRole.ActionRole)
-        set_tip(copy, self.tr("Copies what a person who can repair it needs to know"))
+        set_tip(copy, self.tr("Copies the details that a developer needs"))
         copy.clicked.connect(self._copy)
         buttons.rejected.connect(self.reject)
         in_column(self._sentence, self._place, buttons, on=self)
@@ -54,7 +54,8 @@ class Report(QDialog):
         text = self.tr("An error in the program: {0}. Your work is still there.")
         text = text.format(self._summary.rstrip("."))
         if self._count > 1:
-            text += " " + self.tr("It or others came {0} more times.").format(self._count - 1)
+            more = self.tr("This or other errors occurred {0} more times.")
+            text += " " + more.format(self._count - 1)
         self._sentence.setText(text)
         place = self.tr("There is no log, because it could not be written.")
         if self._log_file:

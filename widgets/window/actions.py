@@ -85,18 +85,18 @@ class Actions(QObject):
         )
         self.copy = self._action(
             self.tr("&Copy picture"), self._with_typed(pictures.copy), "Ctrl+Shift+C",
-            self.tr("Copy the three panes to the clipboard, with the document inside"),
+            self.tr("Copy the three panes to the clipboard, including the document"),
         )  # fmt: skip
         self.export = self._action(
             self.tr("&Export picture…"), self._with_typed(pictures.export_dialog), "Ctrl+E",
-            self.tr("Export panes as a PNG picture that carries the document"),
+            self.tr("Export panes as a PNG picture that contains the document"),
         )  # fmt: skip
         self._make_file_menu()
         self.undo = self._action(self.tr("&Undo"), None, keys.Undo)
         self.redo = self._action(self.tr("&Redo"), None, keys.Redo)
         self.reset = self._action(
             self.tr("Reset &all"), None, "Ctrl+R",
-            self.tr("Put camera, lens, image and settings back to how the scene opens"),
+            self.tr("Reset camera, lens, image and settings to how the scene opens"),
         )  # fmt: skip
         self.remove_probe = self._action(
             self.tr("Remove the &probe"), None, "Esc",
@@ -117,34 +117,35 @@ class Actions(QObject):
         window.menuBar().addMenu(self.lesson_menu)
         self.present = self._action(
             self.tr("&Present"), None, "F5",
-            self.tr("Fill the screen with the panes and the controls that matter, for a class"),
+            self.tr("Show the panes and the essential controls on the full screen, for a class"),
         )  # fmt: skip
         self.blank = self._action(
-            self.tr("&Blank the screen"), None, "B", self.tr("Let the class see nothing, and back")
-        )
+            self.tr("&Blank the screen"), None, "B",
+            self.tr("Show the class a black screen, or the panes again"),
+        )  # fmt: skip
         self.pointer = self._action(
             self.tr("P&ointer in all panes"), None, "P",
-            self.tr("Mark in all panes what the mouse is over, while presenting"), on=False,
+            self.tr("While presenting, mark in all panes the point under the mouse"), on=False,
         )  # fmt: skip
         self.compare = self._action(
             self.tr("Co&mpare with this picture"), None, "F6",
-            self.tr("Hold the picture as it is and compare it with what comes; again, end that"),
+            self.tr("Hold the current picture and compare it with later ones, or end that"),
             on=False,
         )  # fmt: skip
         self.compare_way = self._action(
-            self.tr("Compared s&ide by side, or over each other"), None, "Shift+F6"
+            self.tr("Compare s&ide by side or overlaid"), None, "Shift+F6"
         )
         for later in (self.remove_probe, self.blank, self.pointer, self.compare_way):
             later.setEnabled(False)
         self.controls = self._action(self.tr("&Controls"), None, "F4", on=True)
         self.show_cost = self._action(
             self.tr("&Show cost"), None, None,
-            self.tr("Measure what every step takes: the model, each pane's matrices and repaint"),
+            self.tr("Measure the cost of every step: the model, each pane's matrices and repaint"),
             on=False,
         )  # fmt: skip
         self.all_digits = self._action(
             self.tr("All &digits"), None, None,
-            self.tr("Show all digits of every number that is read, not four"), on=all_digits,
+            self.tr("Show all digits of every number, not only four"), on=all_digits,
         )  # fmt: skip
         self._make_view_menu(theme)
         self.help = self._action(self.tr("&Keys and mouse"), help_.show_keys, keys.HelpContents)
@@ -238,7 +239,7 @@ class Actions(QObject):
 
     def _make_view_menu(self, theme: str) -> None:
         slots = self._slots
-        tip = self.tr("Into the large slot; again, as large as the window, and back")
+        tip = self.tr("Bring the pane into the large slot; the second time, into the whole window")
         large = [
             self._action(
                 self.tr("{0} in large").format(pane.name),

@@ -60,7 +60,9 @@ class ExportDialog(QDialog):
             box.toggled.connect(self._panes_changed)
         letters, tip = (
             self.tr("Height of the letters in points"),
-            self.tr("Height of the letters in points: {0} pixels at scale 1 are an inch of 72"),
+            self.tr(
+                "Height of the letters in points, 72 to an inch; at scale 1 an inch has {0} pixels"
+            ),
         )
         self._width = self._field("1800", self.tr("Width in pixels"))
         self._height = self._field("600", self.tr("Height in pixels"))
@@ -68,7 +70,7 @@ class ExportDialog(QDialog):
         self._scale = Combo()
         set_tip(
             self._scale,
-            self.tr("Draws the same figure with more pixels: text and lines grow with it"),
+            self.tr("Draws the same figure with more pixels; text and lines scale with it"),
         )
         for factor in (1, 2, 3, 4):
             self._scale.addItem(f"{factor} ×", float(factor))

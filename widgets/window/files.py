@@ -92,7 +92,7 @@ class Files(QObject):
     def open_dialog(self) -> None:
         """Ask for a file and open it."""
         title = self.tr("Open a document, a lesson, a mesh or an exported picture")
-        kinds = self.tr("All that can be opened ({0});;All files (*)")
+        kinds = self.tr("All supported files ({0});;All files (*)")
         folder = str(self.path.parent) if self.path else ""
         path = self._ask(title, folder, kinds.format(f"*.json {MESHES} *.png *.md"))
         if path:
@@ -154,7 +154,7 @@ class Files(QObject):
         mesh = document.scene if is_mesh(document.scene) else document.mesh
         if not mesh or holds_document(path) or os.path.exists(mesh):
             return document
-        title = self.tr("Where is {0}, which the picture shows?").format(os.path.basename(mesh))
+        title = self.tr("Where is the mesh {0} of this picture?").format(os.path.basename(mesh))
         place = self._ask_for_mesh(title, mesh)
         if not place:
             return document
@@ -199,7 +199,7 @@ class Files(QObject):
 
     def mesh_dialog(self) -> None:
         """Ask for a mesh that replaces the scene's own objects."""
-        title = self.tr("Use a mesh in the place of the scene's own objects")
+        title = self.tr("Use a mesh in place of the scene's own objects")
         path = self._ask_for_mesh(title, self._store.document.mesh)
         if path:
             self.use_mesh(path)
@@ -270,7 +270,7 @@ class Files(QObject):
         """Ask what to do with unsaved work; return True if the window may close."""
         if not self._store.modified:
             return True
-        text = self.tr("There are changes that are not saved.")
+        text = self.tr("There are unsaved changes.")
         box = message_box(self._window, text, self.tr("Save them first?"))
         buttons = QMessageBox.StandardButton
         box.setStandardButtons(buttons.Save | buttons.Discard | buttons.Cancel)

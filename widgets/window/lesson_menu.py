@@ -55,10 +55,10 @@ class LessonMenu(QMenu):
         self.addSeparator()
         self.again = make(
             self.tr("&Show the step again"), None, AGAIN_KEY,
-            self.tr("Show the lesson's step as its file has it, whatever was tried"),
+            self.tr("Show the step as the lesson's file has it, without your changes"),
         )  # fmt: skip
         self.next = make(self.tr("&Next step"), None, NEXT_KEY)
-        self.back = make(self.tr("Step &before"), None, BACK_KEY)
+        self.back = make(self.tr("&Previous step"), None, BACK_KEY)
         self.hint = make(self.tr("&Hint"))
         self.anew = make(self.tr("Begin the lesson a&gain"))
         self.leave = make(self.tr("&Close the lesson"))

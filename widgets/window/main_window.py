@@ -31,7 +31,6 @@ from PySide6.QtWidgets import QMainWindow, QSplitter, QWidget
 from app.document.document import Document
 from app.document.store import Store
 from app.scenes.scene import Scene
-from widgets.controls.scene_card import SceneCard
 from widgets.panels.frame_panel import FramePanel
 from widgets.panels.kinds_panel import KindsPanel
 from widgets.panels.matrix_panel import MatrixPanel
@@ -46,12 +45,11 @@ from widgets.panes.pane import SMOOTHINGS, Pane
 from widgets.panes.stage_strip import StageStrip
 from widgets.parts import palette
 from widgets.parts.focus import focus_next
-from widgets.parts.gestures import Gestures
 from widgets.parts.highlight import Highlighter
 from widgets.parts.layouts import in_column, in_row
 from widgets.parts.message_bar import MessageBar
 from widgets.parts.panel import EVERYTHING, Changed, Panel, Shown, Told
-from widgets.parts.writing import all_digits, lettering
+from widgets.parts.writing import all_digits
 from widgets.window.actions import Actions, take_typed
 from widgets.window.arrangement import Arrangement
 from widgets.window.comparing import Comparing
@@ -74,6 +72,7 @@ from widgets.window.start_card import StartCard
 from widgets.window.status_line import StatusLine
 from widgets.window.talk_band import TalkBand
 from widgets.window.talks import TalkActions, Talks
+from widgets.window.wiring import wire
 from widgets.window.world_look import WorldLook
 
 log = logging.getLogger(__name__)
@@ -197,11 +196,9 @@ class MainWindow(QMainWindow):
         )  # fmt: skip
         self.present = Present(self, self.menus.tools, self.bottom, Screens(settings))
         self._make_rooms()
-        self._wire()
-        self._wire_lesson()
-        self._wire_gestures()
-        self._wire_highlight()
-        self._show_beside()
+        self.highlighter = Highlighter(self)
+        wire(self)
+        self.show_beside()
         self._tell(EVERYTHING)
         self.history.show()
         if path is not None:
@@ -249,13 +246,14 @@ class MainWindow(QMainWindow):
             (self.frame_panel, self.tr("Camera frame"),
              self.tr("The camera's axes, step by step: eye, target and up make the view matrix")),
             (self.kinds_panel, self.tr("Kinds of projection"),
-             self.tr("The tree of planar projections: which one the picture is, and a click"
-                     " makes it another")),
+             self.tr("The tree of planar projections: it marks the kind of the picture; click a"
+                     " kind to change to it")),
             (self.probe_panel, self.tr("Probe"), self.tr("Follow points through every stage")),
             (self.scene_panel, self.tr("Explanation and diagrams"),
-             self.tr("What the scene shows, in which lectures, and its diagrams")),
+             self.tr("What the scene shows, the lectures that use it, and its diagrams")),
             (self.measure_panel, self.tr("Precision"),
-             self.tr("How exact picture and numbers are, and what speed costs, measured here")),
+             self.tr("How exact the picture and its numbers are, and what speed costs on this"
+                     " computer")),
         )  # fmt: skip
         for panel, name, tip in panels:
             self.panels.add(name, panel, tip)
@@ -339,117 +337,8 @@ class MainWindow(QMainWindow):
             self.quality,  # after the panes
         )
 
-    def _wire(self) -> None:
-        """Connect signals to slots; what depends on the document is told by `_tell`."""
-        store, controls, menus, strip, world = (
-            self.store, self.controls, self.menus, self.strip, self.panes["world"]
-        )  # fmt: skip
-        probe, measure, card, look = self.probe_panel, self.measure_panel, controls.card, self.look
-        compare = self.comparing.pictures
-        lettering.set("own")  # it may still be another window's
-        all_digits.set(self.settings.all_digits)
-        menus.show_recent()
-        wires: tuple[tuple[Any, ...], ...] = (
-            (store.changed, self._show_document),
-            (store.view_changed, self._show_view),
-            (controls.edited, store.set_projection),
-            (controls.object_unfolded, partial(world.ask, "object_axes")),
-            (controls.animation.playing_changed, menus.show_playing),
-            (card.mesh_wanted, self.files.mesh_dialog),
-            (card.mesh_removed, partial(self.files.use_mesh, "")),
-            (self.counting.counted, card.show_count),
-            (self.manipulation.edited, store.set_projection),
-            (self.frame_panel.step_changed, partial(world.ask, "step")),
-            (strip.moved, partial(self.panes["ndc"].ask, "stage"), self.matrices.show_stage),
-            (strip.named, self.panes["ndc"].header.say),
-            (strip.gesture_started, partial(look.refine, "ndc", False)),
-            (strip.gesture_finished, partial(look.refine, "ndc", True)),
-            (self.matrices.letters_changed, lettering.set, look.set_letters),
-            (self.history.rested, look.rest, compare.refresh),
-            (look.built, self.manipulation.leave, controls.set_style, compare.set_style),
-            (menus.all_digits.triggered, self._set_all_digits),
-            (menus.find.triggered, self._find_control),
-            (menus.play.triggered, controls.animation.toggle),
-            (menus.theme_chosen, look.set_theme),
-            (menus.present.triggered, self.present.toggle),
-            (menus.blank.triggered, self.present.blank),
-            (menus.pointer.toggled, self.probing.set_pointing),
-            (menus.start_card.triggered, self.show_start_card),
-            (menus.controls.triggered, self._show_beside),
-            (menus.show_cost.triggered, self.cost.measure),
-            (menus.remove_probe.triggered, probe.remove),
-            (probe.changed, lambda: menus.remove_probe.setEnabled(bool(probe.probes))),
-            (self.present.switched, self._show_presenting, self.messages.put_off),
-            (self.present.moved, partial(look.set_presenting, True)),
-            (self.slots.rearranged, self._show_beside),
-            (self.files.recent_changed, menus.show_recent),
-            (self.pictures.told, self._tell_shortly),
-            (self.panels.opened, lambda: self.slots.set_low(self.panels.open_panel is not None)),
-            (self.panels.chosen, self.probing.begin),
-            (measure.went_on, self.messages.take_back),
-            (measure.succeeded, self.messages.done),
-            (measure.used, self.manipulation.let_go, self.quality.use),
-            (measure.used, lambda: self.panels.open(measure)),  # it stays open
-        )
-        for signal, *slots in wires:
-            for slot in slots:
-                signal.connect(slot)
-        for panel in self.panels.all:
-            panel.edited.connect(store.set_projection)
-            panel.told.connect(self._tell_shortly)
-            panel.refused.connect(self.messages.say)
-            panel.copy_wanted.connect(self.pictures.copy_diagram)
-            panel.export_wanted.connect(self.pictures.export_diagram)
-            look.built.connect(panel.set_style)
-
-    def _wire_lesson(self) -> None:
-        """Connect the lesson's card to its keys, and to everything that a task may ask for."""
-        card, menus = self.lesson_card, self.menus
-        menus.lesson_menu.wire(card, self.settings)
-        card.begun_again.connect(self._offer_answers)
-        card.toggled.connect(self._show_beside)
-        card.toggled.connect(self.side.make_room)
-        for signal in (
-            self.store.changed,
-            self.store.view_changed,
-            self.strip.moved,
-            self.slots.rearranged,
-            self.panels.opened,
-            self.probe_panel.changed,
-            self.frame_panel.step_changed,
-            self.matrices.letters_changed,
-            self.comparing.pictures.changed,
-            *(pane.hand.moved for pane in self.panes.values()),
-            *(each.triggered for each in (*menus.fixed.values(), *menus.layers.values())),
-        ):
-            signal.connect(card.look_again)
-
-    def _wire_gestures(self) -> None:
-        """Announce each gesture, such as a drag: the store makes one undo step of it."""
-        store, controls, panels = self.store, self.controls, self.panels.all
-        sources: tuple[Gestures, ...] = (controls, controls.animation, self.manipulation, *panels)
-        listeners: tuple[Store | SceneCard | Panel, ...] = (store, controls.card, *panels)
-        for each in sources:
-            for told in listeners:
-                each.gesture_started.connect(told.begin_gesture)
-                each.gesture_finished.connect(told.end_gesture)
-            each.gesture_abandoned.connect(store.abandon_gesture)
-        self.strip.gesture_started.connect(self.measure_panel.begin_gesture)
-        self.strip.gesture_finished.connect(self.measure_panel.end_gesture)
-
-    def _wire_highlight(self) -> None:
-        """Let every pane and panel highlight things, and show what is highlighted."""
-        self.highlighter = Highlighter(self)
-        mark = self.highlighter.mark
-        self.controls.highlighted.connect(mark)
-        places: tuple[Pane | Panel, ...] = (*self.panes.values(), *self.panels.all)
-        for number, place in enumerate(places):
-            place.highlighted.connect(partial(mark, number))
-            self.highlighter.changed.connect(place.show_highlight)
-        self.highlighter.changed.connect(self.controls.show_highlight)
-
-    def _offer_answers(self, title: str, take_back: Callable[[], object]) -> None:
-        text = self.tr("What was answered in “{0}” is forgotten.").format(title)
+    def offer_answers(self, title: str, take_back: Callable[[], object]) -> None:
+        text = self.tr("The answers in “{0}” were deleted.").format(title)
         self.messages.say(text, (self.tr("Undo"), take_back))
 
     def _tell_unsaved(self, path: Path) -> None:
@@ -459,11 +348,11 @@ class MainWindow(QMainWindow):
         )
         self.messages.say(text.format(path))
 
-    def _set_all_digits(self, on: bool) -> None:
+    def set_all_digits(self, on: bool) -> None:
         self.settings.all_digits = on
         all_digits.set(on)
 
-    def _find_control(self) -> None:
+    def find_control(self) -> None:
         if self.controls.isHidden():
             self.menus.controls.trigger()
         self.controls.find_control()
@@ -473,7 +362,7 @@ class MainWindow(QMainWindow):
     def _snapshot(self, document: Document) -> Shown:
         return Shown.of(document, self.files.scene(document.scene, document.mesh))
 
-    def _show_document(self, document: Document) -> None:
+    def show_document(self, document: Document) -> None:
         before = self.shown
         try:
             self.shown = self._snapshot(document)
@@ -485,11 +374,11 @@ class MainWindow(QMainWindow):
             log.exception("the scene %r cannot be drawn", document.mesh or document.scene)
             self.files.keep(before.document, before.scene)
             self.store.refuse()
-            text = self.tr("{0} cannot be drawn, and what was shown before stays: {1}")
+            text = self.tr("{0} cannot be drawn, so the previous scene stays: {1}")
             name = os.path.basename(document.mesh or document.scene)
             self.messages.say(text.format(name, repr(error)))
 
-    def _show_view(self, document: Document) -> None:
+    def show_view(self, document: Document) -> None:
         self.shown = replace(self.shown, document=document)
         self.arrangement.show(document.view)
         self.comparing.pictures.refresh()
@@ -528,7 +417,7 @@ class MainWindow(QMainWindow):
         """Return our own status line; Qt's method would create a second one below it."""
         return self.status
 
-    def _tell_shortly(self, text: str) -> None:
+    def tell_shortly(self, text: str) -> None:
         self.status.showMessage(text, 5000)
 
     def show_start_card(self) -> None:
@@ -558,7 +447,7 @@ class MainWindow(QMainWindow):
             return self.comparing.end
         return partial(self.slots.bring, self.slots.whole) if self.slots.whole else None
 
-    def _show_presenting(self, on: bool) -> None:
+    def show_presenting(self, on: bool) -> None:
         if on:
             dock = self.menus.controls.isChecked()
             self._before_presenting = dock, self.slots.whole, self.split.sizes()
@@ -580,9 +469,9 @@ class MainWindow(QMainWindow):
             dock, _, shared = self._before_presenting
             self.menus.controls.setChecked(dock)
             QTimer.singleShot(0, self, partial(self.split.setSizes, shared))
-        self._show_beside()
+        self.show_beside()
 
-    def _show_beside(self) -> None:
+    def show_beside(self) -> None:
         """Show or hide the dock, the lesson's card, the bottom row and the open panel."""
         alone, presents = bool(self.slots.whole), self.present.is_on
         card = self.lesson_card.is_on and not alone and not self.talks.is_on
@@ -618,7 +507,7 @@ class MainWindow(QMainWindow):
         if is_narrow != self._is_narrow and not self.present.is_on:
             self._is_narrow = is_narrow
             self.menus.controls.setChecked(not is_narrow)
-            self._show_beside()
+            self.show_beside()
 
     def dragEnterEvent(self, event: QDragEnterEvent) -> None:
         if any(url.isLocalFile() for url in event.mimeData().urls()):
@@ -630,7 +519,7 @@ class MainWindow(QMainWindow):
             event.acceptProposedAction()
             if len(paths) > 1:
                 said = self.tr("One file is opened at a time: {0}")
-                self._tell_shortly(said.format(os.path.basename(paths[0])))
+                self.tell_shortly(said.format(os.path.basename(paths[0])))
             # After the drop: a dialog inside it would freeze the file manager.
             QTimer.singleShot(0, partial(self.files.open, paths[0]))
 

@@ -80,21 +80,21 @@ class DrawnQuality(QObject):
         """Say, without full stops, which part of the chosen quality is impossible."""
         adaptive = self._look.adaptive
         if quality.smoothing not in (AUTO, *SMOOTHINGS):
-            text = self.tr("A pane cannot draw with {0}: it smooths as ever")
+            text = self.tr("A pane cannot draw with {0}: it uses its default smoothing")
             yield text.format(quality.smoothing)
         if adaptive.samples:
-            text = self.tr("This computer's OpenGL gives {0} samples a pixel instead of {1}")
+            text = self.tr("This computer's OpenGL gives {0} samples per pixel instead of {1}")
             yield text.format(adaptive.samples, quality.smoothing)
         if quality.detail < 1.0 and adaptive.drawn is self._shown().scene:
             yield self.tr("The scene has too few triangles to leave any out")
         image = self._image.drawing
         if image is not None and quality.rung == "float64" != image.precision:
-            yield self.tr("What has a texture can be drawn in float32 only")
+            yield self.tr("A textured surface can be drawn in float32 only")
         if image is not None and image.refused_depth is not None:
             reason = sentence(image.refused_depth).rstrip(".")
-            yield self.tr("The image has its ordinary depth buffer: {0}").format(reason)
+            yield self.tr("The image uses the ordinary depth buffer: {0}").format(reason)
         if adaptive.late_ms:
-            text = self.tr("Even the coarsest picture takes {0} ms a frame, not {1}")
+            text = self.tr("Even the coarsest picture takes {0} ms per frame, not {1}")
             yield text.format(f"{adaptive.late_ms:.0f}", f"{self._settings.frame_ms:g}")
 
     def _set_tolerance(self, tolerance_px: float) -> None:

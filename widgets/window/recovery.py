@@ -68,7 +68,7 @@ class Recovery(QObject):
             newest = orphans[0]
             time = QDateTime.fromSecsSinceEpoch(int(newest.stat().st_mtime))
             written = QLocale().toString(time, QLocale.FormatType.ShortFormat)
-            text = self.tr("Work of {0} was not saved.").format(written)
+            text = self.tr("There is unsaved work from {0}.").format(written)
             self._messages.say(text, *self._choices(newest))
 
     def _choices(self, path: Path) -> tuple[tuple[str, Callable[[], object]], ...]:

@@ -146,7 +146,7 @@ class StartCard(QWidget):
             partial(choose, str(TOUR)), icon="play", flat=True,
         )  # fmt: skip
         lessons = self.tr("24 topics of the lectures, to work through alone")
-        talks = self.tr("The five lectures, to step through for a class")
+        talks = self.tr("The five lectures, to present to a class")
         for are_talks, text, tip, icon in (
             (False, self.tr("Lessons"), lessons, "lesson"),
             (True, self.tr("Talks"), talks, "present"),

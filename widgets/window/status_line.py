@@ -70,14 +70,17 @@ class StatusLine(QStatusBar):
         set_tip(
             self.precision,
             self.tr(
-                "With how many digits the picture is drawn and its numbers are computed, and what "
-                "their errors cannot exceed: drawn, of what is seen; read, and behind a click each "
-                "alternative, of every point in front of the eye"
+                "The precision of the picture (drawn) and of its numbers (read), each with a bound"
+                " of its error. The bound of the picture holds for what is visible. The bounds of"
+                " the numbers and of the alternatives in the menu hold for every point in front of"
+                " the eye"
             ),
         )
         self.precision.menu().aboutToShow.connect(self._fill_menu)
         self.precision.installEventFilter(self)
-        tip = self.tr("The panes are drawn with a chosen quality; click for the automatic one")
+        tip = self.tr(
+            "The panes are drawn with the quality that you chose; click for the automatic one"
+        )
         self.quality = tool_button("", tip, self.automatic_wanted, flat=True)
         # Without a text it would be as high as an icon, and take height from the panes.
         self.quality.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextOnly)
@@ -108,7 +111,7 @@ class StatusLine(QStatusBar):
         model = self.tr("model {0}").format(f"{model_ms:.1f}")
         text = self.tr("{0} ms").format("  ".join([model, *parts]))
         tip = self.tr(
-            "Of the last step, in ms: the model; for each pane its matrices + its repaint"
+            "Time of the last step in ms: the model; for each pane its matrices + its repaint"
         )
         self.cost.show_text(text, f"{tip}\n{text}")
 
@@ -211,7 +214,7 @@ class StatusLine(QStatusBar):
         menu.addSeparator()
         text = self.tr("Frames of at most {0} ms while dragging…").format(f"{self._frame_ms:g}")
         if not self._frame_ms:
-            text = self.tr("Frames of any length while dragging…")
+            text = self.tr("No limit of the frame time while dragging…")
         menu.addAction(text).triggered.connect(self._ask_frame)
         text = self.tr("Drawing tolerance {0} px…").format(f"{self.tolerance_px:g}")
         menu.addAction(text).triggered.connect(self._ask_tolerance)
@@ -220,8 +223,8 @@ class StatusLine(QStatusBar):
         dialog = NumberDialog(
             self.tr("Frame time"),
             self.tr(
-                "While a control is dragged, antialiasing and triangles may be left out so that a "
-                "frame takes at most so many milliseconds; 0 for whatever it takes:"
+                "While you drag a control, antialiasing and triangles may be left out to keep each"
+                " frame within this many milliseconds; 0 for no limit:"
             ),
             self._frame_ms, 0.0, LARGEST_FRAME_MS, "ms", self,
         )  # fmt: skip
@@ -231,7 +234,8 @@ class StatusLine(QStatusBar):
     def _ask_tolerance(self) -> None:
         dialog = NumberDialog(
             self.tr("Drawing tolerance"),
-            self.tr("A GPU's own arithmetic (float32) may draw up to this many pixels off:"),
+            self.tr("A GPU's own arithmetic (float32) may draw with an error of up to this many"
+                    " pixels:"),
             self.tolerance_px, LEAST_TOLERANCE_PX, LARGEST_TOLERANCE_PX, "px", self,
         )  # fmt: skip
         if dialog.exec():

@@ -29,9 +29,10 @@ class FixedViews(QWidget):
         super().__init__()
         self.setObjectName("fixedViews")
         texts = {
-            "": (self.tr("Free"), self.tr("From where the hand has turned it")),
+            "": (self.tr("Free"), self.tr("From where you have turned it")),
             "side": (self.tr("Side"),
-                     self.tr("From the side: the flat sketch of the blackboard, with its lengths")),
+                     self.tr("From the side, flat like a sketch on the blackboard, with its"
+                             " lengths")),
             "top": (self.tr("Above"), self.tr("From above, flat, with its lengths")),
             "axis": (self.tr("Axis"), self.tr("Along the camera's axis, flat")),
             "eye": (self.tr("Eye"), self.tr("From the eye, as the camera sees it")),
@@ -43,7 +44,7 @@ class FixedViews(QWidget):
         for button in self.buttons.values():
             self.group.addButton(button)
         in_row(*self.buttons.values(), on=self, margins=(8, 0, 0, 0), gap=0)
-        tip = self.tr("From where the world is looked at")
+        tip = self.tr("Viewpoint of the world")
         self.menu = tool_button(texts[""][0], tip, icon="choose", flat=True)
         self.menu.setObjectName("fixedViewsMenu")
         self.menu.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)

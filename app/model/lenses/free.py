@@ -1,7 +1,7 @@
-"""A projection matrix that somebody typed: its cells are its table.
+"""A typed projection matrix, whose cells are its table.
 
-It has no eye plane: its near and far are those of the cube, its view matrix may be typed as well,
-and w may have any sign. What is known of it is known of the cells, in rationals.
+It has no eye plane: its near and far are those of the cube, and w may have any sign. The view
+matrix may be typed as well.
 """
 
 from __future__ import annotations
@@ -29,16 +29,16 @@ TABLE = LensTable(
 
 @dataclass(frozen=True)
 class FreeMatrix(Lens):
-    """A projection that is none of the lenses: cells that somebody typed.
+    """A projection matrix that no lens has.
 
     Parameters
     ----------
     clip_from_view : (4, 4) sequence of floats
-        For the depth range in hand.
+        For the depth range in use.
     view_from_world : (4, 4) sequence of floats, optional
-        In place of the camera's own, where that was edited and no camera has it.
-    former : Perspective, Frustum, Orthographic or Oblique
-        The lens that it was made of, to which a choice of a lens goes back.
+        Replaces the camera's view matrix, if it was edited and no camera has it.
+    former : Lens
+        The lens before the edit, to which a choice of another lens goes back.
 
     Raises
     ------

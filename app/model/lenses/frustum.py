@@ -20,14 +20,14 @@ SHEAR = """
     0  0  1              0
     0  0  0              1
 """
-"""The window's middle comes to the axis."""
+"""Moves the middle of the window onto the axis."""
 SCALE = """
     2*n/(d*(r - l))  0                0    0
     0                2*n/(d*(t - b))  0    0
     0                0                1/d  0
     0                0                0    1
 """
-"""To the canonical pyramid, as of `app.model.lenses.perspective`."""
+"""To the canonical pyramid, as in `app.model.lenses.perspective`."""
 
 CLIP_FROM_VIEW = """
     2*n/(r - l)  0            (r + l)/(r - l)  0
@@ -49,18 +49,7 @@ TABLE, TABLE_AT_INFINITY = pyramid_tables(
 
 @dataclass(frozen=True)
 class Frustum(Central, Windowed):
-    """The perspective lens with a window of its own (glFrustum), off the axis if you like.
-
-    Parameters
-    ----------
-    left, right, bottom, top : float
-        The picture's window on the near plane, ``left < right``, ``bottom < top``.
-    near, far : float
-        Distances of the clipping planes from the eye, ``0 < near < far``; far may be ``inf``.
-    keep : {"stretch", "x", "y"}
-        How the window follows the image's aspect: not at all, or by adjusting the y range
-        (``"x"`` is kept, lecture 000's variant X) or the x range (``"y"``, variant Y).
-    """
+    """The perspective lens with any window on the near plane (glFrustum); far may be ``inf``."""
 
     kind: ClassVar[str] = "frustum"
     title: ClassVar[str] = QT_TRANSLATE_NOOP("Lens", "frustum (off-axis)")
@@ -77,12 +66,10 @@ class Frustum(Central, Windowed):
 
     @property
     def least_window(self) -> float:
-        """The least width and height of the window, in world units; near divided by it is left
-        room for."""
+        """The least width and height of the window, with room for near divided by it."""
         return max(1e-290, SMALLEST_OPENING * self.near)
 
     def check_window(self, left: float, right: float, bottom: float, top: float) -> None:
-        """Refuse also a window so far off or so large that the far plane's is infinite."""
         super().check_window(left, right, bottom, top)
         limit = self.near / SMALLEST_FIELD
         sides = {"left": left, "right": right, "bottom": bottom, "top": top}

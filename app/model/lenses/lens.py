@@ -40,16 +40,15 @@ class LensTable:
     Parameters
     ----------
     steps : tuple of Step
-        From view space to clip space; empty for a matrix that is one step.
+        From view space to clip space; empty for a typed matrix.
     clip_from_view : Table
-        The product of all steps in closed form, its operations in the order that keeps the digits
-        of float64.
+        The product of all steps in closed form, in the order of operations that keeps the digits.
     view_from_clip : Table, optional
-        Its inverse in closed form, if there is one.
+        Its inverse in closed form.
     otherwise : mapping from str to LensTable, optional
         The table of the same lens after another choice of a field: ``far``, finite again.
     fields : mapping from str to (tuple of str), optional
-        By letter, the fields of the document that it depends on, besides those of all lenses.
+        By letter, the fields of the document that only this lens has.
     written : mapping from str to (mapping from str to str), optional
         By lecture, the formulas that this lecture writes in another form.
     """
@@ -63,16 +62,9 @@ class LensTable:
 
 
 class Control(NamedTuple):
-    """How a field of a lens is set by hand.
+    """How a field of a lens is set by hand: its tip, marked for translation, and its slider.
 
-    Attributes
-    ----------
-    tip : str
-        In the lecture's terms, marked for translation.
-    low, high, step : float
-        Of the slider; numbers beyond it can be typed.
-    unit : str
-        ``"°"`` or ``"×"``.
+    The unit is ``"°"`` or ``"×"``. Numbers beyond the slider can be typed.
     """
 
     tip: str

@@ -37,7 +37,7 @@ SHEAR = """
     0  0  1           0
     0  0  0           1
 """
-"""H: what is not on the near plane is shifted along the projectors."""
+"""H moves points along the projectors to the near plane."""
 
 CLIP_FROM_VIEW = """
     2/(r - l)  0          2/(r - l)*cot(alpha)  -(r + l)/(r - l) + 2/(r - l)*(cot(alpha)*n)
@@ -62,19 +62,9 @@ class Oblique(Parallel, Windowed):
     """The oblique parallel lens of lecture 002: the orthographic one after its matrix H.
 
     ``x' = x + (z + near) cot(alpha)`` and ``y' = y + (z + near) cot(beta)`` in view space: the
-    projectors lean, and what lies on the near plane stays where it is.
-
-    Parameters
-    ----------
-    left, right, bottom, top : float
-        The picture's window on the near plane, ``left < right``, ``bottom < top``.
-    near, far : float
-        As `Orthographic`'s.
-    alpha_deg, beta_deg : float
-        Angles of the projectors with the x and the y axis, in the open interval (0, 180);
-        90 and 90 is the orthographic lens. See `oblique_angles` for cavalier and cabinet.
-    keep : {"stretch", "x", "y"}
-        As `Frustum`'s.
+    projectors lean, and points on the near plane stay. ``0 < alpha_deg, beta_deg < 180`` are the
+    angles of the projectors with the x and the y axis; 90 and 90 is the orthographic lens.
+    `oblique_angles` has those of cavalier and cabinet drawings.
     """
 
     kind: ClassVar[str] = "oblique"
@@ -120,12 +110,11 @@ class Oblique(Parallel, Windowed):
 
     @property
     def least_window(self) -> float:
-        """The least width and height of the window, in world units; the shear is left room for."""
+        """The least width and height of the window, with room for the shear."""
         return SMALLEST_WINDOW * LARGEST_SHEAR
 
     @property
     def shear(self) -> tuple[float, float]:
-        """``cot(alpha), cot(beta)``: the shift in x and y per unit of z."""
         return _cot_deg(self.alpha_deg), _cot_deg(self.beta_deg)
 
     @property
@@ -160,7 +149,7 @@ class Oblique(Parallel, Windowed):
 
 
 def _angle_deg(cot: Fraction) -> float:
-    """The angle between 0 and 180 degrees that has this cotangent."""
+    """The angle in degrees, between 0 and 180, from its cotangent."""
 
     def cell(angle_deg: float) -> tuple[float, ...]:
         return (float(cotangent_deg(Fraction(angle_deg))),)
@@ -179,20 +168,15 @@ def _cot_deg(angle_deg: float) -> float:
 
 
 def oblique_angles(receding: float, receding_deg: float) -> tuple[float, float]:
-    """The angles of an `Oblique` lens under which receding edges are drawn like this.
+    """The angles of an `Oblique` lens that draws receding edges in this way.
 
     Parameters
     ----------
     receding : float
-        Drawn length of an edge along the view direction per true length: 1 is a cavalier,
-        1/2 a cabinet drawing.
+        Drawn length of an edge along the view direction per true length: 1 in a cavalier,
+        1/2 in a cabinet drawing. From 0 to `LARGEST_SHEAR`, or a `Refusal`.
     receding_deg : float
-        Direction in the picture in which things recede, in degrees from the right, anticlockwise.
-
-    Raises
-    ------
-    Refusal
-        For a length below 0 or above `LARGEST_SHEAR`, or a number that is not finite.
+        Its direction in the picture, anticlockwise from the right.
 
     Notes
     -----
@@ -208,7 +192,7 @@ def oblique_angles(receding: float, receding_deg: float) -> tuple[float, float]:
 
 
 def receding_of(lens: Lens) -> tuple[float, float]:
-    """Drawn length per unit of depth, and its direction in degrees: of `oblique_angles`."""
+    """The arguments of `oblique_angles` that give the angles of a lens."""
     cot_alpha, cot_beta = lens.shear
     length = math.hypot(cot_alpha, cot_beta)
     return length, math.degrees(math.atan2(-cot_beta, -cot_alpha)) if length else 0.0
@@ -221,4 +205,4 @@ OBLIQUE_PRESETS: dict[str, tuple[float, float]] = {
         ("30", 30.0), ("45", 45.0), ("63.4", math.degrees(math.atan(2.0))),
     )
 }  # fmt: skip
-"""`Oblique` angles of the drawings of the textbooks, by name and receding angle."""
+"""`Oblique` angles of textbook drawings, by name and receding angle."""

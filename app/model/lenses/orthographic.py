@@ -24,7 +24,7 @@ SCALE = """
     0          0          1/(f - n)  0
     0          0          0          1
 """
-"""To the canonical box, x and y from -1 to 1 and z from 0 at near to -1 at far."""
+"""To the box with x, y from -1 to 1 and z from 0 at near to -1 at far."""
 
 W_IS_ONE = """
     1  0  0  0
@@ -32,7 +32,7 @@ W_IS_ONE = """
     0  0  1  0
     0  0  0  1
 """
-"""Where a perspective lens makes w the distance again, a parallel one has nothing to do."""
+"""The identity, where a perspective lens makes w the distance again."""
 
 CLIP_FROM_VIEW = """
     2/(r - l)  0          0  -(r + l)/(r - l)
@@ -60,19 +60,11 @@ AS_002_WRITES = {
     "-2/(f - n)": "2/(n - f)",
     "(f + n)/(f - n)": "-(n + f)/(n - f)",
 }
-"""What lecture 002, whose n and f are the planes' own negative z, has in the place of ours."""
+"""Lecture 002's forms of our formulas; its n and f are the negative z of the planes."""
 
 
 def box_table(factors: Mapping[str, str], clip_from_view: str, view_from_clip: str) -> LensTable:
-    """The table of a parallel lens.
-
-    Parameters
-    ----------
-    factors : mapping from str to str
-        The step to the canonical box.
-    clip_from_view, view_from_clip : str
-        In closed form, with the letters of `DEPTH`.
-    """
+    """The table of a parallel lens; arguments as in `perspective.pyramid_tables`."""
     to_box = tuple((name, matrix(text)) for name, text in factors.items())
     return LensTable(
         (
@@ -92,18 +84,7 @@ TABLE = box_table({"scale": SCALE, "translation": TRANSLATION}, CLIP_FROM_VIEW, 
 
 @dataclass(frozen=True)
 class Orthographic(Parallel, Windowed):
-    """The orthographic lens (glOrtho).
-
-    Parameters
-    ----------
-    left, right, bottom, top : float
-        The picture's window in view space, ``left < right``, ``bottom < top``.
-    near, far : float
-        Distances of the clipping planes from the eye plane, ``near < far``; near may be
-        negative (behind the eye), far must be finite.
-    keep : {"stretch", "x", "y"}
-        As `Frustum`'s.
-    """
+    """The orthographic lens (glOrtho); near may be negative, behind the eye."""
 
     kind: ClassVar[str] = "orthographic"
     title: ClassVar[str] = QT_TRANSLATE_NOOP("Lens", "orthographic")

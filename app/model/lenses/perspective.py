@@ -30,7 +30,7 @@ SCALE = """
     0                      0             1/d  0
     0                      0             0    1
 """
-"""From view space to the pyramid with x, y from -1 to 1 at z = -1, which is the distance d."""
+"""To the pyramid with x, y from -1 to 1 at z = -1, which is the distance d."""
 
 M_PP = """
     1  0  0          0
@@ -44,7 +44,7 @@ M_PP_AT_INFINITY = """
     0  0  1   1
     0  0  -1  0
 """
-"""Lecture 001's step from the pyramid to the box, for d = f; its limit for d = n."""
+"""Lecture 001's step from the pyramid to the box for d = f, and its limit for d = n."""
 
 W_IS_THE_DISTANCE = """
     d  0  0  0
@@ -52,7 +52,7 @@ W_IS_THE_DISTANCE = """
     0  0  d  0
     0  0  0  d
 """
-"""No picture shows it: w is the distance again, the last row 0 0 -1 0 as the field writes it."""
+"""Changes no picture: w becomes the distance again, the last row 0 0 -1 0 as usual."""
 
 CLIP_FROM_VIEW = """
     cot(fov/2)/aspect  0           0   0
@@ -85,7 +85,7 @@ way back 1/w is affine in z: ``1/w = C z + D`` is 1/n at near, 1/f at far.
 """
 
 AS_002_WRITES = {"-1/(f - n)": "1/(n - f)", "2*f*n/(f - n)": "2*n*f/(f - n)"}
-"""What lecture 002, whose n and f are the planes' own negative z, has in the place of ours."""
+"""Lecture 002's forms of our formulas; its n and f are the negative z of the planes."""
 
 
 def pyramid_tables(
@@ -96,14 +96,8 @@ def pyramid_tables(
 ) -> tuple[LensTable, LensTable]:
     """The table of a perspective lens, and the one with its far plane at infinity.
 
-    Parameters
-    ----------
-    factors : mapping from str to str
-        The step to the canonical pyramid.
-    clip_from_view, view_from_clip : str
-        In closed form, with the letters of `DEPTH`.
-    fields : mapping from str to (tuple of str), optional
-        As `LensTable`'s.
+    `factors` make up the step to the canonical pyramid; the closed forms contain the letters of
+    `DEPTH`.
     """
 
     def table(
@@ -144,12 +138,8 @@ TABLE, TABLE_AT_INFINITY = pyramid_tables({"scale": SCALE}, CLIP_FROM_VIEW, VIEW
 class Perspective(Central):
     """The symmetric perspective lens (gluPerspective); the aspect is the image's.
 
-    Parameters
-    ----------
-    fov_y_deg : float
-        Vertical field of view in degrees, anywhere in the open interval (0, 180).
-    near, far : float
-        Distances of the clipping planes from the eye, ``0 < near < far``; far may be ``inf``.
+    ``0 < fov_y_deg < 180`` is the vertical field of view. ``0 < near < far`` are distances from
+    the eye; far may be ``inf``.
     """
 
     kind: ClassVar[str] = "perspective"
@@ -182,10 +172,10 @@ class Perspective(Central):
 
     @property
     def cot_half_fov_y(self) -> float:
-        """``cot(fov_y/2)``, the picture's half-height in units of its distance, inverted.
+        """``cot(fov_y/2)``, the distance of the picture in units of its half-height.
 
-        Above 90 degrees it is taken as the tangent of the complement: ``180 - fov`` is exact
-        there, and the result stays within 2 ulp up to 180.
+        Above 90 degrees it is the tangent of the complement: ``180 - fov`` is exact there, and the
+        result stays within 2 ulp up to 180.
         """
         if self.fov_y_deg > 90.0:
             return math.tan(math.radians(180.0 - self.fov_y_deg) / 2.0)
@@ -249,7 +239,7 @@ class Perspective(Central):
 
 
 def _fov_y_deg(cot: Fraction) -> float:
-    """The field of view whose half has this cotangent."""
+    """The field of view in degrees, from the cotangent of its half."""
     if cot <= 0:
         raise ZeroDivisionError
 
@@ -261,9 +251,9 @@ def _fov_y_deg(cot: Fraction) -> float:
 
 
 def fov_x_from_fov_y(fov_y_deg: float, aspect: float) -> float:
-    """Horizontal field of view of a symmetric lens, degrees.
+    """Horizontal field of view of a symmetric lens: ``tan(fov_x/2) = aspect tan(fov_y/2)``.
 
-    ``tan(fov_x/2) = aspect tan(fov_y/2)``; for the converse give ``1/aspect``.
+    The converse is this function with ``1/aspect``.
     """
     complement_deg = (180.0 - fov_y_deg) / 2.0
     sin_half = math.sin(math.radians(fov_y_deg / 2.0))
@@ -272,56 +262,39 @@ def fov_x_from_fov_y(fov_y_deg: float, aspect: float) -> float:
 
 
 def fov_y_from_window(top: float, near: float) -> float:
-    """Vertical field of view in degrees of a symmetric window whose top edge is at `top`.
+    """Vertical field of view of a symmetric window: ``tan(fov_y/2) = top/near`` (lecture 003).
 
-    ``tan(fov_y/2) = top/near`` (lecture 003); the converse is `Perspective.window`.
-
-    Raises
-    ------
-    Refusal
-        If a number is not finite or not above 0.
+    Raises a `Refusal` if a number is not finite or not above 0.
     """
     top, near = positive("top", top), positive("near", near)
     return math.degrees(2.0 * math.atan2(top, near))
 
 
 def focal_length_e(fov_y_deg: float, aspect: float) -> float:
-    """Lecture 003's focal length e: how far away a plane is seen from x = -1 to 1.
+    """Lecture 003's focal length ``e = 1/tan(fov_x/2)``: x from -1 to 1 is visible at distance e.
 
-    ``e = 1/tan(fov_x/2)``; its window on the near plane is n/e wide to each side.
+    On the near plane the window is n/e wide to each side.
     """
     return Perspective(fov_y_deg).cot_half_fov_y / aspect
 
 
 def fov_y_from_focal_length_e(e: float, aspect: float) -> float:
-    """Vertical field of view in degrees, the converse of `focal_length_e`.
-
-    Raises
-    ------
-    Refusal
-        If e is not a finite number above 0.
-    """
+    """The converse of `focal_length_e`, or a `Refusal` if e is not a finite number above 0."""
     return math.degrees(2.0 * math.atan2(1.0, positive("e", e) * aspect))
 
 
 def focal_length_35mm(fov_y_deg: float, aspect: float) -> float:
     """Focal length in mm of the 36 x 24 mm camera with the same diagonal field of view.
 
-    The diagonal is what the 35-mm equivalent compares (CIPA DCG-001), since images need not
-    have the proportions of the film.
+    The 35-mm equivalent compares diagonals (CIPA DCG-001), since images need not have the
+    proportions of the film.
     """
     half_diagonal = math.hypot(aspect, 1.0)  # of a picture of half-height 1
     return FULL_FRAME_DIAGONAL_MM / 2.0 * Perspective(fov_y_deg).cot_half_fov_y / half_diagonal
 
 
 def fov_y_from_focal_length_35mm(focal_length_mm: float, aspect: float) -> float:
-    """Vertical field of view in degrees, the converse of `focal_length_35mm`.
-
-    Raises
-    ------
-    Refusal
-        If the focal length is not a finite number above 0.
-    """
+    """The converse of `focal_length_35mm`, or a `Refusal` for a length that is not above 0."""
     focal_length_mm = positive("focal_length_mm", focal_length_mm)
     half_height = FULL_FRAME_DIAGONAL_MM / 2.0 / math.hypot(aspect, 1.0)
     return math.degrees(2.0 * math.atan2(half_height, focal_length_mm))

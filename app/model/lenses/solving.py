@@ -1,6 +1,6 @@
-"""Fields from cells: the decimals of the fewest digits that have the numbers that were typed.
+"""Solving for the fields of a lens: the decimals with the fewest digits that give the typed cells.
 
-Who types the matrix of ``near = 1`` gets 1, not 0.9999999999999999.
+If you type the matrix of ``near = 1`` you get 1, not 0.9999999999999999.
 """
 
 from __future__ import annotations
@@ -9,17 +9,17 @@ from collections.abc import Callable
 from fractions import Fraction
 
 ROUNDING = 2.0**-49
-"""What a cell may differ, of the largest number that it is a sum of: 8 roundings."""
+"""Allowed difference of a cell, relative to the largest term of its sum: 8 roundings."""
 OF_ITSELF = 2.0**-20
-"""What a cell may differ of itself, though it be tiny: 1e-20 typed is not taken for 0."""
+"""Allowed difference relative to the cell itself: a typed 1e-20 is not taken for 0."""
 DIGITS = 17
-"""Of a decimal that is every float64."""
+"""Digits that are enough for every float64."""
 MEANT = 12
-"""Digits of a decimal that is taken though a cell is a rounding off: chance hits one in 500."""
+"""Digits up to which a decimal may miss a cell by a rounding; chance hits one in 500."""
 
 
 def same(a: Fraction, b: Fraction, size: Fraction) -> bool:
-    """Whether two numbers differ by rounding only, of numbers of this size."""
+    """Whether two numbers differ only by the rounding of terms of this size."""
     apart = abs(a - b)
     return apart <= Fraction(ROUNDING) * size and apart <= Fraction(OF_ITSELF) * abs(b)
 
@@ -30,18 +30,10 @@ def shortest(
     wanted: tuple[float, ...],
     sizes: tuple[float, ...],
 ) -> tuple[float, ...]:
-    """The decimals of the fewest digits that have these cells; the solution itself if none do.
+    """The decimals with the fewest digits that give the `wanted` cells, or the solution itself.
 
-    Parameters
-    ----------
-    cells : callable
-        The cells, rounded, from the fields.
-    solved : tuple of Fraction
-        The fields.
-    wanted : tuple of float
-        The cells as typed.
-    sizes : tuple of float
-        Of the least number that each cell is a sum of.
+    `cells` computes the rounded cells from the fields, `solved` are the exact fields, and `sizes`
+    the least sizes of the terms of each cell.
     """
     floats = tuple(map(float, solved))
     for digits in range(1, DIGITS):
@@ -59,10 +51,7 @@ def shortest(
 
 
 def ends(scale: Fraction, skew: Fraction, unit: Fraction) -> tuple[float, float]:
-    """Low and high end of a window.
-
-    From ``2 unit/(high - low)`` and ``(high + low)/(high - low)``.
-    """
+    """The ends of a window, from ``2 unit/(high - low)`` and ``(high + low)/(high - low)``."""
 
     def cells(low: float, high: float) -> tuple[float, ...]:
         extent = Fraction(high) - Fraction(low)

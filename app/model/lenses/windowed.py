@@ -1,4 +1,4 @@
-"""The window that three lenses are given by: left, right, bottom and top on the near plane."""
+"""Lenses that are given by a window: left, right, bottom and top on the near plane."""
 
 from __future__ import annotations
 
@@ -23,12 +23,23 @@ from app.model.limits import (
 from app.model.refusal import Refusal, format_value
 
 _ROUNDING = 1e-12
-"""What a window's proportions may differ from the image's, of themselves, by their rounding."""
+"""Relative difference of proportions that counts as rounding."""
 
 
 @dataclass(frozen=True)
 class Windowed(Lens):
-    """The six numbers that glFrustum and glOrtho share, and what follows from them."""
+    """The six numbers of glFrustum and glOrtho, and how the window follows the image.
+
+    Parameters
+    ----------
+    left, right, bottom, top : float
+        The window on the near plane, ``left < right``, ``bottom < top``.
+    near, far : float
+        Distances of the clipping planes from the eye plane, ``near < far``.
+    keep : {"stretch", "x", "y"}
+        How the window follows the image's aspect: not at all, or by adjusting the y range
+        (``"x"`` is kept, lecture 000's variant X) or the x range (``"y"``, variant Y).
+    """
 
     window_stays: ClassVar[bool] = True
 
@@ -61,20 +72,13 @@ class Windowed(Lens):
         return SMALLEST_WINDOW
 
     def check_window(self, left: float, right: float, bottom: float, top: float) -> None:
-        """Refuse a window that is too small for this lens, as typed or after `keep`.
-
-        Raises
-        ------
-        Refusal
-            If a side is shorter than `least_window`.
-        """
+        """Raise a `Refusal` if the window, as typed or after `keep`, is too small for the lens."""
         for name, low, high in (("left", left, right), ("bottom", bottom, top)):
             if high - low < self.least_window:
                 bound = DISTINCT if self.parallel else WIDER
                 raise Refusal(name, low, bound, format_value(high))
 
     def exact_window(self, aspect: Fraction) -> ExactWindow:
-        """`window` without rounding, (left, right, bottom, top)."""
         left, right, bottom, top = map(Fraction, (self.left, self.right, self.bottom, self.top))
         if self.keep == "x":
             k = ((right - left) / aspect - (top - bottom)) / 2
@@ -85,16 +89,16 @@ class Windowed(Lens):
         return left, right, bottom, top
 
     def window(self, aspect: Fraction) -> Window:
-        """Left, right, bottom, top of the picture after `keep`, in world units.
+        """The window after `keep`: lecture 000, PerspektivnaProjekcijaX and Y.
 
-        Lecture 000, PerspektivnaProjekcijaX and Y, with the slip in Y's last line corrected.
+        The mistake in the last line of Y is corrected.
         """
         if self.keep == "stretch":
             return self.left, self.right, self.bottom, self.top
         return super().window(aspect)
 
     def check_image(self, aspect: Fraction) -> None:
-        """Refuse the image for which `keep` shrinks the window to nothing, far from the axis."""
+        """Refuse an image for which `keep` shrinks a window far from the axis to nothing."""
         left, right, bottom, top = self.exact_window(aspect)
         window = self.window(aspect)
         for name, exact, low, high in (
@@ -107,12 +111,11 @@ class Windowed(Lens):
         self.check_window(*window)
 
     def fits(self, aspect: float) -> bool:
-        """Whether the window has the image's proportions as it is: then nothing is fitted."""
         fitted = aspect * (self.top - self.bottom)
         return math.isclose(self.right - self.left, fitted, rel_tol=_ROUNDING)
 
     def sides(self, window: Window) -> dict[str, Any]:
-        """The fields that a window is, kept as it is whatever the image."""
+        """The fields of a window that does not follow the image."""
         names = ("left", "right", "bottom", "top")
         return {**dict(zip(names, window, strict=True)), "keep": "stretch"}
 

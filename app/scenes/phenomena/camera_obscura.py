@@ -136,7 +136,7 @@ def _follow(projection: Projection, before: Found, after: Settings) -> Projectio
     d = number(after, "distance")
     if before["distance"] is not None and number(before, "distance") == d:
         return projection
-    central = projection if projection.lens.central else projection.with_lens("perspective")
+    central = projection.with_eye()
     return central.between(d, central.lens.far)
 
 

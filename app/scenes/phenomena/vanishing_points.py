@@ -404,8 +404,7 @@ def _follow(projection: Projection, before: Found, after: Settings) -> Projectio
         return projection
     camera = projection.camera
     turned = Camera.from_orbit(camera.target, Orbit(*view, camera.distance))
-    seen = replace(projection, camera=turned)
-    return seen if seen.lens.central else seen.with_lens("perspective")
+    return replace(projection, camera=turned).with_eye()
 
 
 def _found(projection: Projection, settings: Settings) -> Found:

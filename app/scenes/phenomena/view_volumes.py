@@ -142,7 +142,7 @@ def _cone_marks(projection: Projection) -> tuple[Marks, Marks, Marks]:
 
 def _show(projection: Projection, settings: Settings, _subject: Subject) -> Illustration:
     asked = settings["volume"] == "cone"
-    no_cone = WORDS.of_parallel(projection)
+    no_cone = None if projection.lens.central else WORDS.phrase("no-cone")
     cone = asked and no_cone is None
     size = volume(projection, cone)
     note = None
@@ -174,9 +174,8 @@ def _follow(projection: Projection, before: Found, after: Settings) -> Projectio
     if before["volume"] == after["volume"]:
         return projection
     kind = _LENS[str(after["volume"])]
-    if kind == "perspective" and projection.lens.central:
-        return projection  # an off-axis pyramid is one, too
-    return projection.with_lens(kind)
+    # An off-axis pyramid is one, too.
+    return projection.with_eye() if kind == "perspective" else projection.with_lens(kind)
 
 
 def _found(projection: Projection, settings: Settings) -> Found:

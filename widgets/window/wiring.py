@@ -1,0 +1,135 @@
+"""The wiring of the main window: a table of its components' signals and slots.
+
+What depends on the document is told by `MainWindow`, in the order of its notification list.
+"""
+
+from __future__ import annotations
+
+from functools import partial
+from typing import Any
+
+from app.document.store import Store
+from widgets.controls.scene_card import SceneCard
+from widgets.panes.pane import Pane
+from widgets.parts.gestures import Gestures
+from widgets.parts.panel import Panel
+from widgets.parts.writing import all_digits, lettering
+
+
+def wire(window: Any) -> None:
+    """Connect the components of a `MainWindow`, which imports this module, to each other."""
+    _wire_components(window)
+    _wire_lesson(window)
+    _wire_gestures(window)
+    _wire_highlight(window)
+
+
+def _wire_components(window: Any) -> None:
+    store, controls, menus, strip, world = (
+        window.store, window.controls, window.menus, window.strip, window.panes["world"]
+    )  # fmt: skip
+    look, card, compare = window.look, controls.card, window.comparing.pictures
+    probe, measure = window.probe_panel, window.measure_panel
+    lettering.set("own")  # it may still be another window's
+    all_digits.set(window.settings.all_digits)
+    menus.show_recent()
+    wires: tuple[tuple[Any, ...], ...] = (
+        (store.changed, window.show_document),
+        (store.view_changed, window.show_view),
+        (controls.edited, store.set_projection),
+        (controls.object_unfolded, partial(world.ask, "object_axes")),
+        (controls.animation.playing_changed, menus.show_playing),
+        (card.mesh_wanted, window.files.mesh_dialog),
+        (card.mesh_removed, partial(window.files.use_mesh, "")),
+        (window.counting.counted, card.show_count),
+        (window.manipulation.edited, store.set_projection),
+        (window.frame_panel.step_changed, partial(world.ask, "step")),
+        (strip.moved, partial(window.panes["ndc"].ask, "stage"), window.matrices.show_stage),
+        (strip.named, window.panes["ndc"].header.say),
+        (strip.gesture_started, partial(look.refine, "ndc", False)),
+        (strip.gesture_finished, partial(look.refine, "ndc", True)),
+        (window.matrices.letters_changed, lettering.set, look.set_letters),
+        (window.history.rested, look.rest, compare.refresh),
+        (look.built, window.manipulation.leave, controls.set_style, compare.set_style),
+        (menus.all_digits.triggered, window.set_all_digits),
+        (menus.find.triggered, window.find_control),
+        (menus.play.triggered, controls.animation.toggle),
+        (menus.theme_chosen, look.set_theme),
+        (menus.present.triggered, window.present.toggle),
+        (menus.blank.triggered, window.present.blank),
+        (menus.pointer.toggled, window.probing.set_pointing),
+        (menus.start_card.triggered, window.show_start_card),
+        (menus.controls.triggered, window.show_beside),
+        (menus.show_cost.triggered, window.cost.measure),
+        (menus.remove_probe.triggered, probe.remove),
+        (probe.changed, lambda: menus.remove_probe.setEnabled(bool(probe.probes))),
+        (window.present.switched, window.show_presenting, window.messages.put_off),
+        (window.present.moved, partial(look.set_presenting, True)),
+        (window.slots.rearranged, window.show_beside),
+        (window.files.recent_changed, menus.show_recent),
+        (window.pictures.told, window.tell_shortly),
+        (window.panels.opened, lambda: window.slots.set_low(window.panels.open_panel is not None)),
+        (window.panels.chosen, window.probing.begin),
+        (measure.went_on, window.messages.take_back),
+        (measure.succeeded, window.messages.done),
+        (measure.used, window.manipulation.let_go, window.quality.use),
+        (measure.used, lambda: window.panels.open(measure)),  # it stays open
+    )
+    for signal, *slots in wires:
+        for slot in slots:
+            signal.connect(slot)
+    for panel in window.panels.all:
+        panel.edited.connect(store.set_projection)
+        panel.told.connect(window.tell_shortly)
+        panel.refused.connect(window.messages.say)
+        panel.copy_wanted.connect(window.pictures.copy_diagram)
+        panel.export_wanted.connect(window.pictures.export_diagram)
+        look.built.connect(panel.set_style)
+
+
+def _wire_lesson(window: Any) -> None:
+    """Connect the lesson's card to its keys, and to everything that a task may ask for."""
+    card, menus = window.lesson_card, window.menus
+    menus.lesson_menu.wire(card, window.settings)
+    card.begun_again.connect(window.offer_answers)
+    card.toggled.connect(window.show_beside)
+    card.toggled.connect(window.side.make_room)
+    for signal in (
+        window.store.changed,
+        window.store.view_changed,
+        window.strip.moved,
+        window.slots.rearranged,
+        window.panels.opened,
+        window.probe_panel.changed,
+        window.frame_panel.step_changed,
+        window.matrices.letters_changed,
+        window.comparing.pictures.changed,
+        *(pane.hand.moved for pane in window.panes.values()),
+        *(each.triggered for each in (*menus.fixed.values(), *menus.layers.values())),
+    ):
+        signal.connect(card.look_again)
+
+
+def _wire_gestures(window: Any) -> None:
+    """Announce each gesture, such as a drag: the store makes one undo step of it."""
+    store, controls, panels = window.store, window.controls, window.panels.all
+    sources: tuple[Gestures, ...] = (controls, controls.animation, window.manipulation, *panels)
+    listeners: tuple[Store | SceneCard | Panel, ...] = (store, controls.card, *panels)
+    for each in sources:
+        for told in listeners:
+            each.gesture_started.connect(told.begin_gesture)
+            each.gesture_finished.connect(told.end_gesture)
+        each.gesture_abandoned.connect(store.abandon_gesture)
+    window.strip.gesture_started.connect(window.measure_panel.begin_gesture)
+    window.strip.gesture_finished.connect(window.measure_panel.end_gesture)
+
+
+def _wire_highlight(window: Any) -> None:
+    """Let every pane and panel highlight things, and show what is highlighted."""
+    mark = window.highlighter.mark
+    window.controls.highlighted.connect(mark)
+    places: tuple[Pane | Panel, ...] = (*window.panes.values(), *window.panels.all)
+    for number, place in enumerate(places):
+        place.highlighted.connect(partial(mark, number))
+        window.highlighter.changed.connect(place.show_highlight)
+    window.highlighter.changed.connect(window.controls.show_highlight)
