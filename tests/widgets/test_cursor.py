@@ -350,21 +350,6 @@ def test_shift_and_enter_drag_up_and_down(window: MainWindow) -> None:
     assert (eye[0], eye[2]) == (start[0], start[2]) and eye[1] > start[1]
 
 
-def test_a_plane_is_not_dragged_past_the_other(window: MainWindow) -> None:
-    near = model(window).lens.near
-    hold(window, "Near = ")
-    for key in (KEY.Key_Right, KEY.Key_Left):
-        press(key, SHIFT, times=60)
-        text = window.manipulation.message.text
-        if "must be less than far" in text:
-            break
-        press(KEY.Key_Left if key == KEY.Key_Right else KEY.Key_Right, SHIFT, times=60)
-    assert "must be less than far" in text
-    assert said(window) == f"Near = {model(window).lens.near!r}"
-    press(KEY.Key_Escape)
-    assert model(window).lens.near == near and window.manipulation.message.text == ""
-
-
 def test_undo_takes_back_what_is_being_dragged_as_one_step(window: MainWindow) -> None:
     start = model(window)
     hold(window, "Target = ")
