@@ -188,7 +188,7 @@ def test_l13_the_probes_formulas_and_numbers_are_the_lectures(window: MainWindow
     assert "|w|" in model.index(8, 0).data() and cells(3)[3] == cells(2)[2]
 
 
-def test_every_choice_is_told_from_the_others_in_words(window: MainWindow) -> None:
+def test_each_choice_of_letters_has_its_own_text(window: MainWindow) -> None:
     combo = window.matrices.letters
     texts = [combo.itemText(i) for i in range(combo.count())]
     assert [combo.itemData(i) for i in range(combo.count())] == [*LETTERS]

@@ -840,7 +840,7 @@ def test_saving_over_a_file_whose_ending_was_not_typed_asks(
         answers = [QMessageBox.StandardButton.Yes, QMessageBox.StandardButton.Cancel]
         asked.clear()
         save()
-        assert asked == [f"mine{ending} is there already."] and path.read_text() == "mine"
+        assert asked == [f"mine{ending} already exists."] and path.read_text() == "mine"
         save()
         assert len(asked) == 2 and path.read_bytes() != b"mine"
     assert not (tmp_path / "mine").exists()

@@ -30,12 +30,13 @@ from app.model.formula import ARROW, stacked_fraction
 from app.model.projection import Camera, Projection
 from app.model.refusal import Refusal, format_value
 from widgets.parts.buttons import push_button
-from widgets.parts.fields import Log, NumberRow
 from widgets.parts.icons import WarningLabel
 from widgets.parts.layouts import FREE, in_column, in_row, scrolled
 from widgets.parts.messages import read_text, sentence
+from widgets.parts.number_rows import NumberRow
 from widgets.parts.panel import PROJECTION, Changed, Panel, Shown
 from widgets.parts.plain import Label, set_tip
+from widgets.parts.scales import Log
 from widgets.parts.section import tidy
 from widgets.parts.typeset import TypesetLabel, in_line, matrix
 from widgets.parts.writing import all_digits, lettering

@@ -42,10 +42,11 @@ from widgets.panels.matrix_row import MatrixBox, MatrixRow
 from widgets.panels.matrix_view import MatrixView, Writing, add_copies, rich
 from widgets.parts.buttons import tool_button
 from widgets.parts.combo import Combo
-from widgets.parts.fields import parse_number, refusal
 from widgets.parts.icons import REFUSAL_SHEET, WarningLabel
 from widgets.parts.layouts import FREE, in_column, in_row
 from widgets.parts.messages import read_text, sentence, stage_title, translated
+from widgets.parts.number_field import refusal
+from widgets.parts.number_text import parse_number
 from widgets.parts.panel import PROJECTION, Changed, Shown
 from widgets.parts.plain import set_tip
 from widgets.parts.readable import ReadablePanel

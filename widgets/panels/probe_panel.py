@@ -20,10 +20,10 @@ from widgets.panels.probe_numbers import ProbeNumbers
 from widgets.panels.probe_table import ProbeTable
 from widgets.parts.buttons import push_button
 from widgets.parts.combo import Combo
-from widgets.parts.fields import ShortField, refusal
 from widgets.parts.icons import RefusalLabel, icon
 from widgets.parts.layouts import Part, in_column, in_row
 from widgets.parts.messages import sentence
+from widgets.parts.number_field import ShortField, refusal
 from widgets.parts.panel import PROJECTION, Changed, Shown
 from widgets.parts.plain import Label, set_tip
 from widgets.parts.readable import ReadablePanel

@@ -41,10 +41,10 @@ from app.scenes.phenomena.settings import Settings
 from widgets.panes.canvas import ZOOM_PER_WHEEL_STEP
 from widgets.panes.pane import Pane
 from widgets.parts.escape import EscapeKey
-from widgets.parts.fields import QUIET_MS
 from widgets.parts.gestures import Gestures
 from widgets.parts.message_bar import MessageBar
 from widgets.parts.messages import field_name, of_phenomena, read_text, seen_from, sentence
+from widgets.parts.number_rows import QUIET_MS
 from widgets.parts.panel import PROJECTION, Changed, Shown
 from widgets.parts.plain import Label, set_tip
 
