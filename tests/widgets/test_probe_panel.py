@@ -712,7 +712,7 @@ def test_l13_another_w_divides_and_four_zeros_are_refused(panel: ProbePanel) -> 
     assert panel.fields[3].text() == "1"
     panel.follow(point=(0.0, 0.0, 0.0))
     type_in(panel.fields[3], "0")
-    assert panel.error.text().startswith("Not possible. w = 0: must not be 0 where x, y and z are")
+    assert panel.error.text().startswith("Not possible. w = 0: must not be 0 if x, y and z are 0")
     assert panel.fields[3].accessibleDescription() == panel.error.text()
     assert panel.probes == (Probe(1, (0.0, 0.0, 0.0)),)
 
