@@ -89,7 +89,8 @@ def _tried(path: Path, draw: Callable[[Document], object]) -> tuple[list[Refusal
 def _shown(course: Course, place: int, step: Step) -> list[Document]:
     """Return what a step shows, and then the states that its predictions show."""
     states = [part.show for part in step.parts if part.show is not None]
-    return [course.shown(place).document, *(course.shown_by(place, each) for each in states)]
+    here = course.at(place)
+    return [here.document, *map(here.shown_by, states)]
 
 
 def _placed(error: Refusal, lesson: Lesson, step: Step) -> Refusal:

@@ -89,7 +89,7 @@ class Course:
             if number not in self._shown:
                 before = None if self._anew(number) else self._shown[number - 1].document
                 state = self.lesson.steps[number].state
-                document = self._made(state, before)
+                document = self.made(state, before)
                 view = {name: getattr(document.view, name) for name in self._managed}
                 self._shown[number] = Shown(document, view)
         shown = self._shown[place]
@@ -108,7 +108,7 @@ class Course:
         state = self.lesson.steps[place].state
         return place == 0 or (state is not None and state.begins_anew)
 
-    def _made(self, state: State | None, before: Document | None) -> Document:
+    def made(self, state: State | None, before: Document | None) -> Document:
         """Make a state that goes on from the one before, or begins anew without one."""
         letters = self.lesson.letters or AS_EVER.letters
         if state is not None and state.document:
@@ -161,15 +161,6 @@ class Course:
         """Whether a file is in the lesson's folder, links followed."""
         return Path(os.path.realpath(path)).is_relative_to(self.folder)
 
-    def shown_by(self, place: int, state: State) -> Document:
-        """Return what a prediction or a wrong idea shows at a step; a `Refusal` names the line."""
-        if not state.begins_anew:
-            return self._made(state, self.shown(place).document)
-        document = self._made(state, None)
-        with on_line(state.line):
-            scene_of(document)
-        return document
-
 
 class AtStep:
     """A step as a state of the model: the `Here` of its blocks."""
@@ -197,7 +188,12 @@ class AtStep:
         return idea_named(name)
 
     def shown_by(self, state: State) -> Document:
-        return self.course.shown_by(self.place, state)
+        if not state.begins_anew:
+            return self.course.made(state, self.document)
+        document = self.course.made(state, None)
+        with on_line(state.line):
+            scene_of(document)
+        return document
 
     def quantities(self, now: Document | None = None, view: View | None = None) -> Quantities:
         own = self.document

@@ -23,7 +23,7 @@ from app.lessons.blocks.block import Asked, Block, Part, Words, of_kind
 from app.lessons.blocks.note import Note
 from app.lessons.blocks.samples import Sample, Samples
 from app.lessons.blocks.shown import ShownState
-from app.lessons.lines import ONLY_ONCE, Body, Lines, number_in, refused
+from app.lessons.lines import ONLY_ONCE, UNEXPECTED, Body, Lines, number_in, refused
 from app.lessons.state import State
 from app.lessons.text import markdown
 from app.model.limits import ONE_OF
@@ -49,7 +49,6 @@ TOP_UNCLOSED = QT_TRANSLATE_NOOP(
     "Refusal", "lacks a line --- above it, which ends the lines like “title: ...”"
 )
 NOT_UTF8 = QT_TRANSLATE_NOOP("Refusal", "is not UTF-8 text: save the file in that encoding")
-TOP_KEY = QT_TRANSLATE_NOOP("Refusal", "must be one of {0}, a colon, and its value")
 NO_TITLE = QT_TRANSLATE_NOOP("Refusal", "lacks a line “title: ...”")
 NEWER = QT_TRANSLATE_NOOP(
     "Refusal",
@@ -78,9 +77,9 @@ BLOCK_IN_CODE = QT_TRANSLATE_NOOP(
 )
 STEP_IN_STEP = QT_TRANSLATE_NOOP("Refusal", "has the title of a step, but no line --- above it")
 BLOCK_INDENTED = QT_TRANSLATE_NOOP(
-    "Refusal", "begins a block, but is indented: ``` stands where a line begins"
+    "Refusal", "begins a block, but is indented: ``` must begin the line"
 )
-TOPICS = QT_TRANSLATE_NOOP("Refusal", "must be of L1 to L24, with commas between them")
+TOPICS = QT_TRANSLATE_NOOP("Refusal", "must be topics from L1 to L24, separated by commas")
 
 Complain: TypeAlias = Callable[[Refusal], object]
 
@@ -232,7 +231,7 @@ def _top(lines: Sequence[str]) -> tuple[dict[str, Any], int]:
         if line.startswith(("#", "```", "~~~")):
             raise refused(number, TOP_UNCLOSED, value=line[:60])
         if not colon or key not in _TOP_KEYS:
-            raise refused(number, TOP_KEY, ", ".join(_TOP_KEYS), value=line[:60])
+            raise refused(number, UNEXPECTED, ", ".join(_TOP_KEYS), value=line[:60])
         if key in found:
             raise refused(number, ONLY_ONCE, key)
         found[key] = value

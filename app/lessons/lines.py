@@ -20,7 +20,7 @@ UNEXPECTED = QT_TRANSLATE_NOOP("Refusal", "must be one of {0}, a colon, and its 
 INDENTED = QT_TRANSLATE_NOOP("Refusal", "is indented, but belongs to nothing above it")
 LACKS = QT_TRANSLATE_NOOP("Refusal", "needs {0}")
 ONLY_ONCE = QT_TRANSLATE_NOOP("Refusal", "has {0} twice")
-NO_CHOICE = QT_TRANSLATE_NOOP("Refusal", "must begin with “- [x]”, if it is right, or “- [ ]”")
+NO_CHOICE = QT_TRANSLATE_NOOP("Refusal", "must begin with “- [x]” if it is right, else “- [ ]”")
 CANNOT_BE = QT_TRANSLATE_NOOP("Refusal", "cannot be shown: {0}")
 A_NUMBER = QT_TRANSLATE_NOOP("Refusal", "must be a number from {0} to {1}")
 

@@ -30,9 +30,9 @@ from app.scenes.phenomena.readout import Reading
 if TYPE_CHECKING:
     from app.scenes.scene import Scene
 
-NO_NAME = QT_TRANSLATE_NOOP("Refusal", "has no such name, {0}; the nearest is {1}")
+NO_NAME = QT_TRANSLATE_NOOP("Refusal", "uses an unknown name, {0}; the nearest is {1}")
 NO_FUNCTION = QT_TRANSLATE_NOOP(
-    "Refusal", "has no such function or matrix, {0}; the nearest is {1}"
+    "Refusal", "uses an unknown function or matrix, {0}; the nearest is {1}"
 )
 NO_CELL = QT_TRANSLATE_NOOP("Refusal", "asks for a part that {0} does not have")
 DIVIDES_BY_ZERO = QT_TRANSLATE_NOOP("Refusal", "divides by zero")
@@ -341,12 +341,17 @@ def _fov(known: Quantities) -> float:
     return _angle_of_view(2, 3)(known)
 
 
-def _orbit(name: str) -> Callable[[Quantities], float]:
-    return lambda known: float(getattr(known.projection.camera.orbit, name))
+def _at(path: str, *places: int) -> Callable[[Quantities], float]:
+    """Return a function for a number of the projection: an attribute, or a part of it."""
+    get = operator.attrgetter(path)
 
+    def number(known: Quantities) -> float:
+        found = get(known.projection)
+        for place in places:
+            found = found[place]
+        return float(found)
 
-def _vector(of: Callable[[Projection], Any], place: int) -> Callable[[Quantities], float]:
-    return lambda known: float(of(known.projection)[place])
+    return number
 
 
 _SIMPLE: dict[str, Callable[[Quantities], Any]] = {
@@ -360,33 +365,28 @@ _SIMPLE: dict[str, Callable[[Quantities], Any]] = {
     "top": _window(3),
     "fov": _fov,
     "fov_x": _angle_of_view(0, 1),
-    "aspect": lambda known: known.projection.aspect,
+    "aspect": _at("aspect"),
     "alpha": lambda known: _lens_number(known, "alpha_deg"),
     "beta": lambda known: _lens_number(known, "beta_deg"),
     "focal_e": lambda known: 1.0 / math.tan(math.radians(_angle_of_view(0, 1)(known) / 2.0)),
     "focal_35mm": lambda known: focal_length_35mm(_fov(known), known.projection.aspect),
-    "width": lambda known: known.projection.image_size[0],
-    "height": lambda known: known.projection.image_size[1],
-    "distance": _orbit("distance"),
-    "azimuth": _orbit("azimuth_deg"),
-    "elevation": _orbit("elevation_deg"),
+    "width": _at("image_size", 0),
+    "height": _at("image_size", 1),
+    "distance": _at("camera.orbit.distance"),
+    "azimuth": _at("camera.orbit.azimuth_deg"),
+    "elevation": _at("camera.orbit.elevation_deg"),
     "stage": lambda known: known._view.stage,
     "turned": lambda known: float("world" in known._view.panes),
 }
 for _place, _axis in enumerate(XYZ):
-    for _name, _of in (
-        ("eye", lambda projection: projection.camera.eye),
-        ("target", lambda projection: projection.camera.target),
-        ("up", lambda projection: projection.camera.up),
-        ("u", lambda projection: projection.camera.frame[0]),
-        ("v", lambda projection: projection.camera.frame[1]),
-        ("n", lambda projection: projection.camera.frame[2]),
-        ("move", lambda projection: projection.placement.translate),
-        ("turn", lambda projection: projection.placement.rotate_deg),
-        ("size", lambda projection: projection.placement.scale),
-    ):
-        _SIMPLE[f"{_name}_{_axis}"] = _vector(_of, _place)
-
+    for _name, _path in (
+        ("eye", "camera.eye"), ("target", "camera.target"), ("up", "camera.up"),
+        ("move", "placement.translate"), ("turn", "placement.rotate_deg"),
+        ("size", "placement.scale"),
+    ):  # fmt: skip
+        _SIMPLE[f"{_name}_{_axis}"] = _at(_path, _place)
+    for _row, _name in enumerate("uvn"):
+        _SIMPLE[f"{_name}_{_axis}"] = _at("camera.frame", _row, _place)
 
 # --------------------------------------------------------------------------- conditions
 

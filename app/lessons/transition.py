@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
 from dataclasses import fields, replace
-from typing import Any
+from typing import Any, TypeVar
 
 from app.document.document import Document
-from app.model.projection import Camera, Lens, ObjectTransform, Orbit, Projection, Vector
+from app.model.projection import Camera, Lens, ObjectTransform, Orbit, Projection
 from app.model.refusal import Refusal
-from app.scenes.phenomena.settings import Value
+
+Owner = TypeVar("Owner", Lens, ObjectTransform)
 
 
 def can_move(start: Document, end: Document) -> bool:
@@ -33,15 +33,27 @@ def between(start: Document, end: Document, part: float) -> Document | None:
     try:
         projection = Projection(
             _camera(one.camera, other.camera, part),
-            _lens(one.lens, other.lens, part),
+            _fields(one.lens, other.lens, part),
             other.image_size,
             other.depth,
-            _placement(one.placement, other.placement, part),
+            _fields(one.placement, other.placement, part),
         )
-        settings = _settings(start.settings, end.settings, part)
+        before = start.settings
+        settings = {
+            name: _mixed(before.get(name), value, part) for name, value in end.settings.items()
+        }
         return replace(end, projection=projection, settings=settings)
     except Refusal:  # the straight way leads through what cannot be
         return None
+
+
+def _mixed(one: Any, other: Any, part: float) -> Any:
+    """Interpolate numbers and vectors; all else is that of the end."""
+    if isinstance(one, float) and isinstance(other, float):
+        return _number(one, other, part)
+    if isinstance(one, tuple) and all(isinstance(each, float) for each in one):
+        return tuple((1.0 - part) * a + part * b for a, b in zip(one, other, strict=True))
+    return other
 
 
 def _number(one: float, other: float, part: float) -> float:
@@ -53,9 +65,10 @@ def _number(one: float, other: float, part: float) -> float:
     return (1.0 - part) * one + part * other
 
 
-def _vector(one: Vector, other: Vector, part: float) -> Vector:
-    x, y, z = ((1.0 - part) * a + part * b for a, b in zip(one, other, strict=True))
-    return x, y, z
+def _fields(one: Owner, other: Owner, part: float) -> Owner:
+    names = [field.name for field in fields(other)]
+    mixed = {name: _mixed(getattr(one, name), getattr(other, name), part) for name in names}
+    return replace(other, **mixed)
 
 
 def _camera(one: Camera, other: Camera, part: float) -> Camera:
@@ -66,7 +79,7 @@ def _camera(one: Camera, other: Camera, part: float) -> Camera:
         for before, after in ((a.azimuth_deg, b.azimuth_deg), (a.roll_deg, b.roll_deg))
     )
     return Camera.from_orbit(
-        _vector(one.target, other.target, part),
+        _mixed(one.target, other.target, part),
         Orbit(
             a.azimuth_deg + part * turn,
             (1.0 - part) * a.elevation_deg + part * b.elevation_deg,
@@ -74,34 +87,3 @@ def _camera(one: Camera, other: Camera, part: float) -> Camera:
             a.roll_deg + part * roll,
         ),
     )
-
-
-def _lens(one: Lens, other: Lens, part: float) -> Lens:
-    changed: dict[str, Any] = {}
-    for field in fields(other):
-        values = getattr(one, field.name), getattr(other, field.name)
-        if all(isinstance(value, float) for value in values):
-            changed[field.name] = _number(*values, part)
-    return replace(other, **changed)
-
-
-def _placement(one: ObjectTransform, other: ObjectTransform, part: float) -> ObjectTransform:
-    return ObjectTransform(
-        _vector(one.translate, other.translate, part),
-        _vector(one.rotate_deg, other.rotate_deg, part),
-        _vector(one.scale, other.scale, part),
-        other.order,
-    )
-
-
-def _settings(
-    one: Mapping[str, Value], other: Mapping[str, Value], part: float
-) -> dict[str, Value]:
-    found = dict(other)
-    for name, value in other.items():
-        before = one.get(name)
-        if isinstance(value, tuple) and isinstance(before, tuple):
-            found[name] = _vector(before, value, part)
-        elif type(value) is float and type(before) is float:
-            found[name] = _number(before, value, part)
-    return found

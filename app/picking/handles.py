@@ -1,13 +1,12 @@
-"""Taking hold of the camera itself: what can be held in a pane, and what a drag makes of it.
+"""Handles on the camera and the view volume: where they are in a pane, and what a drag changes.
 
-Everything follows from one `Sight`: a pixel is a ray, a place on the screen. A handle is either
-free in a plane (eye, target, the corner of a window), which the ray meets, or it runs on a rail, a
-line in the world on which one number of the model moves it (near, far, a field of view). The rail's
-picture is a straight line too, so that the point of it that is nearest to the pixel is the answer
-to one linear equation; beyond the vanishing point that answer is infinity, and the model says
-whether it can have that.
+Everything follows from one `Sight`, which turns a pixel into a ray. A handle either moves freely in
+a plane (eye, target, a corner of the window), where the ray meets it, or on a rail: a line in the
+world along which one number of the model moves it (near, far, a field of view). The rail's picture
+is a straight line too, so the point nearest to the pixel solves one linear equation. Beyond the
+vanishing point the solution is infinite, and the model decides whether it accepts that.
 
-A drag is reckoned from what was at its start, by where the hand is and not by how it came there.
+A drag depends on its start and on where the hand is, not on the path between them.
 """
 
 from __future__ import annotations
@@ -25,23 +24,22 @@ from app.model.refusal import Refusal
 from app.picking.picking import Sight
 
 Change: TypeAlias = dict[str, "float | Vector"]
-"""Fields of the camera or of the lens, and what they become."""
+"""New values for fields of the camera, the lens or the object."""
 Spot: TypeAlias = tuple[float, float]
-"""A place in a pane, in pixels from its top left."""
+"""A position in a pane, in pixels from its top left."""
 
 
 class Handle(NamedTuple):
-    """What can be held.
+    """A point that can be dragged.
 
     Attributes
     ----------
-    name : {"eye", "target", "near", "far", "corner", "grip", "object"}
     face : {"", "near", "far"}
-        On which face of the view volume it is, if on one.
+        The face of the view volume that it lies on, if any.
     at : (float, float)
-        Where on that face, from -1 to 1; of the object, how long its axes are drawn, twice.
+        Position on that face, from -1 to 1. For the object: the drawn length of its axes, twice.
     setting : str
-        Of a grip: which of the scene's settings it moves. Of the object: one of `OBJECT_POINTS`.
+        For a grip: the scene setting that it moves. For the object: one of `OBJECT_POINTS`.
     """
 
     name: Literal["eye", "target", "near", "far", "corner", "grip", "object"]
@@ -51,7 +49,7 @@ class Handle(NamedTuple):
 
 
 EYE, TARGET = Handle("eye"), Handle("target")
-# A plane is held at the middle of an edge, or in its own middle where no edge is in the pane.
+# A plane's handle is at the middle of an edge, or in its own middle if no edge is in the pane.
 _MIDDLES = ((0.0, 1.0), (0.0, -1.0), (1.0, 0.0), (-1.0, 0.0), (0.0, 0.0))
 _CORNERS = ((-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0))
 _NEAR = [Handle("near", "near", at) for at in _MIDDLES]
@@ -64,11 +62,11 @@ _AT = np.array([handle.at for handle in _ON_FACES])
 _IS_FAR = np.array([handle.face == "far" for handle in _ON_FACES])
 
 OBJECT_POINTS = ("origin", "x", "y", "z", "turn")
-"""What the object is held at: to move it, to stretch it along an axis, to turn it."""
+"""The object's handles: one to move it, three to stretch it along an axis, one to turn it."""
 _TURN_OUT = 0.75  # of the axes' length, between x and z
 _CAMERA = ("eye", "target")
 _OBJECT = tuple(field.name for field in fields(ObjectTransform))
-_PER_PX = 0.1  # to what part of a pixel a value is rounded: nobody's hand is steadier
+_PER_PX = 0.1  # values are rounded to this part of a pixel: no hand is steadier
 
 
 def shown(
@@ -82,29 +80,26 @@ def shown(
     without: frozenset[str] = frozenset(),
     object_reach: float = 0.0,
 ) -> list[tuple[Handle, Spot]]:
-    """The handles for which a pane has room, and where they are in it.
+    """The handles that a pane has room for, with their positions.
 
-    Those that stand in the pane and not on one another; the first of grips, eye, target, near, far
-    and corners is kept. The corners are the near face's, or the far face's where that one is small.
+    A handle is left out if it is outside the pane or closer than `apart_px` to an earlier one. The
+    order is grips, object, eye, target, near, far, corners. The corners are those of the near face,
+    or of the far face where the near face is small.
 
     Parameters
     ----------
-    projection : Projection
     drawn : (float, float)
         Distances from the eye plane at which near and far are drawn.
     sight : Sight
         How the pane looks at the world.
-    size_px : (int, int)
-    apart_px : float
-        The least distance of two handles.
     kept : Handle, optional
-        Stays, whatever it stands on: it is under the hand.
+        The handle under the hand: it stays in any case.
     grips : mapping of setting to (3,) array, optional
-        Points of the world that settings of the scene are held at.
+        World points of the scene settings that can be dragged.
     without : frozenset of str, optional
-        Names of those that cannot be held, because what they are of is not drawn.
+        Names of handles to leave out because their part of the world is not drawn.
     object_reach : float, optional
-        How long the object's axes are drawn; 0 while they are not.
+        Drawn length of the object's axes; 0 if they are not drawn.
     """
     has_faces = projection.lens.planes is not None  # a free matrix has no planes, no window
     held = [Handle("grip", setting=name) for name in grips]
@@ -159,7 +154,7 @@ def shown(
 
 
 def nearest(handles: Sequence[tuple[Handle, Spot]], pixel: Spot, within_px: float) -> Handle | None:
-    """The handle at a pixel: the nearest within that distance, None if there is none."""
+    """The handle nearest to a pixel within a distance, or None."""
     away, best = within_px, None
     for handle, spot in handles:
         distance = math.dist(spot, pixel)
@@ -169,7 +164,7 @@ def nearest(handles: Sequence[tuple[Handle, Spot]], pixel: Spot, within_px: floa
 
 
 def place(projection: Projection, handle: Handle, drawn: tuple[float, float]) -> Array:
-    """Where a handle is in the world, (3,)."""
+    """World position (3,) of a handle."""
     if handle.name in _CAMERA:
         return np.array(getattr(projection.camera, handle.name))
     if handle.name == "object":
@@ -187,34 +182,24 @@ def dragged(
     *,
     shift: bool = False,
 ) -> Change:
-    """What a handle is to become when it is dragged to a pixel.
+    """New field values when a handle is dragged to a pixel; `changed` checks them.
 
     Parameters
     ----------
     projection : Projection
-        As it was when the drag began.
-    handle : Handle
+        The projection when the drag began.
     drawn : (float, float)
         Distances at which near and far were drawn then.
     sight : Sight
-        How the pane looks at the world; with a perspective camera.
-    pixel : (float, float)
-        In the pane, from its top left.
+        How the pane looks at the world.
     shift : bool
-        Move the eye or the target up and down the world's vertical, not in the plane that faces
-        the pane; let a window's corner take the opposite one along, about the window's middle.
+        Move the eye or the target along the world's vertical instead of in the plane that faces
+        the pane. Move a window's corner symmetrically about the window's middle.
 
-    Returns
-    -------
-    Change
-        Not checked yet: `changed` does that.
-
-    Notes
-    -----
-    Near moves with its window as it is: towards the eye for a `Perspective` lens, straight along
-    the view direction for those whose window is given in numbers. Where a plane is drawn at a
-    break, short of its place, a drag inwards puts it where it is drawn, and one outwards moves it
-    in proportion.
+    Notes ----- Near keeps its window: it moves towards the eye for a `Perspective` lens, and
+    straight along the view direction for lenses whose window is given in numbers. If a plane is
+    drawn at a break, short of its true distance, a drag inwards puts it where it is drawn, and a
+    drag outwards moves it in proportion.
     """
     if handle.name in _CAMERA:
         before = getattr(projection.camera, handle.name)
@@ -230,18 +215,14 @@ def dragged(
 
 
 def dragged_grip(point: Vector, sight: Sight, pixel: Spot, *, shift: bool = False) -> Vector:
-    """Where a point of the world is dragged to: as the eye is, see `dragged`."""
+    """Where a world point goes when it is dragged to a pixel, as the eye does in `dragged`."""
     return _moved_point(point, sight, pixel, shift)
 
 
 def panned(projection: Projection, shift_px: tuple[float, float]) -> Change:
-    """Eye and target when the picture is dragged: what is as far as the target goes with the hand.
+    """New eye and target when the image is dragged by (right, down) pixels.
 
-    Parameters
-    ----------
-    projection : Projection
-    shift_px : (float, float)
-        Right and down, in the image's pixels.
+    Points at the target's distance follow the hand.
     """
     camera, lens = projection.camera, projection.lens
     left, right, bottom, top = projection.window
@@ -262,7 +243,7 @@ def dollied(projection: Projection, factor: float) -> Change:
     Raises
     ------
     Refusal
-        Where a typed view matrix has taken the camera's place.
+        If a typed view matrix has replaced the camera.
     """
     if not projection.has_camera:
         raise Refusal("kind", projection.lens.kind, ONE_OF, ", ".join(LENSES))
@@ -271,18 +252,12 @@ def dollied(projection: Projection, factor: float) -> Change:
 
 
 def changed(projection: Projection, change: Mapping[str, float | Vector]) -> Projection:
-    """A projection with other fields.
-
-    Parameters
-    ----------
-    projection : Projection
-    change : mapping
-        As the functions above give it.
+    """The projection with new field values.
 
     Raises
     ------
     Refusal
-        If there is no such camera or lens.
+        If the camera or the lens cannot have these values.
     """
     camera = {name: value for name, value in change.items() if name in _CAMERA}
     placement = {name: value for name, value in change.items() if name in _OBJECT}
@@ -296,7 +271,7 @@ def changed(projection: Projection, change: Mapping[str, float | Vector]) -> Pro
 
 
 def present(projection: Projection, names: Iterable[str]) -> Change:
-    """What these fields of the camera, the lens or the object are now."""
+    """Current values of fields of the camera, the lens or the object."""
 
     def owner(name: str) -> object:
         if name in _CAMERA:
@@ -310,13 +285,9 @@ def present(projection: Projection, names: Iterable[str]) -> Change:
 
 
 def object_points(placement: ObjectTransform, reach: float) -> dict[str, Array]:
-    """Where the object is held, world points (3,) by `OBJECT_POINTS`.
+    """World points (3,) of the object's handles, by `OBJECT_POINTS`.
 
-    Parameters
-    ----------
-    placement : ObjectTransform
-    reach : float
-        How many of its columns an axis is long.
+    `reach` is the drawn length of an axis, in lengths of its matrix column.
     """
     matrix, turned = placement.matrix, _turned(placement)
     origin = matrix[:3, 3]
@@ -326,7 +297,7 @@ def object_points(placement: ObjectTransform, reach: float) -> dict[str, Array]:
 
 
 def _turned(placement: ObjectTransform) -> Array:
-    """The directions of the object's axes, (3, 3), an axis a column; also of a flattened one."""
+    """Directions of the object's axes as columns (3, 3), also for a flattened axis."""
     rotation: Array = ObjectTransform(rotate_deg=placement.rotate_deg).matrix[:3, :3]
     return rotation
 
@@ -334,13 +305,13 @@ def _turned(placement: ObjectTransform) -> Array:
 def _moved_object(
     placement: ObjectTransform, handle: Handle, sight: Sight, pixel: Spot, shift: bool
 ) -> Change:
-    """Its origin under the hand, the tip of an axis there, or turned as seen from the pane."""
+    """Move the origin to the pixel, stretch an axis to it, or turn the object."""
     reach, turned = handle.at[0], _turned(placement)
     points = object_points(placement, reach)
     origin = points["origin"]
     if handle.setting == "origin":
         moved = np.array(_moved_point(_vector(origin), sight, pixel, shift))
-        if placement.order == "rts":  # which is turned after it was moved
+        if placement.order == "rts":  # it is rotated after it is translated
             moved = turned.T @ moved
         return {"translate": _vector(moved)}
     if handle.setting == "turn":
@@ -357,15 +328,15 @@ def _moved_object(
 def _turned_as_seen(
     placement: ObjectTransform, points: Mapping[str, Array], sight: Sight, pixel: Spot
 ) -> Vector:
-    """Angles about x, y, z after a turn about the line of sight to the object's origin.
+    """Angles of ``Rz Ry Rx`` after a turn about the line of sight to the object's origin.
 
-    The three angles of a rotation matrix ``Rz Ry Rx``; the shortest way round on the screen.
+    The turn takes the shorter way round on the screen.
     """
     origin = points["origin"]
     (centre, held) = sight.seen([origin, points["turn"]])
     start, end = held - centre, np.array(pixel) - centre
     x, y, _, w = sight.rows
-    # Towards the pane's camera, where x and y stay: pixels run down, and so do the turns.
+    # The axis towards the pane's camera: along it x and y on the screen do not change.
     toward = np.cross((x - centre[0] * w)[:3], (y - centre[1] * w)[:3])
     toward /= np.linalg.norm(toward)
     angle = math.atan2(start[0] * end[1] - start[1] * end[0], float(start @ end))
@@ -390,7 +361,7 @@ def _turned_as_seen(
 
 
 def _places(projection: Projection, drawn: tuple[float, float]) -> Array:
-    """World points of all handles on the faces, (18, 3)."""
+    """World points (18, 3) of all handles on the faces."""
     distances = np.where(_IS_FAR, drawn[1], drawn[0])
     left, right, bottom, top = projection.window
     middle = np.array([(left + right) / 2.0, (bottom + top) / 2.0])
@@ -402,7 +373,7 @@ def _places(projection: Projection, drawn: tuple[float, float]) -> Array:
 
 
 def _outwards(projection: Projection, on_near: Array, distances: Array) -> Array:
-    """From the near plane along the projectors: x, y of view space at these distances."""
+    """Follow projectors from the near plane: x, y of view space at these distances."""
     x, y = projection.lens.outwards(on_near[..., :1], on_near[..., 1:], distances)
     return np.concatenate([x, y], axis=-1)
 
@@ -410,7 +381,7 @@ def _outwards(projection: Projection, on_near: Array, distances: Array) -> Array
 def _rail(
     projection: Projection, handle: Handle, drawn: tuple[float, float]
 ) -> tuple[Array, Array]:
-    """Where a plane's handle is at distance 0, and its way per unit of distance; world, (3,)."""
+    """World point (3,) of a plane's handle at distance 0, and its step (3,) per unit distance."""
     lens = projection.lens
     distance = drawn[handle.face == "far"]
     x, y, _ = projection.camera.frame @ (place(projection, handle, drawn) - projection.camera.eye)
@@ -432,7 +403,7 @@ def _moved_plane(
     before: float = getattr(projection.lens, handle.name)
     drawn_at = drawn[handle.name == "far"]
     distance, per_px = _slide(sight, *_rail(projection, handle, drawn), pixel)
-    if projection.lens.central and distance <= 0.0:  # in the eye, or behind it
+    if projection.lens.central and distance <= 0.0:  # at the eye or behind it
         distance = 0.0 if handle.name == "near" else projection.lens.near
     if abs(before) > (1.0 + 1e-9) * abs(drawn_at) and abs(distance) >= abs(drawn_at):
         return float(f"{before * (distance / drawn_at):.6g}")
@@ -447,7 +418,7 @@ def _opened(
     sight: Sight,
     pixel: Spot,
 ) -> float:
-    """The field of view with a corner at a pixel: the rail is the diagonal of its face."""
+    """Field of view that puts a corner at a pixel; the rail is the diagonal of its face."""
     distance = drawn[handle.face == "far"]
     frame, (right, up) = projection.camera.frame, handle.at
     middle = np.array(projection.camera.eye) - distance * frame[2]
@@ -466,10 +437,10 @@ def _resized(
     pixel: Spot,
     symmetric: bool,
 ) -> Change:
-    """A window with one corner at a pixel, the opposite one where it is, or mirrored.
+    """Window with one corner at a pixel, the opposite corner fixed or mirrored.
 
-    Where the window keeps the image's proportions its corner runs on its diagonal, and the fields
-    become the window that is seen.
+    If the window keeps the image's proportions, the corner runs on its diagonal, and the fields
+    become those of the visible window.
     """
     camera, keep = projection.camera, getattr(projection.lens, "keep", "stretch")
     distance = drawn[handle.face == "far"]
@@ -487,7 +458,7 @@ def _resized(
     if keep != "stretch":
         start = in_world(fixed)
         part, per_px = _slide(sight, start, in_world(corner) - start, pixel)
-        axis = 0 if keep == "x" else 1  # the other one follows
+        axis = 0 if keep == "x" else 1  # the other axis follows
         length = float(corner[axis] - fixed[axis])
         value = float(fixed[axis]) + length * part
         kept = _tidy(value, float(corner[axis]), abs(length) * per_px)
@@ -495,7 +466,7 @@ def _resized(
         moved[axis], per_px = kept, 0.0
     else:
         moved, per_px = _on_window(projection, sight, distance, pixel)
-        if not np.isfinite(moved).all():  # beyond the horizon of its plane
+        if not np.isfinite(moved).all():  # beyond the horizon of the plane
             moved = np.array(handle.at) * math.inf
     change: Change = {}
     for axis, (low, high) in enumerate((("left", "right"), ("bottom", "top"))):
@@ -513,7 +484,7 @@ def _resized(
 def _on_window(
     projection: Projection, sight: Sight, distance: float, pixel: Spot
 ) -> tuple[Array, float]:
-    """Where a pixel's ray meets the face at a distance, (2,) on the near plane; what a pixel is."""
+    """Where a pixel's ray meets the face, (2,) on the near plane, and the pixel size there."""
     frame, eye = projection.camera.frame, projection.camera.eye
     point = _meets(sight, pixel, -frame[2], np.array(eye) - distance * frame[2])
     per_px = min(_per_px(sight, point, axis) for axis in frame[:2])
@@ -530,7 +501,7 @@ def _moved_point(before: Vector, sight: Sight, pixel: Spot, shift: bool) -> Vect
     if shift:
         up, per_px = _slide(sight, point, np.array([0.0, 1.0, 0.0]), pixel)
         return before[0], _tidy(before[1] + up, before[1], per_px), before[2]
-    # Where the pane looks to: w grows along it, or all over a parallel pane the order does.
+    # The pane's view direction: w grows along it, or for a parallel pane the order does.
     facing = sight.rows[3, :3] if sight.rows[3, :3].any() else sight.rows[2, :3]
     moved = _meets(sight, pixel, facing, point)
     per_px = min(_per_px(sight, moved, axis) for axis in np.eye(3))
@@ -539,28 +510,28 @@ def _moved_point(before: Vector, sight: Sight, pixel: Spot, shift: bool) -> Vect
 
 
 def _meets(sight: Sight, pixel: Spot, normal: Array, point: Array) -> Array:
-    """Where the ray of a pixel meets a plane, (3,); NaN if it does not."""
+    """Point (3,) where the ray of a pixel meets a plane; NaN if it does not."""
     x, y, _, w = sight.rows
     across, down = x - pixel[0] * w, y - pixel[1] * w
     system = np.stack([across[:3], down[:3], normal])
     known = np.array([-across[3], -down[3], normal @ (point - sight.eye)])
     try:
         offset = np.linalg.solve(system, known)
-    except np.linalg.LinAlgError:  # the plane is seen edge on
+    except np.linalg.LinAlgError:  # the pane sees the plane edge-on
         return np.full(3, np.nan)
     met: Array = sight.eye + offset
     return met if w[:3] @ offset + w[3] > 0.0 else np.full(3, np.nan)
 
 
 class _Line(NamedTuple):
-    """The picture of a line ``start + t along``.
+    """The image of a line ``start + t along``.
 
     Attributes
     ----------
     start, along : (3,) array
         Homogeneous pixels: x w, y w and w.
     way : (float, float)
-        The direction in which it is seen to run, times w squared: the derivative of the pixel.
+        Derivative of the pixel with respect to t, times w squared.
     """
 
     start: Array
@@ -575,29 +546,22 @@ def _line(sight: Sight, start: Array, along: Array) -> _Line:
 
 
 def _per_px(sight: Sight, point: Array, along: Array) -> float:
-    """How far along a direction a point has to go for a pixel; infinite if that is not seen."""
+    """Distance along a direction that moves a point by one pixel; infinite if it does not move."""
     line = _line(sight, point, along)
     length = math.hypot(*line.way)
     return float(line.start[2]) ** 2 / length if length > 0.0 else math.inf
 
 
 def _slide(sight: Sight, start: Array, along: Array, pixel: Spot) -> tuple[float, float]:
-    """The point ``start + t along`` that is seen nearest to a pixel.
-
-    Parameters
-    ----------
-    sight : Sight
-    start, along : (3,) array
-        World coordinates.
-    pixel : (float, float)
+    """The point ``start + t along`` whose image is nearest to a pixel.
 
     Returns
     -------
     t : float
-        Infinite where the pixel lies at the line's vanishing point or beyond it; NaN for a line
-        that is seen end on, where no point of it is nearer than another.
+        Infinite if the pixel is at the line's vanishing point or beyond it. NaN for a line that is
+        seen end-on.
     per_px : float
-        How much t changes from one pixel to the next; infinite where that is not told.
+        Change of t from one pixel to the next; infinite where t is not finite.
     """
     line = _line(sight, start, along)
     length = math.hypot(*line.way)
@@ -605,7 +569,7 @@ def _slide(sight: Sight, start: Array, along: Array, pixel: Spot) -> tuple[float
         return math.nan, math.inf
     (x0, y0, w0), (x1, y1, w1) = line.start.tolist(), line.along.tolist()
     right, down = line.way[0] / length, line.way[1] / length
-    # The perpendicular to the line through the pixel, and where the line meets it.
+    # Intersect the line with its perpendicular through the pixel.
     offset = right * pixel[0] + down * pixel[1]
     slope = right * x1 + down * y1 - offset * w1
     t = -(right * x0 + down * y0 - offset * w0) / slope if slope else math.inf
@@ -616,16 +580,10 @@ def _slide(sight: Sight, start: Array, along: Array, pixel: Spot) -> tuple[float
 
 
 def _tidy(value: float, before: float, per_px: float) -> float:
-    """A value in as few digits as the hand can have meant, and as it was where the hand is back.
+    """Round a value to the digits that a hand can mean.
 
-    Parameters
-    ----------
-    value : float
-        As it was computed for a pixel.
-    before : float
-        What it was when the drag began.
-    per_px : float
-        By how much it differs from one pixel to the next.
+    If it rounds to the same number as `before`, the value when the drag began, return `before`.
+    `per_px` is the change of the value from one pixel to the next.
     """
     step = _PER_PX * per_px
     if not (math.isfinite(value) and 0.0 < step < math.inf):

@@ -1,15 +1,15 @@
-"""What is under a pixel, in float64 and without a GPU: a vertex, a point of a line or the surface.
+"""Picking in float64 without a GPU: the vertex, point of a line, or point of a face at a pixel.
 
-Whatever a pane does to the scene, from a world point p to a pixel it is one projective 4x4 and a
-divide (a `Sight`). Nothing is divided until it is known to be in front: that a triangle holds the
-pixel is told by its homogeneous corners (Olano and Greer, Triangle Scan Conversion using 2D
-Homogeneous Coordinates, 1997), so that one that crosses the eye plane needs no clipping, and the
-same three numbers are the hit's barycentric coordinates in the world.
+Whatever a pane does to the scene, a world point becomes a pixel by one projective 4x4 and a divide
+(a `Sight`). Nothing is divided before it is known to be in front. Homogeneous corners decide
+whether a triangle contains the pixel (Olano and Greer, Triangle Scan Conversion using 2D
+Homogeneous Coordinates, 1997). A triangle that crosses the eye plane therefore needs no clipping,
+and the same three numbers are the barycentric coordinates of the hit in the world.
 
-The triangles are sorted into cells of a grid once per scene. Each pick asks a handful of linear
-functions for every cell's box, and only the triangles of the cells that may hold the pixel are
-looked at. The lines are few: they are cut, as homogeneous as the triangles, to a small square round
-the pixel, and what is left of them has a picture.
+The triangles are sorted into the cells of a grid once per scene. Each pick evaluates a few linear
+functions on every cell's box and looks only at the triangles of the cells that may contain the
+pixel. The lines are few: they are clipped in homogeneous coordinates to a small square round the
+pixel.
 """
 
 from __future__ import annotations
@@ -26,24 +26,24 @@ from app.model.limits import Row
 from app.model.projection import LARGEST, Array, Projection, Vector
 
 VERTEX_WITHIN_PX = 6.0
-"""A vertex that is seen so close to the pixel is what was meant, not the face beside it."""
+"""A visible vertex within this distance of the pixel is preferred to the face beside it."""
 LINE_WITHIN_PX = 3.0
-"""A line that is seen so close to the pixel is what was meant, not the face under it."""
+"""A visible line within this distance of the pixel is preferred to the face under it."""
 _COVERS_PX = 0.25
-"""Half as wide as a line is drawn: what is behind it there is not seen."""
+"""Half the drawn width of a line, which hides what is behind it."""
 
-_BLOCK = 16_384  # triangles: what is made of so many stays in the processor's cache
-_CELLS = 32  # along each axis at most: their numbers fit 16 bits, which numpy sorts by radix
-_PER_CELL = 100.0  # triangles, about, of a surface that fills the cells along a plane
-_TRIED = 16  # vertices: where more are hidden, the mesh is denser than the pixels
-_LOOKED_AT = 8_000  # triangles; where more are within the margin, a smaller one has vertices enough
+_BLOCK = 16_384  # triangles: arrays of this size stay in the processor's cache
+_CELLS = 32  # along each axis at most: cell numbers then fit 16 bits, which numpy sorts by radix
+_PER_CELL = 100.0  # triangles, roughly, for a surface that fills the cells along a plane
+_TRIED = 16  # vertices: if more are hidden, the mesh is denser than the pixels
+_LOOKED_AT = 8_000  # triangles: if more are within the margin, a smaller margin has enough vertices
 _LEAST_PX = 0.02  # margin
-_END_ON_PX = 1e-6  # a line that is seen shorter is a point
-_STOPS = 200  # of which each is at hand after some seconds of a key that is held
+_END_ON_PX = 1e-6  # a shorter line on the screen counts as a point
+_STOPS = 200  # a held key reaches each of them within seconds
 _SPREAD = 32_768  # vertices
-_ROW = 4  # of the least squares
+_ROW = 4  # height of a row of stops, in the smallest squares
 _SAME_DEPTH = 1e-9  # relative: faces that meet in a vertex do not hide it
-_ON_FACE = 1e-6  # relative: a line on a face, each rounded to float32 by itself
+_ON_FACE = 1e-6  # relative: a line on a face, where each is rounded to float32
 
 
 class Sight(NamedTuple):
@@ -52,12 +52,12 @@ class Sight(NamedTuple):
     Attributes
     ----------
     eye : (3,) array
-        World point that is subtracted first, so that nothing is lost far from the origin.
+        World point that is subtracted first, so that no digits are lost far from the origin.
     rows : (4, 4) array
-        Of ``(p - eye, 1)``: x w and y w in pixels from the pane's top left, an order that is
-        smaller for what is in front, times w, and w.
+        Applied to ``(p - eye, 1)`` they give x w and y w in pixels from the pane's top left, order
+        times w, and w. The order is smaller in front.
     limits : (k, 4) array
-        Half-spaces ``limit @ (p - eye, 1) >= 0`` outside of which nothing is drawn.
+        Half-spaces ``limit @ (p - eye, 1) >= 0`` that bound what is drawn.
     """
 
     eye: Array
@@ -66,14 +66,14 @@ class Sight(NamedTuple):
 
     @classmethod
     def of(cls, projection: Projection) -> Sight:
-        """The model's own: pixels of the image, between near and far."""
+        """The sight of the image itself, between near and far."""
         clip, axes = projection.passage.stated_in
         rows = projection.image_from_ndc @ clip
         rows[2], limits = projection.passage.order
         return cls(np.array(projection.camera.eye), rows @ axes, limits @ axes)
 
     def scaled(self, pixels_from_pixels: ArrayLike) -> Sight:
-        """Seen in other pixels, by an affine (3, 3) matrix of x, y, 1."""
+        """The sight in other pixels, by an affine (3, 3) matrix of x, y, 1."""
         rows = self.rows.copy()
         rows[[0, 1, 3]] = np.asarray(pixels_from_pixels) @ self.rows[[0, 1, 3]]
         return self._replace(rows=rows)
@@ -86,31 +86,31 @@ class Sight(NamedTuple):
         return Sight(np.array(origin), self.rows @ local, self.limits @ local)
 
     def seen(self, points_world: ArrayLike) -> Array:
-        """Pixels x, y of points, (n, 2); NaN for those at or behind the eye plane."""
+        """Pixels (n, 2) of points; NaN at or behind the eye plane."""
         offsets = np.asarray(points_world, dtype=np.float64) - self.eye
         x, y, _, w = self.rows[:, :3] @ offsets.T + self.rows[:, 3:]
         w = np.where(w > 0.0, w, np.nan)
         return np.stack([x / w, y / w], axis=1)
 
     def seen_at_infinity(self, direction: Vector) -> Array:
-        """Pixel x, y of a point at infinity, (2,); NaN where it has none."""
+        """Pixel (2,) of a point at infinity; NaN if it has no image."""
         x, y, _, w = self.rows[:, :3] @ direction
         return np.array([x / w, y / w]) if w > 0.0 else np.full(2, np.nan)
 
 
 class Hit(NamedTuple):
-    """What was found.
+    """A picked point.
 
     Attributes
     ----------
     point : Vector
         World coordinates.
     vertex : int or None
-        Which point of the surface it is, if it is one.
+        Index of the surface's vertex, if it is one.
     order : float
-        Smaller for what is in front.
+        Smaller in front.
     plane : (3,) array or None
-        The order ``plane @ (x, y, 1)`` of the plane of a face at all pixels, if it is on one.
+        For a point on a face: ``plane @ (x, y, 1)`` is the order of the face's plane at any pixel.
     """
 
     point: Vector
@@ -121,18 +121,18 @@ class Hit(NamedTuple):
 
 @dataclass(frozen=True)
 class Probe:
-    """A point that is followed through every stage, or the ray of a pixel.
+    """A point that is followed through every stage, the ray of a pixel, or a point at infinity.
 
     Parameters
     ----------
     number : int
-        By which it is marked in the panes.
+        Its name in the panes.
     point : Vector, optional
         World coordinates.
     pixel : (float, float), optional
-        The image's pixel whose ray it is, if it is no point.
+        Pixel of the image, for a ray.
     direction : Vector, optional
-        The point at infinity that it is, if it is neither: w = 0.
+        Direction, for a point at infinity (w = 0).
     """
 
     number: int
@@ -142,43 +142,34 @@ class Probe:
 
     @classmethod
     def of(cls, number: int, row: Row) -> Probe:
-        """Of homogeneous coordinates, as `app.model.infinity.homogeneous` gives them."""
+        """The probe at homogeneous coordinates from `app.model.infinity.homogeneous`."""
         x, y, z, w = row
         return cls(number, direction=(x, y, z)) if w == 0.0 else cls(number, (x, y, z))
 
     @property
     def row(self) -> Row | None:
-        """Its homogeneous coordinates; None for a pixel's ray."""
+        """Homogeneous coordinates; None for a pixel's ray."""
         if self.direction is not None:
             return (*self.direction, 0.0)
         return None if self.point is None else (*self.point, 1.0)
 
 
 def projector(projection: Projection, probe: Probe, distances: ArrayLike) -> Array | None:
-    """Points of the line along which a probe is projected.
-
-    Parameters
-    ----------
-    projection : Projection
-    probe : Probe
-    distances : (k,) array_like
-        From the eye plane, along the line of sight.
+    """Points of a probe's projector at distances (k,) from the eye plane along the line of sight.
 
     Returns
     -------
     (k, 3) array or None
-        World coordinates; None for a point that has no picture, being at or behind the eye plane.
+        World coordinates; None for a point at or behind the eye plane, which has no image.
 
-    Notes
-    -----
-    The points q of a pixel's ray are where ``(x w - x_px w) = (y w - y_px w) = 0`` at the distance
-    ``-n (q - e)``: three linear equations for any lens. A free matrix has no eye: its line is that
-    of the cube between near and far, un-projected, and `distances` are shares of the way; None
-    without an inverse. Of a line through infinity it is the part in front of the eye plane, from
-    its end as far as it is drawn.
+    Notes ----- The points q of a pixel's ray satisfy ``(x w - x_px w) = (y w - y_px w) = 0`` at the
+    distance ``-n (q - e)``: three linear equations for any lens. A free matrix has no eye. Its line
+    is the un-projected line of the cube between near and far, `distances` are shares of the way,
+    and the result is None if the matrix has no inverse. Of a line through infinity only the part in
+    front of the eye plane is returned.
     """
     at, pixel = np.asarray(distances, dtype=np.float64), probe.pixel
-    if probe.direction is not None:  # all its lines meet in one pixel
+    if probe.direction is not None:  # all lines in this direction meet in one pixel
         trace = trace_at_infinity(projection, probe.direction)
         if not trace.in_front:
             return None
@@ -189,24 +180,19 @@ def projector(projection: Projection, probe: Probe, distances: ArrayLike) -> Arr
 def dragged(
     projection: Projection, point: Vector, shift_px: tuple[float, float], *, along_ray: bool
 ) -> Vector | None:
-    """Where a point goes when its picture is dragged.
+    """Where a world point goes when its image is dragged by (right, down) pixels.
 
     Parameters
     ----------
-    projection : Projection
-    point : Vector
-        World coordinates.
-    shift_px : (float, float)
-        Right and down, in the image's pixels.
     along_ray : bool
-        Leave the picture where it is and move the point away (up) or nearer (down): by as much as
-        a pixel is wide for a parallel lens, in proportion to the distance for the others, so that
-        it never reaches the eye. Otherwise it stays in its plane parallel to the image.
+        Keep the image in place and move the point away (drag up) or nearer (drag down): by the
+        width of a pixel for a parallel lens, in proportion to the distance for others, so that the
+        point never reaches the eye. Otherwise the point stays in its plane parallel to the image.
 
     Returns
     -------
     Vector or None
-        None for a point without a picture, and for one that would be too far away for one.
+        None if the point has no image, or if it would lie too far away to have one.
 
     Notes
     -----
@@ -221,16 +207,14 @@ def dragged(
 
 
 class Surface:
-    """Triangles in the order in which they can be found.
+    """Triangles, sorted into grid cells for picking.
 
     Parameters
     ----------
     points : (n, 3) array
-        Relative to `origin`; not copied.
+        Relative to the world point `origin`; not copied.
     triangles : (m, 3) int array
         Indices of the corners.
-    origin : Vector
-        World point that the points are relative to.
     """
 
     def __init__(
@@ -238,13 +222,13 @@ class Surface:
     ) -> None:
         self._points, self._triangles = np.asarray(points), np.asarray(triangles)
         self._origin = np.array(origin, dtype=np.float64)
-        # A million vertices: column by column, which takes a fifth of the time of row by row.
+        # Column by column takes a fifth of the time of row by row for a million vertices.
         columns = [points[:, axis].copy() for axis in range(3)]
         cells = int(np.clip(np.sqrt(len(triangles) / _PER_CELL), 1, _CELLS))
         numbers = np.zeros(len(points), np.uint16)
         for column in columns if len(points) else ():
             low, high = column.min(), column.max()
-            width = max(float(high) - float(low), 1e-36)  # else no float32 holds the scale
+            width = max(float(high) - float(low), 1e-36)  # a float32 cannot hold a larger scale
             scale = column.dtype.type(cells * 0.999 / width)
             numbers = numbers * np.uint16(cells) + ((column - low) * scale).astype(np.uint16)
         count = len(triangles)
@@ -269,26 +253,16 @@ class Surface:
                 (lowest, np.minimum, least),
                 (highest, np.maximum, most),
             ):
-                np.take(of_all, self._order, out=in_order, mode="clip")  # which needs no copy
+                np.take(of_all, self._order, out=in_order, mode="clip")  # "clip" avoids a copy
                 sides[:, axis] = choose.reduceat(in_order, self._starts)
         self._middles, self._halves = (lowest + highest) / 2.0, (highest - lowest) / 2.0
 
     def pick(
         self, sight: Sight, pixel: tuple[float, float], vertex_px: float = VERTEX_WITHIN_PX
     ) -> Hit | None:
-        """What is seen at a pixel.
+        """The vertex or face visible at a pixel, or None.
 
-        Parameters
-        ----------
-        sight : Sight
-        pixel : (float, float)
-        vertex_px : float
-            A vertex that is not hidden and within this distance comes before the surface.
-
-        Returns
-        -------
-        Hit or None
-            None where neither is under the pixel.
+        A vertex that is not hidden and lies within `vertex_px` is preferred to a face.
         """
         offset = self._origin - sight.eye
         vertex_px, triangles = self._near(sight, pixel, vertex_px)
@@ -303,7 +277,7 @@ class Surface:
         found = _cast(sight, pixel, corners, seen)
         if found is None:
             return None
-        # Not by way of the eye, which may be far away: from the corners.
+        # Computed from the corners, not by way of the eye, which may be far away.
         which, weights, order = found
         point = weights @ self._points[triangles[which]].astype(np.float64)
         plane = np.linalg.lstsq(seen[which][:, [0, 1, 3]], seen[which][:, 2])[0]
@@ -312,7 +286,7 @@ class Surface:
     def _near(
         self, sight: Sight, pixel: tuple[float, float], margin_px: float
     ) -> tuple[float, NDArray[Any]]:
-        """The triangles that may be within a margin of the pixel, (k, 3), and that margin."""
+        """The margin that was used, and the triangles (k, 3) that may lie within it."""
         offset = self._origin - sight.eye
         middles = self._middles + offset
         while True:
@@ -345,7 +319,7 @@ class Surface:
         corners: Array,
         seen: Array,
     ) -> tuple[int, float] | None:
-        """The nearest vertex that no face hides, and its order."""
+        """The nearest vertex that no face hides, with its order."""
         numbers, at = np.unique(triangles, return_index=True)
         x, y, order, w = seen.reshape(-1, 4)[at].T
         drawn = corners.reshape(-1, 3)[at] @ sight.limits[:, :3].T + sight.limits[:, 3]
@@ -360,24 +334,24 @@ class Surface:
         return None
 
     def hides(self, sight: Sight, stop: Stop) -> bool:
-        """Whether a face lies in front of one of the surface's vertices."""
+        """Whether a face hides one of the surface's vertices."""
         face = self.pick(sight, stop.spot, 0.0)
         return face is not None and _in_front(face.order, stop.order)
 
 
 class Stop(NamedTuple):
-    """A vertex that can be gone to.
+    """A vertex that the keyboard can go to.
 
     Attributes
     ----------
     row : int
-        Of the pane, from above: stops are read row by row, from left to right.
+        Row of the pane, from above. The keyboard visits stops row by row, from left to right.
     spot : (float, float)
-        Where it is seen, in pixels from the pane's top left.
+        Pixel, from the pane's top left.
     number : int
-        Which vertex it is.
+        Index of the vertex.
     order : float
-        Smaller for what is in front.
+        Smaller in front.
     """
 
     row: int
@@ -394,24 +368,22 @@ def stops(
     pixel_ratio: float = 1.0,
     at: int | None = None,
 ) -> list[Stop]:
-    """The vertices in a part of a pane, hidden or not, in the order in which one reads.
+    """The vertices in a part of a pane, hidden or not, in reading order.
 
-    Where there are more than `_STOPS`, those in front stand for the others: one in each square,
-    which are so large that no more are left. A million vertices take one pass over the points and
-    a sort of `_SPREAD` of them, spread evenly over those in view.
+    If there are more than `_STOPS`, only the frontmost vertex of each square is kept; the squares
+    grow until few enough are left. A million vertices take one pass over the points and a sort of
+    `_SPREAD` of them, spread evenly over those in view.
 
     Parameters
     ----------
     points : (n, 3) array
         Relative to `origin`.
-    origin : Vector
-    sight : Sight
     rectangle_px : (float, float, float, float)
         Left, top, width and height.
     pixel_ratio : float
-        How many pixels one of `VERTEX_WITHIN_PX` is.
+        Device pixels per pixel of `VERTEX_WITHIN_PX`.
     at : int, optional
-        A vertex that is one of them wherever it is in view.
+        A vertex that is always kept while it is in view.
     """
     left, top, width, height = rectangle_px
     x, y, _, w = sight.rows
@@ -436,7 +408,7 @@ def stops(
     while len(kept) > _STOPS:
         squares = ((y[kept] - top) // side).astype(np.int64) << 32
         squares += ((x[kept] - left) // side).astype(np.int64)
-        # What comes later is in front, so that of each square the last is kept.
+        # Vertices are sorted from back to front, so the last one of each square is kept.
         _, last = np.unique(squares[::-1], return_index=True)
         kept = kept[np.sort(len(kept) - 1 - last)]
         row_px = max(row_px, side)
@@ -449,15 +421,7 @@ def stops(
 
 
 class Lines:
-    """Straight lines, each from a point to a point.
-
-    Parameters
-    ----------
-    ends : (m, 2, 3) array
-        Relative to `origin`.
-    origin : Vector
-        World point that the ends are relative to.
-    """
+    """Line segments for picking; their ends (m, 2, 3) are relative to the world point `origin`."""
 
     def __init__(self, ends: ArrayLike, origin: Vector = (0.0, 0.0, 0.0)) -> None:
         self._ends = np.asarray(ends, dtype=np.float64)
@@ -466,27 +430,25 @@ class Lines:
     def near(
         self, sight: Sight, pixel: tuple[float, float], end_px: float, line_px: float
     ) -> list[tuple[bool, tuple[float, float], Hit]]:
-        """What of the lines is near a pixel, whatever may hide it.
+        """Points of the lines near a pixel, hidden or not.
 
         Parameters
         ----------
-        sight : Sight
-        pixel : (float, float)
         end_px, line_px : float
-            How near an end has to be, and any other place.
+            Largest distance of an end, and of any other point.
 
         Returns
         -------
         list of (bool, (float, float), Hit)
-            Whether it is an end, where it is seen, and what it is: ends first, then the place of
-            each line that is nearest to the pixel; the nearest first.
+            Whether the point is an end, its pixel, and the point. Ends come first, then the nearest
+            point of each line; both by distance.
         """
         local = self._ends + (self._origin - sight.eye)
         tests = _tests(sight, pixel, max(end_px, line_px))
         values = local @ tests[:, :3].T + tests[:, 3]
         which = np.flatnonzero((values.max(axis=1) >= 0.0).all(axis=1))
         at_start, at_end = values[which, 0], values[which, 1]
-        # A part of the way at which a test becomes 0: the line is cut there.
+        # The share of the way at which a test becomes 0: the line is clipped there.
         with np.errstate(divide="ignore", invalid="ignore"):
             cut = at_start / (at_start - at_end)
         parts = np.stack(
@@ -505,12 +467,12 @@ class Lines:
         spots, orders = cuts[:, :, :2] / w[:, :, None], cuts[:, :, 2] / w
         along = spots[:, 1] - spots[:, 0]
         square = (along**2).sum(axis=1)
-        # What is seen end-on is seen at its front.
+        # Of a line that is seen end-on, take the front end.
         share = np.where(orders[:, 0] <= orders[:, 1], 0.0, 1.0)
         to_pixel = ((np.array(pixel) - spots[:, 0]) * along).sum(axis=1)
         np.divide(to_pixel, square, out=share, where=square > _END_ON_PX**2)
         share = np.clip(share, 0.0, 1.0)
-        # A share of the picture is another of the line: that of the ends' weights there, over w.
+        # Convert the share on the screen to the share on the line (perspective-correct).
         share = share * w[:, 0] / (share * w[:, 0] + (1.0 - share) * w[:, 1])
         nearest = parts[:, 0] + share * (parts[:, 1] - parts[:, 0])
 
@@ -524,7 +486,7 @@ class Lines:
             away = np.hypot(x / w - pixel[0], y / w - pixel[1])
             for i in np.flatnonzero(away <= within_px):
                 start, end = self._ends[which[i]]
-                # The ends themselves, to the last bit.
+                # Return the ends exactly.
                 point = end if there[i] == 1.0 else start + there[i] * (end - start)
                 hit = Hit(_vector(point + self._origin), None, float(order[i] / w[i]))
                 spot = float(x[i] / w[i]), float(y[i] / w[i])
@@ -540,22 +502,12 @@ def pick(
     pixel: tuple[float, float],
     pixel_ratio: float = 1.0,
 ) -> Hit | None:
-    """What is seen at a pixel: a vertex or an end of a line, a place of a line, or of a face.
+    """The vertex, end of a line, point of a line or point of a face visible at a pixel, or None.
 
-    Parameters
-    ----------
-    surface : Surface
-    lines : Lines
-    sight : Sight
-    pixel : (float, float)
-    pixel_ratio : float
-        How many pixels one of `VERTEX_WITHIN_PX` and `LINE_WITHIN_PX` is.
-
-    Returns
-    -------
-    Hit or None
-        Of a line only what no face is in front of, where it is and under the pixel; a vertex comes
-        before whatever else is near, unless a line runs in front of the vertex itself.
+    A point of a line counts only if no face hides it, at its own pixel and at the given one. A
+    vertex is preferred to everything else nearby, unless a line runs in front of the vertex itself.
+    `pixel_ratio` is the number of device pixels per pixel of `VERTEX_WITHIN_PX` and
+    `LINE_WITHIN_PX`.
     """
     vertex_px, line_px = VERTEX_WITHIN_PX * pixel_ratio, LINE_WITHIN_PX * pixel_ratio
     hit = surface.pick(sight, pixel, vertex_px)
@@ -563,7 +515,7 @@ def pick(
     if hit is not None and hit.vertex is not None:
         x, y = sight.seen([hit.point])[0].tolist()
         at_vertex = x, y
-        # There: an edge that ends in the vertex and runs to the eye is in front beside it only.
+        # Test at the vertex: an edge from the vertex to the eye is in front of it only beside it.
         over = lines.near(sight, at_vertex, 0.0, _COVERS_PX * pixel_ratio)
         is_covered = any(_in_front(place.order, hit.order) for _, _, place in over)
     for is_end, spot, place in lines.near(sight, pixel, vertex_px, line_px)[:_TRIED]:
@@ -590,16 +542,16 @@ def _in_front(order: float, other: float) -> bool:
 
 
 def _mapped(corners: Array, columns: Array) -> Array:
-    """All corners (k, 3, 3) times a (3, m) matrix: at once, not triangle by triangle."""
+    """All corners (k, 3, 3) times a (3, m) matrix, in one product."""
     product: Array = (corners.reshape(-1, 3) @ columns).reshape(len(corners), 3, -1)
     return product
 
 
 def _tests(sight: Sight, pixel: tuple[float, float], margin_px: float) -> Array:
-    """Functions of ``(p - eye, 1)``, (k, 4), that are at least 0 for what is drawn at a pixel.
+    """Linear functions (k, 4) of ``(p - eye, 1)`` that are at least 0 for points near a pixel.
 
-    They are linear: where one is negative at all corners of a box or a triangle, it is so inside,
-    whether or not the eye plane runs through it.
+    A function that is negative at all corners of a box or a triangle is negative inside it, whether
+    or not the eye plane runs through it.
     """
     x, y, _, w = sight.rows
     (left, top), (right, bottom) = (
@@ -612,7 +564,7 @@ def _tests(sight: Sight, pixel: tuple[float, float], margin_px: float) -> Array:
 def _cast(
     sight: Sight, pixel: tuple[float, float], corners: Array, seen: Array
 ) -> tuple[int, Array, float] | None:
-    """The frontmost of these triangles at a pixel: which, its corners' weights, and its order."""
+    """Index, barycentric weights and order of the frontmost triangle at a pixel."""
     across = seen[:, :, 0] - pixel[0] * seen[:, :, 3]
     down = seen[:, :, 1] - pixel[1] * seen[:, :, 3]
     after, before = [1, 2, 0], [2, 0, 1]

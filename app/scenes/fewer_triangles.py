@@ -1,9 +1,9 @@
-"""A scene with fewer triangles: the same faces to the eye, from far enough away.
+"""Reduce the triangles of a scene so that it looks the same from far enough away.
 
-Meshes up to `QUADRIC_TRIANGLES` lose the edges whose loss hurts least (Garland and Heckbert,
-*Surface Simplification Using Quadric Error Metrics*, 1997); larger ones are sorted into boxes and
-every box keeps one vertex (Lindstrom, *Out-of-Core Simplification of Large Polygonal Models*,
-2000), which is coarser but takes a tenth of a second for a million vertices. Both are VTK's.
+Meshes up to `QUADRIC_TRIANGLES` lose the edges with the least error (Garland and Heckbert,
+*Surface Simplification Using Quadric Error Metrics*, 1997). The vertices of larger ones are sorted
+into boxes, and every box keeps one (Lindstrom, *Out-of-Core Simplification of Large Polygonal
+Models*, 2000): this is coarser but takes a tenth of a second for a million vertices. VTK has both.
 """
 
 from __future__ import annotations
@@ -23,14 +23,14 @@ if TYPE_CHECKING:
     import pyvista as pv
 
 SHARES = (0.5, 0.2, 0.1, 0.05, 0.01)
-"""Of the triangles that are kept, from fine to coarse."""
+"""Shares of the triangles that are kept, from fine to coarse."""
 LEAST_TRIANGLES = 1_000
-"""A mesh of fewer has nothing to leave out."""
+"""A smaller mesh is never reduced."""
 _DRAGGED = (*SHARES, 0.005, 0.002, 0.001, 0.0005)
 _LEAST_DRAGGED = 500
-"""Triangles: with fewer a frame hardly takes less, and says nothing of the shape any more."""
+"""Triangles: with fewer a frame is hardly faster, and the shape is lost."""
 QUADRIC_TRIANGLES, QUADRIC_VALENCE = 100_000, 500
-"""More triangles, or more at one vertex, are sorted into boxes: the other way takes minutes."""
+"""Larger meshes, or more triangles at one vertex, go into boxes: edges would take minutes."""
 
 _MOST_BOXES = 400  # along the longest side; VTK ends the program where memory ends
 _WITHIN = 1.15  # of the share that was asked for
@@ -39,24 +39,14 @@ _reduced: WeakKeyDictionary[Scene, dict[float, Scene]] = WeakKeyDictionary()
 
 
 def can_be_reduced(scene: Scene) -> bool:
-    """Whether the scene has enough triangles for fewer to make a difference."""
+    """Whether the scene has enough triangles to be reduced."""
     return scene.triangles >= LEAST_TRIANGLES
 
 
 def reduced(scene: Scene, share: float) -> Scene:
-    """The scene with about this share of its triangles, made once.
+    """Return the scene with about this share (above 0, up to 1) of its triangles, made once.
 
-    Parameters
-    ----------
-    scene : Scene
-    share : float
-        Above 0, up to 1; 1 is the scene itself.
-
-    Returns
-    -------
-    Scene
-        With the same origin, bounds, lines and first camera. A scene that cannot be reduced is
-        given back.
+    Origin, bounds, lines and first camera stay. A scene that cannot be reduced is returned itself.
     """
     made = _reduced.setdefault(scene, {})
     if share not in made:
@@ -68,12 +58,12 @@ def reduced(scene: Scene, share: float) -> Scene:
 
 
 def shares_for_dragging(scene: Scene) -> tuple[float, ...]:
-    """The shares that may be drawn while a control is dragged, from fine to coarse."""
+    """Return the shares that may be drawn while a control is dragged, from fine to coarse."""
     return tuple(share for share in _DRAGGED if share * scene.faces >= _LEAST_DRAGGED)
 
 
 def is_made(scene: Scene, share: float) -> bool:
-    """Whether `reduced` would give its answer at once."""
+    """Whether `reduced` returns at once."""
     if share >= 1.0 or share in _reduced.get(scene, {}):
         return True
     return not can_be_reduced(scene)
@@ -101,7 +91,7 @@ def _fewer(surface: pv.PolyData, share: float) -> pv.PolyData:
 
 
 def _binned(surface: pv.PolyData, share: float) -> pv.PolyData:
-    """Boxes of the size at which about the share is left: tried, and corrected by its square."""
+    """Try sizes of boxes, corrected by the square of the result, until the share is left."""
     import pyvista as pv
     from vtkmodules.vtkFiltersCore import vtkBinnedDecimation
 
@@ -119,7 +109,7 @@ def _binned(surface: pv.PolyData, share: float) -> pv.PolyData:
         decimation.ProduceCellDataOn()
         decimation.Update()
         found = pv.wrap(decimation.GetOutput())
-        left = found.n_cells  # 0 where all of them have fallen together
+        left = found.n_cells  # 0 if all triangles have collapsed
         if left and abs(math.log(left / wanted)) < abs(math.log(best.n_cells / wanted)):
             best = found
         ratio = wanted / max(1, found.n_cells)
@@ -133,7 +123,7 @@ def _binned(surface: pv.PolyData, share: float) -> pv.PolyData:
 
 
 def _plain(mesh: pv.PolyData) -> pv.PolyData:
-    """Points and triangles alone."""
+    """Keep points and triangles only."""
     import pyvista as pv
 
     points: Any = np.array(mesh.points, dtype=np.float32)
@@ -142,9 +132,9 @@ def _plain(mesh: pv.PolyData) -> pv.PolyData:
 
 
 def _nearest_cells(surface: pv.PolyData, fewer: pv.PolyData) -> NDArray[np.integer]:
-    """Of each triangle, which of the former ones has its middle nearest: its colour is kept.
+    """Return for each triangle the original one with the nearest centre, whose colour it gets.
 
-    By a tree of the middles: VTK's locator of cells looks at all that lie in one place.
+    A tree of the centres is used: VTK's locator of cells compares all that lie in one place.
     """
     import pyvista as pv
     from vtkmodules.vtkCommonDataModel import vtkKdTreePointLocator

@@ -1,7 +1,6 @@
-"""What was read becomes what is drawn: checked, coloured, with its edges, without large polygons.
+"""Prepare a mesh for drawing: check it, colour it, find its edges, divide its large polygons.
 
-All that takes long for a large mesh is done here, so that `app.scenes.reading` can do it in the
-other process.
+All slow work on a large mesh is here, so that `app.scenes.reading` can do it in another process.
 """
 
 from __future__ import annotations
@@ -28,14 +27,15 @@ from app.scenes.shapes import brightness, distinct_rows
 
 ONE_POINT = QT_TRANSLATE_NOOP(
     "Refusal",
-    "{0}: all vertices are at one point, so that there is nothing to see; check the export.",
+    "{0}: all vertices are at one point, so there is nothing to see; check the export.",
 )
 ONE_LINE = QT_TRANSLATE_NOOP(
     "Refusal",
-    "{0}: all vertices are on one line, so that there is nothing to see; check the export.",
+    "{0}: all vertices are on one line, so there is nothing to see; check the export.",
 )
 WRONG_SIZE = QT_TRANSLATE_NOOP(
-    "Refusal", "{0}: the mesh is {1} units large, but must be between 1e-30 and 1e30; scale it."
+    "Refusal",
+    "{0}: the size of the mesh is {1} units, but must be between 1e-30 and 1e30; scale it.",
 )
 TOO_FAR = QT_TRANSLATE_NOOP(
     "Refusal",
@@ -43,13 +43,13 @@ TOO_FAR = QT_TRANSLATE_NOOP(
     " move the mesh to the origin.",
 )
 FARTHEST = 1e12
-"""From the origin, in sizes of a mesh: there four digits are left of where its vertices are."""
+"""Largest distance from the origin in sizes of a mesh: there vertices keep four digits."""
 FACES_WITH_EDGES = 5_000
-"""Meshes of more faces get no edge lines: they would be denser than the pixels."""
+"""Larger meshes get no edge lines: these would be denser than the pixels."""
 _BLOCK = 100_000
-"""Faces that are worked on together: progress is told after each."""
+"""Faces between two reports of progress."""
 _SHARP = math.cos(math.radians(30.0))
-"""Edges whose faces turn by more than this are drawn."""
+"""Edges whose faces turn by a larger angle are drawn."""
 
 
 class Finished(NamedTuple):
@@ -62,9 +62,9 @@ class Finished(NamedTuple):
     offsets, corners : (m + 1,) and (offsets[m],) int64
         As of `app.scenes.mesh.Mesh`, of faces of three or four corners.
     rgb : (m, 3) uint8
-        What each face looks like.
+        Shaded colour of each face.
     edges : (k, 2, 3) float64
-        Ends of the lines that are drawn.
+        Ends of the lines to draw.
     """
 
     points: Floats
@@ -80,7 +80,7 @@ class Finished(NamedTuple):
 
 
 def finished(path: Path, mesh: Mesh, progress: Progress | None) -> Finished:
-    """What is drawn of the mesh of a file.
+    """Prepare the mesh of a file.
 
     Raises
     ------
@@ -117,9 +117,9 @@ def _check(path: Path, points: Floats) -> None:
 
 
 def _is_on_a_line(points: Floats) -> bool:
-    """Whether points (n, 3) of a mesh of size 1 are thinner than float64 tells, in two directions.
+    """Whether points (n, 3) of a mesh of size 1 are on a line as far as float64 can tell.
 
-    By the principal axes: the second spread is lost in the rounding of the first.
+    Principal axes: the second spread is lost in the rounding of the first.
     """
     away = points - points.mean(axis=0)
     _, second, first = np.linalg.eigvalsh(away.T @ away)
@@ -140,15 +140,14 @@ def _face_colours(mesh: Mesh, progress: Progress | None) -> Colours:
 
 
 def _normals(mesh: Mesh, which: slice) -> Floats:
-    """Unit normals (m, 3) of some polygons, 0 where the area is 0.
+    """Return unit normals (m, 3) of some polygons, 0 where the area is 0.
 
-    The area vectors of the triangles of a fan add up to that of the polygon, also of a concave
-    one.
+    The area vectors of the triangles of a fan add up to that of the polygon, even a concave one.
     """
     offsets = mesh.offsets[which.start : which.stop + 1] - mesh.offsets[which.start]
     corners = mesh.corners[mesh.offsets[which.start] : mesh.offsets[which.stop]]
     counts = np.diff(offsets)
-    if (counts == 3).all():  # of the fan's triangles the others are 0
+    if (counts == 3).all():  # the fan has one triangle
         a, b, c = (mesh.points[corners[i::3]] for i in range(3))
         before, after = (b - a).T, (c - a).T
         starts = np.arange(len(counts))
@@ -166,11 +165,11 @@ def _normals(mesh: Mesh, which: slice) -> Floats:
 
 
 def _feature_edges(mesh: Mesh) -> Floats:
-    """Sharp and free edges (m, 2, 3) of a small mesh, and those of more than two faces.
+    """Return the sharp and free edges (m, 2, 3), and those of more than two faces.
 
-    Files repeat a vertex for every face, or where its texture or normal changes; only when the
-    copies are one point again do two faces know that they are neighbours. VTK's filter takes the
-    square of the faces at one edge, and a few kilobytes of glTF bring thousands.
+    Files repeat a vertex for every face, or where its texture or normal changes: copies are merged
+    to find neighbours. VTK's filter takes the square of the faces at one edge, of which a few
+    kilobytes of glTF bring thousands.
     """
     points, merged = distinct_rows(mesh.points)
     starts = merged[mesh.corners]
@@ -191,9 +190,9 @@ def _feature_edges(mesh: Mesh) -> Floats:
 
 
 def _divided(mesh: Mesh, rgb: Colours) -> tuple[Ints, Ints, Colours]:
-    """Offsets, corners and colours of faces in which polygons have become triangles.
+    """Return offsets, corners and colours of the faces after polygons became triangles.
 
-    VTK divides them, but leaves those out that cross or repeat themselves: these become fans.
+    VTK divides them, but omits those that cross or repeat themselves: these become fans.
     """
     counts = np.diff(mesh.offsets)
     large = np.flatnonzero(counts > 4)
@@ -222,7 +221,7 @@ def _divided(mesh: Mesh, rgb: Colours) -> tuple[Ints, Ints, Colours]:
 
 
 def following(offsets: Ints) -> Ints:
-    """For every place among the corners of faces, that of the next corner of the same face."""
+    """Return for every corner of the faces the place of the next corner of the same face."""
     following = np.arange(1, offsets[-1] + 1)
     following[offsets[1:] - 1] = offsets[:-1]
     return following

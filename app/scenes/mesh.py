@@ -67,7 +67,7 @@ NO_MEMORY = QT_TRANSLATE_NOOP(
     "{0}: there is not enough memory to read it; make it smaller, or close other programs.",
 )
 NOT_OF_KIND = QT_TRANSLATE_NOOP(
-    "Refusal", "{0}: this is not {1}, whatever its name says; check what kind of file it is."
+    "Refusal", "{0}: the content of the file is not {1}; check what kind of file it is."
 )
 CUT_OFF = QT_TRANSLATE_NOOP(
     "Refusal", "{0}: the file is cut off; export or download the file again."

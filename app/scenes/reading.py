@@ -1,9 +1,9 @@
-"""Meshes read where they can do no harm: what is large, in a process of its own.
+"""Read a mesh file without risk for the window: a large one in a process of its own.
 
-There it can be stopped at once, and takes no more memory than it may; neither its end nor
-exhausted memory reaches the window. The process is `python -m app.scenes.reading FILE`, a fresh one
-on every system, which imports nothing but numpy. It writes lines of JSON to its standard output
-(how far it is, or why the file was refused) and then the mesh's arrays as they lie in memory.
+The process can be stopped at once and has a limit of memory; neither its crash nor exhausted memory
+reaches the window. It is a fresh `python -m app.scenes.reading FILE`, which imports nothing but
+numpy. It writes lines of JSON to its standard output (the progress, or a refusal) and then the
+bytes of the mesh's arrays.
 """
 
 from __future__ import annotations
@@ -26,15 +26,15 @@ from app.scenes.finishing import Finished, finished
 from app.scenes.mesh import TOO_MUCH, Progress, open_mesh, report
 
 SMALL = 2**20
-"""Most bytes of a file that is read at once: within 0.1 s, which a process takes to begin."""
+"""Most bytes of a file that is read here, within the 0.1 s that a process takes to start."""
 SMALL_MESH = 100_000, 32 * 2**20
-"""Most triangles of such a file, and most bytes of them: a few bytes of glTF may grow to many."""
+"""Most triangles of such a file, and most bytes of its mesh: few bytes of glTF can grow."""
 MEMORY = 6 * 2**30
-"""Most bytes that a process which reads may take: `meshes.LARGEST` and the text that it is in."""
+"""Memory limit of the process: `app.scenes.mesh.LARGEST` and the text of the file."""
 ENDED = QT_TRANSLATE_NOOP(
     "Refusal",
-    "{0}: the program that reads it ended before it was done; make it smaller, or export or "
-    "download the file again.",
+    "{0}: the process that reads it ended too early; make it smaller, or export or download the "
+    "file again.",
 )
 _POLL_S = 0.05
 
@@ -42,12 +42,7 @@ _POLL_S = 0.05
 def read(path: Path, progress: Progress | None = None) -> Finished:
     """Read a mesh file, ready to be drawn; see `app.scenes.mesh_files.read`.
 
-    Parameters
-    ----------
-    path : Path
-        A file with one of `app.scenes.mesh_files.ENDINGS`.
-    progress : callable, optional
-        As of `app.scenes.mesh_files.read`; of a large file asked at least 20 times a second.
+    For a large file `progress` is called at least 20 times a second.
     """
     with open_mesh(path) as file:
         size = os.fstat(file.fileno()).st_size
@@ -55,7 +50,7 @@ def read(path: Path, progress: Progress | None = None) -> Finished:
         try:
             return finished(path, meshes.read(path, progress, SMALL_MESH), progress)
         except Refusal as error:
-            if error.bound != TOO_MUCH:  # for here
+            if error.bound != TOO_MUCH:  # it may be small enough for the process
                 raise
     return _read_apart(path, progress)
 
@@ -73,7 +68,7 @@ def _read_apart(path: Path, progress: Progress | None) -> Finished:
     )
     assert child.stdout is not None
     answers: SimpleQueue[Any] = SimpleQueue()
-    # No system lets a pipe be waited for together with the window's events.
+    # Not every system can wait for a pipe together with the window's events.
     listener = threading.Thread(target=_listen, args=(child.stdout, answers), daemon=True)
     listener.start()
     done = 0.0
@@ -100,14 +95,14 @@ def _read_apart(path: Path, progress: Progress | None) -> Finished:
 
 
 def _listen(pipe: BinaryIO, answers: SimpleQueue[Any]) -> None:
-    """Pass on what the process says; None when it has ended."""
+    """Queue the answers of the process; None when it has ended."""
     try:
         while line := pipe.readline():
             answer = json.loads(line)
             if "mesh" in answer:
                 answer = Finished(*(_received(pipe, *array) for array in answer["mesh"]))
             answers.put(answer)
-    except (EOFError, MemoryError, ValueError):  # it ended in the middle of a word
+    except (EOFError, MemoryError, ValueError):  # it ended within an answer
         pass
     finally:
         answers.put(None)
@@ -125,7 +120,7 @@ def _received(pipe: BinaryIO, kind: str, shape: list[int]) -> Any:
 
 
 def main(path: Path) -> None:
-    """Read a mesh and write it to standard output, where `read` looks for it; or why not."""
+    """Read a mesh and write it, or the refusal, to standard output for `read`."""
     _limit_memory()
     out = sys.stdout.buffer
 
@@ -156,9 +151,9 @@ def main(path: Path) -> None:
 
 
 def _limit_memory() -> None:
-    """Let this process take `MEMORY` and no more, as far as the system can be told."""
+    """Limit the memory of this process to `MEMORY`, where the system can."""
     if sys.platform == "win32":
-        return  # which has no such limit without a job object; `meshes.LARGEST` holds there too
+        return  # it has no such limit without a job object; `mesh.LARGEST` holds there too
     import resource
 
     if sys.platform == "linux":
@@ -167,7 +162,7 @@ def _limit_memory() -> None:
         resource.setrlimit(resource.RLIMIT_AS, (limit, hard))
         return
 
-    def watch() -> None:  # macOS takes the limit and does not keep it
+    def watch() -> None:  # macOS does not enforce the limit
         while resource.getrusage(resource.RUSAGE_SELF).ru_maxrss < MEMORY:
             time.sleep(_POLL_S)
         os._exit(1)

@@ -1,4 +1,4 @@
-"""Simple shapes in flat colours, of which the built-in scenes are put together.
+"""Simple shapes in flat colours, from which the built-in scenes are built.
 
 Faces are quads ``(m, 4, 3)`` and lines are segments ``(m, 2, 3)``, both float64, with a colour
 ``(m, 3)`` uint8 each: a `Coloured`.
@@ -20,10 +20,13 @@ Floats: TypeAlias = NDArray[np.float64]
 Colours: TypeAlias = NDArray[np.uint8]
 Coloured: TypeAlias = tuple[Floats, Colours]
 
+SIZES = 4
+"""Size classes of cells with boxes of their own: as large as the scene, half as large, ..."""
+
 # --------------------------------------------------------------------------- colours
 
-# Okabe-Ito, one hue for each axis, the lighter shade on the positive side. In a grey picture, or
-# to any kind of colour vision, the two sides of an axis still differ in lightness.
+# Okabe-Ito, one hue for each axis, the lighter shade on the positive side. The two sides of an axis
+# differ in lightness, also in a grey picture and for any colour vision.
 SIDE_RGB = np.array(
     [
         [230, 159, 0],  # +x orange
@@ -48,7 +51,7 @@ _LIGHTS = (((0.25, 0.80, 0.55), 0.50), ((-0.62, -0.25, -0.74), 0.24))
 
 
 def brightness(normals: Floats) -> Floats:
-    """Brightness (m,) of faces with these unit normals (m, 3) under the two soft lights."""
+    """Return the brightness (m,) of faces with unit normals (m, 3) under two soft lights."""
     light = np.full(len(normals), _AMBIENT)
     for direction, strength in _LIGHTS:
         light += strength * np.clip(normals @ np.array(direction), 0.0, None)
@@ -67,7 +70,7 @@ def joined(*parts: Coloured) -> Coloured:
 
 
 def box_faces(lower: Sequence[float], upper: Sequence[float]) -> Floats:
-    """The faces +x, -x, +y, -y, +z, -z of a box, counter-clockwise from outside, (6, 4, 3)."""
+    """Return the faces (6, 4, 3) +x, -x, +y, -y, +z, -z, counter-clockwise from outside."""
     faces = []
     for axis in range(3):
         right, up = (axis + 1) % 3, (axis + 2) % 3
@@ -81,16 +84,16 @@ def box_faces(lower: Sequence[float], upper: Sequence[float]) -> Floats:
 
 
 def box_corners(lower: ArrayLike, upper: ArrayLike) -> Floats:
-    """The corners of a box, (8, 3): x changes first, then y, then z."""
+    """Return the corners (8, 3) of a box: x changes first, then y, then z."""
     which = np.array([[i >> axis & 1 for axis in range(3)] for i in range(8)], dtype=bool)
     return np.where(which, upper, lower)
 
 
 def distinct_rows(rows: NDArray[Any]) -> tuple[NDArray[Any], NDArray[np.intp]]:
-    """Each row once, sorted, and the place of each given row among them.
+    """Return the distinct rows, sorted, and the index of each given row in them.
 
-    As `numpy.unique` gives them, which imports masked arrays for it: a twentieth of the time until
-    the window is seen.
+    `numpy.unique` does the same, but is slower for many rows, and imports masked arrays, which
+    costs a twentieth of the program's start.
     """
     order = np.lexsort(rows.T[::-1])
     by_size = rows[order]
@@ -100,8 +103,23 @@ def distinct_rows(rows: NDArray[Any]) -> tuple[NDArray[Any], NDArray[np.intp]]:
     return by_size[first], places
 
 
+def boxes_by_size(points: Floats, offsets: NDArray[np.int64], corners: NDArray[np.int64]) -> Floats:
+    """Return the ends (n, 2, 3) of boxes around cells of a size class, small cells by place."""
+    used = points[corners]
+    low, high = (ends.reduceat(used, offsets[:-1]) for ends in (np.minimum, np.maximum))
+    least, most = low.min(axis=0), high.max(axis=0)
+    sizes, extent = (high - low).max(axis=1), (most - least).max()
+    halvings = np.sum([sizes <= extent / 2.0**n for n in range(1, SIZES)], axis=0)
+    octants = (low + high > least + most) @ np.array([1, 2, 4])
+    kinds = 8 * halvings + np.where(halvings > 1, octants, 0)
+    order = np.argsort(kinds, kind="stable")
+    starts = np.flatnonzero(np.diff(kinds[order], prepend=-1))
+    lower, upper = np.minimum.reduceat(low[order], starts), np.maximum.reduceat(high[order], starts)
+    return np.stack([lower, upper], axis=1)
+
+
 def edges_of(quads: Floats) -> Coloured:
-    """Every edge of the quads, once."""
+    """Return every edge of the quads once."""
     points, corners = distinct_rows(quads.reshape(-1, 3))
     corners = corners.reshape(-1, 4)
     edges = np.stack([corners, np.roll(corners, -1, axis=1)], axis=2).reshape(-1, 2)
@@ -110,7 +128,7 @@ def edges_of(quads: Floats) -> Coloured:
 
 
 def is_grid(rgb: Colours) -> NDArray[np.bool_]:
-    """Which lines are a ground's, by their colours: no other line of a scene has one of these."""
+    """Return which lines are a ground's, by their colours, which no other line has."""
     one, other = (np.all(rgb == colour, axis=1) for colour in (GRID_RGB, GRID_AXIS_RGB))
     return np.asarray(one | other)
 
@@ -122,7 +140,9 @@ def ground_grid(
     height: float,
     origin: Vector = (0.0, 0.0, 0.0),
 ) -> Coloured:
-    """Ground lines of world x and z, at multiples of the spacing, that enclose the rectangle.
+    """Return ground lines at multiples of the spacing that enclose a rectangle.
+
+    The lines on the world's x and z axes are darker.
 
     Parameters
     ----------
@@ -131,12 +151,7 @@ def ground_grid(
     height : float
         World y of the grid.
     origin : Vector
-        World point that the lines are given relative to.
-
-    Returns
-    -------
-    Coloured
-        The lines on the world's x and z axes are darker, where they are inside.
+        World point to which the lines are relative.
     """
     steps = [
         np.arange(math.floor(low / step), math.ceil(high / step) + 1)
@@ -159,10 +174,7 @@ _LETTER_F = ((0, 0), (0, 1), (0, 2), (0, 3), (0, 4), (1, 4), (2, 4), (1, 2))
 
 
 def letter_f() -> Coloured:
-    """Faces of eight unit cubes on the ground, the letter's columns centred about x = 0.
-
-    The letter F of lecture 004 (Horvat); faces that touch are left out.
-    """
+    """Return the letter F of lecture 004 (Horvat): eight unit cubes without touching faces."""
     quads, rgb = [], []
     for column, row in _LETTER_F:
         faces = box_faces((column - 1.5, row, -0.5), (column - 0.5, row + 1.0, 0.5))
@@ -177,26 +189,26 @@ def letter_f() -> Coloured:
 LETTER_F = Projection(
     Camera((6.0, 5.0, 9.0), (0.0, 2.2, 0.0)), Perspective(fov_y_deg=45.0, near=4.0, far=18.0)
 )
-"""How the letter F opens, and with it the program."""
+"""The first projection of the letter F, and of the program."""
 
 
 @cache
 def letter_f_on_grid(
     low: tuple[float, float], high: tuple[float, float]
 ) -> tuple[Coloured, Coloured]:
-    """The letter F, and its edges on a grid of unit squares from one corner to the other."""
+    """Return the letter F, and its edges with a grid of unit squares between two corners."""
     faces, rgb = letter_f()
     return (faces, rgb), joined(ground_grid(low, high, (1.0, 1.0), 0.0), edges_of(faces))
 
 
 @cache
 def letter_f_edges() -> Coloured:
-    """Every edge of the letter F's faces, once."""
+    """Return every edge of the letter F once."""
     return edges_of(letter_f()[0])
 
 
 # The seven segments of a digit one unit wide and two high, as (left, bottom, right, top), and
-# the segments that each digit lights.
+# the segments of each digit.
 _SEGMENTS = np.array(
     [
         (0.0, 1.8, 1.0, 2.0),  # a: top
@@ -212,7 +224,7 @@ _DIGITS = ("abcdef", "bc", "abged", "abgcd", "fgbc", "afgcd", "afgedc", "abc", "
 
 
 def written_number(number: int, centre: Vector, height: float) -> Floats:
-    """A number written with seven-segment quads that face +z, (m, 4, 3)."""
+    """Write a number with seven-segment quads (m, 4, 3) that face +z."""
     scale = height / 2.0
     digits = str(number)
     width = 1.5 * len(digits) - 0.5

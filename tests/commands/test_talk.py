@@ -6,6 +6,7 @@ import re
 import zlib
 from collections import Counter
 from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -90,8 +91,13 @@ def pages_of(pdf: bytes) -> int:
     return len(re.findall(rb"/Type\s*/Page\b", pdf))
 
 
-def images_of(pdf: bytes) -> int:
-    return len(re.findall(rb"/Subtype\s*/Image\b", pdf))
+def handout_of(talk: Path, text: str) -> bytes:
+    """The pages of a talk, printed in this process."""
+    talk.write_text(text)
+    out = talk.with_name("out.pdf")
+    done = run_here("talk", talk, "--handout", out)
+    assert (done.returncode, done.stderr) == (0, "")
+    return out.read_bytes()
 
 
 def test_the_handout_has_every_step_with_figures(talk: Path, tmp_path: Path) -> None:
@@ -104,7 +110,8 @@ def test_the_handout_has_every_step_with_figures(talk: Path, tmp_path: Path) -> 
     box = re.search(rb"/MediaBox\s*\[\s*0 0 ([\d.]+) ([\d.]+)\s*\]", pdf)
     assert box is not None
     assert [round(float(side)) for side in box.groups()] == [595, 842]  # A4
-    assert images_of(pdf) == 3  # each step's, and what the prediction comes to
+    images = re.findall(rb"/Subtype\s*/Image\b", pdf)
+    assert len(images) == 3  # each step's, and the state that the prediction shows
     assert pages_of(pdf) == 2
 
 
@@ -177,20 +184,14 @@ lens.near=2
 
 
 def test_the_handout_has_the_matrices_where_their_panel_opens_or_they_change(
-    talk: Path, tmp_path: Path
+    qapp: Any, talk: Path
 ) -> None:
-    out = tmp_path / "out.pdf"
-    talk.write_text(PANELS)
-    done = run("talk", talk, "--handout", out)
-    assert (done.returncode, done.stderr) == (0, "")
+    pdf = handout_of(talk, PANELS)
     course = Course(read(talk))
     question = course.lesson.steps[1].asked[0]
-    states = [
-        course.shown(1).document,
-        course.shown_by(1, question.show),  # type: ignore[union-attr, arg-type]
-        course.shown(3).document,
-    ]
-    pdf = out.read_bytes()
+    assert question.show is not None
+    here = course.at(1)
+    states = [here.document, here.shown_by(question.show), course.at(3).document]
     runs = Counter(printed(pdf))
     runs.subtract(map(str, range(1, pages_of(pdf) + 1)))  # at the pages' feet
     cells = Counter(
@@ -207,17 +208,13 @@ def test_the_handout_has_the_matrices_where_their_panel_opens_or_they_change(
 
 
 def test_the_handout_has_the_numbers_of_the_scene_where_it_is_explained(
-    talk: Path, tmp_path: Path
+    qapp: Any, talk: Path
 ) -> None:
-    out = tmp_path / "out.pdf"
     text = PANELS.partition("---\n# Matrices")[0]
     text = text.replace("scene=letter-f", "scene=planar-shadow\nview.panel=scene")
     text += "---\n# Away {#away}\n```state\nscene=depth-buffer\nview.panel=scene\n```\n"
     text += "---\n# Letters {#f}\n```state\nscene=letter-f\nview.panel=scene\n```\n"
-    talk.write_text(text)
-    done = run("talk", talk, "--handout", out)
-    assert (done.returncode, done.stderr) == (0, "")
-    runs = printed(out.read_bytes())
+    runs = printed(handout_of(talk, text))
     at = runs.index("vertex P")
     assert runs[at + 1] == "(1.5, 5, 0.5)"
     assert "Of 36 vertices." in runs
@@ -227,26 +224,24 @@ def test_the_handout_has_the_numbers_of_the_scene_where_it_is_explained(
     assert "–" not in runs  # nobody has counted anything
 
 
-def test_the_handout_has_the_value_of_an_answer(talk: Path, tmp_path: Path) -> None:
-    out = tmp_path / "out.pdf"
+def test_the_handout_has_the_value_of_an_answer(qapp: Any, talk: Path) -> None:
     question = (
         "```answer\nHow wide?\nvalue: 2*atan(aspect*tan(45/2))\nunit: °\nwhy: By tangents.\n```\n"
     )
-    talk.write_text(TALK + question)
-    assert run("talk", talk, "--handout", out).returncode == 0
-    text = " ".join(printed(out.read_bytes()))
+    text = " ".join(printed(handout_of(talk, TALK + question)))
     assert "How wide? 72.73° ✓ By tangents." in " ".join(text.split())  # 2 atan(16/9 tan 22.5°)
 
 
-def test_a_handout_is_written_whole_or_not_at_all(talk: Path, tmp_path: Path) -> None:
+def test_a_handout_is_written_whole_or_not_at_all(
+    qapp: Any, talk: Path, tmp_path: Path
+) -> None:
     out = tmp_path / "out.pdf"
     out.write_bytes(b"of before")
     talk.write_text(TALK.replace("show: lens.near=3", "show: lens.near=99"))
-    done = run("talk", talk, "--handout", out)
-    assert "line 26" in one_sentence(done, 2)
+    assert "line 26" in one_sentence(run_here("talk", talk, "--handout", out), 2)
     assert out.read_bytes() == b"of before"
     talk.unlink()
-    assert "small.md does not exist" in one_sentence(run("talk", talk, "--handout", out), 2)
+    assert "small.md does not exist" in one_sentence(run_here("talk", talk, "--handout", out), 2)
     assert sorted(path.name for path in tmp_path.iterdir()) == ["out.pdf"]
 
 

@@ -1245,8 +1245,8 @@ WRONG_VIEWS: list[tuple[object, str]] = [
                              " probes."),
     ({"probes": [[1, 2, 3], 4]}, f".probes[1] = 4: {NO_PROBE}"),
     ({"probes": [[1, True, 2]]}, f".probes[0] = [1, true, 2]: {NO_PROBE}"),
-    ({"probes": [[0, 0, 0, 0]]}, ".probes[0] = [0, 0, 0, 0]: must not be 0 where x, y and z are:"
-                                 " (0, 0, 0, 0) is no point and no direction."),
+    ({"probes": [[0, 0, 0, 0]]}, ".probes[0] = [0, 0, 0, 0]: must not be 0 if x, y and z are 0:"
+                                 " (0, 0, 0, 0) is neither a point nor a direction."),
     ({"probes": [[1, 2, 1e200]]}, ".probes[0] = 1e+200: must be at most 1e+100."),
     ({"probes": [None, [16385, 2]]}, ".probes[1] = 16385: must be at most 16384."),
     ({"pinned": [1]}, ".pinned = [1]: must be a list of the numbers of probes."),

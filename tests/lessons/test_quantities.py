@@ -94,9 +94,9 @@ def test_functions_take_degrees_and_are_exact_where_it_matters() -> None:
 @pytest.mark.parametrize(
     ("text", "said"),
     [
-        ("nearr", "has no such name, nearr; the nearest is near"),
-        ("eval(1)", "has no such function or matrix, eval"),
-        ("__class__", "has a character that no formula has"),
+        ("nearr", "uses an unknown name, nearr; the nearest is near"),
+        ("eval(1)", "uses an unknown function or matrix, eval"),
+        ("__class__", "which no formula may contain"),
         ("1/0", "divides by zero"),
         ("1/(near - near)", "divides by zero"),
         ("tan(90)", "divides by zero"),
@@ -109,9 +109,9 @@ def test_functions_take_degrees_and_are_exact_where_it_matters() -> None:
         ("clip_from_view(1)", "asks for a part that clip_from_view does not have"),
         ("clip_from_view", "asks for a part that clip_from_view does not have"),
         ("near(1)", "asks for a part that near does not have"),
-        ("reading_nothing", "has no such name, nothing"),
-        ("settings_distance", "has no such name, settings_distance"),
-        ("was_near", "has no such name, was_near"),
+        ("reading_nothing", "uses an unknown name, nothing"),
+        ("settings_distance", "uses an unknown name, settings_distance"),
+        ("was_near", "uses an unknown name, was_near"),
     ],
 )
 def test_what_a_formula_may_not_name_gets_one_sentence(text: str, said: str) -> None:

@@ -44,7 +44,7 @@ def showing(phenomenon: Phenomenon, subject: Subject) -> Callable[..., Illustrat
 
 
 def readings(illustration: Illustration) -> dict[str, Any]:
-    """Every value by its label; whatever has none says why."""
+    """Every value by its label; a reading without a value must say why."""
     for one in illustration.readings:
         assert one.value is not None or one.note is not None, one.label
     return {one.label: one.value for one in illustration.readings}
@@ -54,6 +54,13 @@ def reading(illustration: Illustration, label: str) -> Reading:
     """The one reading whose label contains the words."""
     (found,) = (r for r in illustration.readings if label in r.label)
     return found
+
+
+def why(illustration: Illustration, label: str) -> str:
+    """Why the reading has no value."""
+    found = reading(illustration, label)
+    assert found.value is None and found.note is not None, label
+    return found.note.sentence()
 
 
 def value(illustration: Illustration, label: str) -> float:

@@ -29,11 +29,11 @@ LEAST_SEEN = {
     "view-volumes": 0.3, "off-axis-window": 0.75, "eye-plane": 0.4, "far-plane-popping": 0.14,
     "focus": 0.9, "clipping": 0.4,
 }  # fmt: skip
-"""But for what a scene is there to leave out."""
+"""The least share of the subject in the picture, for scenes that leave some of it out."""
 
 
 def values_of(setting: Setting) -> list[Any]:
-    """Its choices, or its default and its ends; of a point also what is hardly there."""
+    """Its choices, or its default and its bounds; for a point also tiny coordinates."""
     if isinstance(setting.default, bool):
         return [True, False]
     if isinstance(setting.default, str):
@@ -47,7 +47,7 @@ def values_of(setting: Setting) -> list[Any]:
 
 
 def wild_settings(phenomenon: Phenomenon) -> list[Settings]:
-    """Each setting at each of its values alone, and at random with the others at theirs."""
+    """Each setting at each of its values alone, and random combinations."""
     dice = random.Random(1)
     values = {setting.name: values_of(setting) for setting in phenomenon.settings}
     tried: list[dict[str, Any]] = [{}]
@@ -106,7 +106,7 @@ def test_the_defaults_read_and_draw_something(phenomenon: Phenomenon) -> None:
 
 @EVERY
 def test_no_projection_and_no_setting_shows_a_nan(phenomenon: Phenomenon) -> None:
-    """A few of many settings for each projection, and all of them over the projections."""
+    """Each projection with a few settings, so that all settings are tried."""
     subject, every, followed = subject_of(phenomenon), wild_settings(phenomenon), 0
     for index, projection in enumerate(projections(phenomenon)):
         for settings in every[index % 18 :: 18]:

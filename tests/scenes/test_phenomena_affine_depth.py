@@ -97,7 +97,7 @@ def draw(rng: np.random.Generator) -> tuple[Projection, Array]:
     return projection, np.stack([x * w / near, y * w / near, -w], axis=1) * [0.999, 0.999, 1.0]
 
 
-def test_the_deviation_is_the_searched_one() -> None:
+def test_the_deviation_matches_a_search() -> None:
     rng = np.random.default_rng(3)
     found = []
     for _ in range(20):
@@ -113,7 +113,7 @@ def test_the_deviation_is_the_searched_one() -> None:
     assert min(found) < 2.0
 
 
-def test_what_is_cut_is_said_to_be_cut_and_read_between_its_own_ends() -> None:
+def test_a_cut_segment_is_reported_and_measured_between_its_own_ends() -> None:
     """P and Q may have any w, below 0 too; P' and Q' are found among points of PQ."""
     rng = np.random.default_rng(5)
     counted = {True: 0, False: 0}
@@ -188,7 +188,7 @@ def test_the_marks_are_the_bow_and_the_straight_image() -> None:
         assert 100 * aside / np.linalg.norm(chord) == pytest.approx(float(percent), abs=1e-8)
 
 
-def test_where_there_is_no_bow_that_is_said() -> None:
+def test_a_missing_bow_is_explained() -> None:
     for lens in (Orthographic(), Oblique()):  # nothing is bent
         flat = show(Projection(Camera(), lens), (3.0, 2.0, 2.0), (-2.0, 3.0, -1.0))
         assert values(flat) == [0.0, None, 0.0] and flat.warning is not None

@@ -81,7 +81,7 @@ def test_l21_the_film_s_distance_is_near_and_goes_with_it() -> None:
     assert PHENOMENON.at_hand(nearer, PHENOMENON.checked({}))["distance"] == 1.25
 
 
-def test_l21_behind_the_hole_and_with_a_parallel_lens_there_is_none() -> None:
+def test_l21_there_is_no_image_behind_the_hole_or_with_a_parallel_lens() -> None:
     away = replace(START, camera=Camera((0.5, 2.5, 9.0), (0.5, 2.5, 18.0)))
     illustration = show(away)
     note = reading(illustration, "on the film").note

@@ -29,7 +29,7 @@ def xyw(points_clip: Array) -> Array:
 
 
 def area(points: Array) -> float:
-    """Of a flat convex polygon (n, 3)."""
+    """The area of a flat convex polygon (n, 3)."""
     parts = np.cross(points[1:-1] - points[0], points[2:] - points[0])
     return float(np.linalg.norm(parts.sum(axis=0))) / 2.0
 
@@ -104,7 +104,7 @@ def test_l15_each_plane_gives_the_triangle_one_corner_more_up_to_nine() -> None:
 
 
 @pytest.mark.parametrize("step", range(7))
-def test_l15_what_is_left_and_what_is_cut_off_make_up_the_triangle(step: int) -> None:
+def test_l15_the_remaining_and_the_cut_off_pieces_make_up_the_triangle(step: int) -> None:
     illustration = show(step=float(step))
     (left,) = faces(illustration, "accent")
     pale = faces(illustration, "muted")
@@ -115,7 +115,7 @@ def test_l15_what_is_left_and_what_is_cut_off_make_up_the_triangle(step: int) ->
 
 
 def test_l15_cards_are_counted_as_their_corners_say() -> None:
-    """No card here goes past an edge of the volume, where corners alone do not tell."""
+    """The corners alone decide, because no card here passes an edge of the volume."""
     for seen in (START, START.between(2.0, 20.0), START.between(6.0, 9.0)):
         outside = seen.trace(CARDS).outside
         whole = ~outside.any(axis=(1, 2))
@@ -126,7 +126,7 @@ def test_l15_cards_are_counted_as_their_corners_say() -> None:
 
 
 def test_l15_a_face_past_an_edge_of_the_volume_is_outside() -> None:
-    """From right of it to above it: 3 + 0 and 0 + 3 at w = 2 pass (2, 2) by; and through it."""
+    """The first face passes the edge (2, 2) at w = 2, the second one does not."""
     past = [(4.5, 0.0, -2.0), (0.0, 4.5, -2.0), (4.5, 4.5, -2.0)]
     through = [(3.0, 0.0, -2.0), (0.0, 3.0, -2.0), (3.0, 3.0, -2.0)]
     assert not SIMPLE.trace(past).outside.all(axis=0).any()

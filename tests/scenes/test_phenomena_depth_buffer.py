@@ -64,8 +64,8 @@ def brute_force(projection: Projection, gap: float, random: np.random.Generator)
     return both[np.isfinite(both).all(axis=1)]
 
 
-def test_the_share_is_that_of_rays_cut_with_the_ramp() -> None:
-    """50 settings: codes equal where surface 2 is farther, of 20 000 random pixels; 4 points."""
+def test_the_share_matches_rays_cut_with_the_ramp() -> None:
+    """At 50 settings, within 4 points of 20 000 random pixels with equal codes."""
     random = np.random.default_rng(17)
     between = 0
     for number in range(50):
@@ -103,7 +103,7 @@ def test_l17_the_smallest_gap_at_the_target_is_the_lectures() -> None:
 
 
 def test_a_surface_that_comes_to_lie_in_front_is_never_wrong() -> None:
-    """Looking up along the ramp, away along n is towards the eye: what is seen is right."""
+    """If the camera looks up along the ramp, the move along n brings surface 2 to the front."""
     up = Projection(
         Camera((0.0, 9.0, 12.0), (0.0, 29.0, -28.0), (0.0, 1.0, 0.0)),
         Perspective(100.0, 0.01, 200.0),
@@ -133,12 +133,12 @@ MESHES: dict[str, Callable[[], pv.PolyData]] = {
     "torus": lambda: pv.ParametricTorus(u_res=40, v_res=40, w_res=40).triangulate(),
     "fine sphere": lambda: pv.Sphere(theta_resolution=60, phi_resolution=60),
 }
-"""From one triangle to more than `SUBJECT_SURFACE`, for which fewer stand."""
+"""From one triangle to more than `SUBJECT_SURFACE`, which are simplified."""
 
 
 @pytest.mark.parametrize("name", MESHES)
 def test_the_share_of_a_mesh_is_that_of_its_pixels(name: str, tmp_path: Path) -> None:
-    """Against the pixels of a picture, within the 5 points of the ramp."""
+    """Within 5 points of the pixels of a picture."""
     path = tmp_path / "mesh.ply"
     MESHES[name]().save(path)
     scene = load("depth-buffer", mesh=str(path))
@@ -209,7 +209,7 @@ def test_a_mesh_at_the_limits_has_a_share_or_a_reason(tmp_path: Path) -> None:
     assert reading.value is None and reading.note is not None
 
 
-def test_what_the_lens_cannot_have_is_said() -> None:
+def test_a_buffer_that_the_lens_cannot_have_is_explained() -> None:
     start = PHENOMENON.start
     flat = replace(start, lens=Orthographic(-8.0, 8.0, -5.0, 5.0, 1.0, 80.0))
     endless = replace(start, lens=Perspective(45.0, 1.0, math.inf))
@@ -238,7 +238,7 @@ def test_the_ticks_are_codes(name: str, largest: int) -> None:
 
 
 def test_the_explanations_figures_are_the_readings() -> None:
-    """Near decides, far hardly; and only the control that decides is brought to the front."""
+    """Near decides, far hardly; only the control that decides is offered."""
     start = PHENOMENON.start
     ((near, far),) = re.findall(r"near (\S+), \d+ % with far (\d+)", PHENOMENON.explanation)
     nearer, farther = start.lens.but(near=float(near)), start.lens.but(far=float(far))

@@ -1,4 +1,4 @@
-"""Crossing the eye plane: each readout against lecture 004's formula in 40 digits, on its own."""
+"""Crossing the eye plane: each readout against lecture 004's formula in 80 digits."""
 
 from __future__ import annotations
 
@@ -112,7 +112,7 @@ def lengths(projection: Projection, start: Any, end: Any) -> tuple[Any, Any, Any
 
 
 def draw(rng: np.random.Generator) -> tuple[Projection, tuple[float, ...], tuple[float, ...]]:
-    """A camera, and a segment about it; one time in three so close that the cut is seen."""
+    """A camera and a segment; one time in three so close to the eye that the cut is seen."""
     eye, target, start, end = rng.uniform(-4, 4, (4, 3))
     if rng.random() < 1 / 3:
         start, end = eye + (start - eye) / 300, eye + (end - eye) / 300
@@ -120,7 +120,7 @@ def draw(rng: np.random.Generator) -> tuple[Projection, tuple[float, ...], tuple
     return Projection(Camera(eye, target), CENTRAL[rng.integers(len(CENTRAL))], SIZE), start, end
 
 
-def test_every_case_and_length_is_the_formula_s() -> None:
+def test_cases_and_lengths_match_the_formula() -> None:
     rng = np.random.default_rng(7)
     seen = set()
     drawn_wrongly = cut_off = 0
@@ -229,7 +229,7 @@ def test_by_hand() -> None:
 
 
 def test_the_circle_has_the_two_arcs() -> None:
-    """The segment's own arc holds the top just when an end is on either side of the eye plane."""
+    """The segment's own arc includes the top only if its ends are on both sides of the plane."""
     rng = np.random.default_rng(9)
     across = 0
     for _ in range(150):
@@ -295,7 +295,7 @@ def test_the_image_pane_shows_both_images() -> None:
     assert case_of(show(flipped)) == 3
 
 
-def test_of_a_large_mesh_the_edges_that_cross_the_eye_plane_are_counted_first() -> None:
+def test_a_large_mesh_counts_the_edges_that_cross_the_eye_plane_first() -> None:
     """Otherwise 1500 longer edges in front would hide the 300 that are drawn wrongly."""
     random = np.random.default_rng(8)
     eye, (u, v, n) = np.array(START.camera.eye), START.camera.frame
@@ -314,7 +314,7 @@ def test_of_a_large_mesh_the_edges_that_cross_the_eye_plane_are_counted_first() 
 
 
 def test_nothing_is_named_that_is_not_drawn() -> None:
-    """Both ends behind: only the naive divide draws AB; and the text is true of it."""
+    """With both ends behind, only the naive divide draws AB, as the explanation says."""
     illustration = show(START, (2.5, 1.8, 2.5), (3.0, 2.0, 4.0))
     assert case_of(illustration) == 2
     for diagram in illustration.diagrams:
@@ -339,7 +339,7 @@ def test_nothing_is_named_that_is_not_drawn() -> None:
 def test_between_the_cut_and_the_eye_nothing_is_said_to_be_behind_the_eye(
     start: Any, end: Any, case: int
 ) -> None:
-    """Lecture 004's cases ask on which side of z = -0.01 an end is, not of the eye."""
+    """Lecture 004's cases depend on the side of z = -0.01, not on the side of the eye."""
     illustration = show(START, start, end)
     assert case_of(illustration) == case
     assert value(illustration, "mirrored end") is None
@@ -347,8 +347,8 @@ def test_between_the_cut_and_the_eye_nothing_is_said_to_be_behind_the_eye(
     assert "wrong" not in [text.text for text in illustration.image.texts]
 
 
-def test_of_the_segment_the_cube_has_what_is_in_it() -> None:
-    """By two thousand points of it, each divided by its own w if it is inside."""
+def test_the_cube_shows_the_part_of_the_segment_inside_it() -> None:
+    """Compare with two thousand of its points, each divided by its own w."""
     rng = np.random.default_rng(12)
     inside = 0
     for _ in range(100):

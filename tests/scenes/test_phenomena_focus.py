@@ -203,7 +203,7 @@ def test_the_picture_outlines_the_posts_whose_numbers_are_in_the_range_and_no_ot
 
 
 def test_a_post_that_is_not_sharp_bears_its_disc() -> None:
-    """The traced one of its distance, in the picture's pixels."""
+    """The disc matches the traced one at its distance, in the picture's pixels."""
     start, (focus, aperture) = PHENOMENON.start, (5.0, 1.4)
     illustration = show(start, focus=focus, aperture=aperture)
     lens = ThinLens(readings(illustration)["focal length f"], aperture, focus)
@@ -230,7 +230,7 @@ def test_the_cube_shows_the_limits_where_depth_puts_them() -> None:
         np.testing.assert_allclose(np.abs(face.points[:, :2]), 1.0, atol=1e-12)
 
 
-def test_of_a_mesh_of_the_users_the_sharp_vertices_are_marked() -> None:
+def test_the_sharp_vertices_of_a_user_s_mesh_are_marked() -> None:
     points = np.array([(0.0, 1.0, -d) for d in (3.0, 4.9, 5.0, 5.1, 9.0)])
     nothing = np.empty((0, 2, 3)), 0, np.empty((0, 3, 3))
     subject = Subject((0.0, 1.0, -9.0), (0.0, 1.0, -3.0), points, OwnMesh(*nothing))
@@ -240,7 +240,7 @@ def test_of_a_mesh_of_the_users_the_sharp_vertices_are_marked() -> None:
     assert illustration.image.lines == () and illustration.image.faces == ()
 
 
-def test_what_cannot_be_focused_says_why() -> None:
+def test_a_lens_that_cannot_be_focused_says_why() -> None:
     tele = Projection(EYE, Perspective(1.0, 0.5, 30.0))  # 1215 mm
     illustration = show(tele, focus=1.0)
     assert illustration.warning is not None
@@ -256,7 +256,7 @@ def test_what_cannot_be_focused_says_why() -> None:
 
 
 def test_l24_each_plane_s_name_points_at_another_corner_of_it() -> None:
-    """At the same one names stand over each other, and over the planes behind."""
+    """At the same corner the names would cover each other, and the planes behind."""
     start = PHENOMENON.start
     texts = show().world.texts
     assert [text.text for text in texts] == ["sharp from", "in focus", "sharp to"]

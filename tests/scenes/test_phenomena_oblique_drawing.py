@@ -13,7 +13,7 @@ from app.lecture.notation import in_letters
 from app.model.projection import Camera, Oblique, Orbit, Projection
 from app.scenes.phenomena.oblique_drawing import PHENOMENON, oblique
 from tests.oracles.exact import cotangent_deg, mp
-from tests.oracles.illustrations import random_projection, reading, showing, subject_of, value
+from tests.oracles.illustrations import random_projection, reading, showing, subject_of, value, why
 
 SUBJECT = subject_of(PHENOMENON)
 
@@ -121,8 +121,7 @@ def test_the_morph_starts_at_the_orthographic_drawing() -> None:
     orthographic = PHENOMENON.start.with_lens("orthographic")
     points = SUBJECT.points
     assert np.allclose(straight.trace(points).image, orthographic.trace(points).image, atol=1e-9)
-    found = reading(shown(straight), "receding angle")
-    assert found.value is None and found.note is not None
+    assert why(shown(straight), "receding angle")
     assert value(shown(straight), "receding scale") == pytest.approx(0.0, abs=1e-12)
     # On the way every point goes straight and evenly.
     half = followed(PHENOMENON.start, morph=0.5).trace(points).image
@@ -133,12 +132,12 @@ def test_the_morph_starts_at_the_orthographic_drawing() -> None:
 def test_that_no_scale_can_be_read_has_its_own_reason() -> None:
     start = PHENOMENON.start
     tiny = replace(start, camera=replace(start.camera, eye=(1e15, 1e15, 1e15)))
-    for projection, why in (
+    for projection, said in (
         (start.with_lens("perspective"), "choose the oblique lens"),
         (replace(tiny, lens=Oblique(-1e60, 1e60, -1e60, 1e60)), "too many or too few"),
     ):
         found = reading(shown(projection), "receding scale")
-        assert found.value is None and found.note is not None and why in found.note.template
+        assert found.value is None and found.note is not None and said in found.note.template
 
 
 def test_the_plane_through_the_target_stays() -> None:
@@ -175,8 +174,8 @@ def test_no_scale_is_written_where_there_is_none() -> None:
 
 
 @pytest.mark.parametrize("angle_deg", [30.0, -45.0, 135.0, 180.0])
-def test_beside_the_edges_that_are_measured_is_room_for_their_names(angle_deg: float) -> None:
-    """Of v the one farthest to the right is marked, and u's name is at the end of its edge."""
+def test_the_measured_edges_have_room_for_their_names(angle_deg: float) -> None:
+    """The rightmost edge along v is marked, and the name of u stands at the end of its edge."""
     seen = followed(PHENOMENON.start, drawing="cabinet", angle_deg=angle_deg)
     # The middle of the marked edge, 2 units high, is at y = 1.
     (place,) = (text.point for text in shown(seen).image.texts if text.text.startswith("{axis_v}"))

@@ -97,7 +97,7 @@ def test_the_wall_shows_what_one_picture_shows() -> None:
 
 
 def test_why_nothing_is_compared() -> None:
-    """Beside the picture, though in front of the eye."""
+    """The subject is in front of the eye, but beside the picture."""
     beside = moved(PHENOMENON.start, 0.0, 30.0)
     beside = replace(beside, lens=PHENOMENON.start.lens)
     assert beside.trace(SUBJECT.points).in_front.all()
@@ -216,7 +216,7 @@ def test_l6_each_of_the_six_moves_its_own_edge(
         assert now[side] == (text if side == name else before, pytest.approx(expected))
 
 
-def test_l6_the_side_that_is_spoken_of_has_a_line_of_its_own() -> None:
+def test_l6_each_side_has_a_line_of_its_own_to_highlight() -> None:
     lines = {line.about: line.points for line in shown(PHENOMENON.start).world.lines if line.about}
     assert sorted(lines) == [("bottom",), ("left",), ("right",), ("top",)]
     assert np.ptp(lines["left",], axis=0) == pytest.approx([0.0, 1.8, 0.0])

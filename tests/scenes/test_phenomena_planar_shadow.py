@@ -107,7 +107,7 @@ def test_shadow_and_count_are_the_ray_s() -> None:
 
 
 @pytest.mark.parametrize("kind", ["point", "sun"])
-def test_l19_s_is_what_the_formula_beside_it_says(kind: str) -> None:
+def test_l19_s_matches_the_formula_beside_it(kind: str) -> None:
     """From the numbers in the sentence alone: (p L) I - L p^T."""
     light, height = (1.25, 2.125, -3.375), -2.5
     illustration = show(kind=kind, light=light, height=height)
@@ -167,7 +167,7 @@ def test_l19_by_hand() -> None:
 def test_the_gpu_cuts_the_anti_shadow_off_and_minus_s_lets_it_through(
     lens: Lens, depth: Any
 ) -> None:
-    """A point is in the volume under S just if it has a shadow and that is seen; under -S the rest.
+    """Under S a point is in the volume if it has a shadow that is seen; under -S the rest is.
 
     What is above the light and has its image behind the eye has w > 0 again, beyond the far plane.
     """

@@ -36,7 +36,7 @@ def random_projection(random: np.random.Generator) -> Projection:
 
 
 def test_image_scale_and_sign_are_those_of_the_formula() -> None:
-    """x_p = d x / w, y_p = d y / w, and the same from the matrix with -1/d, in 60 digits."""
+    """x_p = d x / w, y_p = d y / w, and the same from the matrix with -1/d, in 80 digits."""
     random = np.random.default_rng(21)
     checked = 0
     while checked < 50:
@@ -73,7 +73,7 @@ def test_image_scale_and_sign_are_those_of_the_formula() -> None:
 
 
 @pytest.mark.parametrize("distance", [4.0, 9.5, 20.0, -3.0])
-def test_what_is_marked_lies_on_the_plane_and_on_its_projector(distance: float) -> None:
+def test_marked_points_lie_on_the_plane_and_on_their_projectors(distance: float) -> None:
     illustration = show(distance=distance)
     camera = START.camera
     at = {text.text[0] + text.text[-1]: np.asarray(text.point) for text in illustration.world.texts}
@@ -181,7 +181,7 @@ def test_l5_from_the_side_both_triangles_have_their_lengths() -> None:
     }
 
 
-def test_l5_what_speaks_of_d_stands_out_with_it() -> None:
+def test_l5_numbers_and_lines_about_d_are_highlighted_together() -> None:
     illustration = show()
     about = {reading.label: set(reading.about) for reading in illustration.readings}
     assert about["projection, with −1/d"] == {"settings.distance"} <= about["scale d / w"]

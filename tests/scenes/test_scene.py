@@ -16,12 +16,12 @@ from hypothesis import strategies as st
 from app.model.projection import Camera, Perspective, Projection
 from app.model.refusal import Cancelled, Refusal
 from app.scenes import finishing
+from app.scenes.own_mesh import SUBJECT_TRIANGLES
 from app.scenes.phenomena import PHENOMENA
 from app.scenes.scene import (
     BUILT_IN,
     ENDINGS,
     SUBJECT_SAMPLE,
-    SUBJECT_TRIANGLES,
     frame_camera,
     load,
 )
@@ -207,7 +207,7 @@ def test_a_mesh_takes_the_place_of_a_phenomenons_subject(kind: str, tmp_path: Pa
     assert scene.name == "similar-triangles" and scene.phenomenon is built_in.phenomenon
     assert scene.start == built_in.start
     points = np.unique(world_points(scene).round(5), axis=0)
-    # Scaled alike in all directions, as large as the depth of 1 allows, and moved.
+    # Scaled uniformly, as large as the depth of 1 allows, and moved.
     offset, scale = np.unique(PYRAMID, axis=0), 1.0 / (3.125 - 0.25)
     expected = (offset - PYRAMID.min(axis=0)) * scale
     assert len(points) == 5
@@ -218,7 +218,7 @@ def test_a_mesh_takes_the_place_of_a_phenomenons_subject(kind: str, tmp_path: Pa
     assert np.allclose(middle[[0, 2]], np.array(built_in.centre)[[0, 2]], atol=1e-5)
     assert np.allclose(scene.lower, points.min(axis=0), atol=1e-5)
     assert np.allclose(scene.subject.points.max(axis=0), scene.upper, atol=1e-5)
-    # The ground of the scene stays, its edges do not.
+    # The ground of the scene stays; the edges of its subject go.
     lines = segments(built_in)
     ground = {
         tuple(map(tuple, ends)) for ends in lines[np.ptp(lines, axis=1).max(axis=1) > 5.0].tolist()
@@ -256,7 +256,7 @@ def test_a_mesh_in_the_scene_of_the_eye_plane_goes_through_it(
 
 @pytest.mark.parametrize("kind", WRITERS)
 def test_a_mesh_in_a_phenomenon_has_its_edges_once(kind: str, tmp_path: Path) -> None:
-    """Also where the file repeats a vertex for every face."""
+    """Even if the file repeats a vertex for every face."""
     assert load("eye-plane").subject.mesh is None
     scene = load("eye-plane", mesh=str(pyramid_file(tmp_path, kind, 64.0)))
     assert "subject" in vars(scene), "found while progress is shown, not by the first drawing"
@@ -275,7 +275,7 @@ def test_a_mesh_in_a_phenomenon_has_its_edges_once(kind: str, tmp_path: Path) ->
 def test_a_large_mesh_in_a_phenomenon_has_its_longest_edges(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr("app.scenes.scene.SUBJECT_EDGES", 200)
+    monkeypatch.setattr("app.scenes.own_mesh.SUBJECT_EDGES", 200)
     random = np.random.default_rng(2)
     points = random.normal(size=(900, 3))
     lines = [f"v {x} {y} {z}" for x, y, z in points.tolist()]
@@ -300,7 +300,7 @@ def test_a_large_mesh_in_a_phenomenon_has_its_longest_edges(
 
 
 def test_a_mesh_of_points_in_a_phenomenon_has_an_edge(tmp_path: Path) -> None:
-    """Each face is at one place, but not at the same."""
+    """Each face is a point, but not the same one."""
     path = tmp_path / "points.obj"
     path.write_text("v 0 0 0\nv 1 0 0\nv 1 1 0\nf 1 1 1\nf 2 2 2\nf 3 3 3\n")
     for name in ("interpolation", "affine-depth", "eye-plane"):
@@ -330,7 +330,7 @@ def test_a_mesh_that_no_scene_can_take_is_refused(tmp_path: Path) -> None:
     with pytest.raises(Refusal) as caught:
         load("cube", mesh=path)
     assert str(caught.value) == (
-        f"mesh = {path}: the scene “cube” has a subject of its own, no mesh can take its place."
+        f"mesh = {path}: the scene “cube” has a subject of its own, which no mesh can replace."
     )
     for wrong in (str(tmp_path / "m.xyz"), str(tmp_path / "none.obj")):
         with pytest.raises(Refusal, match="no such file"):

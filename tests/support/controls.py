@@ -1,4 +1,4 @@
-"""The control column under a test: what a hand does to it, and what it says."""
+"""Helpers for tests of the dock: actions of a user, and a record of its signals."""
 
 from __future__ import annotations
 
@@ -13,7 +13,8 @@ from PySide6.QtWidgets import QApplication, QComboBox, QSlider
 from app.model.projection import Camera, Frustum, Oblique, Orthographic, Perspective, Projection
 from tests.support.shown import show
 from widgets.controls.controls import Controls
-from widgets.parts.fields import ChoiceRow, NumberRow
+from widgets.parts.fields import ChoiceRow
+from widgets.parts.number_rows import NumberRow
 from widgets.parts.panel import Changed, Shown
 
 KEY = Qt.Key
@@ -25,7 +26,7 @@ SLANTED = replace(START, lens=Oblique(near=2.0))
 
 
 class Column(Controls):
-    """The column, and what its owner has.
+    """The dock and the projection of its owner.
 
     Attributes
     ----------
@@ -47,7 +48,7 @@ class Column(Controls):
 
 
 def column_with_the_keyboard(qtbot: Any, *sections: str) -> Column:
-    """The column showing `START`, with these sections open too."""
+    """Make a dock that shows `START`, with these sections open."""
     controls = Column()
     qtbot.addWidget(controls)
     controls.resize(320, 900)
@@ -62,8 +63,24 @@ def column_with_the_keyboard(qtbot: Any, *sections: str) -> Column:
     return controls
 
 
+class Reader:
+    """Another dock with all rows in view, for comparison."""
+
+    def __init__(self, qtbot: Any) -> None:
+        self._column = Controls()
+        qtbot.addWidget(self._column)
+        self._column.set_scene(6.0, START)
+        for section in self._column.sections.values():
+            section.set_open(True)
+
+    def read(self, key: str, shown: Projection) -> float:
+        """Return the number that a row shows of a projection."""
+        show(self._column, shown)
+        return number(self._column, key).value()
+
+
 class Record:
-    """What the column says, in order."""
+    """Records the signals of the dock in order."""
 
     def __init__(self, controls: Controls) -> None:
         self.edits: list[Projection] = []
@@ -101,7 +118,7 @@ def choose(row: ChoiceRow, key: str) -> None:
 
 
 def enter(row: NumberRow, text: str) -> None:
-    """Type over what the field holds, and press Return."""
+    """Replace the text of the field, and press Return."""
     row.field.setFocus()
     row.field.selectAll()
     QTest.keyClick(row.field, KEY.Key_Delete)
@@ -115,7 +132,7 @@ def enter(row: NumberRow, text: str) -> None:
 
 
 def handle(slider: QSlider) -> QPoint:
-    """Where the slider's handle is."""
+    """Return the place of the slider's handle."""
     from PySide6.QtWidgets import QStyle, QStyleOptionSlider
 
     option = QStyleOptionSlider()

@@ -1,4 +1,4 @@
-"""What a screen reader hears of the whole window, and how the keyboard goes through it."""
+"""The window for a screen reader, and the keyboard's way through it."""
 
 from __future__ import annotations
 
@@ -32,12 +32,12 @@ LABEL = QAccessible.RelationFlag.Label
 
 
 def said(widget: QWidget, what: QAccessible.Text = SAID.Name) -> str:
-    """What a screen reader is told of a widget."""
+    """Return what a screen reader reads of a widget."""
     return QAccessible.queryAccessibleInterface(widget).text(what)
 
 
 def panels(window: Any) -> Iterator[QWidget]:
-    """Every panel, opened one after the other."""
+    """Open one panel after the other."""
     for panel in (
         window.matrices,
         window.frame_panel,
@@ -51,7 +51,7 @@ def panels(window: Any) -> Iterator[QWidget]:
 
 
 def mnemonics(actions: Iterable[QAction]) -> Iterator[list[str]]:
-    """The letters that Alt is pressed with: those of a menu, then those of each menu below it."""
+    """Yield the letters for Alt of a menu, then those of each menu below it."""
     yield [letter for action in actions for letter in re.findall("&([^&])", action.text().lower())]
     for action in actions:
         if action.menu() is not None:
@@ -71,7 +71,7 @@ def test_a_screen_reader_hears_what_is_shown(window: MainWindow) -> None:
     assert "=" in heard and "<" not in heard  # without its markup
     said_of_panes = [said(b) for p in window.panes.values() for b in p.findChildren(QToolButton)]
     assert len(said_of_panes) == len(set(said_of_panes))
-    assert "World: Enlarge; again, to the whole window" in said_of_panes
+    assert "World: Enlarge; click again for the whole window" in said_of_panes
     box = QAccessible.queryAccessibleInterface(window.menus.scene_box)
     assert "Scene" in [label.text(SAID.Name) for label, _ in box.relations(LABEL)]
     letters = list(mnemonics(window.menuBar().actions()))
@@ -112,7 +112,7 @@ def test_a_message_is_announced_and_esc_closes_it(
 
 
 def stops(window: Any) -> list[QWidget]:
-    """Where Tab stops, once round the window."""
+    """Return where Tab stops, once round the window."""
     been: list[QWidget] = []
     while (focus := QApplication.focusWidget()) not in been:
         assert focus is not None and len(been) < 200
@@ -150,6 +150,6 @@ def test_tab_goes_as_one_sees_and_is_seen(window: MainWindow, qtbot: QtBot) -> N
 
 
 def test_no_layout_is_walked_by_its_items() -> None:
-    """An item is no QObject: PySide takes what comes to lie in its place for it, and crashes."""
+    """An item is not a QObject: PySide would take what lies at its address later, and crash."""
     for path in (ROOT / "widgets").rglob("*.py"):
         assert ".itemAt(" not in path.read_text(encoding="utf-8"), path.name

@@ -9,6 +9,7 @@ from dataclasses import replace
 from itertools import pairwise
 from typing import Any
 
+import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
@@ -24,7 +25,7 @@ from tests.support.shown import show
 from widgets.controls.animation import PERIOD_S, STEP_S, AnimationBar, Motion, camera_at
 from widgets.controls.controls import Controls
 from widgets.parts.clock import LONGEST_FRAME_S, Clock
-from widgets.parts.fields import NumberRow
+from widgets.parts.number_rows import NumberRow
 
 # 5 to the +z side of the target and 3 above it.
 START = Camera((0.0, 5.0, 5.0), (0.0, 2.0, 0.0))
@@ -37,22 +38,21 @@ STEPS = Motion(height="steps", lowest=3.0, highest=9.0)
 # -- the walk as a function of time
 
 
-def test_the_camera_walks_from_the_z_side_to_the_x_side() -> None:
-    camera = camera_at(START, QUARTER_S, Motion(speed_deg_s=20.0))
-    assert camera.eye == pytest.approx((5.0, 5.0, 0.0))
-    assert camera.target == START.target and camera.up == START.up
-    assert camera.orbit.azimuth_deg == pytest.approx(90.0)
-
-
-def test_the_other_way_round_below_0() -> None:
-    camera = camera_at(START, QUARTER_S, Motion(speed_deg_s=-20.0))
-    assert camera.eye == pytest.approx((-5.0, 5.0, 0.0))
-
-
-def test_the_walk_goes_round_the_target_not_the_origin() -> None:
-    start = Camera((101.0, 5.0, 55.0), (101.0, 2.0, 50.0))
-    camera = camera_at(start, QUARTER_S, Motion(speed_deg_s=20.0))
-    assert camera.eye == pytest.approx((106.0, 5.0, 50.0))
+@pytest.mark.parametrize(
+    ("speed_deg_s", "moved", "eye"),
+    [
+        (20.0, (0.0, 0.0, 0.0), (5.0, 5.0, 0.0)),  # from the z side to the x side
+        (-20.0, (0.0, 0.0, 0.0), (-5.0, 5.0, 0.0)),
+        (20.0, (101.0, 0.0, 50.0), (106.0, 5.0, 50.0)),  # round the target, not the origin
+    ],
+)
+def test_the_camera_walks_round_the_target(
+    speed_deg_s: float, moved: Any, eye: tuple[float, ...]
+) -> None:
+    ends: Any = [np.add(point, moved).tolist() for point in (START.eye, START.target)]
+    camera = camera_at(Camera(*map(tuple, ends)), QUARTER_S, Motion(speed_deg_s=speed_deg_s))
+    assert camera.eye == pytest.approx(eye)
+    assert camera.target == tuple(ends[1]) and camera.up == START.up
 
 
 def test_a_full_turn_comes_back_to_the_digit() -> None:
@@ -140,7 +140,7 @@ def test_from_straight_above_there_is_no_level_view() -> None:
 
 
 class Record:
-    """What the bar says, in order."""
+    """Records the signals of the bar in order."""
 
     def __init__(self, bar: AnimationBar) -> None:
         self.cameras: list[Camera] = []
@@ -168,7 +168,7 @@ def record(bar: AnimationBar) -> Record:
 
 
 def motion(bar: AnimationBar) -> Motion:
-    """How a camera at `START` walks, as the rows say."""
+    """Return the walk from `START` that the rows describe."""
     said = Motion(
         bar.speed.value(),
         bar.height_mode.value(),  # type: ignore[arg-type]
@@ -180,22 +180,16 @@ def motion(bar: AnimationBar) -> Motion:
 
 
 def test_play_and_pause_enclose_one_gesture(bar: AnimationBar, record: Record) -> None:
+    bar.advance(1.0)  # without effect
     QTest.mouseClick(bar.button, Qt.MouseButton.LeftButton)
     assert bar.playing and bar.button.accessibleName() == "Pause"
     bar.advance(1.0)
     bar.advance(1.0)
     QTest.mouseClick(bar.button, Qt.MouseButton.LeftButton)
     assert not bar.playing and bar.button.accessibleName() == "Play"
+    bar.advance(1.0)
     assert record.events == ["start", True, "finish", False]
     assert record.cameras == [camera_at(START, t, motion(bar)) for t in (1.0, 2.0)]
-
-
-def test_nothing_moves_before_play_and_after_pause(bar: AnimationBar, record: Record) -> None:
-    bar.advance(1.0)
-    bar.play()
-    bar.pause()
-    bar.advance(1.0)
-    assert record.cameras == []
 
 
 def test_the_timer_makes_one_frame_after_another(
@@ -358,7 +352,7 @@ def test_undo_of_a_level_walk_brings_the_aim_back(bar: AnimationBar, record: Rec
     assert record.cameras[-1].target == START.target
 
 
-def test_a_walk_that_cannot_be_stops_and_says_why(bar: AnimationBar, record: Record) -> None:
+def test_an_impossible_walk_stops_and_says_why(bar: AnimationBar, record: Record) -> None:
     bar.show_camera(Camera((0.0, 9.0, 0.0), (0.0, 2.0, 0.0), (0.0, 0.0, -1.0)))
     choose(bar.look, "level")
     bar.play()
@@ -373,7 +367,7 @@ def test_a_walk_that_cannot_be_stops_and_says_why(bar: AnimationBar, record: Rec
 
 
 def refusal(bar: AnimationBar) -> str:
-    """Why it stopped, as long as that stands there."""
+    """Return the visible reason for a stop, if there is one."""
     shown = [label.text() for label in bar.findChildren(QLabel) if label.isVisible()]
     return "".join(text for text in shown if text.startswith("Stopped"))
 
@@ -386,7 +380,7 @@ def stop(bar: AnimationBar) -> None:
     assert refusal(bar)
 
 
-def test_why_the_walk_stopped_is_forgotten_when_it_is_no_longer_so(bar: AnimationBar) -> None:
+def test_the_reason_for_a_stop_goes_when_it_no_longer_holds(bar: AnimationBar) -> None:
     stop(bar)
     bar.show_camera(START)  # a reset, an undo, a slider
     assert not refusal(bar)
@@ -491,11 +485,8 @@ def type_into(row: NumberRow, text: str) -> None:
     ("name", "text", "said"),
     [
         ("speed", "inf", "Speed = ∞: must be at most 3600."),
-        ("speed", "-inf", "Speed = -∞: must be at least -3600."),
         ("speed", "1e308", "Speed = 1e+308: must be at most 3600."),
         ("speed", "-3600.5", "Speed = -3600.5: must be at least -3600."),
-        ("lowest", "-inf", "Lowest = -∞: must be at least -1e+100."),
-        ("highest", "inf", "Highest = ∞: must be at most 1e+100."),
         ("highest", "1e101", "Highest = 1e+101: must be at most 1e+100."),
         (
             "speed", "fast",
@@ -504,7 +495,7 @@ def type_into(row: NumberRow, text: str) -> None:
         ),
     ],
 )  # fmt: skip
-def test_what_no_walk_can_have_is_refused_and_the_walk_goes_on(
+def test_an_impossible_value_is_refused_and_the_walk_continues(
     bar: AnimationBar, record: Record, name: str, text: str, said: str
 ) -> None:
     choose(bar.height_mode, "swing")

@@ -1,4 +1,4 @@
-"""The control column with real widgets, both ways: the user's action out, the model's value in."""
+"""The dock with real widgets: edits of the user go out, values of the model come in."""
 
 from __future__ import annotations
 
@@ -10,6 +10,7 @@ from dataclasses import replace
 from functools import partial
 from typing import Any
 
+import numpy as np
 import pytest
 from PySide6.QtCore import QEvent, QPoint, QPointF, Qt
 from PySide6.QtGui import (
@@ -64,6 +65,7 @@ from tests.support.controls import (
     SLANTED,
     START,
     Column,
+    Reader,
     Record,
     choice,
     choose,
@@ -77,20 +79,14 @@ from tests.support.controls import (
 from tests.support.shown import show
 from widgets.controls.controls import Controls
 from widgets.parts import messages
-from widgets.parts.fields import (
-    QUIET_MS,
-    Doubling,
-    Linear,
-    Log,
-    NumberRow,
-    parse_number,
-    short_text,
-)
-from widgets.parts.messages import sentence
+from widgets.parts.messages import A_NUMBER, sentence
+from widgets.parts.number_rows import QUIET_MS, NumberRow
+from widgets.parts.number_text import parse_number, short_text
+from widgets.parts.scales import Doubling, Linear, Log
 from widgets.parts.writing import all_digits
 
 CLOSE = replace(START, lens=Perspective(45.0, 3.5, 5.0))
-"""Near and far bound each other, where their sliders go on."""
+"""Near and far limit each other within the range of their sliders."""
 
 
 @pytest.fixture
@@ -99,19 +95,8 @@ def controls(display: Any, qtbot: Any) -> Column:
 
 
 @pytest.fixture
-def reader(display: Any, qtbot: Any) -> Controls:
-    """Another column with all its rows in view: what it shows of a projection is what there is."""
-    column = Controls()
-    qtbot.addWidget(column)
-    column.set_scene(6.0, START)
-    for section in column.sections.values():
-        section.set_open(True)
-    return column
-
-
-def read_back(reader: Controls, key: str, shown: Projection) -> float:
-    show(reader, shown)
-    return number(reader, key).value()
+def reader(display: Any, qtbot: Any) -> Reader:
+    return Reader(qtbot)
 
 
 @pytest.fixture
@@ -130,7 +115,7 @@ def in_mode(controls: Column, key: str) -> None:
 
 
 def each(controls: Column, keys: Iterable[str]) -> Iterator[tuple[str, Record]]:
-    """Each row in turn, in view in a column as at the start, and what the column says of it."""
+    """Yield each row in turn, in view in a column as at the start, with a fresh record."""
     record = Record(controls)
     for key in keys:
         show(controls, START)
@@ -140,209 +125,138 @@ def each(controls: Column, keys: Iterable[str]) -> Iterator[tuple[str, Record]]:
         yield key, record
 
 
-# What the user types into each row, what the model becomes, and the text of another value that
-# the model is given from elsewhere.
-NUMBERS: dict[str, tuple[str, Any, Projection, str]] = {
-    "fov_y_deg": (
-        "60",
-        lambda p: p.lens == Perspective(60.0, 1.0, 30.0),
-        replace(START, lens=Perspective(30.5, 1.0, 30.0)),
-        "30.5",
-    ),
-    "fov_x_deg": (
-        "90",
-        # tan(fov_y/2) = tan(45)/aspect = 9/16
-        lambda p: math.isclose(p.lens.fov_y_deg, math.degrees(2 * math.atan(9 / 16))),
-        replace(START, lens=Perspective(math.degrees(2 * math.atan(9 / 16)), 1.0, 30.0)),
-        "90",
-    ),
-    "focal_length_mm": (
-        "50",
-        # half the film's diagonal over 50 mm, shared out 9 : hypot(16, 9)
-        lambda p: math.isclose(
-            math.tan(math.radians(p.lens.fov_y_deg / 2)),
-            math.hypot(36, 24) / 2 / 50 * 9 / math.hypot(16, 9),
-        ),
-        replace(START, lens=Perspective(30.0, 1.0, 30.0)),
-        "39.58",  # 21.6333 * cot(15) * 9 / hypot(16, 9)
-    ),
-    "near": (
-        "0.125",
-        lambda p: p.lens == Perspective(45.0, 0.125, 30.0),
-        replace(START, lens=Perspective(45.0, 2.5, 30.0)),
-        "2.5",
-    ),
-    "far": (
-        "1e3",
-        lambda p: p.lens == Perspective(45.0, 1.0, 1000.0),
-        replace(START, lens=Perspective(45.0, 1.0, math.inf)),
-        "∞",
-    ),
-    "left": ("-5", lambda p: p.lens.left == -5.0, replace(BOX, lens=Orthographic(-1.5)), "-1.5"),
-    "right": (
-        "5",
-        lambda p: p.lens.right == 5.0,
-        replace(BOX, lens=replace(BOX.lens, right=1.5)),
-        "1.5",
-    ),
-    "bottom": (
-        "-5",
-        lambda p: p.lens.bottom == -5.0,
-        replace(BOX, lens=replace(BOX.lens, bottom=-1.5)),
-        "-1.5",
-    ),
-    "top": (
-        "5",
-        lambda p: p.lens.top == 5.0,
-        replace(BOX, lens=replace(BOX.lens, top=1.5)),
-        "1.5",
-    ),
-    "e": (
-        "2",
-        # e = 1/tan(fov_x/2), tan(fov_y/2) = tan(fov_x/2)/aspect
-        lambda p: math.isclose(math.tan(math.radians(p.lens.fov_y_deg / 2)), 0.5 * 9 / 16),
-        replace(START, lens=Perspective(90.0, 1.0, 30.0)),
-        "0.5625",
-    ),
-    "window_right": (
-        "3.2",
-        lambda p: p.window == pytest.approx((-3.2, 3.2, -1.8, 1.8)) and p.lens.near == 1.0,
-        replace(START, lens=Perspective(90.0, 2.25, 30.0)),
-        "4",
-    ),
-    "window_top": (
-        "1",
-        lambda p: p.lens.fov_y_deg == pytest.approx(90.0),
-        replace(START, lens=Perspective(90.0, 2.25, 30.0)),
-        "2.25",
-    ),
-    "fx": (
-        "900",
-        lambda p: p.lens.kind == "frustum" and p.intrinsics.fx == pytest.approx(900.0),
-        replace(START, lens=Perspective(90.0, 1.0, 30.0)),
-        "360",  # half of the height
-    ),
-    "fy": (
-        "900",
-        lambda p: p.lens.kind == "frustum" and p.intrinsics.fy == pytest.approx(900.0),
-        OFF_AXIS,
-        "360",  # 720 px for 2 units at a distance of 1
-    ),
-    "cx": (
-        "100",
-        lambda p: p.lens.kind == "frustum" and p.intrinsics.cx == pytest.approx(100.0),
-        OFF_AXIS,
-        "319.5",  # a quarter of 1280 px from the left, less half a pixel
-    ),
-    "cy": (
-        "100",
-        lambda p: p.lens.kind == "frustum" and p.intrinsics.cy == pytest.approx(100.0),
-        OFF_AXIS,
-        "539.5",  # three quarters of 720 px from the top
-    ),
-    "receding": (
-        "1",
-        lambda p: (p.lens.alpha_deg, p.lens.beta_deg) == OBLIQUE_PRESETS["cavalier-45"],
-        replace(SLANTED, lens=Oblique(alpha_deg=90.0, beta_deg=135.0)),
-        "1",
-    ),
-    "receding_deg": (
-        "30",
-        lambda p: (p.lens.alpha_deg, p.lens.beta_deg) == OBLIQUE_PRESETS["cabinet-30"],
-        replace(SLANTED, lens=Oblique(alpha_deg=90.0, beta_deg=45.0)),
-        "-90",
-    ),
-    **{
-        f"{letter}_deg": (
-            "60",
-            lambda p, field=f"{letter}_deg": p.lens == replace(SLANTED.lens, **{field: 60.0}),
-            replace(SLANTED, lens=Oblique(alpha_deg=70.5, beta_deg=70.5)),
-            "70.5",
-        )
-        for letter in ("alpha", "beta")
-    },
-    "azimuth_deg": (
-        "90",  # the +x side, at the same height and distance
-        lambda p: (
-            p.camera.eye[:2] == pytest.approx((math.hypot(6, 9), 5.0))
-            and p.camera.eye[2] == pytest.approx(0.0, abs=1e-12)
-        ),
-        replace(START, camera=Camera((0.0, 2.0, 7.0), (0.0, 2.0, 0.0))),
-        "0",
-    ),
-    "elevation_deg": (
-        "0",
-        lambda p: p.camera.eye[1] == 2.0 and math.isclose(p.camera.distance, math.sqrt(126)),
-        replace(START, camera=Camera((0.0, 9.0, 7.0), (0.0, 2.0, 0.0))),
-        "45",
-    ),
-    "distance": (
-        "20",
-        lambda p: math.isclose(p.camera.distance, 20.0) and p.camera.target == (0.0, 2.0, 0.0),
-        replace(START, camera=Camera((0.0, 2.0, 7.0), (0.0, 2.0, 0.0))),
-        "7",
-    ),
-    "roll_deg": (
-        "90",  # the camera's v was the old u
-        lambda p: p.camera.frame[1] == pytest.approx(START.camera.frame[0]),
-        replace(START, camera=Camera((0.0, 2.0, 7.0), (0.0, 2.0, 0.0), (1.0, 0.0, 0.0))),
-        "90",
-    ),
-    "width": (
-        "640",
-        lambda p: p.image_size == (640, 720),
-        replace(START, image_size=(99, 9)),
-        "99",
-    ),
-    "height": (
-        "400",
-        lambda p: p.image_size == (1280, 400),
-        replace(START, image_size=(99, 9)),
-        "9",
-    ),
-    **{
-        f"{vector}_{letter}": (
-            "7.5",
-            lambda p, vector=vector, axis=axis: getattr(p.camera, vector)[axis] == 7.5,
-            replace(START, camera=Camera((1.5, 2.5, 3.5), (-1.5, -2.5, -3.5), (0.5, 0.6, 0.7))),
-            texts[axis],
-        )
-        for vector, texts in (
-            ("eye", ("1.5", "2.5", "3.5")),
-            ("target", ("-1.5", "-2.5", "-3.5")),
-            ("up", ("0.5", "0.6", "0.7")),
-        )
-        for axis, letter in enumerate("xyz")
-    },
-}
+def lens(fov_y_deg: float = 45.0, near: float = 1.0, far: float = 30.0) -> Projection:
+    return replace(START, lens=Perspective(fov_y_deg, near, far))
 
 
-def _placed(**fields: Any) -> Projection:
+def box(**fields: Any) -> Projection:
+    return replace(BOX, lens=replace(BOX.lens, **fields))
+
+
+def slanted(**fields: Any) -> Projection:
+    return replace(SLANTED, lens=replace(SLANTED.lens, **fields))
+
+
+def placed(**fields: Any) -> Projection:
     return replace(START, placement=ObjectTransform(**fields))
 
 
-for _axis, _letter in enumerate("xyz"):
-    for _vector, _typed, _text in (
-        ("translate", "2.5", "-1.25"),
-        ("rotate_deg", "30", "-45.5"),
-        ("scale", "0.5", "2"),
-    ):
+def seen_from(*camera: tuple[float, float, float]) -> Projection:
+    return replace(START, camera=Camera(*camera))
+
+
+def sized(width: int, height: int) -> Projection:
+    return replace(START, image_size=(width, height))
+
+
+def half_tan(p: Projection) -> float:
+    return math.tan(math.radians(p.lens.fov_y_deg / 2))  # type: ignore[union-attr, operator]
+
+
+def of_k(p: Projection, name: str, pixels: float) -> bool:
+    return p.lens.kind == "frustum" and getattr(p.intrinsics, name) == pytest.approx(pixels)
+
+
+def leans(p: Projection, preset: str) -> bool:
+    return (p.lens.alpha_deg, p.lens.beta_deg) == OBLIQUE_PRESETS[preset]  # type: ignore[union-attr]
+
+
+ABOVE_THE_TARGET = (0.0, 2.0, 0.0)
+VECTORS = seen_from((1.5, 2.5, 3.5), (-1.5, -2.5, -3.5), (0.5, 0.6, 0.7))
+NUMBERS: dict[str, tuple[str, Any, Projection, str]] = {
+    "fov_y_deg": ("60", lambda p: p == lens(60.0), lens(30.5), "30.5"),
+    # tan(fov_y/2) = tan(fov_x/2)/aspect, and tan(45) = 1
+    "fov_x_deg": (
+        "90", lambda p: math.isclose(half_tan(p), 9 / 16),
+        lens(math.degrees(2 * math.atan(9 / 16))), "90",
+    ),
+    # half the film's diagonal over the focal length, shared out 9 : hypot(16, 9)
+    "focal_length_mm": (
+        "50",
+        lambda p: math.isclose(half_tan(p), math.hypot(36, 24) / 2 / 50 * 9 / math.hypot(16, 9)),
+        lens(30.0), "39.58",  # 21.6333 * cot(15) * 9 / hypot(16, 9)
+    ),
+    "near": ("0.125", lambda p: p == lens(near=0.125), lens(near=2.5), "2.5"),
+    "far": ("1e3", lambda p: p == lens(far=1000.0), lens(far=math.inf), "∞"),
+    "left": ("-5", lambda p: p.lens.left == -5.0, box(left=-1.5), "-1.5"),
+    "right": ("5", lambda p: p.lens.right == 5.0, box(right=1.5), "1.5"),
+    "bottom": ("-5", lambda p: p.lens.bottom == -5.0, box(bottom=-1.5), "-1.5"),
+    "top": ("5", lambda p: p.lens.top == 5.0, box(top=1.5), "1.5"),
+    # e = 1/tan(fov_x/2)
+    "e": ("2", lambda p: math.isclose(half_tan(p), 0.5 * 9 / 16), lens(90.0), "0.5625"),
+    "window_right": (
+        "3.2", lambda p: p.window == pytest.approx((-3.2, 3.2, -1.8, 1.8)), lens(90.0, 2.25), "4"
+    ),
+    "window_top": (
+        "1", lambda p: p.lens.fov_y_deg == pytest.approx(90.0), lens(90.0, 2.25), "2.25"
+    ),
+    "fx": ("900", lambda p: of_k(p, "fx", 900.0), lens(90.0), "360"),  # half of the height
+    "fy": ("900", lambda p: of_k(p, "fy", 900.0), OFF_AXIS, "360"),  # 720 px for 2 units at 1
+    # a quarter of 1280 px from the left, three quarters of 720 from the top, less half a pixel
+    "cx": ("100", lambda p: of_k(p, "cx", 100.0), OFF_AXIS, "319.5"),
+    "cy": ("100", lambda p: of_k(p, "cy", 100.0), OFF_AXIS, "539.5"),
+    "receding": (
+        "1", lambda p: leans(p, "cavalier-45"), slanted(alpha_deg=90.0, beta_deg=135.0), "1"
+    ),
+    "receding_deg": (
+        "30", lambda p: leans(p, "cabinet-30"), slanted(alpha_deg=90.0, beta_deg=45.0), "-90"
+    ),
+    "alpha_deg": ("60", lambda p: p == slanted(alpha_deg=60.0), slanted(alpha_deg=70.5), "70.5"),
+    "beta_deg": ("60", lambda p: p == slanted(beta_deg=60.0), slanted(beta_deg=70.5), "70.5"),
+    "azimuth_deg": (  # 90 is the +x side, at the same height and distance
+        "90", lambda p: np.allclose(p.camera.eye, (math.hypot(6, 9), 5.0, 0.0), atol=1e-12),
+        seen_from((0.0, 2.0, 7.0), ABOVE_THE_TARGET), "0",
+    ),
+    "elevation_deg": (
+        "0", lambda p: p.camera.eye[1] == 2.0 and math.isclose(p.camera.distance, math.sqrt(126)),
+        seen_from((0.0, 9.0, 7.0), ABOVE_THE_TARGET), "45",
+    ),
+    "distance": (
+        "20", lambda p: math.isclose(p.camera.distance, 20.0) and p.camera.target[1] == 2.0,
+        seen_from((0.0, 2.0, 7.0), ABOVE_THE_TARGET), "7",
+    ),
+    "roll_deg": (  # the camera's v was the old u
+        "90", lambda p: p.camera.frame[1] == pytest.approx(START.camera.frame[0]),
+        seen_from((0.0, 2.0, 7.0), ABOVE_THE_TARGET, (1.0, 0.0, 0.0)), "90",
+    ),
+    "width": ("640", lambda p: p.image_size == (640, 720), sized(99, 9), "99"),
+    "height": ("400", lambda p: p.image_size == (1280, 400), sized(99, 9), "9"),
+}  # fmt: skip
+"""For each row: a text that the user types, a check of the resulting model, another value of the
+model, and the text of that value."""
+
+
+def _component(part: str, vector: str, axis: int, typed: str) -> Callable[[Projection], bool]:
+    return lambda p: getattr(getattr(p, part), vector)[axis] == float(typed)
+
+
+for _vector, _texts in (
+    ("eye", ("1.5", "2.5", "3.5")),
+    ("target", ("-1.5", "-2.5", "-3.5")),
+    ("up", ("0.5", "0.6", "0.7")),
+):
+    for _axis, _letter in enumerate("xyz"):
+        _holds = _component("camera", _vector, _axis, "7.5")
+        NUMBERS[f"{_vector}_{_letter}"] = ("7.5", _holds, VECTORS, _texts[_axis])
+for _vector, _typed, _text in (
+    ("translate", "2.5", "-1.25"),
+    ("rotate_deg", "30", "-45.5"),
+    ("scale", "0.5", "2"),
+):
+    for _axis, _letter in enumerate("xyz"):
         _other = list(getattr(ObjectTransform(), _vector))
         _other[_axis] = float(_text)
-        NUMBERS[f"{_vector}_{_letter}"] = (
-            _typed,
-            lambda p, v=_vector, i=_axis, t=_typed: getattr(p.placement, v)[i] == float(t),
-            _placed(**{_vector: tuple(_other)}),
-            _text,
-        )
+        _holds = _component("placement", _vector, _axis, _typed)
+        _shown = placed(**{_vector: tuple(_other)})
+        NUMBERS[f"{_vector}_{_letter}"] = (_typed, _holds, _shown, _text)
 
 CHOICES: dict[str, tuple[str, Any, Projection]] = {
-    "order": ("rts", lambda p: p.placement.order == "rts", _placed(order="rts")),
+    "order": ("rts", lambda p: p.placement.order == "rts", placed(order="rts")),
     "kind": ("orthographic", lambda p: p.lens.kind == "orthographic", BOX),
-    "keep": ("x", lambda p: p.lens.keep == "x", replace(BOX, lens=replace(BOX.lens, keep="x"))),
+    "keep": ("x", lambda p: p.lens.keep == "x", box(keep="x")),
     "preset": (
         "cavalier-30",
-        lambda p: (p.lens.alpha_deg, p.lens.beta_deg) == OBLIQUE_PRESETS["cavalier-30"],
+        lambda p: leans(p, "cavalier-30"),
         replace(SLANTED, lens=Oblique(-4, 4, -4, 4, 1, 30, "x", *OBLIQUE_PRESETS["cavalier-30"])),
     ),
     "aspect": ("4:3", lambda p: p.image_size == (960, 720), replace(START, image_size=(96, 72))),
@@ -367,7 +281,7 @@ def test_a_typed_number_is_one_edit(controls: Column) -> None:
         assert number(controls, key).field.text() == messages.number_text(float(text)), key
 
 
-def test_a_shown_projection_writes_each_row_and_says_nothing(controls: Column) -> None:
+def test_a_shown_projection_updates_each_row_without_a_signal(controls: Column) -> None:
     for key, record in each(controls, NUMBERS):
         _, _, shown, text = NUMBERS[key]
         row = number(controls, key)
@@ -398,7 +312,7 @@ def test_a_chosen_thing_is_one_edit(controls: Column) -> None:
         assert holds(record.edits[-1]), key
 
 
-def test_a_shown_choice_says_nothing(controls: Column) -> None:
+def test_a_shown_choice_emits_no_signal(controls: Column) -> None:
     for key, record in each(controls, CHOICES):
         wanted, _, shown = CHOICES[key]
         show(controls, shown)
@@ -450,7 +364,7 @@ def test_an_aspect_that_is_no_preset_chooses_none(controls: Column) -> None:
     assert [b.isChecked() for b in buttons if isinstance(b, QToolButton)] == [True, False, False]
 
 
-def test_the_controls_show_their_own_edit_before_they_tell_of_it(controls: Column) -> None:
+def test_the_controls_show_their_own_edit_before_they_emit_it(controls: Column) -> None:
     texts: list[str] = []
     controls.sections["more_lens"].set_open(True)
     controls.edited.connect(lambda _edit: texts.append(number(controls, "fov_x_deg").field.text()))
@@ -469,7 +383,7 @@ def test_no_echo_when_the_owner_shows_the_edit_again(controls: Column, record: R
 
 
 @pytest.mark.parametrize("end", [KEY.Key_Home, KEY.Key_End])
-def test_every_slider_goes_to_its_ends(controls: Column, reader: Controls, end: Qt.Key) -> None:
+def test_every_slider_goes_to_its_ends(controls: Column, reader: Reader, end: Qt.Key) -> None:
     """The model stays valid, or the row says why not; never an exception, never silence."""
     for key, record in each(controls, NUMBERS):
         row = number(controls, key)
@@ -479,7 +393,7 @@ def test_every_slider_goes_to_its_ends(controls: Column, reader: Controls, end: 
         row.finish_gesture()
         assert record.edits or row.error, key
         holds = controls.projection
-        assert row.value() == pytest.approx(read_back(reader, key, holds)), key
+        assert row.value() == pytest.approx(reader.read(key, holds)), key
         assert row.slider.value() == row.scale.position_of(row.value()), key
 
 
@@ -582,7 +496,7 @@ NO_KEY, SHIFT, CTRL = (
 
 
 def wheel(slider: QSlider, keys: Qt.KeyboardModifier = NO_KEY, turned: int = 120) -> bool:
-    """Turn it; whether the slider takes that as its own."""
+    """Turn the wheel; return whether the slider accepts the event."""
     centre = QPointF(slider.rect().center())
     event = QWheelEvent(
         centre,
@@ -675,7 +589,7 @@ def test_a_pixel_of_near_is_at_most_two_percent_of_it(controls: Column, name: st
         assert isinstance(row.scale, Linear)
         return
     assert row.slider.minimum() < row.slider.value() < row.slider.maximum()
-    for width in (240, 271, 400, 800):
+    for width in (240, 800):
         row.slider.setFixedWidth(width)
         QApplication.processEvents()
         values = list(dragged_over(row))
@@ -685,7 +599,7 @@ def test_a_pixel_of_near_is_at_most_two_percent_of_it(controls: Column, name: st
 
 
 def dragged_over(row: NumberRow) -> Iterator[float]:
-    """What a hand sets that moves the handle from one end to the other, pixel by pixel."""
+    """Drag the handle from one end to the other pixel by pixel, and yield the values."""
     slider, left = row.slider, Qt.MouseButton.LeftButton
     slider.setValue(0)
     place = QPointF(press(slider))
@@ -727,6 +641,11 @@ def test_an_impossible_place_of_the_slider_is_explained_and_left_on_release(
     held = row.slider.value()
     assert "Near = 12: must be less than far, which is 5." in row.error
     assert held == row.scale.position_of(12.0) and row.field.text() == "12"
+    show(controls, replace(controls.projection, camera=Camera((1.0, 2.0, 3.0))))
+    assert row.error, "another part of the projection has moved"
+    drag(row.slider, row.scale.position_of(2.0))
+    assert not row.error
+    drag(row.slider, row.slider.maximum())
     kept = record.edits[-1].lens.near
     assert controls.projection.lens.near == row.value() == kept == last
     release(row.slider)
@@ -735,18 +654,8 @@ def test_an_impossible_place_of_the_slider_is_explained_and_left_on_release(
     assert record.events[0] == "start" and record.events[-1] == "finish"
 
 
-def test_dragging_back_to_a_possible_place_takes_the_sentence_away(controls: Column) -> None:
-    show(controls, CLOSE)
-    row = number(controls, "near")
-    press(row.slider)
-    drag(row.slider, row.slider.maximum())
-    assert row.error
-    drag(row.slider, row.scale.position_of(2.0))
-    assert not row.error
-    release(row.slider)
-
-
 def test_a_refused_key_is_explained_until_the_next_change_of_any_kind(controls: Column) -> None:
+    """The next key starts from the accepted value."""
     show(controls, CLOSE)
     row = number(controls, "near")
     last = within(row, 3.5, 5.0)[-1]
@@ -756,31 +665,11 @@ def test_a_refused_key_is_explained_until_the_next_change_of_any_kind(controls: 
     assert "must be less than far" in row.error and row.value() == last
     enter(number(controls, "azimuth_deg"), "20")
     assert not row.error and row.field.text() == short_text(last, None, 4)
-
-
-def test_the_key_after_a_refused_one_starts_from_the_value_that_holds(controls: Column) -> None:
-    show(controls, CLOSE)
-    record = Record(controls)
-    row = number(controls, "near")
-    last = within(row, 3.5, 5.0)[-1]
     row.slider.setFocus()
     QTest.keyClick(row.slider, KEY.Key_End)
-    assert row.error and record.edits[-1].lens.near == last
+    assert row.error and controls.projection.lens.near == last
     QTest.keyClick(row.slider, KEY.Key_Left)
-    assert not row.error
-    assert 0.9 * last < record.edits[-1].lens.near < last
-
-
-def test_a_refused_place_in_the_hand_is_explained_while_something_else_moves(
-    controls: Column,
-) -> None:
-    show(controls, CLOSE)
-    row = number(controls, "near")
-    press(row.slider)
-    drag(row.slider, row.slider.maximum())
-    show(controls, replace(controls.projection, camera=Camera((1.0, 2.0, 3.0))))
-    assert row.error
-    release(row.slider)
+    assert not row.error and 0.9 * last < controls.projection.lens.near < last
 
 
 def test_the_model_does_not_move_a_slider_in_the_users_hand(
@@ -888,7 +777,7 @@ def test_an_angle_past_a_full_turn_is_taken_as_typed(controls: Column, record: R
     assert row.field.text() in ("270", "-90")
 
 
-def test_the_camera_of_someone_else_is_read_back(controls: Column) -> None:
+def test_a_camera_set_elsewhere_is_shown_in_the_orbit_rows(controls: Column) -> None:
     enter(number(controls, "azimuth_deg"), "30")
     camera = Camera.from_orbit((0.0, 2.0, 0.0), Orbit(50.0, -20.0, 8.0, 10.0))
     show(controls, replace(START, camera=camera))
@@ -903,24 +792,34 @@ def test_the_camera_of_someone_else_is_read_back(controls: Column) -> None:
 @pytest.mark.parametrize(
     ("text", "value"),
     [
-        ("1,5", 1.5),
-        (" 2.5 ", 2.5),
-        (".5", 0.5),
-        ("5.", 5.0),
-        ("1E-3", 1e-3),
-        ("0.1234567890123456", 0.1234567890123456),
-        ("2.5 units", 2.5),
-        ("1e-7", 1e-7),  # below the slider's end
-        ("1e-90", 1e-90),
-        ("1/3", 1 / 3),
-        ("-2/-7", 2 / 7),
-        (" 1,5 / 4 units", 0.375),
+        ("1,5", 1.5), (" 2.5 ", 2.5), (".5", 0.5), ("5.", 5.0), ("1E-3", 1e-3), ("1e-90", 1e-90),
+        ("0.1234567890123456", 0.1234567890123456), ("2.5 units", 2.5), ("1/3", 1 / 3),
+        ("-2/-7", 2 / 7), ("-2/7", -2 / 7), ("0/5", 0.0), (" 1,5 / 4 units", 0.375),
+        ("−1,5e−3", -1.5e-3), ("inf", math.inf), ("∞", math.inf), ("Infinity", math.inf),
+        ("+inf", math.inf), ("-∞", -math.inf),
     ],
-)
-def test_a_number_is_taken_as_it_is_typed(
-    controls: Column, record: Record, text: str, value: float
-) -> None:
-    row = number(controls, "near")
+)  # fmt: skip
+def test_a_number_is_read_as_it_is_typed(text: str, value: float) -> None:
+    assert parse_number("Near", text, "units") == value
+
+
+@pytest.mark.parametrize(
+    ("text", "bound"),
+    [
+        ("1.000,5", A_NUMBER), ("1'000", A_NUMBER), ("½", A_NUMBER), ("\uff11", A_NUMBER),
+        ("1e300/1e-300", AT_MOST), ("1e300/-1e-300", AT_LEAST), ("-1e400", AT_LEAST),
+        ("1/1e400", AT_MOST), ("1e-300/1e300", DISTINCT), ("1/1e-400", DISTINCT),
+    ],
+)  # fmt: skip
+def test_a_text_that_no_float64_can_be_is_refused(text: str, bound: str) -> None:
+    with pytest.raises(Refusal) as caught:
+        parse_number("Near", text)
+    assert caught.value.bound == bound
+
+
+@pytest.mark.parametrize("text", ["2.5 units", "1e-7", "1/3"])
+def test_a_typed_number_keeps_all_its_digits(controls: Column, record: Record, text: str) -> None:
+    row, value = number(controls, "near"), parse_number("Near", text, "units")
     enter(row, text)
     assert record.edits[0].lens.near == row.value() == value
     number(controls, "far").field.setFocus()
@@ -942,13 +841,6 @@ def test_out_of_the_sliders_range_pins_the_slider(controls: Column, record: Reco
     row = number(controls, "width")
     enter(row, "9000")
     assert record.edits[2].image_size == (9000, 720) and row.slider.value() == row.slider.maximum()
-
-
-@pytest.mark.parametrize("text", ["inf", "∞", "Infinity", "+inf"])
-def test_far_may_be_typed_as_infinity(controls: Column, record: Record, text: str) -> None:
-    enter(number(controls, "far"), text)
-    assert record.edits[0].lens.far == math.inf
-    assert number(controls, "far").field.text() == "∞"
 
 
 def test_nonsense_is_refused_in_every_field(controls: Column) -> None:
@@ -973,71 +865,43 @@ def test_nonsense_is_refused_in_every_field(controls: Column) -> None:
 
 
 REFUSED = [
+    # a bound that is another value, from both sides; a bound of its own
     ("near", "30", "Near = 30: must be less than far, which is 30."),
-    ("near", "40", "Near = 40: must be less than far, which is 30."),
+    ("far", "0.5", "Far = 0.5: must be greater than near, which is 1."),
+    ("left", "4", "Left = 4: must be less than right, which is 4."),
+    ("top", "-9", "Top = -9: must be greater than bottom, which is -3."),
     ("near", "0", "Near = 0: must be greater than 0."),
-    ("near", "-1", "Near = -1: must be greater than 0."),
+    ("fov_x_deg", "180", "Horizontal fov = 180: must lie between 0 and 180, both excluded."),
+    ("focal_length_mm", "-50", "Focal length = -50: must be greater than 0."),
+    ("up_y", "0", "Up = (0, 0, 0): must not be the zero vector."),
+    ("height", "1.5", "Height = 1.5: must be a whole number of pixels from 1 to 16384."),
+    # infinity, and what is beyond all numbers: the bound of the row, if it has one
     ("near", "inf", "Near = ∞: must be less than far, which is 30."),
     ("near", "-inf", "Near = -∞: must be greater than 0."),
-    (
-        "near",
-        "nan",
-        "Near = “nan”: must be a number, such as 0.5 or 2e-3; must be greater than 0;"
-        " must be less than far, which is 30.",
-    ),
     ("elevation_deg", "inf", "Elevation = ∞: must be at most 90."),
     ("azimuth_deg", "inf", "Azimuth = ∞: must be a finite number."),
-    ("eye_y", "nan", "Eye y = “nan”: must be a number, such as 0.5 or 2e-3."),
-    ("near", "1e400", f"Near = “1e400”: must be at most {LARGEST}."),
-    ("near", "1e-400", "Near = “1e-400”: is too close to 0 for float64 to tell apart."),
-    ("far", "0.5", "Far = 0.5: must be greater than near, which is 1."),
-    ("far", "1e400", f"Far = “1e400”: must be at most {LARGEST}."),
-    (
-        "far",
-        "nan",
-        "Far = “nan”: must be a number, or inf for ∞; must be greater than near, which is 1.",
-    ),
-    *(
-        (key, text, f"{name} = {text}: must lie between 0 and 180, both excluded.")
-        for key, name in (("fov_y_deg", "Field of view"), ("fov_x_deg", "Horizontal fov"))
-        for text in ("0", "180", "-1", "200")
-    ),
     ("fov_x_deg", "inf", "Horizontal fov = ∞: must lie between 0 and 180, both excluded."),
-    ("focal_length_mm", "0", "Focal length = 0: must be greater than 0."),
-    ("focal_length_mm", "-50", "Focal length = -50: must be greater than 0."),
-    ("left", "4", "Left = 4: must be less than right, which is 4."),
-    ("right", "-4", "Right = -4: must be greater than left, which is -4."),
-    ("bottom", "9", "Bottom = 9: must be less than top, which is 3."),
-    ("top", "-9", "Top = -9: must be greater than bottom, which is -3."),
-    ("distance", "0", "Distance = 0: must be greater than 0."),
-    ("distance", "-3", "Distance = -3: must be greater than 0."),
-    ("elevation_deg", "91", "Elevation = 91: must be at most 90."),
-    ("elevation_deg", "-91", "Elevation = -91: must be at least -90."),
-    ("up_y", "0", "Up = (0, 0, 0): must not be the zero vector."),
-    ("width", "0", "Width = 0: must be a whole number of pixels from 1 to 16384."),
-    ("width", "100000", "Width = 100000: must be a whole number of pixels from 1 to 16384."),
-    ("height", "1.5", "Height = 1.5: must be a whole number of pixels from 1 to 16384."),
     ("height", "inf", "Height = ∞: must be a whole number of pixels from 1 to 16384."),
-    (
-        "width",
-        "abc",
-        "Width = “abc”: must be a number, such as 1280;"
-        " must be a whole number of pixels from 1 to 16384.",
-    ),
-    ("fov_y_deg", "inf", "Field of view = ∞: must lie between 0 and 180, both excluded."),
-    *(
-        (key, text, f"{name} = {shown}: must lie between 0 and 180, both excluded.")
-        for key, name in (("fov_y_deg", "Field of view"), ("fov_x_deg", "Horizontal fov"))
-        for text, shown in (("1e308", "1e+308"), ("-1e308", "-1e+308"))
-    ),
     ("near", "1e308", "Near = 1e+308: must be less than far, which is 30."),
     ("elevation_deg", "-1e308", "Elevation = -1e+308: must be at least -90."),
+    ("fov_y_deg", "1e308", "Field of view = 1e+308: must lie between 0 and 180, both excluded."),
     ("azimuth_deg", "1e308", "Azimuth = 1e+308: must be at most 1e+100."),
     ("far", "1e308", "Far = 1e+308: must be at most 1e+100."),
-]
+    # digits that float64 cannot keep
+    ("near", "1e400", f"Near = “1e400”: must be at most {LARGEST}."),
+    ("near", "1e-400", "Near = “1e-400”: is too close to 0 for float64 to tell apart."),
+    # a word: all bounds of the row, with an example that it accepts
+    ("near", "nan", "Near = “nan”: must be a number, such as 0.5 or 2e-3; must be greater than 0;"
+     " must be less than far, which is 30."),
+    ("far", "nan", "Far = “nan”: must be a number, or inf for ∞; must be greater than near, which"
+     " is 1."),
+    ("eye_y", "nan", "Eye y = “nan”: must be a number, such as 0.5 or 2e-3."),
+    ("width", "abc", "Width = “abc”: must be a number, such as 1280; must be a whole number of"
+     " pixels from 1 to 16384."),
+]  # fmt: skip
 
 
-def test_what_the_model_refuses_is_explained_at_the_row(controls: Column) -> None:
+def test_a_refusal_of_the_model_is_explained_at_the_row(controls: Column) -> None:
     keys = (key for key, _, _ in REFUSED)
     for (key, text, expected), (_, record) in zip(REFUSED, each(controls, keys), strict=True):
         row = number(controls, key)
@@ -1101,23 +965,19 @@ def test_eye_on_target_and_up_along_the_view(controls: Column) -> None:
     assert len(record.edits) == 2
 
 
-def test_a_row_that_a_change_elsewhere_puts_right_forgets_its_error(controls: Column) -> None:
+def test_an_accepted_value_takes_the_error_away(controls: Column, record: Record) -> None:
     near = number(controls, "near")
     enter(near, "40")
     show(controls, replace(START, camera=Camera((1.0, 2.0, 3.0))))
     assert near.error and near.field.text() == "40"  # the camera has nothing to do with it
     enter(number(controls, "far"), "50")
     assert not near.error and near.field.text() == "1"
-
-
-def test_a_good_value_takes_the_error_away(controls: Column, record: Record) -> None:
-    near = number(controls, "near")
-    enter(near, "40")
+    enter(near, "60")
     enter(near, "4")
-    assert not near.error and record.edits[0].lens.near == 4.0
+    assert not near.error and record.edits[-1].lens.near == 4.0
     enter(near, "nonsense")
     enter(near, "4")  # the value it has
-    assert not near.error and len(record.edits) == 1
+    assert not near.error and len(record.edits) == 2
 
 
 def test_the_error_line_exists_only_while_there_is_an_error(controls: Column) -> None:
@@ -1233,44 +1093,28 @@ def test_undo_in_a_field_without_own_history_is_the_windows(controls: Column) ->
 @pytest.mark.parametrize(
     ("value", "text"),
     [
-        (0.1, "0.1"),
-        (30.0, "30"),
-        (-123.456, "-123.456"),
-        (1 / 3, "0.333333"),
-        (29.999999999999996, "30"),
-        (-1.23456789e-12, "-1.23e-12"),
-        (1e9, "1e9"),
-        (1234567.0, "1234567"),
+        (0.1, "0.1"), (30.0, "30"), (-123.456, "-123.456"), (1 / 3, "0.333333"),
+        (29.999999999999996, "30"), (-1.23456789e-12, "-1.23e-12"), (1e9, "1e9"),
+        (1234567.0, "1234567"), (1e7, "10000000"), (-99999999.4, "-99999999"),
         (10000004.976, "10000005"),  # an eye far from the origin, and its target
-        (1e7, "10000000"),
-        (-99999999.4, "-99999999"),
-        (99999999.6, "1e8"),
-        (math.inf, "∞"),
-        (1e-300, "1e-300"),
+        (99999999.6, "1e8"), (math.inf, "∞"), (1e-300, "1e-300"),
         (-1.7976931348623157e150, "-1.8e150"),
     ],
-)
+)  # fmt: skip
 def test_shown_numbers_are_short_and_never_cut(value: float, text: str) -> None:
-    assert short_text(value) == text
-    assert len(text) <= 9
+    assert short_text(value) == text and len(text) <= 9
 
 
 @pytest.mark.parametrize(
     ("value", "text"),
     [
         (180.0 - 2.0**-45, "180-3e-14"),  # the largest float64 below
-        (179.99999999999, "180-1e-11"),
-        (179.99996, "180-4e-05"),
-        (179.9996, "179.9996"),
-        (120.0, "120"),
-        (1e-12, "1e-12"),
-        (5e-324, "5e-324"),
-        (179.5, "179.5"),
+        (179.99999999999, "180-1e-11"), (179.99996, "180-4e-05"), (179.9996, "179.9996"),
+        (120.0, "120"), (1e-12, "1e-12"), (5e-324, "5e-324"), (179.5, "179.5"),
     ],
-)
+)  # fmt: skip
 def test_an_angle_never_shows_as_the_bound_that_it_cannot_reach(value: float, text: str) -> None:
-    assert short_text(value, below=180.0) == text
-    assert len(text) <= 9
+    assert short_text(value, below=180.0) == text and len(text) <= 9
 
 
 @pytest.mark.parametrize("key", ["fov_y_deg", "fov_x_deg"])
@@ -1294,36 +1138,10 @@ def test_the_field_is_wide_enough_for_what_it_shows(controls: Column, value: flo
     assert isinstance(field, QLineEdit)
 
 
-def test_a_fraction_is_read_as_precisely_as_a_number(controls: Column) -> None:
-    assert parse_number("Near", "-2/7") == -2 / 7
-    assert parse_number("Near", "0/5") == 0.0
-    for text, bound in (
-        ("1e300/1e-300", AT_MOST),
-        ("1e300/-1e-300", AT_LEAST),
-        ("-1e400", AT_LEAST),
-        ("1/1e400", AT_MOST),
-        ("1e-300/1e300", DISTINCT),
-        ("1/1e-400", DISTINCT),
-    ):
-        with pytest.raises(Refusal) as caught:
-            parse_number("Near", text)
-        assert caught.value.bound == bound, text
-    row = number(controls, "azimuth_deg")
-    enter(row, "-1/3")
-    assert row.value() == -1 / 3 and row.field.text() == "-0.3333"
-
-
-def test_parsing_tells_nothing_of_the_locale() -> None:
-    assert parse_number("Near", "−1,5e−3") == -1.5e-3
-    for text in ("1.000,5", "1'000", "½", "\uff11"):
-        with pytest.raises(Refusal):
-            parse_number("Near", text)
-
-
 # -- reset, scene
 
 
-def test_a_double_click_on_the_name_resets(controls: Column, reader: Controls) -> None:
+def test_a_double_click_on_the_name_resets(controls: Column, reader: Reader) -> None:
     lenses = {
         "perspective": Perspective(70.0, 0.5, 70.0),
         "orthographic": Orthographic(-1.0, 1.0, -1.0, 1.0, -1.0, 70.0),
@@ -1337,9 +1155,9 @@ def test_a_double_click_on_the_name_resets(controls: Column, reader: Controls) -
         row = number(controls, key)
         QTest.mouseDClick(row.name_label, Qt.MouseButton.LeftButton)
         assert record.events == ["start", "edit", "finish"], key
-        wanted = read_back(reader, key, START.with_lens(kind))
+        wanted = reader.read(key, START.with_lens(kind))
         assert row.value() == pytest.approx(wanted), key
-        assert read_back(reader, key, record.edits[0]) == pytest.approx(wanted), key
+        assert reader.read(key, record.edits[0]) == pytest.approx(wanted), key
         QTest.mouseDClick(row.name_label, Qt.MouseButton.LeftButton)
         assert record.events == ["start", "edit", "finish"], key  # nothing left to reset
 
@@ -1395,7 +1213,7 @@ def test_any_size_of_scene_has_sliders(controls: Column, size: float) -> None:
 # -- folding
 
 
-def test_what_is_folded_is_shown_when_it_opens(controls: Column, record: Record) -> None:
+def test_a_folded_section_is_updated_when_it_opens(controls: Column, record: Record) -> None:
     section, row = controls.sections["more_camera"], number(controls, "roll_deg")
     assert not section.is_open and not row.isVisible()
     before = row.value()
@@ -1510,7 +1328,7 @@ def test_every_control_has_a_name_and_a_tip(controls: Column) -> None:
     assert row.field.accessibleDescription() == row.error != ""
     QTest.keyClick(row.field, KEY.Key_Escape)
     assert row.field.accessibleDescription() == tip
-    # Of a slider a screen reader has but the position: the value comes when the hand rests.
+    # A screen reader knows only a slider's position: it gets the value when the hand rests.
     for act, value in (
         (row.slider.setFocus, "1 world units. "),
         (lambda: QTest.keyClick(row.slider, KEY.Key_Right), "1 world units. "),
@@ -1538,7 +1356,7 @@ def unfold(controls: Column) -> None:
 
 
 def cut(controls: Column) -> list[str]:
-    """The texts of which a part is not seen, and what is out of its dock."""
+    """Return the texts that are cut, and the widgets that reach out of the dock."""
     told = []
     kinds = (QLabel, QLineEdit, QComboBox, QAbstractButton, QSlider)
     for widget in [each for kind in kinds for each in controls.findChildren(kind)]:
@@ -1763,7 +1581,7 @@ def test_the_controls_that_matter_stand_at_the_top_and_nowhere_else(
     assert far.y() < controls.card.height() and far.mapTo(controls, QPoint()).y() < (
         near.mapTo(controls, QPoint()).y()
     )
-    # One of a section that is folded is read and written like all that are seen.
+    # A row of a folded section is read and written like the visible ones.
     assert controls.rows["roll_deg"].isVisible() and not controls.sections["more_camera"].is_open
     rolled = Camera.from_orbit((0.0, 2.0, 0.0), Orbit(50.0, -20.0, 8.0, 10.0))
     show(controls, replace(START, camera=rolled))
@@ -1820,7 +1638,7 @@ def test_every_scene_has_three_lines_to_try_and_few_controls(controls: Column, n
 
 
 def look_for(controls: Column, text: str) -> list[str]:
-    """What is seen of the column after this is typed into its search box."""
+    """Type into the search box and return the rows that are visible then."""
     controls.search.setFocus()
     controls.search.selectAll()
     QTest.keyClicks(controls.search, text)
@@ -1845,7 +1663,7 @@ def look_for(controls: Column, text: str) -> list[str]:
         ("half", ["e", "window_right", "window_top"]),
     ],
 )
-def test_a_control_is_found_by_all_that_it_is_called(
+def test_a_control_is_found_by_each_of_its_names(
     controls: Column, record: Record, text: str, found: list[str]
 ) -> None:
     open_before = {key: section.is_open for key, section in controls.sections.items()}
@@ -1862,7 +1680,7 @@ def test_a_control_is_found_by_all_that_it_is_called(
     assert record.events == []
 
 
-def test_what_was_found_can_be_set_and_stays_unfolded(controls: Column, record: Record) -> None:
+def test_a_found_row_can_be_edited_and_stays_unfolded(controls: Column, record: Record) -> None:
     look_for(controls, "width pixels")
     row = number(controls, "width")
     assert row.isVisible() and row.field.text() == "1280"
@@ -1877,13 +1695,13 @@ def test_what_was_found_can_be_set_and_stays_unfolded(controls: Column, record: 
     assert controls.animation.isVisible()
 
 
-def test_of_another_lens_a_control_says_of_which(controls: Column) -> None:
+def test_a_control_of_another_lens_names_that_lens(controls: Column) -> None:
     said = [label for label in controls.widget().findChildren(QLabel) if not label.isVisible()]
     assert look_for(controls, "alpha") == []
     shown = [label.text() for label in said if label.isVisible()]
     assert shown == ["Alpha: only with the lens “oblique”."]
     look_for(controls, "flux capacitor")
-    assert [label.text() for label in said if label.isVisible()] == ["No control is called so."]
+    assert [label.text() for label in said if label.isVisible()] == ["No control has this name."]
     show(controls, SLANTED)
     assert look_for(controls, "alpha") == ["alpha_deg"]
 
@@ -1926,14 +1744,13 @@ def test_all_digits_are_shown_where_they_are_asked_for(controls: Column, record:
 # -- a refusal, and what is done next
 
 
-@pytest.mark.parametrize(("other", "text"), [("width", "800"), ("fov_y_deg", "30"), ("eye_x", "1")])
+@pytest.mark.parametrize(("other", "text"), [("width", "800"), ("eye_x", "1")])
 def test_a_refusal_goes_when_another_field_is_accepted(
-    controls: Column, record: Record, other: str, text: str
+    controls: Column, other: str, text: str
 ) -> None:
-    controls.sections["more_camera"].set_open(True)
+    in_mode(controls, other)
     near = number(controls, "near")
     enter(near, "5000")
-    assert near.error and near.field.text() == "5000"
     enter(number(controls, other), "nonsense")
     assert near.error, "nothing has changed"
     enter(number(controls, other), text)
@@ -1960,7 +1777,7 @@ def test_a_refusal_stays_where_the_user_is_still_typing(
 
 @pytest.mark.parametrize("kind", [*LENSES, FreeMatrix.kind])
 def test_a_reset_of_another_lens_s_row_changes_nothing(controls: Column, kind: str) -> None:
-    """It is hidden, and the lens in hand has no such value."""
+    """The row is hidden, and the current lens has no such value."""
     for other in LENSES:
         show(controls, START.with_lens(other))
     show(controls, START.with_lens(kind))

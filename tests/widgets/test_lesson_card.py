@@ -193,7 +193,7 @@ def test_a_prediction_is_made_before_the_step_goes_on(window: MainWindow, lesson
     (block,) = card.blocks
     assert not any(each.isEnabled() for each in block.findChildren(QRadioButton))
     marked = [each.accessibleDescription() for each in block.findChildren(QRadioButton)]
-    assert marked == ["You said so", "The model says so", ""]
+    assert marked == ["Your choice", "The model's answer", ""]
     press(KEY.Key_W, ALT)
     come_to_rest(window)
     assert window.store.document == idea.state

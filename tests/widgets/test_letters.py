@@ -11,7 +11,7 @@ from app.drawings.figures import render
 from app.lecture.notation import LETTERS, Letters, axis_letters, frame_letters, in_letters
 from app.scenes.scene import load
 from tests.support.window import pixels, settle, show_scene
-from widgets.panels.probe_panel import EXACT
+from widgets.panels.probe_table import EXACT
 from widgets.window.main_window import MainWindow
 
 
@@ -188,7 +188,7 @@ def test_l13_the_probes_formulas_and_numbers_are_the_lectures(window: MainWindow
     assert "|w|" in model.index(8, 0).data() and cells(3)[3] == cells(2)[2]
 
 
-def test_every_choice_is_told_from_the_others_in_words(window: MainWindow) -> None:
+def test_each_choice_of_letters_has_its_own_text(window: MainWindow) -> None:
     combo = window.matrices.letters
     texts = [combo.itemText(i) for i in range(combo.count())]
     assert [combo.itemData(i) for i in range(combo.count())] == [*LETTERS]

@@ -1,4 +1,4 @@
-"""How parts are dressed: frames that are seen in both themes, arrows and signs of the letters."""
+"""The style of widgets: frames visible in both themes, arrows and signs as large as letters."""
 
 from __future__ import annotations
 
@@ -148,7 +148,7 @@ CHOSEN: dict[str, Callable[[QWidget], tuple[QWidget, QRect]]] = {
 
 @pytest.mark.parametrize("dark", [False, True])
 @pytest.mark.parametrize("name", CHOSEN)
-def test_what_is_chosen_can_be_read(
+def test_selected_text_can_be_read(
     dressed: Callable[..., None], qtbot: QtBot, name: str, dark: bool
 ) -> None:
     """4.5 : 1, as WCAG 2.1 has it for text (1.4.3)."""
@@ -192,7 +192,7 @@ def test_the_arrow_of_a_combo_box_grows_with_the_letters(
 
 
 def test_a_warning_has_its_sign_beside_its_text(dressed: Callable[..., None], qtbot: QtBot) -> None:
-    """Drawn, whatever letters the font has; a text that warns of nothing has none."""
+    """The sign is drawn, whatever the font; an ordinary text has none."""
     dressed()
     label = WarningLabel()
     qtbot.addWidget(label)

@@ -1,4 +1,4 @@
-"""Texts of strangers in the real window: they are read as they stand, and nothing is loaded."""
+"""Texts of strangers in the real window: they are shown as they stand, and nothing is loaded."""
 
 from __future__ import annotations
 
@@ -70,7 +70,7 @@ def widgets_of(window: MainWindow) -> Iterator[QWidget]:
 
 
 def assert_plain(window: MainWindow) -> None:
-    """No pink is seen, no label is marked up by a stranger, and no tooltip is."""
+    """No pink pixel is visible, and no label or tooltip has markup from a file."""
     for widget in widgets_of(window):
         if isinstance(widget, QLabel):
             ours = isinstance(widget.text(), Markup)

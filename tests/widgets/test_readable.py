@@ -1,4 +1,4 @@
-"""What is read is shown as often as it can be read; the clock is the tests' own."""
+"""Running numbers are shown as often as they can be read; the tests have their own clock."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from widgets.parts.readable import READ_MS, STEPS, Readable
 
 
 class Shown(QWidget):
-    """Shows one number, and remembers what it showed."""
+    """Shows one number, and records what it showed."""
 
     def __init__(self) -> None:
         super().__init__()
@@ -65,7 +65,7 @@ def test_quick_steps_are_shown_as_often_as_they_can_be_read(shown: Shown) -> Non
     assert shown.seen[-1] == 54
 
 
-def test_of_slow_steps_most_are_free_of_it(shown: Shown) -> None:
+def test_most_slow_steps_show_nothing(shown: Shown) -> None:
     shown.readable.begin_gesture()
     for number in range(1, 11):
         shown.step(number, 0.99 * READ_MS)
@@ -95,7 +95,7 @@ def test_gestures_overlap(shown: Shown) -> None:
     assert shown.seen == [1, 2]
 
 
-def test_hidden_it_shows_nothing_until_it_appears(shown: Shown) -> None:
+def test_a_hidden_widget_is_updated_when_it_appears(shown: Shown) -> None:
     shown.hide()
     for number in (1, 2):
         shown.step(number)
@@ -107,7 +107,7 @@ def test_hidden_it_shows_nothing_until_it_appears(shown: Shown) -> None:
     assert shown.seen == [2], "nothing has changed"
 
 
-def test_what_fails_is_shown_on_appearing_again(shown: Shown) -> None:
+def test_a_failed_update_is_repeated_at_the_next_appearance(shown: Shown) -> None:
     shown.fails = True
     with pytest.raises(ValueError, match="not now"):
         shown.step(1)

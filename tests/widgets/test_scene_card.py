@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from dataclasses import replace
-from typing import Any
+from typing import Any, TypeAlias
 
 import numpy as np
 import pytest
@@ -18,22 +19,31 @@ from PySide6.QtWidgets import (
     QComboBox,
     QSlider,
     QToolTip,
+    QWidget,
 )
 from pytestqt.qtbot import QtBot
 
+from app.document.document import Document
+from app.document.store import Store
 from app.model.projection import Camera, FreeMatrix, Frustum, Oblique, receding_of
 from app.model.refusal import Refusal
 from app.scenes.phenomena import PHENOMENA
 from app.scenes.phenomena.illustration import Illustration, Subject
 from app.scenes.phenomena.readout import Phrase, Reading
 from app.scenes.phenomena.settings import Setting, Settings
+from app.scenes.scene import load
 from tests.support.controls import choose
 from tests.support.phenomenon import EVERYTHING, called
 from tests.support.window import enter, show_scene
-from widgets.controls.scene_card import NONE, Player, SceneCard, make_row, scale_of
+from widgets.controls.readout import NONE
+from widgets.controls.scene_card import SceneCard
+from widgets.controls.setting_rows import Player, make_row, scale_of
 from widgets.parts import palette
-from widgets.parts.fields import CheckRow, ChoiceRow, NumberRow, VectorRow
+from widgets.parts.fields import CheckRow, ChoiceRow
 from widgets.parts.messages import Words, number_text
+from widgets.parts.number_rows import NumberRow, VectorRow
+from widgets.parts.panel import EVERYTHING as EVERY_CHANGE
+from widgets.parts.panel import Shown
 from widgets.parts.readable import Readable
 from widgets.parts.writing import all_digits
 from widgets.window.main_window import MainWindow
@@ -42,8 +52,16 @@ TRIES = ("Drag this.", "What happens there?", "And here?")
 SUBJECT = Subject((0.0, 0.0, 0.0), (1.0, 1.0, 1.0), np.zeros((1, 3)))
 
 
+def tip_of(part: QWidget) -> str:
+    """Return the tooltip that a part shows."""
+    QToolTip.hideText()
+    place = part.rect().center()
+    QApplication.sendEvent(part, QHelpEvent(QEvent.Type.ToolTip, place, part.mapToGlobal(place)))
+    return QToolTip.text()
+
+
 class Owner:
-    """Does what the window does with a card, and remembers it."""
+    """Handles a card as the window does, and records its signals."""
 
     def __init__(self, card: SceneCard) -> None:
         self.card = card
@@ -85,6 +103,38 @@ def card(qtbot: QtBot) -> SceneCard:
 @pytest.fixture
 def owner(card: SceneCard) -> Owner:
     return Owner(card)
+
+
+Desk: TypeAlias = Callable[[str], tuple[Store, SceneCard]]
+
+
+@pytest.fixture
+def desk(qtbot: QtBot) -> Desk:
+    """Makes a store with a scene, and a card that is connected with it as in the window."""
+
+    def make(name: str) -> tuple[Store, SceneCard]:
+        scene, card = load(name), SceneCard()
+        qtbot.addWidget(card)
+        store = Store(Document(name, scene.start))
+
+        def edit(settings: Settings) -> None:
+            try:
+                store.set_settings(settings)
+            except Refusal as error:
+                card.refuse(error)
+
+        def show(document: Document) -> None:
+            card.take(Shown.of(document, scene), EVERY_CHANGE)
+
+        card.settings_edited.connect(edit)
+        store.changed.connect(show)
+        card.show_scene(name, scene.tries, scene.phenomenon)
+        card.show()
+        qtbot.waitExposed(card)
+        show(store.document)
+        return store, card
+
+    return make
 
 
 def number_row(card: SceneCard, name: str) -> NumberRow:
@@ -131,14 +181,6 @@ def test_every_row_makes_its_edit(owner: Owner) -> None:
     ]  # fmt: skip
 
 
-def test_undo_in_a_field_is_the_windows_once_its_number_is_taken(owner: Owner) -> None:
-    """What the field could undo is its text alone, while the document has the number."""
-    field: Any = owner.card.rows["light"].fields[1]  # type: ignore[attr-defined]
-    enter(field, "2")
-    assert owner.settings["light"] == (1.0, 2.0, 3.0)
-    assert not field.isUndoAvailable()
-
-
 def test_a_refusal_goes_when_another_setting_is_accepted(owner: Owner) -> None:
     card = owner.card
     light: Any = card.rows["light"]
@@ -151,7 +193,7 @@ def test_a_refusal_goes_when_another_setting_is_accepted(owner: Owner) -> None:
     assert not light.error and light.fields[1].text() == "3.6"
 
 
-def test_of_a_free_matrix_nothing_can_be_chosen_and_a_tooltip_says_why(
+def test_a_free_matrix_disables_the_settings_and_a_tooltip_says_why(
     owner: Owner, qapp: QApplication
 ) -> None:
     card = owner.card
@@ -167,25 +209,16 @@ def test_of_a_free_matrix_nothing_can_be_chosen_and_a_tooltip_says_why(
     assert card.use_mesh.isEnabled() and "choose a lens" in card.warning.text()
     row = number_row(card, "gap")
     for part in (row.slider, row.field, row.name_label):
-        place = part.rect().center()
-        QApplication.sendEvent(
-            part, QHelpEvent(QEvent.Type.ToolTip, place, part.mapToGlobal(place))
-        )
-        assert QToolTip.text().endswith("choose a lens to see this.")
-        QToolTip.hideText()
+        assert tip_of(part).endswith("choose a lens to see this.")
     card.show_illustration(
         EVERYTHING.illustration(start, owner.settings, SUBJECT), owner.settings, start
     )
     assert all(row.isEnabled() for row in card.rows.values())
     assert card.players["turn"].button.isEnabled()
-    place = row.field.rect().center()
-    QApplication.sendEvent(
-        row.field, QHelpEvent(QEvent.Type.ToolTip, place, row.field.mapToGlobal(place))
-    )
-    assert "choose a lens" not in QToolTip.text()
+    assert "choose a lens" not in tip_of(row.field)
 
 
-def test_shown_values_are_never_answered(owner: Owner) -> None:
+def test_shown_values_emit_no_signal(owner: Owner) -> None:
     owner.settings = EVERYTHING.checked(
         {"gap": 3.0, "turn": 10.0, "kind": "b", "correct": False, "light": (0.0, 1.0, -2.0)}
     )
@@ -210,21 +243,18 @@ def test_a_reset_brings_the_default_of_every_kind(owner: Owner) -> None:
 
 
 @pytest.mark.parametrize(
-    "text", ["", "here", "nan", "inf", "-inf", "1e400", "1e-400", "1/0", "1_0"]
+    ("name", "text"),
+    [("gap", ""), ("turn", "-inf"), ("count", "1e400"), ("light", "1/0"), ("light", "inf")],
 )
-@pytest.mark.parametrize("name", ["gap", "turn", "count", "light"])
 def test_nonsense_is_one_sentence_and_the_last_good_state_stays(
     owner: Owner, name: str, text: str
 ) -> None:
     row: Any = owner.card.rows[name]
     field = row.fields[1] if name == "light" else row.field
-    before = owner.settings
-    shown = readings(owner.card)
+    before, shown = owner.settings, readings(owner.card)
     enter(field, text)
     said = row.error
-    called = "Light y" if name == "light" and "inf" not in text else row.name
-    assert said.startswith(f"Not possible. {called}"), said
-    assert "\n" not in said and said.endswith(".")
+    assert said.startswith(f"Not possible. {row.name}") and "\n" not in said and said.endswith(".")
     assert owner.settings == before and row.value() == before[name]
     assert readings(owner.card) == shown
     assert field.text() == text  # to be put right
@@ -256,7 +286,7 @@ def test_a_refusal_names_the_row_the_value_and_the_bound(
     assert row.error == f"Not possible. {sentence}"
 
 
-def test_what_another_value_cures_is_no_error_any_more(owner: Owner) -> None:
+def test_an_error_goes_when_another_value_removes_its_cause(owner: Owner) -> None:
     gap = number_row(owner.card, "gap")
     gap.slider.setSliderDown(True)
     gap.slider.setValue(gap.slider.maximum() - 10)  # above ten times the count
@@ -279,7 +309,7 @@ def test_a_drag_is_one_gesture_and_a_typed_number_another(owner: Owner) -> None:
     assert owner.gestures == ["started", "finished"] * 2
 
 
-def test_while_values_run_the_hand_has_its_own_and_the_rest_is_read_at_its_end(
+def test_during_a_gesture_only_the_edited_value_is_updated(
     owner: Owner, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     card, turn = owner.card, number_row(owner.card, "turn")
@@ -314,7 +344,7 @@ def test_a_refusal_stays_when_what_was_accepted_before_it_is_shown_at_last(
     assert card.rows["turn"].value() == 5.0
 
 
-def test_another_scene_is_shown_at_once_whatever_runs(
+def test_another_scene_is_shown_at_once_during_a_gesture(
     owner: Owner, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     card = owner.card
@@ -389,7 +419,7 @@ def test_a_setting_without_ends_has_a_slider_about_its_default(qtbot: QtBot) -> 
 
 
 def played(player: Player, *seconds: float) -> list[float]:
-    """The values that it steps to."""
+    """Advance a player and return its values."""
     values: list[float] = []
     player.stepped.connect(values.append)
     for step in seconds:
@@ -397,7 +427,7 @@ def played(player: Player, *seconds: float) -> list[float]:
     return values
 
 
-def test_a_number_runs_to_and_fro_between_the_ends(owner: Owner) -> None:
+def test_a_number_runs_back_and_forth_between_the_ends(owner: Owner) -> None:
     player = owner.card.players["turn"]
     assert played(player, 1.0) == []  # it is not playing
     player.play()
@@ -407,6 +437,9 @@ def test_a_number_runs_to_and_fro_between_the_ends(owner: Owner) -> None:
     assert played(player, 1.0) == []
     player.play()
     assert played(player, 1.0) == [-90.0]
+    enter(number_row(owner.card, "turn").field, "-30")  # a hand puts it elsewhere
+    player.advance(0.5)
+    assert owner.settings["turn"] == 15.0
 
 
 def test_playing_is_one_gesture(owner: Owner, qtbot: QtBot) -> None:
@@ -446,16 +479,7 @@ def test_a_count_counts_and_powers_run_evenly(qtbot: QtBot) -> None:
         player.pause()
 
 
-def test_playing_goes_on_from_where_a_hand_has_put_the_number(owner: Owner) -> None:
-    player = owner.card.players["turn"]
-    player.play()
-    player.advance(1.0)
-    enter(number_row(owner.card, "turn").field, "-30")
-    player.advance(0.5)
-    assert owner.settings["turn"] == 15.0
-
-
-def test_a_value_that_cannot_be_is_said_and_passed_over(owner: Owner) -> None:
+def test_playing_reports_a_refused_value_and_passes_over_it(owner: Owner) -> None:
     owner.edited({"gap": 30.0, "count": 4.0})
     player, row = owner.card.players["count"], owner.card.rows["count"]
     player.show_value(4.0)
@@ -523,22 +547,20 @@ def test_every_place_of_a_slider_is_a_value_of_its_setting(name: str, setting: S
     assert [scale.value_at(scale.position_of(value)) for value in values] == values
 
 
-def test_the_parts_of_the_board_can_be_doubled_up_to_its_bound(window: MainWindow) -> None:
-    show_scene(window, "interpolation")
-    row = window.controls.card.rows["subdivision"]
+def test_the_parts_of_the_board_can_be_doubled_up_to_its_bound(desk: Desk) -> None:
+    store, card = desk("interpolation")
+    row = number_row(card, "subdivision")
     for key, parts in (
         (Qt.Key.Key_PageUp, 3.0), (Qt.Key.Key_End, 64.0), (Qt.Key.Key_PageDown, 32.0),
         (Qt.Key.Key_Home, 1.0), (Qt.Key.Key_Right, 2.0),
     ):  # fmt: skip
         QTest.keyClick(row.slider, key)
-        assert window.store.document.settings["subdivision"] == parts and not row.error
-    row.field.selectAll()
-    QTest.keyClicks(row.field, "5")
-    QTest.keyClick(row.field, Qt.Key.Key_Return)
-    assert window.store.document.settings["subdivision"] == 5.0  # others can be typed
+        assert store.document.settings["subdivision"] == parts and not row.error
+    enter(row.field, "5")
+    assert store.document.settings["subdivision"] == 5.0  # others can be typed
 
 
-def test_what_is_not_there_says_why_once(owner: Owner) -> None:
+def test_missing_readings_give_their_reason_once(owner: Owner) -> None:
     owner.projection = replace(
         EVERYTHING.start, camera=Camera((0.0, 0.0, 0.0), (0.0, 0.0, -1.0), (0.0, 1.0, 0.0))
     )
@@ -614,7 +636,7 @@ def test_no_number_is_cut(owner: Owner) -> None:
     assert value.width() >= value.fontMetrics().horizontalAdvance(value.text())
     least = value.minimumWidth()
     owner.edited({"gap": 2.0})
-    # It does not jump to and fro.
+    # It does not jump back.
     assert value.minimumWidth() == least > value.fontMetrics().horizontalAdvance(value.text())
 
 
@@ -724,153 +746,149 @@ def test_a_burst_of_keys_ends_with_its_scene(window: MainWindow, qtbot: QtBot, s
 # -- settings that move camera and lens, which others move too
 
 
-def opened(window: MainWindow, scene: str) -> tuple[Any, Any]:
-    return window.store, show_scene(window, scene)
+def shown(card: SceneCard, *names: str) -> list[Any]:
+    return [card.rows[name].value() for name in names]
 
 
-def shown(window: Any, *names: str) -> list[Any]:
-    return [window.controls.card.rows[name].value() for name in names]
-
-
-def in_words(window: Any, name: str) -> str:
-    row = window.controls.card.rows[name]
+def in_words(card: SceneCard, name: str) -> str:
+    row = card.rows[name]
     assert isinstance(row, ChoiceRow)
     combo = row.widgets[0]
     assert isinstance(combo, QComboBox)
     return combo.currentText() or combo.placeholderText()
 
 
-def test_the_view_volume_is_that_of_the_lens_and_can_be_chosen_again(window: MainWindow) -> None:
-    store, window = opened(window, "view-volumes")
+def test_the_view_volume_is_that_of_the_lens_and_can_be_chosen_again(desk: Desk) -> None:
+    store, card = desk("view-volumes")
     start = store.document
     store.set_projection(start.projection.with_lens("orthographic"))
-    assert shown(window, "volume") == ["box"] and store.document.settings == start.settings
-    choose(window.controls.card.rows["volume"], "pyramid")
+    assert shown(card, "volume") == ["box"] and store.document.settings == start.settings
+    choose(card.rows["volume"], "pyramid")
     assert store.document.projection.lens.kind == "perspective"
-    assert shown(window, "volume") == ["pyramid"]
+    assert shown(card, "volume") == ["pyramid"]
     store.undo()
     assert store.document.projection.lens.kind == "orthographic"
-    assert shown(window, "volume") == ["box"]
-    choose(window.controls.card.rows["volume"], "cone")
+    assert shown(card, "volume") == ["box"]
+    choose(card.rows["volume"], "cone")
     store.set_projection(store.document.projection.with_lens("oblique"))
-    assert shown(window, "volume") == ["oblique"]
+    assert shown(card, "volume") == ["oblique"]
 
 
-def test_a_camera_that_was_turned_is_free_and_can_be_turned_back(window: MainWindow) -> None:
-    store, window = opened(window, "vanishing-points")
+def test_a_camera_that_was_turned_is_free_and_can_be_turned_back(desk: Desk) -> None:
+    store, card = desk("vanishing-points")
     start = store.document.projection
-    assert shown(window, "points") == ["2"]
+    assert shown(card, "points") == ["2"]
     store.set_projection(replace(start, camera=replace(start.camera, eye=(3.0, 5.0, 5.0))))
-    assert shown(window, "points") == ["free"]
-    window.controls.card.settings_edited.emit({"t": 0.25})
+    assert shown(card, "points") == ["free"]
+    card.settings_edited.emit({"t": 0.25})
     assert store.document.projection.camera.eye == (3.0, 5.0, 5.0)
-    choose(window.controls.card.rows["points"], "2")
-    assert shown(window, "points") == ["2"]
+    choose(card.rows["points"], "2")
+    assert shown(card, "points") == ["2"]
     np.testing.assert_allclose(store.document.projection.camera.frame, start.camera.frame)
-    # Nearer, but from the same side: still two of them.
+    # Nearer, but in the same direction: still two points.
     camera = store.document.projection.camera
     near = Camera.from_orbit(camera.target, camera.orbit._replace(distance=4.0))
     store.set_projection(replace(store.document.projection, camera=near))
-    assert shown(window, "points") == ["2"]
+    assert shown(card, "points") == ["2"]
 
 
-def test_an_oblique_drawing_is_as_its_lens_is(window: MainWindow) -> None:
-    store, window = opened(window, "oblique-drawing")
+def test_the_drawing_follows_an_oblique_lens(desk: Desk) -> None:
+    store, card = desk("oblique-drawing")
     start = store.document.projection
-    rows = window.controls.card.rows
-    assert shown(window, "drawing", "angle_deg", "morph") == ["cavalier", 45.0, 1.0]
+    rows = card.rows
+    assert shown(card, "drawing", "angle_deg", "morph") == ["cavalier", 45.0, 1.0]
     assert not rows["receding"].isEnabled()  # of the free drawing alone
     lens = replace(start.lens, alpha_deg=80.0)
     store.set_projection(replace(start, lens=lens))
-    drawing, receding, angle_deg, morph = shown(window, "drawing", "receding", "angle_deg", "morph")
+    drawing, receding, angle_deg, morph = shown(card, "drawing", "receding", "angle_deg", "morph")
     assert (drawing, morph) == ("free", 1.0) and rows["receding"].isEnabled()
     scale, direction = receding_of(lens)
     assert receding == pytest.approx(scale, rel=1e-9)
     assert angle_deg == pytest.approx(direction, rel=1e-9)
-    # The others stay as they are seen when one is changed.
-    number_row(window.controls.card, "angle_deg").edited.emit(30.0)
+    # An edit of one number keeps the others as they are shown.
+    number_row(card, "angle_deg").edited.emit(30.0)
     drawn = store.document.projection.lens
     assert isinstance(drawn, Oblique)
     assert receding_of(drawn) == pytest.approx((scale, 30.0))
-    choose(window.controls.card.rows["drawing"], "cavalier")
+    choose(card.rows["drawing"], "cavalier")
     drawn = store.document.projection.lens
     assert isinstance(drawn, Oblique) and receding_of(drawn) == pytest.approx((1.0, 30.0))
-    # Another lens draws none of them.
+    # Another lens makes no oblique drawing.
     store.set_projection(store.document.projection.with_lens("perspective"))
-    assert in_words(window, "drawing") == "none of these"
+    assert in_words(card, "drawing") == "none of these"
     assert not rows["angle_deg"].isEnabled() and not rows["morph"].isEnabled()
-    assert shown(window, "angle_deg", "morph") == [30.0, 1.0]  # with what it would be drawn
-    choose(window.controls.card.rows["drawing"], "cavalier")
+    assert shown(card, "angle_deg", "morph") == [30.0, 1.0]  # with what it would be drawn
+    choose(card.rows["drawing"], "cavalier")
     assert store.document.projection.lens.kind == "oblique"
-    assert shown(window, "drawing") == ["cavalier"] and rows["angle_deg"].isEnabled()
+    assert shown(card, "drawing") == ["cavalier"] and rows["angle_deg"].isEnabled()
 
 
-def test_a_photograph_is_none_any_more_when_the_camera_has_been_moved(window: MainWindow) -> None:
-    store, window = opened(window, "field-of-view")
+def test_a_moved_camera_is_none_of_the_photographs(desk: Desk) -> None:
+    store, card = desk("field-of-view")
     start = store.document.projection
     target, orbit = start.camera.target, start.camera.orbit
     away = Camera.from_orbit(target, orbit._replace(distance=9.0))
     store.set_projection(replace(start, camera=away))
-    assert in_words(window, "preset") == "none of these"
-    assert shown(window, "distance") == [pytest.approx(3.0)]
-    assert number_text(shown(window, "distance")[0]) == "3"
-    choose(window.controls.card.rows["preset"], "wide")
+    assert in_words(card, "preset") == "none of these"
+    assert shown(card, "distance") == [pytest.approx(3.0)]
+    assert number_text(shown(card, "distance")[0]) == "3"
+    choose(card.rows["preset"], "wide")
     now = store.document.projection
     assert now.camera.distance == pytest.approx(3.0)
     assert now.lens.fov_y_deg == pytest.approx(start.lens.fov_y_deg)
-    assert shown(window, "preset", "distance") == ["wide", 1.0]
+    assert shown(card, "preset", "distance") == ["wide", 1.0]
     assert store.document.settings["distance"] == 1.0
-    # From the control itself the photograph stays what it is: the size is held.
-    window.controls.card.settings_edited.emit({"distance": 2.0})
-    assert shown(window, "preset", "distance") == ["wide", 2.0]
-    # Away from it, the distance moves the eye on from where it is.
+    # An edit of the distance keeps the photograph: the size stays.
+    card.settings_edited.emit({"distance": 2.0})
+    assert shown(card, "preset", "distance") == ["wide", 2.0]
+    # Away from a photograph the distance moves the eye from where it is.
     store.set_projection(replace(start, camera=away))
-    window.controls.card.settings_edited.emit({"distance": 1.5})
+    card.settings_edited.emit({"distance": 1.5})
     assert store.document.projection.camera.distance == pytest.approx(4.5)
-    assert shown(window, "distance") == [1.5] and in_words(window, "preset") == "none of these"
-    # What is farther than can be chosen is shown, too, and stays when something else is.
+    assert shown(card, "distance") == [1.5] and in_words(card, "preset") == "none of these"
+    # A distance beyond the slider is shown, and stays when another setting is edited.
     far = Camera.from_orbit(target, orbit._replace(distance=300.0))
     store.set_projection(replace(start, camera=far))
-    assert shown(window, "distance") == [pytest.approx(100.0)]
-    window.controls.card.settings_edited.emit({"enlarged": False})
+    assert shown(card, "distance") == [pytest.approx(100.0)]
+    card.settings_edited.emit({"enlarged": False})
     assert store.document.projection.camera == far
 
 
-def test_the_eye_is_beside_the_middle_that_the_window_has(window: MainWindow) -> None:
-    store, window = opened(window, "off-axis-window")
+def test_the_shift_follows_the_middle_of_the_window(desk: Desk) -> None:
+    store, card = desk("off-axis-window")
     start = store.document.projection
-    assert shown(window, "shift") == [1.5]
+    assert shown(card, "shift") == [1.5]
     lens = start.lens
     assert isinstance(lens, Frustum)
     moved = replace(lens, left=lens.left - 0.5, right=lens.right - 0.5)
     store.set_projection(replace(start, lens=moved))  # 1.25 to the left at the distance 8
-    assert shown(window, "shift") == [pytest.approx(2.75)]
-    number_row(window.controls.card, "shift").edited.emit(1.5)
+    assert shown(card, "shift") == [pytest.approx(2.75)]
+    number_row(card, "shift").edited.emit(1.5)
     now = store.document.projection
     assert now.camera.eye == pytest.approx((0.25, 2.4, 8.0))
-    assert now.window == pytest.approx(start.window) and shown(window, "shift") == [1.5]
+    assert now.window == pytest.approx(start.window) and shown(card, "shift") == [1.5]
     store.set_projection(now.with_lens("perspective"))
-    assert shown(window, "shift") == [0.0]
-    number_row(window.controls.card, "shift").edited.emit(1.5)
+    assert shown(card, "shift") == [0.0]
+    number_row(card, "shift").edited.emit(1.5)
     assert store.document.projection.window == pytest.approx(start.window)
 
 
-def test_the_drive_is_as_far_as_the_camera_is(window: MainWindow) -> None:
-    store, window = opened(window, "far-plane-popping")
+def test_the_position_follows_the_camera(desk: Desk) -> None:
+    store, card = desk("far-plane-popping")
     start = store.document.projection
     for z in (-20.0, -400.0):
         there = replace(start.camera, eye=(0.5, 2.2, z), target=(0.0, 2.0, z - 50.0))
         store.set_projection(replace(start, camera=there))
-        assert shown(window, "position") == [start.camera.eye[2] - z]
-        window.controls.card.settings_edited.emit({"detail": z == -20.0})
+        assert shown(card, "position") == [start.camera.eye[2] - z]
+        card.settings_edited.emit({"detail": z == -20.0})
         assert store.document.projection.camera == there  # nobody has asked for another place
-    number_row(window.controls.card, "position").edited.emit(0.0)
+    number_row(card, "position").edited.emit(0.0)
     assert store.document.projection.camera.eye == pytest.approx(start.camera.eye)
 
 
-def test_a_setting_without_effect_says_with_what_it_would_have_one(window: MainWindow) -> None:
-    store, window = opened(window, "far-plane-popping")
-    rows = window.controls.card.rows
+def test_a_setting_without_effect_names_the_setting_it_needs(desk: Desk) -> None:
+    store, card = desk("far-plane-popping")
+    rows = card.rows
 
     def enabled() -> set[str]:
         return {name for name, row in rows.items() if row.isEnabled()}
@@ -881,21 +899,16 @@ def test_a_setting_without_effect_says_with_what_it_would_have_one(window: MainW
         ("fog_start", "Only with “Fog”: linear, from start to end."),
         ("detail_1", "Only with “Level of detail” switched on."),
     ):
-        field = number_row(window.controls.card, name).field
-        place = field.rect().center()
-        event = QHelpEvent(QEvent.Type.ToolTip, place, field.mapToGlobal(place))
-        QApplication.sendEvent(field, event)
-        assert QToolTip.text() == said
-        QToolTip.hideText()
+        assert tip_of(number_row(card, name).field) == said
     store.set_settings({"fog": "linear"})
     assert enabled() == always | {"fog_start", "fog_end"}
     store.set_settings({"fog": "exponential", "detail": True})
     assert enabled() == always | {"fog_density", "detail_1", "detail_2"}
 
 
-def test_a_bound_is_written_as_all_numbers_are(window: MainWindow) -> None:
-    store, window = opened(window, "far-plane-popping")
+def test_a_bound_is_written_as_all_numbers_are(desk: Desk) -> None:
+    store, card = desk("far-plane-popping")
     store.set_settings({"fog": "linear"})
-    row = number_row(window.controls.card, "fog_end")
+    row = number_row(card, "fog_end")
     enter(row.field, "10")
     assert row.error.endswith("Fog ends at = 10: must be greater than 15.")

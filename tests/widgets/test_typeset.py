@@ -1,4 +1,4 @@
-"""Formulas as they are printed: where their parts stand, and what is drawn and read of them."""
+"""Typeset formulas: the places of their parts, their pixels, and their plain text."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ def font(qapp: QApplication) -> QFont:
 
 
 def places(formula: Typeset) -> dict[str, tuple[float, float]]:
-    """Where each text of a formula begins: how far to the right, how far below the line."""
+    """Return the place of each text of a formula: to the right, and below the line."""
     return {text: (x, y) for x, y, text, _ in formula.runs}
 
 
@@ -146,7 +146,7 @@ def test_a_formula_has_the_colour_of_text(label: TypesetLabel, colour: str) -> N
 
 
 def test_a_matrix_says_where_its_cells_are(font: QFont) -> None:
-    """Row by row, none over another, each round what is written in it."""
+    """Cells are in rows, do not overlap, and enclose their texts."""
     laid_out = typeset("S = [1&−0.25&3;44&5&666]", font)
     texts = [run for run in laid_out.runs if run[2] != "S = "]
     assert [text for _, _, text, _ in texts] == ["1", "−0.25", "3", "44", "5", "666"]

@@ -839,7 +839,7 @@ def test_saving_over_a_file_whose_ending_was_not_typed_asks(
         answers = [QMessageBox.StandardButton.Yes, QMessageBox.StandardButton.Cancel]
         asked.clear()
         save()
-        assert asked == [f"mine{ending} is there already."] and path.read_text() == "mine"
+        assert asked == [f"mine{ending} already exists."] and path.read_text() == "mine"
         save()
         assert len(asked) == 2 and path.read_bytes() != b"mine"
     assert not (tmp_path / "mine").exists()
@@ -1704,7 +1704,7 @@ def test_the_note_of_a_pane_is_cut_before_its_title(window: MainWindow) -> None:
     title, note = pane.title, pane.note
     window.slots.toggle_float("image")
     for text in ("Image", "Canonical parallel"):
-        pane.set_title(text, "1920 × 1080")
+        pane.header.say(text, "1920 × 1080")
         whole = []
         for width in range(700, 190, -7):
             pane.resize(width, 200)

@@ -1,7 +1,7 @@
 """The exercise of lecture 004: the camera walks round the scene while its height changes.
 
-`camera_at` is the whole exercise as a pure function of time; `AnimationBar` plays it. The bar
-emits cameras and is told of cameras, like every other control, and knows no model beyond that.
+`camera_at` is the exercise as a pure function of time; `AnimationBar` plays it. The bar emits and
+shows cameras like every other control.
 """
 
 from __future__ import annotations
@@ -19,23 +19,25 @@ from app.model.projection import LARGEST, NOT_THE_EYE, Camera, Vector
 from app.model.refusal import Refusal
 from widgets.parts.buttons import tool_button
 from widgets.parts.clock import Clock, Playing
-from widgets.parts.fields import Choice, ChoiceRow, Linear, NumberRow, Row
+from widgets.parts.fields import Choice, ChoiceRow, Row
 from widgets.parts.gestures import Gestures
 from widgets.parts.icons import WarningLabel
 from widgets.parts.layouts import FREE, in_column, in_row
 from widgets.parts.messages import limits_text, sentence
+from widgets.parts.number_rows import NumberRow
+from widgets.parts.scales import Linear
 
 HeightMode: TypeAlias = Literal["fixed", "swing", "steps"]
 LookMode: TypeAlias = Literal["target", "level"]
 
 STEP_S = 2.0
-"""The lecture's pause between two heights in steps."""
+"""Pause of the lecture between two heights in steps."""
 STEPS_UP = 3
 """Steps from the lowest height to the highest."""
 PERIOD_S = 2.0 * STEPS_UP * STEP_S
-"""Once up and down, smoothly or in steps."""
+"""Time for once up and down, smoothly or in steps."""
 FASTEST_DEG_S = 3600
-"""Ten turns a second: beyond a sixth of a turn a frame nobody sees which way it goes."""
+"""Ten turns a second: beyond a sixth of a turn a frame the direction cannot be seen."""
 
 
 @dataclass(frozen=True)
@@ -46,16 +48,16 @@ class Motion:
     ----------
     speed_deg_s : float
         Turn about the vertical through the target, degrees per second; positive is
-        anticlockwise seen from above.
+        anticlockwise from above.
     height : {"fixed", "swing", "steps"}
         The eye keeps its y, swings between the limits, or takes the next of four heights
         every `STEP_S`.
     look : {"target", "level"}
-        The camera looks at the target, or horizontally: the y of what it looks at is its own.
+        The camera looks at the target, or horizontally: the target gets the eye's y.
     lowest, highest : float
         Limits of the eye's y, world units; in either order.
     clock_s : float
-        Where between the limits the walk begins: 0 is lowest, `PERIOD_S`/2 is highest.
+        Phase at which the walk begins: 0 is lowest, `PERIOD_S`/2 is highest.
     """
 
     speed_deg_s: float = 20.0
@@ -85,15 +87,7 @@ class Motion:
         return self._middle + self._reach * (2.0 * level / STEPS_UP - 1.0)
 
     def clock_at(self, height: float, *, rising: bool = True) -> float:
-        """The time at which the walk passes nearest to a height.
-
-        Parameters
-        ----------
-        height : float
-            The eye's y, world units.
-        rising : bool
-            Which of the two times.
-        """
+        """Return the time at which the rising or falling walk is nearest to a height."""
         down = (self._middle - height) / self._reach if self._reach > 0.0 else 0.0
         clock_s = math.acos(min(max(down, -1.0), 1.0)) / (2.0 * math.pi) * PERIOD_S
         return clock_s if rising else PERIOD_S - clock_s
@@ -105,15 +99,9 @@ class Motion:
 
 
 def camera_at(start: Camera, elapsed_s: float, motion: Motion) -> Camera:
-    """Where the camera is some time after it stood at `start`.
+    """Return the camera some seconds after it stood at `start`.
 
-    Parameters
-    ----------
-    start : Camera
-        The walk goes round its target, in the distance from the vertical that it has now.
-    elapsed_s : float
-        Seconds since then.
-    motion : Motion
+    The walk goes round the target of `start` at a constant distance from the vertical.
 
     Raises
     ------
@@ -138,7 +126,7 @@ def camera_at(start: Camera, elapsed_s: float, motion: Motion) -> Camera:
 def _height(start_y: float, elapsed_s: float, motion: Motion) -> float:
     clock_s = motion.clock_s + elapsed_s
     if motion.height == "swing":
-        # A start beyond the limits is not jumped from; the difference fades within seconds.
+        # From a start beyond the limits there is no jump: the difference fades within seconds.
         excess = start_y - motion.swing(motion.clock_s)
         return motion.swing(clock_s) + excess * math.exp(-elapsed_s)
     if motion.height == "steps":
@@ -148,11 +136,9 @@ def _height(start_y: float, elapsed_s: float, motion: Motion) -> float:
 
 
 class AnimationBar(QWidget, Playing, Gestures):
-    """Plays the walk: one camera a frame, from where the camera is, until paused.
+    """Plays the walk from the current camera, one camera a frame.
 
-    A frame is asked for only when the one before has been handled, so that frames never queue
-    up behind a slow renderer. Whatever else moves the camera meanwhile (a slider, undo) is taken
-    up: the walk goes on from there.
+    If something else moves the camera meanwhile (a slider, undo), the walk continues from there.
     """
 
     edited = Signal(object)
@@ -176,8 +162,8 @@ class AnimationBar(QWidget, Playing, Gestures):
         self._error = WarningLabel()
         self.speed = NumberRow(
             self.tr("Speed"),
-            self.tr("How fast the camera walks round the vertical through the target; below 0 it"
-                    " walks the other way."),
+            self.tr("Angle per second of the walk round the vertical through the target; below 0"
+                    " the camera walks the other way."),
             Linear(-90.0, 90.0, 1.0), self.tr("°/s"), self.tr("degrees per second"),
         )  # fmt: skip
         self.height_mode = ChoiceRow(
@@ -206,8 +192,7 @@ class AnimationBar(QWidget, Playing, Gestures):
             (
                 Choice("target", self.tr("at the target"), self.tr("The target stays in place.")),
                 Choice("level", self.tr("level"),
-                       self.tr("The y of the target is the eye's y: the camera looks"
-                               " horizontally.")),
+                       self.tr("The target gets the eye's y: the camera looks horizontally.")),
             ),
         )  # fmt: skip
         self.rows: tuple[Row, ...] = (
@@ -226,24 +211,16 @@ class AnimationBar(QWidget, Playing, Gestures):
         for row in self.rows:
             row.setDefault(row.value())
 
-    # -- what the owner says
+    # -- set by the owner
 
     def set_scene(self, size: float, camera: Camera) -> None:
-        """Fit the limits of the height to a scene, and stand still.
-
-        Parameters
-        ----------
-        size : float
-            Diagonal of the scene's bounds, world units.
-        camera : Camera
-            The scene's own.
-        """
+        """Pause, and fit the limits of the height to the diagonal and the camera of a scene."""
         self.pause()
         for row in self.rows:
             row.clear_error()
         middle = camera.target[1]
         scale = Linear.about(middle, 3.0 * size)
-        # Beside a long row of things a swing as high as that would look straight down.
+        # Beside a long row of objects a swing as high as that would look straight down.
         reach = min(size, camera.distance / 2.0)
         for row, height in ((self.lowest, middle - reach / 4.0), (self.highest, middle + reach)):
             row.setScale(scale)
@@ -253,7 +230,7 @@ class AnimationBar(QWidget, Playing, Gestures):
         self._settings_edited()
 
     def show_camera(self, camera: Camera) -> None:
-        """Note where the camera is; one that is not the last frame's is where to go on from."""
+        """Note the camera; if it is not that of the last frame, the walk continues from it."""
         if camera == self._shown:
             return
         self._say("")
@@ -274,7 +251,7 @@ class AnimationBar(QWidget, Playing, Gestures):
     # -- playing
 
     def play(self) -> None:
-        """Walk on from where the camera is."""
+        """Walk from the current camera."""
         if self.playing or self._shown is None or not self.isEnabled():
             return
         self._clock.start()
@@ -286,7 +263,6 @@ class AnimationBar(QWidget, Playing, Gestures):
         self.playing_changed.emit(True)
 
     def pause(self) -> None:
-        """Stand still; the next `play` goes on from here."""
         if not self.playing:
             return
         self._clock.stop()
@@ -295,7 +271,7 @@ class AnimationBar(QWidget, Playing, Gestures):
         self.playing_changed.emit(False)
 
     def advance(self, seconds: float) -> None:
-        """Walk for some seconds and emit the camera; without effect while paused."""
+        """Walk for some seconds and emit the camera, unless paused."""
         if not self.playing or self._start is None:
             return
         self._elapsed_s += seconds
@@ -310,7 +286,7 @@ class AnimationBar(QWidget, Playing, Gestures):
             self.edited.emit(camera)
 
     def _why(self, error: Refusal) -> str:
-        """What stopped the walk, without the numbers of a camera that nobody made."""
+        """Say why the walk stopped, without the numbers of a camera that nobody chose."""
         if error.bound == NOT_THE_EYE and self._motion.look == "level":
             if self._start is not None and self._start.eye[1] < self._start.target[1]:
                 return self.tr("The camera is straight below the target and cannot look level.")
@@ -334,13 +310,13 @@ class AnimationBar(QWidget, Playing, Gestures):
         self._motion = replace(self._motion, clock_s=clock_s)
 
     def _go_on_from(self, camera: Camera, aim_y: float) -> None:
-        """Let the walk so far be the past; what it aims at survives looking level."""
+        """Begin a new walk here; `aim_y` keeps the target's y while the camera looks level."""
         self._motion = self._now
         self._elapsed_s = 0.0
         x, _, z = camera.target
         try:
             self._start = replace(camera, target=(x, aim_y, z))
-        except Refusal:  # the aim is where the eye is now, or straight up from it
+        except Refusal:  # the target would be at the eye, or straight above or below it
             self._start = camera
 
     def _number_edited(self, row: NumberRow, largest: float, value: float) -> None:
@@ -352,7 +328,7 @@ class AnimationBar(QWidget, Playing, Gestures):
             self._settings_edited()
 
     def _forget_refusals(self) -> None:
-        """Something else was accepted."""
+        """Remove the refusals: another value was accepted."""
         for row in self.rows:
             if row.error and not row.in_hand:
                 row.clear_error()
@@ -388,7 +364,7 @@ class AnimationBar(QWidget, Playing, Gestures):
         word = self._name_button(
             "{0}",
             self.tr("Walk round the target, as in the exercise of lecture 004."),
-            self.tr("Stand still; playing again goes on from here."),
+            self.tr("Pause here; playing continues from here."),
         )
         self.button.setText(word)
         for row in (self.lowest, self.highest):

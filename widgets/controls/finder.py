@@ -1,7 +1,7 @@
-"""Finding a control by what it is called: its name, its letter, what its tooltip says, old names.
+"""Find a control by its name, its letter, its old names, or the words of its tooltip.
 
-Every word that is typed must begin a word of the control, or be it if it is one letter. Names come
-before tooltips: who types "near" means the near plane, not all that depends on it.
+Each typed word must begin a word of the control; a single letter must be a whole word. Names come
+before tooltips: "near" means the near plane, not everything that depends on it.
 """
 
 from __future__ import annotations
@@ -56,26 +56,24 @@ ALSO = {
     "depth": QT_TRANSLATE_NOOP("Find", "depth range NDC z buffer OpenGL Direct3D reversed"),
     "animation": QT_TRANSLATE_NOOP("Find", "animation play walk turn"),
 }  # fmt: skip
-"""What else each control is called."""
+"""Other names of each control."""
 
 
 class Known(NamedTuple):
-    """A control as it is looked for."""
+    """The texts of a control: its names in the window's language and the model's, and its tip."""
 
     names: str
-    """What it is called, in the window's language and in the model's."""
     tip: str
-    """What is said of it."""
 
 
 def known(key: str, names: Iterable[str], tip: str) -> Known:
-    """A control with this key, which has other names besides."""
+    """Return the texts of the control with this key, other names included."""
     also = QCoreApplication.translate("Find", ALSO[key]) if key in ALSO else ""
     return Known(" ".join((*names, key, also)), tip)
 
 
 def find(text: str, parts: Mapping[QWidget, Known]) -> set[QWidget]:
-    """The controls whose names have all of these words, or, if none has, names and tooltips."""
+    """Return the controls whose names have all words, or else whose names and tips have them."""
     asked = _words(text)
     if not asked:
         return set()
@@ -96,17 +94,17 @@ def _has(text: str, asked: Iterable[str]) -> bool:
 
 
 class SearchBox(QLineEdit):
-    """Where it is typed: Enter or ↓ goes to the first that was found, Esc clears."""
+    """The search box: Enter or ↓ goes to the first result, Esc clears it."""
 
     taken = Signal()
-    """The user goes on to what was found."""
+    """The user wants to go to the first result."""
 
     def __init__(self, parent: QWidget) -> None:
         super().__init__(parent)
         self.setPlaceholderText(self.tr("Find a control"))
         self.setAccessibleName(self.tr("Find a control"))
-        tip = self.tr("Shows the controls that are called so, wherever they are folded; Enter goes"
-                      " to the first of them, Esc shows all again (Ctrl+F)")  # fmt: skip
+        tip = self.tr("Shows the controls with this name, also folded ones; Enter goes to the"
+                      " first, Esc shows all again (Ctrl+F)")  # fmt: skip
         set_tip(self, tip)
         self.setAccessibleDescription(tip)
         self.setClearButtonEnabled(True)
@@ -114,7 +112,7 @@ class SearchBox(QLineEdit):
     def event(self, event: QEvent) -> bool:
         is_key = isinstance(event, QKeyEvent) and event.key() == Qt.Key.Key_Escape
         if is_key and event.type() == QEvent.Type.ShortcutOverride and self.text():
-            event.accept()  # it is no shortcut of the window's
+            event.accept()  # not a shortcut of the window
             return True
         return super().event(event)
 

@@ -1,7 +1,7 @@
-"""The lens in the dock: every number that it can be given by, those that are used most in front.
+"""The rows of the lens: every number that can define it, the most used ones in front.
 
-Field of view, focal lengths and the window on the near plane are views of one value; so are the
-angles of an oblique lens and how things recede under it, and a perspective lens and its K.
+Field of view, focal lengths and the window on the near plane are views of one value. So are the
+angles and the receding of an oblique lens, and a perspective lens and its K.
 """
 
 from __future__ import annotations
@@ -35,33 +35,33 @@ from app.model.projection import (
     receding_of,
 )
 from app.model.refusal import Refusal
-from widgets.parts.fields import Choice, Linear, Log, NumberRow, Scale
+from widgets.parts.fields import Choice
 from widgets.parts.messages import translated
+from widgets.parts.number_rows import NumberRow
 from widgets.parts.plain import Label
+from widgets.parts.scales import Linear, Log, Scale
 from widgets.parts.section import Binding, Read, Rows, Typed, Write, quiet, tidy
 
 NEAR_RATIO = 40.0
-"""From the nearest near plane of the slider to its farthest: in 240 pixels 2 % each at most."""
+"""Ratio of the ends of near's slider: at most 2 % for each of 240 pixels."""
 SIDES = ("left", "right", "bottom", "top")
-_SAME_ANGLE_DEG = 1e-9  # what a preset's angle may lose on its way through a file
+_SAME_ANGLE_DEG = 1e-9  # an angle of a preset may lose this much in a file
 
 
 class Receding(NamedTuple):
-    """How an oblique lens draws what goes straight into the picture; see `oblique_angles`."""
+    """Length and direction in which an oblique lens draws depth; see `oblique_angles`."""
 
     receding: float
     receding_deg: float
 
 
 class LensControls(QObject):
-    """Fills two parts of the dock with the rows of all lenses, and fits them to the lens in hand.
+    """Fills two parts of the dock with the rows of all lenses, and fits them to the current lens.
 
     Parameters
     ----------
-    front : Rows
-        For what a lens is usually set by.
-    more : Rows
-        For everything else.
+    front, more : Rows
+        For the usual rows of a lens, and for all others.
     """
 
     def __init__(self, front: Rows, more: Rows) -> None:
@@ -89,7 +89,7 @@ class LensControls(QObject):
         ]
         kind = self._front.add_choice(
             "kind", "lens",
-            self.tr("Kind of projection. What lies at the target keeps its size when it changes."),
+            self.tr("Kind of projection. Objects at the target keep their size when it changes."),
             kinds, lambda p: p.lens.kind, lambda p, kind: p.with_lens(kind),
         )  # fmt: skip
         quiet(kind.name_label)
@@ -114,7 +114,6 @@ class LensControls(QObject):
         )  # fmt: skip
 
     def _make_leaning(self) -> None:
-        """How the projectors of an oblique lens lean."""
         oblique = _with("alpha_deg")
         drawings = {
             "cavalier": (self.tr("cavalier, {0}°"), self.tr("Depth is drawn in full length")),
@@ -128,15 +127,14 @@ class LensControls(QObject):
             choices.append(Choice(key, text.format(angle), rising))
         self._front.add_choice(
             "preset", "lens",
-            self.tr("The textbooks' drawings. What lies at the target stays in its place in the"
-                    " picture."),
+            self.tr("The textbooks' drawings. The target stays in its place in the picture."),
             choices, _preset, _with_preset, none=self.tr("free"), lenses=oblique,
         )  # fmt: skip
         degrees = self.tr("degrees")
         receding = Typed(_angles, lambda p: Receding(*receding_of(p.lens)), _with_receding)
         self._front.add_number(
             "receding", "lens",
-            self.tr("Drawn length of what goes straight into the picture, per true length: 1 is a"
+            self.tr("Drawn length of a line straight into the picture, per true length: 1 is a"
                     " cavalier, 0.5 a cabinet drawing, 0 orthographic. The target stays in its"
                     " place in the picture."),
             Linear(0.0, 2.0, 0.01), self.tr("×"), self.tr("times the true length"),
@@ -151,7 +149,7 @@ class LensControls(QObject):
         )  # fmt: skip
 
     def _add_declared(self, field: str) -> NumberRow:
-        """The row of a field that a lens says itself how to set."""
+        """Add the row of a field whose control the lens declares itself."""
         control = next(lens.controls[field] for lens in LENSES.values() if field in lens.controls)
         units = {"°": self.tr("degrees"), "×": self.tr("times")}
         part = self._front if field == "fov_y_deg" else self._more
@@ -205,7 +203,7 @@ class LensControls(QObject):
         )  # fmt: skip
 
     def _make_other_measures(self) -> None:
-        """What the lectures call a field of view, beside its angle."""
+        """Add the lectures' other measures of a field of view."""
         for field in dict.fromkeys(field for lens in LENSES.values() for field in lens.controls):
             if field not in self._front.bindings:
                 self._add_declared(field)
@@ -231,8 +229,8 @@ class LensControls(QObject):
     def _make_camera_matrix(self) -> None:
         tips = {
             "fx": self.tr("Focal length in pixel widths: K's first diagonal entry."),
-            "fy": self.tr("Focal length in pixel heights: K's second diagonal entry. As large as"
-                          " fx if the pixels are square."),
+            "fy": self.tr("Focal length in pixel heights: K's second diagonal entry. Equal to fx"
+                          " if the pixels are square."),
             "cx": self.tr("Principal point, from the centre of the first pixel to the right. In"
                           " the image's middle the lens is symmetric, elsewhere off-axis."),
             "cy": self.tr("Principal point, from the centre of the first pixel downwards. In the"
@@ -256,10 +254,10 @@ class LensControls(QObject):
         assert isinstance(row, NumberRow)
         return row
 
-    # -- fitted to the lens in hand
+    # -- fitted to the current lens
 
     def fit(self, projection: Projection, size: float, defaults: Projection) -> None:
-        """Give the rows of this kind of lens their sliders, and say what a reset goes back to.
+        """Set the sliders and the defaults of the rows of this kind of lens.
 
         Parameters
         ----------
@@ -283,9 +281,9 @@ class LensControls(QObject):
         self.follow(projection)
 
     def _fit_planes(self, start: Projection, size: float) -> None:
-        """Let near and far reach as far as the scene does, seen from where it opens.
+        """Let near and far reach as far as the scene, seen from its first camera.
 
-        A pyramid's near covers but `NEAR_RATIO`: of more, a pixel of the slider would be a leap.
+        A pyramid's near covers only `NEAR_RATIO`: with more, a pixel of the slider would be a leap.
         """
         lens = start.lens
         back = start.camera.distance + size / 2.0
@@ -310,13 +308,7 @@ class LensControls(QObject):
         return [*self._front.bindings.items(), *self._more.bindings.items()]
 
     def follow(self, projection: Projection) -> None:
-        """Keep the sliders in proportion to what they show.
-
-        Parameters
-        ----------
-        projection : Projection
-            With the kind of lens that was fitted.
-        """
+        """Keep the sliders in proportion to a projection with the same kind of lens."""
         self._projection = projection
         if projection.lens.window_stays:
             self._fit_window()
@@ -343,9 +335,9 @@ class LensControls(QObject):
                 self._row(key).setScale(scale)
 
     def _fit_window(self) -> None:
-        """Let the window's sliders reach about twice as far as the window, of a box the scene.
+        """Let the window's sliders reach twice as far as the window, or as the scene for a box.
 
-        None of them changes under the hand, nor as long as the window fills a fair part of them.
+        No slider changes under the hand, or while the window fills a fair part of it.
         """
         lens = self._projection.lens
         if not lens.window_stays:
@@ -365,12 +357,11 @@ class LensControls(QObject):
 
 
 def _kinds(has: Callable[[Any], bool]) -> tuple[str, ...]:
-    """The kinds of lens of which something is true."""
     return tuple(kind for kind, lens in LENSES.items() if has(lens))
 
 
 def _with(field: str) -> tuple[str, ...]:
-    """The kinds of lens that have a field."""
+    """Return the kinds of lens that have a field."""
     return _kinds(lambda lens: field in lens.__dataclass_fields__)
 
 
@@ -387,7 +378,7 @@ def _with_field(field: str) -> Write:
 
 def _fov_y(projection: Projection) -> float:
     fov_y_deg = projection.lens.fov_y_deg
-    assert fov_y_deg is not None  # of the lenses that have the row
+    assert fov_y_deg is not None  # only such lenses have the row
     return fov_y_deg
 
 
@@ -398,7 +389,7 @@ def _with_fov_y(projection: Projection, fov_y_deg: float) -> Projection:
 def _by_fov(
     measure: Callable[[float, float], float], fov_y: Callable[[float, float], float]
 ) -> tuple[Read, Write]:
-    """Read and write another measure of the field of view, by its value and the aspect."""
+    """Return functions that read and write another measure of the field of view."""
 
     def read(projection: Projection) -> float:
         return tidy(measure(_fov_y(projection), projection.aspect))
@@ -432,7 +423,7 @@ def _with_half(key: str, projection: Projection, half: float) -> Projection:
     top = half / projection.aspect if key == "window_right" else half
     try:
         fov_y_deg = fov_y_from_window(top, projection.lens.near)
-    except Refusal as error:  # which speaks of top
+    except Refusal as error:  # its field is top
         raise Refusal(key, half, error.bound, *error.limits) from None
     return _with_fov_y(projection, fov_y_deg)
 

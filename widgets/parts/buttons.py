@@ -1,4 +1,4 @@
-"""Buttons, each said at once."""
+"""Functions that make buttons."""
 
 from __future__ import annotations
 
@@ -28,17 +28,14 @@ def tool_button(
 
     Parameters
     ----------
-    text, tip : str
-        Translated.
     act : callable or signal, optional
-        What a click does.
+        Called at a click.
     icon : str
-        One of the family, beside the text.
+        Name in `widgets.parts.icons`; shown beside the text.
     name : str
-        Translated, for screen readers, where the text does not say it.
+        For screen readers, if the text does not say it.
     flat : bool
         Whether it has a frame only under the mouse.
-    checkable : bool
     by_click : bool
         Whether a click gives it the keyboard's focus, as Tab does.
     """
@@ -50,15 +47,15 @@ def tool_button(
     if by_click:
         made.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
     made.setCheckable(checkable)
-    return _said(made, text, tip, act, name)
+    return _filled(made, text, tip, act, name)
 
 
 def push_button(text: str, tip: str = "", act: object = None, *, name: str = "") -> QPushButton:
     """Make a push button; see `tool_button`."""
-    return _said(QPushButton(), text, tip, act, name)
+    return _filled(QPushButton(), text, tip, act, name)
 
 
-def _said(made: _Button, text: str, tip: str, act: object, name: str) -> _Button:
+def _filled(made: _Button, text: str, tip: str, act: object, name: str) -> _Button:
     made.setText(text)
     set_tip(made, tip)
     if name:

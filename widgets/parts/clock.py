@@ -1,4 +1,4 @@
-"""The one clock of everything that plays: stage strip, animation, a scene's settings."""
+"""The clock of everything that plays: stage strip, animation, a scene's settings."""
 
 from __future__ import annotations
 
@@ -13,22 +13,18 @@ from widgets.parts.plain import set_tip
 FRAME_MS = 16
 """Least time between two frames."""
 LONGEST_FRAME_S = 0.25
-"""A stalled window goes on from where it was instead of jumping."""
+"""A stalled window continues from where it was instead of jumping."""
 
 
 class Clock(QObject):
-    """Says how much time has passed, once a frame, while it runs.
+    """Reports once a frame how much time has passed, while it runs.
 
-    The next frame is waited for after this one's work is done: frames that take long do not
-    pile up.
-
-    Attributes
-    ----------
-    ticked : Signal(float)
-        Seconds since the last frame, `LONGEST_FRAME_S` at the most.
+    The wait for a frame begins when the work of the frame before is done: slow frames do not pile
+    up.
     """
 
     ticked = Signal(float)
+    """Seconds since the last frame, `LONGEST_FRAME_S` at most."""
 
     def __init__(self, parent: QObject) -> None:
         super().__init__(parent)
@@ -39,13 +35,11 @@ class Clock(QObject):
         self._timer.timeout.connect(self._frame)
 
     def start(self) -> None:
-        """Count from now."""
         self.running = True
         self._watch.start()
         self._timer.start()
 
     def stop(self) -> None:
-        """Stand still."""
         self.running = False
         self._timer.stop()
 
@@ -58,14 +52,13 @@ class Clock(QObject):
 
 
 class Playing:
-    """Who plays while its clock runs: it says what `play` and `pause` do besides."""
+    """Something that plays while its clock runs."""
 
     _clock: Clock
     button: QToolButton
-    """Plays and pauses."""
 
     def _name_button(self, name: str, tip: str, tip_playing: str) -> str:
-        """Let the button say what a click would do, in the word that ``{0}`` of its name is for."""
+        """Name the button after what a click does; return that word, which replaces ``{0}``."""
         word = QCoreApplication.translate("Playing", "Play")
         if self.playing:
             word = QCoreApplication.translate("Playing", "Pause")
@@ -76,11 +69,10 @@ class Playing:
 
     @property
     def playing(self) -> bool:
-        """Whether it moves by itself."""
+        """Whether the clock runs."""
         return self._clock.running
 
     def toggle(self) -> None:
-        """Play, or pause."""
         if self.playing:
             self.pause()
         else:
@@ -88,8 +80,8 @@ class Playing:
 
     @abstractmethod
     def play(self) -> None:
-        """Go on from here."""
+        """Continue from here."""
 
     @abstractmethod
     def pause(self) -> None:
-        """Stand still; playing again goes on from here."""
+        """Stop here."""

@@ -1,4 +1,4 @@
-"""A combo box whose arrow is of the window's family and grows with its letters."""
+"""A combo box whose arrow grows with the letters."""
 
 from __future__ import annotations
 
@@ -9,16 +9,13 @@ from PySide6.QtWidgets import QComboBox, QStyle, QStyleOptionComboBox
 from widgets.parts.icons import paint_icon
 
 ARROW = 0.8
-"""Width of the arrow, as a part of its room, which the style sheet makes as wide as a line is
-high."""
-
-
+"""Width of the arrow relative to its room, which is as wide as a line is high."""
 BESIDE = 0.3
 """Room between the text and the arrow, in heights of a line."""
 
 
 class Combo(QComboBox):
-    """A combo box; the application's style sheet leaves its arrow to it."""
+    """A combo box that paints its own arrow."""
 
     def __init__(self) -> None:
         super().__init__()
@@ -37,7 +34,7 @@ class Combo(QComboBox):
 
     @property
     def _more(self) -> QSize:
-        """Between the text and its arrow, which a style sheet leaves no room."""
+        """Room between the text and the arrow, for which the style sheet leaves none."""
         return QSize(round(BESIDE * self.fontMetrics().height()), 0)
 
     def _fit(self) -> None:

@@ -1,7 +1,7 @@
-"""Esc while the mouse holds something: what was dragged goes back, and the hand lets go.
+"""Esc during a drag: the dragged value goes back, and the mouse holds nothing any more.
 
-It belongs to the drag whatever has the focus, and before it is a shortcut. Whatever the hand does
-from then on, until it lets go, is none.
+The drag gets Esc whatever has the focus, and before any shortcut. Moves of the mouse are ignored
+until the button is released.
 """
 
 from __future__ import annotations
@@ -22,17 +22,17 @@ class EscapeKey(QObject):
 
     @property
     def is_watched(self) -> bool:
-        """Whether a drag is going on."""
+        """Whether a drag is in progress."""
         return self._watched is not None
 
     def watch(self, window: QWidget) -> None:
-        """A drag begins in this window."""
+        """Begin to watch at the start of a drag in this window."""
         self.leave()
         self._watched = QApplication.focusWidget() or window
         self._watched.installEventFilter(self)
 
     def leave(self) -> None:
-        """The hand has let go."""
+        """Stop watching at the end of the drag."""
         if self._watched is not None:
             self._watched.removeEventFilter(self)
             self._watched = None
@@ -48,14 +48,14 @@ class EscapeKey(QObject):
 
 
 class HeldSlider(QSlider):
-    """A level slider that Esc frees from the mouse; its owner puts the value back."""
+    """A horizontal slider that Esc frees from the mouse; its owner restores the value."""
 
     abandoned = Signal()
 
     def __init__(self) -> None:
         super().__init__(Qt.Orientation.Horizontal)
         self.is_abandoned = False
-        """Whether what the hand does is none, until it lets go."""
+        """Whether moves of the mouse are ignored until the button is released."""
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self._escape = EscapeKey(self)
         self._escape.pressed.connect(self._abandon)

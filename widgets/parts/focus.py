@@ -1,7 +1,7 @@
-"""Where the keyboard is: in which order Tab goes through a window, and a frame to see it by.
+"""The keyboard's focus: the order in which Tab goes through a window, and a frame around it.
 
-Qt's own order is that in which widgets were made, so that what a panel makes later would come
-last of all, far from the panel. This one is that of the layouts, which is what is seen.
+Qt's Tab order is the order of creation: widgets that a panel creates later would come last, far
+from the panel. The order here is that of the layouts, which the user sees.
 """
 
 from __future__ import annotations
@@ -14,11 +14,11 @@ from PySide6.QtGui import QPainter, QPaintEvent, QPen
 from PySide6.QtWidgets import QApplication, QLayout, QScrollArea, QSplitter, QWidget
 
 RING_PX = 2
-"""As wide as it is seen from the back row."""
+"""Wide enough to be seen from the back row."""
 
 
 def focus_next(window: QWidget, forwards: bool) -> bool:
-    """Give the focus to the widget after or before the one that has it; whether there is one."""
+    """Move the focus to the next or previous widget; return False if there is no other one."""
     focus, reasons = QApplication.focusWidget(), Qt.FocusReason
     stops = [
         widget
@@ -41,7 +41,7 @@ def focus_next(window: QWidget, forwards: bool) -> bool:
 
 
 def _is_stop(widget: QWidget) -> bool:
-    """Whether Tab stops here; a scroll area is of use to the keyboard if it has to scroll."""
+    """Whether Tab stops here; at a scroll area only if it can scroll."""
     if not (widget.isEnabled() and widget.focusPolicy() & Qt.FocusPolicy.TabFocus):
         return False
     if isinstance(widget, QScrollArea):
@@ -51,7 +51,7 @@ def _is_stop(widget: QWidget) -> bool:
 
 
 def _in_order(widget: QWidget, focus: QWidget | None) -> Iterator[QWidget]:
-    """What can be seen inside a widget, depth first, and what has the focus even if it cannot."""
+    """Yield the visible widgets inside a widget, depth first; also a hidden one with the focus."""
     layout = widget.layout()
     inside: list[QObject | None] = []
     if layout is not None:
@@ -67,10 +67,10 @@ def _in_order(widget: QWidget, focus: QWidget | None) -> Iterator[QWidget]:
 
 
 def _of_layout(layout: QLayout, widgets: list[QWidget]) -> list[QWidget]:
-    """Those of these widgets that it lays out, in its order.
+    """Return those of these widgets that a layout holds, in its order.
 
-    Not by `itemAt`: an item is no QObject, so that when it has gone PySide takes whatever comes to
-    lie in its place for it.
+    `itemAt` is not used: an item is not a QObject. Once it is deleted, PySide would take whatever
+    lies at its address for it.
     """
     placed: list[tuple[int, list[QWidget]]] = [
         (place, [widget]) for widget in widgets if (place := layout.indexOf(widget)) >= 0
@@ -82,13 +82,13 @@ def _of_layout(layout: QLayout, widgets: list[QWidget]) -> list[QWidget]:
 
 
 def lay_out() -> None:
-    """Let all layouts take their new sizes now, before what has the focus is scrolled to."""
+    """Apply all pending layouts now, before something is scrolled into view."""
     for _ in range(4):  # row, section, column, scroll area: each tells only the one around it
         QApplication.sendPostedEvents(None, QEvent.Type.LayoutRequest)
 
 
 class FocusRing(QWidget):
-    """A frame round what Qt shows no focus of: it lies over the widget while that has the focus."""
+    """A frame over a widget while it has the focus, where Qt shows none."""
 
     def __init__(self, ringed: QWidget) -> None:
         super().__init__(ringed)
@@ -99,7 +99,7 @@ class FocusRing(QWidget):
 
     def _follow(self, left: QWidget | None, entered: QWidget | None) -> None:
         if entered is self._ringed:
-            self._ringed.installEventFilter(self)  # no longer: a pane is drawn at every step
+            self._ringed.installEventFilter(self)  # only now: a pane is drawn at every step
             self.setGeometry(self._ringed.rect())
             self.raise_()
             self.show()

@@ -1,16 +1,17 @@
-"""What the user attends to just now: one value for the whole window.
+"""What the user points at: one value for the whole window.
 
 ::
 
     row, cell, word or pane --mark(who, what)--> Highlighter --changed(what)--> all that show it
 
-Whoever is hovered or has the keyboard's focus says what it is about, and says `NOTHING` when that
-is over. The latest counts; when it is over, the one before does again.
+A widget under the mouse or with the keyboard's focus marks what it is about, and marks `NOTHING`
+afterwards. The latest mark counts; when it is removed, the one before counts again.
 """
 
 from __future__ import annotations
 
 from collections.abc import Hashable
+from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject, QRectF, Signal
 from PySide6.QtGui import QColor, QPainter, QPaintEvent, QPen
@@ -19,12 +20,17 @@ from PySide6.QtWidgets import QWidget
 from app.lecture.highlight import NOTHING, Highlight
 from widgets.parts.plain import Label
 
+if TYPE_CHECKING:
+    OfWidget = QWidget
+else:
+    OfWidget = object  # the class is a QWidget already
+
 
 class Highlighter(QObject):
-    """Keeps what is highlighted."""
+    """Keeps the current highlight."""
 
     changed = Signal(object)
-    """Another `Highlight` than before."""
+    """The new `Highlight`."""
 
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
@@ -32,7 +38,7 @@ class Highlighter(QObject):
         self._now = NOTHING
 
     def mark(self, who: Hashable, what: Highlight) -> None:
-        """Take over what somebody is about, or that this is over (`NOTHING`)."""
+        """Set or remove (`NOTHING`) the highlight of one source."""
         self._by_whom.pop(who, None)
         if what:
             self._by_whom[who] = what
@@ -43,38 +49,38 @@ class Highlighter(QObject):
 
 
 def faded(colour: QColor | str, opacity: float) -> QColor:
-    """A colour that lets through what is under it."""
+    """Return a translucent colour."""
     found = QColor(colour)
     found.setAlphaF(opacity)
     return found
 
 
 def paint_highlight(widget: QWidget, painter: QPainter, rect: QRectF) -> None:
-    """Tint and frame a part of a widget that shows what is highlighted."""
+    """Tint and frame a highlighted part of a widget."""
     colour = widget.palette().highlight().color()
     painter.fillRect(rect, faded(colour, 0.2))
     painter.setPen(QPen(colour, 1.0))
     painter.drawRect(rect.adjusted(0.5, 0.5, -0.5, -0.5))
 
 
-class MarkedLabel(Label):
-    """Words that show when something else highlights what they are about."""
+class Marked(OfWidget):
+    """A widget that is tinted while its subject is highlighted elsewhere."""
 
     is_marked = False
 
     def set_marked(self, marked: bool) -> None:
-        """Tint the words, or no more."""
+        """Tint the widget, or remove the tint."""
         if marked != self.is_marked:
             self.is_marked = marked
             self.update()
 
     def paintEvent(self, event: QPaintEvent) -> None:
         super().paintEvent(event)
-        painter = QPainter(self)
-        self.paint_mark(painter)
-        painter.end()
-
-    def paint_mark(self, painter: QPainter) -> None:
-        """Tint the words if they are to be."""
         if self.is_marked:
+            painter = QPainter(self)
             paint_highlight(self, painter, QRectF(self.rect()))
+            painter.end()
+
+
+class MarkedLabel(Marked, Label):
+    """Words that are tinted while their subject is highlighted elsewhere."""

@@ -24,7 +24,7 @@ from PySide6.QtWidgets import QAbstractButton, QApplication
 from widgets.parts.plain import Label
 
 SIGN = 1.25
-"""Room of a warning sign and what is free behind it, in heights of a line."""
+"""Room of a warning sign and the gap behind it, in heights of a line."""
 REFUSAL_SHEET = "QLabel { border: 0px; border-left: 3px solid #d55e00; padding: 1px 0 2px 5px; }"
 
 _PATHS = {
@@ -65,14 +65,7 @@ _PATHS = {
 
 
 def show_icon(shown: QAction | QAbstractButton, name: str) -> None:
-    """Give an action or a button an icon.
-
-    Parameters
-    ----------
-    shown : QAction or QAbstractButton
-    name : str
-        One of the family: ``"undo"``.
-    """
+    """Give an action or a button the icon of this name, such as ``"undo"``."""
     shown.setIcon(icon(name))
     if isinstance(shown, QAbstractButton):
         shown.setProperty("hasIconOfFamily", True)
@@ -80,33 +73,28 @@ def show_icon(shown: QAction | QAbstractButton, name: str) -> None:
 
 
 def icon(name: str) -> QIcon:
-    """One of the family, for what is neither an action nor a button: an item of a list."""
+    """Return an icon for something other than an action or a button, such as a list item."""
     return QIcon(_Drawn(name))
 
 
 def paint_icon(painter: QPainter, rect: QRect, name: str, *, enabled: bool = True) -> None:
-    """Draw one of the family, in the colour that it has on a button."""
+    """Draw an icon in the colour that it has on a button."""
     mode = QIcon.Mode.Normal if enabled else QIcon.Mode.Disabled
     _draw(painter, rect, name, *_colour(mode))
 
 
 class WarningLabel(Label):
-    """Plain text behind a warning sign, while there is any.
-
-    Attributes
-    ----------
-    warns : bool
-        Whether the text now is a warning.
-    """
+    """Plain text behind a warning sign; without text there is no sign."""
 
     def __init__(self) -> None:
         super().__init__()
         self.warns = True
+        """Whether the text is a warning."""
         self.setWordWrap(True)
         self._fit_sign()
 
     def set_warns(self, warns: bool) -> None:
-        """Let the next text be a warning, or none."""
+        """Set whether the next text is a warning."""
         self.warns = warns
         self._fit_sign()
 
@@ -128,9 +116,9 @@ class WarningLabel(Label):
 
 
 class RefusalLabel(WarningLabel):
-    """A line that is there while there is something to say of what is not possible.
+    """A line for a refusal; it is hidden while there is none.
 
-    In the window's own text colour; the bar, sign and words mark it.
+    Its text has the ordinary colour; a bar, a sign and the words mark it.
     """
 
     def __init__(self) -> None:
@@ -140,14 +128,14 @@ class RefusalLabel(WarningLabel):
         self.hide()
 
     def say(self, text: str) -> None:
-        """Say this, or nothing."""
-        if text != self.text():  # or it would be seen again where it was hidden
+        """Show this text; hide the line if it is empty."""
+        if text != self.text():  # otherwise a hidden line would appear again
             self.setText(text)
             self.setVisible(bool(text))
 
 
 def fit(owner: QObject) -> None:
-    """Make all icons on buttons inside as large as the letters are now."""
+    """Give all icons on buttons inside the size of the letters."""
     for button in owner.findChildren(QAbstractButton):
         if button.property("hasIconOfFamily"):
             _fit(button)
@@ -159,7 +147,7 @@ def _fit(button: QAbstractButton) -> None:
 
 
 class _Drawn(QIconEngine):
-    """A shape of the family, drawn when it is seen in the palette's colours of then."""
+    """A shape that is drawn when it becomes visible, in the palette's current colours."""
 
     def __init__(self, name: str) -> None:
         super().__init__()
@@ -184,7 +172,7 @@ def _colour(mode: QIcon.Mode) -> tuple[str, float]:
     return colour.name(), colour.alphaF()
 
 
-@cache  # no QPixmap, which may not outlive the application
+@cache  # not a QPixmap, which must not outlive the application
 def _image(name: str, size: QSize, colour: str, opacity: float) -> QImage:
     image = QImage(size, QImage.Format.Format_ARGB32_Premultiplied)
     image.fill(Qt.GlobalColor.transparent)
@@ -204,4 +192,4 @@ def _draw(painter: QPainter, rect: QRect, name: str, colour: str, opacity: float
 
 
 _clones: list[_Drawn] = []
-"""Qt's own from then on, but PySide would delete what Python drops."""
+"""Qt owns these, but PySide would delete those that Python drops."""

@@ -1,4 +1,4 @@
-"""Rows and columns of widgets, each said at once."""
+"""Functions that make rows and columns of widgets."""
 
 from __future__ import annotations
 
@@ -18,12 +18,12 @@ from PySide6.QtWidgets import (
 from widgets.parts.focus import FocusRing
 
 Part: TypeAlias = QWidget | QLayout | tuple[QWidget | QLayout, int | Qt.AlignmentFlag] | int | None
-"""What stands in a line: a widget, a layout, either with its stretch or its alignment, pixels, or
+"""A part of a line: a widget or a layout, alone or with its stretch or its alignment; pixels; or
 `FREE`."""
 FREE = None
-"""All the room that the others leave."""
+"""A stretch that takes the remaining room."""
 TOP = Qt.AlignmentFlag.AlignTop
-"""Where a sign stands beside a text of more lines."""
+"""Alignment of a sign beside a text of several lines."""
 _Line = TypeVar("_Line", bound=QBoxLayout)
 
 
@@ -33,13 +33,12 @@ def in_row(
     margins: tuple[int, int, int, int] | None = None,
     gap: int | None = None,
 ) -> QHBoxLayout:
-    """Lay out what stands side by side.
+    """Lay out parts side by side.
 
     Parameters
     ----------
-    *parts : Part
     on : QWidget, optional
-        The widget that it fills.
+        The widget that the row fills.
     margins : (int, int, int, int), optional
         Left, above, right, below; Qt's if not given.
     gap : int, optional
@@ -54,7 +53,7 @@ def in_column(
     margins: tuple[int, int, int, int] | None = None,
     gap: int | None = None,
 ) -> QVBoxLayout:
-    """Lay out what stands one below the other; see `in_row`."""
+    """Lay out parts one below the other; see `in_row`."""
     return _filled(QVBoxLayout(), parts, on, margins, gap)
 
 
@@ -85,21 +84,14 @@ def _filled(
         if isinstance(how, Qt.AlignmentFlag):
             line.setAlignment(added, how)
     if on is not None:
-        # Only now: PySide makes wrappers for the items of a filled line that is added to one which
-        # is on a widget, and takes what lies where an item was for it when the item has gone.
+        # Last: if a filled line is added to a line on a widget, PySide wraps the items of the line,
+        # and later takes whatever lies at the address of a deleted item for it.
         on.setLayout(line)
     return line
 
 
 def scrolled(inside: QWidget, name: str) -> QScrollArea:
-    """Let a widget scroll where there is no room for it.
-
-    Parameters
-    ----------
-    inside : QWidget
-    name : str
-        Translated, for screen readers.
-    """
+    """Put a widget into a scroll area, named for screen readers."""
     area = QScrollArea(widgetResizable=True)
     area.setFrameShape(QFrame.Shape.NoFrame)
     area.setWidget(inside)

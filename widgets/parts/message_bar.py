@@ -1,4 +1,4 @@
-"""A strip across the window for one sentence, and what can be done about it."""
+"""A strip across the window with one sentence, and buttons that act on it."""
 
 from __future__ import annotations
 
@@ -16,14 +16,14 @@ from widgets.parts.layouts import in_row
 from widgets.parts.messages import breakable
 
 Choice: TypeAlias = tuple[str, Callable[[], object]]
-"""Text of a button and what it does."""
+"""Text of a button and its action."""
 
 
 class MessageBar(QFrame):
-    """Says one thing at a time and never blocks the window; Esc inside it dismisses it.
+    """Shows one sentence at a time without blocking the window; Esc inside it dismisses it.
 
-    An offer, which is a sentence with choices, makes way for another sentence and comes back
-    after it, until it is taken up or dismissed.
+    An offer is a sentence with choices. Another sentence replaces it for a while; the offer comes
+    back until it is accepted or dismissed.
     """
 
     def __init__(self, parent: QWidget | None = None) -> None:
@@ -47,15 +47,7 @@ class MessageBar(QFrame):
         return self._said if not self.isHidden() else ""
 
     def say(self, sentence: str, *choices: Choice) -> None:
-        """Show a sentence, with a button for each choice.
-
-        Parameters
-        ----------
-        sentence : str
-            Translated.
-        *choices : (str, callable)
-            Button text and what it does; the bar closes first.
-        """
+        """Show a sentence with a button for each choice; a button closes the bar first."""
         is_news = sentence != self.text
         if choices:
             self._offer = sentence, choices
@@ -70,23 +62,23 @@ class MessageBar(QFrame):
             self._line.insertWidget(self._line.count() - 1, button)
             self._choices.append(button)
         self.show()
-        if is_news:  # or a screen reader would not notice, far from where the focus is
+        if is_news:  # a screen reader would not notice it, far from the focus
             QAccessible.updateAccessibility(QAccessibleAnnouncementEvent(self, sentence))
 
     def take_back(self, sentence: str) -> None:
-        """Hide a sentence, if it is still the one that is shown."""
+        """Hide a sentence if it is still shown."""
         if self.text == sentence:
             self.done()
 
     def done(self) -> None:
-        """Take back what was said of a try that has been made good; an offer stays."""
+        """Hide a sentence that is no longer true; an offer stays."""
         if self._choices:
             return
         self.hide()
         self._offer_again()
 
     def put_off(self, waits: bool) -> None:
-        """Let an offer wait, or wait no more: a class need not read it."""
+        """Hide an offer while a class looks on, or show it again."""
         self._waits = waits
         if waits and self._choices:
             self.hide()
@@ -100,7 +92,7 @@ class MessageBar(QFrame):
 
     def event(self, event: QEvent) -> bool:
         if isinstance(event, QKeyEvent) and event.key() == Qt.Key.Key_Escape:
-            event.accept()  # before it is a shortcut
+            event.accept()  # before the window takes it for a shortcut
             if event.type() == QEvent.Type.KeyPress:
                 self._dismiss()
             return True

@@ -1,7 +1,7 @@
-"""What is said when something is refused: one sentence, in the reader's language.
+"""Texts of the core in the language of the window: refusals, names, numbers.
 
-The core raises a `Refusal`, whose parts are data (bound, field, value, limits) because it knows no
-Qt; its texts are marked for translation where they stand, and are translated here.
+The core does not know Qt: a `Refusal` has data (bound, field, value, limits) and templates that are
+marked for translation. They are translated here.
 """
 
 from __future__ import annotations
@@ -39,7 +39,7 @@ SPACES = {
     "ndc": QT_TRANSLATE_NOOP("Space", "ndc"),
     "image": QT_TRANSLATE_NOOP("Space", "image"),
 }
-"""The spaces that the stages lead from and to."""
+"""Names of the spaces between the stages."""
 
 FACTORS = {
     "rotation": QT_TRANSLATE_NOOP("Factor", "rotation"),
@@ -50,40 +50,40 @@ FACTORS = {
     "rotation_y": QT_TRANSLATE_NOOP("Factor", "rotation about y"),
     "rotation_z": QT_TRANSLATE_NOOP("Factor", "rotation about z"),
 }
-"""What the stages' factors are called, but for the lectures' own letters."""
+"""Names of the stages' factors, except for the lectures' own letters."""
 
-# What only a control can refuse: text that is no number.
+# Only a control can refuse these: a text that is not a number.
 A_NUMBER = QT_TRANSLATE_NOOP("Refusal", "must be a number, such as 0.5 or 2e-3")
 A_NUMBER_LIKE = QT_TRANSLATE_NOOP("Refusal", "must be a number, such as {0}")
 A_NUMBER_OR_INFINITY = QT_TRANSLATE_NOOP("Refusal", "must be a number, or inf for ∞")
 
 
 FEW = 4
-"""Significant digits of a number that is read."""
+"""Significant digits of a number to be read."""
 
 
 def breakable(text: str, longest: int = 40) -> str:
-    """A text with zero-width spaces where Qt may break a word: a path would widen the window."""
+    """Let Qt break long words, which would widen the window, by zero-width spaces."""
     return re.sub(rf"(\S{{{longest}}})(?=\S)", "\\1\u200b", text)
 
 
 def file_title(path: str) -> str:
-    """A file's name without its folder, on one line: a name may hold line breaks."""
+    """Return a file's name without its folder, on one line: a name may hold line breaks."""
     return " ".join(Path(path).name.splitlines())
 
 
 def field_name(field: str) -> str:
-    """The translated name of a field; a name that is not in `FIELDS` is already one."""
+    """Return the translated name of a field; other names are translated already."""
     return QCoreApplication.translate("Field", FIELDS[field]) if field in FIELDS else field
 
 
 def plane_name(plane: str) -> str:
-    """The translated name of a plane of the view volume; any other text stays."""
+    """Return the translated name of a plane of the view volume; any other text stays."""
     return QCoreApplication.translate("Plane", plane)
 
 
 def stage_title(name: str) -> str:
-    """``clip_from_view`` as a reader says it: clip ← view; a factor by its name."""
+    """Return ``clip_from_view`` as “clip ← view”, and a factor by its name."""
     target, between, source = name.partition("_from_")
     if not between:
         return QCoreApplication.translate("Factor", FACTORS[name]) if name in FACTORS else name
@@ -92,8 +92,8 @@ def stage_title(name: str) -> str:
 
 
 def number_text(value: object) -> str:
-    """A number with every digit it has, as a person would type it: ``0.1``, ``30``, ``∞``."""
-    if value in (math.inf, -math.inf):  # a whole number may be too large to be asked isinf
+    """Write a number with all its digits, as a person types it: ``0.1``, ``30``, ``∞``."""
+    if value in (math.inf, -math.inf):  # isinf fails for a very large whole number
         return "∞" if value == math.inf else "-∞"
     return format_value(value)
 
@@ -107,14 +107,7 @@ def _value_text(value: object) -> str:
 
 
 def figure_text(value: float, digits: int = 6) -> str:
-    """A number to be read from afar: ``0.5``, ``1000``, ``−2.5·10⁻⁵``, ``∞``.
-
-    Parameters
-    ----------
-    value : float
-    digits : int
-        How many are significant.
-    """
+    """Write a number with so many significant digits: ``0.5``, ``1000``, ``−2.5·10⁻⁵``, ``∞``."""
     if math.isinf(value) or value == 0.0 or 1e-3 <= abs(value) < 10.0 ** max(5, digits):
         text = number_text(value) if math.isinf(value) else f"{value + 0.0:.{digits}g}"
         if "e" not in text:
@@ -127,33 +120,33 @@ def figure_text(value: float, digits: int = 6) -> str:
 
 
 def read_text(value: float) -> str:
-    """A number that is read: four digits of it, or all of them."""
+    """Write a number to be read: with four digits, or with all of them."""
     return number_text(value) if all_digits.now else figure_text(value, FEW)
 
 
 def of_phenomena(text: str, letters: Letters | None = None) -> str:
-    """A text of the phenomena in the window's language, and its letters or others; numbers stay."""
+    """Translate a text of the phenomena; names of symbols become the chosen letters."""
     return in_letters(QCoreApplication.translate("phenomena", text), letters or lettering.now)
 
 
 class Words(dict[str, str]):
-    """The drawings' words in the window's language, those of the phenomena's marks among them."""
+    """The words of the drawings, and of the phenomena's marks, in the window's language."""
 
     def __missing__(self, word: str) -> str:
         return of_phenomena(word)
 
     def get(self, word: str, default: object = None) -> str:
-        """The word in the window's language: there is one for every word."""
+        """Return the translated word; the default is never needed."""
         return self[word]
 
 
 def translated(template: str, context: str = "Refusal") -> str:
-    """A sentence of the core in the window's language; `context` is what it is marked with."""
+    """Translate a sentence of the core; `context` is the one that it is marked with."""
     return QCoreApplication.translate(context, template)
 
 
 def limits_text(low: float, high: float) -> str:
-    """What is asked of every number between two ends, those at infinity left out."""
+    """Say what holds for a number between two ends; an end at infinity is omitted."""
     return "; ".join(
         translated(bound).format(number_text(limit))
         for bound, limit in ((AT_LEAST, low), (AT_MOST, high))
@@ -162,37 +155,22 @@ def limits_text(low: float, high: float) -> str:
 
 
 def of_measurements(text: str) -> str:
-    """A text of `app.measure` in the window's language."""
+    """Translate a text of `app.measure`."""
     return translated(text, "Measure")
 
 
 def sentence(error: Exception) -> str:
-    """Say what was refused: the field, the value, the bound, in the window's language.
-
-    Parameters
-    ----------
-    error : Exception
-        A `Refusal` is translated; any other speaks for itself.
-    """
+    """Say in the window's language what was refused; an error of another kind is not translated."""
     if isinstance(error, Refusal):
         return error.sentence(translated, field_name, _value_text)
     return str(error)
 
 
 def seen_from(field: str, name: str, value: float, error: Refusal) -> Refusal:
-    """Turn an error so that it speaks of what was edited.
+    """Reword an error of the core in terms of the edited field, whose row has this name.
 
-    The core says "near must be less than far" whichever of the two was moved, and shows a whole
+    The core says "near must be less than far" whichever of the two was edited, and shows a whole
     vector for the one component that is not a number.
-
-    Parameters
-    ----------
-    field, name : str
-        The edited field, and what its row is called.
-    value : float
-        What it was to become.
-    error : Refusal
-        What the core answered.
     """
     side, bound = OTHER_SIDE.get(error.bound, ("", error.bound))
     if field == side:

@@ -1,4 +1,4 @@
-"""Lines of text: one that ends in an ellipsis where there is no room, and several of a length."""
+"""Labels: one line that is elided, and several lines of about equal length."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from widgets.parts.plain import Label, set_tip
 
 
 class Note(Label):
-    """A line of text, as much as there is room for; all of it as its tooltip."""
+    """A line of text that is elided if there is no room; the tooltip has all of it."""
 
     def __init__(self) -> None:
         super().__init__()
@@ -21,7 +21,7 @@ class Note(Label):
         self._whole = ""
 
     def setText(self, text: str) -> None:
-        if text == self._whole:  # as at nearly every step of a drag
+        if text == self._whole:  # the usual case while something is dragged
             return
         self._whole = text
         set_tip(self, text)
@@ -29,11 +29,11 @@ class Note(Label):
         self._elide()
 
     def text(self) -> str:
-        """The whole text."""
+        """Return the whole text."""
         return self._whole
 
     def sizeHint(self) -> QSize:
-        """Of no width: it has what the others leave."""
+        """Ask for no width: the note takes what remains."""
         return QSize(0, super().sizeHint().height())
 
     def resizeEvent(self, event: QResizeEvent) -> None:
@@ -54,7 +54,7 @@ class Note(Label):
 
 
 class Title(Note):
-    """A note that has all the room it needs while there is any."""
+    """A note that asks for the room of its whole text."""
 
     def __init__(self, text: str, name: str = "paneTitle") -> None:
         super().__init__()
@@ -64,15 +64,13 @@ class Title(Note):
 
     def setText(self, text: str) -> None:
         super().setText(text)
-        self.updateGeometry()  # also where no more is shown of the longer text
+        self.updateGeometry()  # even if no more of the longer text is visible
 
     def sizeHint(self) -> QSize:
-        """Of the whole text."""
         width = self.fontMetrics().horizontalAdvance(self.text())
         return QSize(width + 2, super().sizeHint().height())  # a letter may jut out
 
     def minimumSizeHint(self) -> QSize:
-        """Of any width."""
         return QSize(0, super().minimumSizeHint().height())
 
     def _elide(self) -> None:
@@ -81,14 +79,14 @@ class Title(Note):
 
 
 class Balanced(Label):
-    """Plain text that wraps into lines of about one length: no last word stands alone."""
+    """Plain text that wraps into lines of about equal length, without a lonely last word."""
 
     def __init__(self, text: str = "") -> None:
         super().__init__(text)
         self.setWordWrap(True)
 
     def paintEvent(self, event: QPaintEvent) -> None:
-        # Drawn here: what has as many lines in less width is as high as Qt takes it to be.
+        # Qt reserves the height of the full width; the same number of lines fits a smaller width.
         inside, metrics = self.contentsRect(), self.fontMetrics()
         wrap = Qt.TextFlag.TextWordWrap | Qt.AlignmentFlag.AlignLeft
 

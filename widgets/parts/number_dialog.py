@@ -1,7 +1,7 @@
-"""Asks for one number, which is read and refused as in the rows of the controls.
+"""A dialog that asks for one number, and reads and refuses it like the rows of the controls.
 
-Qt's own question reads and shows it in the system's locale, where a decimal point may be taken for
-a mark between thousands: 33.5 typed would be 335.
+Qt's own dialog uses the system's locale, where a decimal point may separate thousands: 33.5 would
+be read as 335.
 """
 
 from __future__ import annotations
@@ -10,26 +10,15 @@ from PySide6.QtWidgets import QDialog, QDialogButtonBox, QWidget
 
 from app.model.limits import within
 from app.model.refusal import Refusal
-from widgets.parts.fields import NumberField, refusal
 from widgets.parts.icons import RefusalLabel
 from widgets.parts.layouts import in_column
 from widgets.parts.messages import sentence
+from widgets.parts.number_field import NumberField, refusal
 from widgets.parts.plain import Label
 
 
 class NumberDialog(QDialog):
-    """The question for one number.
-
-    Parameters
-    ----------
-    name : str
-        What the number is: the title, and for the refusal.
-    question : str
-    value, low, high : float
-        The number to begin with, and the least and the largest that is taken.
-    unit : str
-        What may follow the number.
-    """
+    """Asks for one number between `low` and `high`; `name` is the title and the refusal's field."""
 
     def __init__(
         self,
@@ -43,7 +32,7 @@ class NumberDialog(QDialog):
     ) -> None:
         super().__init__(parent)
         self.number = value
-        """The number taken last: that in hand, until another one is accepted."""
+        """The first number, until the user accepts another one."""
         self._name, self._low, self._high = name, low, high
         self.setWindowTitle(name)
         asked = Label(question, wordWrap=True)
@@ -61,13 +50,13 @@ class NumberDialog(QDialog):
         in_column(asked, self.field, self.problem, self.buttons, on=self)
 
     def accept(self) -> None:
-        """Take the number and close; or say what is wrong with it, and stay."""
+        """Accept the number and close, or refuse it and stay open."""
         try:
             self.number = within(self._name, self.field.read(), self._low, self._high)
         except Refusal as error:
             said = refusal(sentence(error))
             self.problem.say(said)
-            self.adjustSize()  # or the window keeps its height, and the texts are cut
+            self.adjustSize()  # otherwise the window keeps its height and cuts the texts
             self.field.setAccessibleDescription(said)
             self.field.setFocus()
             self.field.selectAll()

@@ -10,7 +10,7 @@ from app.drawings.style import DARK, LIGHT, Style
 from widgets.parts.highlight import faded
 
 SHARE_OF_SCREEN = 0.0225
-"""Of a screen's height, for an em of what a class shall read from the back row."""
+"""Height of letters that can be read from the back row, relative to the screen's height."""
 
 _COLOURS = {  # role of the palette: light, dark
     "Window": ("#f4f4f2", "#222426"),
@@ -95,8 +95,8 @@ QLineEdit:focus, QComboBox:focus {{ border-color: {Highlight}; }}
 QComboBox::drop-down {{ border: 0px; width: {arrow:.0f}px; }}
 QComboBox::down-arrow {{ image: none; }}
 """
-"""What Qt's own style draws as small on every screen, however large the letters are, and frames
-that it draws darker than a window that is dark."""
+"""Parts that Qt's own style draws small whatever the size of the letters, and frames that it draws
+darker than a dark window."""
 
 _FOR_A_CLASS = """
 QCheckBox::indicator {{ width: {box:.0f}px; height: {box:.0f}px; }}
@@ -104,7 +104,7 @@ QCheckBox::indicator {{ width: {box:.0f}px; height: {box:.0f}px; }}
 
 
 def _growing(em: float, *, presenting: bool, **colours: str) -> str:
-    """The part of the style sheet that grows with the letters, whose height in pixels is `em`."""
+    """Return the part of the style sheet that grows with the letters (`em`: pixels)."""
     groove, edge = max(4, round(0.22 * em)), max(1, round(0.06 * em))
     beside = max(4, round(0.22 * em))
     return (_GROWING + _FOR_A_CLASS * presenting).format(
@@ -115,7 +115,7 @@ def _growing(em: float, *, presenting: bool, **colours: str) -> str:
 
 
 def is_dark(theme: str) -> bool:
-    """Whether a theme (``"light"``, ``"dark"`` or ``"system"``) is dark just now."""
+    """Whether a theme (``"light"``, ``"dark"`` or ``"system"``) is dark now."""
     if theme == "system":
         scheme = QApplication.styleHints().colorScheme()
         return scheme == Qt.ColorScheme.Dark
@@ -123,26 +123,24 @@ def is_dark(theme: str) -> bool:
 
 
 def drawing_style(*, dark: bool, screen_px: float, device_pixel_ratio: float) -> Style:
-    """Colours and sizes for the drawings, in device pixels; `screen_px` as of `apply`."""
+    """Return colours and sizes for the drawings in device pixels; for `screen_px` see `apply`."""
     style = DARK if dark else LIGHT
     larger = max(1.0, SHARE_OF_SCREEN * screen_px / style.font_size)
     return style.enlarged(device_pixel_ratio * larger)
 
 
 def apply(application: QApplication, *, dark: bool, screen_px: float) -> None:
-    """Dress the whole application.
+    """Set colours, font and style sheet of the application.
 
     Parameters
     ----------
-    application : QApplication
-    dark : bool
     screen_px : float
-        Height of the screen that a class looks at, of whose height text is a share; 0 for text as
-        on every desktop.
+        Height of the screen that a class looks at, to which the text is scaled; 0 for the
+        desktop's own size.
     """
     worn = application.property("frustumLabDress")
     if worn == [dark, screen_px, application.font().toString(), application.styleSheet()]:
-        return  # Qt would style every widget there is anew
+        return  # Qt would style every widget again
     colours = {name: both[dark] for name, both in (_COLOURS | _OF_SHEET).items()}
     palette = QPalette()
     for name in _COLOURS:

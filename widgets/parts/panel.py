@@ -1,4 +1,4 @@
-"""What is shown, as one frozen snapshot per change, and who is told what changed in it."""
+"""The frozen snapshot that the window shows, and the interfaces of those that show it."""
 
 from __future__ import annotations
 
@@ -28,13 +28,8 @@ EVERYTHING: Changed = PROJECTION | {"scene", "illustration", "settings", "qualit
 class Shown:
     """What all panes and panels show, made once per change of the document.
 
-    Parameters
-    ----------
-    document : Document
-    scene : Scene
-        The loaded one of the document.
-    illustration : Illustration or None
-        What the scene's phenomenon shows for this projection; None for a scene that is none.
+    The scene is that of the document. There is an illustration for this projection if the scene is
+    a phenomenon.
     """
 
     document: Document
@@ -43,7 +38,7 @@ class Shown:
 
     @classmethod
     def of(cls, document: Document, scene: Scene) -> Shown:
-        """What is to be seen of a document, whose scene is loaded."""
+        """Make the snapshot of a document with its loaded scene."""
         illustration = None
         if scene.phenomenon is not None:
             illustration = scene.phenomenon.illustration(
@@ -53,17 +48,10 @@ class Shown:
 
     @property
     def projection(self) -> Projection:
-        """That of the document."""
         return self.document.projection
 
     def changed_since(self, before: Shown | None) -> Changed:
-        """What is another one than in an earlier snapshot.
-
-        Parameters
-        ----------
-        before : Shown or None
-            None if nothing was shown before.
-        """
+        """Return the parts that differ from an earlier snapshot, if there was one."""
         if before is None:
             return EVERYTHING
         new, old = self.document, before.document
@@ -84,57 +72,50 @@ class Shown:
 
 
 class Told(Protocol):
-    """Whoever is told of changes: the panes, the controls, a panel, a room of the window."""
+    """An object that is told of changes: a pane, the controls, a panel, a room of the window."""
 
     @property
     def concerns(self) -> Changed:
-        """Of the parts of a `Shown` those that it has to do with."""
+        """The parts of a `Shown` that this object needs."""
 
     def take(self, shown: Shown, changed: Changed) -> None:
-        """Show another snapshot.
-
-        Parameters
-        ----------
-        shown : Shown
-        changed : frozenset of str
-            What of it is new since this one was told last: never nothing of what concerns it.
-        """
+        """Show another snapshot; `changed` has at least one of the parts that it `concerns`."""
 
 
 class Panel(QWidget, Gestures):
     """A panel of the drawer under the panes.
 
-    It is told of a change while it is open; a folded one is told of all changes at once when it is
-    opened, before it appears. The window wires its signals, whichever of them it has a use for.
+    An open panel is told of each change; a folded one is told of all changes at once before it
+    opens. The window connects its signals.
     """
 
     concerns = EVERYTHING
-    """As of `Told`."""
+    """See `Told`."""
 
     edited = Signal(object)
     """The user made this `Projection`."""
     highlighted = Signal(object)
-    """The `Highlight` that what is under the mouse or the cursor draws."""
+    """The `Highlight` of the part under the mouse or the cursor."""
     told = Signal(str)
-    """What was done otherwise than it was asked for, in one sentence."""
+    """One sentence about something that was done differently from what was asked."""
     refused = Signal(str)
-    """What cannot be, in one sentence."""
+    """One sentence about something that was refused."""
     copy_wanted = Signal(QImage)
     export_wanted = Signal(QImage)
-    """This picture of a diagram shall go to the clipboard, or into a file."""
+    """The user wants this picture of a diagram on the clipboard, or in a file."""
 
     def take(self, shown: Shown, changed: Changed) -> None:
-        """Show another snapshot, as of `Told`."""
+        """Show another snapshot; see `Told`."""
         raise NotImplementedError
 
     def begin_gesture(self) -> None:
-        """Until `end_gesture`, values run: a control is dragged, or something plays."""
+        """Begin a gesture: a control is dragged, or something plays."""
 
     def end_gesture(self) -> None:
-        """End the gesture that `begin_gesture` began."""
+        """End the gesture."""
 
     def show_highlight(self, highlighted: Highlight) -> None:
-        """Mark what is highlighted."""
+        """Mark the parts that are highlighted."""
 
     def set_style(self, style: Style) -> None:
-        """Take over colours and sizes of the drawings."""
+        """Use the colours and sizes of the drawings."""

@@ -1,4 +1,4 @@
-"""A dialog that shows how far a long piece of work has come, and by which it can be cancelled."""
+"""A dialog that shows the progress of long work and can cancel it."""
 
 from __future__ import annotations
 
@@ -13,21 +13,15 @@ from widgets.parts.plain import Label
 
 SHOWN_AFTER_MS = 100
 Tell: TypeAlias = Callable[[float], bool]
-"""Takes the fraction that is done; whether to go on."""
+"""Takes the fraction done; returns whether to continue."""
 
 
 @contextmanager
 def progress_dialog(window: QWidget, text: str, steps: int = 100) -> Iterator[QProgressDialog]:
     """Show progress while the work inside takes longer than `SHOWN_AFTER_MS`.
 
-    Parameters
-    ----------
-    window : QWidget
-        Which takes no input meanwhile.
-    text : str
-        Translated: what is done.
-    steps : int
-        What the dialog's value is when all is done.
+    The window takes no input meanwhile. `text` says in the window's language what is done; `steps`
+    is the value of the dialog at the end.
     """
     cancel = QCoreApplication.translate("Progress", "Cancel")
     dialog = QProgressDialog("", cancel, 0, steps, window)
@@ -43,11 +37,11 @@ def progress_dialog(window: QWidget, text: str, steps: int = 100) -> Iterator[QP
 
 @contextmanager
 def progress(window: QWidget, text: str) -> Iterator[Tell]:
-    """Show progress of work that tells it itself; see `progress_dialog`."""
+    """Show progress of work that reports it itself; see `progress_dialog`."""
     with progress_dialog(window, text) as dialog:
 
         def tell(fraction: float) -> bool:
-            dialog.setValue(min(99, round(100 * fraction)))  # at 100 it would go
+            dialog.setValue(min(99, round(100 * fraction)))  # at 100 the dialog would close
             return not dialog.wasCanceled()
 
         yield tell

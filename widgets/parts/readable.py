@@ -1,4 +1,4 @@
-"""Numbers that run are shown as often as they can be read, and where the hand rests.
+"""Running numbers are shown only as often as they can be read, and when the hand rests.
 
 ::
 
@@ -7,8 +7,8 @@
             --in a gesture, every READ_MS and STEPS---> show, likewise
             --in a gesture, sooner--------------------> show, when it rests or ends
 
-Most steps of a drag then cost no more than without what is read, however slow the machine is, and
-it ends with the value it ends with.
+Most steps of a drag then cost as little as without the numbers, on any machine, and the drag ends
+with its last value on display.
 """
 
 from __future__ import annotations
@@ -25,20 +25,20 @@ from widgets.parts.panel import Panel
 from widgets.parts.writing import all_digits
 
 READ_MS = 100
-"""Digits that change more often than this are not read."""
+"""Digits that change more often cannot be read."""
 STEPS = 3
-"""Of so many steps, one shows them, where steps are slow."""
+"""Where steps are slow, one of so many shows the numbers."""
 
 
 class Readable(QObject):
-    """When a widget shows what has changed: never while it is hidden.
+    """Decides when a widget shows changed values: never while it is hidden.
 
     Parameters
     ----------
     widget : QWidget
-        Who shows; its showEvent calls `settle`, as that of a `ReadablePanel` does.
+        Its showEvent must call `settle`, as that of a `ReadablePanel` does.
     show : callable
-        Shows the values as they are when it is called.
+        Shows the current values.
     """
 
     def __init__(self, widget: QWidget, show: Callable[[], None]) -> None:
@@ -48,7 +48,7 @@ class Readable(QObject):
         self._pending = False
         self._shown_ms = float("-inf")
         self._steps = STEPS
-        """Since what changed was shown."""
+        """Steps since values were shown."""
         self._rest = QTimer(self, singleShot=True, interval=READ_MS)
         self._rest.timeout.connect(self._rested)
 
@@ -58,29 +58,29 @@ class Readable(QObject):
         return self._gestures > 0
 
     def begin_gesture(self) -> None:
-        """From now on values run; gestures may overlap."""
+        """Begin a gesture; gestures may overlap."""
         if not self._gestures:
             self._steps = STEPS
         self._gestures += 1
 
     def end_gesture(self) -> None:
-        """End the gesture that `begin_gesture` began, with its last value."""
+        """End a gesture; after the last one its values are shown."""
         self._gestures = max(self._gestures - 1, 0)
         if not self._gestures:
             self.settle()
 
     def changed(self) -> None:
-        """Show what is to be seen now, at once or as soon as it can be read."""
+        """Show changed values, now or as soon as they can be read."""
         self._pending = True
         self._steps += 1
         early = self.now_ms() - self._shown_ms < READ_MS or self._steps < STEPS
         if self._gestures and early:
-            self._rest.start()  # anew each time: while steps come, one of them shows it
+            self._rest.start()  # restarted at each step: steps that follow show it
         else:
             self.settle()
 
     def settle(self) -> None:
-        """Show at once what has changed, if something has."""
+        """Show changed values now, if there are any."""
         self._rest.stop()
         if self._pending and self._widget.isVisible():
             self._pending = False
@@ -88,7 +88,7 @@ class Readable(QObject):
             try:
                 self._show()
             except BaseException:
-                self._pending = True  # what failed is shown on appearing again
+                self._pending = True  # the next appearance tries again
                 raise
 
     def _rested(self) -> None:
@@ -96,12 +96,12 @@ class Readable(QObject):
         self._steps = STEPS
 
     def now_ms(self) -> float:
-        """The clock, in ms."""
+        """Return the clock in ms."""
         return 1e3 * time.monotonic()
 
 
 class ReadablePanel(Panel):
-    """A panel whose numbers are shown as often as they can be read: `_fill` shows them."""
+    """A panel whose running numbers are shown only as often as they can be read."""
 
     def __init__(self) -> None:
         super().__init__()
@@ -110,7 +110,7 @@ class ReadablePanel(Panel):
 
     @abstractmethod
     def _fill(self) -> None:
-        """Show everything as it is now."""
+        """Show all current values."""
 
     def begin_gesture(self) -> None:
         self._readable.begin_gesture()

@@ -1,7 +1,6 @@
-"""Asks where something is to be saved, and never writes over a file that nobody was asked about.
+"""Ask for the file to save to, and ask before a file is overwritten.
 
-Qt's own question does not know that a name without an ending gets one: it has looked for another
-file.
+Qt's own dialog does not know that a name without an ending gets one: it checks another file.
 """
 
 from __future__ import annotations
@@ -15,23 +14,14 @@ from widgets.parts.plain import message_box
 
 
 def ask_where(parent: QWidget, title: str, proposed: str, kinds: str, ending: str) -> str:
-    """The path of a file with this ending; empty if there shall be none.
-
-    Parameters
-    ----------
-    parent : QWidget
-    title, proposed, kinds : str
-        Of Qt's own question.
-    ending : str
-        What a name without it gets.
-    """
+    """Return the path of a file with this ending, or nothing if the user cancels."""
     path, _ = QFileDialog.getSaveFileName(parent, title, proposed, kinds)
     if not path or path.lower().endswith(ending):
         return path
     path += ending
     if os.path.exists(path):
-        text = QCoreApplication.translate("Saving", "{0} is there already.")
-        question = QCoreApplication.translate("Saving", "Write over it?")
+        text = QCoreApplication.translate("Saving", "{0} already exists.")
+        question = QCoreApplication.translate("Saving", "Overwrite it?")
         box = message_box(parent, text.format(os.path.basename(path)), question)
         buttons = QMessageBox.StandardButton
         box.setStandardButtons(buttons.Yes | buttons.Cancel)

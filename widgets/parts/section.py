@@ -1,7 +1,7 @@
-"""A part of the dock: rows with their bindings, under a heading that stays or one that folds.
+"""A part of the dock: rows with their bindings, perhaps below a title or a folding heading.
 
-A `Binding` ties a row to the model by two functions, `read` and `write`; rows that show one value
-in several ways (fov and focal length, orbit and vectors) are nothing but several bindings.
+A `Binding` connects a row with the model by two functions, `read` and `write`. Rows that show one
+value in several ways (fov and focal length, orbit and vectors) are several bindings.
 """
 
 from __future__ import annotations
@@ -16,11 +16,13 @@ from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from app.model.projection import Projection
 from widgets.parts.buttons import tool_button
-from widgets.parts.fields import Choice, ChoiceRow, Log, NumberRow, Row, Scale
+from widgets.parts.fields import Choice, ChoiceRow, Row
 from widgets.parts.icons import show_icon
 from widgets.parts.layouts import in_column
 from widgets.parts.messages import field_name
+from widgets.parts.number_rows import NumberRow
 from widgets.parts.plain import Label, set_tip
+from widgets.parts.scales import Log, Scale
 
 Read: TypeAlias = Callable[[Projection], Any]
 Write: TypeAlias = Callable[[Projection, Any], Projection]
@@ -30,28 +32,24 @@ PARTS: tuple[Of, ...] = ("lens", "camera", "image_size", "depth", "placement")
 
 
 def tidy(number: float) -> float:
-    """A number that was computed from the one that is kept, without its rounding noise.
-
-    What was typed as 60 comes back as 60, not as 60.00000000000001.
-    """
+    """Round a computed number to 13 digits: 60 comes back as 60, not as 60.00000000000001."""
     return float(f"{number:.13g}")
 
 
 class Typed:
-    """Numbers that the model does not keep, as they were typed.
+    """Keeps typed numbers that the model does not keep.
 
-    Computed back from what the model does keep they would carry rounding noise, and some would
-    be gone: the azimuth of a camera straight above its target, the direction in which things
-    recede that recede by 0.
+    Computed back from the model they would carry rounding noise, and some would be lost: the
+    azimuth of a camera straight above its target, the direction of depth that recedes by 0.
 
     Parameters
     ----------
     source : callable
-        What of a projection the numbers are computed from.
+        Returns the part of a projection that the numbers are computed from.
     compute : callable
-        A named tuple of them, out of a projection.
+        Returns a named tuple of the numbers of a projection.
     apply : callable
-        A projection with other ones.
+        Returns a projection with other numbers.
     """
 
     def __init__(
@@ -65,7 +63,7 @@ class Typed:
         self._computed: tuple[Hashable, Any] = (None, None)
 
     def numbers(self, projection: Projection) -> Any:
-        """All of them, those that were typed to the last digit."""
+        """Return the numbers; typed ones have all their digits."""
         now = self._source(projection)
         for source, numbers in (self._kept, self._computed):
             if source == now:
@@ -75,7 +73,7 @@ class Typed:
         return self._computed[1]
 
     def access(self, name: str) -> tuple[Read, Write, Keep]:
-        """What a `Binding` needs to show one of them."""
+        """Return the functions with which a `Binding` shows one of the numbers."""
 
         def read(projection: Projection) -> float:
             return float(getattr(self.numbers(projection), name))
@@ -98,15 +96,15 @@ class Binding:
 
     Parameters
     ----------
-    row : Row
     field : str
         The model's name of the value.
     part : str
-        The field of `Projection` that it belongs to: another one cannot cure its error.
+        The field of `Projection` that the value belongs to; only a change there can remove an
+        error.
     read, write : callable
-        The value out of a projection, and a projection with another value.
+        Return the value of a projection, and a projection with another value.
     keep : callable, optional
-        Told of a value that was taken: the projection before, the value, the one after.
+        Called after an accepted edit with the projection before, the value, the projection after.
     lenses : tuple of str
         The kinds of lens that have this value; empty if every lens has it.
     """
@@ -125,15 +123,7 @@ GAP_PX = 6
 
 
 class Rows(QWidget):
-    """Some rows, one below the other, and how they are bound to the model.
-
-    Attributes
-    ----------
-    bindings : dict of str to Binding
-        Of its rows, by the name of what they show.
-    body : QWidget
-        What holds the rows.
-    """
+    """Rows, one below the other, with their bindings by key; `body` holds the rows."""
 
     def __init__(self) -> None:
         super().__init__()
@@ -149,7 +139,7 @@ class Rows(QWidget):
         return True
 
     def show_some(self, found: set[QWidget] | None) -> None:
-        """Show the part if one of these rows is in it; None shows it as it is otherwise."""
+        """Show the part if it has one of the found rows; None always shows it."""
         here = (row for row in self._order if row.parent() is self.body)
         self.setVisible(found is None or any(row in found for row in here))
 
@@ -160,7 +150,7 @@ class Rows(QWidget):
         read: Read, write: Write, keep: Keep | None = None, *, name: str = "", field: str = "",
         lenses: tuple[str, ...] = (),
     ) -> NumberRow:  # fmt: skip
-        """Add a number; its row is called by the model's name for `key` if no other is given."""
+        """Add a number; without a name its row has the model's name for `key`."""
         row = NumberRow(name or field_name(key), tip, scale, unit, unit_tip)
         self._bind(key, Binding(row, field or key, part, read, write, keep, lenses))
         return row
@@ -168,7 +158,7 @@ class Rows(QWidget):
     def add_length(
         self, key: str, tip: str, read: Read, write: Write, lenses: tuple[str, ...]
     ) -> NumberRow:
-        """Add a lens's length in world units; the scene is yet to scale its slider."""
+        """Add a lens's length in world units; the scene sets the slider's scale later."""
         return self.add_number(
             key, "lens", tip, Log(1.0, 10.0), self.tr("units"), self.tr("world units"),
             read, write, lenses=lenses,
@@ -188,25 +178,19 @@ class Rows(QWidget):
         self.add(binding.row)
 
     def add(self, widget: QWidget) -> None:
-        """Add what comes next."""
+        """Add a widget below the others."""
         self._order.append(widget)
         self._rows.addWidget(widget)
 
     def bring_home(self) -> None:
-        """Put every row back in its place that stood elsewhere meanwhile."""
+        """Put every row that was borrowed back into its place."""
         for place, widget in enumerate(self._order):
             if widget.parent() is not self.body:
                 self._rows.insertWidget(place, widget)
 
 
 class Part(Rows):
-    """Rows that are always seen, below a quiet title.
-
-    Parameters
-    ----------
-    title : str
-        Translated.
-    """
+    """Rows below a quiet title."""
 
     def __init__(self, title: str) -> None:
         super().__init__()
@@ -216,18 +200,12 @@ class Part(Rows):
 
 
 def quiet(label: Label) -> None:
-    """Let a label be a title that does not call."""
+    """Make a label a quiet title."""
     label.setObjectName("quietTitle")  # for the application's style sheet
 
 
 class Section(Rows):
-    """A heading that folds what is below it: by a click, Space, Enter, or as in a tree, ← and →.
-
-    Parameters
-    ----------
-    title : str
-        Translated.
-    """
+    """Rows below a heading that folds them by a click, Space, Enter, ← or →."""
 
     toggled = Signal(bool)
 
@@ -245,7 +223,7 @@ class Section(Rows):
         self.set_open(False)
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        """Take the heading's keys before the button makes arrows move the focus."""
+        """Handle the heading's keys before the button moves the focus by arrows."""
         if isinstance(event, QKeyEvent) and event.type() == QEvent.Type.KeyPress:
             key, keys = event.key(), Qt.Key
             if key in (keys.Key_Return, keys.Key_Enter):
@@ -271,7 +249,7 @@ class Section(Rows):
         self._show()
 
     def show_some(self, found: set[QWidget] | None) -> None:
-        """Be unfolded while one of these rows is in it; None folds it again if it was folded."""
+        """Unfold while the part has one of the found rows; None restores the state before."""
         super().show_some(found)
         if found is None or not self.isHidden():
             self._found = found

@@ -1,8 +1,8 @@
-"""Formulas as they are printed: fractions stacked, matrices in brackets, vectors bold.
+"""Formulas as they are printed: stacked fractions, matrices in brackets, bold vectors.
 
-A formula comes as text: a fraction as of `app.model.formula.stacked_fraction`, a matrix as of
-`matrix`, ``_`` before what stands lower and ``^`` before what stands higher, `ARROW` after a
-vector's letter or word.
+A formula is a text. Fractions come from `app.model.formula.stacked_fraction`, matrices from
+`matrix`; ``_`` begins a subscript, ``^`` a superscript, and `ARROW` follows the letter or word of a
+vector.
 """
 
 from __future__ import annotations
@@ -30,19 +30,19 @@ from app.model.formula import ARROW, CLOSE, OPEN, OVER
 from widgets.parts.highlight import MarkedLabel, paint_highlight
 
 SMALLER = 0.8
-"""Of the letters of a fraction, against those of the line that it stands in."""
+"""Size of the letters of a fraction, relative to its line."""
 SMALL = 0.75
-"""Likewise of what stands lower or higher."""
+"""The same for subscripts and superscripts."""
 LOWER, HIGHER = 0.2, -0.35
-"""In heights of a line, how far below the line that is."""
+"""Shift of subscripts and superscripts below the line, in heights of a line."""
 RULE_PX, ROOM_PX = 1.2, 2.0
-"""Of a fraction's line and a bracket: how thick, and how far from what is beside it."""
+"""Thickness of a fraction's line and of a bracket, and the gap beside them."""
 FOOT_PX = 4.0
-"""Of a bracket."""
+"""Length of the feet of a bracket."""
 BETWEEN_COLUMNS, BETWEEN_ROWS = 0.7, 0.15
-"""Of a matrix, in heights of a line."""
+"""Gaps in a matrix, in heights of a line."""
 LEAST_EM = 8
-"""Of a formula that shrinks: in this width, in heights of a line, it always has room."""
+"""Least width of a formula that shrinks, in heights of a line."""
 
 _SIGNS = (OPEN, "[", "_", "^", ARROW, "\n")
 _PIECE = re.compile(
@@ -52,17 +52,16 @@ _PIECE = re.compile(
 
 @dataclass(frozen=True)
 class Typeset:
-    """Something laid out, from its left end on the line it is written on.
+    """A formula that is laid out from the left end of its line, in pixels.
 
     Attributes
     ----------
-    width, ascent, descent : float
-        In pixels; what of it is above and below the line.
+    ascent, descent : float
+        Height above and below the line.
     runs : tuple of (float, float, str, QFont)
-        Texts: from where, how far below the line, and in which font.
-    rules : tuple of QLineF
+        Texts with their left end, their shift below the line, and their font.
     cells : tuple of QRectF
-        Of a matrix, row by row.
+        The cells of a matrix, row by row.
     """
 
     width: float
@@ -78,11 +77,11 @@ class Typeset:
 
     @property
     def below_middle(self) -> float:
-        """How far the line it is written on is below its middle."""
+        """Distance of the line below the middle."""
         return (self.ascent - self.descent) / 2.0
 
     def at(self, x: float, y: float) -> Typeset:
-        """The same, so far to the right and below the line; as wide as it was."""
+        """Return a copy that is moved to the right and down, with the same width."""
         return Typeset(
             self.width, self.ascent - y, self.descent + y,
             tuple((left + x, base + y, text, font) for left, base, text, font in self.runs),
@@ -91,7 +90,7 @@ class Typeset:
         )  # fmt: skip
 
     def paint(self, painter: QPainter, x: float, y: float) -> None:
-        """Paint it from a place on, with the painter's pen."""
+        """Paint the formula with the painter's pen."""
         font, pen = painter.font(), painter.pen()
         for left, base, text, its_font in self.runs:
             painter.setFont(its_font)
@@ -104,7 +103,7 @@ class Typeset:
 
 def typeset(text: str, font: QFont) -> Typeset:
     """Lay out a formula, or several lines of them."""
-    if not any(sign in text for sign in _SIGNS):  # a number, most often, and these run
+    if not any(sign in text for sign in _SIGNS):  # the usual case: a running number
         return _run(text, font)
     return _laid_out(text, font.toString())
 
@@ -123,7 +122,7 @@ def _laid_out(text: str, described: str) -> Typeset:
 
 
 def _together(parts: Sequence[Typeset], width: float, *rules: QLineF) -> Typeset:
-    """One of several that have found their places."""
+    """Join parts that are in their places."""
     return Typeset(
         width,
         max(part.ascent for part in parts),
@@ -144,18 +143,18 @@ def _resized(font: QFont, factor: float) -> QFont:
 
 
 def _axis(font: QFont) -> float:
-    """How high above the line a minus stands, and with it a fraction's line."""
+    """Return the height of a minus sign, and of a fraction's line, above the line."""
     return QFontMetricsF(font).strikeOutPos()
 
 
 class _Reader:
-    """Lays out while it reads, from left to right."""
+    """Reads a formula from left to right and lays it out."""
 
     def __init__(self, text: str) -> None:
         self._text, self._at = text, 0
 
     def line(self, font: QFont, ends: str = "") -> Typeset:
-        """What is beside each other, up to a sign that ends the part that it is."""
+        """Lay out a part of the formula up to one of the signs that end it."""
         metrics = QFontMetricsF(font)
         parts: list[Typeset] = [Typeset(0.0, metrics.ascent(), metrics.descent())]
         x = 0.0
@@ -188,7 +187,7 @@ class _Reader:
             yield _run(plain, font)
 
     def _taken(self, *signs: str) -> str:
-        """The sign that is read next, which must be one of these."""
+        """Read the next sign, which must be one of these."""
         sign = self._text[self._at : self._at + 1]
         if sign not in signs:
             raise ValueError(f"{self._text}: {' or '.join(signs)} at {self._at}")
@@ -252,7 +251,7 @@ def _run(text: str, font: QFont) -> Typeset:
 
 
 def _piece(piece: re.Match[str], font: QFont) -> Typeset:
-    """What is lower, higher or bold."""
+    """Lay out a subscript, a superscript or a vector."""
     if piece["vector"] is not None:
         bold = QFont(font)
         bold.setBold(True)
@@ -264,7 +263,7 @@ def _piece(piece: re.Match[str], font: QFont) -> Typeset:
 
 
 def _tight(part: Typeset) -> Typeset:
-    """The same without the room that a font leaves above and below its letters."""
+    """Remove the room that a font leaves above and below its letters."""
     ascent = descent = 0.0
     for _, base, text, font in part.runs:
         metrics = QFontMetricsF(font)
@@ -275,7 +274,7 @@ def _tight(part: Typeset) -> Typeset:
 
 
 def matrix(rows: Iterable[Iterable[str]]) -> str:
-    """A matrix of cells, to be laid out."""
+    """Return a matrix of cells as a formula."""
     return f"[{';'.join('&'.join(row) for row in rows)}]"
 
 
@@ -284,7 +283,7 @@ _MATRIX = re.compile(r"\[([^\[\]]*)\]")
 
 
 def in_line(text: str) -> str:
-    """A formula for those who read text only: fractions with a stroke, a matrix in rows."""
+    """Write a formula as plain text: fractions with a slash, a matrix in rows."""
 
     def bracketed(text: str, signs: str) -> str:
         is_one = text.startswith("|") and text.find("|", 1) == len(text) - 1
@@ -300,41 +299,41 @@ def in_line(text: str) -> str:
 
 
 class TypesetLabel(MarkedLabel):
-    """Words, or a formula; of numbers that are shown short, all digits are copied.
+    """Words or a formula; a copy of a short number has all digits.
 
     Attributes
     ----------
     formula : str
-        What is typeset, if it is a formula; its `text` is the same in one line.
+        The formula, if it is one; `text` is the same as plain text.
     exact : str
-        What is copied, if anything: by the keyboard or the right mouse button.
+        The text to copy by the keyboard or the right mouse button, if any.
     shrinks : bool
-        Whether a formula that is wider than the room for it is drawn smaller.
+        Whether a formula that is too wide is drawn smaller.
     cell : int or None
-        Of a matrix, which of its cells, counted row by row, is all that is marked.
+        The cell of a matrix, counted row by row, that is marked instead of the whole.
     """
 
     def __init__(self) -> None:
         super().__init__()
         self.formula, self.exact, self.shrinks = "", "", False
         self.cell: int | None = None
-        self._copy = QAction(self.tr("Copy, with all digits"), self)
+        self._copy = QAction(self.tr("Copy with all digits"), self)
         self._copy.triggered.connect(self._to_clipboard)
 
     def set_formula(self, text: str) -> None:
-        """Show a formula, as of `typeset`."""
+        """Show a formula."""
         self.formula = text
         self.setText(in_line(text))
         self.updateGeometry()
         self.update()
 
     def set_words(self, text: str) -> None:
-        """Show words or a number, as any label does."""
+        """Show words or a number."""
         self.formula = ""
         self.setText(text)
 
     def set_exact(self, text: str) -> None:
-        """Have this copied."""
+        """Set the text to copy."""
         self.exact = text
         if not self.actions():
             self.addAction(self._copy)
@@ -390,6 +389,6 @@ class TypesetLabel(MarkedLabel):
             cell = laid_out.cells[self.cell].translated(x, laid_out.below_middle)
             paint_highlight(self, painter, cell.adjusted(-ROOM_PX, 0.0, ROOM_PX, 0.0))
         painter.restore()
-        if self.cell is None:
-            self.paint_mark(painter)
+        if self.cell is None and self.is_marked:
+            paint_highlight(self, painter, QRectF(self.rect()))
         painter.end()

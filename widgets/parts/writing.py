@@ -1,7 +1,7 @@
-"""How everything that is read is written: in whose letters, and with how many digits.
+"""How formulas and numbers are written: with which letters, and with how many digits.
 
-One choice each for panes, panels, readouts and what is copied. No number is rounded by it: what is
-copied, and what is typed in, has all of its digits.
+The two choices hold for panes, panels and readouts. They round no number: numbers that are copied
+or typed have all their digits.
 """
 
 from __future__ import annotations
@@ -16,12 +16,7 @@ _T = TypeVar("_T")
 
 
 class Writing(QObject, Generic[_T]):
-    """A choice.
-
-    Attributes
-    ----------
-    now : Letters or bool
-    """
+    """A choice, and a signal when it changes."""
 
     changed = Signal()
 
@@ -30,13 +25,12 @@ class Writing(QObject, Generic[_T]):
         self.now = now
 
     def set(self, now: _T) -> None:
-        """Write everything so from now on."""
         if now != self.now:
             self.now = now
             self.changed.emit()
 
 
 lettering = Writing[Letters]("own")
-"""Whose letters."""
+"""The lecture whose letters are used."""
 all_digits = Writing(False)
-"""Whether all digits are shown where numbers are read, not four."""
+"""Whether numbers are shown with all digits instead of four."""

@@ -32,7 +32,7 @@ from app.lecture.notation import matrices
 from app.lessons.course import Course, scene_of
 from app.lessons.lesson import Step
 from app.lessons.text import escaped
-from widgets.controls.scene_card import full_sentence, value_text
+from widgets.controls.readout import full_sentence, value_text
 from widgets.panels.matrix_panel import note_on
 from widgets.parts.lesson_text import answer_of, set_text
 from widgets.parts.messages import of_phenomena, read_text, stage_title

@@ -19,10 +19,10 @@ from app.document.view import PANES
 from app.drawings.figures import DPI, checked_size, checked_text
 from app.model.refusal import Refusal
 from widgets.parts.combo import Combo
-from widgets.parts.fields import parse_number
 from widgets.parts.icons import WarningLabel
 from widgets.parts.layouts import in_column, in_row
 from widgets.parts.messages import sentence
+from widgets.parts.number_text import parse_number
 from widgets.parts.plain import Label, set_tip
 
 

@@ -139,11 +139,11 @@ class LessonCard(QFrame):
             for key in (BACK_KEY, AGAIN_KEY, NEXT_KEY)
         )
         before = self.tr("Previous step ({0})").format(back_key)
-        shown = self.tr("Show the step again, as its file has it ({0})").format(again_key)
+        shown = self.tr("Show the step as the lesson's file has it, without your changes ({0})")
         hints = self.tr("Show the next hint (Alt+I)")
         following = self.tr("Next step ({0})").format(next_key)
         self.back = _push(self.tr("&Back"), before, self.go_back)
-        self.again = _push(self.tr("Show again"), shown, self.show_again)
+        self.again = _push(self.tr("Show again"), shown.format(again_key), self.show_again)
         self.again.setAccessibleName(self.tr("Show the step again"))
         self.hint = _push(self.tr("H&int"), hints, self.give_hint)
         self.next = _push(self.tr("&Next"), following, self.go_on)
@@ -402,7 +402,7 @@ class LessonCard(QFrame):
         self._lessons.previous()
 
     def show_again(self) -> None:
-        """Show the step as its file has it, whatever was tried."""
+        """Show the step as its file has it, without any changes."""
         self._lessons.come_back()
 
     def give_hint(self) -> None:

@@ -204,7 +204,7 @@ class Lessons(QObject):
         """Show the state that answers a prediction of the step, if it is possible."""
         assert self.course is not None
         try:
-            document = self.course.shown_by(self.place, state)
+            document = self.course.at(self.place).shown_by(state)
         except Refusal as error:
             self.refused.emit(named(error, self.course.lesson.path))
         else:

@@ -122,6 +122,10 @@ class Question(Asked):
         return Asked.fields(body, text, items) | {"checks": checks, "why": why}
 
     @property
+    def is_tall(self) -> bool:
+        return False  # it stands beside the words, in a column of its own
+
+    @property
     def key(self) -> tuple[Formula | None, int]:
         """Return the formula of the right value, if there is one, and its line."""
         raise NotImplementedError

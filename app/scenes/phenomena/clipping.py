@@ -68,9 +68,6 @@ def _geometry() -> tuple[Coloured, Coloured]:
     return (CARDS, rgb), ground_grid((-8.0, -10.0), (8.0, 8.0), (2.0, 2.0), 0.0)
 
 
-# --------------------------------------------------------------------------- the steps
-
-
 class Cut(NamedTuple):
     """A polygon after one more plane, in clip coordinates.
 
@@ -164,9 +161,6 @@ def _shares(corners_clip: Array, points_clip: Array) -> Array:
         return np.full((len(points_clip), 3), np.nan)
     shares: Array = np.linalg.lstsq(*scaled, rcond=None)[0].T
     return shares
-
-
-# --------------------------------------------------------------------------- what is shown
 
 
 def _to_ndc(points_clip: Array) -> Array:

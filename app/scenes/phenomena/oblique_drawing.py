@@ -65,9 +65,6 @@ def _geometry() -> tuple[Coloured, Coloured]:
     return (cube, np.array(rgb)), joined(grid, edges_of(cube))
 
 
-# --------------------------------------------------------------------------- drawn and measured
-
-
 class Drawn(NamedTuple):
     """An edge along n as drawn, measured on the image beside equal edges along u and v.
 
@@ -149,9 +146,6 @@ def _wanted(settings: Found) -> tuple[float, float]:
     """The receding scale and angle of the settings."""
     scale = _SCALES.get(str(settings["drawing"]), number(settings, "receding"))
     return scale * number(settings, "morph"), number(settings, "angle_deg")
-
-
-# --------------------------------------------------------------------------- what is shown
 
 
 def _show(projection: Projection, _settings: Settings, subject: Subject) -> Illustration:

@@ -44,9 +44,6 @@ def _geometry() -> tuple[Coloured, Coloured]:
     return (faces, colours), lines
 
 
-# --------------------------------------------------------------------------- the two halves
-
-
 def halves(projection: Projection) -> tuple[Projection, Projection]:
     """The left and the right screen of the wall that the whole window is.
 
@@ -99,9 +96,6 @@ def largest_difference_px(
     wall = np.where(whole[:, :1] <= columns, on_left, on_right + np.array((columns, 0)))
     worst = float(np.abs(wall - whole).max())
     return worst if math.isfinite(worst) else math.inf
-
-
-# --------------------------------------------------------------------------- what is shown
 
 
 def _show(projection: Projection, settings: Settings, subject: Subject) -> Illustration:

@@ -176,9 +176,6 @@ def line_in_rectangle(
     return cut
 
 
-# --------------------------------------------------------------------------- the running point
-
-
 class Running(NamedTuple):
     """The point P = (1 - t) (C, 1) + t (s D, 0) that runs along an edge to infinity and beyond.
 
@@ -211,9 +208,6 @@ def running(
     world = None if w == 0.0 else start[0] + (t / w) * toward[0]
     at = w * start[1] + t * toward[1]
     return Running(w, world, at, _pixel(projection, at) if at[3] != 0.0 else None)
-
-
-# --------------------------------------------------------------------------- what is shown
 
 
 def _geometry() -> tuple[Coloured, Coloured]:

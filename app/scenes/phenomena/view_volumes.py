@@ -67,9 +67,6 @@ def _geometry() -> tuple[Coloured, Coloured]:
     return (faces, np.concatenate(rgb)), lines
 
 
-# --------------------------------------------------------------------------- the volumes
-
-
 def cone_of(projection: Projection) -> tuple[float, float, float]:
     """x, y and radius, at distance 1 from the eye, of the cone inscribed in a lens' pyramid.
 
@@ -110,9 +107,6 @@ def held(projection: Projection, cone: bool) -> NDArray[np.bool_]:
     w = -trace.view[:, 2]
     across = np.hypot(trace.view[:, 0] - x * w, trace.view[:, 1] - y * w)
     return np.asarray(~trace.outside[:, :2].any(axis=1) & (across <= radius * w))
-
-
-# --------------------------------------------------------------------------- what is shown
 
 
 def _cone_marks(projection: Projection) -> tuple[Marks, Marks, Marks]:

@@ -142,14 +142,14 @@ class Chooses(BlockView):
             for choice in self._choices:
                 choice.button.setEnabled(False)
             self._commit.hide()
-            self._choices[right].mark("check", self.tr("The model says so"))
+            self._choices[right].mark("check", self.tr("The model's answer"))
         if verdict.right:
             self._praise(verdict)
             show = show or verdict.state
         elif question.retries:
             self._refute(verdict)
         else:
-            self._choices[number].mark("close", self.tr("You said so"))
+            self._choices[number].mark("close", self.tr("Your choice"))
             said = self.tr("You said {0}; the model says {1}.").format(
                 *(_quoted(question.replies[each].text) for each in (number, right))
             )

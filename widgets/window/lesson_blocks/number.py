@@ -89,7 +89,7 @@ class Types(BlockView):
             text = self.tr("That is not it.")
             if self.hints:
                 text += " " + self.tr("Hint (Alt+I) says how to begin.")
-            self._say("close", self.tr("Not so"), text)
+            self._say("close", self.tr("Wrong"), text)
             self._announce(text)
         if self._tries >= TRIES:
             tip = self.tr("Show the right answer, and why it is right (Alt+A)")

@@ -179,7 +179,7 @@ class BlockView(QFrame):
         if idea is not None:
             behind = self.tr("The idea behind it: “{0}”.").format(idea.title.rstrip("."))
             head = f"{head} {behind}".strip()
-        self._say("close", self.tr("Not so"), head or self.tr("That is not it."))
+        self._say("close", self.tr("Wrong"), head or self.tr("That is not it."))
         self._say("", "", verdict.says)
         tip = self.tr("Show a state that makes it visible (Alt+W)")
         self._offer_state(verdict.state, self.tr("Sho&w it"), tip)

@@ -1,0 +1,119 @@
+"""The built-in scenes that are not phenomena: geometry, first camera, and what to try.
+
+The letter F of eight cubes standing on a grid in the xz plane is the scene of lecture 004 (Horvat).
+The cube and the receding row of posts prepare and follow it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import TypeAlias
+
+import numpy as np
+
+from app.model.projection import Camera, Perspective, Projection
+from app.model.refusal import QT_TRANSLATE_NOOP
+from app.scenes.mesh import PAINT_RGB
+from app.scenes.shapes import (
+    EDGE_RGB,
+    LETTER_F,
+    OUTLINE_RGB,
+    PLATE_RGB,
+    SIDE_RGB,
+    Coloured,
+    box_faces,
+    brightness,
+    edges_of,
+    flat,
+    ground_grid,
+    joined,
+    letter_f_on_grid,
+    written_number,
+)
+
+Parts: TypeAlias = tuple[Coloured, Coloured, Projection]
+"""Faces, lines, and the projection with which the scene opens."""
+TRIES = {
+    "letter-f": (
+        QT_TRANSLATE_NOOP("phenomena", "Drag the near plane towards the F."),
+        QT_TRANSLATE_NOOP("phenomena", "What happens to the picture?"),
+        QT_TRANSLATE_NOOP("phenomena", "What happens in the cube?"),
+    ),
+    "cube": (
+        QT_TRANSLATE_NOOP("phenomena", "Go nearer: which edges grow?"),
+        QT_TRANSLATE_NOOP("phenomena", "Which edges are parallel in the picture?"),
+        QT_TRANSLATE_NOOP("phenomena", "Choose the orthographic lens: and now?"),
+    ),
+    "posts": (
+        QT_TRANSLATE_NOOP("phenomena", "Where in the cube do the posts crowd?"),
+        QT_TRANSLATE_NOOP("phenomena", "Make near larger: do they spread out?"),
+        QT_TRANSLATE_NOOP("phenomena", "Move far in: which posts are gone?"),
+    ),
+}
+"""Three lines about what to try with each scene, translated like the phenomena's texts."""
+TRIES_OF_A_MESH = (
+    QT_TRANSLATE_NOOP("phenomena", "Walk round it: drag the azimuth."),
+    QT_TRANSLATE_NOOP("phenomena", "Move near and far close to it."),
+    QT_TRANSLATE_NOOP("phenomena", "What happens to its shape in the cube?"),
+)
+
+
+def _letter_f() -> Parts:
+    """Eight unit cubes on the ground, the letter's three columns centred about x = 0."""
+    return (*letter_f_on_grid((-8.0, -8.0), (8.0, 8.0)), LETTER_F)
+
+
+def _cube() -> Parts:
+    """A unit cube standing on the ground, with the world's axes coming out of it."""
+    faces = box_faces((-0.5, 0.0, -0.5), (0.5, 1.0, 0.5))
+    axes = np.array([[(0.0, 0.0, 0.0), end] for end in np.diag([1.5, 2.0, 1.5]).tolist()])
+    return (
+        (faces, SIDE_RGB.copy()),
+        joined(
+            ground_grid((-3.0, -3.0), (3.0, 3.0), (0.5, 0.5), 0.0),
+            edges_of(faces),
+            (axes, SIDE_RGB[[1, 3, 5]]),  # the darker shades, to be seen on a light background
+        ),
+        Projection(
+            Camera((2.4, 2.0, 3.2), (0.0, 0.5, 0.0)),
+            Perspective(fov_y_deg=45.0, near=1.6, far=7.0),
+        ),
+    )
+
+
+_POSTS = 20
+_POST_SPACING = 6.0
+
+
+def _posts() -> Parts:
+    """Posts of equal height and spacing, numbered on geometry, so that every pane projects it."""
+    lit = brightness(np.repeat(np.eye(3), 2, axis=0) * np.tile([[1.0], [-1.0]], (3, 1)))
+    wood = (lit[:, None] * PAINT_RGB).astype(np.uint8)
+    plate_rgb = (np.clip(lit + 0.25, 0.0, 1.0)[:, None] * PLATE_RGB).astype(np.uint8)
+    plate_rgb[4] = PLATE_RGB  # the written side
+    quads: list[Coloured] = []
+    lines: list[Coloured] = []
+    for number in range(1, _POSTS + 1):
+        z = -_POST_SPACING * (number - 1)
+        post = box_faces((-0.1, 0.0, z - 0.24), (0.1, 2.4, z - 0.04))
+        plate = box_faces((-0.8, 1.5, z - 0.04), (0.8, 2.6, z + 0.04))
+        digits = written_number(number, (0.0, 2.05, z + 0.06), height=0.8)
+        quads += [(post, wood), (plate, plate_rgb), (digits, flat(EDGE_RGB, len(digits)))]
+        outline = edges_of(plate)[0]  # grey: far away there is little else than outline
+        lines.append((outline, flat(OUTLINE_RGB, len(outline))))
+    ground = ground_grid((-10.0, -126.0), (10.0, 12.0), (2.0, 6.0), 0.0)
+    return (
+        joined(*quads),
+        joined(ground, *lines),
+        Projection(
+            Camera((6.0, 5.0, 9.0), (1.0, 1.8, -8.0)),
+            Perspective(fov_y_deg=45.0, near=9.0, far=130.0),
+        ),
+    )
+
+
+BUILDERS: dict[str, Callable[[], Parts]] = {
+    "letter-f": _letter_f,
+    "cube": _cube,
+    "posts": _posts,
+}

@@ -1,0 +1,84 @@
+"""The geometry of the dock: a column that scrolls below a search box, and never shifts a row."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import QEvent, QObject, QSize, Qt
+from PySide6.QtGui import QFontInfo, QResizeEvent
+from PySide6.QtWidgets import QFrame, QScrollArea, QVBoxLayout, QWidget
+
+from widgets.controls.finder import SearchBox
+from widgets.parts.focus import FocusRing, lay_out
+from widgets.parts.layouts import in_column
+from widgets.parts.section import GAP_PX
+
+WIDTH_PX, LEAST_PX = 285, 270
+"""Width of the dock until the user chooses one, and its least width at the ordinary font."""
+PRESENTED_EM = 17.6
+"""Width of the dock for a class on any screen, in heights of its letters."""
+LEFT_MARGIN_PX, RIGHT_MARGIN_PX = 8, 4
+
+
+class Dock(QScrollArea):
+    """A column of widgets below a search box."""
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._is_for_class = False
+        self.setWidgetResizable(True)
+        self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        self.setFrameShape(QFrame.Shape.NoFrame)
+        FocusRing(self)
+        self.search = SearchBox(self)
+        self._column = QWidget()
+        self.setWidget(self._column)  # while it is empty: later all of it would be styled again
+        self._layout: QVBoxLayout = in_column(on=self._column, gap=2)
+
+    def bring_into_view(self, *parts: QWidget) -> None:
+        """Scroll so that the last of these is visible, and as much of the others as fits."""
+        if all(part.isVisible() for part in parts):
+            lay_out()
+            for part in parts:
+                self.ensureWidgetVisible(part, 0, 0)
+
+    def _reserve_bar(self) -> None:
+        """Keep the scroll bar's room free while it is hidden, so that rows stay in place."""
+        shown = self.width() - self.viewport().width()
+        free = max(0, self._bar_width() - shown)
+        self._layout.setContentsMargins(LEFT_MARGIN_PX, 0, RIGHT_MARGIN_PX + free, 0)
+
+    def _bar_width(self) -> int:
+        return self.verticalScrollBar().sizeHint().width()
+
+    def _make_room(self) -> None:
+        """Make room for the search box."""
+        search_px = 0 if self._is_for_class else self.search.sizeHint().height() + GAP_PX
+        self.setViewportMargins(0, search_px, 0, 0)
+        self._place_search()
+
+    def _place_search(self) -> None:
+        width = self.width() - LEFT_MARGIN_PX - RIGHT_MARGIN_PX - self._bar_width()
+        self.search.setGeometry(LEFT_MARGIN_PX, 0, width, self.search.sizeHint().height())
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        self._reserve_bar()  # first: the rows keep their width and wrap no text again
+        super().resizeEvent(event)
+        self._place_search()
+
+    def minimumSizeHint(self) -> QSize:
+        rows = self._column.minimumSizeHint().width() - self._layout.contentsMargins().right()
+        em = QFontInfo(self.font()).pixelSize() if self._is_for_class else 0.0
+        least = max(LEAST_PX, round(PRESENTED_EM * em))
+        return QSize(max(least, rows + RIGHT_MARGIN_PX + self._bar_width()), 120)
+
+    def sizeHint(self) -> QSize:
+        return QSize(max(WIDTH_PX, self.minimumSizeHint().width()), 600)
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        if event.type() == QEvent.Type.LayoutRequest:
+            self.updateGeometry()  # a scroll area ignores the least width of its widget
+        return super().eventFilter(watched, event)
+
+    def changeEvent(self, event: QEvent) -> None:
+        super().changeEvent(event)
+        if event.type() in (QEvent.Type.FontChange, QEvent.Type.StyleChange) and self.widget():
+            self._make_room()

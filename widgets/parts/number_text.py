@@ -1,0 +1,89 @@
+"""Numbers as text: read as a person types them, written as short as a field shows them."""
+
+from __future__ import annotations
+
+import math
+import re
+
+from app.model.limits import DISTINCT
+from app.model.projection import AT_LEAST, AT_MOST, LARGEST
+from app.model.refusal import Refusal
+from widgets.parts.messages import A_NUMBER, A_NUMBER_OR_INFINITY, number_text
+
+FIELD_CHARACTERS = 8
+"""Longest number, without its sign, that a field shows while it is not being edited."""
+_MOST = 6
+"""Digits of a number that is short."""
+_NUMBER = re.compile(r"[+-]?(\d+([.,]\d*)?|[.,]\d+)(e[+-]?\d+)?", re.ASCII | re.IGNORECASE)
+_INFINITY = re.compile(r"([+-]?)(∞|inf|infinity)", re.IGNORECASE)
+
+
+def parse_number(name: str, text: str, unit: str = "", *, infinite: bool = False) -> float:
+    """Read a number as typed: decimal point or comma, ``1/3``, ``inf``, perhaps with its unit.
+
+    Parameters
+    ----------
+    name : str
+        Name of the number, for the refusal.
+    infinite : bool
+        Whether the refusal mentions infinity. Infinity is always read: the model decides whether
+        it is allowed.
+
+    Raises
+    ------
+    Refusal
+        For any other text, and for digits that float64 can only keep as infinity or as 0.
+    """
+    typed = text.strip()
+    bare = typed.removesuffix(unit).rstrip().replace("−", "-")
+    infinity = _INFINITY.fullmatch(bare)
+    if infinity:
+        return -math.inf if infinity[1] == "-" else math.inf
+    not_a_number = A_NUMBER_OR_INFINITY if infinite else A_NUMBER
+    parts = []
+    for part in bare.split("/"):
+        match = _NUMBER.fullmatch(part.strip())
+        if not match:
+            raise Refusal(name, typed, not_a_number)
+        number = float(match[0].replace(",", "."))
+        if number == 0.0 and re.search("[1-9]", match[1]):
+            raise Refusal(name, typed, DISTINCT, 0)
+        parts.append(number)
+    if len(parts) > 2 or parts[1:] == [0.0]:
+        raise Refusal(name, typed, not_a_number)
+    number = parts[0] / parts[1] if len(parts) == 2 else parts[0]
+    if any(map(math.isinf, parts)) or math.isinf(number):
+        bound, limit = (AT_LEAST, -LARGEST) if number < 0.0 else (AT_MOST, LARGEST)
+        raise Refusal(name, typed, bound, limit)
+    if number == 0.0 and parts[0] != 0.0:
+        raise Refusal(name, typed, DISTINCT, 0)
+    return number
+
+
+def short_text(value: float, below: float | None = None, most: int = _MOST) -> str:
+    """Return the number as it stands if it is short, otherwise rounded to about `most` digits.
+
+    All digits before the point are shown if there is room: coordinates far from the origin differ
+    in the last of them. An exponent is never cut off. A number that stays under a bound `below` is
+    not rounded up to it: its distance is shown instead, as ``180-3e-12``.
+    """
+    text = _short_text(value, most)
+    if below is None or not value < below <= float(text):
+        return text
+    if most < _MOST:
+        return short_text(value, below, most + 1)
+    return f"{below:g}-{below - value:.0e}"
+
+
+def _short_text(value: float, most: int) -> str:
+    text = number_text(value)
+    if 10.0**most <= abs(value) < 10.0**FIELD_CHARACTERS - 0.5:
+        return f"{value:.0f}"
+    if math.isinf(value) or (most == _MOST and len(text.lstrip("-")) <= FIELD_CHARACTERS):
+        return text
+    for kept in range(most, 0, -1):
+        for text in (f"{value:.{kept}g}", f"{value:.{kept - 1}e}"):
+            text = re.sub(r"e([+-])0*", r"e\1", text).replace("e+", "e")
+            if len(text.lstrip("-")) <= FIELD_CHARACTERS:
+                return text
+    return text
