@@ -36,10 +36,10 @@ LARGEST_DEGREE = 100
 
 TOO_LONG = QT_TRANSLATE_NOOP("Refusal", "is longer than {0} characters")
 TOO_DEEP = QT_TRANSLATE_NOOP(
-    "Refusal", "has more than {0} brackets within each other (character {1})"
+    "Refusal", "has more than {0} nested brackets (character {1})"
 )
-TOO_LARGE = QT_TRANSLATE_NOOP("Refusal", "has a power that comes to more than {0} (character {1})")
-UNKNOWN = QT_TRANSLATE_NOOP("Refusal", "has a character that no formula has, {0} (character {1})")
+TOO_LARGE = QT_TRANSLATE_NOOP("Refusal", "has a power with a degree above {0} (character {1})")
+UNKNOWN = QT_TRANSLATE_NOOP("Refusal", "has {0}, which no formula may contain (character {1})")
 EXPECTED = QT_TRANSLATE_NOOP(
     "Refusal", "needs a number, a letter or a bracket instead of {0} (character {1})"
 )

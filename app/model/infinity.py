@@ -20,7 +20,7 @@ from app.model.projection import Projection, Trace
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
 
 A_DIRECTION = QT_TRANSLATE_NOOP(
-    "Refusal", "must not be 0 where x, y and z are: (0, 0, 0, 0) is no point and no direction"
+    "Refusal", "must not be 0 if x, y and z are 0: (0, 0, 0, 0) is neither a point nor a direction"
 )
 
 

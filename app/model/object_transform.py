@@ -31,7 +31,7 @@ SPACES: tuple[Space, ...] = ("world", "object")
 
 NOT_TRANSFORMED = QT_TRANSLATE_NOOP("Stage", "the scene's objects are given in world coordinates")
 FLATTENED = QT_TRANSLATE_NOOP(
-    "Stage", "a scale of 0 flattens the object: the inverse and the normals are gone"
+    "Stage", "a scale of 0 flattens the object: it has no inverse and no normals"
 )
 
 LARGEST_SCALE = 1e30

@@ -17,7 +17,7 @@ NO_GAP = QT_TRANSLATE_NOOP(
     "Health", "At the target, a 24-bit depth buffer cannot tell any two surfaces apart"
 )
 WIDE_GAP = QT_TRANSLATE_NOOP(
-    "Health", "At the target, a 24-bit depth buffer tells surfaces apart only from {0} on"
+    "Health", "At the target, a 24-bit depth buffer separates only surfaces at least {0} apart"
 )
 FEW_DIGITS = QT_TRANSLATE_NOOP(
     "Health",

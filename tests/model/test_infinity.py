@@ -121,7 +121,7 @@ def test_l13_another_w_divides_once() -> None:
 @pytest.mark.parametrize(
     ("row", "said"),
     [
-        ((0.0, -0.0, 0.0, 0.0), "w = 0: must not be 0 where x, y and z are"),
+        ((0.0, -0.0, 0.0, 0.0), "w = 0: must not be 0 if x, y and z are 0"),
         ((1.0, 2.0, 3.0, math.nan), "w = nan: must be a finite number"),
         ((1.0, math.inf, 3.0, 0.0), "y = inf: must be a finite number"),
         ((1e308, 0.0, 0.0, 0.0), f"x = 1e+308: must be at most {LARGEST}"),

@@ -1711,7 +1711,7 @@ def test_the_note_of_a_pane_is_cut_before_its_title(window: MainWindow) -> None:
     title, note = pane.title, pane.note
     window.slots.toggle_float("image")
     for text in ("Image", "Canonical parallel"):
-        pane.set_title(text, "1920 × 1080")
+        pane.header.say(text, "1920 × 1080")
         whole = []
         for width in range(700, 190, -7):
             pane.resize(width, 200)

@@ -136,7 +136,7 @@ class Look(QObject):
     def forget_ahead(self) -> None:
         """Discard the drawings that `ahead` has made."""
         for pane in self._panes.values():
-            pane.keep_ahead()
+            pane.ahead.keep()
 
     def _build(self, turned: Mapping[str, Camera]) -> None:
         shown = self._shown
@@ -181,9 +181,9 @@ class Look(QObject):
             for name, pane in self._panes.items()
         ]
         for pane in self._panes.values():
-            pane.keep_ahead(*(arguments for _, _, arguments in plan))
+            pane.ahead.keep(*(arguments for _, _, arguments in plan))
         for pane, step, arguments in plan:
-            pane.draw_ahead(step, *arguments)
+            pane.ahead.draw(step, *arguments)
             yield
 
     def refine(self, name: str, smooth: bool) -> None:

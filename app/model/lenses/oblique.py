@@ -79,7 +79,7 @@ class Oblique(Parallel, Windowed):
             QT_TRANSLATE_NOOP(
                 "Lens",
                 "Angle of the projectors with the x axis: H of lecture 002 adds (z + near)"
-                " cot(alpha) to x. What lies on the near plane stays.",
+                " cot(alpha) to x. Points on the near plane stay.",
             ),
             *(1.0, 179.0, 0.5, "°"),
         ),
@@ -87,7 +87,7 @@ class Oblique(Parallel, Windowed):
             QT_TRANSLATE_NOOP(
                 "Lens",
                 "Angle of the projectors with the y axis: H of lecture 002 adds (z + near)"
-                " cot(beta) to y. What lies on the near plane stays.",
+                " cot(beta) to y. Points on the near plane stay.",
             ),
             *(1.0, 179.0, 0.5, "°"),
         ),
