@@ -1,8 +1,8 @@
-"""Trade 1, arithmetic: ns a point against the largest error in px and in depth; and the sweeps.
+"""Trade 1, arithmetic: ns per point against the largest error in px and in depth; the sweeps.
 
-Every way of projecting gets the same points in the layout it likes best and answers x and y in
-pixels and the depth; on a sample of the points `reference.Truth` tells how far they are off.
-Precisions are compared by the same code, `summed`, in each: only the numbers' format differs.
+Every way of projecting gets the same points, in its preferred layout, and returns x and y in pixels
+and the depth. `reference.Truth` gives the errors of a sample of the points. `summed` runs the same
+code in every precision: only the number format differs.
 """
 
 from __future__ import annotations
@@ -30,17 +30,17 @@ from app.model.refusal import QT_TRANSLATE_NOOP, Cancelled, Refusal
 from app.precision.levels import Precision, Prediction, predict, trace
 
 Rows: TypeAlias = NDArray[Any]
-"""(3, n): x and y in pixels, depth in [0, 1]; NaN or infinite where the way has no answer."""
+"""(3, n): x and y in pixels, depth in [0, 1]; NaN or infinite where there is no answer."""
 
 MOST_POINTS = 8192
-"""Points of a scene that are projected: as many as every way does in one go."""
+"""Number of points that are projected: every way does them in one block."""
 _BLOCK = 8192
 _PRECISIONS: dict[str, Precision] = {
     "float32": "float32",
     "float64, every stage": "float64",
     "exact": "exact",
 }
-"""Which ways are precisions of the model, that it predicts and can draw or read with."""
+"""The ways that are precisions of the model, which predicts their errors."""
 
 NO_POINTS = QT_TRANSLATE_NOOP(
     "Measure", "no vertex is in front of the eye, so that there is nothing to measure"
@@ -51,17 +51,16 @@ INFINITE = QT_TRANSLATE_NOOP("Measure", "overflows")
 
 
 class Way(NamedTuple):
-    """One way of projecting: what is timed, and how its answer is read."""
+    """One way of projecting: the timed function, and how to read its answer."""
 
     run: Callable[[], Any]
     rows: Callable[[Any], Rows]
 
 
 def looked_at(projection: Projection, points_world: Array) -> Array:
-    """The points to measure with, (n, 3).
+    """Return the points to measure with, (n, 3): those inside the view volume, else in front.
 
-    Those inside the view volume, else those in front; so many of them, or so often, that no way's
-    cost is that of being called.
+    They are repeated until the overhead of a call does not matter.
     """
     traced = projection.trace(points_world)
     inside = traced.in_front & ~traced.outside.any(axis=1)
@@ -73,15 +72,7 @@ def looked_at(projection: Projection, points_world: Array) -> Array:
 
 
 def ways(projection: Projection, world: Array, origin: Vector) -> dict[str, Way]:
-    """Our own ways, from the crudest to the exact one.
-
-    Parameters
-    ----------
-    projection : Projection
-    world : (n, 3) float64 array
-    origin : Vector
-        World point from which the GPU's vertices are measured.
-    """
+    """Return our own ways, from float16 to the exact one; `origin` as for `summed`."""
 
     def same(rows: Rows) -> Rows:
         return rows
@@ -93,7 +84,7 @@ def ways(projection: Projection, world: Array, origin: Vector) -> dict[str, Way]
     for kind in ("float32", "float64"):
         found[f"{kind}, eye first"] = Way(summed(projection, world, None, kind), same)
     for name, precision in _PRECISIONS.items():
-        if precision != "float32":  # that one is above, without what nobody reads
+        if precision != "float32":  # which is above, without unused results
             found[name] = Way(
                 partial(trace, projection, world, precision),
                 lambda traced: np.vstack([traced.image.T, traced.depth]),
@@ -104,19 +95,16 @@ def ways(projection: Projection, world: Array, origin: Vector) -> dict[str, Way]
 def summed(
     projection: Projection, world: Array, origin: Vector | None, kind: str
 ) -> Callable[[], Rows]:
-    """One matrix, one division and the viewport in a precision, sum by sum as a GPU does it.
+    """Return a function that applies matrix, division and viewport in one precision, as a GPU does.
 
     Parameters
     ----------
-    projection : Projection
-    world : (n, 3) float64 array
     origin : Vector or None
-        World point from which the vertices are measured, once, in float64; None for the eye,
-        which moves: it is then subtracted in every run.
+        World point that is subtracted from the vertices once, in float64. None subtracts the eye,
+        which moves, in every run.
     kind : str
-        Of numpy's floats, ``"float16"``, ``"float32"`` or ``"float64"``. With an origin and float32
-        it is the precision ``float32`` of `app.precision.levels` without what nobody reads, to the
-        bit.
+        ``"float16"``, ``"float32"`` or ``"float64"``. With an origin, float32 is bit for bit the
+        precision ``float32`` of `app.precision.levels`.
     """
     number = np.dtype(kind).type
     columns = np.ascontiguousarray(world.T)
@@ -141,7 +129,7 @@ def summed(
 
 
 def _product(matrix: Rows, points: Rows) -> Rows:
-    """A (4, 4) times points (3, n) in their own arithmetic."""
+    """Multiply a (4, 4) matrix by points (3, n) in their own arithmetic."""
     out = np.empty((4, points.shape[1]), dtype=points.dtype)
     for start in range(0, points.shape[1], _BLOCK):
         x, y, z = points[:, start : start + _BLOCK]
@@ -151,19 +139,13 @@ def _product(matrix: Rows, points: Rows) -> Rows:
 
 
 def peers(projection: Projection, world: Array) -> tuple[dict[str, Way], dict[str, str]]:
-    """Other libraries' natural ways, float64 in and out, and why some are not there.
+    """Return the ways of other libraries in float64, and the reasons why some are missing.
 
-    Each gets the picture's matrix ready made and the points as its own kind of array.
-
-    Returns
-    -------
-    ways : dict of str to Way
-    missing : dict of str to str
-        Of those that cannot be imported: what Python said.
+    Each library gets the finished image matrix and the points in its own kind of array.
     """
     found: dict[str, Way] = {}
     missing: dict[str, str] = {}
-    with np.errstate(all="ignore"):  # what overflows is a finding
+    with np.errstate(all="ignore"):  # an overflow is a result
         matrix = np.array(projection.image_from_ndc @ projection.clip_from_world)
     columns = np.ascontiguousarray(world.T)
 
@@ -230,18 +212,7 @@ def measure(
     seconds: float = 10.0,
     watch: Watch = unwatched,
 ) -> Trade:
-    """Measure trade 1.
-
-    Parameters
-    ----------
-    projection : Projection
-    points_world : (n, 3) array
-        The scene's vertices.
-    origin : Vector
-        World point from which the GPU's vertices are measured.
-    seconds : float
-        For the timing.
-    watch : Watch
+    """Measure trade 1 with the scene's vertices (n, 3); `origin` as for `summed`.
 
     Raises
     ------
@@ -263,22 +234,14 @@ def measure(
         }
     choices = []
     for name, (errors, note) in found.items():
-        prediction = predicted.get(_PRECISIONS[name]) if name in _PRECISIONS else None
+        precision = _PRECISIONS.get(name)
+        prediction = None if precision is None else predicted.get(precision)
         values = {} if errors is None else {"error_depth": errors.depth}
         if prediction is not None:
             values["predicted_depth"] = prediction.depth
-        choices.append(
-            Choice(
-                name,
-                None,
-                None,
-                None if errors is None else errors.px,
-                None if prediction is None else prediction.px,
-                values,
-                note,
-                {"rung": _PRECISIONS[name]} if name in _PRECISIONS and name != "exact" else {},
-            )
-        )
+        px, expected = (None if each is None else each.px for each in (errors, prediction))
+        use = {} if precision in (None, "exact") else {"rung": str(precision)}
+        choices.append(Choice(name, None, None, px, expected, values, note, use))
     choices += [Choice(name, None, None, None, note=note) for name, note in missing.items()]
     trade, runs = Trade("arithmetic", "ns", "px", tuple(choices), 0), all_ways.items()
     with np.errstate(all="ignore"):
@@ -299,15 +262,10 @@ def _largest(reference: Truth, answers: Array) -> tuple[Prediction | None, str]:
 
 @dataclass(frozen=True)
 class Range:
-    """What a sweep runs over.
+    """The range of a sweep.
 
-    Attributes
-    ----------
-    unit : str
-    low, high : float
-        Ends, in units of `scale`'s answer.
-    set : callable
-        ``set(projection, value)``: the projection, and how far the points are moved, (3,).
+    ``set(projection, value)`` returns the projection with that value, and the offset of the
+    points, (3,).
     """
 
     unit: str
@@ -315,13 +273,13 @@ class Range:
     high: float
     set: Callable[[Projection, float], tuple[Projection, Array]]
     from_top: bool = False
-    """Whether the steps crowd at the upper end too: 179.9, 179.99, ..."""
+    """Whether the steps also shrink towards the upper end: 179.9, 179.99, ..."""
 
 
 _STILL = np.zeros(3)
 
 
-# What these two move besides, `results.SWEEP_NOTES` tells.
+# `results.SWEEP_NOTES` states what these two change besides.
 def _with_near(projection: Projection, near: float) -> tuple[Projection, Array]:
     lens = _perspective(projection)
     return replace(projection, lens=replace(lens, near=near, far=max(lens.far, 4.0 * near))), _STILL
@@ -337,7 +295,7 @@ def _with_fov(projection: Projection, fov_y_deg: float) -> tuple[Projection, Arr
 
 
 def _with_distance(projection: Projection, distance: float) -> tuple[Projection, Array]:
-    """Camera and points moved away from the origin together, along (1, 1, 1)."""
+    """Move camera and points together away from the origin, along (1, 1, 1)."""
     camera = projection.camera
     moved = np.full(3, distance / math.sqrt(3.0))
     eye, target = (tuple((np.array(p) + moved).tolist()) for p in (camera.eye, camera.target))
@@ -345,7 +303,7 @@ def _with_distance(projection: Projection, distance: float) -> tuple[Projection,
 
 
 def _with_up_angle(projection: Projection, angle_deg: float) -> tuple[Projection, Array]:
-    """Up at an angle from the view direction, in the plane of the former up."""
+    """Set the angle between up and the view direction, in the plane of the former up."""
     camera = projection.camera
     _, v, n = camera.frame
     angle = math.radians(angle_deg)
@@ -355,7 +313,7 @@ def _with_up_angle(projection: Projection, angle_deg: float) -> tuple[Projection
 
 
 def _with_aspect(projection: Projection, aspect: float) -> tuple[Projection, Array]:
-    """A window of another shape on the same image: pixels that are not square."""
+    """Show a window of another shape on the same image: its pixels are not square."""
     lens = _perspective(projection)
     top = lens.near * math.tan(math.radians(lens.fov_y_deg / 2.0))
     right = top * aspect
@@ -382,16 +340,9 @@ SWEEPS: dict[str, Range] = {
 def values_of(
     parameter: str, count: int, low: float | None = None, high: float | None = None
 ) -> tuple[float, ...]:
-    """The values of a sweep, logarithmically spaced from end to end.
+    """Return at least 2 values of a sweep, logarithmically spaced from `low` to `high`.
 
-    Parameters
-    ----------
-    parameter : str
-        One of `SWEEPS`.
-    count : int
-        At least 2.
-    low, high : float, optional
-        Ends; those of the whole range if not given.
+    An end that is None is that of the whole range.
     """
     swept = SWEEPS[parameter]
     low = swept.low if low is None else low
@@ -411,20 +362,9 @@ def sweep(
     values: Sequence[float],
     watch: Watch = unwatched,
 ) -> Sweep:
-    """The error of every precision, and of VTK's own camera, over a parameter's range.
+    """Measure the errors of every precision, and of VTK's own camera, over a parameter's range.
 
-    The points are the scene's, kept inside the view volume as it changes: scaled about the eye
-    into the part of the line of sight between near and far, so that there is always something to
-    be wrong about.
-
-    Parameters
-    ----------
-    parameter : str
-        One of `SWEEPS`.
-    projection : Projection
-    points_world : (n, 3) array
-    values : sequence of float
-    watch : Watch
+    `in_view` moves the scene's points (n, 3) into the view volume at every value.
 
     Raises
     ------
@@ -451,27 +391,23 @@ def sweep(
 
 
 def _curve(answers: Sequence[_Answer]) -> Curve:
-    measured = [errors for errors, _, _ in answers]
-    predicted = [prediction for _, prediction, _ in answers]
+    measured, predicted, notes = zip(*answers, strict=True) if answers else ((), (), ())
 
-    def px(parts: Sequence[Prediction | None]) -> tuple[float | None, ...]:
-        return tuple(None if part is None else part.px for part in parts)
+    def column(parts: Sequence[Prediction | None], name: str) -> tuple[float | None, ...]:
+        return tuple(None if part is None else getattr(part, name) for part in parts)
 
-    def depth(parts: Sequence[Prediction | None]) -> tuple[float | None, ...]:
-        return tuple(None if part is None else part.depth for part in parts)
-
-    notes = tuple(note for _, _, note in answers)
-    return Curve(px(measured), depth(measured), px(predicted), depth(predicted), notes)
+    errors = column(measured, "px"), column(measured, "depth")
+    return Curve(*errors, column(predicted, "px"), column(predicted, "depth"), notes)
 
 
 _Answer: TypeAlias = tuple[Prediction | None, Prediction | None, str]
-"""Largest errors, what was predicted, and what happened if there is no number."""
+"""The largest errors, the prediction, and the reason for a missing number."""
 
 
 def _at(
     parameter: str, projection: Projection, points_world: Array, value: float
 ) -> Mapping[str, _Answer]:
-    """What each choice answers at one value."""
+    """Return the answer of each choice at one value."""
     try:
         there, moved = SWEEPS[parameter].set(projection, value)
     except Refusal as error:
@@ -491,9 +427,9 @@ def _at(
 
 
 def in_view(projection: Projection, points_world: Array) -> Array:
-    """Points of the scene, moved into the view volume: (`reference.SAMPLE`, 3) at the most.
+    """Return at most `reference.SAMPLE` points inside the view volume, (n, 3).
 
-    What is inside already stays. Otherwise directions and depths are spread over the volume.
+    They are the scene's own if enough of those are inside, else points spread over the volume.
     """
     traced = projection.trace(points_world)
     inside = points_world[traced.in_front & ~traced.outside.any(axis=1)]
@@ -509,18 +445,18 @@ def in_view(projection: Projection, points_world: Array) -> Array:
     if lens.even_extent:
         depth = near + (far - near) * rng.uniform(0.02, 0.98, SAMPLE)
     else:
-        # As far as float64 can place a point beside this eye at all.
+        # No farther than float64 can place a point beside this eye.
         depth = np.geomspace(near, min(far, 1e9 * near), SAMPLE + 2)[1:-1]
     pixels = rng.uniform(0.02, 0.98, (SAMPLE, 2)) * (width, height)
     world = _spread(projection, pixels, depth)
     traced = projection.trace(world)
     seen = traced.in_front & ~traced.outside.any(axis=1)
-    # A view narrower than float64 can place points in has one that is in it surely: its middle.
+    # A view too narrow for float64 points still contains its middle.
     return world[seen] if seen.any() else np.array([projection.camera.target])
 
 
 def _spread(projection: Projection, pixels: Array, depth: Array) -> Array:
-    """World points behind pixels at distances from the eye plane."""
+    """Return the world points behind pixels at some distances from the eye plane."""
     left, right, bottom, top = projection.window
     width, height = projection.image_size
     x = left + (right - left) * pixels[:, 0] / width
@@ -532,7 +468,7 @@ def _spread(projection: Projection, pixels: Array, depth: Array) -> Array:
 
 
 def _vtk_camera(projection: Projection, world: Array, reference: Truth) -> _Answer:
-    """VTK's own camera set as a program would set it, and whether it took what it was given."""
+    """Set VTK's own camera as a program would, and note which of the values it changes."""
     lens, camera = projection.lens, vtkCamera()
     camera.SetPosition(*projection.camera.eye)
     camera.SetFocalPoint(*projection.camera.target)

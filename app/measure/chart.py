@@ -1,9 +1,10 @@
-"""Charts of what was measured: as data that the window draws, and as pictures without one.
+"""Charts of measurements: as data that the window draws, and as pictures.
 
-A trade is time against error with the choices as points; those that no other one beats in both
-are joined, the others faded. A sweep is a curve for each way of computing, with a cross where it
-breaks and a bar along the top as far as it has no answer. Both axes are logarithmic, but for
-memory. An error of 0 or infinity has its place at the edge, and its name says so.
+A trade's chart shows time against error with the choices as points. A line joins the choices that
+no other choice beats in both; the others are faded. A sweep's chart has a curve for each way of
+computing, a cross where the way breaks, and a bar along the top where it has no answer. Both axes
+are logarithmic, except for memory. A point of error 0 or infinity is at the edge, and its name says
+so.
 """
 
 from __future__ import annotations
@@ -43,7 +44,7 @@ TITLES = {
     "up": QT_TRANSLATE_NOOP("Measure", "Sweep of up"),
     "aspect": QT_TRANSLATE_NOOP("Measure", "Sweep of the aspect"),
 }
-"""Of every trade and every sweep."""
+"""The title of every trade and every sweep."""
 _ACROSS = {
     "arithmetic": QT_TRANSLATE_NOOP("Measure", "ns a point"),
     "interpolation": QT_TRANSLATE_NOOP("Measure", "ns a pixel"),
@@ -71,22 +72,22 @@ CURRENT = QT_TRANSLATE_NOOP("Measure", "{0} (now)")
 SEEN = QT_TRANSLATE_NOOP("Measure", "{0}; eye {1}, target {2}, {3}")
 _COLOURS = ("u", "n", "v", "accent", "near", "far")
 _WIDEST = 1e6
-"""Errors in px above which a sweep's curve leaves the chart: nothing is where it should be."""
+"""Largest error in px that a sweep's chart shows; beyond it the picture is useless."""
 _SAME = 0.005
-"""Of a decade: points so near to each other share one name."""
+"""Largest distance, in decades, of points that share one name."""
 _HEIGHT = 0.07
-"""Of the chart, between bars along its top."""
+"""Distance of the bars along the top, in parts of the chart."""
 
 
 def title(part: Trade | Sweep, translate: Callable[[str], str] = str) -> str:
-    """What a trade or sweep is called, and whether it was cancelled."""
+    """Return the title of a trade or sweep, marked if it was cancelled."""
     name = part.name if isinstance(part, Trade) else part.parameter
     text = translate(TITLES[name])
     return text if part.complete else translate(CANCELLED_TITLE).format(text)
 
 
 def where(results: Results) -> str:
-    """On what and with what results were measured, and when."""
+    """Name the date, the machine and the versions of results."""
     parts = {**results.machine, "cores": f"{results.machine.get('cores', '?')} cores"}
     machine = ", ".join(filter(None, parts.values()))
     versions = ", ".join(f"{name} {version}" for name, version in results.versions.items())
@@ -94,13 +95,13 @@ def where(results: Results) -> str:
 
 
 def machine(results: Results) -> str:
-    """The machine and the date, to tell two results apart."""
+    """Name the machine and the date, which distinguish two results."""
     names = (results.machine.get(key, "") for key in ("system", "processor", "opengl"))
     return ", ".join(filter(None, (*names, results.date)))
 
 
 def seen(results: Results, translate: Callable[[str], str] = str) -> str:
-    """The scene and the camera that results are about."""
+    """Name the scene and the camera of results."""
 
     def tree(section: str) -> dict[str, Any]:
         found = results.document.get(section)
@@ -130,19 +131,16 @@ def diagrams(
     other_name: str = "",
     translate: Callable[[str], str] = str,
 ) -> tuple[Diagram, ...]:
-    """The chart of a trade or sweep.
+    """Return the chart of a trade or sweep.
 
     Parameters
     ----------
-    part : Trade or Sweep
     current : mapping of str to str, optional
-        What is in use now, as `Choice.use` has it; that choice is marked.
+        The settings in use, in the form of `Choice.use`; the chart marks their choice.
     other : Trade or Sweep, optional
-        The same of another machine, drawn thinner.
+        The same measurement of another machine, which is drawn thinner.
     other_name : str
-        Which one that is.
-    translate : callable
-        The texts above into another language.
+        That machine.
 
     Returns
     -------
@@ -157,12 +155,12 @@ def diagrams(
 
 
 def is_current(choice: Choice, current: Mapping[str, str]) -> bool:
-    """Whether a choice is what is in use now."""
+    """Whether a choice is in use."""
     return bool(choice.use) and all(current.get(key) == use for key, use in choice.use.items())
 
 
 def _ends(values: Iterable[float | None], pad: float) -> tuple[float, float] | None:
-    """The ends of a logarithmic axis with room beside what is finite and above 0."""
+    """Return the ends of a logarithmic axis with a margin around the finite, positive values."""
     placed = [v for v in values if v is not None and 0.0 < v < math.inf]
     if not placed:
         return None
@@ -172,7 +170,7 @@ def _ends(values: Iterable[float | None], pad: float) -> tuple[float, float] | N
 
 
 def _placed(error: float, bottom: float, top: float) -> float:
-    """Where an error is drawn: 0 and what is infinite just inside the edges."""
+    """Return where an error is drawn: 0 and infinity go just inside the edges."""
     edge = math.pow(top / bottom, 0.04)
     return min(max(error, bottom * edge), top / edge)
 
@@ -207,7 +205,7 @@ def _of_trade(
     frontier = trade.frontier
     curves.append(Curve(points(frontier), "n", width=1.3))
     placed = [c for c in trade.choices if c.cost in costs and c.error is not None]
-    # What matters chooses its name's place first.
+    # The most important spots are named first.
     placed.sort(key=lambda c: (not is_current(c, current), c not in frontier))
     spots: list[Spot] = []
     named: list[tuple[float, float]] = []
@@ -240,7 +238,7 @@ def _is_near(one: tuple[float, float], other: tuple[float, float]) -> bool:
 
 
 def _common(choices: Sequence[Choice], translate: Callable[[str], str]) -> str:
-    """One name for choices at one place: ``fixed24, opengl / direct3d``."""
+    """Return one name for choices at one place: ``fixed24, opengl / direct3d``."""
     names = [
         named(choice.name, translate) + {0.0: " (0)", math.inf: " (∞)"}.get(choice.error or 0.0, "")
         for choice in choices
@@ -319,7 +317,7 @@ def _breaks(
     notes: Sequence[str],
     bar_y: float,
 ) -> tuple[list[Curve], list[Spot]]:
-    """Where a curve stops to be what was asked for: bars for no answer, crosses at the ends."""
+    """Return bars where a curve has no answer, and crosses where it has a note."""
     bars, crosses = [], []
 
     def kind(i: int) -> tuple[bool, bool]:
@@ -329,7 +327,7 @@ def _breaks(
         members = list(run)
         if not noted:
             continue
-        at = members[-1] if members[0] == 0 else members[0]  # next to where all is well
+        at = members[-1] if members[0] == 0 else members[0]  # beside the valid part
         y = ys[at]
         if unanswered or y is None:
             ends = [(xs[members[0]], bar_y), (xs[members[-1]], bar_y)]
@@ -350,23 +348,10 @@ def picture(
     other: Results | None = None,
     translate: Callable[[str], str] = str,
 ) -> bytes:
-    """Draw all charts of some results with matplotlib, without a window.
+    """Draw all charts of some results with matplotlib; return the bytes of the file.
 
-    Parameters
-    ----------
-    results : Results
-    file : str
-        Its ending says which format: one of `ENDINGS`.
-    current : mapping, optional
-        As for `diagrams`.
-    other : Results, optional
-        Drawn thinner over those of the same name.
-    translate : callable
-
-    Returns
-    -------
-    bytes
-        Of the file.
+    The ending of `file` selects the format: one of `ENDINGS`. The other parameters are as for
+    `diagrams`; `other` is drawn over the charts of the same name.
     """
     from matplotlib.figure import Figure
     from PIL import Image
@@ -399,7 +384,7 @@ def picture(
         lines.insert(0, meaning(parts[0]).sentence(translate))
     wrapped = [piece for line in lines for piece in textwrap.wrap(line, round(15 * width))]
     figure.supxlabel("\n".join(wrapped), fontsize=7, color=LIGHT.muted)
-    figure.draw_without_rendering()  # which lays it out: then there is something to measure
+    figure.draw_without_rendering()  # lays out the figure, so that texts have sizes
     for ax, (chart, _) in zip(axes, shown, strict=True):
         if chart is not None:
             _name(ax, chart)
@@ -410,7 +395,7 @@ def picture(
     else:
         drawn = io.BytesIO()
         figure.savefig(drawn, format="png")
-        # A few colours, and what lies between them: a third of the size, alike to the eye.
+        # 256 colours look alike and take a third of the size.
         with Image.open(drawn) as image:
             few = image.convert("RGB").quantize(256, Image.Quantize.MAXCOVERAGE)
             few.save(out, "png", optimize=True)
@@ -422,7 +407,7 @@ def _colour(name: str) -> str:
 
 
 def _draw(ax: Axes, chart: Diagram) -> None:
-    """Axes, curves and dots."""
+    """Draw the axes, the curves and the dots."""
     ax.set_title(chart.title, fontsize=10, fontweight="bold")
     ax.set_xlabel(chart.x_label, fontsize=8)
     ax.set_ylabel(chart.y_label, fontsize=8)
@@ -437,7 +422,9 @@ def _draw(ax: Axes, chart: Diagram) -> None:
         (ax.xaxis, chart.left, chart.right),
         (ax.yaxis, chart.bottom, chart.top),
     ):
-        if axis.get_scale() == "log" and 1e-3 < high / low < 1e3:  # few powers of ten: plain
+        if (
+            axis.get_scale() == "log" and 1e-3 < high / low < 1e3
+        ):  # plain numbers for few powers of ten
             axis.set_major_formatter(lambda value, _place: f"{value:g}")
             axis.set_minor_formatter(
                 lambda value, _place: f"{value:g}" if f"{value:e}"[0] in "25" else ""
@@ -461,7 +448,7 @@ def _draw(ax: Axes, chart: Diagram) -> None:
 
 
 def _name(ax: Axes, chart: Diagram) -> None:
-    """The spots' names, free of each other, with a line to those that stand away."""
+    """Write the spots' names without overlap, with a line to those that are farther away."""
     figure = ax.get_figure(root=True)
     assert figure is not None
     to_points = 72.0 / figure.dpi
@@ -505,7 +492,7 @@ def _name(ax: Axes, chart: Diagram) -> None:
 
 
 def _along(ax: Axes, curve: Curve) -> Any:
-    """Places along a curve, some pixels apart."""
+    """Return places along a curve, some pixels apart."""
     points = np.asarray(curve.points, dtype=np.float64).reshape(-1, 2)
     places = ax.transData.transform(points)
     if not curve.dots and len(places) > 1:

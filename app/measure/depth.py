@@ -1,7 +1,6 @@
-"""Trade 3, depth buffer: bytes a pixel against what can no longer be told apart.
+"""Trade 3, depth buffer: bytes per pixel against the least distance it can resolve.
 
-Nothing is rasterised: a depth buffer's errors are in its codes, and the codes are made here as
-the formats define them, of surfaces at known distances.
+Nothing is rasterised: this module encodes surfaces at known distances as the formats define it.
 """
 
 from __future__ import annotations
@@ -19,24 +18,21 @@ from app.model.projection import Projection
 from app.model.refusal import QT_TRANSLATE_NOOP, Cancelled, Refusal
 
 PAIRS = 10_000
-"""Neighbours among evenly spaced distances from near to far, as N. Reed compares them (2015)."""
+"""Number of pairs of neighbours at even distances from near to far (N. Reed, 2015)."""
 FARTHEST = 1e4
-"""In units of near: how far pairs reach where far is infinite."""
+"""The pairs' largest distance for an infinite far, in units of near."""
 _EDGES = 4
-"""Of the code that a surface has and the next two, as codes may be wide and narrow by turns."""
+"""Edges of a surface's code and the next two, because wide and narrow codes may alternate."""
 
 BEYOND = QT_TRANSLATE_NOOP("Measure", "the target lies outside of near and far")
 
 
 def measure(projection: Projection, watch: Watch = unwatched) -> Trade:
-    """Measure trade 3: for every format and mapping, at the target.
+    """Measure trade 3 for every format and mapping, at the target.
 
-    Returns
-    -------
-    Trade
-        Cost is bytes of memory a pixel, error the smallest distance behind the target, in world
-        units, from which on every surface is told apart from it: found by asking the buffer, and
-        predicted by its formula.
+    The cost is bytes of memory per pixel. The error is the distance behind the target, in world
+    units, from which on the buffer separates every surface from it. It is measured by encoding, and
+    predicted by the buffer's formula.
 
     Raises
     ------
@@ -85,26 +81,17 @@ def _shares(buffer: DepthBuffer) -> dict[str, float]:
 
 
 def smallest_gap(buffer: DepthBuffer, distance: float) -> float:
-    """From which gap on all surfaces about a distance are told apart, by asking for their codes.
+    """Return the gap from which on the codes of all surfaces near a distance differ.
 
-    Parameters
-    ----------
-    buffer : DepthBuffer
-    distance : float
-        Between near and far.
-
-    Returns
-    -------
-    float
-        The largest, over surfaces from `distance` to two codes behind it, of the least gap that
-        changes the code; infinite if one at `distance` or in the next code has the far plane's.
+    It is the widest code from the one at `distance`, between near and far, to two codes behind it;
+    infinite if the code at `distance` or the next one is that of the far plane.
 
     Notes
     -----
-    The worst surface is the first of its code, wherever that begins: codes are therefore walked
-    from edge to edge. A formula for a surface at `distance` supposes that a code begins right
-    there. Codes before it are narrower, so that it is those behind it that reach the formula; the
-    code that `distance` lies in counts where the next ones are finer.
+    The worst surface is the first of its code, so this function walks from edge to edge of the
+    codes. The formula for a surface at `distance` assumes that a code begins there. Codes in front
+    are narrower; the codes behind reach the formula. The code at `distance` itself counts where
+    the next ones are finer.
     """
     edges = [_edge(buffer, distance, buffer.near), _edge(buffer, distance, buffer.far)]
     while len(edges) < _EDGES and math.isfinite(edges[-1]):
@@ -115,7 +102,7 @@ def smallest_gap(buffer: DepthBuffer, distance: float) -> float:
 
 
 def _edge(buffer: DepthBuffer, start: float, end: float) -> float:
-    """Where the code of `start` ends on the way to `end`: near itself, or infinite, if nowhere."""
+    """Return where the code of `start` ends towards `end`; near or infinity if it does not."""
     code = buffer.encode(start)
     toward = 1.0 if end > start else -1.0
     end = min(end, 1e300)

@@ -1,7 +1,7 @@
-"""Trade 5, detail: ms a frame, loading and memory against how far the silhouette moves.
+"""Trade 5, detail: ms per frame, loading time and memory against the silhouette's error.
 
-The mesh is drawn whole and with ever fewer triangles, alike in everything else; of each picture
-the outline of what is covered at all is taken, `FINER` times as finely as pixels are.
+The mesh is drawn whole and with ever fewer triangles. Each picture's outline of the covered area is
+found at `FINER` times the resolution.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ from app.scenes.fewer_triangles import SHARES, can_be_reduced, reduced
 from app.scenes.scene import Scene
 
 FINER = 3.0
-"""Pixels for which an outline is found, along each side of one that is shown."""
+"""Pixels of the outline's picture per shown pixel, along each side."""
 
 TOO_FEW = QT_TRANSLATE_NOOP("Measure", "the scene has too few triangles to leave any out")
 NOT_SEEN = QT_TRANSLATE_NOOP("Measure", "nothing of the scene is in the picture")
@@ -37,24 +37,13 @@ def measure(
 ) -> Trade:
     """Measure trade 5.
 
-    Parameters
-    ----------
-    scene : Scene
-    projection : Projection
-    seconds : float
-        For the timing.
-    watch : Watch
-
-    Returns
-    -------
-    Trade
-        Cost is ms a frame, error the Hausdorff distance of the two outlines in px of a picture
-        of a pane's size: how far a point of the one is from the other at the most.
+    The cost is ms per frame. The error is the Hausdorff distance of the two outlines, the largest
+    distance of a point of one from the other, in px of a pane-sized picture.
 
     Raises
     ------
     Cancelled
-        By `watch`; with what was drawn until then.
+        By `watch`; with the choices so far.
     """
     if not can_be_reduced(scene):
         return Trade("detail", "ms", "px", (Choice("100 %", None, None, None, note=TOO_FEW),), 0)
@@ -86,21 +75,14 @@ def measure(
                 "reduce_ms": 1e3 * made,
                 "first_frame_ms": 1e3 * (time.perf_counter() - began),
             }
-            choice = Choice(
-                name,
-                None,
-                None,
-                error,
-                values=values,
-                note=NOT_SEEN if error is None else "",
-                use={"detail": f"{share:g}"},
-            )
+            note, use = NOT_SEEN if error is None else "", {"detail": f"{share:g}"}
+            choice = Choice(name, None, None, error, None, values, note, use)
             trade = replace(trade, choices=(*trade.choices, choice))
         return timed(trade, runs, seconds, 1e3, part_of(watch, 0.5, 1.0))
 
 
 def outline(scene: Scene, projection: Projection, size: tuple[int, int]) -> NDArray[np.float64]:
-    """The places on the edge of what the scene's faces cover, in px of the picture, (n, 2)."""
+    """Return the edge of the area that the scene's faces cover, (n, 2) in px of the picture."""
     finer = SMOOTHINGS[0]._replace(scale=FINER)
     bare = replace(scene, lines=None)
     with pane(bare, projection, size, finer, background=False) as (draw, read):
@@ -114,7 +96,7 @@ def outline(scene: Scene, projection: Projection, size: tuple[int, int]) -> NDAr
 
 
 def _apart(one: NDArray[np.float64], other: NDArray[np.float64]) -> float | None:
-    """The Hausdorff distance of two sets of places."""
+    """Return the Hausdorff distance of two sets of places; None if the first is empty."""
     if not len(one):
         return None
     if not len(other):
@@ -123,7 +105,7 @@ def _apart(one: NDArray[np.float64], other: NDArray[np.float64]) -> float | None
 
 
 def _farthest(one: NDArray[np.float64], other: NDArray[np.float64]) -> float:
-    """How far a place of one set is from the nearest of the other, at the most."""
+    """Return the largest distance of a place of one set from the nearest of the other."""
     largest = 0.0
     for start in range(0, len(one), _BLOCK):
         block = one[start : start + _BLOCK]

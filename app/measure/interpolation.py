@@ -1,14 +1,14 @@
-"""Trade 2, interpolation: ns a pixel and triangles against texels of error.
+"""Trade 2, interpolation: ns per pixel and triangles against the error in texels.
 
-Along an edge of the scene a texture coordinate t runs evenly in the world from 0 to 1. On the
-screen it does not: 1/w and t/w do (lectures 002, 003), and dividing them gives the right t at
-every pixel. The cheap way takes t itself to be even on the screen, between more and more points
-at which the edge is split. Of an edge whose ends have depths in the ratio r it is wrong by
+A texture coordinate t increases linearly along an edge in the world, from 0 to 1. On the screen,
+1/w and t/w are linear instead (lectures 002, 003); their quotient is the correct t at every pixel.
+The cheap way interpolates t itself linearly on the screen between the points that split the edge.
+If the depths of the edge's ends have the ratio r, its largest error is
 
     (sqrt r - 1) / (sqrt r + 1)
 
-of the edge at the most, where ``s = sqrt r / (1 + sqrt r)`` on the screen; of its k pieces each
-by that of its own ratio, over k.
+of the edge, at ``s = sqrt r / (1 + sqrt r)`` on the screen. For each of k pieces, r is the ratio
+of the piece, and the error is divided by k.
 """
 
 from __future__ import annotations
@@ -30,21 +30,14 @@ from app.scenes.phenomena.interpolation import TEXELS, edge_error
 
 SPLITS = (1, 2, 4, 8, 16, 32, 64)
 SAMPLES_A_PIXEL = 16
-"""So densely the edge is looked at: the largest error is between pixels' middles too."""
+"""Sampling density: the largest error may lie between the centres of pixels."""
 
 NOTHING = QT_TRANSLATE_NOOP("Measure", "no edge of the scene's box is in the picture")
 PARALLEL = QT_TRANSLATE_NOOP("Measure", "all of the edge is equally far away: nothing is wrong")
 
 
 class Edge(NamedTuple):
-    """An edge on the screen.
-
-    Attributes
-    ----------
-    start, end : (4,) array
-        Its ends in clip space, both with w > 0.
-    length_px : float
-    """
+    """An edge on the screen: its ends (4,) in clip space, both with w > 0, and its length."""
 
     start: Array
     end: Array
@@ -52,19 +45,15 @@ class Edge(NamedTuple):
 
     @property
     def ratio(self) -> float:
-        """Of the depths of its ends, 1 or more."""
+        """The ratio of the depths of its ends, at least 1."""
         near, far = sorted((float(self.start[3]), float(self.end[3])))
         return far / near
 
 
 def steepest_edge(projection: Projection, corners_world: Array) -> Edge | None:
-    """Of a box's edges, cut to the view volume, the one whose ends differ most in depth.
+    """Clip a box's edges to the view volume and return the one whose ends differ most in depth.
 
-    Parameters
-    ----------
-    projection : Projection
-    corners_world : (8, 3) array
-        Corner i has the upper bound of axis a where bit a of i is set.
+    Corner i of `corners_world` (8, 3) has the upper bound of axis a if bit a of i is set.
     """
     pairs = [
         (i, i | 1 << axis) for i, axis in itertools.product(range(8), range(3)) if not i >> axis & 1
@@ -83,33 +72,16 @@ def steepest_edge(projection: Projection, corners_world: Array) -> Edge | None:
 
 
 def correct(edge: Edge, s: Array) -> Array:
-    """The texture coordinate at places of the edge on the screen, perspective-correct.
-
-    Parameters
-    ----------
-    edge : Edge
-    s : (n,) array
-        From 0 to 1, even on the screen.
-    """
+    """Return the perspective-correct texture coordinate at screen places s (n,), from 0 to 1."""
     one, other = 1.0 / float(edge.start[3]), 1.0 / float(edge.end[3])
     t: Array = s * other / ((1.0 - s) * one + s * other)
     return t
 
 
 def affine(edge: Edge, s: Array, splits: int) -> Array:
-    """The texture coordinate as if it were even on the screen between split points.
+    """Interpolate the texture coordinate linearly on the screen between split points.
 
-    Parameters
-    ----------
-    edge : Edge
-    s : (n,) array
-        As for `correct`, rising.
-    splits : int
-        Pieces of equal length in the world.
-
-    Returns
-    -------
-    (n,) array
+    s is as for `correct`, in rising order; `splits` pieces have equal lengths in the world.
     """
     t = np.arange(splits + 1) / splits
     breaks = _on_screen(edge, t)
@@ -117,21 +89,21 @@ def affine(edge: Edge, s: Array, splits: int) -> Array:
     first = np.searchsorted(s, breaks[1:-1]).tolist()
     found: Array = np.empty_like(s)
     for piece, (low, high) in enumerate(itertools.pairwise([0, *first, len(s)])):
-        # One multiplication and one addition a pixel, no division: what makes it cheap.
+        # One multiplication and one addition per pixel, no division: this makes it cheap.
         np.multiply(s[low:high], steps[piece], out=found[low:high])
         found[low:high] += t[piece] - steps[piece] * breaks[piece]
     return found
 
 
 def _on_screen(edge: Edge, t: Array) -> Array:
-    """Where points even in the world are on the screen, s from 0 to 1."""
+    """Return the screen places s, from 0 to 1, of points at parts t of the edge in the world."""
     one, other = float(edge.start[3]), float(edge.end[3])
     s: Array = t * other / (one + t * (other - one))
     return s
 
 
 def bound(edge: Edge, splits: int) -> float:
-    """The largest error of `affine`, in parts of the edge: the formula above."""
+    """Return the largest error of `affine`, in parts of the edge, by the formula above."""
     t = np.arange(splits + 1) / splits
     w = float(edge.start[3]) + t * float(edge.end[3] - edge.start[3])
     ratios = np.maximum(w[1:] / w[:-1], w[:-1] / w[1:])
@@ -139,10 +111,10 @@ def bound(edge: Edge, splits: int) -> float:
 
 
 def truth(edge: Edge, s: Array) -> Array:
-    """Which point of the edge is seen at a place of the screen: by meeting the pixel's ray.
+    """Return t of the edge's point at a screen place, by intersection with the pixel's ray.
 
-    Nothing is interpolated: the point ``P + t (Q - P)`` of clip space has the screen coordinate x
-    where ``(P_x + t (Q_x - P_x)) = x (P_w + t (Q_w - P_w))``, solved for t in extended precision.
+    The point ``P + t (Q - P)`` of clip space has the screen coordinate x where
+    ``(P_x + t (Q_x - P_x)) = x (P_w + t (Q_w - P_w))``, solved for t in extended precision.
     """
     p, q = edge.start.astype(np.longdouble), edge.end.astype(np.longdouble)
     axis = int(np.argmax(np.abs(q[:2] / q[3] - p[:2] / p[3])))
@@ -156,16 +128,7 @@ def truth(edge: Edge, s: Array) -> Array:
 def measure(
     projection: Projection, corners_world: Array, seconds: float = 10.0, watch: Watch = unwatched
 ) -> Trade:
-    """Measure trade 2.
-
-    Parameters
-    ----------
-    projection : Projection
-    corners_world : (8, 3) array
-        Of the box round all that is drawn.
-    seconds : float
-        For the timing.
-    watch : Watch
+    """Measure trade 2 on an edge of the scene's bounding box, whose corners are (8, 3).
 
     Raises
     ------
@@ -186,21 +149,13 @@ def measure(
     for (name, run), splits in zip(runs.items(), (0, *SPLITS), strict=True):
         error = TEXELS * float(np.abs(run() - right).max())
         predicted = TEXELS * bound(edge, splits) if splits else None
-        choices.append(
-            Choice(
-                name,
-                None,
-                None,
-                error,
-                predicted,
-                {"triangles": 2.0 * max(1, splits)},
-                PARALLEL if edge.ratio == 1.0 else "",
-                {
-                    "scene": "interpolation",
-                    "settings.interpolation": "affine" if splits else "correct",
-                    "settings.subdivision": str(splits or 1),
-                },
-            )
-        )
+        use = {
+            "scene": "interpolation",
+            "settings.interpolation": "affine" if splits else "correct",
+            "settings.subdivision": str(splits or 1),
+        }
+        triangles = {"triangles": 2.0 * max(1, splits)}
+        note = PARALLEL if edge.ratio == 1.0 else ""
+        choices.append(Choice(name, None, None, error, predicted, triangles, note, use))
     trade = Trade("interpolation", "ns", "texels", tuple(choices), 0)
     return timed(trade, runs, seconds, 1e9 / len(s), watch)

@@ -1,4 +1,4 @@
-"""What a trade means here, in one sentence."""
+"""One sentence that states the result of a trade."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ GOOD_ENOUGH = {
     "smoothing": 5.0,
     "detail": 1.0,
 }
-"""Error that nobody sees, in the trade's unit: a hundredth of a pixel, half a texel, ..."""
+"""An invisible error in the trade's unit: a hundredth of a pixel, half a texel, ..."""
 
 FASTEST_IS_BEST = QT_TRANSLATE_NOOP(
     "Measure", "{0} is the fastest ({1}) and the most exact ({2}): there is nothing to trade."
@@ -39,18 +39,18 @@ NOTHING = QT_TRANSLATE_NOOP("Measure", "Nothing could be measured: {0}.")
 
 @dataclass(frozen=True)
 class Meaning:
-    """A sentence: its template, and what stands in it."""
+    """A sentence as a template and its values."""
 
     template: str
     values: tuple[str, ...]
 
     def sentence(self, translate: Callable[[str], str] = str) -> str:
-        """The sentence in another language."""
+        """Return the sentence in another language."""
         return translate(self.template).format(*(named(value, translate) for value in self.values))
 
 
 def meaning(trade: Trade) -> Meaning:
-    """What a trade's measurements say, for somebody who has to choose."""
+    """State what a trade's measurements mean for a choice."""
     frontier = trade.frontier
     if not frontier:
         notes = [choice.note for choice in trade.choices if choice.note]
@@ -82,6 +82,6 @@ def _plain(value: float | None) -> str:
 
 
 def cheapest(trade: Trade, limit: float) -> Choice | None:
-    """The cheapest choice whose error is at most `limit`."""
+    """Return the cheapest choice whose error is at most `limit`."""
     good = [choice for choice in trade.frontier if (choice.error or 0.0) <= limit]
     return good[0] if good else None

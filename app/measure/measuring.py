@@ -1,4 +1,4 @@
-"""Runs the trades and sweeps that are asked for, one after the other."""
+"""Run the requested trades and sweeps one after the other."""
 
 from __future__ import annotations
 
@@ -34,13 +34,13 @@ TRADES: dict[str, Callable[[Scene, Projection, float, Watch], Trade]] = {
     "smoothing": smoothing.measure,
     "detail": detail.measure,
 }
-"""Every trade, in the order in which they are measured."""
+"""Every trade, in the order of measurement."""
 NEED_OPENGL = ("smoothing", "detail")
-"""The trades of pictures."""
+"""The trades that render pictures."""
 SECONDS, QUICK_SECONDS = 30.0, 2.0
-"""For the timing of one trade."""
+"""Timing budget of one trade."""
 STEPS, QUICK_STEPS = 49, 13
-"""Values of one sweep."""
+"""Number of values of one sweep."""
 
 
 def measure_all(
@@ -57,25 +57,21 @@ def measure_all(
 
     Parameters
     ----------
-    document : Document
-        The scene and the camera.
     scene : Scene
-        The document's, loaded.
+        The document's scene, loaded.
     trades : sequence of str
-        Of `TRADES`.
+        Names in `TRADES`.
     sweeps : mapping of str to (float, float)
-        From where to where each of `app.measure.arithmetic.SWEEPS` goes; None for its own end.
+        The range of each of `app.measure.arithmetic.SWEEPS`; None for its default end.
     quick : bool
-        Shorter timings and fewer values: all of it in half a minute.
+        Shorter timings and fewer values: half a minute in all.
     opengl : bool
-        Whether there is one; without it, leave `NEED_OPENGL` out.
-    watch : Watch
-        May raise `Cancelled`.
+        Whether OpenGL is available; if not, `trades` must not include `NEED_OPENGL`.
 
     Returns
     -------
     Results
-        When it was cancelled, what was done until then, marked as not complete.
+        After a cancellation, the results so far, marked as incomplete.
     """
     results = Results(
         datetime.now(UTC).isoformat(timespec="seconds"),
@@ -85,20 +81,16 @@ def measure_all(
     )
     projection = document.projection
     count = len(trades) + len(sweeps)
-    done = 0
+    parts = [part_of(watch, done / count, (done + 1) / count) for done in range(count)]
     try:
-        for name in trades:
-            part = part_of(watch, done / count, (done + 1) / count)
+        for name, part in zip(trades, parts, strict=False):
             seconds = QUICK_SECONDS if quick else SECONDS
             trade = TRADES[name](scene, projection, seconds, part)
             results = replace(results, trades=(*results.trades, trade))
-            done += 1
-        for parameter, ends in sweeps.items():
-            part = part_of(watch, done / count, (done + 1) / count)
+        for (parameter, ends), part in zip(sweeps.items(), parts[len(trades) :], strict=True):
             values = arithmetic.values_of(parameter, QUICK_STEPS if quick else STEPS, *ends)
             swept = arithmetic.sweep(parameter, projection, scene.sample, values, part)
             results = replace(results, sweeps=(*results.sweeps, swept))
-            done += 1
     except Cancelled as cancelled:
         if isinstance(cancelled.partial, Trade):
             results = replace(results, trades=(*results.trades, cancelled.partial))
@@ -109,7 +101,7 @@ def measure_all(
 
 
 def machine(opengl: str) -> dict[str, str]:
-    """What the measurements are made on."""
+    """Describe the computer that measures."""
     return {
         "system": f"{platform.system()} {platform.release()}",
         "processor": platform.processor() or platform.machine(),
@@ -119,7 +111,7 @@ def machine(opengl: str) -> dict[str, str]:
 
 
 def versions() -> dict[str, str]:
-    """What the measurements are made with."""
+    """Return the versions of the programs and libraries that measure."""
     return {
         "frustum-lab": __version__,
         "python": platform.python_version(),

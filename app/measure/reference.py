@@ -1,8 +1,8 @@
-"""What is true of points, by mpmath with 200 digits: none of what is measured has a part in it.
+"""The true image of points, by mpmath with 200 digits, independent of the measured code.
 
-Straight from the definitions: the frame of lecture 004, similar triangles or the slant of the
-projectors, and the depth even in 1/w, or in w for a parallel lens. With 200 digits, at fields of
-view of 1e-80 degrees too, nothing need be rearranged: no formula is shared with what is judged.
+It follows the definitions: the frame of lecture 004, similar triangles or the slant of the
+projectors, and a depth linear in 1/w, or in w for a parallel lens. 200 digits suffice for fields
+of view of 1e-80 degrees without rearranged formulas, so it shares no formula with the other code.
 """
 
 from __future__ import annotations
@@ -16,44 +16,35 @@ from app.model.projection import Array, Oblique, Perspective, Projection
 
 DIGITS = 200
 SAMPLE = 64
-"""As many points are judged at the most."""
+"""Largest number of points that are compared."""
 
 
 class Truth(NamedTuple):
-    """The true image and depth of points.
-
-    Attributes
-    ----------
-    numbers, rests : (n, 3) float64 array
-        x and y in pixels and depth in [0, 1], and what their rounding cut off.
-    """
+    """The true x and y in pixels and depth in [0, 1], (n, 3), and what rounding cut off."""
 
     numbers: Array
     rests: Array
 
     def errors(self, answers: Array) -> Array:
-        """How far answers (n, 3) are off, (n, 3); NaN where an answer is."""
+        """Return the absolute errors (n, 3) of answers (n, 3); NaN where an answer is NaN."""
         errors: Array = np.abs((answers - self.numbers) - self.rests)
         return errors
 
 
 def sample(points: Array) -> tuple[Array, Array]:
-    """Points (n, 3), each once and `SAMPLE` at the most, and where each stands among all.
-
-    Every stretch of the list is in it.
-    """
+    """Return at most `SAMPLE` different points from all parts of the list, and their indices."""
     once = np.sort(np.unique(points, axis=0, return_index=True)[1])
     indices = once[np.linspace(0, len(once) - 1, min(len(once), SAMPLE)).astype(int)]
     return points[indices], indices
 
 
 def truth(projection: Projection, points_world: Array) -> Truth:
-    """The truth about points (n, 3) in front of the eye plane, in world coordinates.
+    """Return the truth about world points (n, 3) in front of the eye plane.
 
     Raises
     ------
     Refusal
-        For a free matrix, which has no definition but its cells.
+        For a free matrix, which has no definition except its cells.
     """
     from mpmath import mp
 

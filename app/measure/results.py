@@ -1,8 +1,8 @@
-"""What measurements find, and the file they are kept in; numpy and the standard library only.
+"""The results of measurements and their file format; needs only the standard library.
 
-A `Trade` is one chart: choices with a cost and an error each. A `Sweep` is the error of several
-choices over the whole range of one parameter. `Results` are all that one run measured, with what
-is needed to repeat it::
+A `Trade` is one chart: choices, each with a cost and an error. A `Sweep` holds the errors of
+several choices over the whole range of one parameter. `Results` hold everything that one run
+measured and everything needed to repeat it::
 
     {"format": "frustum-lab-measurements", "version": 1,
      "date": "2026-11-21T08:46:06+00:00", "complete": true,
@@ -21,8 +21,8 @@ is needed to repeat it::
                                                            "predicted_depth": [...],
                                                            "notes": ["", ...]}}}]}
 
-An error that is not a number (the choice answered NaN or nothing) is ``null``, and the note says
-what happened; an infinite one is ``"inf"``.
+An error is ``null`` if the choice answered NaN or nothing; the note gives the reason. An infinite
+error is ``"inf"``.
 """
 
 from __future__ import annotations
@@ -58,17 +58,17 @@ COLUMNS = {
     "first_frame_ms": QT_TRANSLATE_NOOP("Measure", "first frame (ms)"),
     "reduce_ms": QT_TRANSLATE_NOOP("Measure", "reducing (ms)"),
 }
-"""What a reader is told of further columns, if their names are not words already."""
+"""Headings of the further columns whose names are not words."""
 SWEEP_NOTES = {
     "near": QT_TRANSLATE_NOOP("Measure", "far is 4 near at least"),
     "far": QT_TRANSLATE_NOOP("Measure", "near is far / 4 at most"),
 }
-"""What a sweep moves besides its parameter: near must be less than far."""
+"""What a sweep changes besides its parameter, because near must be less than far."""
 _JUDGED = QT_TRANSLATE_NOOP(
     "Measure", "the largest of up to {0} points against 200 digits of mpmath"
 )
 JUDGED = _JUDGED.format(64)
-"""Which errors those of trade 1 and of the sweeps are."""
+"""The definition of the errors of trade 1 and of the sweeps."""
 WORDS = (
     QT_TRANSLATE_NOOP("Measure", "eye first"),
     QT_TRANSLATE_NOOP("Measure", "every stage"),
@@ -104,7 +104,7 @@ WORDS = (
     *SWEEP_NOTES.values(),
     _JUDGED,
 )
-"""What names of choices and of columns are put together from."""
+"""The translatable parts of the names of choices and columns."""
 
 
 @dataclass(frozen=True)
@@ -113,18 +113,16 @@ class Choice:
 
     Attributes
     ----------
-    name : str
     cost, cost_p95 : float or None
-        Median and 95th percentile, in the trade's unit; None if it was not measured.
+        Median and 95th percentile, in the trade's unit; None if they were not measured.
     error : float or None
-        Largest one; None if there is no number, and then `note` says what happened.
+        The largest error; None if there is no number. Then `note` gives the reason.
     predicted : float or None
-        What the model said before it was measured.
+        The error that the model predicts before the measurement.
     values : mapping of str to float
         Further columns of the table.
-    note : str
     use : mapping of str to str
-        What the panes switch to when somebody chooses it: ``{"rung": "float32"}``.
+        The settings that the panes take when the user picks this choice: ``{"rung": "float32"}``.
     """
 
     name: str
@@ -141,16 +139,7 @@ class Choice:
 class Trade:
     """Choices that trade speed for accuracy.
 
-    Attributes
-    ----------
-    name : str
-        ``"arithmetic"``, ``"interpolation"``, ``"depth"``, ``"smoothing"`` or ``"detail"``.
-    cost_unit, error_unit : str
-    choices : tuple of Choice
-    rounds : int
-        How often each was run, in turns.
-    complete : bool
-        False if it was cancelled.
+    `rounds` is how often each choice was run; `complete` is False after a cancellation.
     """
 
     name: str
@@ -162,12 +151,12 @@ class Trade:
 
     @property
     def columns(self) -> tuple[str, ...]:
-        """Names of all further columns, in order."""
+        """The names of all further columns, in order."""
         return tuple(dict.fromkeys(name for choice in self.choices for name in choice.values))
 
     @property
     def frontier(self) -> tuple[Choice, ...]:
-        """The choices that no other one beats in both cost and error, from the cheapest."""
+        """The choices that no other choice beats in both cost and error, cheapest first."""
         placed = [c for c in self.choices if c.cost is not None and c.error is not None]
         placed.sort(key=lambda c: (c.cost, c.error))
         found: list[Choice] = []
@@ -178,15 +167,15 @@ class Trade:
         return tuple(found)
 
     def is_beaten(self, choice: Choice) -> bool:
-        """Whether another choice is no worse in both cost and error; grey wherever it is shown."""
+        """Whether another choice is no worse in both cost and error; such a choice is grey."""
         return None not in (choice.cost, choice.error) and choice not in self.frontier
 
 
 @dataclass(frozen=True)
 class Curve:
-    """The errors of one choice over a sweep, in px and in depth: as many as it has values.
+    """The errors of one choice in px and in depth, one for each value of the sweep.
 
-    See `Choice` for what is None, predicted and noted.
+    None, predictions and notes mean what they mean in `Choice`.
     """
 
     errors: tuple[float | None, ...]
@@ -196,18 +185,13 @@ class Curve:
     notes: tuple[str, ...]
 
 
+_CURVE_KEYS = ("error", "error_depth", "predicted", "predicted_depth", "notes")
+"""The file's names of the fields of `Curve`."""
+
+
 @dataclass(frozen=True)
 class Sweep:
-    """One parameter over its whole range.
-
-    Attributes
-    ----------
-    parameter, unit : str
-    values : tuple of float
-        Logarithmically spaced.
-    curves : mapping of str to Curve
-    complete : bool
-    """
+    """The errors over the range of one parameter; `complete` is False after a cancellation."""
 
     parameter: str
     unit: str
@@ -218,19 +202,16 @@ class Sweep:
 
 @dataclass(frozen=True)
 class Results:
-    """All that one run measured.
+    """All measurements of one run.
 
     Attributes
     ----------
     date : str
-        ISO 8601 with its time zone.
-    machine, versions : mapping of str to str
+        ISO 8601 with a time zone.
     document : mapping
-        The scene and the projection, as their document has them.
-    trades : tuple of Trade
-    sweeps : tuple of Sweep
+        The scene and the projection, as in their document.
     complete : bool
-        False if it was cancelled before all was measured.
+        False if the run was cancelled.
     """
 
     date: str
@@ -245,22 +226,29 @@ class Results:
 # --------------------------------------------------------------------------- text
 
 
-def _number(value: float | None) -> float | str | None:
-    if value is None or math.isnan(value):
-        return None
-    return "inf" if value == math.inf else value
+def _plain_tree(value: Any) -> Any:
+    """Return a value in JSON's own types; NaN becomes None and infinity ``"inf"``."""
+    if isinstance(value, float):
+        return None if math.isnan(value) else "inf" if value == math.inf else value
+    if isinstance(value, Mapping):
+        return {key: _plain_tree(part) for key, part in value.items()}
+    if isinstance(value, (list, tuple)):
+        return [_plain_tree(part) for part in value]
+    if isinstance(value, Choice):
+        return {part.name: _plain_tree(getattr(value, part.name)) for part in fields(Choice)}
+    if isinstance(value, Curve):
+        columns = (_plain_tree(getattr(value, part.name)) for part in fields(Curve))
+        return dict(zip(_CURVE_KEYS, columns, strict=True))
+    return value
 
 
 def to_json(results: Results) -> str:
-    """The file of some results; `from_json` gives them back."""
+    """Write the file that `from_json` reads."""
+    plain_fields = ("date", "complete", "machine", "versions", "document")
     tree = {
         "format": FORMAT,
         "version": VERSION,
-        "date": results.date,
-        "complete": results.complete,
-        "machine": dict(results.machine),
-        "versions": dict(results.versions),
-        "document": dict(results.document),
+        **{name: getattr(results, name) for name in plain_fields},
         "trades": [
             {
                 "name": trade.name,
@@ -268,20 +256,8 @@ def to_json(results: Results) -> str:
                 "rounds": trade.rounds,
                 "cost": {"unit": trade.cost_unit},
                 "error": {"unit": trade.error_unit},
-                "columns": list(trade.columns),
-                "choices": [
-                    {
-                        "name": choice.name,
-                        "cost": _number(choice.cost),
-                        "cost_p95": _number(choice.cost_p95),
-                        "error": _number(choice.error),
-                        "predicted": _number(choice.predicted),
-                        "values": {name: _number(v) for name, v in choice.values.items()},
-                        "note": choice.note,
-                        "use": dict(choice.use),
-                    }
-                    for choice in trade.choices
-                ],
+                "columns": trade.columns,
+                "choices": trade.choices,
             }
             for trade in results.trades
         ],
@@ -289,27 +265,18 @@ def to_json(results: Results) -> str:
             {
                 "parameter": sweep.parameter,
                 "unit": sweep.unit,
-                "values": list(map(_number, sweep.values)),
+                "values": sweep.values,
                 "complete": sweep.complete,
-                "choices": {
-                    name: {
-                        "error": list(map(_number, curve.errors)),
-                        "error_depth": list(map(_number, curve.errors_depth)),
-                        "predicted": list(map(_number, curve.predicted)),
-                        "predicted_depth": list(map(_number, curve.predicted_depth)),
-                        "notes": list(curve.notes),
-                    }
-                    for name, curve in sweep.curves.items()
-                },
+                "choices": sweep.curves,
             }
             for sweep in results.sweeps
         ],
     }
-    return json.dumps(tree, allow_nan=False, indent=1) + "\n"
+    return json.dumps(_plain_tree(tree), allow_nan=False, indent=1) + "\n"
 
 
 class _Reader:
-    """A value of the tree that knows where it stands, for `DAMAGED`."""
+    """A value of the JSON tree with its path, which `DAMAGED` names."""
 
     def __init__(self, value: Any, path: str, file: str) -> None:
         self.value, self._path, self._file = value, path, file
@@ -344,9 +311,7 @@ class _Reader:
         return bool(self.value)
 
     def maybe(self) -> float | None:
-        if self.value is None:
-            return None
-        return self.number()
+        return None if self.value is None else self.number()
 
     def number(self) -> float:
         if self.value == "inf":
@@ -358,20 +323,34 @@ class _Reader:
     def texts(self) -> dict[str, str]:
         return {key: part.text() for key, part in self.items()}
 
+    def numbers(self) -> dict[str, float]:
+        return {key: part.number() for key, part in self.items()}
+
+    def column(self) -> tuple[float | None, ...]:
+        return tuple(part.maybe() for part in self.parts())
+
+    def notes(self) -> tuple[str, ...]:
+        return tuple(part.text() for part in self.parts())
+
+
+_READ: dict[str, Callable[[_Reader], Any]] = {
+    "str": _Reader.text,
+    "float | None": _Reader.maybe,
+    "Mapping[str, float]": _Reader.numbers,
+    "Mapping[str, str]": _Reader.texts,
+    "tuple[float | None, ...]": _Reader.column,
+    "tuple[str, ...]": _Reader.notes,
+}
+"""How to read a field of `Choice` or `Curve`, by its annotation."""
+
 
 def from_json(text: str, file: str = "The file") -> Results:
-    """Read what `to_json` wrote.
-
-    Parameters
-    ----------
-    text : str
-    file : str
-        Its name, for sentences.
+    """Read what `to_json` wrote; messages name the `file`.
 
     Raises
     ------
     Refusal
-        If it is no file of measurements, of another version, or damaged.
+        If it is not a file of measurements, has another version, or is damaged.
     """
     try:
         tree = json.loads(text)
@@ -401,16 +380,7 @@ def _trade(tree: _Reader) -> Trade:
         tree["cost"]["unit"].text(),
         tree["error"]["unit"].text(),
         tuple(
-            Choice(
-                choice["name"].text(),
-                choice["cost"].maybe(),
-                choice["cost_p95"].maybe(),
-                choice["error"].maybe(),
-                choice["predicted"].maybe(),
-                {name: part.number() for name, part in choice["values"].items()},
-                choice["note"].text(),
-                choice["use"].texts(),
-            )
+            Choice(*(_READ[str(part.type)](choice[part.name]) for part in fields(Choice)))
             for choice in tree["choices"].parts()
         ),
         round(tree["rounds"].number()),
@@ -422,17 +392,8 @@ def _sweep(tree: _Reader) -> Sweep:
     values = tuple(part.number() for part in tree["values"].parts())
     curves = {}
     for name, curve in tree["choices"].items():
-
-        def column(key: str, curve: _Reader = curve) -> tuple[float | None, ...]:
-            return tuple(part.maybe() for part in curve[key].parts())
-
-        curves[name] = Curve(
-            column("error"),
-            column("error_depth"),
-            column("predicted"),
-            column("predicted_depth"),
-            tuple(part.text() for part in curve["notes"].parts()),
-        )
+        columns = zip(_CURVE_KEYS, fields(Curve), strict=True)
+        curves[name] = Curve(*(_READ[str(part.type)](curve[key]) for key, part in columns))
         curve.expect(
             all(len(getattr(curves[name], part.name)) == len(values) for part in fields(Curve)),
             "as long as the sweep's values",
@@ -443,7 +404,7 @@ def _sweep(tree: _Reader) -> Sweep:
 
 
 def to_csv(part: Trade | Sweep) -> str:
-    """One trade or sweep as a table for a spreadsheet: commas, points, a row of names first."""
+    """Return one trade or sweep as CSV: commas, decimal points, column names in the first row."""
     rows: list[list[object]] = []
     if isinstance(part, Trade):
         head = ["choice", f"cost_{part.cost_unit}", f"cost_p95_{part.cost_unit}"]
@@ -463,17 +424,13 @@ def to_csv(part: Trade | Sweep) -> str:
 
 
 CANCELLED = QT_TRANSLATE_NOOP("Measure", "cancelled")
-"""The note of a choice whose turn did not come."""
+"""The note of a choice that was not timed."""
 
 
 def named(name: str, translate: Callable[[str], str] = str) -> str:
-    """A name of a choice or a column, or a note, in another language, part by part.
+    """Translate the name of a choice or column, or a note, part by part: ``affine, 4 pieces``.
 
-    Parameters
-    ----------
-    name : str
-        Such as ``affine, 4 pieces``; what is none of `WORDS` is translated as a whole.
-    translate : callable
+    A text without a part in `WORDS` is translated as a whole.
     """
 
     def part(text: str) -> str:
@@ -489,7 +446,7 @@ def named(name: str, translate: Callable[[str], str] = str) -> str:
 
 
 def plain(value: float | None, digits: int) -> str:
-    """A number to be read: of so many digits, in full below ten million; ``-`` for none."""
+    """Format a number with some digits, without exponent below ten million; ``-`` for None."""
     if value is None:
         return "-"
     text = f"{value:.{digits}g}"
@@ -497,19 +454,11 @@ def plain(value: float | None, digits: int) -> str:
 
 
 def table(part: Trade | Sweep, *, all_digits: bool = False) -> list[list[str]]:
-    """One trade or sweep to be read: a row of names, a row for each choice or value.
+    """Return one trade or sweep as text: a row of headings, then a row per choice or value.
 
-    Parameters
-    ----------
-    part : Trade or Sweep
-    all_digits : bool
-        Of the values of a sweep, which are exact; what is measured is not.
-
-    Returns
-    -------
-    list of list of str
-        Numbers of three digits; ``-`` where there is none, and then the last cell says why. The
-        last cell of the names says which errors these are, and what a sweep moves besides.
+    `all_digits` writes a sweep's values, which are exact, with every digit. ``-`` stands for a
+    missing number; the row's last cell then gives the reason. The last heading defines the errors
+    and names what a sweep changes besides its parameter.
     """
     if isinstance(part, Trade):
         columns = part.columns
@@ -536,6 +485,6 @@ def table(part: Trade | Sweep, *, all_digits: bool = False) -> list[list[str]]:
 
 
 def _swept(value: float) -> str:
-    """A sweep's value; fields of view that are almost 180 degrees are not written as 180."""
+    """Format a sweep's value; a field of view just below 180 degrees keeps more digits."""
     text = plain(value, 4)
     return f"{value:.15g}" if text == "180" else text

@@ -1,7 +1,6 @@
-"""Running measurements: in turns, for a limited time, stopped or paused from outside.
+"""Timing: interleaved rounds for a limited time, which a watch may pause or cancel.
 
-Everything is timed in interleaved rounds, each choice once in every round, so that what else the
-machine does falls on all of them alike; medians and 95th percentiles are kept.
+Each round runs every choice once, so that other load on the machine affects all choices alike.
 """
 
 from __future__ import annotations
@@ -16,24 +15,23 @@ from app.measure.results import Trade
 from app.model.refusal import Cancelled
 
 _SHORTEST = 1e-3
-"""Seconds that a timing takes at least: shorter runs are repeated, and divided."""
+"""Least duration of one timing in seconds; shorter runs are repeated and averaged."""
 _LEAST_ROUNDS = 5
 
 
 Watch: TypeAlias = Callable[[float], None]
-"""Who waits for a measurement.
+"""Called with the finished fraction before every timing.
 
-It is called with the fraction done, before every timing; it waits while others need the machine,
-and raises `Cancelled` when the measurement is not wanted any more.
+It waits while others need the machine, and raises `Cancelled` to stop the measurement.
 """
 
 
 def unwatched(_fraction: float) -> None:
-    """Nobody waits."""
+    """Neither wait nor cancel."""
 
 
 def part_of(watch: Watch, first: float, last: float) -> Watch:
-    """A watch for a part of the whole, from one fraction to another."""
+    """Return a watch for the part of the work from one fraction to another."""
 
     def watch_part(fraction: float) -> None:
         watch(first + (last - first) * fraction)
@@ -42,7 +40,7 @@ def part_of(watch: Watch, first: float, last: float) -> Watch:
 
 
 class Times(NamedTuple):
-    """Seconds of one run: its median, its 95th percentile, and how many rounds there were."""
+    """Median and 95th percentile of one run in seconds, and the number of rounds."""
 
     median: float
     p95: float
@@ -52,23 +50,12 @@ class Times(NamedTuple):
 def in_turns(
     runs: Mapping[str, Callable[[], Any]], seconds: float, watch: Watch = unwatched
 ) -> dict[str, Times]:
-    """Time each run, one after the other, round after round.
-
-    Parameters
-    ----------
-    runs : mapping of str to callable
-    seconds : float
-        For all of them together; at least a few rounds are made whatever they take.
-    watch : Watch
-
-    Returns
-    -------
-    dict of str to Times
+    """Time each run, round after round, for some `seconds` in all but at least a few rounds.
 
     Raises
     ------
     Cancelled
-        By `watch`; with the times of those that were run.
+        By `watch`; with the times so far.
     """
     taken: dict[str, list[float]] = {name: [] for name in runs}
 
@@ -83,7 +70,7 @@ def in_turns(
         repeats = {}
         for name, run in runs.items():
             watch(0.0)
-            run()  # the first one warms caches up
+            run()  # warm up the caches
             began = time.perf_counter()
             run()
             repeats[name] = max(1, round(_SHORTEST / max(time.perf_counter() - began, 1e-9)))
@@ -110,19 +97,14 @@ def timed(
     per_second: float,
     watch: Watch = unwatched,
 ) -> Trade:
-    """A trade with what its choices cost, timed in turns.
+    """Add the costs of the choices to a trade, timed by `in_turns`.
 
     Parameters
     ----------
-    trade : Trade
-        Without costs.
     runs : mapping of str to callable
-        By the choices' names; what has no run gets no cost.
-    seconds : float
-        As for `in_turns`.
+        By the choices' names; a choice without a run gets no cost.
     per_second : float
-        How many of the cost's units a second of one run is.
-    watch : Watch
+        Units of cost per second of one run.
 
     Raises
     ------
@@ -148,7 +130,7 @@ def timed(
 
 
 def percentile95(times: list[float]) -> float:
-    """The 95th percentile; of few values, the largest."""
+    """Return the 95th percentile; of a single value, that value."""
     if len(times) < 2:
         return times[0]
     return statistics.quantiles(times, n=20, method="inclusive")[-1]

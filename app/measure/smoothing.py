@@ -1,7 +1,7 @@
-"""Trade 4, antialiasing and resolution: ms a frame against what the eye would see of it.
+"""Trade 4, antialiasing and resolution: ms per frame against the visible error.
 
-The image pane's own drawing is rendered off screen, each time with everything alike but the
-smoothing, and held against the same picture with `REFERENCE` x `REFERENCE` samples a pixel.
+The image pane's drawing is rendered off screen with each smoothing, and compared with the same
+picture at `REFERENCE` x `REFERENCE` samples per pixel.
 """
 
 from __future__ import annotations
@@ -24,13 +24,13 @@ from app.model.projection import Projection
 from app.scenes.scene import Scene
 
 REFERENCE = 4
-"""Sixteen samples a pixel, by far the finest that is compared."""
+"""Sixteen samples per pixel, by far the finest picture here."""
 LARGEST_PX = 640
-"""Longer side of the picture that is timed: about that of a pane."""
+"""Longer side of the timed picture, about that of a pane."""
 
 OTHER_SAMPLES = "this OpenGL gives {0} samples"
 SAME_PICTURE = "the same picture"
-"""What is said of other names for a choice, which stand before it."""
+"""This follows the names of the choices that draw the same picture."""
 
 
 class Smoothing(NamedTuple):
@@ -38,13 +38,12 @@ class Smoothing(NamedTuple):
 
     Attributes
     ----------
-    name : str
     scale : float
-        Pixels that are drawn for one that is shown, along each side; below 1 they are enlarged.
+        Drawn pixels per shown pixel, along each side; below 1 the picture is enlarged.
     samples : int
-        Of OpenGL's multisampling; 0 for none.
+        OpenGL's multisamples; 0 for none.
     fxaa : bool
-        Whether edges are found in the finished picture and blurred along (Lottes, 2009).
+        Whether to blur along the edges found in the finished picture (Lottes, 2009).
     """
 
     name: str
@@ -70,19 +69,8 @@ def measure(
 ) -> Trade:
     """Measure trade 4.
 
-    Parameters
-    ----------
-    scene : Scene
-    projection : Projection
-    seconds : float
-        For the timing.
-    watch : Watch
-
-    Returns
-    -------
-    Trade
-        Cost is ms a frame, error the root mean square of the pixels' differences, in levels of
-        0 to 255.
+    The cost is ms per frame; the error is the root mean square of the pixels' differences, in
+    levels from 0 to 255.
 
     Raises
     ------
@@ -107,7 +95,7 @@ def measure(
                 scale: float = smoothing.scale,
             ) -> None:
                 draw()
-                if scale != 1.0:  # the way to the screen belongs to it
+                if scale != 1.0:  # scaling to the screen is part of the cost
                     shown(read(), scale, size)
 
             runs[smoothing.name] = frame
@@ -119,10 +107,10 @@ def measure(
 
 
 def pictures() -> list[tuple[Smoothing, str]]:
-    """Those of `SMOOTHINGS` that are different pictures here, and what is to be said of each.
+    """Return those of `SMOOTHINGS` that draw different pictures here, with a note on each.
 
-    Of several that this OpenGL draws with as many samples one is kept: the one that asks for so
-    many, or else the first.
+    This OpenGL may draw several with the same number of samples. Of these, keep the one that
+    requests this number, or else the first.
     """
     found: dict[Smoothing, list[Smoothing]] = {}
     for smoothing in SMOOTHINGS:
@@ -140,7 +128,7 @@ def pictures() -> list[tuple[Smoothing, str]]:
 
 
 def picture_size(projection: Projection) -> tuple[int, int]:
-    """The image's proportions, no larger than a pane, and even: (width, height) in pixels."""
+    """Return an even (width, height) in pixels in the image's proportions, as large as a pane."""
     width, height = projection.image_size
     scale = LARGEST_PX / max(width, height)
     return max(2, 2 * round(width * scale / 2)), max(2, 2 * round(height * scale / 2))
@@ -154,27 +142,14 @@ def pane(
     smoothing: Smoothing = SMOOTHINGS[0],
     background: bool = True,
 ) -> Iterator[tuple[Callable[[], None], Callable[[], Pixels]]]:
-    """The image pane off screen: what draws it, and what reads it.
+    """Yield two functions that draw and read the image pane off screen.
 
-    Parameters
-    ----------
-    scene : Scene
-    projection : Projection
-    size : (int, int)
-        Pixels that are shown.
-    smoothing : Smoothing
-    background : bool
-        Whether there is one; without it the alpha that is read tells what is covered.
-
-    Yields
-    ------
-    draw : callable
-        Draws one frame and waits until it is there.
-    read : callable
-        Its pixels, (height, width, 4) uint8, before they are averaged.
+    The first draws one frame and waits for it. The second returns its pixels, (height, width, 4)
+    uint8, before `shown` averages them. `size` is that of the shown picture. Without `background`
+    the alpha channel marks the covered pixels.
     """
     width, height = (max(1, round(side * smoothing.scale)) for side in size)
-    # A window of its own: one that was drawn in has its shaders, and its first frame is quicker.
+    # A new window: the first frame is quicker in one that already has its shaders.
     with closing(OffScreen(width, height)) as screen:
         window = screen.render_window
         window.SetAlphaBitPlanes(1)
@@ -198,10 +173,9 @@ def pane(
 
 
 def samples_given(asked: int) -> int:
-    """How many samples a pixel this OpenGL takes when it is asked for so many.
+    """Count the samples per pixel that this OpenGL takes for a requested number.
 
-    It may take more or fewer, and VTK does not ask which. So they are counted: an edge that crosses
-    pixels everywhere leaves n + 1 shades where each has n samples.
+    VTK does not report it. A slanted edge leaves n + 1 shades if each pixel has n samples.
     """
     with off_screen(64, 64) as screen:
         screen.render_window.SetMultiSamples(asked)
@@ -216,20 +190,9 @@ def samples_given(asked: int) -> int:
 
 
 def shown(pixels: Pixels, scale: float, size: tuple[int, int]) -> NDArray[np.float64]:
-    """Colours as they reach the screen: averaged if there are more, repeated if there are fewer.
+    """Scale drawn pixels, (height, width, 4) uint8, to the screen: average or repeat them.
 
-    Parameters
-    ----------
-    pixels : (height, width, 4) uint8 array
-    scale : float
-        Pixels drawn for one that is shown, along each side.
-    size : (int, int)
-        Pixels that are shown.
-
-    Returns
-    -------
-    (height, width, 3) float64 array
-        From 0 to 255.
+    `scale` is as in `Smoothing`; `size` is that of the result, whose values go from 0 to 255.
     """
     colours = pixels[..., :3].astype(np.float64)
     width, height = size
@@ -242,7 +205,7 @@ def shown(pixels: Pixels, scale: float, size: tuple[int, int]) -> NDArray[np.flo
 
 
 def renderer_name() -> str:
-    """What draws here: the graphics card, or a program in its place."""
+    """Return the name of OpenGL's renderer: a graphics card or a program."""
     with off_screen(8, 8) as screen:
         screen.render_window.Render()
         lines = screen.render_window.ReportCapabilities().splitlines()
