@@ -75,7 +75,7 @@ def test_a_refused_shader_is_told_and_the_picture_drawn_the_ordinary_way(
     panel = window.controls.card
     with heard() as said:
         show_scene(window, "depth-buffer")
-        qtbot.waitUntil(lambda: "does not take the shader" in panel.warning.text())
+        qtbot.waitUntil(lambda: "rejects the shader" in panel.warning.text())
     assert not panel.warning.isHidden() and shown(window)[1] == "–"
 
     def orange() -> int:

@@ -72,12 +72,12 @@ class Look(QObject):
                 "half height": self.tr("half height"),
                 "no planes": self.tr("A typed matrix has no near, no far and no angle."),
                 "no angle": self.tr(
-                    "A parallel lens has no angle: it is as wide at every distance."
+                    "A parallel lens has no angle: it is equally wide at every distance."
                 ),
                 "no eye": self.tr("A parallel lens has no eye: this is the view along its axis."),
                 "no room": self.tr("No room for all dimensions."),
                 "no half angle": self.tr(
-                    "This window is off the axis, which does not halve its angle."
+                    "This window is off-axis: the axis does not halve its angle."
                 ),
             }
         )
