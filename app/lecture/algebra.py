@@ -1,8 +1,7 @@
-"""Quotients of sums of products of letters: the arithmetic in which a formula stays a formula.
+"""Symbolic arithmetic: quotients of sums of products of letters.
 
-A table of formulas that is multiplied in rationals gives numbers; multiplied here, it gives the
-formulas of the product, reduced to one quotient each and written as the textbooks write them.
-Two formulas are equal in value if, and only if, their difference is 0 here.
+Products of tables of formulas are tables of formulas, each reduced to one quotient and written as
+in textbooks. Two formulas are equal in value if and only if their difference is 0 here.
 """
 
 from __future__ import annotations
@@ -17,12 +16,12 @@ from typing import TypeAlias
 from app.model.formula import Arithmetic, Formula
 
 Monomial: TypeAlias = tuple[tuple[str, int], ...]
-"""Letters, or functions of them by their text, and their powers, sorted: ``f n^2``."""
+"""Letters, or the texts of function calls, with their powers, sorted: ``f n^2``."""
 Polynomial: TypeAlias = tuple[tuple[Monomial, Fraction], ...]
 """Monomials and their coefficients, none of them 0, sorted."""
 
 _PLANES = ("r", "l", "t", "b", "f", "n")
-"""The order in which the textbooks write what they have of these: ``r + l``, ``f - n``."""
+"""The order of these letters in textbooks: ``r + l``, ``f - n``."""
 
 
 @dataclass(frozen=True)
@@ -40,7 +39,7 @@ class Ratio:
     below: tuple[tuple[Polynomial, int], ...] = ()
 
     def __bool__(self) -> bool:
-        """Whether it is not 0, whatever the letters are."""
+        """Whether it is not identically 0."""
         return bool(self.above)
 
     def __neg__(self) -> Ratio:
@@ -120,11 +119,11 @@ def _call(name: str, arguments: Sequence[Ratio]) -> Ratio:
 
 
 SYMBOLS = Arithmetic(number, _call)
-"""Letters stand for themselves."""
+"""The arithmetic in which letters stand for themselves."""
 
 
 class Letters(dict[str, Ratio]):
-    """What letters and terms stand for, by their text; a letter that is not told, for itself."""
+    """The values of letters and terms, by their text; a missing letter stands for itself."""
 
     def __missing__(self, name: str) -> Ratio:
         return letter(name)
@@ -142,7 +141,7 @@ _ONE: Polynomial = (((), Fraction(1)),)
 
 
 def _alone(name: str) -> Polynomial:
-    """A letter as a sum of one product of one factor."""
+    """Return a letter as a sum of one product of one factor."""
     return ((((name, 1),), Fraction(1)),)
 
 
@@ -173,7 +172,7 @@ def _expanded(factors: Mapping[Polynomial, int]) -> Polynomial:
 
 
 def _parts(polynomial: Polynomial) -> tuple[Fraction, Monomial, Polynomial]:
-    """A sum as number times letters times a sum without either, whose leading term is positive."""
+    """Split a sum into a number, letters, and a sum without common factor and leading minus."""
     if not polynomial:
         raise ZeroDivisionError
     coefficients = [part for _, part in polynomial]
@@ -195,7 +194,7 @@ def _parts(polynomial: Polynomial) -> tuple[Fraction, Monomial, Polynomial]:
 
 
 def _reduced(above: Polynomial, below: Mapping[Polynomial, int]) -> Ratio:
-    """The quotient without the letters, and the sum, that are above and below alike."""
+    """Cancel the letters and the sum that numerator and denominator share."""
     if not above:
         return Ratio(())
     coefficient, letters, rest = _parts(above)
@@ -218,12 +217,12 @@ def _reduced(above: Polynomial, below: Mapping[Polynomial, int]) -> Ratio:
 
 
 def _atom_place(name: str) -> tuple[bool, int, str]:
-    """Letters before functions, in the alphabet's order but for the planes'."""
+    """Sort key of a factor: the planes in their order, other letters, then functions."""
     return "(" in name, _PLANES.index(name) if name in _PLANES else -1, name
 
 
 def _place(term: tuple[Monomial, Fraction]) -> tuple[int, list[tuple[bool, int, str]]]:
-    """Where a term stands in a sum: the shorter before the longer."""
+    """Sort key of a term of a sum: shorter terms first."""
     monomial, _ = term
     return sum(n for _, n in monomial), sorted(_atom_place(name) for name, _ in monomial)
 

@@ -1,10 +1,10 @@
-"""How u, v, n come out of eye, target and up, and how well (lecture 004; 001 and 003).
+"""How eye, target and up determine u, v, n, and how accurately (lecture 004; 001 and 003).
 
     n = (eye - target)/|eye - target|    u = up x n/|up x n|    v = n x u
 
 The length of up x n is |up| times the sine of the angle between up and the view direction. A small
-error in up, across, turns u and v by that error divided by the sine: without bound as up nears
-the view direction, and then no u can be told from another.
+sideways error in up turns u and v by that error divided by the sine. The turn has no bound as up
+approaches the view direction.
 """
 
 from __future__ import annotations
@@ -22,22 +22,20 @@ from app.model.limits import cos_sin_deg
 from app.model.projection import Camera, Vector
 
 STEPS = ("eye", "look", "up", "n", "u", "v", "view")
-"""What is built in each step: the camera's three vectors, the three axes, the view matrix."""
+"""The steps: the camera's three vectors, the three axes, the view matrix."""
 
 
 class UpAndView(NamedTuple):
-    """How up stands to the view direction.
+    """The angle between up and the view direction, and its consequences.
 
     Attributes
     ----------
     angle_deg : float
-        Between them, 0 to 180.
+        0 to 180.
     cross : Vector
-        up x n.
-    length : float
-        Of up x n.
+        up x n; `length` is its length.
     magnified : float
-        By how much an error in the direction of up is larger in u and v: 1/sine.
+        The factor by which an error in the direction of up grows in u and v: 1/sine.
     """
 
     angle_deg: float
@@ -48,7 +46,7 @@ class UpAndView(NamedTuple):
 
 @lru_cache(maxsize=8)
 def up_and_view(camera: Camera) -> UpAndView:
-    """How the camera's up stands to its view direction, each number rounded once."""
+    """Return the relation of the camera's up and view direction; each number is rounded once."""
     a, b, c = camera.exact_frame[2]
     x, y, z = map(Fraction, camera.up)
     cross = (y * c - z * b, z * a - x * c, x * b - y * a)
@@ -61,10 +59,7 @@ def up_and_view(camera: Camera) -> UpAndView:
 
 
 def view_matrix(camera: Camera) -> tuple[tuple[float, ...], ...]:
-    """`view_from_world`: the rotation's rows u, v, n, and -R e; each number rounded once.
-
-    As the first of `Projection.stages`, without computing the others.
-    """
+    """Return `view_from_world` as `Projection.stages` has it, without the other stages."""
     moved = camera.exact_view((0.0, 0.0, 0.0))
     rows = [(*map(float, axis), float(part))
             for axis, part in zip(camera.exact_frame, moved, strict=True)]  # fmt: skip
@@ -72,15 +67,9 @@ def view_matrix(camera: Camera) -> tuple[tuple[float, ...], ...]:
 
 
 def turned_up(camera: Camera, angle_deg: float) -> Camera:
-    """The same camera with up at another angle to the view direction, in the plane it is in.
+    """Return the camera with up at another angle to the view direction, in up's present plane.
 
-    u, v and n stay as they are: what changes is how well up determines them.
-
-    Parameters
-    ----------
-    camera : Camera
-    angle_deg : float
-        0 is along the view direction.
+    u, v and n do not change, only how accurately up determines them.
 
     Raises
     ------
@@ -94,18 +83,18 @@ def turned_up(camera: Camera, angle_deg: float) -> Camera:
 
 
 def most_turned_deg(off_deg: float, error_deg: float) -> float:
-    """How far an error in up can turn u and v, in degrees, whichever way it points.
+    """Return the largest turn of u and v, in degrees, by an error in the direction of up.
 
-    The line of sight and up are the pole and a point of a sphere: the error's circle about that
-    point is seen from the pole under ``asin(sin(error)/sin(angle))`` to both sides, and from all
-    of them if the pole is inside.
+    On a sphere, the line of sight is the pole and up is a point. From the pole, the error's circle
+    about that point spans ``asin(sin(error)/sin(angle))`` to both sides, and all directions if the
+    pole is inside.
 
     Parameters
     ----------
     off_deg : float
-        Between up and the line of sight, 0 to 90.
+        Angle between up and the line of sight, 0 to 90.
     error_deg : float
-        Of up's direction, less than 90.
+        Less than 90.
     """
     if off_deg < error_deg:
         return 180.0
@@ -114,7 +103,7 @@ def most_turned_deg(off_deg: float, error_deg: float) -> float:
 
 
 def nudged_up(camera: Camera, angle_deg: float) -> Camera:
-    """The same camera with an error in up: turned across, towards u."""
+    """Return the camera with an error in up, which is turned towards u."""
     cosine, sine = cos_sin_deg(angle_deg)
     up = np.array(camera.up)
     nudged = cosine * up + sine * math.hypot(*camera.up) * camera.frame[0]

@@ -1,8 +1,8 @@
-"""Which controls change a formula's value when they are moved from where all of them stand.
+"""Which controls change a formula's value when one of them moves from its present value.
 
-A factor of a product that is 0 hides the others: ``(r + l)/(r - l)`` of a window that lies evenly
-about the axis depends on where its sides are, and not on how wide it is made to fit the image.
-What is 0 by chance of no number that a control has (a sum that cancels) is not looked for.
+A factor that is 0 hides the other factors of a product. ``(r + l)/(r - l)`` of a window that is
+symmetric about the axis depends on its sides, but not on the width that fits it to the image. This
+module ignores sums that happen to cancel.
 """
 
 from __future__ import annotations
@@ -35,13 +35,13 @@ FIELDS = {
     "axis_n": ("eye", "target"), "eye": ("eye",), "target": ("target",),
     "move": ("translate",), "turn": ("rotate_deg",), "size": ("scale",),
 }  # fmt: skip
-"""Of the document, by the names of `app.lecture.notation`'s formulas."""
+"""Fields of the document by the names in the formulas of `app.lecture.notation`."""
 
 _SIDES = {("r", "l"): "x", ("t", "b"): "y"}
 
 
 class State(NamedTuple):
-    """What of a projection decides which of its numbers matter; see `state_of`.
+    """The facts about a projection that decide which of its numbers matter; see `state_of`.
 
     Attributes
     ----------
@@ -50,13 +50,13 @@ class State(NamedTuple):
     zeros : frozenset of str
         The names, and the sums and calls of names, that are 0.
     fits : bool
-        Whether the lens' window has the image's proportions as it is: then nothing is fitted.
+        Whether the lens' window already has the image's proportions.
     letters : tuple of (str, tuple of str)
         Letters that only this lens has, and the fields of the document that they depend on.
     held : tuple of (str, tuple of str)
-        Components of u and v that are 0 and can only be moved by some of their fields: along an
-        axis of the world u has none wherever the camera stands if up has only that, nor have u
-        and v whatever up is if n has only that.
+        Components of u and v that are 0, and the only fields that can change them. If up lies along
+        an axis of the world, u has no component along it for any camera position. If n lies along
+        it, neither u nor v has one for any up.
     """
 
     keep: str
@@ -77,7 +77,6 @@ _Found: TypeAlias = tuple[dict[str, None], bool]
 
 
 def state_of(projection: Projection) -> State:
-    """The state that a projection is in."""
     lens, camera = projection.lens, projection.camera
     values: dict[str, object] = {}
     for point in ("eye", "target"):
@@ -102,21 +101,14 @@ def state_of(projection: Projection) -> State:
 
 
 def _only_axis(vector: Sequence[float | Fraction]) -> str:
-    """The letter of the world's axis that a vector lies along; nothing for any other."""
+    """Return the letter of the world's axis along which a vector lies; empty for other vectors."""
     along = [letter for letter, part in zip("xyz", vector, strict=True) if part]
     return along[0] if len(along) == 1 else ""
 
 
 @lru_cache(maxsize=8192)
 def reach(formula: str, state: State) -> Reach:
-    """What a formula depends on.
-
-    Parameters
-    ----------
-    formula : str
-        In the names of `app.lecture.notation`.
-    state : State
-    """
+    """Return the fields that change a formula in the names of `app.lecture.notation`."""
     fields, is_zero = _of(parse(formula), state)
     return Reach(tuple(fields), is_zero)
 
@@ -156,7 +148,7 @@ def _of(node: Formula, state: State) -> _Found:
 
 
 def _what_is_left(node: Formula, state: State) -> str:
-    """The plane that a sum of planes is, without those at 0: f is for ``f - n`` with n = 0."""
+    """Return the only plane of a sum that is not 0: f for ``f - n`` with n = 0."""
     if isinstance(node, Negative):
         return _what_is_left(node.operand, state)
     if isinstance(node, Sum | Difference):
@@ -181,9 +173,10 @@ def _of_name(name: str, state: State) -> _Found:
 
 
 def _of_dot(axis: str, state: State) -> _Found:
-    """The eye's component along an axis: along u and v the target has the same.
+    """Return the reach of the eye's component along an axis.
 
-    So only what moves both sums of products, with the eye's parts and the target's, moves it.
+    Along u and v the target has the same component. Only fields that change the products with both
+    the eye and the target change it.
     """
     is_zero = f"dot({axis})" in state.zeros
     if axis == "axis_n":
@@ -196,7 +189,7 @@ def _of_dot(axis: str, state: State) -> _Found:
 
 
 def _of_window(across: str, is_sum: bool, state: State) -> _Found:
-    """Of ``r + l`` or ``r - l``, or the same of y: only the extents are fitted to the image."""
+    """Return the reach of ``r + l`` or ``r - l``, or the same of y: only extents are fitted."""
     pair = {"x": ("right", "left"), "y": ("top", "bottom")}
     if is_sum:
         return dict.fromkeys(pair[across]), ("r + l" if across == "x" else "t + b") in state.zeros

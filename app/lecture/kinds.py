@@ -1,7 +1,7 @@
-"""The tree of planar projections (lecture 002): what each kind is, and which one a picture is.
+"""The tree of planar projections (lecture 002), and the kind of a given projection.
 
-Nothing of it is remembered: which kind a projection is follows from where its projectors meet and
-how the world's axes lie to the image plane, however it came to be so.
+The kind is not stored. It follows from where the projectors meet and how the world's axes lie
+relative to the image plane.
 """
 
 from __future__ import annotations
@@ -15,9 +15,9 @@ from app.model.projection import Camera, Orbit, Projection, Vector, oblique_angl
 from app.model.refusal import QT_TRANSLATE_NOOP
 
 TOLERANCE = 1e-4
-"""Of an axis' part across the image plane, and of a receding edge: a tenth of a pixel in 1000.
+"""Tolerance of an axis' component across the image plane and of a receding edge.
 
-A camera that was typed with two decimals of a degree is the drawing that it was meant to be.
+It is a tenth of a pixel in 1000: a camera typed with two decimals of a degree is recognised.
 """
 AXES: tuple[Vector, Vector, Vector] = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
 
@@ -27,17 +27,14 @@ class Kind(NamedTuple):
 
     Attributes
     ----------
-    name : str
     parent : str
         Empty for the root.
     title, condition : str
-        What it is called, and what makes it what it is, beyond what makes its parent; marked for
-        translation.
+        Its name, and its condition in addition to the parent's; marked for translation.
     orbit : Orbit, optional
-        From where its picture is taken; distance 1 stands for the present one. None for a node
-        that asks nothing of the camera.
+        The camera's place, with distance 1 for the present distance. None for any camera.
     receding : float, optional
-        Of an oblique drawing: how long an edge along the view is drawn.
+        The scale of edges along the view in an oblique drawing.
     """
 
     name: str
@@ -171,23 +168,20 @@ KINDS: dict[str, Kind] = {
 """Every node, by name; parents first, children from left to right."""
 
 RECEDING_DEG = 45.0
-"""In which direction the cavalier and the cabinet drawing recede."""
+"""The receding direction of the cavalier and the cabinet drawing."""
 
 
 def path(kind: str) -> tuple[str, ...]:
-    """A node and those above it, the root first."""
+    """Return a node and its ancestors, the root first."""
     parent = KINDS[kind].parent
     return (*path(parent), kind) if parent else (kind,)
 
 
 def scale_factors(projection: Projection) -> Vector | None:
-    """How long a unit along x, y and z is drawn, in world units of the image plane.
+    """Return the drawn lengths of units along x, y and z, in world units of the image plane.
 
-    Returns
-    -------
-    Vector or None
-        None for a lens whose pictures shrink with the distance, and for a typed matrix, whose
-        picture has no size in world units.
+    The result is None for a lens whose picture shrinks with distance, and for a typed matrix, whose
+    picture has no size in world units.
     """
     if not projection.lens.even_extent:  # only parallel projectors show lengths
         return None
@@ -200,7 +194,7 @@ def scale_factors(projection: Projection) -> Vector | None:
 
 
 def kind_of(projection: Projection) -> str | None:
-    """Which node a projection is: the lowest whose condition holds, or None for a typed matrix."""
+    """Return the lowest node whose condition holds; None for a typed matrix."""
     lens = projection.lens
     if lens.planes is None:
         return None
@@ -231,20 +225,16 @@ def _same(a: float, b: float) -> bool:
 
 
 def with_kind(projection: Projection, kind: str) -> Projection:
-    """The projection of a node: its lens, and the camera turned about its target as it asks.
+    """Return a projection of one of `KINDS`: its lens, and the camera turned about the target.
 
-    Parameters
-    ----------
-    projection : Projection
-    kind : str
-        One of `KINDS`; what is so already stays as it is. Of a node that says nothing of the
-        camera, the camera stays, unless its condition does not hold from there: then it is that of
-        the node's first child.
+    A projection that already is of this kind does not change. For a node without an orbit, the
+    camera does not change if the node's condition holds from there; else it is that of the node's
+    first child.
 
     Raises
     ------
     Refusal
-        If the camera cannot be turned so, or the lens cannot be.
+        If this camera or this lens is impossible.
     """
     now = kind_of(projection)
     if now is not None and kind in path(now):
@@ -267,7 +257,7 @@ def with_kind(projection: Projection, kind: str) -> Projection:
 
 
 def leaning(projection: Projection, alpha_deg: float, beta_deg: float) -> Projection:
-    """Other angles of an oblique lens, with the target in its place in the picture."""
+    """Change the angles of an oblique lens, and keep the target's place in the picture."""
     lens: Any = projection.lens
     leaning = replace(lens, alpha_deg=alpha_deg, beta_deg=beta_deg)
     away = projection.camera.distance - lens.near

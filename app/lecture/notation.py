@@ -1,11 +1,10 @@
-"""Every cell of every stage's matrix as number and as formula, in the letters of the lectures.
+"""Every cell of every stage's matrix as a number and as a formula in the letters of a lecture.
 
-The formulas are those of the lens' table (`app.model.lenses`), multiplied in letters instead of
-numbers (`app.lecture.algebra`), and written for a reader by `written` and `latex_formula` with the
-symbols of the chosen lecture. Some lectures have other quantities than ours (`_QUANTITIES`);
-lecture 002 also has signs of its own: its plane coordinates are negative, its w is z, and its z
-runs from 1 at near to -1 at far. Numbers are those of `Projection.stages`; signs are the only thing
-that is changed in them.
+The formulas come from the lens' table (`app.model.lenses`), multiplied symbolically
+(`app.lecture.algebra`). `written` and `latex_formula` write them with the symbols of the chosen
+lecture. Some lectures use other quantities (`_QUANTITIES`). Lecture 002 also has its own signs: its
+plane coordinates are negative, its w is z, and its z goes from 1 at near to -1 at far. The numbers
+come from `Projection.stages`; only their signs may change.
 """
 
 from __future__ import annotations
@@ -70,14 +69,14 @@ _SYMBOLS: dict[str, dict[str, str]] = {
 
 
 SHEARED, FROM_SHEARED = "sheared_from_view", "clip_from_sheared"
-"""The steps of a lens that leans or is off the axis, as lecture 002 has them: H first."""
+"""Lecture 002's steps of an oblique or off-axis lens: H first."""
 
 _CHAINS: dict[str, dict[str, str]] = {
     "001": {
         "canonical_perspective_from_view": "M_persp",
         "canonical_parallel_from_canonical_perspective": "M_pp",
         "depth_range_from_canonical_parallel": "M_z",
-        "clip_from_depth_range": "",  # a common factor has no meaning there
+        "clip_from_depth_range": "",  # a common factor does not matter there
     },
     "000": {"clip_from_view": "P"},
     "002": {
@@ -94,10 +93,10 @@ _CHAINS: dict[str, dict[str, str]] = {
     },
     "004": {"view_from_world/rotation": "R", "view_from_world/translation": "P"},
 }
-"""What a lecture calls its matrices and factors; lecture 002 its projections by their kind."""
+"""The lectures' names of matrices and factors; lecture 002 names projections by kind."""
 
 _ONE_MATRIX = ("000", "002", "003")
-"""The lectures that go from view to clip space in one matrix, or after a shear."""
+"""The lectures with one matrix from view to clip space, possibly after a shear."""
 
 _QUANTITIES: dict[str, dict[str, Ratio]] = {
     lecture: {ours: ratio(parse(its)) for ours, its in terms.items()}
@@ -107,7 +106,7 @@ _QUANTITIES: dict[str, dict[str, Ratio]] = {
         "003": {"cot(fov/2)": "e/a", "aspect": "1/a"},
     }.items()
 }
-"""What a lecture has in the place of our quantities."""
+"""The lectures' replacements of our quantities."""
 
 
 _FRAME = {
@@ -116,13 +115,10 @@ _FRAME = {
 
 
 def frame_letters(letters: Letters) -> dict[str, str]:
-    """What a lecture calls the vectors of the camera's frame, without their arrows.
+    """Return a lecture's names of the vectors of the camera's frame, without arrows.
 
-    Returns
-    -------
-    dict
-        By our own letters: ``e``, ``n``, ``u``, ``v``, ``up``, ``target``; and of matrices ``M``,
-        the view's, and ``T`` in it, the translation.
+    The keys are our own letters ``e``, ``n``, ``u``, ``v``, ``up``, ``target``, and ``M`` for the
+    view matrix and ``T`` for its translation.
     """
     symbols = _SYMBOLS[letters]
     points = {name: symbols.get(f"{name}_point", symbols.get(name)) for name in ("eye", "target")}
@@ -134,9 +130,9 @@ def frame_letters(letters: Letters) -> dict[str, str]:
 
 
 def axis_letters(letters: Letters) -> dict[str, str]:
-    """What is written at the camera in a lecture's letters: ``u``, ``v``, ``n``, ``up``, ``eye``.
+    """Return the labels at the camera in a lecture's letters: ``u``, ``v``, ``n``, ``up``, ``eye``.
 
-    A direction or point that a lecture has no letter for is called by its name.
+    The dictionary omits the points and directions without a letter, which keep their names.
     """
     found = frame_letters(letters)
     found |= {name: _SYMBOLS[letters].get(f"{name}_point", name) for name in ("eye", "target")}
@@ -148,10 +144,9 @@ def axis_letters(letters: Letters) -> dict[str, str]:
 
 
 def in_letters(text: str, letters: Letters) -> str:
-    """A text in a lecture's letters.
+    """Replace the names in braces by a lecture's letters.
 
-    Those that some lecture has other ones for stand in braces, by the names of the formulas:
-    ``{l}, {r}`` is ``x_min, x_max`` in lecture 000's, and ``{axis_n}`` is ``w`` in 001's.
+    ``{l}, {r}`` becomes ``x_min, x_max`` for lecture 000, and ``{axis_n}`` ``w`` for lecture 001.
     """
 
     def letter(found: re.Match[str]) -> str:
@@ -161,7 +156,7 @@ def in_letters(text: str, letters: Letters) -> str:
 
 
 def clip_signs(projection: Projection, letters: Letters) -> tuple[int, ...]:
-    """What x, y, z and w of clip space are multiplied by to be those of the letters' lecture."""
+    """Return the factors that turn our x, y, z and w of clip space into those of a lecture."""
     sign = _signs(_written(projection), letters)
     return tuple(sign("clip_from_view", row, row if row < 3 else 2) for row in range(4))
 
@@ -169,20 +164,11 @@ def clip_signs(projection: Projection, letters: Letters) -> tuple[int, ...]:
 def steps_of_a_point(
     projection: Projection, letters: Letters, *, directions: bool = False
 ) -> dict[str, str]:
-    """How a lecture writes what is done to a point p, by the name of the space it comes to.
+    """Return a lecture's formulas for the steps of a point p, by the name of the target space.
 
-    Parameters
-    ----------
-    projection : Projection
-    letters : Letters
-    directions : bool
-        Whether some p have w = 0, from which no eye is subtracted.
-
-    Returns
-    -------
-    dict
-        ``world``, ``view``, ``clip``, the ``w`` in it, which depths are ``between`` near and far,
-        and the ``depth`` from z; with ``_`` before a subscript.
+    The keys are ``world``, ``view``, ``clip``, the ``w`` in it, the condition ``between`` for near
+    and far, and the ``depth`` from z; ``_`` stands before a subscript. `directions` is for points
+    with w = 0, from which the eye is not subtracted.
     """
     lens, placement = _written(projection), projection.placement
     names, signs = _names(lens, letters), clip_signs(projection, letters)
@@ -201,7 +187,7 @@ def steps_of_a_point(
     w_row = " ".join(cell.text for cell in lens.table.clip_from_view[3])
     near, far = (written(name, letters) for name in "nf")
     between = f"{near} \u2264 \u2212z_view \u2264 {far}"
-    if letters == "002":  # whose planes are at negative z
+    if letters == "002":  # its planes are at negative z
         between = f"{far} \u2264 z_view \u2264 {near}"
     return {
         "world": f"{names.get(FROM_OBJECT) or moved} p",
@@ -214,27 +200,26 @@ def steps_of_a_point(
 
 
 class Matrix(NamedTuple):
-    """One matrix as it is shown.
+    """One matrix for display.
 
     Attributes
     ----------
     name : str
-        ``target_from_source``, or what a factor is called.
+        ``target_from_source``, or the name of a factor.
     values : 4 tuples of 4 float
         Each rounded once; no minus zero.
     formulas : 4 tuples of 4 str
-        In the names of this room; see `written`.
+        In our own names; see `written`.
     fields : 4 tuples of 4 tuples of str
-        The fields of the document that change the cell when they are moved from where all are.
+        The fields of the document that change the cell (`app.lecture.dependence`).
     factors : tuple of Matrix
-        In the order of the product, if there is more than one.
+        In the order of the product; empty if there is only one.
     product : tuple of str
-        Names of the stages that this one is the product of, in the order of the product.
+        The stages whose product this matrix is, in the order of the product.
     note : str
-        As `Stage.note`.
+        As in `Stage`.
     called : str
-        What the letters' lecture calls it, and the chain that it is: ``P_obl = P_ort H``; empty
-        if it has no name for it.
+        The lecture's name and chain: ``P_obl = P_ort H``; empty if it has none.
     """
 
     name: str
@@ -250,37 +235,34 @@ class Matrix(NamedTuple):
 def matrices(
     projection: Projection, letters: Letters = "own", *, rows: bool = False, running: bool = False
 ) -> tuple[Matrix, ...]:
-    """Every stage's matrix, in the order of `python -m app matrices`.
+    """Return every stage's matrix, in the order of `python -m app matrices`.
 
-    In a lecture's letters they are those of its own chain, without identities between.
+    In a lecture's letters they are the matrices of its own chain, without identities between.
 
     Parameters
     ----------
-    projection : Projection
-    letters : Letters
-        Whose letters, and with ``"002"`` whose signs.
     rows : bool
-        Row vectors: every matrix is transposed, every product turned round.
+        For row vectors: transpose every matrix and reverse every product.
     running : bool
-        Also the products with the view matrix between `view_from_world` and `clip_from_world`,
-        and `world_from_view`, whose columns are the camera's axes and the eye.
+        Also return the running products with the view matrix, up to `clip_from_world`, and
+        `world_from_view`, whose columns are the camera's axes and the eye.
     """
     lens = _written(projection)
     steps = _steps(lens.table, letters)
     first, view, *own, last = projection.stages
     between = own
-    if steps is not lens.table.steps:  # shown whole, without the factors of ours
+    if steps is not lens.table.steps:  # a lecture's steps, without our factors
         staged = [projection.staged(step) for step in steps]
         between = [stage._replace(factors=stage.factors[:1]) for stage in staged]
     shown: list[tuple[Stage, tuple[str, ...]]] = [(first, ())]
     shown.append((view, ()))
     so_far, source = view.exact, view.name
-    if running and view.factors:  # a view matrix of its own has no camera's axes
+    if running and view.factors:  # a typed view matrix has no camera axes
         shown.append((_inverse_view(projection), ()))
     for stage in between:
         shown.append((stage, ()))
         target, _, _ = stage.name.partition("_from_")
-        if running and target != "clip" and stage.factors:  # clip_from_world comes by itself
+        if running and target != "clip" and stage.factors:  # clip_from_world follows below
             so_far = product(stage.exact, so_far)
             name = f"{target}_from_world"
             shown.append((Stage(name, so_far, (), ""), (stage.name, source)))
@@ -300,7 +282,7 @@ def matrices(
 
 
 def _steps(table: LensTable, letters: Letters) -> tuple[Step, ...]:
-    """A lecture's steps from view to clip space; none where it has one matrix for all of them."""
+    """Return a lecture's steps from view to clip space; none if it has one matrix for all."""
     if letters not in _ONE_MATRIX:
         return table.steps
     factors = [factor for step in reversed(table.steps) for factor in step.factors]
@@ -310,7 +292,7 @@ def _steps(table: LensTable, letters: Letters) -> tuple[Step, ...]:
 
 
 def _names(lens: _Written, letters: Letters) -> dict[str, str]:
-    """What a lecture calls the matrices of a lens."""
+    """Return a lecture's names of the matrices of a lens."""
     names = _CHAINS.get(letters, {})
     kind = "persp" if lens.is_central else "ort"
     found = {name: called.format(kind=kind) for name, called in names.items()}
@@ -322,13 +304,13 @@ def _names(lens: _Written, letters: Letters) -> dict[str, str]:
 
 
 def _chain(names: Mapping[str, str], parts: Sequence[str]) -> str:
-    """A product in a lecture's names; empty if it has none for one of the parts."""
+    """Return a product in a lecture's names; empty if one of its parts has no name."""
     called = [names.get(name) for name in parts]
     return "" if None in called else " ".join(filter(None, called))
 
 
 def _chained(whole: Sequence[Matrix], names: Mapping[str, str]) -> tuple[Matrix, ...]:
-    """A lecture's chain: its own names, and no identity but that of an object it has a name for."""
+    """Name the matrices by a lecture and drop identities, except that of a named object matrix."""
     kept = {
         matrix.name
         for matrix in whole
@@ -352,10 +334,10 @@ def _chained(whole: Sequence[Matrix], names: Mapping[str, str]) -> tuple[Matrix,
 
 
 def letters_in(matrix: Matrix, row: int, column: int) -> Highlight:
-    """The things that a cell's formula speaks of, by the names of `app.lecture.highlight`.
+    """Return the things in a cell's formula, by the names of `app.lecture.highlight`.
 
-    An axis of the camera's frame stands for what it is made of: eye, target and up are not named
-    unless the eye itself is in the formula.
+    An axis of the camera's frame stands for eye, target and up too; the eye is named only if the
+    formula contains it.
     """
     names = parse(matrix.formulas[row][column]).letters
     axes = {
@@ -386,7 +368,7 @@ _FieldTable: TypeAlias = dict[str, tuple[tuple[tuple[str, ...], ...], ...]]
 
 
 class _Tables(NamedTuple):
-    """Of every matrix by stage name or ``stage/factor``: its formulas, and what moves its cells."""
+    """The formulas and fields of every matrix, by stage name or ``stage/factor``."""
 
     formulas: _Table
     fields: _FieldTable
@@ -430,7 +412,7 @@ def _one(
     )
     formulas, fields = tables.formulas[key], tables.fields[key]
     if not projection.lens.has_steps and key in ("clip_from_view", "clip_from_world"):
-        # Another depth range makes z of both rows; see `Projection.with_depth`.
+        # Another depth range combines both rows into z; see `Projection.with_depth`.
         depths = tuple(
             (*names, "depth") if array[2, j] or array[3, j] else names
             for j, names in enumerate(fields[2])
@@ -446,7 +428,7 @@ def _one(
 
 @cache
 def _turned(formula: str) -> str:
-    """A formula with p_ij for p_ji: in the transposed matrix a cell's place is turned too."""
+    """Exchange the indices of p_ij and m_ij, for the transposed matrix."""
     tree = parse(formula)
     cells = [name for name in tree.letters if re.fullmatch(r"[pm]_[1-4]{2}", name)]
     return tree.where({name: parse(f"{name[:2]}{name[3]}{name[2]}") for name in cells}).text
@@ -454,7 +436,7 @@ def _turned(formula: str) -> str:
 
 @cache
 def _spelled(formula: str, lens: Formulas) -> str:
-    """A formula with the cells of P written out."""
+    """Replace the cells p_ij in a formula by their own formulas."""
     cells = {
         f"p_{i}{j}": parse(cell) for i, row in enumerate(lens, 1) for j, cell in enumerate(row, 1)
     }
@@ -463,13 +445,13 @@ def _spelled(formula: str, lens: Formulas) -> str:
 
 @lru_cache(maxsize=64)
 def _fields(lens: _Written, letters: Letters, state: State) -> _FieldTable:
-    """What changes each cell when it is moved from a state: `Matrix.fields` by `_formulas`' keys.
+    """Return `Matrix.fields` by the keys of `_formulas`.
 
-    Where another depth range, or a far that is finite again, has another formula, that is moved
-    as well.
+    A cell also depends on the depth range if another range gives it another formula, and likewise
+    on an infinite far.
     """
     own = _formulas(lens, letters)
-    # Also what is not moved can be.
+    # An object that is not moved can be moved.
     own = {
         **own,
         FROM_OBJECT: _formulas(lens._replace(order=lens.order or "trs"), letters)[FROM_OBJECT],
@@ -501,7 +483,7 @@ def _fields(lens: _Written, letters: Letters, state: State) -> _FieldTable:
 
 
 def _signs(lens: _Written, letters: Letters) -> Callable[[str, int, int], int]:
-    """The sign that turns a cell of ours into one of the letters' lecture."""
+    """Return the function that gives the sign of a lecture's cell relative to ours."""
     if letters != "002" or not lens.table.steps:
         return lambda key, i, j: 1
     turned = -1 if lens.depth == "opengl" else 1
@@ -515,7 +497,7 @@ def _signs(lens: _Written, letters: Letters) -> Callable[[str, int, int], int]:
         if name == "clip_from_depth_range":
             return w
         if name.startswith("depth_range_from"):
-            if key.endswith("/translation"):  # S T = T' S: only the shift is turned
+            if key.endswith("/translation"):  # S T = T' S: only the shift changes sign
                 return turned if (i, j) == (2, 3) else 1
             return z_row
         if name == "image_from_ndc":
@@ -530,12 +512,12 @@ def _signs(lens: _Written, letters: Letters) -> Callable[[str, int, int], int]:
 
 
 def cell_sign(projection: Projection, letters: Letters, name: str, row: int, column: int) -> int:
-    """1, or -1 where the letters' lecture turns the sign of a stage's cell."""
+    """Return -1 where a lecture changes the sign of a stage's cell, else 1."""
     return _signs(_written(projection), letters)(name, row, column)
 
 
 def has_own_signs(projection: Projection, letters: Letters) -> bool:
-    """Whether the letters' lecture turns signs of this projection's matrices."""
+    """Whether a lecture changes signs of this projection's matrices."""
     sign = _signs(_written(projection), letters)
     names = ("clip_from_view", "depth_range_from_canonical_parallel")
     return any(sign(name, i, i) < 0 for name in names for i in range(4))
@@ -545,12 +527,12 @@ def has_own_signs(projection: Projection, letters: Letters) -> bool:
 
 
 class _Written(NamedTuple):
-    """What decides which formulas a projection has."""
+    """The properties that determine a projection's formulas."""
 
     table: LensTable
     has_own_view: bool
     depth: str
-    order: str  # of the object's factors; empty where nothing is moved
+    order: str  # of the object's factors; empty for the identity
 
     @property
     def is_central(self) -> bool:
@@ -570,12 +552,12 @@ _LAST_ROW = ("0", "0", "0", "1")
 
 
 def _lettered(letter: str) -> Formulas:
-    """A matrix that nothing makes: its cells are p_ij, or those of another letter."""
+    """Return a matrix of single letters with indices: p_ij."""
     return tuple(tuple(f"{letter}_{i}{j}" for j in range(1, 5)) for i in range(1, 5))
 
 
 def _view_formulas(has_own_view: bool) -> _Table:
-    """Lecture 004's view matrix, its factors and its inverse."""
+    """Return lecture 004's view matrix, its factors and its inverse."""
     axes = tuple(tuple(f"{axis}_{part}" for part in "xyz") for axis in "uvn")
     shifted = (*((*axis, f"-dot(axis_{axis[0][0]}, eye)") for axis in axes), _LAST_ROW)
     ones = (row[:3] for row in _IDENTITY)
@@ -595,7 +577,7 @@ def _view_formulas(has_own_view: bool) -> _Table:
 
 @lru_cache(maxsize=64)
 def _formulas(lens: _Written, letters: Letters) -> _Table:
-    """The formula of every cell, by stage name or ``stage/factor``."""
+    """Return the formulas of every cell, by stage name or ``stage/factor``."""
     steps, depth = lens.table.steps, [int(z) for z in DEPTH_RANGES[lens.depth]]
     known = Quantities(_QUANTITIES.get(letters, {}) if steps else {})
     known |= dict(zip(("z_n", "z_f", "z_low"), map(number, (*depth, min(depth))), strict=True))
@@ -632,7 +614,7 @@ def _formulas(lens: _Written, letters: Letters) -> _Table:
     own = [Step(FROM_OBJECT, FACTORS[lens.order])] if lens.order else []
     step_by_step((*own, *steps, VIEWPORT))
     if steps:
-        # The whole formula is too long for a cell: P is clip_from_view, p_ij its cells.
+        # The whole formula is too long for a cell, so p_ij are the cells of clip_from_view.
         lettered = tuple(
             tuple(cell if cell in ("0", "1", "-1") else p for cell, p in zip(*rows, strict=True))
             for rows in zip(table["clip_from_view"], _lettered("p"), strict=True)
@@ -655,7 +637,7 @@ def _product(left: Formulas, right: Formulas) -> Formulas:
 
 
 def _sum(terms: Sequence[tuple[str, str]]) -> str:
-    """A sum of products without the factors 1."""
+    """Write a sum of products, without factors 1."""
     text = ""
     for pair in terms:
         negative = False
@@ -666,7 +648,7 @@ def _sum(terms: Sequence[tuple[str, str]]) -> str:
                 below += f"/{_in_brackets(tree.right)}"
                 tree = tree.left
             part = _in_brackets(tree) if isinstance(tree, Sum | Difference) else tree.text
-            if part.startswith("-"):  # the sign of a product's first factor is the product's
+            if part.startswith("-"):  # move the sign in front of the product
                 negative, part = not negative, part[1:]
             if part != "1":
                 above.append(part)
@@ -685,7 +667,7 @@ def _in_brackets(tree: Formula) -> str:
 
 @cache
 def written(text: str, letters: Letters) -> str:
-    """A formula for a reader, in one line: ``2n/(r−l)``.
+    """Write a formula in one line: ``2n/(r−l)``.
 
     ``_`` stands before a subscript, and `ARROW` after a vector's letter.
     """
@@ -694,13 +676,13 @@ def written(text: str, letters: Letters) -> str:
 
 @cache
 def stacked(text: str, letters: Letters) -> str:
-    """A formula for a reader, fractions as of `app.model.formula.stacked_fraction`."""
+    """Write a formula with fractions as in `app.model.formula.stacked_fraction`."""
     return formula.stacked(parse(text), _SYMBOLS[letters])
 
 
 @cache
 def latex_formula(text: str, letters: Letters) -> str:
-    """A formula for LaTeX's mathematics: ``\\frac{2 n}{r - l}``."""
+    """Write a formula in LaTeX's math mode: ``\\frac{2 n}{r - l}``."""
     return formula.latex(parse(text), _SYMBOLS[letters])
 
 
@@ -708,12 +690,12 @@ def latex_formula(text: str, letters: Letters) -> str:
 
 
 def cell_text(value: float) -> str:
-    """A cell's number with every digit: what `python -m app matrices` prints."""
+    """Write a cell's number with every digit, as `python -m app matrices` prints it."""
     return format_value(value)
 
 
 def as_text(matrix: Matrix, letters: Letters = "own", *, formulas: bool = False) -> str:
-    """The matrix as aligned columns under its name, of numbers or of formulas."""
+    """Write the matrix as aligned columns of numbers or formulas under its name."""
     cells = (
         [[written(cell, letters) for cell in row] for row in matrix.formulas]
         if formulas
@@ -731,12 +713,12 @@ def as_text(matrix: Matrix, letters: Letters = "own", *, formulas: bool = False)
 
 
 def _places(text: str) -> int:
-    """How many letters wide a text is: an arrow stands above one."""
+    """Return the width of a text in letters; an arrow stands above a letter."""
     return len(text) - text.count(ARROW)
 
 
 def as_numpy(matrix: Matrix) -> str:
-    """The matrix as a statement of Python, with ``np`` for NumPy."""
+    """Write the matrix as a Python statement, with ``np`` for NumPy."""
     rows = ",\n".join(
         "    [" + ", ".join(repr(value) for value in row) + "]" for row in matrix.values
     )
@@ -745,7 +727,7 @@ def as_numpy(matrix: Matrix) -> str:
 
 
 def as_latex(matrix: Matrix, letters: Letters, *, formulas: bool = False) -> str:
-    """The matrix as a displayed equation with a pmatrix (amsmath), of numbers or of formulas."""
+    """Write the matrix as a displayed equation with a pmatrix (amsmath)."""
     cells = (
         [[latex_formula(cell, letters) for cell in row] for row in matrix.formulas]
         if formulas
@@ -758,7 +740,7 @@ def as_latex(matrix: Matrix, letters: Letters, *, formulas: bool = False) -> str
 
 
 def _latex_called(called: str) -> str:
-    """A lecture's name in mathematics: ``P_{\\mathrm{obl}} = P_{\\mathrm{ort}} H``."""
+    """Write a lecture's name in LaTeX: ``P_{\\mathrm{obl}} = P_{\\mathrm{ort}} H``."""
     return re.sub(r"_(\S+)", r"_{\\mathrm{\1}}", called).replace("\u2192", r"\to ")
 
 
@@ -770,7 +752,7 @@ def _title(matrix: Matrix) -> str:
 
 
 def latex_name(name: str) -> str:
-    """``M`` with the spaces of a matrix as its index, or the name of a factor."""
+    """Write ``M`` with the spaces of a matrix, or the name of a factor, as its index."""
     target, between, source = (part.replace("_", " ") for part in name.partition("_from_"))
     if not between:
         return rf"M_{{\text{{{target}}}}}"
@@ -778,6 +760,6 @@ def latex_name(name: str) -> str:
 
 
 def latex_number(value: float) -> str:
-    """A number with every digit, its exponent written as a power of ten."""
+    """Write a number with every digit and its exponent as a power of ten."""
     mantissa, e, exponent = cell_text(value).partition("e")
     return rf"{mantissa} \cdot 10^{{{int(exponent)}}}" if e else mantissa

@@ -1,31 +1,30 @@
-"""The stage strip's matrices: the scene, and its view volume, at every moment between two stages.
+"""The stage strip's matrices of the scene and its view volume, at and between the stages.
 
-The strip runs through six stops (`STOPS`) and shows each in a *display* space of its own, a
-right-handed one whose size is that of the NDC pane's cube::
+The strip has six stops (`STOPS`). It shows each in its own *display* space, which is right-handed
+and as large as the NDC pane's cube::
 
     display_from_local = display_from_stage . stage_from_local
 
-where `stage_from_local` is the pipeline's own matrix and `display_from_stage` only scales and
-shifts it into the pane, and mirrors z of NDC, which is left-handed. Between two stops
+`stage_from_local` is the pipeline's own matrix. `display_from_stage` only scales and shifts it into
+the pane, and mirrors z of NDC, which is left-handed. Between two stops
 
 =============================  ================================================================
-world -> view                  a rigid motion: one rotation about the middle of what is shown
+world -> view                  a rigid motion: one rotation about the middle of the shown points
 view -> ... -> image           ``(1 - t) A + t B`` of the two homogeneous matrices, each scaled
-                               such that w is 1 at the middle of what is seen
+                               such that w is 1 at the middle of the visible part
 =============================  ================================================================
 
-Both are matrices, so that a straight line is straight at every moment. Where w is positive at two
-stops, a point is between them on the straight line from the one place to the other: what fits
-into the pane at both stops fits at every moment, and the determinant keeps its sign, because z
-was mirrored before and not by passing through a flat picture.
+Both are matrices, so straight lines stay straight. Where w is positive at two stops, a point moves
+between them on a straight line. A point that is inside the pane at both stops therefore stays
+inside. The determinant keeps its sign, because z is already mirrored and never passes through a
+flat picture.
 
-Until the view stop all of the scene is shown. In the first half of the step after it the planes
-of the view volume close from outside (`planes_display`), and from then on the scene is cut by
-them: what the perspective step would throw to infinity, or turn round behind the eye, is gone
-before that step begins.
+The strip shows the whole scene up to the view stop. In the first half of the next step the planes
+of the view volume close from outside (`planes_display`); from then on they clip the scene. This
+removes the points that the perspective step would send to infinity or behind the eye.
 
-The canonical volumes, M_pp and M_z are lecture 001's; all matrices but these frames come from
-`Projection`.
+The canonical volumes, M_pp and M_z are those of lecture 001. All matrices except the frames come
+from `Projection`.
 """
 
 from __future__ import annotations
@@ -39,7 +38,7 @@ import numpy as np
 from app.model.projection import Array, Lens, Projection, Vector
 
 STOPS = ("world", "view", "canonical_perspective", "canonical_parallel", "ndc", "image")
-"""The strip's stops in order; a position is an index into them, or between two."""
+"""The strip's stops in order; a position is an index or a number between two indices."""
 WORLD, VIEW, CANONICAL_PERSPECTIVE, CANONICAL_PARALLEL, NDC, IMAGE = range(len(STOPS))
 
 REACHED_BY = (
@@ -50,34 +49,34 @@ REACHED_BY = (
     ("depth_range_from_canonical_parallel", "clip_from_view"),
     ("image_from_ndc",),
 )
-"""By which matrix each stop is reached: the first of these that a lens has."""
+"""The matrix that leads to each stop: the first of these that the lens has."""
 RADIUS = 1.3
-"""Of the ball that holds what is framed at the first two stops, in display space."""
+"""Radius of the ball around the framed points at the first two stops, in display space."""
 CLOSED_AT = VIEW + 0.5
-"""Position at which the planes of the view volume have closed."""
+"""Position at which the planes of the view volume are closed."""
 
-_OPEN = 1.5 * RADIUS  # a plane as far outside the middle cuts nothing
+_OPEN = 1.5 * RADIUS  # a plane at this distance from the middle clips nothing
 _FARTHEST = 1e6  # an offset that stands for infinity
 _SHOWN_DEPTHS = 2.5  # a frustum is framed to this many times the depth of the scene
-_FLAT = 0.1  # depth of the picture to that of NDC: seen from the front it does not show
+_FLAT = 0.1  # depth of the picture relative to NDC, invisible from the front
 
 
 @dataclass(frozen=True)
 class Morph:
-    """What the strip shows of one projection and one scene.
+    """The strip's matrices for one projection and one scene.
 
     Parameters
     ----------
-    projection : Projection
     origin : Vector
-        World point that the scene's geometry is relative to; it meets the eye in float64.
+        World point that the scene's geometry is relative to; the eye is subtracted from it in
+        float64.
     corners_world : (n, 3) array
-        Corners of a box round what is drawn.
+        Corners of the bounding box of the drawing.
 
     Notes
     -----
-    The *box* has x and y from -1 to 1 and z from 1 at near to 0 at far, the reversed depth range:
-    there 1/w of the far face is near/far itself and survives float32.
+    The *box* has x and y from -1 to 1 and z from 1 at near to 0 at far, the reversed depth range.
+    There 1/w of the far face is near/far itself, which float32 can hold.
     """
 
     projection: Projection
@@ -91,10 +90,9 @@ class Morph:
     # -- the pipeline's own
 
     def stage_from_local(self, stop: int) -> Array:
-        """The pipeline's matrix up to a stop, for points relative to `origin`, (4, 4).
+        """Return the pipeline's matrix up to a stop, for points relative to `origin`, (4, 4).
 
-        `clip_from_world_at` at the NDC stop and times the viewport at the image: homogeneous
-        coordinates, whose divide is still to come.
+        Its results at the NDC and image stops are homogeneous coordinates before the divide.
         """
         if stop == WORLD:
             return np.eye(4)
@@ -119,7 +117,7 @@ class Morph:
 
     @cached_property
     def _canonical(self) -> tuple[Array, Array]:
-        """From view to the canonical volume of the lens' kind, and M_pp."""
+        """The matrix from view space to the lens' canonical volume, and M_pp."""
         first, m_pp = self.projection.stages[2:4]
         return first.matrix, m_pp.matrix
 
@@ -132,7 +130,7 @@ class Morph:
         return matrix
 
     def display_from_stage(self, stop: int) -> Array:
-        """Scale and shift of a stop into the pane, (4, 4); with z mirrored where it is NDC's."""
+        """Return the scale and shift of a stop into the pane, (4, 4), which mirrors NDC's z."""
         if stop <= VIEW:
             middle, scale = self._ball
             if stop == VIEW:
@@ -150,7 +148,7 @@ class Morph:
             return matrix
         width, height = self.projection.image_size
         scale = 2.0 / max(width, height)
-        # The viewport has depth 0 at near, 1 at far, or the other way round.
+        # The viewport's depth is 0 at near and 1 at far, or the reverse.
         flat = _FLAT if z_near > z_far else -_FLAT
         matrix = np.diag([scale, -scale, flat, 1.0])
         matrix[:3, 3] = -scale * width / 2.0, scale * height / 2.0, -flat / 2.0
@@ -158,7 +156,7 @@ class Morph:
 
     @cached_property
     def _reach(self) -> float:
-        """How deep the canonical pyramid is shown: its own 1, or as deep as an infinite scene."""
+        """The shown depth of the canonical pyramid: 1, or the scene's depth for an infinite far."""
         if self._lens.far != math.inf:
             return 1.0
         depth = -float((self._local_corners @ self._view_from_local[2, :3]).min())
@@ -172,7 +170,7 @@ class Morph:
 
     @cached_property
     def _ball(self) -> tuple[Array, float]:
-        """Middle, relative to `origin`, of what is framed at first, and its display scale."""
+        """Middle, relative to `origin`, and display scale of the first two stops."""
         lens = self._lens
         scene = self._local_corners
         eye = np.asarray(self.projection.camera.eye) - self.origin
@@ -191,7 +189,7 @@ class Morph:
         return _ball_of(np.vstack([scene, frustum, [eye]]))
 
     def _canonical_to_view(self, z: float) -> Array:
-        """View coordinates of the corners of the canonical volume at a z, (4, 3)."""
+        """Return the view coordinates of the canonical volume's corners at a z, (4, 3)."""
         corners = np.array([(x, y) for y in (-1.0, 1.0) for x in (-1.0, 1.0)])
         stage = np.column_stack([corners, np.full(4, z), np.ones(4)])
         view: Array = (stage @ self._view_from_canonical.T)[:, :3]
@@ -208,7 +206,7 @@ class Morph:
 
     @cached_property
     def _middle_depth(self) -> float:
-        """Distance of what is seen: of the scene's middle, but inside the view volume."""
+        """Distance of the scene's middle, clamped to the view volume."""
         lens = self._lens
         middle = self._local_corners.min(axis=0) / 2.0 + self._local_corners.max(axis=0) / 2.0
         depth = -float(self._view_from_local[2] @ [*middle, 1.0])
@@ -217,18 +215,13 @@ class Morph:
     # -- what is shown at a position
 
     def stop_at(self, position: float) -> int:
-        """The stop whose axes, letters and limits belong to a position: the nearest one."""
+        """Return the nearest stop, whose axes, letters and limits a position shows."""
         return int(position + 0.5)
 
     def axes_at(self, position: float) -> tuple[Array, Array]:
-        """The origin and the axes of world space, or nearer to the view stop of view space.
+        """Return the origin (3,) and the unit axes, rows of (3, 3), in display space.
 
-        Returns
-        -------
-        origin : (3,) array
-            In display space.
-        axes : (3, 3) array
-            Unit vectors there, one a row.
+        They are those of world space at the world stop, and of view space nearer to later stops.
         """
         camera, matrix = self.projection.camera, self.display_from_local(position)
         origin, axes = camera.eye, camera.frame.T
@@ -237,17 +230,9 @@ class Morph:
         return _euclidean(matrix @ [*(np.array(origin) - self.origin), 1.0]), _units(matrix, axes)
 
     def display_from_local(self, position: float) -> Array:
-        """The scene's matrix at a position of the strip, (4, 4), for points from `origin`.
+        """Return the scene's matrix at a position from 0 to 5, for points relative to `origin`.
 
-        Parameters
-        ----------
-        position : float
-            0 to 5; whole at the `STOPS`.
-
-        Returns
-        -------
-        (4, 4) array
-            Homogeneous: a common factor has no meaning.
+        It is homogeneous: a common factor does not matter.
         """
         stop, part = _between(position)
         if part == 0.0:
@@ -263,7 +248,7 @@ class Morph:
         return matrix
 
     def _even(self, stop: int) -> Array:
-        """A stop's matrix with w = 1 at the middle of what is seen."""
+        """Return a stop's matrix with w = 1 at the middle of the visible part."""
         if stop not in self._evens:
             self._evens[stop] = self._display_stop(stop) * self._evening(stop)
         return self._evens[stop]
@@ -279,7 +264,7 @@ class Morph:
         return float(unit / self._lens.w(self._middle_depth))
 
     def _turned(self, part: float) -> Array:
-        """The part of the way from the world's axes to the camera's, times the display scale."""
+        """Return part of the rotation from the world's axes to the camera's, with the scale."""
         matrix = np.eye(4)
         matrix[:3, :3] = rotation_between(self.projection.camera.frame, part)
         return _scaled(self._ball[1]) @ matrix
@@ -287,7 +272,7 @@ class Morph:
     # -- the view volume at a position
 
     def display_from_box(self, position: float) -> Array:
-        """The view volume's matrix at a position, (4, 4), from the box."""
+        """Return the matrix of the view volume, from the box, at a position, (4, 4)."""
         stop, part = _between(position)
         if stop == WORLD:
             frame = np.eye(4)
@@ -301,7 +286,7 @@ class Morph:
         return (1.0 - part) * self._box_at(stop) + part * self._box_at(stop + 1)
 
     def _box_at(self, stop: int) -> Array:
-        """A stop's box with the factor of `_even`."""
+        """Return a stop's box matrix with the factor of `_even`."""
         if stop not in self._boxes:
             box, lens = self._box_stop(stop), self._lens
             if stop > CANONICAL_PERSPECTIVE:
@@ -337,10 +322,11 @@ class Morph:
         return box
 
     def planes_display(self, position: float) -> Array:
-        """The six planes behind which nothing of the scene is drawn, in display space, (6, 4).
+        """Return the six planes that clip the scene, in display space, (6, 4).
 
-        Left, right, bottom, top, far, near: unit normals inwards, and offsets: inside,
-        ``normal . point + offset >= 0``. All open up to the view stop, closed from `CLOSED_AT` on.
+        The order is left, right, bottom, top, far, near. A row has the unit normal inwards and the
+        offset; ``normal . point + offset >= 0`` inside. The planes are open up to the view stop and
+        closed from `CLOSED_AT` on.
         """
         box_planes = np.array(
             [[1, 0, 0, 1], [-1, 0, 0, 1], [0, 1, 0, 1], [0, -1, 0, 1], [0, 0, 1, 0], [0, 0, -1, 1]],
@@ -370,16 +356,16 @@ class Morph:
         return _positive_inverse(box)
 
     def has_volume(self, position: float) -> bool:
-        """Whether there is a view volume to show at a position, and to cut the scene by."""
+        """Whether there is a view volume to show, and to clip the scene, at a position."""
         return True
 
 
 class FreeMorph(Morph):
-    """What the strip shows of a free matrix: it has no canonical volumes.
+    """The strip's matrices for a free matrix, which has no canonical volumes.
 
-    From the view stop to NDC it is one step over all three. Without a view volume, where the
-    matrix has no inverse or its volume reaches infinity or is all behind, nothing could be cut on
-    that way: there the strip jumps from the one to the other in its middle.
+    The way from the view stop to NDC is one step. A matrix without inverse, or whose volume reaches
+    infinity or lies behind the eye, has no view volume to clip the scene. For such a matrix the
+    strip jumps from the view stop to NDC halfway.
     """
 
     def stage_from_local(self, stop: int) -> Array:
@@ -400,7 +386,7 @@ class FreeMorph(Morph):
 
     @cached_property
     def _framed(self) -> Array:
-        """What is framed at the first two stops: the scene, the eye, and of the volume as much."""
+        """The points framed at the first two stops: the scene, the eye and a part of the volume."""
         scene = self._local_corners
         eye = np.asarray(self.projection.camera.eye) - self.origin
         points = np.vstack([scene, [eye]])
@@ -418,7 +404,7 @@ class FreeMorph(Morph):
         return _ball_of(self._framed)
 
     def display_from_stage(self, stop: int) -> Array:
-        if stop != VIEW or self.projection.has_camera:  # which the world turns into as a whole
+        if stop != VIEW or self.projection.has_camera:  # the world rotates into it
             return super().display_from_stage(stop)
         framed = np.column_stack([self._framed, np.ones(len(self._framed))])
         seen = framed @ self._view_from_local.T
@@ -478,7 +464,7 @@ class FreeMorph(Morph):
     def axes_at(self, position: float) -> tuple[Array, Array]:
         if self.stop_at(position) == WORLD:
             return super().axes_at(position)
-        # Of view space itself: its matrix need not be the camera's.
+        # View space itself: its matrix need not be the camera's.
         return _euclidean(self.display_from_stage(VIEW)[:, 3]), np.eye(3)
 
     def _jumped(self, position: float) -> float:
@@ -487,32 +473,32 @@ class FreeMorph(Morph):
         return position
 
     def _inverse(self, box: Array) -> Array:
-        # A mirror image is flat for a moment on its way, and has no inverse then.
+        # A mirrored volume is flat for a moment, and then has no inverse.
         flat = abs(float(np.linalg.det(box))) < 1e-290
         return np.asarray(np.linalg.inv(box + 1e-9 * np.eye(4) if flat else box), np.float64)
 
 
 def morph_of(projection: Projection, origin: Vector, corners_world: Array) -> Morph:
-    """What the strip shows of a projection and a scene; parameters as of `Morph`."""
+    """Create the `Morph` of a projection and a scene."""
     kind = Morph if projection.lens.has_steps else FreeMorph
     return kind(projection, origin, corners_world)
 
 
 def _euclidean(point: Array) -> Array:
-    """A point (4,) as (3,); as it is where it is at infinity or behind."""
+    """Divide a point (4,) by its w if that is positive; return (3,)."""
     place: Array = point[:3] / (point[3] if point[3] > 0.0 else 1.0)
     return place
 
 
 def _units(matrix: Array, axes: Array) -> Array:
-    """Columns of (3, 3) under a matrix, as rows of length 1."""
+    """Transform the columns of (3, 3) by a matrix; return them as rows of length 1."""
     turned = matrix[:3, :3] @ axes
     units: Array = (turned / np.linalg.norm(turned, axis=0)).T
     return units
 
 
 def _ball_of(points: Array) -> tuple[Array, float]:
-    """Middle of points, and the scale at which they fill the ball that is framed."""
+    """Return the middle of points, and the scale at which they fill the framed ball."""
     low, high = points.min(axis=0), points.max(axis=0)
     middle = low / 2.0 + high / 2.0
     radius = max(math.hypot(*point) for point in points - middle)
@@ -520,14 +506,14 @@ def _ball_of(points: Array) -> tuple[Array, float]:
 
 
 def rotation_between(frame: Array, part: float) -> Array:
-    """Part of the rotation whose rows are an orthonormal right-handed frame, (3, 3).
+    """Return a part of the rotation whose rows are an orthonormal right-handed frame, (3, 3).
 
-    About its one axis, by `part` of its angle, which is at most 180 degrees (Shoemake 1985,
-    spherical linear interpolation from the identity).
+    It turns about the same axis by `part` of the angle, which is at most 180 degrees (Shoemake
+    1985, spherical linear interpolation from the identity).
     """
     if part == 1.0:
         return frame
-    # Shepperd 1978: the largest of the four squares, so that nothing cancels.
+    # Shepperd 1978: start from the largest of the four squares to avoid cancellation.
     diagonal = np.diag(frame)
     squares = np.array([frame.trace(), *diagonal])
     largest = int(squares.argmax())
@@ -555,9 +541,9 @@ def rotation_between(frame: Array, part: float) -> Array:
 
 
 def _positive_inverse(matrix: Array) -> Array:
-    """The inverse of ``[[a, 0, p, q], [0, b, s, u], [0, 0, 2x2]]`` times the 2x2's |det|.
+    """Return the inverse of ``[[a, 0, p, q], [0, b, s, u], [0, 0, 2x2]]`` times the 2x2's |det|.
 
-    A factor above 0 changes no plane, and near/far can be too small to divide by.
+    A positive factor changes no plane, and near/far can be too small for a division.
     """
     (a, _, p, q), (_, b, s, u), (_, _, zz, zw), (_, _, wz, ww) = matrix
     det = zz * ww - zw * wz
@@ -569,7 +555,7 @@ def _positive_inverse(matrix: Array) -> Array:
 
 
 def _between(position: float) -> tuple[int, float]:
-    """The stop at or before a position, and the part of the way to the next one."""
+    """Return the stop at or before a position, and the part of the way to the next."""
     stop = min(int(position), IMAGE)
     return stop, position - stop
 

@@ -1,10 +1,9 @@
-"""Matrices as somebody types them: which are a lens or a camera after all, and what the others do.
+"""Typed matrices: recognise lenses and cameras, and state the properties of other matrices.
 
-A typed matrix is recognised where a lens, or a camera, has it: up to a positive factor of the
-lens, which no picture shows, and up to what rounding the lens' own fields to float64 costs. Of
-fields that fit, those in hand are taken, then short decimals (`app.model.lenses.solving`). What is
-decided about a matrix without an answer (its rank, the sign of its determinant, where w vanishes)
-is decided in rationals.
+A typed matrix is recognised up to a positive factor, which does not change the picture, and up to
+the rounding of the lens' fields to float64. If several values of a field fit, the present value
+comes first, then short decimals (`app.model.lenses.solving`). Properties such as the rank, the sign
+of the determinant and where w vanishes are decided in rationals.
 """
 
 from __future__ import annotations
@@ -26,13 +25,13 @@ from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
 from app.model.tables import evaluated
 
 EDITABLE = ("view_from_world", "clip_from_view")
-"""The matrices whose cells can be typed."""
+"""The matrices with editable cells."""
 
 _RIGID = 2.0**-46
-"""What rows of a rotation may lack to length 1 and right angles.
+"""Tolerance of a rotation's rows for length 1 and right angles.
 
-Each cell rounded once leaves 2^-52; 64 times that is what another program's arithmetic in float64
-leaves, and far less than six typed digits do: a matrix that shears by 1e-7 is no rotation.
+Rounding each cell once costs 2^-52; 64 times that allows for another program's float64 arithmetic.
+It is far less than the error of six typed digits: a shear by 1e-7 is no rotation.
 """
 _UNIT = Fraction(1, 2**52)
 
@@ -41,7 +40,7 @@ _UNIT = Fraction(1, 2**52)
 
 
 def shown(projection: Projection, name: str) -> Cells:
-    """One of the `EDITABLE` matrices, every cell rounded once: what an edit begins with.
+    """Return one of the `EDITABLE` matrices, every cell rounded once, as an edit begins.
 
     Raises
     ------
@@ -58,7 +57,7 @@ def shown(projection: Projection, name: str) -> Cells:
 
 
 def with_cell(projection: Projection, name: str, row: int, column: int, value: float) -> Projection:
-    """The projection with another number in one cell; see `with_matrix`."""
+    """Return the projection with another number in one cell; see `with_matrix`."""
     cells: list[Any] = [list(line) for line in shown(projection, name)]
     if cells[row][column] == value:
         return projection
@@ -67,19 +66,10 @@ def with_cell(projection: Projection, name: str, row: int, column: int, value: f
 
 
 def with_matrix(projection: Projection, name: str, matrix: Sequence[Sequence[float]]) -> Projection:
-    """The projection with another matrix: that of a lens or a camera, where there is one.
+    """Return the projection with another of the `EDITABLE` matrices (4, 4).
 
-    Parameters
-    ----------
-    projection : Projection
-    name : {"view_from_world", "clip_from_view"}
-    matrix : (4, 4) sequence of floats
-
-    Returns
-    -------
-    Projection
-        Of the lens in hand, or that a free matrix was made of, where its kind has the matrix; else
-        of the simplest that has it, else with a `FreeMatrix`. And the same for the camera.
+    The lens is of the present kind, or of the kind before a free matrix, if that kind has the
+    matrix; else the simplest lens that has it, else a `FreeMatrix`. The same holds for the camera.
 
     Raises
     ------
@@ -114,15 +104,10 @@ def with_matrix(projection: Projection, name: str, matrix: Sequence[Sequence[flo
 
 
 def recognised_lens(cells: Cells, projection: Projection) -> Lens | None:
-    """The lens whose ``clip_from_view`` this is, if there is one.
+    """Return the lens whose ``clip_from_view`` this is, up to a positive factor, or None.
 
-    Parameters
-    ----------
-    cells : (4, 4) tuple of floats
-        Up to a positive factor. A negative one turns w round: all is behind the eye.
-    projection : Projection
-        Its image, its depth range, and with its lens the kind that comes before the simplest and
-        the fields that are taken where they fit.
+    A negative factor reverses w: everything would be behind the eye. `projection` gives the image,
+    the depth range, and the present lens, whose kind and fields come first.
     """
     exact = rationals(cells)
     for kind in sorted(LENSES, key=lambda kind: kind != projection.lens.kind):
@@ -136,7 +121,7 @@ def recognised_lens(cells: Cells, projection: Projection) -> Lens | None:
 
 
 def _normalised(kind: str, exact: Rationals) -> Rationals | None:
-    """A matrix with the last row of a lens' table, if that is its own times a positive factor."""
+    """Divide a matrix by a positive factor to get the last row of a lens' table, or return None."""
     row = evaluated(LENSES[kind]().table.clip_from_view[3:], {})[0]
     factors = {part / unit for part, unit in zip(exact[3], row, strict=True) if unit}
     factor = factors.pop()
@@ -146,7 +131,7 @@ def _normalised(kind: str, exact: Rationals) -> Rationals | None:
 
 
 def _candidates(kind: str, exact: Rationals, projection: Projection) -> Iterator[Lens]:
-    """Lenses of a kind that may have the matrix, those with the fields in hand first."""
+    """Yield lenses of a kind that may have the matrix, those with the present fields first."""
     try:
         near, far = _planes(LENSES[kind](), exact, projection)
         yield from LENSES[kind].having(exact, near, far, projection.lens)
@@ -155,7 +140,7 @@ def _candidates(kind: str, exact: Rationals, projection: Projection) -> Iterator
 
 
 def _planes(lens: Lens, exact: Rationals, projection: Projection) -> tuple[float, float]:
-    """Near and far whose row makes z: those in hand if they do, else solved for."""
+    """Return near and far for the row of z: the present ones if they fit, else solved ones."""
     (a, b), (c, d) = exact[2][2:], exact[3][2:]
     z_near, z_far = map(Fraction, projection.depth_range)
 
@@ -169,7 +154,7 @@ def _planes(lens: Lens, exact: Rationals, projection: Projection) -> tuple[float
     in_reach = in_hand.far != math.inf or lens.far_may_be_infinite
     if in_reach and row(in_hand.near, in_hand.far) == wanted:
         return in_hand.near, in_hand.far
-    # Where z of clip space is z_near w: a z + b = z_near (c z + d), for z of view space.
+    # At near, z of clip space is z_near w: a z + b = z_near (c z + d), for z of view space.
     solved = (b - z_near * d) / (a - z_near * c)
     if a == z_far * c and lens.far_may_be_infinite:
         return shortest(partial(row, far=math.inf), (solved,), wanted, sizes)[0], math.inf
@@ -178,10 +163,10 @@ def _planes(lens: Lens, exact: Rationals, projection: Projection) -> tuple[float
 
 
 def _has(lens: Lens, exact: Rationals, projection: Projection) -> bool:
-    """Whether a lens has the matrix, cell by cell, but for the rounding of its fields."""
+    """Whether a lens has the matrix, cell by cell, up to the rounding of its fields."""
     try:
         own = replace(projection, lens=lens).direct_stages[0].exact
-    except Refusal:  # a window that its image makes nothing of
+    except Refusal:  # the image makes this window impossible
         return False
     for i, (mine, typed) in enumerate(zip(own, exact, strict=True)):
         sizes = lens.least_terms(typed, i)
@@ -195,13 +180,9 @@ def _has(lens: Lens, exact: Rationals, projection: Projection) -> bool:
 
 
 def recognised_camera(cells: Cells, in_hand: Camera) -> Camera | None:
-    """The camera whose ``view_from_world`` this is, if there is one.
+    """Return the camera whose ``view_from_world`` this is, or None.
 
-    Parameters
-    ----------
-    cells : (4, 4) tuple of floats
-    in_hand : Camera
-        Its distance to the target stays, and its up where that gives the same frame.
+    It keeps the distance to the target of `in_hand`, and its up if that gives the same frame.
     """
     exact = rationals(cells)
     if exact[3] != [0, 0, 0, 1]:
@@ -210,7 +191,7 @@ def recognised_camera(cells: Cells, in_hand: Camera) -> Camera | None:
     if not _is_rigid(rows) or eliminate(rows).determinant < 0:
         return None
     solved = [-dot(column, shift) for column in zip(*rows, strict=True)]
-    # Rows and shift rounded once are off by 3 2^-53 of the shift, an eye by as much.
+    # Rounding rows and shift costs 3 2^-53 of the shift, rounding the eye as much.
     room = 2 * _UNIT * max(map(abs, shift))
     eye = _near(solved, in_hand.eye, room)
     distance = Fraction(in_hand.distance)
@@ -234,16 +215,16 @@ def recognised_camera(cells: Cells, in_hand: Camera) -> Camera | None:
 
 
 def _is_rigid(rows: Rationals) -> bool:
-    """Whether rows have length 1 and stand at right angles, but for rounding."""
+    """Whether rows have length 1 and right angles, up to rounding."""
     pairs = itertools.combinations_with_replacement(range(len(rows)), 2)
     return all(abs(dot(rows[i], rows[j]) - (i == j)) <= Fraction(_RIGID) for i, j in pairs)
 
 
 def _near(solved: Sequence[Fraction], in_hand: Vector, room: Fraction) -> Vector:
-    """The numbers in hand that are within `room` of the solved ones, else the shortest decimals.
+    """Return the present numbers if they are near the solved ones, else the shortest decimals.
 
-    Of cells that were typed one after the other, each has been rounded with those before it: a
-    decimal of few digits is what was meant.
+    Each cell that was typed was rounded together with the earlier ones, so the user most likely
+    meant a decimal with few digits.
     """
     x, y, z = (
         was if abs(Fraction(was) - number) <= 8 * room else _short(number, room)
@@ -289,7 +270,7 @@ THROUGH_INFINITY = QT_TRANSLATE_NOOP(
 
 
 class Property(NamedTuple):
-    """One thing that is true of a matrix: a template and the figures in it."""
+    """One property of a matrix: a template and the figures in it."""
 
     template: str
     figures: tuple[str, ...] = ()
@@ -305,20 +286,9 @@ def _few(value: float) -> str:
 def properties(
     projection: Projection, name: str, write: Callable[[float], str] = _few
 ) -> list[Property]:
-    """What is to be said of a matrix that is none of a lens or a camera.
+    """Return the properties of one of the `EDITABLE` matrices of a `FreeMatrix`.
 
-    Parameters
-    ----------
-    projection : Projection
-    name : str
-        The matrix; only the `EDITABLE` ones of a `FreeMatrix` have properties.
-    write : callable
-        How a number is written; with four digits if not given.
-
-    Returns
-    -------
-    list of Property
-        Empty for the matrix of a lens or a camera. Decided in rationals.
+    The list is empty for other matrices. `write` formats a number.
     """
     lens = projection.lens
     if lens.has_steps:
@@ -338,7 +308,7 @@ def _of_clip(
         return [Property(SINGULAR, (str(rank),)), *_of_last_row(matrix[3], write)]
     found = []
     z_near, z_far = projection.depth_range
-    # Right-handed view space ends left-handed where near goes to less than far.
+    # Right-handed view space becomes left-handed if near maps to less than far.
     if (determinant > 0) == (z_near < z_far):
         found.append(Property(MIRRORED_CLIP))
     if projection.frustum_sign < 0 and any(matrix[3][:3]):
@@ -349,7 +319,7 @@ def _of_clip(
 
 
 def _is_regular_view(projection: Projection) -> bool:
-    """Whether the view matrix has an inverse: else it is to blame, and says so itself."""
+    """Whether the view matrix has an inverse; if not, its own properties state that."""
     return eliminate(projection.exact_from_eye[0]).rank == 4
 
 
@@ -366,7 +336,7 @@ def _of_view(matrix: Rationals, write: Callable[[float], str]) -> list[Property]
 
 
 def _of_last_row(last: list[Fraction], write: Callable[[float], str]) -> list[Property]:
-    """What the row that makes w says."""
+    """Return the properties of the last row, which determines w."""
     linear = [name for name, part in zip("xyz", last, strict=False) if part]
     if linear:
         return [

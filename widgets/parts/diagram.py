@@ -1,8 +1,8 @@
-"""A diagram beside the panes: frame, ticks, curves with their names beside them.
+"""A diagram beside the panes: frame, ticks, and curves with their names beside them.
 
-It draws an `app.scenes.phenomena.diagram.Diagram`, which is data, with Qt's painter: as crisp
-as the screen is, and repainted only when there is something else to see. Colours are names of
-`Style`, as in the panes; a curve's name is on a plate of its colour, as there.
+`DiagramView` draws an `app.scenes.phenomena.diagram.Diagram`, which is data, with Qt's painter at
+the screen's resolution, and repaints only when the diagram changes. Colours are names of `Style`;
+a curve's name is on a plate of its colour. Both are as in the panes.
 """
 
 from __future__ import annotations
@@ -50,35 +50,26 @@ from widgets.parts.plain import show_tip
 Floats = NDArray[np.float64]
 
 TICK_PX = 4.0
-_LINE = 0.75  # of a line in a pane, which is not smoothed
+_LINE = 0.75  # width relative to a line in a pane, which has no antialiasing
 DOT_PX = 3.0
 """Radius of a dot at the ordinary line width."""
 HIT_PX = 9.0
-"""How near to a spot a click may be that means it."""
+"""Largest distance of a click from its spot."""
 PRINTED_PX, PRINTED_FINER = QSize(480, 360), 3
-"""Size of a diagram in print, in the window's pixels, and how many of the picture's are one."""
-_LINES_ACROSS, _LINES_DOWN = 12.0, 8.0  # of names that a small diagram has room for
-_LEAST_NAME = 0.7  # of their ordinary size
-_BREAK = np.full((1, 2), math.nan)  # of a line
+"""Size of a printed diagram in the window's pixels, and its pixels per such pixel."""
+_LINES_ACROSS, _LINES_DOWN = 12.0, 8.0  # lines of names for which a small diagram has room
+_LEAST_NAME = 0.7  # least size of names, relative to the ordinary size
+_BREAK = np.full((1, 2), math.nan)  # separates lines
 _FAR = 1e6
-"""In windows: what is farther off is drawn as the direction there, or doubles lose the way."""
+"""Largest distance in windows; a farther end only gives the direction, to keep precision."""
 
 # --------------------------------------------------------------------------- ticks
 
 
 def round_ticks(low: float, high: float, most: int) -> list[float]:
-    """Multiples of 1, 2 or 5 times a power of ten in an interval.
+    """Return at most `most` (at least 2) multiples of 1, 2 or 5 times a power of ten.
 
-    Parameters
-    ----------
-    low, high : float
-    most : int
-        How many there may be; at least 2.
-
-    Returns
-    -------
-    list of float
-        Decimal to the eye: 0.3, never 0.30000000000000004.
+    They are the nearest floats to the decimals: 0.3, never 0.30000000000000004.
     """
     reach = high - low
     if not (0.0 < reach < math.inf):
@@ -93,7 +84,7 @@ def round_ticks(low: float, high: float, most: int) -> list[float]:
 
 
 def decade_ticks(low: float, high: float, most: int) -> list[float]:
-    """Powers of ten between two numbers above 0, or 1, 2, 5 times them where these are few."""
+    """Return powers of ten between two positive numbers, or 1, 2, 5 times them if these are few."""
     first, last = math.ceil(math.log10(low) - 1e-9), math.floor(math.log10(high) + 1e-9)
     if last - first >= 1:
         step = -(-(last - first + 1) // most)
@@ -107,7 +98,7 @@ def decade_ticks(low: float, high: float, most: int) -> list[float]:
 
 @dataclass(frozen=True)
 class _Axis:
-    """One direction of a diagram: its numbers, and where they are on the screen."""
+    """One axis of a diagram: its numbers and their places."""
 
     low: float
     high: float
@@ -116,7 +107,7 @@ class _Axis:
 
     @property
     def usable(self) -> bool:
-        """Whether anything can be placed on it."""
+        """Whether the axis has a valid, non-empty range."""
         low, high = self.unit_ends
         return math.isfinite(high - low) and low != high
 
@@ -129,7 +120,7 @@ class _Axis:
         return low, high
 
     def unit(self, values: Floats) -> Floats:
-        """Where numbers are between the ends, 0 to 1; NaN where there is no place for them."""
+        """Return the places of numbers between the ends, 0 to 1; NaN if there is none."""
         low, high = self.unit_ends
         with np.errstate(all="ignore"):
             along = np.log10(values) if self.log else values
@@ -138,12 +129,12 @@ class _Axis:
         return places
 
     def given(self) -> list[float]:
-        """The ticks that were given, within the ends."""
+        """Return the diagram's own ticks within the ends."""
         low, high = sorted((self.low, self.high))
         return [float(tick) for tick in self.ticks or () if low <= tick <= high]
 
     def marks(self, most: int) -> list[float]:
-        """As many round numbers within the ends as there is room for."""
+        """Return at most `most` round numbers within the ends."""
         low, high = sorted((self.low, self.high))
         return (decade_ticks if self.log else round_ticks)(low, high, max(2, most))
 
@@ -152,22 +143,11 @@ class _Axis:
 
 
 def segments(points: Floats) -> tuple[Floats, NDArray[np.intp]]:
-    """The parts of a polyline inside the unit square.
+    """Return the parts of a polyline (n, 2) inside the unit square; NaN breaks the line.
 
-    Parameters
-    ----------
-    points : (n, 2) array
-        In units of the diagram's window; NaN breaks the line.
-
-    Returns
-    -------
-    (m, 2, 2) array, (m,) array of int
-        The parts' ends, and at which point each segment begins.
-
-    Notes
-    -----
-    Liang-Barsky, for all segments at once. An end that is more than `_FAR` windows away is first
-    drawn in along the segment, as seen from the other end.
+    The results are the parts' ends (m, 2, 2), and the index of the point at which each segment
+    begins (m,). The method is Liang-Barsky for all segments at once. An end that is more than
+    `_FAR` windows away is first moved along the segment towards the other end.
     """
     finite, within = np.asarray(np.isfinite(points).all(axis=1)), _inside(points)
     which = np.flatnonzero(finite[:-1] & finite[1:])
@@ -183,7 +163,7 @@ def segments(points: Floats) -> tuple[Floats, NDArray[np.intp]]:
         possible = np.ones(len(start), dtype=bool)
         for axis in (0, 1):
             for edge in (0.0, 1.0):
-                # Inward is + at the lower edge and - at the upper one.
+                # Inward is + at the lower edge and - at the upper edge.
                 inward = direction[:, axis] * (1.0 - 2.0 * edge)
                 outside = (edge - start[:, axis]) * (1.0 - 2.0 * edge)
                 at = outside / inward
@@ -197,14 +177,14 @@ def segments(points: Floats) -> tuple[Floats, NDArray[np.intp]]:
 
 
 def seen_parts(curves: Sequence[Curve], across: _Axis, up: _Axis) -> list[Floats]:
-    """What is seen of each curve in units of the window: segments (m, 2, 2), or dots (m, 2)."""
+    """Return the visible part of each curve: segments (m, 2, 2) or dots (m, 2), in window units."""
     rows = [np.empty((0, 2))]
     for curve in curves:
         points = np.asarray(curve.points, dtype=np.float64).reshape(-1, 2)
         rows += [points, points[: curve.closed], _BREAK]
     counts = [len(curve.points) + (curve.closed and len(curve.points) > 0) + 1 for curve in curves]
     all_points = np.concatenate(rows)
-    # All at once: a diagram has a dozen curves, of a handful of points each.
+    # All at once: a diagram has many curves of few points.
     points = np.stack([across.unit(all_points[:, 0]), up.unit(all_points[:, 1])], axis=1)
     parts, at = segments(points)
     ends = np.cumsum(counts)
@@ -225,24 +205,24 @@ def seen_parts(curves: Sequence[Curve], across: _Axis, up: _Axis) -> list[Floats
 
 
 class DiagramView(QWidget):
-    """Draws one diagram, as large as it is made."""
+    """Draw one diagram in the size of the widget."""
 
     spot_clicked = Signal(str)
-    """The key of a `Spot` that was clicked."""
+    """Emits the key of a clicked `Spot`."""
     copy_wanted = Signal(QImage)
     export_wanted = Signal(QImage)
-    """This `picture` of it shall go to the clipboard, or into a file."""
+    """Emit the `picture` for the clipboard, or for a file."""
 
     def __init__(self) -> None:
         super().__init__()
         self._diagram: Diagram | None = None
         self.names: dict[str, Floats] = {}
-        """Where the curves' names stand (left, top, right, bottom); they stay if they can."""
+        """Places of the curves' names (left, top, right, bottom), kept where possible."""
         self.spot_names: dict[str, QRectF] = {}
-        """Where the spots' names stand."""
+        """Places of the spots' names."""
         self._style = LIGHT
         self._pressed = ""
-        """The key of the spot on which the mouse went down."""
+        """The key of the spot under the last press of the mouse."""
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
         self.setMinimumSize(115, 90)
         self.setContextMenuPolicy(Qt.ContextMenuPolicy.ActionsContextMenu)
@@ -251,7 +231,7 @@ class DiagramView(QWidget):
             (self.tr("Export this diagram…"), self.export_wanted),
         ):
             action = QAction(text, self)
-            action.setEnabled(False)  # until there is one
+            action.setEnabled(False)  # without a diagram
             action.triggered.connect(partial(self._want, wanted))
             self.addAction(action)
 
@@ -274,7 +254,7 @@ class DiagramView(QWidget):
         self.update()
 
     def set_style(self, style: Style) -> None:
-        """Draw in other colours and widths; sizes are device pixels, as for the panes."""
+        """Draw in other colours and widths; sizes are in device pixels, as for the panes."""
         self._style = style
         self.update()
 
@@ -282,7 +262,7 @@ class DiagramView(QWidget):
         wanted.emit(self.picture())
 
     def picture(self) -> QImage:
-        """The diagram as it stands, for print: dark on white, and finer than the screen."""
+        """Return the diagram for print: dark on white, and finer than the screen."""
         drawn = DiagramView()
         drawn.resize(PRINTED_PX)
         drawn.set_style(LIGHT.enlarged(drawn.devicePixelRatioF()))
@@ -295,11 +275,11 @@ class DiagramView(QWidget):
 
     @property
     def frame(self) -> QRectF:
-        """Where the diagram's window is in the widget, in pixels."""
+        """The place of the diagram's window in the widget, in pixels."""
         return QRectF() if self._diagram is None else self._layout(self._diagram)[0]
 
     def to_px(self, x: float, y: float) -> QPointF:
-        """Where a point of the diagram is in the widget."""
+        """Return the place in the widget of a point of the diagram."""
         assert self._diagram is not None
         frame, (across, up) = self._layout(self._diagram)
         place = np.array([across.unit(np.array([x]))[0], up.unit(np.array([y]))[0]])
@@ -308,14 +288,7 @@ class DiagramView(QWidget):
     # -- spots
 
     def spot_at(self, place: QPointF, key_only: bool = False) -> Spot | None:
-        """The spot nearest to a place of the widget, if it is near.
-
-        Parameters
-        ----------
-        place : QPointF
-        key_only : bool
-            Leave out those that cannot be chosen.
-        """
+        """Return the nearest spot within `HIT_PX`; `key_only` ignores spots without a key."""
         nearest, found = HIT_PX, None
         for spot in self._diagram.spots if self._diagram is not None else ():
             away = self.to_px(spot.x, spot.y) - place
@@ -373,7 +346,7 @@ class DiagramView(QWidget):
         return font
 
     def _layout(self, diagram: Diagram) -> tuple[QRectF, tuple[_Axis, _Axis]]:
-        """The frame, and the axes across and up it."""
+        """Return the frame, and the axes across and up."""
         ticks = (diagram.x_ticks, diagram.y_ticks)
         x_ticks, y_ticks = (None if t is None else list(map(float, t)) for t in ticks)
         across = _Axis(diagram.left, diagram.right, diagram.x_log, x_ticks)
@@ -395,7 +368,7 @@ class DiagramView(QWidget):
         return frame, (across, up)
 
     def _marks(self, diagram: Diagram, axis: _Axis, length: float, is_across: bool) -> list[float]:
-        """Ticks that leave room between their numbers; a picture has none."""
+        """Return the ticks whose numbers do not overlap; a picture has none."""
         if not axis.usable or length <= 0.0 or _is_picture(diagram):
             return []
         metrics = QFontMetricsF(self._small)
@@ -437,7 +410,7 @@ class DiagramView(QWidget):
     def _pen(self, colour: str, width: float = 1.0) -> QPen:
         pen = QPen(self._colour(colour))
         pen.setWidthF(_LINE * width * self._style.line_width / self.devicePixelRatioF())
-        pen.setCapStyle(Qt.PenCapStyle.SquareCap)  # round ones take ten times as long
+        pen.setCapStyle(Qt.PenCapStyle.SquareCap)  # round caps take ten times as long
         return pen
 
     def _paint_frame(self, painter: QPainter, frame: QRectF) -> None:
@@ -464,7 +437,7 @@ class DiagramView(QWidget):
         if diagram.y_label:
             painter.save()
             painter.rotate(-90.0)
-            # Turned, x runs up the widget from its top.
+            # After the rotation, x goes up the widget from its top.
             line = QRectF(-2.0 * frame.center().y(), 0.0, 2.0 * frame.center().y(), height)
             text = of_phenomena(diagram.y_label)
             painter.drawText(line, Qt.AlignmentFlag.AlignHCenter, text)
@@ -524,7 +497,7 @@ class DiagramView(QWidget):
         painter.drawLines([QLineF(*ends) for ends in ends_px])
 
     def _radius(self, curve: Curve) -> float:
-        """Of a curve's dots."""
+        """Return the radius of a curve's dots."""
         radius = DOT_PX * curve.width * self._style.line_width / LIGHT.line_width
         return radius / self.devicePixelRatioF()
 
@@ -538,14 +511,14 @@ class DiagramView(QWidget):
         font.setPointSizeF(font.pointSizeF() * max(_LEAST_NAME, min(1.0, room)))
         metrics = QFontMetricsF(font)
         painter.setFont(font)
-        # What a name must not hide: lines as thin as they are, dots whole.
+        # A name must not hide thin lines or whole dots.
         halves = [self._radius(curve) if curve.dots else 1.0 for curve in curves]
         covered = np.concatenate(
             [np.empty((0, 4))]
             + [np.hstack([at - half, at + half]) for at, half in zip(along, halves, strict=True)]
         )
         bounds, taken = _bounds(frame), np.empty((0, 4))
-        # Of dots first: a line has many places.
+        # Dots first, because a line offers many places.
         named = sorted(zip(curves, along, halves, strict=True), key=lambda each: not each[0].dots)
         for curve, places, half in named:
             if not curve.label:
@@ -558,7 +531,7 @@ class DiagramView(QWidget):
             left, top, right, bottom = place.tolist()
             taken = np.vstack([taken, (left, top, right, bottom)])
             box = QRectF(left, top, right - left, bottom - top)
-            # No sample of the curve: beside a diagram's points it would be one more.
+            # A sample of the curve would look like one more point of the diagram.
             if curve.colour == "ink":
                 plate, ink = faded(self._style.background, 0.8), QColor(self._style.ink)
             else:
@@ -571,7 +544,7 @@ class DiagramView(QWidget):
     def _paint_spots(
         self, painter: QPainter, frame: QRectF, diagram: Diagram, along: Sequence[Floats]
     ) -> None:
-        """Draw the spots, and their names beside them, with a line to those farther away."""
+        """Draw the spots and their names, with a line to the names that are farther away."""
         spots = diagram.spots
         if not spots:
             return
@@ -623,12 +596,12 @@ class DiagramView(QWidget):
 
 
 def _is_picture(diagram: Diagram) -> bool:
-    """Whether it is looked at and not read off: it has no numbers, and all the room."""
+    """Whether the diagram is a picture, without numbers and with all the space."""
     return diagram.equal and not (diagram.x_label or diagram.y_label)
 
 
 def _in_proportion(frame: QRectF, width: float, height: float) -> QRectF:
-    """The largest rectangle of that proportion in the middle of a frame."""
+    """Return the largest centred rectangle of these proportions in a frame."""
     scale = min(frame.width() / width, frame.height() / height)
     inside = QRectF(0.0, 0.0, width * scale, height * scale)
     inside.moveCenter(frame.center())
@@ -640,7 +613,7 @@ def _bounds(frame: QRectF) -> Floats:
 
 
 def _places(frame: QRectF, points: Floats) -> Floats:
-    """Points of the unit square, (..., 2), in pixels."""
+    """Convert points of the unit square, (..., 2), to pixels."""
     places: Floats = points * (frame.width(), -frame.height()) + (frame.left(), frame.bottom())
     return places
 
@@ -650,7 +623,7 @@ def _inside(points: Floats) -> NDArray[np.bool_]:
 
 
 def _along(frame: QRectF, parts: Floats) -> Floats:
-    """Places along what is seen of a curve in pixels, (n, 2), some dozens at most."""
+    """Return some dozens of places along the visible part of a curve, (n, 2) in pixels."""
     points = parts
     if parts.ndim == 3:
         steps = np.linspace(0.0, 1.0, max(2, 40 // max(1, len(parts))))[:, None, None]
