@@ -24,6 +24,7 @@ import ctypes
 import gc
 import hashlib
 import importlib.util
+import operator
 import os
 import re
 import shlex
@@ -37,7 +38,7 @@ import tomllib
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import IO, Literal, NoReturn
+from typing import IO, Literal, NoReturn, Self
 
 ROOT = Path(__file__).resolve().parent.parent
 #: The command that starts the program: an installed one has no checkout around it.
@@ -267,11 +268,7 @@ _IMPORT_NAME = {
     "pytest-qt": "pytestqt",
     "pytest-xdist": "xdist",
 }
-_HOLDS: dict[str, Callable[[tuple[int, ...], tuple[int, ...]], bool]] = {
-    ">=": lambda found, bound: found >= bound,
-    "<": lambda found, bound: found < bound,
-    "==": lambda found, bound: found == bound,
-}
+_HOLDS = {">=": operator.ge, "<": operator.lt, "==": operator.eq}
 Bounds = tuple[tuple[str, tuple[int, ...]], ...]
 
 
@@ -321,11 +318,11 @@ def _release(version: str) -> tuple[int, ...]:
 def _bounds(text: str) -> Bounds:
     """The bounds in ``numpy>=2.2,<2.5`` and in ``python_version < '3.12'``."""
     found = re.findall(r"(>=|<|==)\s*['\"]?([\d.]+)", text)
-    return tuple((operator, _release(version)) for operator, version in found)
+    return tuple((sign, _release(version)) for sign, version in found)
 
 
 def _within(version: tuple[int, ...], bounds: Bounds) -> bool:
-    return all(_HOLDS[operator](version, bound) for operator, bound in bounds)
+    return all(_HOLDS[sign](version, bound) for sign, bound in bounds)
 
 
 def requirements(root: Path, extras: Sequence[str] = ()) -> list[Requirement]:
@@ -413,18 +410,18 @@ class Environment:
     def make(self) -> None:
         """Bring the environment to completion from whatever state it is in."""
         started = time.monotonic()
-        with _stoppable(), _lock(self.root / ".venv.lock") as held, _Progress() as progress:
+        with _stoppable(), _lock(self.root / ".venv.lock") as held:
             self._bring_back()  # what was left aside by a set-up that was killed
             if self.is_complete():  # another start has just finished it
                 return
             if self.can_be_kept():
-                progress.say(f"bringing {self.folder} up to date")
-                self._install(held, progress)
+                held.say(f"bringing {self.folder} up to date")
+                self._install(held)
             else:
                 if shutil.disk_usage(self.root).free < SPACE_GB * 1e9:
                     raise _no_space(self.root)
-                progress.say(f"first start: setting up {self.folder} (once; needs the network)")
-                self._make_anew(held, progress)
+                held.say(f"first start: setting up {self.folder} (once; needs the network)")
+                self._make_anew(held)
             lines = dict.fromkeys(f"{self.line(extras)}\n" for extras in ((), self.extras))
             fresh = self.stamp.with_suffix(".new")
             fresh.write_text("".join(lines), encoding="utf-8")
@@ -432,7 +429,7 @@ class Environment:
             self._bring_back()
         _say(f"set up in {time.monotonic() - started:.0f} s")
 
-    def _make_anew(self, held: Held, progress: _Progress) -> None:
+    def _make_anew(self, held: Held) -> None:
         if self.read_stamp() in (None, _UNFINISHED):
             self._clear(self.folder)
         else:  # it serves another Python, or the program while the tests' part is half-made
@@ -449,7 +446,7 @@ class Environment:
                     "Python could not make a virtual environment ({}); try it with: "
                     + command_line([sys.executable, "-m", "venv", "--clear", str(self.folder)]),
                 )  # fmt: skip
-            self._install(held, progress)
+            self._install(held)
         except BaseException:
             self._bring_back()
             raise
@@ -529,7 +526,7 @@ class Environment:
         tag, pip, *old = [*done.stdout.split("\n")[:-1], "", ""][:3]
         return tag, bool(pip), old[0] if done.stdout.count("\n") > 2 else None
 
-    def _install(self, held: Held, progress: _Progress) -> None:
+    def _install(self, held: Held) -> None:
         """Install the tested versions or, where this machine cannot have them, newer ones."""
         wanted = [requirement.text for requirement in requirements(self.root, self.extras)]
         # -I: a package on PYTHONPATH must not pass for an installed one. Wheels only: building VTK
@@ -537,10 +534,10 @@ class Environment:
         # PIP_... settings (index, proxy, certificate) still hold.
         pip = [str(self.python), "-I", "-m", "pip", "install", "--disable-pip-version-check"]
         pip += ["--no-input", "--progress-bar", "off", "--only-binary", ":all:"]
-        status, output = self._pip(held, progress, [*pip, "-c", str(self.constraints), *wanted])
+        status, output = self._pip(held, [*pip, "-c", str(self.constraints), *wanted])
         if status != 0 and _shows(output, _UNOBTAINABLE) and not _shows(output, _NO_ANSWER):
-            progress.say("this machine cannot have the tested versions: trying others")
-            status, output = self._pip(held, progress, [*pip, *wanted])
+            held.say("this machine cannot have the tested versions: trying others")
+            status, output = self._pip(held, [*pip, *wanted])
         if status != 0:
             held_open = _shows(output, _HELD) and not _shows(output, _NO_ANSWER)
             to_do = "close all windows of Frustum Lab" if held_open else "check the network"
@@ -557,7 +554,7 @@ class Environment:
             why = "no package server could be reached"  # whatever pip concluded from that
         return SetupError(what.replace("{}", why, 1))
 
-    def _pip(self, held: Held, progress: _Progress, command: list[str]) -> tuple[int, list[str]]:
+    def _pip(self, held: Held, command: list[str]) -> tuple[int, list[str]]:
         output: list[str] = []
         told: set[str] = set()  # pip names a package again that it has had to look into
 
@@ -566,13 +563,13 @@ class Environment:
             if line.startswith(_INSTALLING):  # all is here: only now it touches anything
                 self.mark_unfinished()
                 before, count = self._installed(), line.count(",") + 1
-                progress.say(
+                held.say(
                     f"  installing {count} packages",
                     lambda: f"{max(0, self._installed() - before)} done",
                 )
             elif (text := _progress(line)) is not None and text not in told:
                 told.add(text)
-                progress.say(f"  {text}")
+                held.say(f"  {text}")
 
         return held.run(command, follow), output
 
@@ -641,7 +638,7 @@ class _Progress:
         self._text, self._since = "", 0.0
         self._more: Callable[[], str] = str
 
-    def __enter__(self) -> _Progress:
+    def __enter__(self) -> Self:
         self._thread.start()
         return self
 
@@ -680,15 +677,15 @@ class _Progress:
             print(file=sys.stderr, flush=True)
 
 
-class Held:
-    """A held lock, which programs started under it hold too.
+class Held(_Progress):
+    """A held lock with its progress. Programs that run under it hold the lock, too.
 
-    When a set-up is killed its pip may live on for a while (not on Linux, where it goes too). As
-    pip inherited the open lock file, the lock is free only when pip is gone, and the next start
-    cannot get in its way.
+    If a set-up is killed its pip may live on for a while (not on Linux, where it is killed). As
+    pip inherited the open lock file, the lock is free only when pip has ended.
     """
 
     def __init__(self, file: IO[bytes]) -> None:
+        super().__init__()
         self._file = file
 
     def run(self, command: Sequence[str], follow: Callable[[str], object]) -> int:
@@ -731,7 +728,8 @@ def _lock(path: Path) -> Iterator[Held]:
             _say("another start is setting up Frustum Lab; waiting for it to finish")
             while not _try_lock(file):
                 time.sleep(0.2)
-        yield Held(file)
+        with Held(file) as held:
+            yield held
 
 
 def _try_lock(file: IO[bytes]) -> bool:
@@ -756,17 +754,8 @@ def _try_lock(file: IO[bytes]) -> bool:
 def start(need: Need, extras: Sequence[str] = ()) -> None:
     """Return when everything is there; otherwise bring it, and start the same command again.
 
-    Parameters
-    ----------
-    need : Need
-    extras : sequence of str
-        Optional groups of ``pyproject.toml`` that are needed too.
-
-    Raises
-    ------
-    SystemExit
-        With status 3 after one sentence on standard error, when something is missing that only
-        the user can bring.
+    `extras` are optional groups of ``pyproject.toml`` that are needed, too. If only the user can
+    bring what is missing, the program ends with status 3 after one sentence on standard error.
     """
     with _in_one_sentence():
         if _has_packages(tuple(extras)):
@@ -776,12 +765,9 @@ def start(need: Need, extras: Sequence[str] = ()) -> None:
 
 
 def enter() -> bool:
-    """Go on in the environment, where there is a complete one; but bring nothing.
+    """Go on in a complete environment, if there is one, but bring nothing.
 
-    Returns
-    -------
-    bool
-        Whether this Python has all the packages of the program, of whatever version.
+    Returns whether this Python has all the packages of the program, of whatever version.
     """
     with _in_one_sentence():
         return _has_packages() or _are_importable(requirements(ROOT))

@@ -88,9 +88,10 @@ class Document:
                 raise Refusal.in_document(*bound, field="mesh", value=self.mesh)
             if phenomenon is None or not phenomenon.own_mesh:
                 raise Refusal.in_document(NO_MESH_HERE, self.scene, field="mesh", value=self.mesh)
-        # A key that the former lens did not know may be a field of the present one.
-        kind = self.projection.lens.kind
-        object.__setattr__(self, "extra", unknown(self.extra, self.scene, kind, self.view.panes))
+        if self.extra:  # a key that the former lens did not know may be a field of the present one
+            kind = self.projection.lens.kind
+            left = unknown(self.extra, self.scene, kind, self.view.panes)
+            object.__setattr__(self, "extra", left)
 
     def __hash__(self) -> int:
         return hash(

@@ -19,10 +19,10 @@ _OWN: Mapping[str, str] = {
     },
     **{f"object_{axis}": axis for axis in "xyz"},
     "no planes": "A typed matrix has no near, no far and no angle.",
-    "no angle": "A parallel lens has no angle: it is as wide at every distance.",
+    "no angle": "A parallel lens has no angle: it is equally wide at every distance.",
     "no eye": "A parallel lens has no eye: this is the view along its axis.",
     "no room": "No room for all dimensions.",
-    "no half angle": "This window is off the axis, which does not halve its angle.",
+    "no half angle": "This window is off-axis: the axis does not halve its angle.",
 }
 
 
@@ -46,4 +46,4 @@ class Words(dict[str, str]):
 WORDS: Mapping[str, str] = Words()
 
 AXES = "axes"
-"""A layer that no document names: the pixel axes, which pictures beside each other do without."""
+"""A layer that no document names: the pixel axes, which compared pictures hide."""

@@ -35,7 +35,6 @@ from vtkmodules.vtkRenderingCore import (
     vtkActor,
     vtkActor2D,
     vtkCamera,
-    vtkCoordinate,
     vtkPolyDataMapper,
     vtkPolyDataMapper2D,
     vtkProp,
@@ -138,7 +137,7 @@ class Canvas:
     def make_ready(renderer: Any) -> None:
         """Make a renderer draw everything it is given, in the order it is given, and opaquely."""
         renderer.GetCullers().RemoveAllItems()
-        renderer.SetBackgroundAlpha(1.0)  # or Qt adds what lies under it, in a window of OpenGL's
+        renderer.SetBackgroundAlpha(1.0)  # or Qt blends it with the window behind it
         renderer.SetUseOIT(False)
 
     def add(self, *props: vtkProp, renderer: Any = None, layer: str = "") -> None:
@@ -202,11 +201,11 @@ class Canvas:
 
 
 class Label:
-    """A word at a point of the pane's own world, of constant size.
+    """A text at a pixel of a renderer, of constant size.
 
-    `plate` is the colour of a plate behind the text, which is then black or white. With
-    `in_pixels`, positions are pixels from the renderer's bottom left. `anchor` says which part of
-    the text is at the position: -1 left, 0 centre, 1 right; -1 bottom, 0 middle, 1 top.
+    `plate` is the colour of a plate behind the text, which is then black or white. `anchor` says
+    which part of the text is at the position: -1 left, 0 centre, 1 right; -1 bottom, 0 middle,
+    1 top.
     """
 
     def __init__(
@@ -215,7 +214,6 @@ class Label:
         style: Style,
         *,
         plate: str | None = None,
-        in_pixels: bool = False,
         anchor: tuple[int, int] = (0, 0),
         bold: bool = False,
     ) -> None:
@@ -225,17 +223,10 @@ class Label:
         self._visible = self._shown = True
         self._style, self._plate = style, ""
         self._pad = " " if plate else ""
-        self._font_px, self._dpi = style.font_size, _DPI
+        self._font_px = style.font_size
         self._text: str | None = None
-        self._place = vtkCoordinate()
-        if in_pixels:
-            self._place.SetCoordinateSystemToViewport()
-        else:
-            self._place.SetCoordinateSystemToWorld()
-        of_text = self.actor.GetPositionCoordinate()
-        of_text.SetCoordinateSystemToViewport()
-        of_text.SetReferenceCoordinate(self._place)
-        of_text.SetValue(0.0, 0.0, 0.0)
+        self._place = self.actor.GetPositionCoordinate()
+        self._place.SetCoordinateSystemToViewport()
         self.property = self.actor.GetTextProperty()
         self.property.SetFontFamily(_VTK_FONT_FILE)
         self.property.SetFontFile(font_file(bold))
@@ -248,7 +239,7 @@ class Label:
             self.set_plate(plate)
         self.set_dpi(_DPI)
         self.set_text(text)
-        self.set_position((0.0, 0.0, 0.0))
+        self.set_position(0.0, 0.0)
 
     def set_text(self, text: str) -> None:
         """Write another text; the same one costs nothing."""
@@ -274,9 +265,9 @@ class Label:
         self.property.SetBackgroundOpacity(1.0)
         self.property.SetColor(*rgb(self._style.text_on(plate)))
 
-    def set_position(self, position: ArrayLike) -> None:
-        x, y, z = np.asarray(position, dtype=np.float64).tolist()
-        self._place.SetValue(x, y, z)
+    def set_position(self, x_px: float, y_px: float) -> None:
+        """Move to a pixel, counted from the renderer's left and bottom."""
+        self._place.SetValue(x_px, y_px, 0.0)
 
     def set_visible(self, visible: bool) -> None:
         self._visible = visible
@@ -306,7 +297,6 @@ class Label:
 
     def set_dpi(self, dpi: int) -> None:
         """Keep the size in pixels, whatever the window's dots per inch."""
-        self._dpi = dpi
         self.property.SetFontSize(max(1, round(self._font_px * _DPI / dpi)))
 
 
@@ -428,7 +418,7 @@ class SceneActors:
             if lines is not None:
                 lines.GetProperty().SetLineWidth(style.line_width / 2.0)
                 _after_position(lines, _KEEP_OFF_ZERO)
-                if not planes:  # which would have to be cut as well
+                if not planes:  # a clipped line would need another cut
                     _cut_behind(lines)
         self._share_out()
         for actor in self:
@@ -607,10 +597,10 @@ def _cut_behind(actor: vtkActor) -> None:
     behind.
     """
     properties = actor.GetShaderProperty()
-    start = "//VTK::System::Dec"  # in every shader of VTK's: no use of the function is without it
+    start = "//VTK::System::Dec"  # VTK has it in every shader that uses the function
     properties.AddGeometryShaderReplacement(start, True, start + _IN_FRONT, True)
     for end, other in (("0", "1"), ("1", "0"), ("i", "1 - i")):
-        # In brackets, so that what replaces one is not what is looked for as another.
+        # In brackets, so that one replacement does not match the next search.
         cut = f"inFront((gl_in[{end}]).gl_Position, (gl_in[{other}]).gl_Position)"
         properties.AddGeometryShaderReplacement(f"gl_in[{end}].gl_Position", True, cut, True)
 

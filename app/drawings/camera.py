@@ -21,7 +21,7 @@ from app.drawings.pointing import FACES, FAR_FACE, NEAR_FACE
 from app.lecture.highlight import SIDES
 from app.model.projection import Array, Camera
 
-_PART_OF_PANE = 1.0 / 12.0  # that the camera's body takes, of the shorter side
+_PART_OF_PANE = 1.0 / 12.0  # share of the shorter side for the camera's body
 SIX_WAYS = np.vstack([np.eye(3), -np.eye(3)])
 
 # The corners of a box round the camera's body, in view space and sizes of the body.
@@ -29,7 +29,7 @@ _BODY_BOX = actors.CUBE_CORNERS * (0.6, 0.58, 0.7) + (0.0, 0.16, 0.7)
 # The diameter of a ball round it, and how far its nearest point can be before the eye.
 _BALL = 2.0 * float(np.linalg.norm((0.6, 0.58, 0.7)))
 _BEFORE = _BALL / 2.0 + float(np.linalg.norm((0.0, 0.16, 0.7)))
-_AROUND = 3.1  # body and axes are within so much of the eye
+_AROUND = 3.1  # body and axes are within this distance of the eye
 AROUND_PX = _AROUND / _BALL * _PART_OF_PANE
 """How far body and axes reach from the eye, of the pane's shorter side."""
 
@@ -109,7 +109,7 @@ class CameraDrawing:
         eye = self._standing.eye
         most_px = _PART_OF_PANE * min(pane.size_px)
         depth = max(float(pane.axes[2] @ (eye - pane.eye)), 1e-6 * self._standing.extent)
-        growing = most_px * (pane.unit(1.0) - pane.unit(0.0))  # with what is nearer than the eye
+        growing = most_px * (pane.unit(1.0) - pane.unit(0.0))  # for parts nearer than the eye
         self.body_size = most_px * float(pane.unit(depth)) / (_BALL + _BEFORE * float(growing))
         self._local_from_body = _scaled(self._standing.local_from_view, self.body_size)
         self._body_space.set(self._local_from_body)

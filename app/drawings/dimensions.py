@@ -28,14 +28,14 @@ from app.drawings.pane_view import Spot
 from app.drawings.style import rgb
 from app.model.projection import Array, Projection
 
-_SEGMENTS = 64  # there is room for
+_SEGMENTS = 64  # capacity
 _AWAY_PX = -1e4
 _ARC = 12  # pieces of the angle's arc
 _ARC_EM, _TICK_EM, _ROW_EM = 3.5, 0.35, 1.7
 _ARC_PART = 0.3  # of the way to the far plane's edge: the arc is no larger
 _ACROSS_EM = 2.2  # under the window seen along the axis
 _MOST_BELOW = 0.4  # of the pane's height, for the rows and the sentence
-_SAME = 1e-9  # of a window's side: an axis so near to its middle halves it
+_SAME = 1e-9  # of a window's side: an axis this near to its middle halves it
 _ON = ((0.0, 0.0),)
 _BELOW = tuple((x, -1.0) for x in (0.0, 0.5, -0.5, 1.0, -1.0))
 _ABOVE = ((-1.0, 1.0), (0.0, 1.0), (-1.0, 0.6), (-1.0, -0.6))
@@ -115,8 +115,8 @@ class Dimensions:
             for name in ("angle", "height")
         }
         plate = canvas.style.background
-        self._texts = {name: canvas.label("", plate=plate, in_pixels=True) for name in _NAMES}
-        self._sentence = canvas.label("", anchor=(-1, -1), plate=plate, in_pixels=True)
+        self._texts = {name: canvas.label("", plate=plate) for name in _NAMES}
+        self._sentence = canvas.label("", anchor=(-1, -1), plate=plate)
         self.hide()
 
     def hide(self) -> None:
@@ -190,7 +190,7 @@ class Dimensions:
                     self._across(layout, spots, measured)
             else:
                 if rows_em is not None:
-                    # Under all that is drawn, as far as that is in the pane.
+                    # Below everything that is drawn in the pane.
                     least = self.below_em(size_px, measured) * self._em
                     top = max(float(all_spots[:, 1].min()), least)
                     self._along(layout, spots, measured, size_px, top)
@@ -255,7 +255,7 @@ class Dimensions:
         self._rule(layout, (x, start), (x, end))
         keep_off(spots[2:6])
         if half.angle_deg is not None:
-            # The arc is on the screen what the angle is: both axes have one scale there.
+            # The angle is true on the screen: both axes have one scale.
             radius = min(_ARC_EM * self._em, _ARC_PART * float(np.hypot(*reached)))
             end = math.copysign(1.0, reached[1]) * math.radians(half.angle_deg)
             turns = np.linspace(0.0, end, _ARC + 1)
@@ -348,7 +348,7 @@ class Dimensions:
         if not said:
             return
         self._sentence.set_text("\n ".join(said))
-        self._sentence.set_position((0.5 * self._em, 0.5 * self._em, 0.0))
+        self._sentence.set_position(0.5 * self._em, 0.5 * self._em)
         top = self._said_em(said) * self._em
         layout.keep_free_box([(0.0, 0.0, 1.0), (float(size_px[0]), top, 1.0)])
 

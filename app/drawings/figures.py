@@ -47,7 +47,7 @@ from app.scenes.scene import Scene
 LARGEST_PX = LARGEST_IMAGE_PX
 """Largest side of a figure."""
 PANE_PX = 640
-"""Side of a pane where no size is asked for."""
+"""Default side of a pane."""
 SMALLEST_PANE_PX = 32
 """Smallest side of a pane with labels."""
 DPI = 300
@@ -57,19 +57,19 @@ USUAL_TEXT = 25 / PANE_PX
 """Of the shorter side of a pane: the height of an em where nobody asks for another. In three panes
 of `PANE_PX`, across a page, that is 6 points, which can be read there and on a slide (13 pixels, as
 in the window, would be 3); other figures look alike."""
-_LEAST_TEXT_PX, _LARGEST_TEXT = 1.0, 0.25  # the latter of the shorter side, too
+_LEAST_TEXT_PX, _LARGEST_TEXT = 1.0, 0.25  # the latter relative to the shorter side
 
 _DRAWINGS: dict[str, type[WorldDrawing] | type[StageDrawing] | type[ImageDrawing]] = {
     "world": WorldDrawing,
     "ndc": StageDrawing,
     "image": ImageDrawing,
 }
-_LARGEST_DRAWN_PX = 8192  # side of what is averaged; every driver can draw it
+_LARGEST_DRAWN_PX = 8192  # largest side before averaging; every driver can draw it
 _MOST_DRAWN_PX = 40_000_000  # of one pane before averaging: about 0.5 GB with depth and copies
 
 NO_PANES = QT_TRANSLATE_NOOP("Refusal", "panes = {0}: must name at least one of {1}.")
 UNKNOWN_PANE = QT_TRANSLATE_NOOP("Refusal", "pane = {0}: must be one of {1}.")
-SCALE = QT_TRANSLATE_NOOP("Refusal", "scale = {0}: must lie between 0, excluded, and {1}.")
+SCALE = QT_TRANSLATE_NOOP("Refusal", "scale = {0}: must be greater than 0 and at most {1}.")
 WIDTH = QT_TRANSLATE_NOOP(
     "Refusal", "width = {0}: must be a whole number of pixels from {1} to {2}."
 )
@@ -86,7 +86,7 @@ TEXT = QT_TRANSLATE_NOOP(
     "Refusal", "text size = {0}: must be from {1} to {2} points in panes of this size."
 )
 LINE_EM = 1.5
-_MOST_WORDS = 0.25  # of a figure's height, to say in what pictures differ
+_MOST_WORDS = 0.25  # of a figure's height, for the differences in words
 _SIDES = {"width": (WIDTH, SCALED_WIDTH), "height": (HEIGHT, SCALED_HEIGHT)}
 
 
@@ -247,7 +247,7 @@ def checked_size(
     asked = dict(zip(("width", "height"), size, strict=True))
     for name, side in asked.items():
         smallest = 1 if lone_image else SMALLEST_PANE_PX * (len(panes) if name == "width" else 1)
-        # Again, also NaN; and a whole number of 400 digits cannot be multiplied with the scale.
+        # Also for NaN; and an integer of 400 digits cannot be multiplied by the scale.
         if not (side <= sys.float_info.max and smallest <= side * scale <= LARGEST_PX):
             plain, scaled = _SIDES[name]
             template = plain if scale == 1.0 else scaled
@@ -279,7 +279,7 @@ def _compared(
         shown.append((of.projection, illustration, words.get(name, name)))
     aspects = [projection.aspect for projection, _, _ in shown]
     is_divided = bool(dividers) and len(set(aspects)) == 1
-    # A picture that is divided and has no frame has no names either: it is only itself.
+    # A divided picture without a frame has no names.
     ink = _in_words(document, scene, words, size, style) if framed or not is_divided else None
     width, height = size[0], size[1] - (0 if ink is None else len(ink))
     if not is_divided:

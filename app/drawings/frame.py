@@ -25,10 +25,10 @@ LARGER = 3.2
 """How much larger they are while they are built step by step: a third of the pane, to be seen from
 the back row."""
 DIMMED = 0.22
-"""How much is left of what is not the lesson."""
+"""Opacity of everything else meanwhile."""
 
 _RIGHT_ANGLES = {"u": ("up-u", "u-n"), "v": ("v-n", "v-u"), "view": ("u-n", "v-n", "v-u")}
-"""Between which arrows a step shows right angles: those that it is about."""
+"""The right angles that a step shows, between the arrows that it is about."""
 _UP, _LOOK = 2.7, (0.0, 0.0, -2.6)
 _PART_OF_SCENE = 0.6  # of its size: the object's axes are no longer
 _BEYOND_TIP = (1.12, 1.3, 1.6)

@@ -11,11 +11,11 @@ from collections.abc import Sequence
 from typing import NamedTuple
 
 FRAME_MS = 33.0
-"""Longest frame that is wanted, as long as nobody says otherwise: thirty a second."""
+"""Default limit of a frame: thirty a second."""
 LARGEST_FRAME_MS = 1000.0
 
-_WINDOW = 40  # frames that a level is judged by
-_HIGH = 0.95  # of them must be in time
+_WINDOW = 40  # a level is judged by this many frames
+_HIGH = 0.95  # the share of them that must be in time
 _ENOUGH = 0.9  # of the target: with longer frames, one that is not like the others is late
 _ROOM = 0.8  # of the target, for what is tried next
 _FRAMES_TO_JUDGE = 10

@@ -29,11 +29,14 @@ from app.model.projection import Array, Lens, Projection
 CUBE = actors.CUBE_CORNERS * (1.0, 1.0, -0.5) + (0.0, 0.0, 0.5)
 """The corners of the reversed range's cube: near face at z = 1, far face at z = 0."""
 
-_BEYOND = 1.5  # how far the frustum is drawn, of the depth of what is looked at
+_BEYOND = 1.5  # how far the frustum is drawn, relative to the depth of the objects
 _BREAK = 0.8  # of the reach: where a break begins
 _STROKES_AT = 0.38  # of a broken edge
 _NEAR_TINT, _FAR_TINT = 0.3, 0.16  # opacities
-_FADE_FROM, _FADED = 0.6, 0.15  # of the pane under a plane; of the tint when it is all of it
+_FADE_FROM, _FADED = (
+    0.6,
+    0.15,
+)  # share of the pane under a plane; share of the tint if that is all of it
 _STEEPEST = 1e16  # edge of a frustum, sideways per distance: a plane, and its square is finite
 _WIDEST = 1e35  # edge of a box: larger than any scene, and a float32
 
@@ -221,7 +224,7 @@ class FrustumDrawing:
             x, y, depth = pane.axes @ (starts + _STROKES_AT * along - pane.eye).T
             depth = np.maximum(np.abs(depth), 1e-9 * self._extent)
             unit = pane.unit(depth)
-            away_per = 2.0 * pane.slope / (pane.size_px[1] * unit)  # by which what recedes shrinks
+            away_per = 2.0 * pane.slope / (pane.size_px[1] * unit)  # shrinking of what recedes
             right, up, away = pane.axes @ along.T
             right, up = right - x * away * away_per, up - y * away * away_per
             length = np.hypot(right, up)

@@ -19,7 +19,7 @@ from app.drawings.style import rgb
 from app.picking.handles import Handle, Spot
 
 APART_EM = 1.15
-"""Of two marks at least."""
+"""Least distance of two marks."""
 
 _SHAPES = {
     "eye": (16, 0.52),
@@ -76,7 +76,7 @@ class HandleMarks:
         self.shown = list(handles)[:_MOST]
         self._places[len(self.shown) :, ..., :2] = _AWAY_PX
         for i, (handle, (x, y)) in enumerate(self.shown):
-            if not (math.isfinite(x) and math.isfinite(y)):  # held, and not to be seen
+            if not (math.isfinite(x) and math.isfinite(y)):  # held, but not visible
                 x, y = _AWAY_PX, _AWAY_PX
             out = handle == self.held
             kind = handle.setting if handle.name == "object" else handle.name

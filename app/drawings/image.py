@@ -9,7 +9,6 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
-from functools import partial
 from typing import Any
 
 import numpy as np
@@ -78,7 +77,7 @@ class ImageDrawing(Drawing):
         self._probes = Probes(self._canvas, self._picture)
         self._marks: MarksDrawing | None = None
         self._homogeneous = np.empty((0, 4))
-        """Points all over the scene's faces, (n, 4), which texts rather do not hide."""
+        """Points all over the scene's faces, (n, 4), which texts avoid."""
         self._rasteriser: Rasteriser | None = None
         self._rendering = Rendering()
         self._quality = quality
@@ -96,9 +95,7 @@ class ImageDrawing(Drawing):
             self._caption: Any = None
             self._middle = middle
             if caption:
-                self._caption = self._canvas.label(
-                    caption, anchor=(0, -1), in_pixels=True, bold=True
-                )
+                self._caption = self._canvas.label(caption, anchor=(0, -1), bold=True)
 
     def show_highlight(self, highlighted: Highlight) -> bool:
         return self._emphasis.show(highlighted)
@@ -313,7 +310,7 @@ class ImageDrawing(Drawing):
             ("y head", style.v, ((-1.0, 0.0, 0.0), (0.0, 2.0, 0.0), (1.0, 0.0, 0.0))),
         ):
             self._add_face(name, colour, points, "" if name == "frame" else AXES)
-        label = partial(self._canvas.label, in_pixels=True)
+        label = self._canvas.label
         self._zero = label("0, 0", anchor=(-1, -1))
         self._width_label = label("", anchor=(1, -1))
         self._height_label = label("", anchor=(-1, 1))
@@ -410,12 +407,12 @@ class ImageDrawing(Drawing):
             self._spaces[name].set(matrix)
 
         def move(label: Any, x: float, y: float) -> None:
-            label.set_position((x, pane_height_px - y, 0.0))
+            label.set_position(x, pane_height_px - y)
 
         gap = 0.35 * em
         self._width_label.set_text(str(self._image_size[0]))
         self._height_label.set_text(str(self._image_size[1]))
-        # Above the picture and below it, where they leave it the width of the pane.
+        # Above and below the picture, which keeps the width of the pane.
         zero, above = left - 1.6 * em, top - thick - gap
         least = zero + (len("0, 0") + len(str(self._image_size[0]))) * _EM_OF_DIGIT * em
         width_end = max(right - gap, least)

@@ -26,7 +26,7 @@ _DIRECTIONS = np.array(
 )
 """From a point to its name, the better ones first."""
 _STEPS = 7
-"""Heights of a name that it may be away from its point."""
+"""How many of its heights a name may be away from its point."""
 
 
 class Box(NamedTuple):
@@ -98,17 +98,22 @@ class Placer:
                 if left < t_right and right > t_left and low < t_high and high > t_low:
                     break
             else:
-                if any(math.dist(box.nearest(other), other) < apart_px for other in apart_from):
+                is_near = False
+                for x, y in apart_from:  # most are far away: nothing is called for them
+                    if left - x < apart_px > x - right and low - y < apart_px > y - high:
+                        is_near |= math.dist(box.nearest((x, y)), (x, y)) < apart_px
+                if is_near:
                     continue
                 cost = candidate.cost
                 if self._ink is not None and self._ink(left, low, right, high):
                     cost += INK
                 elif candidate.anchor is not None and self._crosses(candidate.anchor, box):
                     cost += LEADER
+                if cost == candidate.cost and (found is None or cost < found.cost):
+                    found = candidate
+                    break
                 if found is None or cost < found.cost:
                     found = candidate._replace(cost=cost)
-                if cost == candidate.cost:
-                    break
         if found is None or found.cost > at_worst:
             return None
         self.taken.append(found.box)
@@ -117,7 +122,7 @@ class Placer:
     def _crosses(self, anchor: tuple[float, float], box: Box) -> bool:
         """Whether a leader would seem to belong to something else that it runs under."""
         (x, y), (end_x, end_y), halo = anchor, box.nearest(anchor), self._halo_px
-        own = [body for body in self.bodies if body.nearest(anchor) == anchor]
+        own = [b for b in self.bodies if b.left <= x <= b.right and b.low <= y <= b.high]
         for part in self._samples:
             on_x, on_y = x + part * (end_x - x), y + part * (end_y - y)
             for taken in self.taken:

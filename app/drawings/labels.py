@@ -49,10 +49,10 @@ _BELOW_PLANE = (
 _ABOVE_PLANE = tuple((x, -y) for x, y in (_BELOW_PLANE[1:3] + _BELOW_PLANE[:1] + _BELOW_PLANE[3:]))
 _BELOW_HANDLE = tuple((x, -y) for x, y in _ABOVE_PLANE)
 GAPS_EM = (0.5, 1.6, 3.0, 5.0, 8.0, 12.0)  # between a label and its point, best first
-_HIDES = (0.001, 0.01, 0.05, 0.1)  # parts of the subject that a label may hide, rather than more
-_LEADER_FROM_EM = 1.2  # a label as far from its point is joined to it by a line
-_OTHER_PLANE_EM = 2.0  # as far is each plane's label from the other one's corners
-_STAYS_WITHIN_EM = 3.0  # a label as near to its point stays where it is while something moves
+_HIDES = (0.001, 0.01, 0.05, 0.1)  # steps of the part of the subject that a label hides
+_LEADER_FROM_EM = 1.2  # beyond this distance a leader joins a label to its point
+_OTHER_PLANE_EM = 2.0  # distance of a plane's label from the other plane's corners
+_STAYS_WITHIN_EM = 3.0  # up to this distance a label stays on its side while something moves
 
 _NOWHERE: Mapping[Any, Any] = MappingProxyType({})
 
@@ -70,13 +70,13 @@ class Named(NamedTuple):
     body: Array  # (n, 3): extent of the camera's body
     corners: Array | None  # (8, 3), of the frustum as drawn, near first
     planes: tuple[float, float] | None  # distances of near and far to be written
-    without: frozenset[str] = frozenset()  # of eye and target, what is not named
+    without: frozenset[str] = frozenset()  # "eye" or "target", if they are not to be named
 
 
 class Labels:
     def __init__(self, canvas: Canvas, words: Mapping[str, str]) -> None:
         self._canvas, self._words = canvas, words
-        style, label = canvas.style, partial(canvas.label, in_pixels=True)
+        style, label = canvas.style, canvas.label
         # The leaders before all labels, whose plates hide the ends.
         self._leaders = {
             name: Leader(canvas, getattr(style, name), style.line_width)
@@ -86,11 +86,11 @@ class Labels:
         self._kept: Mapping[Label, Side] = {}
         things = {name: label(words[name], plate=getattr(style, name)) for name in _THINGS}
         self.named = {**self._arrows, **things}
-        """Each label by the name of what it is about."""
+        """The labels by the names of their subjects."""
 
     def add_arrow(self, name: str, colour: str) -> Label:
         """Create the label of one more arrow than `AXES`."""
-        label = self._canvas.label(self._words[name], plate=colour, bold=True, in_pixels=True)
+        label = self._canvas.label(self._words[name], plate=colour, bold=True)
         self._arrows[name] = label
         return label
 
@@ -289,16 +289,16 @@ class Layout:
             return Candidate(box, anchor, key=side)
 
         others = [(x, y) for x, y, depth in apart_from if depth > 0.0]
-        search = partial(self._placer.place, apart_from=others, apart_px=_OTHER_PLANE_EM * em)
+        apart_px, search = _OTHER_PLANE_EM * em, self._placer.place
         kept, found = self._kept.get(label), None
         if kept is not None and has_leader and kept[1] in usable:
-            found = search([candidate(kept)], at_worst=min(LEADER, at_worst))
+            found = search([candidate(kept)], others, apart_px, min(LEADER, at_worst))
         if found is None:
             ordered: Iterable[Side] = product(GAPS_EM[:gaps], usable, sides)
             if best and usable:
                 places = list(ordered)
                 ordered = [places[i] for i in best]
-            found = search(map(candidate, ordered), at_worst=at_worst)
+            found = search(map(candidate, ordered), others, apart_px, at_worst)
         label.set_visible(found is not None)
         if found is None:
             if leader is not None:
@@ -309,7 +309,7 @@ class Layout:
             if found.cost < INK and side[0] <= _STAYS_WITHIN_EM:
                 self.settled[label] = side
             self._join(leader, points[side[1]][:2], found.box)
-        label.set_position((*found.box.middle, 0.0))
+        label.set_position(*found.box.middle)
         return True
 
     def least_hiding(

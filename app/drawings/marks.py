@@ -61,7 +61,7 @@ _LINE_STEPS, _FACE_STEPS = 3, 0.7  # of `lift_lines`
 _FLAT_LINES = -5e-5  # of the depth range, before faces, where all marks are in one plane
 _WIDER = 2.4  # a line that is highlighted
 _SPREAD, _GOLDEN = 120, 0.7548776662466927  # points over the subject; 1/plastic number
-_MOST_FACES = 20_000  # of a subject that texts get out of the way of
+_MOST_FACES = 20_000  # of a subject that texts avoid
 # Right and up of a text from its point, in half texts, best first.
 _GAPS, _GAPS_WITH_LEADER = 3, 5
 _BESIDE = ((1.0, 1.0), (-1.0, 1.0), (1.0, -1.0), (-1.0, -1.0), (0.0, 1.0), (0.0, -1.0))
@@ -122,7 +122,7 @@ class MarksDrawing:
         self._now: tuple[Marks, Placing] | None = None
         self._highlighted = NOTHING
         self.points = np.empty((0, 3))
-        """What is marked, in the coordinates of the pane's actors, (n, 3)."""
+        """The marked points, in the coordinates of the pane's actors, (n, 3)."""
 
     # -- marks
 
@@ -183,7 +183,7 @@ class MarksDrawing:
         if not np.abs(points).max() <= placing.limit:  # also NaN
             segments, kept = _cut_segments(segments, placing.limit)
             widths, colours = widths[kept], colours[kept]
-        # Wide lines get their direction from a difference that a driver must not find to be 0.
+        # VTK computes a wide line's direction from this difference, which must not be 0.
         long = (segments[:, 0] != segments[:, 1]).any(axis=1)
         if not long.all():
             segments, widths, colours = segments[long], widths[long], colours[long]
@@ -250,9 +250,7 @@ class MarksDrawing:
         self._away_points = _placed_each(away, placing)
         style = self._style
         while len(self._labels) < len(near):
-            label = self._canvas.label(
-                "", renderer=self._renderer, plate=style.ink, in_pixels=True, bold=True
-            )
+            label = self._canvas.label("", self._renderer, plate=style.ink, bold=True)
             self._labels.append(label)
             leader = None
             if self._leads:

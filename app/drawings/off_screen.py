@@ -28,11 +28,11 @@ def check_off_screen() -> None:
 
     With too little OpenGL, VTK would end the process.
     """
-    # A search through X, EGL and Mesa that leads to a picture is nothing to warn of.
+    # No warnings about the search through X, EGL and Mesa, if it leads to a picture.
     vtkLogger.SetStderrVerbosity(vtkLogger.VERBOSITY_ERROR)
     window: Any = _window_that_draws()()
     window.SetOffScreenRendering(1)
-    # Its last resort, a library that is not there, says yes untested.
+    # VTK's last resort, a missing library, reports support untested.
     if not window.SupportsOpenGL() or "Not tested" in window.GetOpenGLSupportMessage():
         raise RuntimeError(
             "There is no OpenGL 3.2 to draw with: update the graphics driver; on Linux install "
@@ -49,10 +49,12 @@ class OffScreen:
     def __init__(self, width: int, height: int) -> None:
         self.render_window: Any = _window_that_draws()()
         self.render_window.SetOffScreenRendering(1)
-        if sys.platform == "darwin":  # else there is a window after all, in the main thread only
+        if (
+            sys.platform == "darwin"
+        ):  # or there is a window after all, which only the main thread may use
             self.render_window.SetConnectContextToNSView(False)
         self.clear(width, height)
-        self.render_window.Initialize()  # X's crashes if it is let go without
+        self.render_window.Initialize()  # an X window crashes without it when it is released
 
     def clear(self, width: int, height: int) -> None:
         """Return to the first state, in another size, but keep the compiled shaders."""
@@ -110,7 +112,7 @@ def _window_that_draws() -> type:
     """The class of VTK's windows that works here. VTK tries each that it may choose."""
     if sys.platform != "linux" or os.environ.get("DISPLAY") or _WINDOW_CHOICE in os.environ:
         return type(vtkRenderWindow())
-    # Without a display a try of X's would end in a warning.
+    # Without a display, trying X would cause a warning.
     os.environ[_WINDOW_CHOICE] = "vtkEGLRenderWindow"
     try:
         return type(vtkRenderWindow())

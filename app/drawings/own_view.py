@@ -32,14 +32,14 @@ from app.model.projection import Array, Camera
 from app.picking.picking import Sight
 
 _VIEW_ANGLE_DEG = 50.0
-_MARGIN_EM = 1.6  # beside what is framed, for the labels
+_MARGIN_EM = 1.6  # for the labels
 _SMALL_MARGIN = 1.0 / 6.0  # of a small pane: both sides together take no more of it
-_BEHIND_FAR = 1.4  # of far's distance: what is seen in a view from the side
-_SHRUNK = 0.4  # of the pane: what fills less of it is brought nearer by `refit`
-_NEAREST = 0.02  # of the distance to what is looked at: what is nearer is cut
+_BEHIND_FAR = 1.4  # of far's distance: the depth that a view from the side shows
+_SHRUNK = 0.4  # of the pane: `refit` brings nearer what fills less of it
+_NEAREST = 0.02  # of the distance to the focal point: nearer things are cut
 _LINES_LIFT = 2e-3  # of the distance: a face must not eat its own edges
 _STEEPEST_EYE = math.tan(math.radians(80.0))  # what a pane shows from the eye, at most
-_HIGHEST = math.sin(math.radians(80.0))  # that a view which was fixed looks down from, at most
+_HIGHEST = math.sin(math.radians(80.0))  # largest elevation of a view that was fixed
 
 # Where the pane is looked from as it opens: how far behind the model's camera, and how high.
 _TURNS_DEG, _RISES_DEG = (20.0, 35.0, 50.0), (15.0, 25.0, 35.0)
@@ -52,7 +52,7 @@ _AXES = {
     "axis": ((0, 1.0), (1, 1.0), (2, -1.0)),
     "eye": ((0, 1.0), (1, 1.0), (2, -1.0)),
 }
-"""Right, up and toward what is looked at: which of u, v, n, and with which sign."""
+"""Right, up and the direction of view: which of u, v, n, and with which sign."""
 
 
 class Framed(NamedTuple):
@@ -130,7 +130,7 @@ class OwnView(PaneCamera):
         self._framed = self._framed_first = framed
         self._was_shifted = False
         if not self.fixed:
-            self._direction = _clearest(framed, self._middle)
+            self._direction = _clearest(framed)
         self.place(framed)
 
     def refit(self, framed: Framed) -> bool:
@@ -255,7 +255,7 @@ class OwnView(PaneCamera):
             return _Flat(0.0, 0.0, 0.0, min(slope, _STEEPEST_EYE) if slope > 0.0 else 1.0)
         wide, high = self._room(framed.below_em)
         if self.fixed in ("side", "top") and framed.corners is not None:
-            # A row that goes on far behind the frustum would make a strip of it.
+            # Objects far behind the frustum would shrink it to a strip.
             far = float((axes[0] @ (framed.corners - framed.eye).T).max())
             deepest = max(_BEHIND_FAR * far, 1.1 * framed.camera.distance)
             offsets[0] = np.minimum(offsets[0], deepest)
@@ -388,7 +388,7 @@ def _directions(frame: Array) -> Iterator[Array]:
         yield math.cos(rise) * level + np.array([0.0, math.sin(rise), 0.0])
 
 
-def _clearest(framed: Framed, middle: Array) -> Array:
+def _clearest(framed: Framed) -> Array:
     """The direction that shows eye, near plane, objects and far plane best, (3,).
 
     It maximises the product of the parts of a square pane that each of the four takes alone, and

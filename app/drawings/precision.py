@@ -50,8 +50,8 @@ from app.scenes.scene import Scene
 
 _GROUND = 2
 _WIDE = 2.0  # of the picture: beyond, wide lines and points do not reach into it
-MANY_CELLS, _CLUSTERS = 1_000, 256  # of so many, clusters are made; about so many
-_LEAST_W = 1e-30  # under a free matrix: what is nearer to w = 0 cannot be divided by it
+MANY_CELLS, _CLUSTERS = 1_000, 256  # from this many cells on; into about this many clusters
+_LEAST_W = 1e-30  # under a free matrix: nearer to w = 0, the divide overflows
 _SHALLOW = 1.0 - 2.0**-22  # of the depth range: or the far plane takes what float32 rounds onto it
 
 
@@ -328,7 +328,7 @@ def _projected_part(made: _Made, projection: Projection, origin: Array, space: S
         rows = normals @ projection.clip_from_local(origin, space)
         rows[:, 3] += offsets
         boxes = made.clusters.boxes
-        slack = 1e-9 * (np.abs(rows) @ (*np.abs(boxes).max(axis=(0, 1)), 1.0))  # a glance rounds
+        slack = 1e-9 * (np.abs(rows) @ (*np.abs(boxes).max(axis=(0, 1)), 1.0))  # for rounding
         beyond = ((boxes @ rows[:, :3].T + rows[:, 3]).max(axis=1) < -slack).any(axis=1)
     if not beyond.any():
         traced = projection.trace(points.astype(np.float64) + origin, space)

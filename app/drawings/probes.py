@@ -86,7 +86,7 @@ class Probes:
             crossing = sight.seen(line[:1])[0] if line is not None and has_near else None
             spot = sight.seen([point])[0]
             way: Array | None = np.stack([start, point]) - origin
-            if line is None and not projection.lens.central:  # no eye that it would start in
+            if line is None and not projection.lens.central:  # there is no eye to start from
                 way = None
             marks.append(Mark(probe.number, spot, not trace.outside.any(), way, crossing))
         return marks
@@ -175,7 +175,7 @@ class _Slot:
             _disc(outer * em, colour, 48, inner * em)
             for (inner, outer), colour in zip(_RING_EM, (style.ink, style.accent), strict=True)
         )
-        self._label = Label("", style, plate=style.accent, in_pixels=True, bold=True)
+        self._label = Label("", style, plate=style.accent, bold=True)
         canvas.add(
             self._line, *self._crossing, *self._ring, self._rim, self._fill, self._label.actor,
             renderer=renderer,
@@ -207,7 +207,7 @@ class _Slot:
             em, (x, y) = self._style.font_size, spot
             to_right = 1.0 if x + 2.2 * em < size_px[0] else -1.0
             to_top = 1.0 if y + 2.0 * em < height_px else -1.0
-            self._label.set_position((x + 1.3 * em * to_right, y + 1.2 * em * to_top, 0.0))
+            self._label.set_position(x + 1.3 * em * to_right, y + 1.2 * em * to_top)
         crossing = _place(None if mark is None else mark.crossing_px, height_px)
         for actor in self._crossing:
             actor.SetVisibility(crossing is not None)
@@ -257,7 +257,7 @@ def sort_ahead(scene: Scene) -> None:
     points: NDArray[Any] = np.empty((0, 3), np.float32)
     triangles: NDArray[Any] = np.empty((0, 3), np.int32)
     if mesh is not None:
-        if not mesh.is_all_triangles:  # VTK does not let go of Python: here as well as there
+        if not mesh.is_all_triangles:  # VTK holds the GIL, so that a thread would not help
             mesh = mesh.triangulate()
         points, triangles = np.asarray(mesh.points), mesh.regular_faces
     surface = _sorting.submit(Surface, points, triangles, scene.origin)

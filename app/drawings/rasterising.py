@@ -48,16 +48,16 @@ from app.scenes.scene import Scene
 
 REFUSED = QT_TRANSLATE_NOOP(
     "phenomena",
-    "this computer's OpenGL does not take the shader that this scene needs: the picture is drawn"
-    " the ordinary way, and only the computed numbers are right",
+    "this computer's OpenGL rejects the shader that this scene needs: the picture is drawn without"
+    " it, and only the computed numbers are right",
 )
 TOO_FINE = QT_TRANSLATE_NOOP(
     "phenomena",
-    "{0} faces in {1} parts a side are more triangles than can be drawn: the picture has {2}",
+    "{0} faces with {1} parts a side are too many triangles to draw: the picture has {2} parts",
 )
 MOST_TRIANGLES = 1_000_000
 LEAST_COUNTED = 20
-"""Pixels of which a share is counted: of fewer, each is more than 5 points."""
+"""The fewest pixels of which a share is counted: each is 5 points then."""
 
 _Uniforms: TypeAlias = dict[str, float | int | tuple[float, ...]]
 _RED, _BLUE = (1.0, 0.0, 0.0), (0.0, 0.0, 1.0)
@@ -459,7 +459,7 @@ def counted_wrong_share(
 
     both = drawn(True, False)[..., 0] & drawn(False, True)[..., 1]
     found = drawn(True, True)[..., 1]
-    # A gap too fine for this buffer as well is told by one that it can tell, in a buffer that can.
+    # A gap that is too fine for this buffer is replaced by a larger one, in a finer buffer.
     if even:
         rasteriser.show(Rendering(), seen)
         reach = math.dist(*scene.corners[[0, -1]].tolist())
@@ -490,7 +490,7 @@ def _over_the_scene(clip_from_local: Array, corners: Array, apart: Array) -> Arr
     """
     points = np.concatenate([corners, corners @ apart[:3, :3].T + apart[:3, 3]])
     z = points @ clip_from_local[2, :3] + clip_from_local[2, 3]
-    margin = 0.01 * (z.max() - z.min())  # or a face across the view would be cut off with the rest
+    margin = 0.01 * (z.max() - z.min())  # or a face across the view would be cut off
     low, high = np.clip([z.min() - margin, z.max() + margin], -1.0, 1.0)
     if low < high:
         clip_from_local = clip_from_local.copy()

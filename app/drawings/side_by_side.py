@@ -9,7 +9,7 @@ from itertools import accumulate
 from app.drawings.style import TITLE_EM
 
 BARE_EM = 0.4
-"""Round a picture without axes; above it there is its title, too."""
+"""Margin of a picture without axes; its title is above it."""
 _LEAST_PX = 24.0
 
 
@@ -38,7 +38,7 @@ def cells(
     fullest = max(map(sum, wanted))
     found, height = [], height_px // len(rows)
     for top, row in enumerate(wanted):
-        # Alone in it, a picture has all of a row that no other one fills.
+        # A picture that is alone in its row gets all of it, if no row is fuller.
         room = width_px / (sum(row) if len(rows) == len(aspects) else fullest)
         widths = [int(room * each) for each in row]
         first = int((width_px - room * sum(row)) / 2.0)

@@ -17,11 +17,11 @@ from app.drawings.pane_view import PaneView
 from app.model.projection import Array
 from app.scenes.scene import Scene
 
-_MOST_FACES = 3_000  # of a mesh of more the vertices are close enough
+_MOST_FACES = 3_000  # of larger meshes, vertices are sampled
 _MOST_POINTS = 10_000
 _SQUARE_EM = 1.0 / 3.0
-_MOST_STEPS = 256  # across one triangle: one that reaches far out of the pane is sampled coarser
-_MOST_PLACES = 200_000  # looked at together: of more, which lie over one another, fewer are enough
+_MOST_STEPS = 256  # across one triangle; larger ones are sampled more coarsely
+_MOST_PLACES = 200_000  # in all; more would overlap
 
 
 class Silhouette:

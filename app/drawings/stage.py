@@ -69,7 +69,7 @@ class StageDrawing(Drawing):
         self.own = StageView(self._canvas, scene.start.camera)
         self._position = float(NDC)
         self._placed: tuple[float, object] | None = None
-        """The position at which the box stands, and what else it depends on."""
+        """The position of the box on the strip, and the projection or depth range it depends on."""
         # Left, right, bottom, top, far, near of the view volume, normals inwards.
         self._planes = [vtkPlane() for _ in range(6)]
         self._model = ModelActors(scene, style, least_tolerance(scene, tolerance_px), self._planes)
@@ -156,7 +156,7 @@ class StageDrawing(Drawing):
                 plane.SetOrigin(*(-offset * part for part in normal))
             self._show_highlighted()
             self._place_texts()
-        if at_ndc:  # what the volume holds is all that is shown, in the arithmetic that it needs
+        if at_ndc:  # only the volume's content is shown, in the precision that it needs
             to_display = self._display_from_ndc
             matrices = [to_display @ m for m in self._model.show_projection(self._seen)]
         else:
@@ -264,7 +264,7 @@ class StageDrawing(Drawing):
         self.reset_clipping_range()
 
     def _layout(self, _width_px: int, _height_px: int) -> None:
-        if not self.own.was_moved:  # nobody has turned it since: keep it whole
+        if not self.own.was_moved:  # the user has not turned it: keep all of it in view
             self.reset_view()
         else:
             self.reset_clipping_range()

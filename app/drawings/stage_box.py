@@ -9,7 +9,6 @@ from __future__ import annotations
 import itertools
 import math
 from collections.abc import Callable, Mapping, Sequence
-from functools import partial
 from typing import TypeAlias
 
 import numpy as np
@@ -85,7 +84,7 @@ class StageBox:
         self._at: dict[Label, Array] = {}
         self._is_pyramid = False
         self._written: set[Label] = set()
-        """What stands in the pane if it has room."""
+        """The labels to show if there is room."""
         self._add_volume()
         self._add_axes()
         self._add_words()
@@ -135,7 +134,7 @@ class StageBox:
     def _add_words(self) -> None:
         style, words = self._canvas.style, self._words
 
-        label = partial(self._canvas.label, in_pixels=True)
+        label = self._canvas.label
         # The leaders before all labels, whose plates hide the ends.
         self._leaders = {
             name: Leader(self._canvas, getattr(style, name), style.line_width)
@@ -178,7 +177,7 @@ class StageBox:
                 is_written = has_depth or name != "z"
                 number.set_visible(stop >= CANONICAL_PERSPECTIVE and is_written)
         if drawn:
-            self._place_words(morph, position, stop)
+            self._place_words(morph, stop)
         labels = self.near, self.far, *self._letters, *itertools.chain(*self._numbers.values())
         self._written = {label for label in labels if label.is_visible and label.text}
 
@@ -231,7 +230,7 @@ class StageBox:
         shown: Array = homogeneous[..., :3] / homogeneous[..., 3:]
         return shown
 
-    def _place_words(self, morph: Morph, position: float, stop: int) -> None:
+    def _place_words(self, morph: Morph, stop: int) -> None:
         """Put near, far and the ends of the axes at the corners of the view volume."""
         box, lens, words = self.display_from_box, morph.projection.lens, self._words
         limit = RADIUS if stop <= VIEW else 2.0

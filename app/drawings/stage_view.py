@@ -30,7 +30,7 @@ CANONICAL_AXES = np.array([[0.0, 0.0, 0.5], [0.75, 0.0, 0.5], [0.0, 0.75, 0.5], 
 OVERSHOOT = 0.28
 """Of the axes beyond the cube, and beyond the picture."""
 
-_DISTANCE = 10.0  # of the camera; parallel, so that only its clipping range feels it
+_DISTANCE = 10.0  # of the camera; for a parallel one it affects only the clipping range
 _REACH = 2.5  # everything drawn lies within this of the cube's centre, at any orbit
 _BEHIND_DEG, _WORLD_ELEVATION_DEG = 55.0, 25.0  # of the world stop, from the scene's own camera
 _CUBE_DEG = 27.0, 18.0  # to the right of the near face and above it

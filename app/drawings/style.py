@@ -11,7 +11,7 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 
 TITLE_EM = 1.5
-"""What the title of a pane takes of its top, in ems: it lies on the picture."""
+"""Height of a pane's title, which lies on the picture, in ems."""
 BLACK, WHITE = "#000000", "#ffffff"
 
 

@@ -41,10 +41,13 @@ from app.scenes.phenomena.illustration import Illustration
 from app.scenes.phenomena.marks import Length
 from app.scenes.scene import Scene
 
-_WHOLE, _NEARBY = 3.0, 1.1  # of the extent: a frustum that is framed whole; else only so far
+_WHOLE, _NEARBY = (
+    3.0,
+    1.1,
+)  # of the extent: the largest frustum that is framed whole; else this much of it
 _FARTHEST_MARK = 1e3  # of the extent: where lines toward infinity end
-_PICTURE_PART = 0.5  # of the pane's width: a near plane on which words are rather not written
-_FRAMED_MARK = 5.0  # of the scene's size: marks farther from it are not brought into view
+_PICTURE_PART = 0.5  # of the pane's width: smaller near planes are kept free of words
+_FRAMED_MARK = 5.0  # of the scene's size: farther marks are not framed
 
 
 class WorldDrawing(Drawing):
@@ -151,9 +154,8 @@ class WorldDrawing(Drawing):
         self._follow_pane(afresh=True)
 
     def _switch_layers(self) -> None:
-        # Nobody sees the camera that they look through; along its axis it stands in the picture.
-        # And from the eye the picture covers the scene itself, pressed flat: whose hidden edges
-        # are hardly behind what hides them.
+        # The pane looks through the camera, or it stands in front of the picture. From the eye the
+        # flattened picture covers the scene, and its hidden edges would show through.
         hidden = self._hidden
         if self.own.sees_from_eye:
             hidden = hidden | {"camera", "near-picture"}
@@ -377,10 +379,10 @@ class WorldDrawing(Drawing):
         """The things without names and handles, because they are not drawn."""
         unseen = set[str]()
         if "frustum" in self._hidden or self.camera.step is not None:
-            unseen |= {"near", "far", "corner"}  # nothing before the arrows that are being built
+            unseen |= {"near", "far", "corner"}  # they would cover the arrows of the construction
         if "camera" in self._hidden:
             unseen |= {"eye", "target"}
-        elif "camera" in self._canvas.hidden:  # seen through, or from right behind it
+        elif "camera" in self._canvas.hidden:  # the pane looks through it, or from right behind it
             unseen |= {"eye"}
         return frozenset(unseen)
 

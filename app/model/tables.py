@@ -7,6 +7,7 @@ shown), in letters (the formulas shown) and in float64.
 from __future__ import annotations
 
 from collections.abc import Mapping
+from itertools import islice
 from typing import Any, NamedTuple, TypeAlias
 
 from app.arithmetic.rationals import Rationals, eliminate
@@ -33,8 +34,9 @@ def matrix(text: str, **parts: str) -> Table:
 
 
 def evaluated(table: Table, known: Mapping[str, Any], arithmetic: Arithmetic = EXACT) -> list[Any]:
-    """The value of a matrix, 4 lists of 4 numbers; `known` as in `Formula.value`."""
-    return [[cell.evaluate(known, arithmetic) for cell in row] for row in table]
+    """The values of a table, row by row; `known` as in `Formula.value`."""
+    numbers = iter([cell.evaluate(known, arithmetic) for row in table for cell in row])
+    return [list(islice(numbers, len(row))) for row in table]
 
 
 def rounded(matrix: Rationals) -> Array:

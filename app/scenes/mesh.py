@@ -79,7 +79,7 @@ DAMAGED_LINE = QT_TRANSLATE_NOOP(
     "Refusal", "{0}: line {1} cannot be read as {2}; export or download the file again."
 )
 UNSUPPORTED = QT_TRANSLATE_NOOP(
-    "Refusal", "{0}: it uses “{1}”, which this program does not read; export it without."
+    "Refusal", "{0}: it uses “{1}”, which this program does not read; export it without that."
 )
 PART = QT_TRANSLATE_NOOP(
     "Refusal",

@@ -69,7 +69,7 @@ def wheel(folder: Path, name: str, version: str) -> None:
 
 @dataclass(frozen=True)
 class Checkout:
-    """A checkout, and the machine it is on: the package files it can reach."""
+    """A checkout, and the package files that its machine can reach."""
 
     root: Path
     wheels: Path
@@ -136,7 +136,7 @@ def fresh(tmp_path: Path) -> Checkout:
 
 @pytest.fixture(scope="module")
 def first_starts(tmp_path_factory: pytest.TempPathFactory) -> tuple[Checkout, list[str]]:
-    """A checkout whose first start was two at the same moment, and what each of them said."""
+    """A checkout that was first started twice at once, and the output of both starts."""
     checkout = fresh.__wrapped__(tmp_path_factory.mktemp("made"))
     command = ("-m", "app", "project")
     with checkout.start(*command) as one, checkout.start(*command) as two:
@@ -146,7 +146,7 @@ def first_starts(tmp_path_factory: pytest.TempPathFactory) -> tuple[Checkout, li
 
 
 def copy(source: str, target: str) -> None:
-    """Copy a file, or share it where it is one of pip's thousand, which nobody writes to again."""
+    """Copy a file; link pip's thousand files, which nobody changes."""
     (os.link if "site-packages" in source else shutil.copy2)(source, target)
 
 
@@ -210,7 +210,7 @@ def test_the_doctor_comes_before_any_set_up(fresh: Checkout) -> None:
 
 
 def test_the_doctor_goes_into_the_environment_that_there_is(made: Checkout) -> None:
-    """And breaks off in this one, which has no Qt."""
+    """It stops early in this one, which has no Qt."""
     _, output, _ = made.run("-m", "app", "doctor")
     assert f"({made.root}/.venv/bin/python)" in output
     assert "frustum-probe       1.0 (needed: >=1,<2)" in output
@@ -249,7 +249,7 @@ def test_a_start_inside_the_environment_stays_there(made: Checkout) -> None:
 
 
 def test_a_start_needs_no_standard_output(made: Checkout) -> None:
-    """As under pythonw, and as a service starts programs."""
+    """pythonw has none, and neither have services."""
     closed = 'exec "$@" >&- 2>&-', "sh", PYTHON
     probe = "import pathlib, sys; import app.__main__ as a; a.main(); pathlib.Path('ran').touch()"
     done = subprocess.run(["/bin/sh", "-c", *closed, "-c", probe], cwd=made.root, check=False)
@@ -277,10 +277,10 @@ def test_a_set_up_killed_while_it_asks_the_server_has_touched_nothing(made: Chec
     assert made.assert_runs() == ""
 
 
-def test_an_environment_is_not_trusted_from_its_first_change_on(
+def test_an_environment_is_not_trusted_once_pip_changes_it(
     made: Checkout, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """Neither is what pip was killed at; but the program's part is none of the test extras'."""
+    """If pip is killed at the test extras, the program's part is still trusted."""
     seen = []
 
     def pip(_: object, _command: object, follow: Callable[[str], object]) -> int:
@@ -337,7 +337,7 @@ def test_a_start_that_is_stopped_before_anything_is_set_up_says_nothing(
     assert made.run("-m", "app", "project") == (130, "", "")
 
 
-def test_a_look_round_that_is_stopped_says_nothing(
+def test_a_check_that_is_stopped_says_nothing(
     monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     def stop(_need: bootstrap.Need) -> list[bootstrap.System]:
@@ -366,15 +366,15 @@ def test_an_environment_that_lost_a_part_is_not_trusted(made: Checkout, lost: st
 
 @pytest.fixture
 def not_set_up(fresh: Checkout, monkeypatch: pytest.MonkeyPatch) -> None:
-    """The checkout that this process starts in is one that lacks its package, and not its own."""
+    """Let this process run in a checkout that lacks its package."""
     monkeypatch.setattr(bootstrap, "ROOT", fresh.root)
 
 
 @pytest.mark.usefixtures("not_set_up")
-def test_windows_makes_no_environment_anew_that_is_running(
+def test_windows_does_not_rebuild_a_running_environment(
     monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    """Nobody can remove a program's file there while it runs, and it would wait for its heir."""
+    """There a running program's file cannot be removed."""
     monkeypatch.setattr(sys, "platform", "win32")
     monkeypatch.setattr(bootstrap.Environment, "is_running", lambda _: True)
     monkeypatch.setattr(bootstrap.Environment, "is_complete", lambda _: False)
@@ -414,7 +414,7 @@ def test_ctrl_c_is_left_to_the_program_that_windows_waits_for(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     class Program(contextlib.nullcontext["Program"]):
-        """Asks about unsaved work, and ends in its own time."""
+        """A program that asks about unsaved work before it ends."""
 
         returncode: int | None = None
 
@@ -448,7 +448,7 @@ def test_a_half_made_environment_is_not_trusted_from_inside_either(made: Checkou
 
 
 def without_pip(made: Checkout) -> Path:
-    """Make the environment one of uv's, which has no stamp of ours and no pip; its packages."""
+    """Turn the environment into one of uv's, without stamp and pip; return its packages."""
     (made.root / ".venv" / "frustum-lab.stamp").unlink()
     (packages,) = (made.root / ".venv").glob("*ib/**/site-packages")
     for name in packages.glob("pip*"):
@@ -475,7 +475,7 @@ def test_an_environment_of_another_program_that_lacks_something_is_left_alone(
     assert sorted(packages.iterdir()) == before
 
 
-def test_a_disk_with_too_little_space_is_told_before_anything_is_downloaded(
+def test_too_little_space_is_reported_before_any_download(
     fresh: Checkout, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     usage = shutil.disk_usage(fresh.root)
@@ -526,7 +526,7 @@ def test_test_extras_are_added_and_the_program_still_starts_at_once(made: Checko
     assert made.assert_runs() == ""
 
 
-def test_tested_versions_that_do_not_exist_here_give_way_to_the_bounds(made: Checkout) -> None:
+def test_other_versions_are_installed_if_the_tested_ones_do_not_exist(made: Checkout) -> None:
     made.ask_for(">=1,<2", exactly="1.7")
     assert "trying others" in made.assert_runs("1.0")
     assert made.assert_runs("1.0") == ""
@@ -537,7 +537,7 @@ def test_tested_versions_that_do_not_exist_here_give_way_to_the_bounds(made: Che
 
 @pytest.fixture
 def offline() -> dict[str, str]:
-    """What makes pip ask where nobody answers."""
+    """The environment with which pip asks a server that does not answer."""
     with socket.create_server(("127.0.0.1", 0)) as server:
         closed = f"http://127.0.0.1:{server.getsockname()[1]}/"
     return {"PIP_INDEX_URL": closed, "PIP_RETRIES": "1"}
@@ -555,7 +555,7 @@ def test_without_a_network_a_first_start_is_one_sentence(
     assert "trying others" not in said  # which would only take as long again
 
 
-def test_without_a_network_what_worked_goes_on_under_new_bounds(
+def test_without_a_network_a_working_environment_is_used_under_new_bounds(
     made: Checkout, offline: dict[str, str]
 ) -> None:
     stamp = made.stamp.read_text()
@@ -581,7 +581,7 @@ def test_without_a_network_what_worked_goes_on_under_new_bounds(
     assert "bringing" in made.assert_runs("2.1")
 
 
-def test_without_a_network_tested_versions_that_changed_are_no_reason_to_stop(
+def test_without_a_network_changed_tested_versions_do_not_matter(
     made: Checkout, offline: dict[str, str]
 ) -> None:
     made.ask_for(">=1,<2", exactly="1.7")
@@ -601,7 +601,7 @@ def test_without_a_network_the_tests_are_refused_and_the_program_still_starts(
     assert made.assert_runs() == ""
 
 
-def test_what_another_python_had_comes_back_where_nothing_takes_its_place(
+def test_another_pythons_environment_comes_back_if_the_new_one_fails(
     made: Checkout, offline: dict[str, str]
 ) -> None:
     made.stamp.write_text(others := "cpython-399 linux - of that time\n")
@@ -613,7 +613,7 @@ def test_what_another_python_had_comes_back_where_nothing_takes_its_place(
     assert not (made.root / ".venv.old").exists()
 
 
-def test_what_a_killed_set_up_left_aside_comes_back(made: Checkout) -> None:
+def test_an_environment_put_aside_by_a_killed_set_up_comes_back(made: Checkout) -> None:
     folder = made.root / ".venv"
     folder.rename(made.root / ".venv.old")
     folder.mkdir()
@@ -632,11 +632,11 @@ def test_a_package_that_does_not_exist_is_named(fresh: Checkout) -> None:
 
 @pytest.mark.parametrize("full", ["environment", "temporary"])
 @pytest.mark.parametrize("step", ["venv", "pip", "writing"])
-def test_a_full_disk_is_called_that_with_its_folder(
+def test_a_full_disk_is_reported_with_its_folder(
     full: str, step: str, fresh: Checkout, monkeypatch: pytest.MonkeyPatch,
     capsys: pytest.CaptureFixture[str],
 ) -> None:  # fmt: skip
-    """What pip and venv say of it was copied from a disk of 20 MB."""
+    """The messages of pip and venv were copied from a disk of 20 MB."""
     temporary = fresh.root.parent / "temporary"
     temporary.mkdir()
     monkeypatch.setattr(tempfile, "tempdir", str(temporary))
@@ -677,7 +677,6 @@ class Terminal(io.StringIO):
 def test_packages_are_counted_while_they_are_installed(
     live: bool, made: Checkout, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """Which is seen to go on, however long it takes."""
     out = Terminal() if live else io.StringIO()
     monkeypatch.setattr(sys, "stderr", out)
     monkeypatch.setattr(bootstrap, "TICK_S", 0.01)
@@ -711,7 +710,7 @@ def test_packages_are_counted_while_they_are_installed(
 def test_a_package_is_named_once_while_it_is_fetched(
     made: Checkout, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """Pip names one again that it has had to look into."""
+    """Pip names a package again if it has to inspect it."""
     out = io.StringIO()
     monkeypatch.setattr(sys, "stderr", out)
     wheels = [f"Downloading frustum_{name}-1.0-py3-none-any.whl (1 kB)" for name in "aba"]
@@ -728,7 +727,7 @@ def test_a_folder_that_cannot_be_written_to_is_one_sentence(fresh: Checkout) -> 
     assert "a folder that you may write to" in one_sentence(said)
 
 
-def test_a_python_that_is_too_old_is_told_so(
+def test_a_python_that_is_too_old_is_refused(
     monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     spec = spec_from_file_location("old", bootstrap.ROOT / "app" / "__init__.py")
@@ -806,10 +805,10 @@ def test_one_command_brings_what_app_export_and_tests_lack(
     assert {"xauth", "xvfb", "libgssapi-krb5-2", "fonts-dejavu-core"} < named <= set(words)
 
 
-def test_a_system_without_a_font_is_told_so(
+def test_a_missing_font_is_reported(
     tmp_path: Path, programs: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """In a process of its own, whose fontconfig has read nothing yet."""
+    """A new process is needed, whose fontconfig has read nothing yet."""
     program(programs, "apt-get")
     empty = tmp_path / "fonts.conf"
     empty.write_text(f"<fontconfig><cachedir>{tmp_path}</cachedir></fontconfig>")
@@ -925,7 +924,7 @@ def test_a_command_is_quoted_as_the_shell_there_takes_it(
     assert bootstrap.command_line(words) == command
 
 
-def test_what_is_imported_for_good_is_not_searched_for_garbage() -> None:
+def test_permanent_imports_are_exempt_from_garbage_collection() -> None:
     class Imported:
         """Made while others are imported."""
 
@@ -947,7 +946,7 @@ VERSIONS = (
 
 
 @pytest.mark.parametrize("extras", [(), ("test",)])
-def test_requirements_are_read_as_the_standard_reads_them(extras: tuple[str, ...]) -> None:
+def test_requirements_are_read_as_the_standard_says(extras: tuple[str, ...]) -> None:
     for requirement in bootstrap.requirements(bootstrap.ROOT, extras):
         standard = Standard(requirement.text)
         assert requirement.name == standard.name
@@ -998,7 +997,7 @@ def test_a_version_outside_the_bounds_does_not_pass_for_installed() -> None:
 
 @pytest.mark.parametrize("end", ["pass", "raise SystemExit(0)"])
 def test_the_tests_bring_a_screen_and_take_it_away(end: str, tmp_path: Path) -> None:
-    """In a process of its own, as a child process with a preparation is started."""
+    """A new process is needed because of ``preexec_fn``."""
     probe = (
         "from tests.__main__ import screens\n"
         "with screens(2) as environment:\n"

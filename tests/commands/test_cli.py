@@ -211,7 +211,7 @@ def test_a_forced_precision_computes_the_numbers(by_hand: Path, precision: Preci
     assert f"\ncomputed in {precision}; errors are below: float32 " in table
 
 
-def test_a_precision_that_is_none_is_refused(by_hand: Path) -> None:
+def test_an_unknown_precision_is_refused(by_hand: Path) -> None:
     assert refused("project", by_hand, "-", "--rung", "float16", text="0,0,0") == (
         "--rung = 'float16': must be one of float32, float64, exact.\n"
     )
@@ -405,7 +405,7 @@ def test_a_name_of_a_point_cannot_write_to_the_terminal() -> None:
         (b"x,y,z\n", ["no points"]),
         (b"1,2,3\n1,2\n", ["line 2", "2 columns", "three"]),
         (b"1,2,3,4,5\n", ["line 1", "5 columns", "three"]),
-        (b"0,0,0,0\n", ["line 1: w = 0: must not be 0 where x, y and z are"]),
+        (b"0,0,0,0\n", ["line 1: w = 0: must not be 0 if x, y and z are 0"]),
         (b"1,2,3,nan\n", ["line 1", "w = 'nan'", "finite number"]),
         (b"1,2,3,1e308\n", ["line 1", "w = 1e308", f"{LARGEST}"]),
         (b"1e100,2,3,1e-300\n", ["line 1", "x/w = inf", "finite number"]),
@@ -435,8 +435,17 @@ def test_an_empty_name_is_refused(command: str) -> None:
     assert "was given an empty name." in refused(*command.split(), "")
 
 
+def started(*words: str | Path, **options: Any) -> subprocess.CompletedProcess[str]:
+    """Run the program in a process of its own, with options of `subprocess.run`."""
+    given = {"cwd": ROOT, "stdout": subprocess.PIPE, "stderr": subprocess.PIPE, "text": True}
+    given["env"] = {**os.environ, "PYTHONPATH": str(ROOT)}
+    return subprocess.run(
+        [sys.executable, "-m", "app", *words], check=False, timeout=PATIENCE_S, **given | options
+    )
+
+
 def in_a_deleted_folder(folder: Path, *arguments: str) -> subprocess.CompletedProcess[str]:
-    """Run the program where a folder was when it started."""
+    """Run the program in a folder that was deleted before it started."""
     folder.mkdir()
     return subprocess.run(
         ["/bin/sh", "-c", f'rmdir "$PWD"; {sys.executable} -m app "$@"', "sh", *arguments],
@@ -467,11 +476,7 @@ def test_a_deleted_folder_does_not_matter_to_what_needs_none(tmp_path: Path) -> 
 
 def test_behind_two_dashes_are_names_only(tmp_path: Path, by_hand: Path) -> None:
     (tmp_path / "-x.json").write_bytes(by_hand.read_bytes())
-    done = subprocess.run(
-        [sys.executable, "-m", "app", "matrices", "--format=json", "--", "-x.json"],
-        cwd=tmp_path, env={**os.environ, "PYTHONPATH": str(ROOT)},
-        capture_output=True, text=True, check=False,
-    )  # fmt: skip
+    done = started("matrices", "--format=json", "--", "-x.json", cwd=tmp_path)
     assert (done.returncode, json.loads(done.stdout)) == (0, matrices(by_hand))
     assert "2 names were given" in refused("matrices", by_hand, "--", "--format")
     assert "-- does not exist" in refused("matrices", "--", "--")
@@ -549,7 +554,7 @@ def test_a_document_in_a_picture_is_read(tmp_path: Path, by_hand: Path) -> None:
 
 
 def buffered() -> dict[str, str]:
-    """The environment in which Python keeps output back, and writes the rest when it ends."""
+    """The environment in which Python buffers its output until it ends."""
     return {name: text for name, text in os.environ.items() if name != "PYTHONUNBUFFERED"}
 
 
@@ -572,11 +577,7 @@ def test_a_reader_who_leaves_early_is_no_error() -> None:
 
 def test_a_full_disk_behind_standard_output_is_a_sentence() -> None:
     with open("/dev/full", "wb") as full:
-        done = subprocess.run(
-            [sys.executable, "-m", "app", "matrices"],
-            cwd=ROOT,
-            env=buffered(), stdout=full, stderr=subprocess.PIPE, text=True, check=False,
-        )  # fmt: skip
+        done = started("matrices", env=buffered(), stdout=full)
     assert done.returncode == 2
     assert done.stderr == "Standard output cannot be written: No space left on device.\n"
 
@@ -584,10 +585,7 @@ def test_a_full_disk_behind_standard_output_is_a_sentence() -> None:
 @pytest.mark.parametrize("command", ["--version", "export --help"])
 def test_help_for_a_full_disk_is_a_sentence_too(command: str) -> None:
     with open("/dev/full", "wb") as full:
-        done = subprocess.run(
-            [sys.executable, "-m", "app", *command.split()],
-            cwd=ROOT, stdout=full, stderr=subprocess.PIPE, text=True, check=False,
-        )  # fmt: skip
+        done = started(*command.split(), stdout=full)
     assert done.returncode == 2
     assert done.stderr == "Standard output cannot be written: No space left on device.\n"
 
@@ -611,7 +609,7 @@ WITH_MINUS = (
     *("matrices", "--set=lens.kind=matrix"),
     "--set=lens.clip_from_view=1,0,0,0, 0,1,0,0, 0,0,1,0, 0,0,-1,2",
 )
-"""Its properties, w vanishes where −z + 2 = 0, are told with a minus sign that is no hyphen."""
+"""The note on this matrix (w vanishes where −z + 2 = 0) has a minus sign that is no hyphen."""
 
 
 @pytest.mark.parametrize("form", ["text", "latex"])
@@ -625,14 +623,9 @@ def test_output_for_files_and_programs_is_utf_8_everywhere(
     assert done.stdout == run_here(*WITH_MINUS, f"--format={form}").stdout
 
 
-def test_a_terminal_is_told_the_number_of_a_character_that_it_lacks() -> None:
+def test_a_terminal_shows_the_number_of_a_character_that_it_lacks() -> None:
     ours, theirs = os.openpty()
-    done = subprocess.run(
-        [sys.executable, "-m", "app", *WITH_MINUS],
-        cwd=ROOT,
-        env={**os.environ, "PYTHONIOENCODING": "latin-1"},
-        stdout=theirs, stderr=subprocess.PIPE, text=True, check=False,
-    )  # fmt: skip
+    done = started(*WITH_MINUS, env={**os.environ, "PYTHONIOENCODING": "latin-1"}, stdout=theirs)
     os.close(theirs)
     with open(ours, "rb", buffering=0) as terminal:
         said = b""
@@ -792,7 +785,7 @@ def angles(lens: Lens) -> tuple[float, float]:
         ),
     ],
 )
-def test_what_is_special_about_a_stage_is_said(sets: list[str], stage: str, note: str) -> None:
+def test_special_stages_have_a_note(sets: list[str], stage: str, note: str) -> None:
     arguments = [f"--set={value}" for value in sets]
     assert f"\n{stage}\n  ({note})\n" in "\n" + run_here("matrices", *arguments).stdout
     assert f"% {note}\n\\[\n" in run_here("matrices", *arguments, "--format=latex").stdout
@@ -934,7 +927,7 @@ def test_numbers_are_written_the_same_in_every_locale(
         assert done.stdout == run_here(*arguments, text="0.1,1234567.5,1e-9\n").stdout
 
 
-def test_the_largest_numbers_that_are_taken_are_numbers_in_json_too(by_hand: Path) -> None:
+def test_the_largest_allowed_numbers_are_finite_in_json(by_hand: Path) -> None:
     # JSON has no word for infinity: the narrowest window and the farthest points must not need one.
     sets = ["lens.kind=orthographic", "lens.keep=stretch", f"lens.left={-SMALLEST_WINDOW}"]
     arguments = [f"--set={value}" for value in [*sets, f"lens.right={SMALLEST_WINDOW}"]]
@@ -956,32 +949,22 @@ def test_a_mistyped_command_names_the_nearest(word: str, nearest: str) -> None:
     )
 
 
-def test_a_word_like_no_command_is_answered_with_all() -> None:
-    said = (
-        "is neither a file nor a command; the commands are export, project, matrices, measure,"
-        " lesson, talk, doctor.\n"
-    )
+def test_a_word_unlike_any_command_lists_all_commands() -> None:
+    commands = ", ".join(options.SUMMARIES)
+    said = f"is neither a file nor a command; the commands are {commands}.\n"
     assert refused("frobnicate") == f"'frobnicate' {said}"
     assert refused("letter-f", "out.png") == f"'letter-f' {said}"
 
 
 def test_a_file_needs_no_ending_and_two_are_still_too_many(by_hand: Path, tmp_path: Path) -> None:
     bare = by_hand.rename(tmp_path / "exprot")
-    done = subprocess.run(
-        [sys.executable, "-c", "from app.commands.cli import main; main()", bare.name, "out.png"],
-        cwd=tmp_path, env={**os.environ, "PYTHONPATH": str(ROOT)}, capture_output=True, text=True,
-        check=False,
-    )  # fmt: skip
+    done = started(bare.name, "out.png", cwd=tmp_path)
     assert done.stderr == "The window takes [FILE], and 2 names were given.\n"
 
 
 def test_a_command_wins_over_a_file_of_its_name(tmp_path: Path) -> None:
     write(BY_HAND, tmp_path / "matrices")
-    done = subprocess.run(
-        [sys.executable, "-c", "from app.commands.cli import main; main()", "matrices"],
-        cwd=tmp_path, env={**os.environ, "PYTHONPATH": str(ROOT)}, capture_output=True, text=True,
-        check=False,
-    )  # fmt: skip
+    done = started("matrices", cwd=tmp_path)
     assert done.stdout.splitlines()[2] == "world_from_object"
     # The letter F's matrices: the file of that name was not read.
     assert (
@@ -991,12 +974,11 @@ def test_a_command_wins_over_a_file_of_its_name(tmp_path: Path) -> None:
     )
 
 
-def test_help_names_every_command_and_none_that_is_not_there() -> None:
+def test_help_names_exactly_the_commands() -> None:
     done = run("--help")
     assert (done.returncode, done.stderr) == (0, "")
-    assert re.findall(r"^  ([a-z]+) ", done.stdout.partition("commands,")[2], re.MULTILINE) == [
-        "export", "project", "matrices", "measure", "lesson", "talk", "doctor",
-    ]  # fmt: skip
+    found = re.findall(r"^  ([a-z]+) ", done.stdout.partition("commands,")[2], re.MULTILINE)
+    assert found == list(options.SUMMARIES)
 
 
 @pytest.mark.parametrize("command", list(cli.COMMANDS))
@@ -1010,7 +992,7 @@ WINDOW = ("lens.kind=frustum", "lens.left=-1", "lens.right=3", "lens.bottom=-2",
 
 
 @pytest.mark.parametrize("turn", [0, 3])
-def test_a_window_typed_with_its_lens_is_used_as_typed(turn: int) -> None:
+def test_window_sides_set_with_lens_kind_are_used_as_typed(turn: int) -> None:
     """Lecture 000 (13) by hand: 2 near / (right - left) = 4/4 in the corner, in any order."""
     typed = [*WINDOW[turn:], *WINDOW[:turn], "lens.near=2", "lens.far=10"]
     options = [word for path in typed for word in ("--set", path)]
@@ -1037,7 +1019,7 @@ def test_a_window_typed_with_its_lens_is_used_as_typed(turn: int) -> None:
         ("lens.kind=matrix", "lens matrix"),
     ],
 )
-def test_the_lens_comes_first_as_it_is_used(typed: str, line: str) -> None:
+def test_output_begins_with_the_lens_as_it_is_used(typed: str, line: str) -> None:
     options = [word for path in typed.split() for word in ("--set", path)]
     line += ", image 1280x720, depth opengl"
     assert run_here("matrices", *options).stdout.splitlines()[:2] == [line, ""]
@@ -1047,8 +1029,8 @@ def test_the_lens_comes_first_as_it_is_used(typed: str, line: str) -> None:
         assert "lens" not in run_here("project", "-", "--format", form, text="1,2,3\n").stdout
 
 
-def test_the_names_in_the_help_are_those_that_there_are() -> None:
-    """They are written twice, because help is given where nothing is installed yet."""
+def test_the_help_names_what_exists() -> None:
+    """The names are written twice, because help must work before anything is installed."""
     from app.document import view
     from app.document.fields import model_paths
     from app.measure import measuring
@@ -1150,7 +1132,7 @@ def test_a_mesh_brings_the_camera_that_shows_it(tmp_path: Path) -> None:
 
 
 def export(out: Path, *arguments: str | Path, **environment: str | None) -> np.ndarray:
-    """The picture, made in a process of its own where that has an environment of its own."""
+    """Export a picture; in a process of its own if an environment is given."""
     import pyvista as pv
 
     words = ("export", out, *arguments)
@@ -1187,7 +1169,7 @@ sys.exit(main(sys.argv[1:]))
 """
 
 
-def test_no_mesh_outlives_the_modules_that_it_needs_to_go(tmp_path: Path) -> None:
+def test_no_mesh_outlives_pyvistas_modules(tmp_path: Path) -> None:
     command = [sys.executable, "-c", _COUNTED_LAST, "export", tmp_path / "a.png", "--size", "96x32"]
     done = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, timeout=PATIENCE_S)
     assert (done.returncode, done.stdout, done.stderr) == (0, "0\n", "")
@@ -1212,7 +1194,7 @@ def test_export_looks_from_where_the_document_says(tmp_path: Path) -> None:
 
 
 def test_export_shows_what_is_set_of_the_view(tmp_path: Path) -> None:
-    """The same as a document that was saved so, and its picture brings it back."""
+    """The picture equals that of a document saved so, and brings its view back."""
     out = tmp_path / "figure.png"
     options = ("--set=view.stage=pyramid", "--set=view.probes=0,1,0", "--set=view.frame_step=n")
     shown = export(out, "--size=300x100", *options)
@@ -1235,7 +1217,7 @@ def test_text_size_and_scale_are_in_the_file(tmp_path: Path) -> None:
     assert not np.array_equal(large, usual)
 
 
-def test_the_view_is_no_matter_of_the_numbers() -> None:
+def test_the_view_does_not_change_numbers() -> None:
     for command in (("matrices",), ("project", "-")):
         said = run_here(*command, text="1,2,3\n").stdout
         options = ("--set=view.stage=pyramid", "--set=view.letters=002", "--set=view.layers=grid")
@@ -1269,7 +1251,7 @@ def test_export_options_reach_the_picture(tmp_path: Path, by_hand: Path) -> None
         ),
         (["figure.png", "--size", "9000x900", "--scale", "2"], "--size width = 9000 times scale 2"),
         (["figure.png", "--size", "big"], "--size = 'big': must be WIDTHxHEIGHT"),
-        (["figure.png", "--scale", "0"], "scale = 0: must lie between 0"),
+        (["figure.png", "--scale", "0"], "scale = 0: must be greater than 0"),
         (["figure.png", "--scale", "2x"], "--scale = '2x': must be a finite number"),
         (["figure.png", "--text-size", "big"], "--text-size = 'big': must be a number of points."),
         (["figure.png", "--text-size", "0"], "--text-size = 0: must be from 0.24 to 38.4 points"),
@@ -1332,7 +1314,7 @@ def test_doctor_survives_a_driver_that_crashes() -> None:
 
 
 def with_driver(script: str, folder: Path, patch: pytest.MonkeyPatch) -> None:
-    """Let a script stand for the process that tries a driver."""
+    """Let a script replace the process that tries a driver."""
     trial = folder / "trial"
     trial.write_text(f"#!/bin/sh\n{script}\n")
     trial.chmod(0o755)
@@ -1381,7 +1363,7 @@ def test_doctor_tells_what_became_of_a_driver(
     assert (found["OpenGL"], found["Export"]) == (said, said)
 
 
-def test_a_scene_alone_is_seen_with_its_own_camera_and_in_a_document_with_the_documents(
+def test_a_scene_brings_its_camera_unless_a_document_has_one(
     tmp_path: Path,
 ) -> None:
     own = matrices("--set", "scene=posts")
@@ -1480,11 +1462,11 @@ def test_an_exported_phenomenon_carries_its_settings_and_its_mesh(tmp_path: Path
             ["scene=depth-buffer", "settings.range=logarithmic", "lens.far=inf"],
             "depth-buffer: a logarithmic depth buffer needs a perspective lens and a far plane",
         ),
-        (["scene=eye-plane", "lens.kind=orthographic"], "eye-plane: a parallel lens has no eye"),
+        (["scene=eye-plane", "lens.kind=orthographic"], "eye-plane: a parallel lens divides by 1"),
         (["scene=depth-buffer"], ""),
     ],
 )
-def test_what_the_window_warns_of_an_export_says_too(
+def test_export_prints_the_windows_warnings(
     settings: list[str], sentence: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     options = [option for setting in settings for option in ("--set", setting)]
@@ -1505,7 +1487,7 @@ def test_what_the_window_warns_of_an_export_says_too(
         (("app/lessons/content/l05-similar-triangles.md",), False),
     ],
 )
-def test_the_start_card_covers_nothing_that_was_asked_for(
+def test_the_start_card_is_not_shown_over_a_document(
     asked: tuple[str, ...], is_shown: bool, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     shown: list[application.Options] = []

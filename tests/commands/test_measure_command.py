@@ -76,10 +76,10 @@ def test_a_folder_is_refused_before_anything_is_measured(tmp_path: Path, option:
     assert f"{option} = '{folder}': is a folder." in refused("measure", option, folder)
 
 
-def test_what_may_not_be_written_is_refused_before_anything_is_measured(
+def test_a_write_protected_file_is_refused_before_anything_is_measured(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """The answer stands in for another user's folder: root may write to them all."""
+    """`os.access` is replaced, because root may write to every folder."""
     monkeypatch.setattr(os, "access", lambda place, _mode: place != str(tmp_path))
     for name in ("new.json", "link.json"):
         (tmp_path / "link.json").unlink(missing_ok=True)
@@ -140,14 +140,14 @@ def attended(*arguments: str) -> subprocess.Popen[str]:
 
 
 def fraction_told(process: subprocess.Popen[str]) -> float:
-    """The next fraction, past what a library says of itself, such as that its fonts are slow."""
+    """The next fraction, without the messages of libraries, such as those about fonts."""
     assert process.stderr is not None
     (line,) = itertools.islice(filter(re.compile(r"[\d.]+\n").fullmatch, process.stderr), 1)
     return float(line)
 
 
-def test_whoever_attends_is_told_and_obeyed() -> None:
-    """Paused, it says nothing more; cancelled, what it did is there, marked."""
+def test_an_attending_program_gets_progress_and_is_obeyed() -> None:
+    """A pause stops the progress; after a cancel the results are marked as incomplete."""
     process = attended("--trade=arithmetic")
     assert process.stdin is not None
     first = fraction_told(process)
@@ -162,7 +162,7 @@ def test_whoever_attends_is_told_and_obeyed() -> None:
     assert results.trades[0].choices[0].error is not None
 
 
-def test_it_ends_with_whoever_attends() -> None:
+def test_it_ends_with_the_attending_program() -> None:
     process = attended("--trade=arithmetic")
     out, _ = process.communicate("", timeout=PATIENCE_S)
     assert process.returncode == 130 and not json.loads(out)["complete"]

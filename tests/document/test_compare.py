@@ -44,14 +44,14 @@ def shown(document: Document) -> Illustration:
 
 @pytest.fixture
 def held() -> Document:
-    """A document that is compared with what it was."""
+    """A document compared with its former state."""
     before = of("interpolation")
     after = replace(before, projection=before.projection.with_depth("direct3d"))
     pictures = (Picture("before", held=before.state), LIVE, Picture(changes=("lens.far=30",)))
     return replace(after, view=View(compare=pictures, dividers=(0.25, 0.5)))
 
 
-def test_what_is_compared_is_in_the_document_and_no_part_of_the_model(held: Document) -> None:
+def test_compared_pictures_are_saved_but_no_part_of_the_model(held: Document) -> None:
     again = parse(to_json(held))
     assert again.view == held.view
     assert again == replace(held, view=View())
@@ -60,7 +60,7 @@ def test_what_is_compared_is_in_the_document_and_no_part_of_the_model(held: Docu
     assert (follows.projection.lens.far, follows.projection.depth) == (30.0, "direct3d")
 
 
-def test_what_follows_has_its_own_values_and_else_those_of_the_document(held: Document) -> None:
+def test_a_following_picture_has_its_own_values_and_the_documents_others(held: Document) -> None:
     moved = set_values(held, ["camera.eye=1,2,9", "lens.near=2"])
     before, _, follows = (pictured(moved, picture) for picture in moved.view.compare)
     assert before.projection == of("interpolation").projection
@@ -102,7 +102,7 @@ def test_a_damaged_comparison_is_refused_in_one_sentence(
     assert str(refused.value) == sentence
 
 
-def test_a_picture_that_the_document_has_not_just_now_does_not_keep_it_from_opening() -> None:
+def test_a_document_opens_even_if_it_cannot_have_a_compared_picture_now() -> None:
     document = set_values(of("letter-f"), ["view.compare=lens.near=6"])
     nearer = replace(
         document,
@@ -126,13 +126,13 @@ def test_a_picture_that_the_document_has_not_just_now_does_not_keep_it_from_open
          " numbers from 0 to 1, one fewer than the compared pictures, or none for side by side."),
     ],
 )  # fmt: skip
-def test_what_cannot_be_compared_cannot_be_set(texts: list[str], sentence: str) -> None:
+def test_a_wrong_comparison_cannot_be_set(texts: list[str], sentence: str) -> None:
     with pytest.raises(Refusal) as refused:
         set_values(of("interpolation"), texts)
     assert str(refused.value) == sentence
 
 
-def test_pictures_are_set_by_their_values_or_by_the_name_of_what_is_ready_made() -> None:
+def test_pictures_are_set_by_values_or_by_the_name_of_a_comparison() -> None:
     document = set_values(
         of("letter-f"), ["view.compare=lens.near=2;lens.far=40|lens.fov_y_deg=60"]
     )
@@ -146,7 +146,7 @@ def test_pictures_are_set_by_their_values_or_by_the_name_of_what_is_ready_made()
     assert document.view == View()
 
 
-def test_every_ready_made_comparison_is_of_pictures_that_differ() -> None:
+def test_every_ready_made_comparison_has_pictures_that_differ() -> None:
     found = 0
     for name, phenomenon in PHENOMENA.items():
         for comparison in phenomenon.comparisons:
@@ -168,7 +168,7 @@ def test_the_live_picture_has_its_name_as_long_as_it_has_its_values() -> None:
 # -- in what they differ
 
 
-def test_what_differs_is_found_and_nothing_else() -> None:
+def test_only_what_differs_is_found() -> None:
     start = of("letter-f").projection
     other = replace(start, lens=start.lens.but(near=8.0, fov_y_deg=60.0), image_size=(720, 720))
     assert differences([Held(start), Held(start)]) == []
@@ -179,7 +179,7 @@ def test_what_differs_is_found_and_nothing_else() -> None:
     ]
 
 
-def test_a_ride_towards_the_target_differs_in_its_distance_alone() -> None:
+def test_moving_towards_the_target_changes_the_distance_only() -> None:
     start = of("field-of-view")
     near, far = (each.state for each in ready_made("field-of-view", "photographs"))
     found = dict(differences([near, far]))
@@ -190,7 +190,7 @@ def test_a_ride_towards_the_target_differs_in_its_distance_alone() -> None:
     assert {path for path, _ in differences([start.state, turned.state])} == {"camera.up"}
 
 
-def test_an_object_that_was_placed_differs_in_how() -> None:
+def test_the_differences_of_a_moved_object_are_found() -> None:
     start = of("letter-f")
     moved = set_values(start, ["object.rotate_deg=0,30,0", "depth=reversed"])
     assert differences([start.state, moved.state]) == [
@@ -202,7 +202,7 @@ def test_an_object_that_was_placed_differs_in_how() -> None:
     assert parse(to_json(held)).view.compare == pictures
 
 
-def test_lenses_of_two_kinds_differ_in_what_both_have() -> None:
+def test_lenses_of_two_kinds_are_compared_by_their_common_fields() -> None:
     start = of("letter-f").projection
     parallel = start.with_lens("orthographic")
     typed = replace(start, lens=FreeMatrix(np.eye(4).tolist()))

@@ -186,8 +186,8 @@ def test_undo_reaches_back_over_a_few_openings(store: Store) -> None:
     assert store.document == Document("mesh-1.stl", seen(45.0))
 
 
-def test_it_is_told_before_another_document_comes(store: Store) -> None:
-    """Then there is still something to keep a copy of."""
+def test_leaving_is_announced_before_another_document_comes(store: Store) -> None:
+    """At that time the old document can still be copied."""
     left: list[Document] = []
     store.leaving.connect(lambda: left.append(store.document))
     first, second = store.document, Document("cube", seen(60.0))
@@ -219,8 +219,8 @@ def test_a_view_is_no_step_and_no_unsaved_work(store: Store) -> None:
     assert store.document.view == View(stage=2.0), "an undo of the model moves no picture"
 
 
-def test_a_document_comes_back_as_it_was_looked_at(store: Store) -> None:
-    """Not as it was opened: the widgets have it, and tell it when it goes."""
+def test_undo_brings_back_a_documents_view(store: Store) -> None:
+    """This is the view when the document was left, not the one with which it was opened."""
     look = View(stage=1.0)
     store.look = lambda: look
     store.set_projection(seen(50.0))
@@ -242,7 +242,7 @@ def test_a_document_comes_back_as_it_was_looked_at(store: Store) -> None:
     assert store.document.view == View(stage=0.5)
 
 
-def test_what_the_command_line_changed_can_be_undone() -> None:
+def test_changes_of_the_command_line_can_be_undone() -> None:
     saved, shown = Document("cube", seen(45.0)), Document("cube", seen(60.0))
     store = Store(shown, saved=saved)
     assert store.modified and store.can_undo
@@ -276,7 +276,7 @@ def test_the_history_is_bounded(store: Store) -> None:
     assert steps == UNDO_LIMIT
 
 
-def test_settings_are_edits_like_all_others() -> None:
+def test_a_change_of_settings_is_an_edit() -> None:
     store = Store(Document("similar-triangles", PHENOMENA["similar-triangles"].start))
     heard: list[object] = []
     store.changed.connect(lambda document: heard.append(document.settings["distance"]))
@@ -292,7 +292,7 @@ def test_settings_are_edits_like_all_others() -> None:
 
 
 def test_among_several_gestures_none_is_abandoned(store: Store) -> None:
-    """An animation that plays is one, and does not go back with a slider."""
+    """A playing animation is a gesture, and abandoning a slider must not take it back."""
     store.begin_gesture()
     store.begin_gesture()
     store.set_projection(seen(50.0))

@@ -1,4 +1,4 @@
-"""A figure of pictures that are compared: divided, it is either of them; side by side, both."""
+"""Figures of compared pictures, divided or side by side."""
 
 from __future__ import annotations
 
@@ -67,7 +67,7 @@ def test_left_of_the_divider_is_the_one_picture_and_right_of_it_the_other(
 
 
 def bar_px(pixels: Pixels) -> int:
-    """How high the measure beside the subject is drawn."""
+    """The height of the measure beside the subject."""
     colour = np.array(rgb(LIGHT.accent)) * 255.0
     is_bar = (np.abs(pixels[..., :3] - colour) < 6.0).all(axis=-1)
     # An upright line: the column of the most pixels of its colour.
@@ -86,7 +86,7 @@ def test_l20_the_measured_subject_is_as_high_in_both_photographs() -> None:
 
 
 def written_rows(pixels: Pixels) -> int:
-    """How many rows at the bottom belong to words: up to the last that is all background."""
+    """How many rows at the bottom contain words."""
     is_empty = (pixels == pixels[0, 0]).all(axis=(1, 2))
     last = int(np.flatnonzero(~is_empty)[-1])
     return last - int(np.flatnonzero(is_empty[:last])[-1])

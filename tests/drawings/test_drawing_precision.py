@@ -1,4 +1,4 @@
-"""Pictures at the extremes, where float32 cannot draw them: pixel by pixel against 80 digits."""
+"""Pictures at the extremes, where float32 cannot draw them, against 80 digits pixel by pixel."""
 
 from __future__ import annotations
 
@@ -48,7 +48,7 @@ def triangle_at(
     origin: Any,
     kind: Any = np.float32,
 ) -> NDArray[np.floating]:
-    """Scene-local vertices that are seen at (x_ndc, y_ndc) from a distance, nearly: rounded."""
+    """Scene-local vertices that are seen at (x_ndc, y_ndc) from a distance, rounded to `kind`."""
     left, right, bottom, top = projection.window
     camera, lens = projection.camera, projection.lens
     points = []
@@ -68,7 +68,7 @@ def expected(
 ) -> tuple[Mask, Mask]:
     """Pixels that a convex polygon must light and must not light, at 80 digits.
 
-    Those whose centres are nearer to its outline than the band are in neither.
+    Pixels whose centres are within the band round the outline are in neither.
     """
     camera, lens = projection.camera, projection.lens
     rows = frame(camera.eye, camera.target, camera.up)
@@ -123,7 +123,7 @@ def expected(
 
 
 def scene_at(points: Any, origin: Any, colours: Any = (RED,)) -> Scene:
-    """One triangle for every three points."""
+    """A scene with one triangle for every three points."""
     faces = np.arange(len(points)).reshape(-1, 3).tolist()
     scene = scene_of(points, faces, colours, tuple(origin))
     assert scene.surface is not None
@@ -285,7 +285,7 @@ def test_the_cube_is_right_where_float32_is_not(off_screen: MakeScreen) -> None:
 
 
 def random_triangle(random: np.random.Generator, number: int) -> tuple[Projection, Any]:
-    """A camera inside the box of a triangle's corners: it goes behind the eye as often as not."""
+    """A camera inside the box of a triangle's corners, which is often partly behind the eye."""
     near = 10.0 ** random.uniform(-6, 0)
     if number % 6 == 5:  # hardly any depth
         near, far = 2.0, 2.0 * (1.0 + 10.0 ** random.uniform(-7, -3))
@@ -307,7 +307,7 @@ def random_triangle(random: np.random.Generator, number: int) -> tuple[Projectio
 
 
 def test_triangles_are_cut_where_the_model_says(off_screen: MakeScreen) -> None:
-    """Across the eye plane, near, far and the sides, in any combination, every lens."""
+    """Every lens, across the eye plane, near, far and the sides in any combination."""
     random = np.random.default_rng(7)
     seen, behind = 0, 0
     screen = off_screen(160, 120)
@@ -343,7 +343,7 @@ def test_a_thin_slab_is_cut_where_the_model_says(thickness: float, off_screen: M
 
 
 def test_lines_are_cut_where_the_model_says(off_screen: MakeScreen) -> None:
-    """One that passes the eye at a hand's breadth, and one 1e6 pictures long across it."""
+    """One line passes close to the eye, one is 1e6 pictures long across it."""
     random = np.random.default_rng(3)
     screen = off_screen(200, 150)
     cases = [
@@ -383,7 +383,7 @@ def test_lines_are_cut_where_the_model_says(off_screen: MakeScreen) -> None:
 
 
 def test_what_is_before_far_is_drawn_however_near_the_near_plane(off_screen: MakeScreen) -> None:
-    """All of it has a depth that float32 rounds to far's own; 6 of these 150 would vanish."""
+    """Float32 rounds all these depths to far's own; without care 6 of the 150 would vanish."""
     random = np.random.default_rng(5)
     screen = off_screen(120, 90)
     for number in range(150):
@@ -403,7 +403,7 @@ def test_what_is_before_far_is_drawn_however_near_the_near_plane(off_screen: Mak
 def test_what_is_near_is_drawn_however_large_the_scene(
     extent_over_near: float, off_screen: MakeScreen
 ) -> None:
-    """From 1e7 on VTK's own shift and scale would drop it."""
+    """VTK's own shift and scale would drop it from 1e7 on."""
     near = 20.0 / extent_over_near
     projection = Projection(
         Camera((0, 0, 0), (0.3, -0.2, -1)), Perspective(70, near, math.inf), SIZE
@@ -466,7 +466,7 @@ def test_an_everyday_step_does_nothing_per_vertex(
 
 @pytest.mark.parametrize("kind", [ImageDrawing, StageDrawing])
 def test_both_precisions_draw_the_same_everyday_picture(kind: Any, off_screen: MakeScreen) -> None:
-    """Also from within the scene, where faces, grid and colours are cut."""
+    """Some cameras are inside the scene, where faces, grid and colours are cut."""
     letter = load("letter-f").start
     inside = Camera((1.2, 1.5, 2.5), (0.0, 2.0, 0.0))
     within = [
@@ -489,7 +489,7 @@ def test_both_precisions_draw_the_same_everyday_picture(kind: Any, off_screen: M
 
 
 def meshes(screen: OffScreen) -> dict[Any, Any]:
-    """What each actor of a drawing shows."""
+    """The mesh that each actor of a drawing shows."""
     actors = (actor for each in screen.window.GetRenderers() for actor in each.GetActors())
     return {actor: actor.GetMapper().GetInput() for actor in actors}
 
@@ -498,7 +498,7 @@ def meshes(screen: OffScreen) -> dict[Any, Any]:
 def test_there_and_back_is_the_picture_of_a_fresh_drawing(
     kind: Any, off_screen: MakeScreen
 ) -> None:
-    """And another drawing of the same scene, which shares its mesh, has not noticed."""
+    """Another drawing of the same scene, which shares its mesh, does not change."""
     scene = load("letter-f")
     near = replace(scene.start, lens=Perspective(60, 2, 30))
     narrow = replace(scene.start, lens=Perspective(0.01, 1, 30))
@@ -530,7 +530,7 @@ def test_there_and_back_is_the_picture_of_a_fresh_drawing(
 
 
 def projected(screen: OffScreen, own: dict[Any, Any]) -> list[str]:
-    """Instead of which of a drawing's own meshes its actors show others, projected here."""
+    """Which of a drawing's own meshes are replaced by projected ones."""
     shown = meshes(screen)
     return [
         "faces" if mesh.GetNumberOfPolys() else "lines"
@@ -554,7 +554,7 @@ def test_drawings_of_one_scene_draw_the_same_as_each_for_itself(off_screen: Make
 
 
 def test_faces_and_lines_choose_for_themselves(off_screen: MakeScreen) -> None:
-    """An avenue whose trees float32 can draw, and not the lines of its ground."""
+    """Float32 can draw the trees of this avenue, but not the lines of its ground."""
     scene = load("far-plane-popping")
     faces_px, lines_px = (
         drawing_bound_px(scene.start, boxes, scene.origin) for boxes in scene.boxes
@@ -577,7 +577,7 @@ def test_faces_and_lines_choose_for_themselves(off_screen: MakeScreen) -> None:
 
 
 def test_what_is_not_drawn_is_not_projected(off_screen: MakeScreen) -> None:
-    """Levels of detail stand in the place of the faces in the image."""
+    """In the image, levels of detail replace the faces."""
     scene = load("far-plane-popping")
     assert scene.phenomenon is not None
     screen = off_screen(200, 150)
@@ -596,7 +596,7 @@ def test_what_is_not_drawn_is_not_projected(off_screen: MakeScreen) -> None:
 def test_what_float64_leaves_out_at_a_glance_is_not_seen(
     fov_y_deg: float, off_screen: MakeScreen, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """From outside, from the middle of a bumpy ball, and close over it: the same pixels."""
+    """From outside a bumpy ball, from its middle and close to it, the pixels are the same."""
     sphere = pv.Sphere(theta_resolution=60, phi_resolution=60)
     points = sphere.points * (2.0 + 0.1 * np.sin(9.0 * sphere.points)).astype(np.float32)
     faces = sphere.regular_faces

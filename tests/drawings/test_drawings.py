@@ -1,8 +1,10 @@
-"""The drawings, by the pixels that reach the screen."""
+"""The pixels that the image and the NDC drawings paint."""
 
 from __future__ import annotations
 
+import gc
 import math
+import weakref
 from dataclasses import replace
 from typing import Any
 
@@ -11,11 +13,13 @@ import pytest
 import pyvista as pv
 from numpy.typing import NDArray
 from PySide6.QtWidgets import QWidget
+from vtkmodules.vtkRenderingCore import vtkCamera
 
 from app.drawings import WORDS
 from app.drawings.image import ImageDrawing
 from app.drawings.stage import StageDrawing
 from app.drawings.style import DARK, LIGHT, Style, contrast, rgb
+from app.drawings.world import WorldDrawing
 from app.lecture import typed_matrix
 from app.lecture.typed_matrix import with_cell
 from app.model.projection import (
@@ -23,16 +27,15 @@ from app.model.projection import (
     LENSES,
     Camera,
     Frustum,
-    Lens,
     Oblique,
     Orthographic,
     Perspective,
     Projection,
     Trace,
 )
-from app.model.refusal import Refusal
 from app.precision.levels import DRAWING_TOLERANCE_PX
 from app.scenes.scene import BUILT_IN, Scene, load
+from tests.support.cameras import random_projections
 from tests.support.drawings import (
     MakeScreen,
     OffScreen,
@@ -47,47 +50,14 @@ from tests.support.drawings import (
 __all__ = ["off_screen"]
 
 
+KINDS = [WorldDrawing, StageDrawing, ImageDrawing]
+
+
 def without_lines(scene: Scene) -> Scene:
     return replace(scene, lines=None)
 
 
 # --------------------------------------------------------------------------- the picture
-
-
-def random_projection(
-    random: np.random.Generator, number: int, size: tuple[int, int]
-) -> Projection:
-    """A camera about the letter F; every lens and depth range has its turn."""
-    depth = list(DEPTH_RANGES)[number % 3]
-    while True:
-        eye = random.normal(size=3)
-        eye *= random.uniform(0.5, 30.0) / np.linalg.norm(eye)
-        target = random.uniform((-2.0, 0.0, -2.0), (2.0, 4.0, 2.0))
-        up = random.normal(size=3)
-        near = 10.0 ** random.uniform(-3, 0)
-        far = near + 10.0 ** random.uniform(1, 3)
-        kind = list(LENSES)[number % 4]
-        keep = random.choice(["stretch", "x", "y"])
-        low, high = random.uniform(-8.0, -0.5, 2), random.uniform(0.5, 8.0, 2)
-        lens: Lens
-        if kind == "perspective":
-            far = math.inf if number % 5 == 0 else far
-            lens = Perspective(random.uniform(10.0, 150.0), near, far)
-        elif kind == "frustum":
-            far = math.inf if number % 5 == 0 else far
-            off_axis = 0.5 * low[0] * (number % 8 // 4)
-            sides = np.array([low[0], high[0], low[1], high[1]]) + off_axis
-            lens = Frustum(*(0.2 * near * sides), near, far, keep)
-        else:
-            box = (low[0], high[0], low[1], high[1], near, near + 60.0)
-            if kind == "orthographic":
-                lens = Orthographic(*box, keep)
-            else:
-                lens = Oblique(*box, keep, *random.uniform(20.0, 160.0, 2))
-        try:
-            return Projection(Camera(tuple(eye), tuple(target), tuple(up)), lens, size, depth)
-        except Refusal:  # up happened to be parallel: draw another one
-            continue
 
 
 SIZE = (640, 360)
@@ -110,10 +80,10 @@ def drawn_vertices(screen: OffScreen, tolerance_px: float) -> tuple[ImageDrawing
 
 
 def check_lit(image: Any, trace: Trace, unsure: Any = False) -> tuple[int, float]:
-    """How many vertices are seen whole where the model says, and how far off the worst is, px.
+    """How many vertices are seen whole where the model says, and the largest error in px.
 
-    The pane is twice as large as the image, so that snapping points to whole pixels costs a
-    quarter of an image pixel only.
+    The pane is twice as large as the image, so that snapping points to whole pixels costs only a
+    quarter of an image pixel.
     """
     rows, columns = np.nonzero(drawn(image[..., 1:], (0, 200)))
     lit_by = image[rows, columns, 0]
@@ -133,15 +103,17 @@ def check_lit(image: Any, trace: Trace, unsure: Any = False) -> tuple[int, float
 
 
 def test_a_vertex_lights_the_pixel_that_the_model_says(off_screen: MakeScreen) -> None:
-    """Every vertex of the letter F from 200 random cameras."""
+    """Every vertex of the letter F from 200 random cameras, and more for lenses that see few."""
     screen = off_screen(1280, 720)
     drawing, points = drawn_vertices(screen, DRAWING_TOLERANCE_PX)
-    random = np.random.default_rng(20)
     checked = dict.fromkeys(LENSES, 0)
-    for number in range(200):
-        projection = random_projection(random, number, SIZE)
+    for number, projection in enumerate(random_projections(1600, seed=20, size=SIZE)):
+        trace = projection.trace(points)
+        sees_few = (~trace.outside.any(axis=1)).sum() < 8
+        if number >= 200 and (checked[projection.lens.kind] > 200 or sees_few):
+            continue
         drawing.show_projection(projection)
-        found, worst = check_lit(screen.pixels(), projection.trace(points))
+        found, worst = check_lit(screen.pixels(), trace)
         checked[projection.lens.kind] += found
         assert worst <= 0.26, projection
     assert min(checked.values()) > 200, checked
@@ -250,7 +222,7 @@ def test_what_reaches_behind_the_eye_is_not_culled_by_its_bounds(off_screen: Mak
 
 
 def test_ndc_clips_the_scene_at_the_cube(off_screen: MakeScreen) -> None:
-    """A scene that surrounds everything: nothing of it outside the cube's silhouette."""
+    """A scene that surrounds everything stays inside the cube's silhouette."""
     red = (201, 33, 32)
     big = 40.0 * np.array([(-1, -1, 0), (1, -1, 0), (1, 1, 0), (-1, 1, 0)], dtype=float)
     tilted = big[:, [0, 2, 1]] + [0.0, -0.5, 0.0]
@@ -279,7 +251,7 @@ def test_ndc_clips_the_scene_at_the_cube(off_screen: MakeScreen) -> None:
 
 
 def display_px(screen: OffScreen, point: tuple[float, float, float]) -> tuple[float, float]:
-    """Where VTK's own camera puts a point of the pane's world, pixels from the top left."""
+    """Where VTK's own camera shows a point of the pane's world, in pixels from the top left."""
     renderer = screen.renderer
     renderer.SetWorldPoint(*point, 1.0)
     renderer.WorldToDisplay()
@@ -298,9 +270,9 @@ def distance_outside(corners: NDArray[np.float64], points: NDArray[np.float64]) 
 def test_ndc_shows_the_near_face_to_the_reader_and_x_to_the_right(
     depth: Any, off_screen: MakeScreen
 ) -> None:
-    """From the front the cube looks like the picture: neither mirrored nor turned.
+    """From the front the cube looks like the picture, neither mirrored nor turned.
 
-    Without the words, which lie on it here, where the cube is all of the pane.
+    The words are hidden: they lie on the cube, which fills the pane here.
     """
     scene = without_lines(load("letter-f"))
     projection = replace(scene.start, depth=depth, image_size=(400, 400))
@@ -347,7 +319,7 @@ def test_ndc_writes_the_ends_of_its_depth_range(depth: Any, off_screen: MakeScre
 def test_ndc_is_wholly_in_view_at_any_pane_size(
     size: tuple[int, int], style: Style, off_screen: MakeScreen
 ) -> None:
-    """Nothing touches the pane's border, also after the pane got this size only later."""
+    """Nothing touches the pane's border, even if the pane is resized later."""
     scene = without_lines(load("cube"))
     screen = off_screen(640, 480)
     drawing = StageDrawing(screen, scene, WORDS, style)
@@ -424,7 +396,7 @@ def test_the_frame_touches_the_picture_and_its_axes_are_coloured(off_screen: Mak
 
 
 def test_edges_are_not_eaten_by_faces_nor_seen_through_them(off_screen: MakeScreen) -> None:
-    """Front edges of the cube are ink all along, the back ones hidden, also at extreme near."""
+    """Front edges of the cube are ink all along and the back ones hidden, even at extreme near."""
     corners = np.array([(x, y, z) for z in (-1, 1) for y in (-1, 1) for x in (-1, 1)], dtype=float)
     faces = [(0, 1, 3, 2), (4, 5, 7, 6), (0, 1, 5, 4), (2, 3, 7, 6), (0, 2, 6, 4), (1, 3, 7, 5)]
     front, back = (0, 0, 0), (250, 0, 250)
@@ -463,59 +435,61 @@ def test_edges_are_not_eaten_by_faces_nor_seen_through_them(off_screen: MakeScre
 # --------------------------------------------------------------------------- what a step may do
 
 
-@pytest.mark.parametrize("kind", [StageDrawing, ImageDrawing])
+@pytest.mark.parametrize("kind", KINDS)
 def test_a_step_sets_matrices_and_nothing_else(kind: Any, off_screen: MakeScreen) -> None:
-    scene = load("letter-f")
-    screen = off_screen(300, 300)
+    scene, screen = load("letter-f"), off_screen(300, 300)
     drawing = kind(screen, scene, WORDS, LIGHT)
     drawing.show_projection(scene.start)
     screen.pixels()
     renders: list[str] = []
-    screen.window.AddObserver("RenderEvent", lambda _o, event: renders.append(event))
-    screen.window.AddObserver("StartEvent", lambda _o, event: renders.append(event))
+    for event in ("RenderEvent", "StartEvent"):
+        screen.window.AddObserver(event, lambda _window, event: renders.append(event))
+    renderers, camera = screen.window.GetRenderers(), screen.renderer.GetActiveCamera()
 
     def state() -> list[Any]:
-        props = [
-            prop for renderer in screen.window.GetRenderers() for prop in renderer.GetViewProps()
-        ]
-        actors = [prop for prop in props if prop.IsA("vtkActor")]
+        actors = [actor for renderer in renderers for actor in renderer.GetActors()]
         return [
-            [id(prop) for prop in props],
+            [id(prop) for renderer in renderers for prop in renderer.GetViewProps()],
+            [id(actor.GetUserMatrix()) for actor in actors],
             [actor.GetMapper().GetMTime() for actor in actors],
             [actor.GetMapper().GetInput().GetMTime() for actor in actors],
-            [actor.GetProperty().GetMTime() for actor in actors],
+            # The world fades the tints of the planes.
+            [kind is not WorldDrawing and actor.GetProperty().GetMTime() for actor in actors],
+            [camera.GetPosition(), camera.GetFocalPoint(), camera.GetViewUp()],
         ]
 
     before = state()
-    matrices = [
-        actor.GetUserMatrix()
-        for renderer in screen.window.GetRenderers()
-        for actor in renderer.GetActors()
-    ]
+    matrices = [actor.GetUserMatrix() for each in renderers for actor in each.GetActors()]
     times = [matrix.GetMTime() for matrix in matrices]
     for step in range(20):
-        camera = replace(scene.start.camera, eye=(6.0 + 0.1 * step, 5.0, 9.0))
-        drawing.show_projection(replace(scene.start, camera=camera))
+        eye = (6.0 + 0.1 * step, 5.0, 9.0)
+        drawing.show_projection(replace(scene.start, camera=replace(scene.start.camera, eye=eye)))
+    for projection in random_projections(50 if kind is WorldDrawing else 0, seed=6):
+        drawing.show_projection(projection)
     assert renders == []
     assert state() == before
-    assert [m.GetMTime() for m in matrices] != times
+    assert [matrix.GetMTime() for matrix in matrices] != times
 
 
-@pytest.mark.parametrize("kind", [StageDrawing, ImageDrawing])
-def test_a_removed_drawing_leaves_room_for_another(kind: Any, off_screen: MakeScreen) -> None:
-    scene = load("letter-f")
-    screen = off_screen(300, 300)
+@pytest.mark.parametrize("kind", KINDS)
+def test_a_removed_drawing_leaves_nothing_behind(kind: Any, off_screen: MakeScreen) -> None:
+    scene, screen = load("letter-f"), off_screen(300, 300)
     found = screen.window.GetRenderers().GetNumberOfItems()
-    pictures = []
+    pictures, alive = [], []
     for _ in range(2):
+        screen.renderer.SetActiveCamera(vtkCamera())
         drawing = kind(screen, scene, WORDS, LIGHT)
         drawing.show_projection(scene.start)
         pictures.append(screen.pixels())
         drawing.remove()
+        alive.append(weakref.ref(drawing))
         assert screen.window.GetRenderers().GetNumberOfItems() == found
         assert screen.renderer.GetViewProps().GetNumberOfItems() == 0
         assert not screen.window.HasObserver("StartEvent")
     assert (pictures[0] == pictures[1]).all()
+    del drawing
+    gc.collect()
+    assert [each() for each in alive] == [None, None]
 
 
 @pytest.mark.parametrize("kind", [StageDrawing, ImageDrawing])
@@ -534,30 +508,58 @@ def test_words_have_their_size_whatever_dots_per_inch_the_window_claims(
     assert (pictures[0] == pictures[1]).all()
 
 
-def test_far_from_the_origin_the_picture_is_the_same(off_screen: MakeScreen) -> None:
-    """The scene's origin meets the eye in float64; float32 would leave steps of 8 here."""
-    near_scene = without_lines(load("letter-f"))
-    shift = (1e8, -1e8, 1e8)
-    start = near_scene.start.camera
+def moved(scene: Scene, scale: float, origin: tuple[float, float, float]) -> Scene:
+    """The same scene and camera, scaled and then carried to `origin`."""
 
-    def moved(point: tuple[float, ...]) -> Any:
-        return tuple(p + s for p, s in zip(point, shift, strict=True))
+    def carry(point: tuple[float, float, float]) -> tuple[float, float, float]:
+        x, y, z = (o + scale * p for o, p in zip(origin, point, strict=True))
+        return x, y, z
 
-    far_scene = replace(
-        near_scene, origin=shift, lower=moved(near_scene.lower), upper=moved(near_scene.upper)
+    meshes = []
+    for mesh in (scene.surface, scene.lines):
+        assert mesh is not None
+        copy = mesh.copy()
+        copy.points = copy.points * scale
+        meshes.append(copy)
+    camera, lens = scene.start.camera, scene.start.lens
+    start = replace(
+        scene.start,
+        camera=Camera(carry(camera.eye), carry(camera.target), camera.up),
+        lens=replace(lens, near=lens.near * scale, far=lens.far * scale),
     )
-    far_camera = Camera(moved(start.eye), moved(start.target), start.up)
-    for kind in (StageDrawing, ImageDrawing):
-        pictures = []
-        for scene, camera in ((near_scene, start), (far_scene, far_camera)):
-            screen = off_screen(400, 300)
-            projection = replace(near_scene.start, camera=camera)
-            pictures.append(shown(screen, scene, projection, kind=kind).astype(int))
-        assert (pictures[0] != pictures[1]).any(axis=-1).sum() <= 20
+    return replace(
+        scene,
+        origin=origin,
+        surface=meshes[0],
+        lines=meshes[1],
+        lower=carry(scene.lower),
+        upper=carry(scene.upper),
+        start=start,
+    )
+
+
+@pytest.mark.parametrize("kind", KINDS)
+@pytest.mark.parametrize(
+    ("scale", "origin"),
+    [(1.0, (1e8, -1e8, 1e8)), (1e-6, (0.0, 0.0, 0.0)), (1e9, (0.0, 0.0, 0.0))],
+)
+def test_scenes_far_away_tiny_or_huge_look_the_same(
+    off_screen: MakeScreen, kind: Any, scale: float, origin: tuple[float, float, float]
+) -> None:
+    """The scene's origin meets the eye in float64; float32 would leave steps of 8 at 1e8."""
+    images = []
+    for scene in (load("letter-f"), moved(load("letter-f"), scale, origin)):
+        screen = off_screen(400, 300)
+        drawing = kind(screen, scene, WORDS, LIGHT)
+        drawing.show_layers(frozenset({"labels"}))  # their distances differ
+        drawing.show_projection(scene.start)
+        drawing.reset_view()
+        images.append(screen.pixels())
+    assert (images[0] != images[1]).any(axis=-1).mean() < 0.002
 
 
 def test_extreme_projections_draw_without_a_word(off_screen: MakeScreen) -> None:
-    """Neither NumPy nor VTK has anything to say; `off_screen` and pytest hold both to it."""
+    """NumPy and VTK must not warn; pytest and `off_screen` see to that."""
     scene = load("letter-f")
     cameras = (
         scene.start.camera,

@@ -159,7 +159,7 @@ def test_scale_is_the_same_figure_with_more_pixels() -> None:
 @pytest.mark.parametrize("panes", [("world",), ("ndc",), ("image",), ("image", "ndc")])
 @pytest.mark.parametrize("style", [LIGHT, DARK], ids=["light", "dark"])
 def test_transparent_laid_on_the_background_is_the_opaque_figure(panes: Any, style: Any) -> None:
-    """No dark seams: colours at the edges are not mixed with a background that is not there."""
+    """No dark seams: colours at the edges are not mixed with the missing background."""
     scene = load("letter-f")
     size = (160 * len(panes), 160)
     opaque = render(scene, scene.start, panes, size, style=style).astype(float)
@@ -222,7 +222,7 @@ def test_a_figure_that_cannot_be_is_refused_in_one_sentence(
 
 
 def test_a_long_figure_is_drawn_to_its_last_pixel() -> None:
-    """Larger than what is averaged, and than many a screen: nothing is cut off."""
+    """It is larger than what is averaged, and than many screens: nothing is cut off."""
     scene = replace(load("cube"), lines=None)
     projection = replace(
         scene.start,
@@ -252,7 +252,7 @@ def test_figures_leave_nothing_behind() -> None:
 
 
 def test_a_window_that_figures_were_drawn_in_draws_as_a_new_one() -> None:
-    """Whatever they were: of few depth bits, with textures, several layers, no background."""
+    """Also after figures with few depth bits, textures, several layers and no background."""
     scenes = [load(name) for name in ("depth-buffer", "interpolation", "focus")]
     kinds = [(scene, pane) for scene in scenes for pane in PANES]
     new = []
@@ -295,7 +295,7 @@ def test_a_png_brings_its_pixels_and_its_document_back(tmp_path: Path) -> None:
 
 
 def test_a_mesh_far_from_the_origin_is_drawn_as_cleanly_as_near_it(tmp_path: Path) -> None:
-    """In float32, whose step at 1e7 is 1, nothing would be left of this ball of radius 1/2."""
+    """Float32, with a step of 1 at 1e7, would lose this ball of radius 1/2."""
     ball = pv.Sphere(theta_resolution=24, phi_resolution=24)
     points = np.round(np.asarray(ball.points, dtype=np.float64) * 1024.0) / 1024.0
     pictures = []

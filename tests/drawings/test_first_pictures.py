@@ -1,4 +1,4 @@
-"""What is seen of a scene as it opens: enough of it, apart, and nothing written on it."""
+"""The first picture of each scene: large enough, its parts apart, its labels beside it."""
 
 from __future__ import annotations
 
@@ -60,7 +60,7 @@ def alone(screen: OffScreen, *shown: Any) -> Iterator[None]:
 
 
 def mask_of(screen: OffScreen, *shown: Any) -> Mask:
-    """Where these props would be seen, from the bottom up."""
+    """The pixels of these props, from the bottom up."""
     with alone(screen, *shown):
         image = screen.pixels()
     return np.asarray((image != to_bytes(LIGHT.background)).any(axis=-1)[::-1])
@@ -110,7 +110,7 @@ def drawn_px(screen: OffScreen, name: str) -> tuple[int, int]:
 
 
 def test_the_letters_frustum_takes_its_share_of_the_window(off_screen: MakeScreen) -> None:
-    """What is drawn, but for what is written: 15 % of 1366 x 768, and most of a side anywhere."""
+    """The drawing without labels takes 15 % of 1366 x 768."""
     width, height = drawn_px(off_screen(*SLOT_PX), "letter-f")
     assert width * height >= 0.15 * 1366 * 768
 
@@ -130,7 +130,7 @@ def test_what_is_drawn_fills_a_pane_of_any_shape(
 def test_eye_near_plane_object_and_far_plane_do_not_cover_one_another(
     off_screen: MakeScreen, name: str
 ) -> None:
-    """Object and far plane may lie one before the other: the far one is larger by far."""
+    """Object and far plane may overlap: the far plane is much larger."""
     screen = off_screen(*LARGE)
     drawing = opened(screen, name, live=False)
     near_tint, far_tint = (tint for tint, _ in drawing.frustum.tints)
@@ -148,7 +148,7 @@ def test_eye_near_plane_object_and_far_plane_do_not_cover_one_another(
 def test_the_cameras_body_is_no_larger_than_a_twelfth_of_the_pane(
     off_screen: MakeScreen, name: str, size_px: tuple[int, int]
 ) -> None:
-    """As it opens, and from as near behind it as a hand may go."""
+    """In the opening view, and from as near behind it as a user can go."""
     screen = off_screen(*size_px)
     drawing = opened(screen, name)
     at = load(name).start.camera
@@ -164,7 +164,7 @@ def test_the_cameras_body_is_no_larger_than_a_twelfth_of_the_pane(
 
 
 def test_what_a_scene_is_held_at_is_not_beyond_a_break(off_screen: MakeScreen) -> None:
-    """The line's end Q is 12.8 from the eye plane, the letter 7.7, and far is 14: all is whole."""
+    """The line's end Q is 12.8 from the eye plane, the letter 7.7, far is 14: nothing is broken."""
     scene = load("affine-depth")
     drawing = WorldDrawing(off_screen(*LARGE), scene, WORDS, LIGHT)
     for far, is_broken in ((14.0, False), (20.0, True)):
@@ -191,7 +191,7 @@ def test_the_frustum_is_broken_beyond_half_again_the_objects_depth(
 def test_every_handle_is_at_least_twelve_pixels_across_and_larger_when_held(
     off_screen: MakeScreen,
 ) -> None:
-    """Its mark with the ring round it; by what it changes on the screen."""
+    """The mark includes the ring round it; it is measured by the pixels that it changes."""
     screen = off_screen(*LARGE)
     drawing = opened(screen, "letter-f")
     with_marks = screen.pixels().astype(int)
@@ -215,7 +215,7 @@ def test_every_handle_is_at_least_twelve_pixels_across_and_larger_when_held(
 
 
 def test_a_handle_is_set_off_from_what_lies_under_it(off_screen: MakeScreen) -> None:
-    """From inside: the plane's colour, a rim of ink, a ring of the background's colour."""
+    """From inside: the plane's colour, a rim in ink, and a ring in the background's colour."""
     screen = off_screen(*LARGE)
     drawing = opened(screen, "letter-f")
     image = screen.pixels()
@@ -230,7 +230,7 @@ def test_a_handle_is_set_off_from_what_lies_under_it(off_screen: MakeScreen) -> 
 
 @pytest.mark.parametrize("name", BUILT_IN)
 def test_the_eye_is_named_beside_its_camera(off_screen: MakeScreen, name: str) -> None:
-    """Its leader may run out of the camera's body, which it is a part of."""
+    """The leader may leave the camera's body, which contains the eye."""
     screen = off_screen(*LARGE)
     drawing = opened(screen, name)
     if "eye" not in boxes_of(screen):

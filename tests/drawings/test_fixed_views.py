@@ -1,4 +1,4 @@
-"""The world from the side, from above, along the axis and from the eye; layers switched off."""
+"""The world in its fixed views, with dimensions, and with hidden layers."""
 
 from __future__ import annotations
 
@@ -56,7 +56,7 @@ def made(screen: OffScreen, projection: Projection = START, name: str = "letter-
 
 
 def pixel_of(drawing: WorldDrawing, points: Any) -> Array:
-    """Column and row, (n, 2), as a probe would be marked there."""
+    """Column and row, (n, 2), where a probe would be marked."""
     return drawing.sight.seen(np.asarray(points, dtype=np.float64))
 
 
@@ -80,9 +80,9 @@ def at(projection: Projection, u: float, v: float, distance: float) -> Array:
 def test_a_flat_view_is_the_cameras_frame_to_scale(
     off_screen: MakeScreen, view: str, right: Any, up: Any
 ) -> None:
-    """Parallel: the same way in the world is the same way on the screen, at any distance.
+    """Parallel: equal vectors in the world are equal on the screen, at any distance.
 
-    Right and up of the screen in u, v and distance: from the side the eye is left of near.
+    Right and up of the screen are in u, v and distance: from the side the eye is left of near.
     """
     drawing = made(off_screen(*SIZE_PX))
     drawing.show_fixed(view)
@@ -117,7 +117,7 @@ def test_where_the_planes_lie_on_each_other_each_label_stands_at_its_own_handle(
 
 
 def test_the_planes_light_their_pixels_from_the_side(off_screen: MakeScreen) -> None:
-    """As far from the eye as 4 is to 18, upright, and as high as n tan and f tan say."""
+    """Near and far stand upright at 4 and 18 from the eye, as high as n tan and f tan say."""
     screen = off_screen(*SIZE_PX)
     drawing = made(screen)
     drawing.show_fixed("side")
@@ -147,7 +147,7 @@ def test_the_planes_light_their_pixels_from_the_side(off_screen: MakeScreen) -> 
 def test_from_the_eye_the_window_is_the_image(
     off_screen: MakeScreen, projection: Projection
 ) -> None:
-    """What is at a share of the image's width and height is there between the near corners."""
+    """A point at a share of the image's width and height is there between the near corners."""
     screen = off_screen(*SIZE_PX)
     drawing = made(screen, projection)
     drawing.show_fixed("eye")
@@ -164,7 +164,7 @@ def test_from_the_eye_the_window_is_the_image(
 
 
 def test_from_the_eye_no_handle_lies_under_the_title(off_screen: MakeScreen) -> None:
-    """Whose buttons are two letters high; a handle reaches half a letter from its middle."""
+    """The title's buttons are two letters high; a handle reaches half a letter from its middle."""
     drawing = made(off_screen(443, 269), load("clipping").start, "clipping")
     drawing.show_fixed("eye")
     assert drawing.handles is not None
@@ -172,7 +172,7 @@ def test_from_the_eye_no_handle_lies_under_the_title(off_screen: MakeScreen) -> 
 
 
 def test_a_fixed_view_goes_with_the_camera(off_screen: MakeScreen) -> None:
-    """An orbit moves the object, and leaves eye and planes where they are; no actor is added."""
+    """An orbit moves the object, and leaves eye and planes in place; no actor is added."""
     screen = off_screen(*SIZE_PX)
     drawing = made(screen)
     for view in FIXED:
@@ -285,7 +285,7 @@ NO_ROOM = "No room for all dimensions."
 def test_large_letters_leave_the_drawing_in_the_pane_and_what_is_left_out_is_said(
     off_screen: MakeScreen, view: str, size_px: tuple[int, int], em: float, is_room: bool | None
 ) -> None:
-    """Every text is there, or a sentence that not all are; and none lies on another."""
+    """Every text is shown without overlap, or a sentence says that some are missing."""
     screen = off_screen(*size_px)
     drawing = WorldDrawing(screen, load("letter-f"), WORDS, replace(LIGHT, font_size=em), live=True)
     drawing.show_fixed(view)
@@ -308,7 +308,7 @@ def test_large_letters_leave_the_drawing_in_the_pane_and_what_is_left_out_is_sai
 
 
 def dimension_lines(prop: Any) -> list[list[tuple[float, float]]]:
-    """The ends of the many lines that one thing on the screen has, and nothing else."""
+    """The ends of each line of an actor with many lines."""
     data = prop.GetMapper().GetInput() if isinstance(prop, vtkActor2D) else None
     if not isinstance(data, vtkPolyData) or data.GetNumberOfLines() < 20:
         return []
@@ -321,7 +321,7 @@ def dimension_lines(prop: Any) -> list[list[tuple[float, float]]]:
 def test_a_very_wide_and_a_very_narrow_frustum_are_measured_below_what_is_seen(
     off_screen: MakeScreen, view: str, fov_y_deg: float
 ) -> None:
-    """The rows are in the pane, below the object, and as long as they say, to scale."""
+    """The rows are in the pane, below the object, and their lengths are to scale."""
     screen = off_screen(*SIZE_PX)
     drawing = made(screen, with_lens(fov_y_deg=fov_y_deg))
     drawing.show_fixed(view)
@@ -369,7 +369,7 @@ def test_what_a_hand_moves_out_of_the_pane_is_not_missed(off_screen: MakeScreen)
 def test_a_scenes_distances_stand_in_rows_of_their_own(
     off_screen: MakeScreen, name: str, written: set[str]
 ) -> None:
-    """One under the other, the shortest on top; nothing else is there, and no leader ends there."""
+    """One below the other, the shortest on top; no other label and no leader is among them."""
     screen, scene = off_screen(*SIZE_PX), load(name)
     drawing = WorldDrawing(screen, scene, WORDS, LIGHT, live=True)
     drawing.show_projection(scene.start, illustrated(scene))
@@ -388,7 +388,7 @@ def test_a_scenes_distances_stand_in_rows_of_their_own(
 
 @pytest.mark.parametrize("view", ["side", "top"])
 def test_no_text_lies_on_a_plane(off_screen: MakeScreen, view: str) -> None:
-    """From the side a plane is a line: what is written with a sign of equality stays off it."""
+    """From the side a plane is a line; texts with an equals sign stay off it."""
     screen = off_screen(*SIZE_PX)
     drawing = made(screen)
     for near, far in ((4.0, 18.0), (2.0, 14.0), (6.0, 40.0)):
@@ -446,7 +446,7 @@ def test_half_a_window_by_hand() -> None:
 
 
 def test_dimensions_follow_a_slider_and_reach_the_screen(off_screen: MakeScreen) -> None:
-    """The line under the near plane ends below it, in ink, as long as near says."""
+    """The line in ink ends below the near plane, at the distance that near states."""
     screen = off_screen(*SIZE_PX)
     drawing = made(screen)
     drawing.show_fixed("side")
@@ -466,10 +466,10 @@ def test_dimensions_follow_a_slider_and_reach_the_screen(off_screen: MakeScreen)
 
 
 SENTENCES = {
-    "parallel": "A parallel lens has no angle: it is as wide at every distance.",
+    "parallel": "A parallel lens has no angle: it is equally wide at every distance.",
     "eye": "A parallel lens has no eye: this is the view along its axis.",
     "typed": "A typed matrix has no near, no far and no angle.",
-    "aside": "This window is off the axis, which does not halve its angle.",
+    "aside": "This window is off-axis: the axis does not halve its angle.",
 }
 
 
@@ -502,7 +502,7 @@ def test_one_sentence_says_what_a_lens_does_not_have(
 
 @pytest.mark.parametrize("view", FIXED)
 def test_extremes_are_drawn_from_every_view(off_screen: MakeScreen, view: str) -> None:
-    """VTK says nothing, no number is missing, and the eye stays in the pane."""
+    """VTK does not warn, no number is NaN, and the eye stays in the pane."""
     screen = off_screen(300, 340)
     orthographic = START.with_lens("orthographic")
     typed = START
@@ -539,7 +539,7 @@ def test_extremes_are_drawn_from_every_view(off_screen: MakeScreen, view: str) -
 
 
 def test_a_point_is_dragged_in_a_flat_view(off_screen: MakeScreen) -> None:
-    """The target follows the hand in the plane of the screen: along n and v, from the side."""
+    """From the side the target follows the hand along n and v."""
     drawing = made(off_screen(*SIZE_PX))
     drawing.show_fixed("side")
     x, y = dict(drawing.handles.shown)[TARGET] if drawing.handles else (0.0, 0.0)
@@ -555,7 +555,7 @@ def test_a_point_is_dragged_in_a_flat_view(off_screen: MakeScreen) -> None:
 
 
 def seen_of(screen: OffScreen, drawing: Any, layer: str) -> bool:
-    """Whether anything of a layer is on the screen, by what it alone paints there."""
+    """Whether anything of a layer is on the screen, by a colour that only the layer has."""
     image: Pixels = screen.pixels()
     if layer == "labels":
         return bool(texts_of(screen))
@@ -574,7 +574,7 @@ def seen_of(screen: OffScreen, drawing: Any, layer: str) -> bool:
 
 @pytest.mark.parametrize("layer", LAYERS)
 def test_a_layer_is_switched_off_and_on_again(off_screen: MakeScreen, layer: str) -> None:
-    """It stays off through steps, breaks and fixed views; on again the picture is as before."""
+    """It stays hidden through steps, breaks and fixed views; shown again, nothing has changed."""
     screen = off_screen(*SIZE_PX)
     drawing = made(screen)
     others = frozenset({"labels", "handles"}) - {layer}
@@ -645,7 +645,7 @@ def test_no_handle_can_be_held_that_is_not_seen(off_screen: MakeScreen) -> None:
 def test_labels_and_grid_are_switched_in_the_other_panes(
     off_screen: MakeScreen, kind: Any, tolerance_px: float
 ) -> None:
-    """Also where vertices are projected in float64, and all the lines are the grid's."""
+    """Also with vertices projected in float64, and in a scene whose only lines are the grid."""
     for name in ("letter-f", "interpolation"):
         screen = off_screen(*SIZE_PX)
         start = load(name).start
@@ -666,7 +666,7 @@ def test_labels_and_grid_are_switched_in_the_other_panes(
 
 @pytest.mark.parametrize("name", BUILT_IN)
 def test_no_line_of_a_scene_has_a_grids_colour_but_the_grid(name: str) -> None:
-    """By which it is known: what is left of the lines without it is not flat on one level."""
+    """The lines in the grid's colour all lie at one height."""
     scene = load(name)
     lines = scene.lines
     assert lines is not None

@@ -1,4 +1,4 @@
-"""What phenomena draw over the panes, by the pixels that reach the screen."""
+"""Marks of phenomena: the pixels that reach the screen."""
 
 from __future__ import annotations
 
@@ -40,7 +40,7 @@ PLACES = ((1.5, 5.0, 0.5), (-1.5, 0.0, 0.5), (0.3, 2.2, -0.5), (-2.0, 0.0, 1.5))
 
 
 class Shown:
-    """One drawing of a scene in a pane off the screen."""
+    """A drawing of a scene in an off-screen pane."""
 
     def __init__(
         self,
@@ -143,7 +143,7 @@ def test_marks_of_the_cube_are_at_its_own_depths(depth: str, shown: Callable[...
 
 @pytest.mark.parametrize("pane", PANES)
 def test_a_line_runs_from_end_to_end(pane: str, shown: Callable[..., Shown]) -> None:
-    """Above the letter, where nothing hides it; a polyline with a corner in it."""
+    """A polyline with a corner, above the letter, where nothing hides it."""
     one = shown(pane)
     ends = [(-1.4, 5.3, 0.5), (1.2, 5.2, 0.5), (1.4, 5.8, 0.4)]
     image = one.show(one.marks(ends, lambda p: Marks(lines=(Line(p, RED, 2.0),))))
@@ -248,7 +248,7 @@ def test_a_text_is_written_in_the_window_s_language(pane: str, shown: Callable[.
 def test_a_text_gets_out_of_the_way_of_what_the_scene_shows(
     pane: str, shown: Callable[..., Shown]
 ) -> None:
-    """Beside the stem's left edge: the first place, to the right, is over the letter."""
+    """At the stem's left edge the first place, to the right, would hide the letter."""
     one = shown(pane)
     place = (-1.5, 2.2, 0.5)
     lit = drawn(one.show(one.marks([place], lambda p: Marks(texts=(Text("stem", p[0], RED),)))),
@@ -314,7 +314,7 @@ def moved(matrix: NDArray[np.float64], points: Any) -> NDArray[np.float64]:
 def test_a_copy_is_drawn_where_its_matrix_says(
     kind: str, pane: str, shown: Callable[..., Shown]
 ) -> None:
-    """A square of which only the copy is red, compared with the polygon that numpy computes."""
+    """Only the copy is red; the expected polygon is computed by numpy."""
     scene = square(0.0, (10, 120, 10))
     one = shown(pane, scene)
     before = one.show(None)
@@ -568,7 +568,7 @@ def test_a_scene_without_a_phenomenon_builds_nothing(
 
 
 def test_what_is_about_what_is_highlighted_stands_out(shown: Callable[..., Shown]) -> None:
-    """A wider line and a framed name, of that alone; and still so after a step of a slider."""
+    """Its line is wider and its name framed, also after a slider step; nothing else changes."""
     low, high = (np.array([(-1.5, y, 0.6), (1.5, y, 0.6)]) for y in (1.0, 3.0))
     marks = Marks(
         (Line(low, RED, 2.0, ("y",)), Line(high, GREEN, 2.0, ("y_p",))),

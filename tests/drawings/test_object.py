@@ -1,4 +1,4 @@
-"""L2 in the panes: an object that is moved is seen as one that the camera moves round."""
+"""L2 in the panes: moving the object looks like moving the camera the other way."""
 
 from __future__ import annotations
 
@@ -73,7 +73,7 @@ def test_l2_the_ground_stays_where_it_is_and_the_object_does_not() -> None:
 def test_l2_both_precisions_draw_the_moved_object(
     off_screen: MakeScreen, tolerance_px: float
 ) -> None:
-    """Also where it stands 1e6 away from its origin, with the camera beside it."""
+    """Also 1e6 away from its origin, with the camera beside it."""
     words: Any = dict.fromkeys("xy", "")
     pictures = []
     for away in (0.0, 1e6):

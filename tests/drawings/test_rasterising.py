@@ -1,4 +1,4 @@
-"""The rasteriser's own phenomena, by the pixels that it makes."""
+"""The phenomena about rasterising: the pixels that reach the screen."""
 
 from __future__ import annotations
 
@@ -79,7 +79,7 @@ class Picture:
 
 @pytest.fixture
 def said() -> Iterator[vtkStringOutputWindow]:
-    """What VTK has to say: nothing, unless the test takes it away."""
+    """VTK's messages: none, unless the test reads them."""
     with heard() as window:
         yield window
     assert window.GetOutput() == ""
@@ -175,7 +175,7 @@ def test_the_predicted_share_of_wrong_pixels_is_the_counted_one(plotter: Any) ->
 @pytest.mark.parametrize("kind", ["fixed8", "fixed16", "float16"])
 @pytest.mark.parametrize("gap", [1e-9, 5e-6, 1e-4])
 def test_a_gap_that_no_buffer_tells_is_counted_too(plotter: Any, kind: str, gap: float) -> None:
-    """What is in front is known, though the picture that tells it has but 24 bits."""
+    """The count knows which surface is in front, although its own picture has 24 bits only."""
     settings = {"format": kind, "range": "standard", "gap": gap}
     reading, share = counted(plotter, load("depth-buffer").start, settings)
     assert reading.note is None and reading.value > 99.0
@@ -198,7 +198,7 @@ def test_a_gap_that_no_buffer_tells_is_counted_too(plotter: Any, kind: str, gap:
 def test_what_a_parallel_lens_shows_is_counted_however_far_its_planes_are_apart(
     plotter: Any, kind: str, near: float, far: float, stored: str, gap: float
 ) -> None:
-    """Depths of all from near to far in a float32 would not tell the ramp's two surfaces apart."""
+    """A float32 of all depths from near to far could not separate the ramp's two surfaces."""
     projection = load("depth-buffer").start.with_lens(kind)
     projection = replace(projection, lens=replace(projection.lens, near=near, far=far))
     settings = {"format": stored, "range": "reversed", "gap": gap}
@@ -224,7 +224,7 @@ def test_the_image_pane_shows_the_stripes_that_are_counted(plotter: Any, make: A
 
 
 def test_a_picture_is_the_same_whatever_was_shown_before(make: Any) -> None:
-    """Copies of faces have the phenomenon's depth buffer, also those made after a first picture."""
+    """Copies use the phenomenon's depth buffer, even if they are created after a first picture."""
     fresh, used = make("depth-buffer"), make("depth-buffer")
     used.drawing.show_projection(replace(used.phenomenon.start, image_size=SIZE))
     assert (used.show().pixels() == fresh.show().pixels()).all()
@@ -283,7 +283,7 @@ def board_coordinates(
 
 
 def test_coordinates_on_the_screen_are_those_of_the_formula(make: Any) -> None:
-    """50 settings: each pixel's red and green against barycentric weights, to a step and a half."""
+    """50 settings: red and green of each pixel are the barycentric weights, within 1.5 steps."""
     random = np.random.default_rng(18)
     picture = make("interpolation")
     compared = 0
@@ -306,7 +306,7 @@ def test_coordinates_on_the_screen_are_those_of_the_formula(make: Any) -> None:
 
 
 def test_the_largest_error_is_the_one_in_the_picture(make: Any) -> None:
-    """Affine minus correct, pixel by pixel: up to the formula and not beyond; 50 settings."""
+    """50 settings: affine minus correct, pixel by pixel, reaches the formula and not more."""
     random = np.random.default_rng(81)
     picture = make("interpolation")
     reached = []
@@ -395,7 +395,7 @@ def test_too_many_triangles_are_named(make: Any, monkeypatch: pytest.MonkeyPatch
 
 
 def without_trees(picture: Picture) -> None:
-    """Draw the scene's own faces, whatever levels of detail stand there for them."""
+    """Draw the scene's own faces instead of levels of detail."""
     rendering = replace(picture.illustration.rendering, levels=())
     picture.drawing.show_projection(picture.projection, Illustration((), rendering=rendering))
 
@@ -527,7 +527,7 @@ def test_a_step_builds_no_shader_and_adds_no_actor(
 def test_an_opengl_that_refuses_the_shader_is_named(
     make: Any, monkeypatch: pytest.MonkeyPatch, name: str, part: str
 ) -> None:
-    """After the first rendering, which finds out; the next draws the ordinary picture."""
+    """The first rendering finds out; the next one draws the ordinary picture."""
     monkeypatch.setattr(rasterising, part, "this is no GLSL;")
     picture = make(name).show()
     assert picture.drawing.problem is None

@@ -1,4 +1,4 @@
-"""A figure shows what is seen: a value of the view changes the panes that show it, and no other."""
+"""A value of the view changes the panes that show it in a figure, and no others."""
 
 from __future__ import annotations
 
@@ -88,7 +88,7 @@ def test_no_two_stages_and_no_two_steps_are_the_same_figure() -> None:
 @pytest.mark.parametrize("pane", ["world", "ndc", "image"])
 @pytest.mark.parametrize("reach", [1e-99, 1e50, 1e100])
 def test_what_is_far_beyond_every_scene_breaks_no_figure(pane: str, reach: float) -> None:
-    """A file may hold it: no number of it becomes none."""
+    """A file may contain such numbers; none of them becomes NaN."""
     scene = load("letter-f")
     probes = Probe(1, (reach, -reach, reach)), Probe(2, None, (16384.0, 0.0))
     for target in ((0.0, 0.0, 0.0), (-0.5, 3.7, -reach)):

@@ -1,10 +1,8 @@
-"""The world pane: the matrices of what it draws, and the pixels that reach the screen."""
+"""The world pane: its matrices, and the pixels that reach the screen."""
 
 from __future__ import annotations
 
-import gc
 import math
-import weakref
 from collections.abc import Callable, Iterator
 from dataclasses import replace
 from typing import Any
@@ -25,15 +23,12 @@ from app.drawings.style import DARK, LIGHT, Style, rgb
 from app.drawings.world import WorldDrawing
 from app.lecture.typed_matrix import with_cell
 from app.model.projection import (
-    DEPTH_RANGES,
-    LENSES,
     OBLIQUE_PRESETS,
     PLANES,
     Array,
     Camera,
     FreeMatrix,
     Frustum,
-    Lens,
     Oblique,
     Orthographic,
     Perspective,
@@ -41,6 +36,7 @@ from app.model.projection import (
 )
 from app.scenes.phenomena import PHENOMENA
 from app.scenes.scene import Scene, load
+from tests.support.cameras import random_projections
 from tests.support.drawings import (
     MakeScreen,
     boxes_of,
@@ -172,42 +168,11 @@ def oblique(preset: str = "cabinet-63.4", **values: Any) -> Projection:
     return replace(START, lens=lens)
 
 
-def random_projections(count: int, seed: int = 0) -> Iterator[Projection]:
-    """Cameras round the letter F; every lens and depth range has its turn."""
-    random = np.random.default_rng(seed)
-    for number in range(count):
-        direction = random.normal(size=3)
-        eye = random.uniform(2.0, 40.0) * direction / np.linalg.norm(direction)
-        target, up = random.uniform((-1, 1, -1), (1, 3, 1)), random.normal(size=3)
-        near = 10.0 ** random.uniform(-4.0, 0.0)
-        far = near + 10.0 ** random.uniform(-2.0, 6.0)
-        kind = list(LENSES)[number % 4]
-        low, high = random.uniform(-8.0, -0.5, 2), random.uniform(0.5, 8.0, 2)
-        keep = random.choice(["stretch", "x", "y"])
-        lens: Lens
-        if kind == "perspective":
-            lens = Perspective(
-                10.0 ** random.uniform(0.0, 2.2), near, math.inf if number % 5 == 0 else far
-            )
-        elif kind == "frustum":
-            sides = 0.2 * near * np.array([low[0], high[0], low[1], high[1]])
-            sides += 0.1 * near * (number % 3) * low[0]  # the axis may be outside the picture
-            lens = Frustum(*sides, near, math.inf if number % 5 == 0 else far, keep)
-        elif kind == "orthographic":
-            lens = Orthographic(low[0], high[0], low[1], high[1], near - 1.0, far, keep)
-        else:
-            angles = random.uniform(25.0, 155.0, 2)
-            lens = Oblique(low[0], high[0], low[1], high[1], near - 1.0, far, keep, *angles)
-        camera = Camera(tuple(eye), tuple(target), tuple(up))
-        depth = list(DEPTH_RANGES)[number % 3]
-        yield Projection(camera, lens, (640, 480), depth)  # type: ignore[arg-type]
-
-
 # --------------------------------------------------------------------------- matrices
 
 
 def test_the_frustum_is_the_unprojected_cube(make_view: MakeView) -> None:
-    """Wherever its planes are drawn where they are: the model's own corners, to 1e-12."""
+    """Planes at their own distances are at the model's own corners, to 1e-12."""
     drawing = make_view().drawing
     whole = cut = 0
     for projection in random_projections(120):
@@ -259,7 +224,7 @@ def test_a_part_of_the_view_volume_is_what_the_model_says() -> None:
 
 @pytest.mark.parametrize("toward_eye", [True, False])
 def test_flattened_points_keep_their_ray_and_their_order(toward_eye: bool) -> None:
-    """On the near plane within the slab, on the ray to the eye, the nearest on top."""
+    """They are in the slab on the near plane, on the ray to the eye, the nearest on top."""
     random = np.random.default_rng(1)
     checked = 0
     for projection in random_projections(200, seed=2):
@@ -348,7 +313,7 @@ def test_a_plane_beyond_the_reach_is_broken_and_says_its_distance(
 @pytest.mark.parametrize("azimuth", [-100.0, -60.0, 0.0, 35.0, 80.0, 125.0])
 @pytest.mark.parametrize("style", [LIGHT, DARK])
 def test_the_break_reads_from_everywhere(make_view: MakeView, style: Style, azimuth: float) -> None:
-    """At each edge two strokes with a gap between them, in the frustum's colour: no blob."""
+    """Each edge has two separate strokes in the frustum's colour."""
     view = make_view("letter-f", 700, 700, style)
     view.drawing.show_projection(with_lens(far=1e6))
     view.drawing.reset_view()
@@ -420,7 +385,7 @@ def colour_at(image: Pixels, pixel: Array) -> list[int]:
 
 @pytest.mark.parametrize("style", [LIGHT, DARK])
 def test_markers_light_their_pixels(make_view: MakeView, style: Any) -> None:
-    """Eye and target are seen from wherever the pane looks, also through the letter F."""
+    """Eye and target are visible from every direction, also through the letter F."""
     view = make_view(style=style)
     for azimuth in (0.0, 35.0, 180.0, 250.0):
         view.drawing.reset_view()
@@ -434,7 +399,7 @@ def test_markers_light_their_pixels(make_view: MakeView, style: Any) -> None:
 
 
 def test_axes_are_seen_before_the_body(make_view: MakeView) -> None:
-    """Each from the eye towards its letter, in its colour, although the camera is solid."""
+    """Each axis is visible from the eye to its letter, although the camera is solid."""
     view = make_view("letter-f", 1280, 720)
     view.hide_labels()
     frame, eye = START.camera.frame, np.array(START.camera.eye)
@@ -537,7 +502,7 @@ def test_the_picture_on_the_near_plane_is_the_image(
 def test_nothing_of_the_picture_is_outside_its_window(
     make_view: MakeView, eye: tuple[float, float, float]
 ) -> None:
-    """Seen from between near plane and scene, the only F there is is the one on the plane."""
+    """Seen from between near plane and scene, the only F is the one on the plane."""
     scene = load("letter-f")
     view = make_view(scene, 500, 500)
     lens = Perspective(18.0, 2.0, 30.0)
@@ -587,7 +552,7 @@ def from_box(point: Array, box: tuple[float, float, float, float]) -> float:
 def test_a_planes_label_is_at_its_plane_or_joined_to_it(
     make_view: MakeView, projection: Projection, size: tuple[int, int]
 ) -> None:
-    """And never at a corner of the other plane, which a reader would take for its own."""
+    """It is never at a corner of the other plane, where a reader would misread it."""
     em = LIGHT.font_size
     view = make_view("letter-f", *size)
     view.drawing.show_projection(projection)
@@ -643,7 +608,7 @@ def test_a_leader_lights_its_pixels_and_goes_when_it_is_not_needed(make_view: Ma
 
 
 def history() -> Iterator[Projection]:
-    """What a hand might drag through: the near plane and the camera, to and fro."""
+    """A drag of the near plane and the camera, to and fro."""
     for step in (*range(60), *range(60, 20, -1)):
         orbit = START.camera.orbit._replace(azimuth_deg=4.0 * step)
         camera = Camera.from_orbit(START.camera.target, orbit)
@@ -651,7 +616,7 @@ def history() -> Iterator[Projection]:
 
 
 def test_labels_stay_on_their_sides_while_something_moves(make_view: MakeView) -> None:
-    """They change sides more seldom than when each step is laid out afresh."""
+    """They change sides less often than when each step is laid out afresh."""
     view = make_view("letter-f", 430, 620)
     far = 3.0 * LIGHT.font_size  # farther than anything is moved by a step
     changes = {True: 0, False: 0}
@@ -677,7 +642,7 @@ def test_labels_stay_on_their_sides_while_something_moves(make_view: MakeView) -
 def test_no_label_lies_on_another_in_any_scene_of_a_lecture(
     make_view: MakeView, name: str, size_px: tuple[int, int]
 ) -> None:
-    """As the scene opens, in large letters; in the least pane but what a scene marks itself."""
+    """In large letters; only a scene's own texts may overlap, in the smallest pane."""
     view = make_view(name, *size_px, replace(LIGHT, font_size=22.0))
     view.drawing.show_projection(view.scene.start, illustrated(view.scene))
     view.drawing.reset_view()
@@ -688,7 +653,7 @@ def test_no_label_lies_on_another_in_any_scene_of_a_lecture(
 
 
 def test_in_a_crowd_an_axis_is_named_from_afar_or_not_at_all(make_view: MakeView) -> None:
-    """A letter lies on no other label; without room by its arrow, a line joins it to the arrow."""
+    """A letter lies on no other label; without room by its arrow, a leader joins the two."""
     view = make_view("letter-f", 300, 340, replace(LIGHT, font_size=22.0))
     letters = {"u", "v", "n"}
     hidden = joined = 0
@@ -706,7 +671,7 @@ def test_in_a_crowd_an_axis_is_named_from_afar_or_not_at_all(make_view: MakeView
 
 
 def test_at_rest_the_picture_does_not_depend_on_what_was_before(make_view: MakeView) -> None:
-    """When a gesture ends, `refit` gives the very pixels of a new drawing; it says so, too."""
+    """When a gesture ends, `refit` gives the pixels of a new drawing, and reports the change."""
     eye, target = np.array((14.0, 9.0, 20.0)), np.array((2.0, 2.0, 4.0))
     projections = list(history())[8::8]
     expected = []
@@ -733,7 +698,7 @@ def test_at_rest_the_picture_does_not_depend_on_what_was_before(make_view: MakeV
 
 @pytest.mark.parametrize("style", [LIGHT, DARK])
 def test_a_plane_that_covers_the_pane_does_not_flood_it(make_view: MakeView, style: Style) -> None:
-    """Its tint is nearly gone, its label is not; a plane that is seen whole keeps its tint."""
+    """Its tint fades, its label stays; a plane that is seen whole keeps its tint."""
     view = make_view("letter-f", 412, 670, style)
     view.drawing.show_projection(with_lens(fov_y_deg=179.0))
     view.drawing.reset_view()
@@ -796,30 +761,8 @@ def test_what_is_covered_does_not_depend_on_the_unit(make_view: MakeView) -> Non
 # --------------------------------------------------------------------------- behaviour
 
 
-def test_a_step_sets_matrices_and_nothing_else(make_view: MakeView) -> None:
-    view = make_view()
-    view.pixels()
-    renders: list[str] = []
-    view.window.AddObserver("StartEvent", lambda _window, event: renders.append(event))
-    renderer, camera = view.plotter.renderer, view.camera
-    props = list(renderer.GetViewProps())
-    matrices = [actor.GetUserMatrix() for actor in renderer.GetActors()]
-    meshes = [actor.GetMapper().GetInput().GetMTime() for actor in renderer.GetActors()]
-    mappers = [actor.GetMapper().GetMTime() for actor in renderer.GetActors()]
-    place = (*camera.GetPosition(), *camera.GetFocalPoint(), *camera.GetViewUp())
-    for projection in random_projections(50, seed=6):
-        view.drawing.show_projection(projection)
-    assert list(renderer.GetViewProps()) == props
-    actors = list(renderer.GetActors())
-    assert [actor.GetUserMatrix() for actor in actors] == matrices
-    assert [actor.GetMapper().GetInput().GetMTime() for actor in actors] == meshes
-    assert [actor.GetMapper().GetMTime() for actor in actors] == mappers
-    assert (*camera.GetPosition(), *camera.GetFocalPoint(), *camera.GetViewUp()) == place
-    assert renders == []
-
-
 def test_the_scene_and_its_picture_share_their_points(make_view: MakeView) -> None:
-    """Or a large mesh would be on the GPU twice."""
+    """Otherwise a large mesh would be on the GPU twice."""
     view = make_view()
     inputs = [a.GetMapper().GetInput() for a in view.drawing.picture.actors]
     others = [
@@ -886,7 +829,7 @@ def toward(camera: vtkCamera) -> Array:
 def test_refit_brings_back_what_has_left_the_picture(
     make_view: MakeView, projection: Projection
 ) -> None:
-    """The frustum whole, at its largest, looked at from where it was looked at before."""
+    """The whole frustum, as large as possible, in the former direction of view."""
     view = make_view("letter-f", 412, 670)
     view.pixels()
     before, direction = view.camera.GetPosition(), toward(view.camera)
@@ -953,51 +896,6 @@ def test_a_frustum_too_wide_to_be_framed_does_not_make_the_scene_tiny(make_view:
     assert min(tall) > 0.5 * tall[0] > 20.0
 
 
-def moved(scene: Scene, scale: float, origin: tuple[float, float, float]) -> Scene:
-    """The same scene and camera, scaled and then carried to `origin`."""
-
-    def carry(point: tuple[float, float, float]) -> tuple[float, float, float]:
-        x, y, z = (o + scale * p for o, p in zip(origin, point, strict=True))
-        return x, y, z
-
-    meshes = []
-    for mesh in (scene.surface, scene.lines):
-        assert mesh is not None
-        copy = mesh.copy()
-        copy.points = copy.points * scale
-        meshes.append(copy)
-    camera, lens = scene.start.camera, scene.start.lens
-    start = replace(
-        scene.start,
-        camera=Camera(carry(camera.eye), carry(camera.target), camera.up),
-        lens=replace(lens, near=lens.near * scale, far=lens.far * scale),
-    )
-    return replace(
-        scene,
-        origin=origin,
-        surface=meshes[0],
-        lines=meshes[1],
-        lower=carry(scene.lower),
-        upper=carry(scene.upper),
-        start=start,
-    )
-
-
-@pytest.mark.parametrize(
-    ("scale", "origin"), [(1.0, (1e7, -2e7, 3e7)), (1e-6, (0.0, 0.0, 0.0)), (1e9, (0.0, 0.0, 0.0))]
-)
-def test_scenes_far_away_tiny_or_huge_look_the_same(
-    make_view: MakeView, scale: float, origin: tuple[float, float, float]
-) -> None:
-    images = []
-    for scene in (load("letter-f"), moved(load("letter-f"), scale, origin)):
-        view = make_view(scene)
-        view.hide_labels()  # their distances differ
-        images.append(view.pixels())
-    differing = (images[0] != images[1]).any(axis=-1)
-    assert differing.mean() < 0.002
-
-
 @pytest.mark.parametrize(
     "projection",
     [
@@ -1049,7 +947,7 @@ def test_extremes_draw_the_scene_and_the_camera(
 
 
 def test_a_flat_scene_in_the_eye_plane(make_view: MakeView) -> None:
-    """No depth at all to spread over the slab."""
+    """It has no depth to spread over the slab."""
     mesh = pv.PolyData(
         np.array([(-1.0, 0.0, 0.0), (1.0, 0.0, 0.0), (0.0, 1.0, 0.0)]), faces=[3, 0, 1, 2]
     )
@@ -1065,18 +963,6 @@ def test_a_flat_scene_in_the_eye_plane(make_view: MakeView) -> None:
     )
     view = make_view(scene)
     assert drawn(view.pixels(), (200, 0, 0)).sum() > 100
-
-
-def test_removing_leaves_nothing_behind(make_view: MakeView) -> None:
-    view = make_view()
-    view.pixels()
-    alive = weakref.ref(view.drawing)
-    view.drawing.remove()
-    assert view.plotter.renderer.GetViewProps().GetNumberOfItems() == 0
-    view.pixels()
-    view.drawing = make_view().drawing
-    gc.collect()
-    assert alive() is None
 
 
 # --------------------------------------------------------------------------- free matrices

@@ -7,12 +7,14 @@ import inspect
 import math
 import random
 import re
+import tomllib
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
 
+from app.bootstrap import ROOT
 from app.model.lenses import central, oblique, parallel
 from app.model.limits import PLANES
 from app.model.refusal import Refusal
@@ -172,6 +174,15 @@ def test_the_code_uses_every_word_of_the_content_file(phenomenon: Phenomenon) ->
     for key in phenomenon.words:  # or put together, from "kind-" and 1
         hyphen = key.find("-")
         assert used & {key, key[: hyphen + 1], key[hyphen:]}, key
+
+
+def test_a_wheel_has_the_content_files() -> None:
+    project = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))
+    packed = project["tool"]["setuptools"]["package-data"]
+    folders = [folder.relative_to(ROOT) for folder in (ROOT / "app").rglob("content")]
+    assert len(folders) > 1
+    for folder in folders:
+        assert packed[".".join(folder.parent.parts)] == ["content/*"], folder
 
 
 @EVERY

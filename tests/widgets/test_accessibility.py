@@ -71,7 +71,7 @@ def test_a_screen_reader_hears_what_is_shown(window: MainWindow) -> None:
     assert "=" in heard and "<" not in heard  # without its markup
     said_of_panes = [said(b) for p in window.panes.values() for b in p.findChildren(QToolButton)]
     assert len(said_of_panes) == len(set(said_of_panes))
-    assert "World: Enlarge; again, to the whole window" in said_of_panes
+    assert "World: Enlarge; click again for the whole window" in said_of_panes
     box = QAccessible.queryAccessibleInterface(window.menus.scene_box)
     assert "Scene" in [label.text(SAID.Name) for label, _ in box.relations(LABEL)]
     letters = list(mnemonics(window.menuBar().actions()))

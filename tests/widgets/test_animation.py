@@ -404,7 +404,7 @@ def test_a_walk_through_the_target_or_along_up_says_so(bar: AnimationBar) -> Non
     bar.show_camera(Camera((0.0, 9.0, 0.0), (0.0, 2.0, 0.0), (0.0, 0.0, -1.0)))
     bar.play()
     bar.advance(3.0)
-    said = "The camera has come to the target and cannot look at it."
+    said = "The camera is at the target and cannot look at it."
     assert not bar.playing and refusal(bar).endswith(said)
     type_into(bar.speed, "0")
     bar.show_camera(Camera((0.0, 9.0, 5.0), (0.0, 2.0, 0.0), (0.0, 0.0, 1.0)))

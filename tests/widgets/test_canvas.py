@@ -1,4 +1,4 @@
-"""Both kinds of canvas: the same pictures, the same hand, the same counts of repaints."""
+"""Both kinds of canvas show the same pictures with the same input and as many repaints."""
 
 from __future__ import annotations
 
@@ -133,7 +133,7 @@ def test_a_change_is_one_repaint_of_each_pane_and_none_of_a_hidden_one(opened: O
 def test_a_hand_quicker_than_the_screen_does_not_make_frames_short(
     opened: Opened, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """The next step comes before it is told that the picture of the last one is on the screen."""
+    """The next step comes before the last picture has reached the screen."""
     window, frames = opened(), []
     monkeypatch.setattr(window.look.adaptive.budget, "frame", frames.append)
 
@@ -229,8 +229,8 @@ def test_a_pane_floats_and_comes_back_with_its_picture(opened: Opened) -> None:
         assert colours_of(shown) > 10
 
 
-def test_what_opengl_has_lost_is_made_anew(opened: Opened) -> None:
-    """As after a driver has begun again: all that VTK had in it has gone."""
+def test_lost_opengl_resources_are_created_again(opened: Opened) -> None:
+    """As after a restart of the driver: all of VTK's resources are gone."""
     window = opened()
     shown = window.store.document.projection
     before = {name: pixels(window, name) for name in window.panes}

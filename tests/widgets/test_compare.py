@@ -1,4 +1,4 @@
-"""The picture is held, something is changed, and both are seen; or the lectures' own pictures."""
+"""Comparing a held picture with the live one, and the lectures' own comparisons."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ from widgets.window.main_window import MainWindow
 
 
 def hold(window: MainWindow) -> Any:
-    """Hold the picture by the button of its pane, and take what compares it."""
+    """Hold the picture with the button of its pane, and return the `Compare`."""
     click(window.comparing.button)
     return window.comparing.pictures
 
@@ -49,7 +49,7 @@ def change(window: MainWindow, **lens: float) -> Projection:
 
 
 def surface_of(window: MainWindow) -> np.ndarray:
-    """What is seen of the image pane's pictures, all of them."""
+    """The pixels of all pictures in the image pane."""
     pane = window.panes["image"]
     settle()
     whole = rgb_of(pane.grab().toImage())
@@ -58,11 +58,11 @@ def surface_of(window: MainWindow) -> np.ndarray:
 
 
 def words(window: MainWindow) -> str:
-    """In what the pictures differ, as it is said."""
+    """The text about the differences."""
     return str(window.comparing.pictures.words.toolTip())
 
 
-def test_left_of_the_divider_is_what_was_held_and_right_of_it_what_is(window: MainWindow) -> None:
+def test_the_held_picture_is_left_of_the_divider_and_the_live_one_right(window: MainWindow) -> None:
     window.slots.bring("image")
     settle()
     compare = hold(window)
@@ -86,7 +86,7 @@ def test_left_of_the_divider_is_what_was_held_and_right_of_it_what_is(window: Ma
 
 def test_what_differs_is_said_in_words(window: MainWindow) -> None:
     hold(window)
-    assert words(window) == "Held | Now:  nothing differs yet: change something"
+    assert words(window) == "Held | Now:  no difference yet: change something"
     change(window, near=8.0, fov_y_deg=60.0)
     assert words(window) == "Held | Now:  field of view 45° → 60°, near 4 → 8"
     window.store.set_projection(seen(window, image_size=(720, 720)))
@@ -256,7 +256,7 @@ def test_a_window_opens_with_what_is_compared(make_window: MakeWindow) -> None:
     assert (held[: live.shape[0]] != live[: held.shape[0]]).any()
 
 
-def test_a_picture_that_there_is_not_says_so_in_its_place_and_comes_back(
+def test_an_impossible_picture_is_replaced_by_its_reason(
     window: MainWindow,
 ) -> None:
     compare = hold(window)
@@ -279,7 +279,7 @@ def test_pictures_of_two_sizes_are_fitted_and_a_pane_without_room_is_no_harm(
     window.store.set_projection(seen(window, image_size=(400, 800)))
     settle()
     assert words(window).endswith(
-        "image 1280 × 720 → 400 × 800, of two shapes: side by side, of one height"
+        "image 1280 × 720 → 400 × 800, different shapes: side by side, at equal heights"
     )
     assert compare.words.text() == words(window), "two lines are enough for that"
     assert not compare.handles[0].isVisible() and not compare.way.isEnabled()

@@ -1,4 +1,4 @@
-"""What is counted in the picture of a phenomenon once the hand rests, in the real window."""
+"""Counting the pixels of a phenomenon's picture after a gesture, in the real window."""
 
 from __future__ import annotations
 
@@ -47,9 +47,7 @@ def test_nothing_is_counted_while_the_hand_moves(window: MainWindow, qtbot: Any)
     qtbot.waitUntil(lambda: shown(window)[1] != "–")
 
 
-def test_what_was_counted_behind_a_hidden_dock_stands_there_when_it_is_shown(
-    window: MainWindow, qtbot: Any
-) -> None:
+def test_a_count_made_behind_a_hidden_dock_appears_with_it(window: MainWindow, qtbot: Any) -> None:
     show_scene(window, "depth-buffer")
     qtbot.waitUntil(lambda: shown(window)[1] != "–")
     window.controls.hide()
@@ -77,7 +75,7 @@ def test_a_refused_shader_is_told_and_the_picture_drawn_the_ordinary_way(
     panel = window.controls.card
     with heard() as said:
         show_scene(window, "depth-buffer")
-        qtbot.waitUntil(lambda: "does not take the shader" in panel.warning.text())
+        qtbot.waitUntil(lambda: "rejects the shader" in panel.warning.text())
     assert not panel.warning.isHidden() and shown(window)[1] == "–"
 
     def orange() -> int:

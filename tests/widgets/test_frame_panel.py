@@ -1,4 +1,4 @@
-"""u, v, n, step by step: the panel, the drawing, and what happens when up nears the view."""
+"""u, v and n step by step: the panel, the drawing, and up near the view direction."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from PySide6.QtCore import QPoint, Qt, QTimer
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication, QScrollArea, QWidget
+from PySide6.QtWidgets import QApplication
 
 from app.drawings.frame import arrow_tips
 from app.drawings.style import LIGHT, rgb
@@ -42,7 +42,6 @@ from tests.support.window import (
     counted_repaints,
     pixels,
     present,
-    rgb_of,
     settle,
 )
 from widgets.panels.frame_panel import FramePanel
@@ -62,7 +61,7 @@ def window(window: MainWindow) -> MainWindow:
 
 
 def numbers(panel: FramePanel) -> str:
-    """What is read of them, by whoever hears them."""
+    """The numbers as a screen reader reads them."""
     return panel.numbers.text()
 
 
@@ -78,7 +77,7 @@ directions = st.tuples(*[st.floats(-10.0, 10.0).map(lambda x: round(x, 3))] * 3)
 
 
 @given(eye=directions, up=directions)
-def test_up_and_view_are_what_80_digits_say(eye: Any, up: Any) -> None:
+def test_up_and_view_agree_with_80_digits(eye: Any, up: Any) -> None:
     try:
         camera = Camera(eye, (0.0, 0.0, 0.0), up)
     except Refusal:
@@ -108,7 +107,7 @@ def test_the_view_matrix_is_the_stages() -> None:
         assert view_matrix(projection.camera) == tuple(map(tuple, stage.matrix.tolist()))
 
 
-@pytest.mark.parametrize("angle_deg", [178.0, 104.5, 90.0, 45.0, 1.0, 1e-3, 1e-6, 1e-9])
+@pytest.mark.parametrize("angle_deg", [178.0, 45.0, 1e-3, 1e-9])
 def test_turned_up_has_the_angle_and_keeps_the_frame(angle_deg: float) -> None:
     camera = turned_up(START.camera, angle_deg)
     error = 4e-16 / math.sin(math.radians(angle_deg))
@@ -128,16 +127,16 @@ def test_up_on_the_view_direction_is_refused_by_the_model() -> None:
     assert up_and_view(turned_up(START.camera, 1e-12)).angle_deg == pytest.approx(1e-12, rel=1e-2)
 
 
-@pytest.mark.parametrize("angle_deg", [90.0, 10.0, 1.0])
-def test_an_error_in_up_is_magnified_as_it_is_said(angle_deg: float) -> None:
+@pytest.mark.parametrize("angle_deg", [90.0, 1.0])
+def test_the_magnification_of_an_error_in_up(angle_deg: float) -> None:
     camera = turned_up(START.camera, angle_deg)
     nudged = nudged_up(camera, 1e-4)
     turn_deg = math.degrees(math.acos(float(camera.frame[1] @ nudged.frame[1])))
     assert turn_deg == pytest.approx(1e-4 * up_and_view(camera).magnified, rel=1e-3)
 
 
-@pytest.mark.parametrize("off_deg", [10.0, 1.0, 0.12, 0.101, 0.05])
-def test_an_error_in_up_turns_no_more_than_is_said(off_deg: float) -> None:
+@pytest.mark.parametrize("off_deg", [1.0, 0.101, 0.05])
+def test_the_greatest_turn_by_an_error_in_up(off_deg: float) -> None:
     camera = turned_up(START.camera, off_deg)
     u, v = camera.frame[:2]
     sine, cosine = math.sin(math.radians(0.1)), math.cos(math.radians(0.1))
@@ -204,11 +203,8 @@ def test_playing_goes_through_all_steps_and_stops(window: MainWindow, qtbot: Any
     assert not panel.playing
 
 
-@pytest.mark.parametrize(
-    "camera",
-    [START.camera, Camera((0.1, -3.0, 1e6), (1 / 3, 0.0, 0.0), (1.0, 2.0, 0.5))],
-)
-def test_the_numbers_are_the_models(window: MainWindow, camera: Camera) -> None:
+def test_the_numbers_are_the_models(window: MainWindow) -> None:
+    camera = Camera((0.1, -3.0, 1e6), (1 / 3, 0.0, 0.0), (1.0, 2.0, 0.5))
     window.store.set_projection(replace(window.store.document.projection, camera=camera))
     panel = window.frame_panel
     projection = window.store.document.projection
@@ -244,43 +240,6 @@ def test_four_digits_are_read_and_all_by_the_switch(window: MainWindow) -> None:
             assert panel.figures.text() != said
         assert numbers(panel) == few and panel.figures.text() == said
     assert few != whole
-
-
-def ink(widget: QWidget) -> np.ndarray:
-    """Where something is drawn on a widget's ground."""
-    grey = rgb_of(widget.grab().toImage()).mean(axis=2)
-    return np.asarray(np.abs(grey - grey[0, -1]) > 60)
-
-
-@pytest.mark.parametrize("theme", ["light", "dark"])
-def test_the_matrix_stands_in_brackets(window: MainWindow, theme: str) -> None:
-    """A line as high as its four rows at both ends, and none about a vector's numbers."""
-    window.look.set_theme(theme)
-    panel = window.frame_panel
-    panel.go_to(6)
-    settle()
-    high = np.flatnonzero(ink(panel.numbers).sum(axis=0) > 0.85 * panel.numbers.height())
-    width = panel.numbers.sizeHint().width()
-    assert high.min() < 6 and width - 6 < high.max() < width
-    panel.go_to(5)
-    settle()
-    columns = ink(panel.numbers).sum(axis=0)
-    assert 0 < columns.max() < 0.85 * panel.numbers.height()
-
-
-def test_a_quotient_is_a_stacked_fraction(window: MainWindow) -> None:
-    """A line between numerator and denominator, higher than a formula without one."""
-    panel = window.frame_panel
-    panel.go_to(5)
-    settle()
-    height = panel.formula.height()
-    panel.go_to(3)
-    settle()
-    assert "/" not in panel.formula.formula and panel.formula.height() > 1.3 * height
-    rows = ink(panel.formula).sum(axis=1)
-    rule = int(rows.argmax())
-    assert rows[: rule - 2].any() and rows[rule + 3 :].any()  # something above it, and below
-    assert rows[rule] > 2 * np.delete(rows, range(rule - 1, rule + 2)).mean()
 
 
 def test_folded_it_computes_nothing_and_opens_with_the_present_camera(
@@ -327,18 +286,6 @@ def test_a_row_turns_up_and_undo_brings_it_back(window: MainWindow) -> None:
     assert panel.warning.text() == "" and panel.angle.value() == pytest.approx(104.513, rel=1e-5)
 
 
-def test_what_up_does_is_read_whole_in_a_narrow_panel(window: MainWindow, qtbot: Any) -> None:
-    panel = FramePanel()  # as narrow, against its letters, as in front of a class
-    qtbot.addWidget(panel)
-    panel.resize(45 * panel.fontMetrics().height(), 300)
-    panel.show()
-    panel.take(window.shown, panel.concerns)
-    settle()
-    (area,) = (each for each in panel.findChildren(QScrollArea) if each.isAncestorOf(panel.figures))
-    assert "An error in up" in panel.figures.text()
-    assert area.horizontalScrollBar().maximum() == 0
-
-
 def test_a_drag_of_the_row_is_one_step(window: MainWindow) -> None:
     panel, before = window.frame_panel, window.store.document.projection
     panel.angle.slider.sliderPressed.emit()
@@ -350,7 +297,7 @@ def test_a_drag_of_the_row_is_one_step(window: MainWindow) -> None:
     assert window.store.document.projection == before and not window.store.can_undo
 
 
-def test_the_refused_case_says_the_models_sentence(window: MainWindow) -> None:
+def test_a_refused_angle_shows_the_models_sentence(window: MainWindow) -> None:
     panel, before = window.frame_panel, window.store.document.projection
     panel.angle.field.selectAll()
     QTest.keyClicks(panel.angle.field, "0")
@@ -371,7 +318,7 @@ def test_the_warning_comes_at_one_degree(window: MainWindow) -> None:
         assert panel.warning.text().endswith(f"by up to {turned}°.")
 
 
-def test_under_a_typed_view_matrix_it_says_whose_frame_it_shows(window: MainWindow) -> None:
+def test_under_a_typed_view_matrix_the_panel_says_whose_frame_it_shows(window: MainWindow) -> None:
     panel, start = window.frame_panel, window.store.document.projection
     window.store.set_projection(with_cell(start, "clip_from_view", 3, 0, 0.1))
     assert panel.nudge.isEnabled() and not panel.warning.text()  # the camera is still there
@@ -382,7 +329,7 @@ def test_under_a_typed_view_matrix_it_says_whose_frame_it_shows(window: MainWind
     assert panel.nudge.isEnabled() and panel.angle.isEnabled() and not panel.warning.text()
 
 
-def test_a_nudge_turns_the_picture_as_it_is_said(window: MainWindow) -> None:
+def test_a_nudge_turns_the_picture_by_the_announced_angle(window: MainWindow) -> None:
     window.store.set_projection(replace(START, camera=turned_up(START.camera, 1.0)))
     before = window.store.document.projection.camera
     click(window.frame_panel.nudge)
@@ -439,43 +386,6 @@ def test_one_step_is_one_repaint_of_the_world_and_idle_is_none(window: MainWindo
         window.store.set_projection(replace(START, camera=Camera((1.0, 2.0, 3.0))))
         settle()
         assert counts == {"world": 2, "ndc": 1, "image": 1}
-
-
-def test_another_theme_keeps_the_step_and_a_hidden_pane_catches_up(window: MainWindow) -> None:
-    window.frame_panel.go_to(6)
-    settle()
-    stepped = pixels(window)
-    window.look.set_theme("dark")
-    window.look.set_theme("light")
-    settle()
-    assert np.array_equal(pixels(window), stepped)
-    window.slots.arrange("pictures", "image", "image")
-    window.frame_panel.go_to(2)
-    settle()
-    window.slots.arrange("pictures", "world")
-    settle()
-    third = pixels(window)
-    assert not np.array_equal(third, stepped)
-    window.frame_panel.go_to(6)
-    settle()
-    assert np.array_equal(pixels(window), stepped)
-
-
-def test_up_is_drawn_where_it_is(window: MainWindow) -> None:
-    """The arrow's shaft has its colour half-way along up, seen from the eye."""
-    camera = Camera(START.camera.eye, START.camera.target, (0.3, 1.0, -0.4))
-    window.store.set_projection(replace(START, camera=camera))
-    window.frame_panel.go_to(2)
-    settle()
-    drawing: Any = window.panes["world"].drawing
-    up = np.array(camera.up) / np.linalg.norm(camera.up)
-    eye = np.array(camera.eye)
-    spot = drawing.sight.seen([eye + 1.2 * drawing.camera.axes_size * up])[0]
-    picture = pixels(window).astype(int)
-    x, y = (math.floor(part) for part in spot)
-    accent = np.array([0xC4, 0x6F, 0x9D])
-    near_by = picture[y - 1 : y + 2, x - 1 : x + 2].reshape(-1, 3)
-    assert np.abs(near_by - accent).sum(axis=1).min() < 30
 
 
 def test_figures_show_the_step_while_its_panel_is_open(make_window: MakeWindow) -> None:
@@ -566,7 +476,7 @@ def test_the_view_matrix_s_formula_is_the_lecture_s(window: MainWindow) -> None:
 def test_l1_the_frame_is_seen_in_large_and_nothing_covers_the_look_arrow(
     window: MainWindow,
 ) -> None:
-    """A third of the pane, all of it in there, and with its letters; and back when it folds."""
+    """The axes are large and completely in the pane; the view returns when the panel is folded."""
     drawing: Any = window.panes["world"].drawing
     window.panels.open(window.matrices)
     settle()
@@ -598,7 +508,7 @@ def test_l1_the_frame_is_seen_in_large_and_nothing_covers_the_look_arrow(
     assert {"near", "far"} <= {handle.name for handle, _ in drawing.handles.shown}
 
 
-def test_l1_lecture_004_names_what_is_brought_to_length_1(window: MainWindow) -> None:
+def test_l1_lecture_004_names_the_vectors_before_division(window: MainWindow) -> None:
     """N = T0 - T1, n = N/|N|; U = V x n, u = U/|U|: its matrix of the view."""
     panel, letters = window.frame_panel, window.matrices.letters
     window.panels.open(panel)
@@ -613,7 +523,7 @@ def test_l1_lecture_004_names_what_is_brought_to_length_1(window: MainWindow) ->
     assert panel.formula.text() == "u = up × n/|up × n|"
 
 
-def test_what_up_does_is_not_cut_in_letters_for_a_class(window: MainWindow) -> None:
+def test_the_part_about_up_is_fully_visible_while_presenting(window: MainWindow) -> None:
     present(window)
     window.panels.open(window.frame_panel)
     settle()

@@ -1,4 +1,4 @@
-"""The tree of planar projections as a panel: clicked, lit, said, and by the keyboard."""
+"""The tree of planar projections: mouse, keyboard, highlight and words."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ def lit(window: MainWindow) -> list[str]:
 
 
 def point_at(window: MainWindow, name: str) -> str:
-    """What is said of a node under the mouse, which then leaves it."""
+    """The text about a node while the mouse is on it."""
     node, panel = window.kinds_panel.nodes[name], window.kinds_panel
     place = QPointF(3.0, 3.0)
     QApplication.sendEvent(node, QEnterEvent(place, place, place))
@@ -61,7 +61,7 @@ def test_l12_it_follows_the_hand_on_the_camera(window: MainWindow) -> None:
     assert lit(window) == ["dimetric"]
     window.store.set_projection(projection.with_lens("matrix"))
     assert lit(window) == []
-    assert window.kinds_panel.condition.text().startswith("A typed matrix is none of these")
+    assert window.kinds_panel.condition.text().startswith("A typed matrix belongs to no kind")
 
 
 def test_l12_a_node_says_its_condition_and_why_a_scene_cannot_show_it(window: MainWindow) -> None:
@@ -95,7 +95,7 @@ def test_l12_every_node_is_reached_and_set_by_the_keyboard(window: MainWindow) -
     panel.nodes["top"].setFocus()
     QTest.keyClick(panel.nodes["top"], Qt.Key.Key_Return)
     assert lit(window) == ["top"]
-    assert "the picture is so now" in panel.nodes["top"].accessibleDescription()
+    assert "the picture is of this kind now" in panel.nodes["top"].accessibleDescription()
 
 
 def test_l12_no_name_is_cut_and_no_node_covers_another(window: MainWindow) -> None:

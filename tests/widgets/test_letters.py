@@ -11,7 +11,7 @@ from app.drawings.figures import render
 from app.lecture.notation import LETTERS, Letters, axis_letters, frame_letters, in_letters
 from app.scenes.scene import load
 from tests.support.window import pixels, settle, show_scene
-from widgets.panels.probe_panel import EXACT
+from widgets.panels.probe_table import EXACT
 from widgets.window.main_window import MainWindow
 
 

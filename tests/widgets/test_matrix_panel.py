@@ -11,22 +11,20 @@ from typing import Any
 
 import numpy as np
 import pytest
-from PySide6.QtCore import QEvent, QPoint, QPointF, Qt
+from PySide6.QtCore import QCoreApplication, QEvent, QPoint, Qt, QTranslator
 from PySide6.QtGui import (
     QColor,
     QContextMenuEvent,
     QFontMetricsF,
     QGuiApplication,
-    QImage,
-    QPainter,
 )
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QLabel, QMenu, QScrollArea, QToolButton
 from pytestqt.qtbot import QtBot
 
-from app.drawings.style import DARK, LIGHT
+from app.drawings.style import LIGHT
 from app.lecture import notation
-from app.lecture.notation import LETTERS, Letters, as_latex
+from app.lecture.notation import LETTERS, as_latex
 from app.lecture.typed_matrix import with_cell
 from app.model.formula import ARROW, OVER, stacked_fraction
 from app.model.projection import Camera, FreeMatrix, Frustum, Oblique, Perspective, Projection
@@ -36,7 +34,6 @@ from tests.support.commands import told_matrices
 from tests.support.digits import all_digits_shown, plain
 from tests.support.shown import show
 from tests.support.window import activate, click, move_mouse, named, rgb_of, settle
-from widgets.panels import matrix_panel
 from widgets.panels.matrix_panel import MatrixPanel
 from widgets.panels.matrix_view import MatrixView, first_change, rich
 from widgets.parts.messages import read_text, stage_title
@@ -55,7 +52,7 @@ STOPS = (
     "depth_range_from_canonical_parallel",
     "image_from_ndc",
 )
-"""The matrices by which the stage strip comes to its stops."""
+"""The matrices that lead to the stops of the stage strip."""
 
 
 @pytest.fixture
@@ -79,7 +76,7 @@ def shown_after(panel: MatrixPanel, qtbot: QtBot, projection: Projection) -> Non
 
 
 def shown_at_last(panel: MatrixPanel, qtbot: QtBot, projection: Projection) -> None:
-    """Wait until what runs is shown."""
+    """Wait until the pending value is shown."""
     rows, running = panel.vectors.currentData() == "rows", panel.running.isChecked()
     matrices = notation.matrices(
         projection, panel.letters.currentData(), rows=rows, running=running
@@ -88,18 +85,18 @@ def shown_at_last(panel: MatrixPanel, qtbot: QtBot, projection: Projection) -> N
 
 
 def title_of(panel: MatrixPanel, name: str) -> QLabel:
-    """What stands above a matrix."""
+    """The label above a matrix."""
     return panel.views[name].parentWidget().findChild(QLabel, "paneTitle")
 
 
 def speaks_of(panel: MatrixPanel, *names: str) -> bool:
-    """Whether a cell of one of these matrices is explained."""
+    """Whether the explanation is about one of these matrices."""
     starts = tuple(f"{panel.views[name].accessibleName()}, row " for name in names)
     return bool(panel.explanation.text().startswith(starts))
 
 
 def title(panel: MatrixPanel, name: str) -> str:
-    """What is written above a matrix."""
+    """The text above a matrix."""
     return str(title_of(panel, name).text())
 
 
@@ -109,7 +106,7 @@ def fold(panel: MatrixPanel, name: str) -> QToolButton:
 
 
 def left_of(panel: MatrixPanel, name: str) -> int:
-    """Where a matrix stands in what is seen of them all, in px."""
+    """The left edge of a matrix in the visible part of the row, in px."""
     return panel.views[name].mapTo(panel.findChild(QScrollArea).viewport(), QPoint()).x()
 
 
@@ -131,38 +128,8 @@ def test_numbers_are_those_of_the_command(panel: MatrixPanel) -> None:
                 assert notation.cell_text(value) in words
 
 
-def test_folded_computes_nothing(
-    display: Any, qtbot: QtBot, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    calls: list[Projection] = []
-
-    def counted(projection: Projection, *args: Any, **options: Any) -> Any:
-        calls.append(projection)
-        return notation.matrices(projection, *args, **options)
-
-    monkeypatch.setattr(matrix_panel, "matrices", counted)
-    panel = MatrixPanel()
-    qtbot.addWidget(panel)
-    panel.set_style(LIGHT)
-    for near in (1.0, 1.25, 1.5):
-        show(panel, moved(OFF_AXIS, near=near))
-        display.processEvents()
-    panel.set_style(DARK)
-    panel.running.setChecked(True)
-    assert not calls
-    panel.show()
-    qtbot.waitExposed(panel)
-    assert calls == [moved(OFF_AXIS, near=1.5)]
-    assert not any(lit(view) for view in panel.views.values())
-    count = len(calls)
-    panel.hide()
-    show(panel, OFF_AXIS)
-    display.processEvents()
-    assert len(calls) == count
-
-
 def lit(view: MatrixView) -> set[tuple[int, int]]:
-    """Row and column of the cells with a frame and a ground of the accent's colour."""
+    """Row and column of the cells with a frame and a background in the accent's colour."""
     picture, found = rgb_of(view.grab().toImage()).astype(int), set()
     accent = np.array(QColor(LIGHT.accent).getRgb()[:3])
     ground = np.array(view.palette().window().color().getRgb()[:3])
@@ -177,7 +144,7 @@ def lit(view: MatrixView) -> set[tuple[int, int]]:
 
 
 def underlined_px(view: MatrixView, row: int, column: int) -> int:
-    """The width of the longest level line in a cell."""
+    """The length of the longest horizontal line in a cell."""
     cell = view.cell_rect(row, column).toRect()
     dark = rgb_of(view.grab().toImage()).mean(axis=2) < 128
     lines = dark[cell.top() : cell.bottom(), cell.left() : cell.right()]
@@ -185,7 +152,7 @@ def underlined_px(view: MatrixView, row: int, column: int) -> int:
     return max(map(len, runs), default=0)
 
 
-def test_cells_that_a_change_changed_are_lit(panel: MatrixPanel, qtbot: QtBot) -> None:
+def test_changed_cells_are_highlighted(panel: MatrixPanel, qtbot: QtBot) -> None:
     assert not lit(panel.views["clip_from_view"])
     shown_after(panel, qtbot, moved(OFF_AXIS, far=50.0))
     assert lit(panel.views["clip_from_view"]) == {(2, 2), (2, 3)}
@@ -194,7 +161,7 @@ def test_cells_that_a_change_changed_are_lit(panel: MatrixPanel, qtbot: QtBot) -
     assert lit(panel.views["canonical_perspective_from_view/shear"]) == set()
 
 
-def test_a_drag_is_marked_against_its_beginning(panel: MatrixPanel, qtbot: QtBot) -> None:
+def test_a_drag_is_compared_with_its_start(panel: MatrixPanel, qtbot: QtBot) -> None:
     panel.begin_gesture()
     shown_after(panel, qtbot, moved(OFF_AXIS, left=-0.75))
     shown_after(panel, qtbot, moved(OFF_AXIS, left=-0.75, far=50.0))
@@ -204,7 +171,8 @@ def test_a_drag_is_marked_against_its_beginning(panel: MatrixPanel, qtbot: QtBot
     assert mark and before[:mark] == after[:mark]
     view = panel.views["clip_from_view"]
     of_others_px = QFontMetricsF(view.font()).horizontalAdvance(after[mark:])
-    assert underlined_px(view, 2, 2) == pytest.approx(of_others_px, abs=2.0)
+    # Square ends make the line longer by a pixel each; a digit is wider than the tolerance.
+    assert underlined_px(view, 2, 2) == pytest.approx(of_others_px + 1.0, abs=3.0)
     shown_after(panel, qtbot, OFF_AXIS)  # dragged back to where it began
     assert not lit(panel.views["clip_from_view"])
     panel.end_gesture()
@@ -221,11 +189,11 @@ def test_a_drag_is_marked_against_its_beginning(panel: MatrixPanel, qtbot: QtBot
         ("1000", "10⁻⁶", 0),
     ],
 )  # fmt: skip
-def test_where_digits_begin_to_differ(before: str, after: str, first: int | None) -> None:
+def test_the_first_digit_that_differs(before: str, after: str, first: int | None) -> None:
     assert first_change(before, after) == first
 
 
-def test_four_digits_are_read_all_by_the_switch_and_all_copied(
+def test_four_digits_are_shown_all_with_the_switch_and_all_are_copied(
     panel: MatrixPanel, qtbot: QtBot
 ) -> None:
     told = json.loads(told_matrices(OFF_AXIS, "json"))
@@ -266,39 +234,8 @@ def test_a_cell_that_is_being_typed_stays_open_while_digits_are_switched(
     assert edits[-1].direct_stages[0].matrix[0, 2] == 0.25
 
 
-@pytest.mark.parametrize("letters", LETTERS)
-def test_fractions_are_stacked_in_every_formula(panel: MatrixPanel, letters: Letters) -> None:
-    """But for those of a function's argument or of another fraction, which print has in a line."""
-    panel.running.setChecked(True)
+def test_every_matrix_and_factor_stands_in_brackets_as_high_as_its_rows(panel: MatrixPanel) -> None:
     choose(panel.cells, "formulas")
-    choose(panel.letters, letters)
-    for lens in (OFF_AXIS.lens, Perspective(), Oblique()):
-        show(panel, replace(OFF_AXIS, lens=lens))
-        texts = [text for row in shown_texts(panel) for text in row]
-        assert sum(OVER in text for text in texts) > 8
-        for text in texts:
-            assert "/" not in re.sub(r"\w+\([^()]*\)", "", text), text
-
-
-def test_a_stacked_fraction_reaches_the_screen(panel: MatrixPanel) -> None:
-    """Its line is drawn between what is above and what is below, and the row holds both."""
-    view = panel.views["clip_from_view"]
-    height = view.cell_rect(0, 0).height()
-    choose(panel.cells, "formulas")
-    rect = view.cell_rect(0, 0)
-    assert rect.height() > 1.3 * height and view.cell_rect(3, 0).height() == height
-    dark = rgb_of(view.grab().toImage()).mean(axis=2) < 128
-    inside = rect.toRect().adjusted(3, 1, -3, -1)
-    rows = dark[inside.top() : inside.bottom(), inside.left() : inside.right()].sum(axis=1)
-    rule = int(rows.argmax())
-    assert rows[rule] > 0.7 * typeset(view.texts[0][0], view.font()).width
-    assert rows[: rule - 2].any() and rows[rule + 3 :].any()
-
-
-@pytest.mark.parametrize("cells", ["numbers", "formulas"])
-def test_every_matrix_stands_in_brackets(panel: MatrixPanel, cells: str) -> None:
-    """At both ends of its rows, as high as they are: the factors' too."""
-    choose(panel.cells, cells)
     for matrix in panel.shown:
         if matrix.factors:
             fold(panel, matrix.name).click()
@@ -315,18 +252,6 @@ def test_every_matrix_stands_in_brackets(panel: MatrixPanel, cells: str) -> None
             assert drawn > 0.95, name
 
 
-def test_light_and_underline_reach_the_screen(panel: MatrixPanel, qtbot: QtBot) -> None:
-    """The cell's ground takes the accent's colour, and its last digits get a line below."""
-    view = panel.views["clip_from_view"]
-    plain = view.grab().toImage()
-    shown_after(panel, qtbot, moved(OFF_AXIS, far=50.0))
-    lit = view.grab().toImage()
-    inside = view.cell_rect(2, 2).topLeft() + QPointF(4.0, 4.0)
-    other = view.cell_rect(1, 2).topLeft() + QPointF(4.0, 4.0)
-    assert plain.pixelColor(inside.toPoint()) != lit.pixelColor(inside.toPoint())
-    assert plain.pixelColor(other.toPoint()) == lit.pixelColor(other.toPoint())
-
-
 def test_formulas_in_the_letters_of_a_lecture(panel: MatrixPanel) -> None:
     choose(panel.cells, "formulas")
     scale, shear = (stacked_fraction(above, "r − l") for above in ("2n", "r + l"))
@@ -341,16 +266,6 @@ def test_formulas_in_the_letters_of_a_lecture(panel: MatrixPanel) -> None:
     assert panel.views["view_from_world"].texts[2] == ["w_x", "w_y", "w_z", f"−w{ARROW}·P{ARROW}"]
 
 
-def test_row_vectors(panel: MatrixPanel) -> None:
-    columns = {matrix.name: matrix for matrix in panel.shown}
-    choose(panel.vectors, "rows")
-    for matrix in panel.shown:
-        assert np.array_equal(np.transpose(columns[matrix.name].values), matrix.values)
-    shown = {matrix.name: matrix for matrix in panel.shown}
-    assert [f.name for f in shown["view_from_world"].factors] == ["translation", "rotation"]
-    assert "It makes w the distance" in panel.sentence(shown["clip_from_view"], 2, 3)
-
-
 def test_running_products_and_the_inverse(panel: MatrixPanel) -> None:
     panel.running.setChecked(True)
     names = [matrix.name for matrix in panel.shown]
@@ -360,35 +275,26 @@ def test_running_products_and_the_inverse(panel: MatrixPanel) -> None:
     assert np.array_equal(columns, OFF_AXIS.camera.frame)
 
 
-@pytest.mark.parametrize(
-    ("name", "row", "column", "words"),
-    [
+def test_a_cell_says_what_it_does(panel: MatrixPanel) -> None:
+    by_name = {matrix.name: matrix for matrix in panel.shown}
+    for name, row, column, words in (
         ("view_from_world", 0, 1, "the camera's axis u"),
         ("view_from_world", 0, 3, "It shifts x by"),
         ("clip_from_view", 0, 0, "It scales x by"),
         ("clip_from_view", 0, 2, "times z to x: a shear"),
-        ("clip_from_view", 3, 2, "It makes w the distance"),
+        ("clip_from_view", 3, 2, "It makes w, the divisor, the distance −z"),
         ("clip_from_view", 2, 3, "before the divide"),
-        ("clip_from_view", 1, 0, "x has no part in y"),
-        ("image_from_ndc", 1, 1, "turns it round"),
-        ("clip_from_depth_range", 3, 3, "It scales w, by which all is divided, by 40."),
+        ("clip_from_view", 1, 0, "y does not depend on x."),
+        ("image_from_ndc", 1, 1, "reverses its direction"),
+        ("clip_from_depth_range", 3, 3, "It scales w, the divisor, by 40."),
         ("view_from_world", 3, 3, "It keeps w."),
-        ("clip_from_view", 3, 3, "The w that comes in has no part in w."),
-        ("clip_from_world", 3, 2, "times z to w, by which all is divided"),
-        ("clip_from_world", 3, 3, " to w, by which all is divided"),
-    ],
-)
-def test_a_cell_says_what_it_does(
-    panel: MatrixPanel, name: str, row: int, column: int, words: str
-) -> None:
-    (matrix,) = (matrix for matrix in panel.shown if matrix.name == name)
-    assert words in panel.sentence(matrix, row, column)
-
-
-def test_a_cell_says_which_control_it_depends_on(panel: MatrixPanel) -> None:
-    matrix = next(matrix for matrix in panel.shown if matrix.name == "clip_from_view")
-    assert panel.sentence(matrix, 2, 2).endswith("It depends on: Far, Near, Depth range.")
-    assert panel.sentence(matrix, 3, 2).endswith("It depends on no control.")
+        ("clip_from_view", 3, 3, "w does not depend on the incoming w."),
+        ("clip_from_world", 3, 2, "times z to w, the divisor"),
+        ("clip_from_world", 3, 3, " to w, the divisor"),
+        ("clip_from_view", 2, 2, "It depends on: Far, Near, Depth range."),
+        ("clip_from_view", 3, 2, "It depends on no control."),
+    ):
+        assert words in panel.sentence(by_name[name], row, column)
 
 
 def test_pointing_with_mouse_and_keys(panel: MatrixPanel, qtbot: QtBot) -> None:
@@ -445,12 +351,12 @@ def test_factors_unfold_and_stay_so(panel: MatrixPanel, qtbot: QtBot) -> None:
     assert not panel.views["canonical_parallel_from_view/shear"].isVisible()
 
 
-@pytest.mark.parametrize("lens", [Perspective(45.0, 1.0, math.inf), Oblique()])
-def test_notes_are_shown(panel: MatrixPanel, qtbot: QtBot, lens: Any) -> None:
-    projection = replace(OFF_AXIS, lens=lens)
-    shown_after(panel, qtbot, projection)
-    shown = {notes(panel, matrix.name) for matrix in panel.shown}
-    assert {stage.note for stage in projection.stages if stage.note} <= shown
+def test_notes_are_shown(panel: MatrixPanel, qtbot: QtBot) -> None:
+    for lens in (Perspective(45.0, 1.0, math.inf), Oblique()):
+        projection = replace(OFF_AXIS, lens=lens)
+        shown_after(panel, qtbot, projection)
+        shown = {notes(panel, matrix.name) for matrix in panel.shown}
+        assert {stage.note for stage in projection.stages if stage.note} <= shown
 
 
 def test_the_window_shows_the_current_value_when_the_panel_opens(
@@ -520,7 +426,7 @@ def test_a_cell_is_typed_and_goes_out_once(
     assert (0, 2) in lit(panel.views["clip_from_view"])
 
 
-def test_what_is_made_of_a_fraction_is_said(
+def test_the_quotient_of_a_typed_fraction_is_reported(
     panel: MatrixPanel, qtbot: QtBot, edits: list[Projection]
 ) -> None:
     told: list[str] = []
@@ -537,7 +443,7 @@ def test_what_is_made_of_a_fraction_is_said(
     assert len(told) == 1 and "must be a number" in panel.explanation.text()
 
 
-def test_what_is_being_typed_goes_when_its_matrix_does(window: MainWindow, qtbot: QtBot) -> None:
+def test_typing_ends_when_the_matrix_disappears(window: MainWindow, qtbot: QtBot) -> None:
     start, panel = window.store.document, window.matrices
     window.panels.open(panel)
     qtbot.waitUntil(panel.isVisible)
@@ -553,7 +459,7 @@ def test_what_is_being_typed_goes_when_its_matrix_does(window: MainWindow, qtbot
     assert all(view.field is None for view in panel.views.values())
 
 
-def test_a_matrix_that_is_gone_tells_nothing_any_more(window: MainWindow, qtbot: QtBot) -> None:
+def test_a_removed_matrix_explains_nothing(window: MainWindow, qtbot: QtBot) -> None:
     start, panel = window.store.document.projection, window.matrices
     activate(window)
     window.panels.open(panel)
@@ -572,33 +478,28 @@ def test_a_matrix_that_is_gone_tells_nothing_any_more(window: MainWindow, qtbot:
         assert not panel.explanation.text() or speaks_of(panel, *panel.views)
 
 
-@pytest.mark.parametrize("lens", [Perspective(), Oblique(), OFF_AXIS.lens])
-def test_what_is_typed_as_it_stands_changes_nothing(
+@pytest.mark.parametrize("lens", [Oblique(), OFF_AXIS.lens])
+def test_entering_the_same_number_changes_nothing(
     panel: MatrixPanel, qtbot: QtBot, edits: list[Projection], lens: Any
 ) -> None:
     shown_after(panel, qtbot, replace(OFF_AXIS, lens=lens))
-    for name in ("clip_from_view", "view_from_world"):
-        for row in range(4):
-            for column in range(4):
-                field = double_click(panel, qtbot, name, row, column)
-                text = field.text()
-                type_cell(panel, qtbot, name, row, column, text)
+    for name, *places in (
+        ("clip_from_view", (0, 0), (1, 2), (2, 3), (3, 2)), ("view_from_world", (0, 1), (2, 3)),
+    ):  # fmt: skip
+        for place in places:
+            text = double_click(panel, qtbot, name, *place).text()
+            type_cell(panel, qtbot, name, *place, text)
     assert edits == [] and panel.explanation.text()
 
 
 @pytest.mark.parametrize(
-    ("text", "sentence"),
+    ("name", "text", "sentence"),
     [
-        ("abc", "“abc”: must be a number, such as 0.5 or 2e-3."),
-        ("nan", "“nan”: must be a number, such as 0.5 or 2e-3."),
-        ("", "“”: must be a number, such as 0.5 or 2e-3."),
-        ("inf", "∞: must be a finite number."),
-        ("1e400", "“1e400”: must be at most 1e+100."),
-        ("-1e101", "-1e+101: must be at least -1e+100."),
+        ("clip_from_view", "", "“”: must be a number, such as 0.5 or 2e-3."),
+        ("view_from_world", "-1e101", "-1e+101: must be at least -1e+100."),
     ],
 )
-@pytest.mark.parametrize("name", ["clip_from_view", "view_from_world"])
-def test_a_bad_cell_is_named_and_the_good_state_stays(
+def test_a_refused_cell_is_named_and_nothing_changes(
     panel: MatrixPanel, qtbot: QtBot, edits: list[Projection], name: str, text: str, sentence: str
 ) -> None:
     before = panel.views[name].texts
@@ -619,9 +520,8 @@ def test_a_bad_cell_is_named_and_the_good_state_stays(
     assert not panel.explanation.warns and not panel.explanation.styleSheet()
 
 
-@pytest.mark.parametrize("size", [(1920, 1080), (1366, 768)])
-@pytest.mark.parametrize("open_first", [True, False])
-def test_what_is_said_of_a_free_matrix_is_seen_whole(
+@pytest.mark.parametrize(("size", "open_first"), [((1920, 1080), True), ((1366, 768), False)])
+def test_the_note_of_a_free_matrix_is_fully_visible(
     window: MainWindow, qtbot: QtBot, size: tuple[int, int], open_first: bool
 ) -> None:
     window.resize(*size)
@@ -644,8 +544,8 @@ def test_what_is_said_of_a_free_matrix_is_seen_whole(
     qtbot.waitUntil(is_whole)
 
 
-@pytest.mark.parametrize("scrolled", [0.0, 0.5, 1.0])
-def test_a_matrix_stays_under_the_hand_when_its_neighbours_vanish_and_come_back(
+@pytest.mark.parametrize("scrolled", [0.5, 1.0])
+def test_a_matrix_stays_in_place_when_its_neighbours_disappear_and_return(
     window: MainWindow, qtbot: QtBot, scrolled: float
 ) -> None:
     panel = window.matrices
@@ -755,7 +655,7 @@ def notes(panel: MatrixPanel, name: str) -> str:
     return str(note.text()).replace("\n", " ") if note.isVisible() else ""
 
 
-def test_what_a_free_matrix_does_is_written_below_it(
+def test_a_note_says_what_a_free_matrix_does(
     panel: MatrixPanel, qtbot: QtBot, edits: list[Projection]
 ) -> None:
     type_cell(panel, qtbot, "clip_from_view", 0, 0, "0")
@@ -769,7 +669,7 @@ def test_what_a_free_matrix_does_is_written_below_it(
     assert title(panel, "view_from_world") == "view ← world"
     type_cell(panel, qtbot, "clip_from_view", 3, 3, "1")
     (clip,) = (matrix for matrix in panel.shown if matrix.name == "clip_from_view")
-    assert "It adds 1 times the w that comes in to w" in panel.sentence(clip, 3, 3)
+    assert "It adds 1 times the incoming w to w" in panel.sentence(clip, 3, 3)
     assert "It adds −1 times z to w" in panel.sentence(clip, 3, 2)
     type_cell(panel, qtbot, "view_from_world", 0, 0, "-3")
     assert "mirrored: it turns right-handed space into left-handed" in notes(
@@ -778,19 +678,14 @@ def test_what_a_free_matrix_does_is_written_below_it(
     assert "no camera has it" in notes(panel, "view_from_world")
     sentence = panel.sentence(panel.shown[1], 0, 2)  # x and y of the world make no row of it 0
     assert "camera's axis" not in sentence and "a shear" in sentence
-    for running in (True, False):
-        panel.running.setChecked(running)
-        for letters in ("000", "001", "002", "003", "own"):
-            choose(panel.letters, letters)
-            choose(panel.cells, "formulas")
-            assert panel.views["clip_from_view"].texts[0][0] == "p_11"
-            assert panel.views["view_from_world"].texts[1][2] == "m_23"
-            choose(panel.cells, "numbers")
+    choose(panel.cells, "formulas")
+    for letters in LETTERS:
+        choose(panel.letters, letters)
+        assert panel.views["clip_from_view"].texts[0][0] == "p_11"
+        assert panel.views["view_from_world"].texts[1][2] == "m_23"
 
 
 def test_titles_are_given_to_translators(panel: MatrixPanel) -> None:
-    from PySide6.QtCore import QCoreApplication, QTranslator
-
     class Estonian(QTranslator):
         def translate(
             self, context: str, text: str, disambiguation: Any = None, n: int = -1
@@ -808,10 +703,6 @@ def test_titles_are_given_to_translators(panel: MatrixPanel) -> None:
         assert stage_title("rotation") == "pööre" and stage_title("M_pp") == "M_pp"
     finally:
         QCoreApplication.removeTranslator(translator)
-    panel.running.setChecked(True)
-    for matrix in panel.shown:
-        target, _, source = matrix.name.replace("_", " ").partition(" from ")
-        assert title(panel, matrix.name) == f"{target} ← {source}"
 
 
 def test_typing_reaches_the_whole_window_and_can_be_undone(
@@ -845,21 +736,6 @@ def test_typing_reaches_the_whole_window_and_can_be_undone(
     assert store.document.projection == start.with_lens("orthographic")
 
 
-@pytest.mark.parametrize("depth", ["direct3d", "reversed"])
-def test_the_depth_range_of_a_free_matrix_can_be_changed(
-    window: MainWindow, qtbot: QtBot, depth: str
-) -> None:
-    free = window.store.document.projection.with_lens("matrix")
-    window.store.set_projection(free)
-    dock.choose(dock.choice(window.controls, "depth"), depth)
-    found = window.store.document.projection
-    assert found.depth == depth and isinstance(found.lens, FreeMatrix)
-    points = [[1.0, 2.0, 0.5], [-1.0, 0.0, 1.0]]
-    assert np.allclose(found.trace(points).image, free.trace(points).image)
-    standard = free.with_lens("perspective").with_depth(depth)
-    assert np.allclose(found.trace(points).depth, standard.trace(points).depth)
-
-
 FREE_CELLS = (
     ("clip_from_view", 0, 1, 0.5), ("clip_from_view", 0, 0, 0.0), ("clip_from_view", 0, 0, -1.0),
     ("clip_from_view", 3, 2, 1.0), ("clip_from_view", 2, 2, 0.0), ("clip_from_view", 3, 0, 0.3),
@@ -874,25 +750,21 @@ def test_every_pane_probe_and_stop_takes_any_matrix(
     window.panels.open(window.probe_panel)
     start = window.store.document.projection
     probes = [Probe(1, (0.5, 2.0, 0.0)), Probe(2, pixel=(300.0, 200.0))]
-    for cell in FREE_CELLS:
-        for depth in ("opengl", "reversed"):
-            window.store.set_projection(with_cell(start.with_depth(depth), *cell))
-            for position in (0.0, 0.5, 1.0, 1.9, 2.0, 2.6, 3.0, 3.7, 4.0, 4.5, 5.0):
-                window.strip.go_to(position)
-                display.processEvents()
-                for pane in window.panes.values():
-                    pane.drawing.show_probes(probes)
-                    sight = pane.drawing.sight
-                    assert np.isfinite(sight.rows).all() and np.isfinite(sight.limits).all()
-            window.strip.go_to(2.5)
-            if not isinstance(window.store.document.projection.lens, FreeMatrix):
-                assert cell[:4] == ("clip_from_view", 2, 2, 0.0)  # reversed, far = inf has it
-                continue
-            assert window.panes["ndc"].title.text() == "View → NDC"
-            assert window.panes["ndc"].note.text() == "no canonical volumes"
+    for cell, depth in zip(FREE_CELLS, itertools.cycle(("opengl", "reversed")), strict=False):
+        window.store.set_projection(with_cell(start.with_depth(depth), *cell))
+        for position in (0.0, 0.5, 1.0, 1.9, 3.0, 3.7, 4.0, 4.5, 5.0, 2.5):
+            window.strip.go_to(position)
+            display.processEvents()
+            for pane in window.panes.values():
+                pane.drawing.show_probes(probes)
+                sight = pane.drawing.sight
+                assert np.isfinite(sight.rows).all() and np.isfinite(sight.limits).all()
+        assert isinstance(window.store.document.projection.lens, FreeMatrix)
+        assert window.panes["ndc"].title.text() == "View → NDC"
+        assert window.panes["ndc"].note.text() == "no canonical volumes"
 
 
-def test_what_is_said_of_a_cell_is_of_its_value_now(panel: MatrixPanel, qtbot: QtBot) -> None:
+def test_the_explanation_follows_the_value(panel: MatrixPanel, qtbot: QtBot) -> None:
     view = panel.views["clip_from_view"]
     qtbot.mouseClick(view, Qt.MouseButton.LeftButton, pos=view.cell_rect(0, 0).center().toPoint())
     for right in (0.9, 1.3):
@@ -906,68 +778,30 @@ def test_what_is_said_of_a_cell_is_of_its_value_now(panel: MatrixPanel, qtbot: Q
     assert panel.explanation.text() == panel.sentence(matrix, 0, 0)
 
 
-def test_undone_the_matrix_stays_under_the_hand(window: MainWindow, qtbot: QtBot) -> None:
-    panel = window.matrices
-    window.panels.open(panel)
-    bar = panel.findChild(QScrollArea).horizontalScrollBar()
-    qtbot.waitUntil(lambda: bar.maximum() > 500)
-    bar.setValue(400)
-    view = panel.views["clip_from_view"]
-    view.edit_cell(3, 0)
-    view.field.setText("0.25")
-    view.field.setModified(True)
-    view.field.returnPressed.emit()
-    QApplication.processEvents()
-    left = left_of(panel, "clip_from_view")
-    window.store.undo()
-    QApplication.processEvents()
-    now = panel.views["clip_from_view"]
-    assert left_of(panel, "clip_from_view") == left and panel.window().focusWidget() is now
-
-
 # -- what is read on it
 
 
-@pytest.mark.parametrize("letters", LETTERS)
-@pytest.mark.parametrize("vectors", ["columns", "rows"])
-def test_a_vector_is_told_from_the_plane_of_its_letter(
-    panel: MatrixPanel, letters: Letters, vectors: str
-) -> None:
-    """(f + n)(n.e): n is near outside the product, and the camera's axis inside."""
+def test_a_vector_is_told_from_the_plane_of_its_letter(panel: MatrixPanel) -> None:
+    """In (f + n)(n.e) the first n is near, and the second the camera's axis."""
     choose(panel.cells, "formulas")
-    choose(panel.letters, letters)
-    choose(panel.vectors, vectors)
     panel.running.setChecked(True)
-    products = [text for row in shown_texts(panel) for text in row if "·" in text]
-    assert products
-    for text in products:
-        before, _, after = text.partition("·")
-        assert before.endswith(ARROW) and after[1] == ARROW, text
-        runs = typeset(text, panel.font()).runs
-        if OVER not in text:
-            drawn = "".join(run for _, _, run, _ in runs)
-            assert drawn == text.replace(ARROW, "").replace("_", "")
-        drawn_bold = [run for _, _, run, font in runs if font.bold()]
-        assert len(drawn_bold) == text.count(ARROW) and {len(run) for run in drawn_bold} == {1}
-    (view,) = (matrix for matrix in panel.shown if matrix.name == "view_from_world")
-    latex = as_latex(view, letters, formulas=True)
-    assert r"\vec{" in latex and ARROW not in latex
-
-
-def inked(panel: MatrixPanel, text: str) -> int:
-    """How many pixels are dark of a formula that is typeset."""
-    picture = QImage(200, 40, QImage.Format.Format_Grayscale8)
-    picture.fill(Qt.GlobalColor.white)
-    painter = QPainter(picture)
-    typeset(text, panel.font()).paint(painter, 10.0, 25.0)
-    painter.end()
-    pixels = np.frombuffer(picture.constBits(), np.uint8)
-    return int((pixels < 128).sum())
-
-
-def test_a_vector_is_painted_heavier_and_a_subscript_lighter(panel: MatrixPanel) -> None:
-    assert inked(panel, f"n{ARROW}{ARROW.join('uve')}{ARROW}") > 1.2 * inked(panel, "nuve") > 0
-    assert inked(panel, "1_xyz") < inked(panel, "1xyz")
+    for letters, vectors in zip(LETTERS, itertools.cycle(("columns", "rows")), strict=False):
+        choose(panel.letters, letters)
+        choose(panel.vectors, vectors)
+        products = [text for row in shown_texts(panel) for text in row if "·" in text]
+        assert products
+        for text in products:
+            before, _, after = text.partition("·")
+            assert before.endswith(ARROW) and after[1] == ARROW, text
+            runs = typeset(text, panel.font()).runs
+            if OVER not in text:
+                drawn = "".join(run for _, _, run, _ in runs)
+                assert drawn == text.replace(ARROW, "").replace("_", "")
+            drawn_bold = [run for _, _, run, font in runs if font.bold()]
+            assert len(drawn_bold) == text.count(ARROW) and {len(run) for run in drawn_bold} == {1}
+        (view,) = (matrix for matrix in panel.shown if matrix.name == "view_from_world")
+        latex = as_latex(view, letters, formulas=True)
+        assert r"\vec{" in latex and ARROW not in latex
 
 
 def shown_texts(panel: MatrixPanel) -> list[list[str]]:
@@ -976,8 +810,7 @@ def shown_texts(panel: MatrixPanel) -> list[list[str]]:
 
 def test_what_is_copied_is_what_is_shown(panel: MatrixPanel) -> None:
     clipboard = QGuiApplication.clipboard()
-    text, numpy, latex = panel.copy.menu().actions()
-    assert "numbers" in numpy.text() and "amsmath" in latex.text()
+    text, _numpy, latex = panel.copy.menu().actions()
     choose(panel.cells, "formulas")
     text.trigger()
     assert f"−n{ARROW}·e{ARROW}" in clipboard.text()
@@ -993,7 +826,7 @@ def test_what_is_copied_is_what_is_shown(panel: MatrixPanel) -> None:
         assert len(between) == len(panel.shown) + 1 and not "".join(between).strip()
 
 
-def test_a_matrix_has_one_name(panel: MatrixPanel, qtbot: QtBot) -> None:
+def test_a_matrix_has_one_name(panel: MatrixPanel) -> None:
     names = {stage_title(matrix.name) for matrix in panel.shown}
     assert {title(panel, matrix.name) for matrix in panel.shown} == names
     for matrix in panel.shown:
@@ -1001,28 +834,29 @@ def test_a_matrix_has_one_name(panel: MatrixPanel, qtbot: QtBot) -> None:
         assert sentence.startswith(f"{name}, row 1, column 1: ")
         said = (panel.views[matrix.name].accessibleName(), sentence)
         assert not any("_from_" in text for text in said)
-    type_cell(panel, qtbot, "clip_from_view", 0, 0, "x")
-    assert "clip ← view, row 1, column 1 = “x”" in panel.explanation.text()
 
 
-@pytest.mark.parametrize("letters", LETTERS)
-def test_no_formula_is_cut(panel: MatrixPanel, letters: Letters) -> None:
+def test_no_formula_is_cut_and_fractions_are_stacked(panel: MatrixPanel) -> None:
+    """A fraction in a function's argument is not stacked, as in print."""
     panel.running.setChecked(True)
     choose(panel.cells, "formulas")
-    choose(panel.letters, letters)
-    for lens in (OFF_AXIS.lens, OFF_AXIS.with_lens("oblique").lens):
+    lenses = itertools.cycle((OFF_AXIS.lens, OFF_AXIS.with_lens("oblique").lens, Perspective()))
+    for letters, lens in zip(LETTERS * 2, lenses, strict=False):
+        choose(panel.letters, letters)
         show(panel, replace(OFF_AXIS, lens=lens))
+        assert sum(OVER in text for row in shown_texts(panel) for text in row) > 8
         for view in panel.views.values():
-            for i, row in enumerate(view.texts):
-                for j, text in enumerate(row):
-                    printed, cell = typeset(text, view.font()), view.cell_rect(i, j)
-                    assert printed.width < cell.width() and printed.height <= cell.height()
+            for i, j in itertools.product(range(4), range(4)):
+                text, cell = view.texts[i][j], view.cell_rect(i, j)
+                printed = typeset(text, view.font())
+                assert printed.width < cell.width() and printed.height <= cell.height()
+                assert "/" not in re.sub(r"\w+\([^()]*\)", "", text), text
 
 
-def test_a_cell_that_is_held_while_its_matrix_goes_says_nothing_more(
+def test_a_held_cell_is_silent_after_its_matrix_was_removed(
     window: MainWindow, qtbot: QtBot
 ) -> None:
-    """As with the other hand on the keyboard; what it said reached a widget that was deleted."""
+    """As with the other hand on the keyboard; its signal once reached a deleted widget."""
     start, panel = window.store.document.projection, window.matrices
     window.panels.open(panel)
     qtbot.waitUntil(panel.isVisible)
@@ -1045,7 +879,7 @@ def test_a_cell_that_is_held_while_its_matrix_goes_says_nothing_more(
     QTest.mouseRelease(window.windowHandle(), Qt.MouseButton.LeftButton, pos=cell)
 
 
-def test_l9_the_stage_reached_lights_its_matrix(panel: MatrixPanel) -> None:
+def test_l9_the_reached_stage_highlights_its_matrix(panel: MatrixPanel) -> None:
     def lit() -> list[str]:
         names = [matrix.name for matrix in panel.shown]
         return [name for name in names if title_of(panel, name).property("reached")]
@@ -1074,13 +908,13 @@ def test_l9_the_chain_is_the_lectures_and_without_identities(panel: MatrixPanel)
 
 
 def end_of(panel: MatrixPanel, side: str) -> QToolButton:
-    """What says that the row goes on at a side."""
+    """The arrow at an end of the row."""
     button: QToolButton = named(panel, QToolButton, f"Matrices to the {side}")
     return button
 
 
 def whole(panel: MatrixPanel) -> list[str]:
-    """The matrices that are seen from one bracket to the other."""
+    """The matrices that are visible from one bracket to the other."""
     seen = panel.findChild(QScrollArea).viewport().width()
     return [
         matrix.name
@@ -1090,7 +924,7 @@ def whole(panel: MatrixPanel) -> list[str]:
     ]
 
 
-def test_where_the_row_goes_on_it_says_so_and_a_click_goes_there(panel: MatrixPanel) -> None:
+def test_an_arrow_shows_where_the_row_continues_and_scrolls_there(panel: MatrixPanel) -> None:
     panel.resize(700, 240)
     settle()
     names = [matrix.name for matrix in panel.shown]
@@ -1120,7 +954,9 @@ def test_where_the_row_goes_on_it_says_so_and_a_click_goes_there(panel: MatrixPa
     assert not end_of(panel, "left").isVisible() and not end_of(panel, "right").isVisible()
 
 
-def test_the_stage_reached_is_seen_whole_and_none_is_cut_at_the_left(panel: MatrixPanel) -> None:
+def test_the_reached_stage_is_fully_visible_and_no_matrix_is_cut_at_the_left(
+    panel: MatrixPanel,
+) -> None:
     panel.resize(700, 240)
     settle()
     bar = panel.findChild(QScrollArea).horizontalScrollBar()
@@ -1133,7 +969,7 @@ def test_the_stage_reached_is_seen_whole_and_none_is_cut_at_the_left(panel: Matr
         assert not is_cut or bar.value() == bar.maximum(), name
 
 
-def test_columns_grow_while_numbers_run_and_are_narrow_when_they_rest(
+def test_columns_grow_during_a_gesture_and_shrink_after_it(
     panel: MatrixPanel, qtbot: QtBot
 ) -> None:
     view = panel.views["clip_from_view"]

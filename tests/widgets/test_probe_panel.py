@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 import json
 import math
 import threading
@@ -52,13 +53,14 @@ from tests.support.window import (
     pixels,
     settle,
 )
-from widgets.panels.probe_panel import FORMULA, ProbePanel
+from widgets.panels.probe_panel import ProbePanel
+from widgets.panels.probe_table import FORMULA
 from widgets.parts.readable import Readable
 from widgets.parts.typeset import typeset
 from widgets.window.main_window import MainWindow
 
 CORNER = (1.5, 5.0, 0.5)
-"""Of the letter F: seen in the image, in the world pane and in the cube at the start."""
+"""A corner of the letter F that is visible in all three panes at the start."""
 ACCENT = np.round(255 * np.array(rgb(LIGHT.accent)))
 
 
@@ -80,7 +82,7 @@ def any_mark(window: MainWindow, name: str) -> bool:
 
 
 def place_in(window: MainWindow, name: str, point: Any) -> tuple[float, float]:
-    """Where a pane shows a world point, by VTK's own camera; pixels from the top left."""
+    """The pixel of a world point by VTK's own camera, from the pane's top left."""
     pane, projection = window.panes[name], window.store.document.projection
     drawing: Any = pane.drawing
     if name == "image":
@@ -101,14 +103,14 @@ def place_in(window: MainWindow, name: str, point: Any) -> tuple[float, float]:
 
 
 def cells(panel: ProbePanel, block: int, row: int) -> list[str]:
-    """What a line of a probe shows."""
+    """The texts of a line of a probe."""
     model = panel.table.model()
     texts = [model.data(model.index(row, 1 + 4 * block + part)) for part in range(4)]
     return [text for text in texts if text]
 
 
 def copied(panel: ProbePanel) -> list[list[str]]:
-    """All of the table, as it is copied: the formula of each line, and its numbers."""
+    """The whole table as it is copied: the formula of each line, and its numbers."""
     QGuiApplication.clipboard().clear()
     panel.table.selectAll()
     QTest.keyClick(panel.table, Qt.Key.Key_C, Qt.KeyboardModifier.ControlModifier)
@@ -139,7 +141,7 @@ EYES = {
 
 
 def is_seen(sight: Sight, vertex: Array, triangles: Array, lines: Array) -> bool:
-    """Whether no face and no line is between a vertex and where the lines of sight come from."""
+    """Whether no face and no line hides a vertex."""
     at = np.append(vertex - sight.eye, 1.0)
     x, y, order, w = sight.rows
     if (sight.limits @ at < 0.0).any() or w @ at <= 0.0:
@@ -170,10 +172,10 @@ def is_seen(sight: Sight, vertex: Array, triangles: Array, lines: Array) -> bool
 
 
 @pytest.mark.parametrize(("lens", "eye"), [*zip(LENSES, EYES, strict=True)])
-def test_a_click_on_or_beside_a_vertex_that_is_seen_gives_it_in_every_pane(
+def test_a_click_on_or_beside_a_visible_vertex_picks_it_in_every_pane(
     make_window: MakeWindow, lens: str, eye: str
 ) -> None:
-    """0 and 2 px to each side: the edges that run to it or past it are not what is meant."""
+    """0 and 2 px to each side: the edges beside the vertex are not picked."""
     window, scene = make_window(), load("letter-f")
     window.store.set_projection(replace(start(), lens=LENSES[lens], camera=EYES[eye]))
     QApplication.processEvents()
@@ -249,7 +251,7 @@ def test_a_click_follows_the_point_of_a_face_and_the_nearest_of_a_line(window: M
         assert math.dist(place_in(window, name, point), place) <= 1.0
 
 
-def test_what_a_click_needs_is_made_when_the_scene_is_opened_beside_the_window(
+def test_picking_is_prepared_in_a_thread_when_the_scene_is_opened(
     make_window: MakeWindow, monkeypatch: pytest.MonkeyPatch, qtbot: QtBot
 ) -> None:
     made: list[str] = []
@@ -270,18 +272,8 @@ def test_what_a_click_needs_is_made_when_the_scene_is_opened_beside_the_window(
     qtbot.waitUntil(lambda: len(made) == 2)  # before any click
 
 
-def test_a_drag_makes_no_probe(window: MainWindow) -> None:
-    canvas = window.panes["world"].canvas
-    QTest.mousePress(canvas, Qt.MouseButton.LeftButton, pos=QPoint(150, 200))
-    QTest.mouseMove(canvas, QPoint(190, 210))
-    QTest.mouseRelease(canvas, Qt.MouseButton.LeftButton, pos=QPoint(190, 210))
-    assert window.probe_panel.probes == ()
-    QTest.mouseClick(canvas, Qt.MouseButton.RightButton, pos=QPoint(150, 200))
-    assert window.probe_panel.probes == ()
-
-
 def in_gesture(panel: ProbePanel) -> bool:
-    """Whether its numbers run."""
+    """Whether the panel is in a gesture."""
     return bool(panel.findChild(Readable).in_gesture)
 
 
@@ -319,7 +311,7 @@ def test_a_mark_is_dragged_in_the_image_in_its_plane_or_along_its_ray(window: Ma
     assert not window.store.modified
 
 
-@pytest.mark.parametrize("focus", ["window", "field", "canvas"])
+@pytest.mark.parametrize("focus", ["field", "canvas"])
 def test_escape_puts_a_dragged_probe_back_and_ends_the_drag(
     window: MainWindow, qtbot: QtBot, focus: str
 ) -> None:
@@ -328,7 +320,7 @@ def test_escape_puts_a_dragged_probe_back_and_ends_the_drag(
     window.panels.open(panel)
     panel.follow(point=CORNER)
     panel.pin.click()
-    {"window": window, "field": panel.fields[0], "canvas": canvas}[focus].setFocus()
+    {"field": panel.fields[0], "canvas": canvas}[focus].setFocus()
     x, y = (math.floor(part) for part in place_in(window, "image", CORNER))
 
     QTest.mousePress(canvas, Qt.MouseButton.LeftButton, pos=QPoint(x, y))
@@ -344,7 +336,7 @@ def test_escape_puts_a_dragged_probe_back_and_ends_the_drag(
     assert panel.probes == ()
 
 
-def test_a_probe_that_ends_with_its_scene_under_the_hand_does_not_come_back(
+def test_a_dragged_probe_does_not_return_after_another_scene(
     window: MainWindow,
 ) -> None:
     panel, canvas = window.probe_panel, window.panes["image"].canvas
@@ -360,7 +352,7 @@ def test_a_probe_that_ends_with_its_scene_under_the_hand_does_not_come_back(
     assert not in_gesture(panel)
 
 
-def test_a_hand_that_trembles_still_clicks_and_turns_nothing(window: MainWindow) -> None:
+def test_a_click_with_a_small_movement_is_still_a_click(window: MainWindow) -> None:
     canvas = window.panes["world"].canvas
     x, y = (math.floor(part) for part in place_in(window, "world", CORNER))
     camera = window.panes["world"].hand.camera
@@ -390,7 +382,7 @@ def test_a_click_on_empty_image_space_shows_the_ray(window: MainWindow) -> None:
     assert marked(window, "ndc", place_in(window, "ndc", half_way))
 
 
-def test_a_ray_without_a_frustum_is_drawn_or_it_is_said_why_not(window: MainWindow) -> None:
+def test_a_ray_without_a_frustum_is_drawn_or_refused_with_a_reason(window: MainWindow) -> None:
     for last, words, is_drawn in [
         ((0.1, 0.0, -1.0, 0.3), "the pixel's ray, as far as it is in front of the eye", True),
         ((0.0, 0.0, -1.0, 2.2 / 1.1), "no ray in the world: the matrix has no inverse", False),
@@ -409,7 +401,7 @@ def test_a_ray_without_a_frustum_is_drawn_or_it_is_said_why_not(window: MainWind
         assert any_mark(window, "world") == is_drawn
 
 
-def test_inside_a_free_matrix_cube_is_said_without_ones(panel: ProbePanel) -> None:
+def test_the_inside_of_a_free_matrix_is_described_without_planes(panel: ProbePanel) -> None:
     panel.follow(point=CORNER)
     for depth, formula in (("opengl", "−w ≤ z ≤ w"), ("reversed", "0 ≤ z ≤ w")):
         cells_free = start().clip_from_view + np.diag([0.0, 0.0, 0.0, 0.1])
@@ -458,8 +450,8 @@ def test_the_projector_runs_from_the_eye_and_along_z(window: MainWindow) -> None
     assert marked(window, "ndc", (place_x, height - place_y))
 
 
-def test_no_mirrored_mark_anywhere_at_or_behind_the_eye(window: MainWindow) -> None:
-    for along in [0.0, -1.0]:
+def test_no_mark_is_drawn_for_a_point_at_or_behind_the_eye(window: MainWindow) -> None:
+    for along in (0.0, -1.0):
         camera = start().camera
         # Beside the eye, or behind it and a little aside; mirrored, that would be in the picture.
         point = np.array(camera.eye) + 0.5 * camera.frame[0] - 3.0 * along * camera.frame[2]
@@ -518,42 +510,37 @@ def test_every_number_is_the_command_s_to_the_last_digit(
     points = [CORNER, (0.1, 1 / 3, -2.0), (40.0, -7.0, 2.0), (9.0, 7.0, 14.0)]
     source = tmp_path / "points.csv"
     source.write_text("\n".join(",".join(map(repr, point)) for point in points))
-    for number, lens in enumerate(
-        [
-            Perspective(45.0, 1.0, 30.0),
-            Perspective(1e-3, 1.0, 30.0),  # read from the exact precision
-            Oblique(-6.0, 6.0, -4.0, 4.0, 5.0, 30.0, alpha_deg=60.0, beta_deg=60.0),
-        ]
+    document = tmp_path / "document.json"
+    for lens, depth in (
+        (Perspective(45.0, 1.0, 30.0), "reversed"),
+        (Perspective(1e-3, 1.0, 30.0), "opengl"),  # read from the exact precision
+        (Oblique(-6.0, 6.0, -4.0, 4.0, 5.0, 30.0, alpha_deg=60.0, beta_deg=60.0), "reversed"),
     ):
-        for depth in ("opengl", "reversed"):
-            projection = replace(start(), lens=lens, depth=depth)  # type: ignore[arg-type]
-            document = tmp_path / f"{number}-{depth}.json"
-            write(Document("letter-f", projection), document)
-            assert cli.main(["project", str(document), str(source), "--format", "json"]) == 0
-            answer = json.loads(capsys.readouterr().out)
-            panel.clear()
-            show(panel, projection)
-            for point in points:
-                panel.follow(point=point)
-                panel.pin.click()
-            lines = copied(panel)
-            for block, expected in enumerate(answer["points"]):
-                rows = ("world", "world", "view", "clip", None, "ndc", "image", "depth")
-                for row, name in enumerate(rows):
-                    if name is None:
-                        continue
-                    values = expected[name]
-                    values = [] if values is None else np.atleast_1d(values).tolist()
-                    values += [1.0] if name in ("world", "view") else []
-                    mine = list(filter(None, lines[row][1 + 4 * block : 5 + 4 * block]))
-                    assert mine == list(map(format_value, values)), name
-                    assert list(map(float, mine)) == values
-                beyond = expected["outside_of"]
-                said = f"outside of: {', '.join(beyond)}" if beyond else "inside"
-                assert cells(panel, block, 8) == [said]
+        projection = replace(start(), lens=lens, depth=depth)  # type: ignore[arg-type]
+        write(Document("letter-f", projection), document)
+        assert cli.main(["project", str(document), str(source), "--format", "json"]) == 0
+        answer = json.loads(capsys.readouterr().out)
+        panel.clear()
+        show(panel, projection)
+        for point in points:
+            panel.follow(point=point)
+            panel.pin.click()
+        lines = copied(panel)
+        for block, expected in enumerate(answer["points"]):
+            rows = {0: "world", 1: "world", 2: "view", 3: "clip", 5: "ndc", 6: "image", 7: "depth"}
+            for row, name in rows.items():
+                values = expected[name]
+                values = [] if values is None else np.atleast_1d(values).tolist()
+                values += [1.0] if name in ("world", "view") else []
+                mine = list(filter(None, lines[row][1 + 4 * block : 5 + 4 * block]))
+                assert mine == list(map(format_value, values)), name
+                assert list(map(float, mine)) == values
+            beyond = expected["outside_of"]
+            said = f"outside of: {', '.join(beyond)}" if beyond else "inside"
+            assert cells(panel, block, 8) == [said]
 
 
-def test_a_row_says_where_there_is_no_picture(panel: ProbePanel) -> None:
+def test_a_row_says_why_there_is_no_picture(panel: ProbePanel) -> None:
     camera = Camera((0.0, 0.0, 5.0), (0.0, 0.0, 0.0))
     show(panel, replace(start(), camera=camera))
     panel.follow(point=(1.0, 2.0, 7.0))
@@ -565,24 +552,19 @@ def test_a_row_says_where_there_is_no_picture(panel: ProbePanel) -> None:
     assert cells(panel, 0, 4) == ["÷ 2"] * 3
 
 
-@pytest.mark.parametrize("all_digits", [False, True])
-def test_no_number_is_cut(panel: ProbePanel, all_digits: bool) -> None:
+def test_every_number_is_fully_visible(panel: ProbePanel) -> None:
     panel.resize(1200, 300)
     panel.follow(point=(1 / 3, 2 / 3, -1 / 7))
     show(panel, replace(start(), camera=Camera((6.1, 5.3, 9.7), (0.1, 2.2, 0.3))))
-    with all_digits_shown(all_digits):
-        check_widths(panel)
-
-
-def check_widths(panel: ProbePanel) -> None:
     metrics, model = panel.table.fontMetrics(), panel.table.model()
-    for row in range(8):
-        for column in range(1, 5):
-            text = model.data(model.index(row, column)) or ""
-            assert metrics.horizontalAdvance(text) + 6 <= panel.table.columnWidth(column), text
+    for all_digits in (False, True):
+        with all_digits_shown(all_digits):
+            for row, column in itertools.product(range(8), range(1, 5)):
+                text = model.data(model.index(row, column)) or ""
+                assert metrics.horizontalAdvance(text) + 6 <= panel.table.columnWidth(column), text
 
 
-def test_four_digits_are_read_all_by_the_switch_and_all_copied(panel: ProbePanel) -> None:
+def test_four_digits_are_shown_all_with_the_switch_and_all_are_copied(panel: ProbePanel) -> None:
     show(panel, replace(start(), camera=Camera((6.1, 5.3, 9.7), (0.1, 2.2, 0.3))))
     panel.follow(point=(1 / 3, 2 / 3, -1 / 7))
 
@@ -616,18 +598,8 @@ def test_the_formulas_fractions_are_stacked_in_rows_that_hold_them(panel: ProbeP
     assert copied(panel)[5][0] == "x/w,  y/w,  z/w" and copied(panel)[7][0] == "(z + 1)/2"
 
 
-def test_lines_and_numbers_grow_with_the_font(panel: ProbePanel) -> None:
-    panel.follow(point=(1 / 3, 2 / 3, -1 / 7))
-    table = panel.table
-    height, width = table.rowHeight(2), table.columnWidth(1)
-    font = panel.font()
-    font.setPointSizeF(2.0 * font.pointSizeF())
-    panel.setFont(font)
-    assert table.rowHeight(2) > 1.5 * height and table.columnWidth(1) > 1.5 * width
-
-
 def test_an_open_panel_is_whole_in_letters_for_a_class_and_back(window: MainWindow) -> None:
-    """Every formula, and all nine lines; back, it takes less room again."""
+    """Every formula and all nine lines are visible; afterwards the panel is small again."""
     window.resize(1920, 1080)
     panel = window.probe_panel
     window.panels.open(panel)
@@ -649,19 +621,6 @@ def test_an_open_panel_is_whole_in_letters_for_a_class_and_back(window: MainWind
     assert room[0] == room[2] and room[1][1] > room[2][1]
 
 
-def test_a_folded_panel_fills_no_table_and_shows_the_value_when_it_opens(
-    panel: ProbePanel, qtbot: QtBot
-) -> None:
-    panel.follow(point=CORNER)
-    before = cells(panel, 0, 6)
-    panel.hide()
-    show(panel, replace(start(), lens=Perspective(60.0, 1.0, 30.0)))
-    assert cells(panel, 0, 6) == before
-    panel.show()
-    qtbot.waitExposed(panel)
-    assert cells(panel, 0, 6) != before
-
-
 def test_a_click_moves_the_probe_unless_it_is_pinned(panel: ProbePanel, qtbot: QtBot) -> None:
     panel.follow(point=(1.0, 0.0, 0.0))
     panel.follow(point=(2.0, 0.0, 0.0))
@@ -681,9 +640,7 @@ def test_a_click_moves_the_probe_unless_it_is_pinned(panel: ProbePanel, qtbot: Q
     assert [probe.number for probe in panel.probes] == [1, 2]
 
 
-def test_one_more_than_can_be_compared_is_refused_in_a_sentence(
-    panel: ProbePanel, qtbot: QtBot
-) -> None:
+def test_one_probe_too_many_is_refused(panel: ProbePanel, qtbot: QtBot) -> None:
     for number in range(MOST_PROBES):
         panel.follow(point=(float(number), 0.0, 0.0))
         panel.pin.click()
@@ -740,7 +697,7 @@ def test_l13_a_point_at_infinity_is_typed_with_w_0(panel: ProbePanel) -> None:
     assert rows[8] == ["the vanishing point; outside of: far"]
     type_in(panel.fields[2], "2")
     assert cells(panel, 0, 4) == ["behind the eye: no picture"]
-    assert cells(panel, 0, 5) == ["the opposite direction has one"]
+    assert cells(panel, 0, 5) == ["the opposite direction has a picture"]
     panel.follow(direction=(1.0, 0.0, 0.0))
     assert cells(panel, 0, 4) == ["w = 0: its picture is at infinity too"]
     assert cells(panel, 0, 5) == ["parallel to the image: lines stay parallel"]
@@ -754,19 +711,10 @@ def test_l13_another_w_divides_and_four_zeros_are_refused(panel: ProbePanel) -> 
     assert panel.probes == (Probe(1, (-0.25, 0.5, -0.75)),)
     assert panel.fields[3].text() == "1"
     panel.follow(point=(0.0, 0.0, 0.0))
-    for text, said in (
-        (
-            "0",
-            "w = 0: must not be 0 if x, y and z are 0: "
-            "(0, 0, 0, 0) is neither a point nor a direction.",
-        ),
-        ("1e308", f"w = 1e+308: must be at most {LARGEST}."),
-        ("nan", "w = “nan”: must be a number, such as 0.5 or 2e-3."),
-    ):
-        type_in(panel.fields[3], text)
-        assert panel.error.text() == f"Not possible. {said}"
-        assert panel.fields[3].accessibleDescription() == panel.error.text()
-        assert panel.probes == (Probe(1, (0.0, 0.0, 0.0)),)
+    type_in(panel.fields[3], "0")
+    assert panel.error.text().startswith("Not possible. w = 0: must not be 0 if x, y and z are 0")
+    assert panel.fields[3].accessibleDescription() == panel.error.text()
+    assert panel.probes == (Probe(1, (0.0, 0.0, 0.0)),)
 
 
 def test_l13_a_point_at_infinity_is_marked_in_all_panes(window: MainWindow) -> None:
@@ -786,28 +734,14 @@ def test_l13_a_point_at_infinity_is_marked_in_all_panes(window: MainWindow) -> N
     assert not any(any_mark(window, name) for name in window.panes)  # behind the eye
 
 
-@pytest.mark.parametrize(
-    ("text", "sentence"),
-    [
-        ("here", "y = “here”: must be a number, such as 0.5 or 2e-3."),
-        ("nan", "y = “nan”: must be a number, such as 0.5 or 2e-3."),
-        ("inf", "y = ∞: must be a finite number."),
-        ("1e400", f"y = “1e400”: must be at most {LARGEST}."),
-        ("-1e101", f"y = -1e+101: must be at least -{LARGEST}."),
-        ("", "y = “”: must be a number, such as 0.5 or 2e-3."),
-    ],
-)
-def test_nonsense_is_one_sentence_and_the_last_good_point_stays(
-    panel: ProbePanel, qtbot: QtBot, text: str, sentence: str
+def test_a_refused_number_is_one_sentence_and_the_last_good_point_stays(
+    panel: ProbePanel, qtbot: QtBot
 ) -> None:
     panel.follow(point=CORNER)
     field = panel.fields[1]
-    field.setFocus()
-    field.selectAll()
-    qtbot.keyClick(field, Qt.Key.Key_Delete)
-    qtbot.keyClicks(field, text)
-    qtbot.keyClick(field, Qt.Key.Key_Return)
-    assert panel.error.isVisible() and panel.error.text() == f"Not possible. {sentence}"
+    type_in(field, "-1e101")
+    said = f"Not possible. y = -1e+101: must be at least -{LARGEST}."
+    assert panel.error.isVisible() and panel.error.text() == said
     assert field.accessibleDescription() == panel.error.text()
     assert panel.probes == (Probe(1, CORNER),)
     qtbot.keyClick(field, Qt.Key.Key_Escape)
@@ -829,9 +763,8 @@ def test_escape_in_the_window_removes_the_chosen_probe(window: MainWindow, qtbot
     assert not any_mark(window, "image")
 
 
-@pytest.mark.parametrize("theme", ["dark", "light"])
-def test_a_pinned_probe_s_button_is_seen_to_be_down(window: MainWindow, theme: str) -> None:
-    window.look.set_theme(theme)
+def test_a_pinned_probe_s_button_looks_pressed(window: MainWindow) -> None:
+    window.look.set_theme("dark")  # where Fusion hardly shows it
     panel = window.probe_panel
     window.panels.open(panel)
     panel.follow(point=CORNER)
@@ -849,13 +782,6 @@ def test_a_pinned_probe_s_button_is_seen_to_be_down(window: MainWindow, theme: s
     panel.pin.click()
     QApplication.processEvents()
     assert np.abs(colour() - up).max() < 0.05
-
-
-def test_everything_has_a_name_for_a_screen_reader(panel: ProbePanel) -> None:
-    for widget in (*panel.fields, panel.table, panel.choice):
-        assert widget.accessibleName()
-    names = [field.accessibleName() for field in panel.fields]
-    assert names == [f"Probe, world {part}" for part in "xyzw"]
 
 
 def test_probes_are_traced_once_for_all_panes(
@@ -894,7 +820,7 @@ def test_letters_are_those_of_the_other_panels(panel: ProbePanel) -> None:
 
 
 def test_l13_the_panel_that_is_opened_by_hand_follows_a_vertex_at_once(window: MainWindow) -> None:
-    """One click from the letter F to the rows of a point; a probe that there is stays."""
+    """One click shows the numbers of a point; an existing probe stays."""
     panel = window.probe_panel
     (name,) = (b for b in window.panels.names.findChildren(QToolButton) if b.text() == "Probe")
     name.click()

@@ -1,4 +1,4 @@
-"""The panel about the scene: what it explains, and its diagrams."""
+"""The explanation panel and its diagrams."""
 
 from __future__ import annotations
 
@@ -70,7 +70,7 @@ def test_a_folded_panel_draws_nothing_and_is_up_to_date_when_it_opens(
 
 
 def test_it_gives_way_to_the_panes(panel: ScenePanel, qapp: QApplication) -> None:
-    """In a window of 1366 x 768, whatever a scene shows in it."""
+    """In a window of 1366 x 768, with any number of diagrams."""
     panel.show_illustration(Illustration((), diagrams=SHOWN.diagrams * 4))
     try:
         for screen_px, width in ((768.0, 1340), (0.0, 1070)):

@@ -71,6 +71,7 @@ from tests.support.window import (
     NO_KEY,
     MakeWindow,
     activate,
+    click,
     counted_repaints,
     edit,
     enter,
@@ -308,7 +309,7 @@ def test_the_mouse_turns_the_view_and_never_the_model(window: MainWindow) -> Non
 
 def test_the_world_stands_still_during_a_drag_and_fits_itself_after_it(window: MainWindow) -> None:
     camera = window.panes["world"].hand.camera
-    place = camera.GetPosition()
+    place, distance = camera.GetPosition(), camera.GetDistance()
     window.store.begin_gesture()
     window.store.set_projection(seen(window, lens=Perspective(110.0, 1.0, 30.0)))
     settle()
@@ -317,9 +318,7 @@ def test_the_world_stands_still_during_a_drag_and_fits_itself_after_it(window: M
         window.store.end_gesture()
         settle()
     assert counts["world"] == 1
-    assert math.dist(camera.GetPosition(), camera.GetFocalPoint()) > 1.05 * math.dist(
-        place, camera.GetFocalPoint()
-    )
+    assert camera.GetDistance() > 1.05 * distance
     assert window.panes["world"].view is None
 
 
@@ -893,19 +892,22 @@ def test_closing_in_the_middle_of_a_drag_and_of_a_play(
 
 
 def test_shortcuts_work_in_the_window_of_a_floated_pane(window: MainWindow, qtbot: Any) -> None:
-    start = window.store.document
-    pane = window.panes["world"]
+    start, pane, ctrl = (
+        window.store.document,
+        window.panes["world"],
+        Qt.KeyboardModifier.ControlModifier,
+    )
     window.slots.toggle_float("world")
     pane.activateWindow()
     qtbot.waitUntil(pane.isActiveWindow)
     edit(window)
-    qtbot.keyClick(pane, Qt.Key.Key_Z, Qt.KeyboardModifier.ControlModifier)
+    qtbot.keyClick(pane, Qt.Key.Key_Z, ctrl)
     assert window.store.document == start
-    qtbot.keyClick(pane, Qt.Key.Key_0, Qt.KeyboardModifier.ControlModifier)
+    qtbot.keyClick(pane, Qt.Key.Key_0, ctrl)
     assert not pane.isWindow()
     activate(window)
     window.history.redo()
-    qtbot.keyClick(window, Qt.Key.Key_Z, Qt.KeyboardModifier.ControlModifier)
+    qtbot.keyClick(window, Qt.Key.Key_Z, ctrl)
     assert window.store.document == start
 
 
@@ -1153,20 +1155,6 @@ def test_no_control_of_a_scene_is_in_the_dock_twice(window: MainWindow) -> None:
     assert rows["preset"].isVisible()
 
 
-def test_the_scene_menu_changes_the_scene_and_undo_brings_it_back(window: MainWindow) -> None:
-    before = pixels(window, "image")
-    window.guide.choose("posts")
-    settle()
-    assert window.store.document.scene == "posts"
-    assert window.menus.scene_box.currentData() == "posts"
-    assert (pixels(window, "image") != before).any()
-    window.store.undo()
-    settle()
-    assert window.store.document.scene == "letter-f"
-    assert window.menus.scene_box.currentData() == "letter-f"
-    assert (pixels(window, "image") == before).all()
-
-
 # -- memory
 
 
@@ -1247,26 +1235,31 @@ def everything(monkeypatch: pytest.MonkeyPatch) -> Document:
 
 
 def test_a_phenomenon_shows_its_card_and_opens_no_panel(window: MainWindow) -> None:
-    card = window.controls.card
+    card, box = window.controls.card, window.menus.scene_box
+    before = pixels(window, "image")
     assert card.title.text() == "Letter F" and len(card.tries.text().splitlines()) == 3
     window.guide.choose("similar-triangles")
     settle()
-    assert window.panels.open_panel is None
+    assert (pixels(window, "image") != before).any()
+    assert (box.currentData(), window.panels.open_panel) == ("similar-triangles", None)
     assert card.title.text() == "Similar triangles"
     assert list(card.rows) == ["distance", "point"]
     assert card.isAncestorOf(window.controls.rows["distance"])  # the camera's
-    QTest.mouseClick(card.explanation, LEFT)
-    settle()
+    click(card.explanation)
     assert window.panels.open_panel is window.scene_panel
     assert window.scene_panel.title.text() == "Similar triangles"
     window.guide.choose("cube")
     assert card.rows == {} and not card.isAncestorOf(window.controls.rows["distance"])
-    assert window.panels.open_panel is window.scene_panel, "it stays as the hand has left it"
+    assert window.panels.open_panel is window.scene_panel, "it stays open"
     assert window.scene_panel.title.text() == "Unit cube"
     window.panels.open(None)
     window.store.undo()
     assert list(card.rows) == ["distance", "point"]
     assert window.panels.open_panel is window.scene_panel, "as it was left"
+    window.store.undo()
+    settle()
+    assert box.currentData() == window.store.document.scene == "letter-f"
+    assert (pixels(window, "image") == before).all()
 
 
 def test_the_panes_have_their_share_of_the_window(window: MainWindow) -> None:
@@ -1711,7 +1704,7 @@ def test_the_note_of_a_pane_is_cut_before_its_title(window: MainWindow) -> None:
     title, note = pane.title, pane.note
     window.slots.toggle_float("image")
     for text in ("Image", "Canonical parallel"):
-        pane.set_title(text, "1920 × 1080")
+        pane.header.say(text, "1920 × 1080")
         whole = []
         for width in range(700, 190, -7):
             pane.resize(width, 200)

@@ -292,7 +292,7 @@ class AnimationBar(QWidget, Playing, Gestures):
                 return self.tr("The camera is straight below the target and cannot look level.")
             return self.tr("The camera stands straight above the target and cannot look level.")
         if error.bound == NOT_THE_EYE:
-            return self.tr("The camera has come to the target and cannot look at it.")
+            return self.tr("The camera is at the target and cannot look at it.")
         if error.bound == NOT_PARALLEL:
             return self.tr("The camera would look along its own up vector.")
         return sentence(error)

@@ -1,13 +1,7 @@
 """The camera's frame, step by step: eye, look, up, n, u, v, and the view matrix made of them.
 
-Formulas with the numbers of the camera in hand: n, u, v and the matrix are the model's own, and
-what is copied has the digits that `python -m app matrices` prints. The panel computes nothing
-while it is folded.
-
-::
-
-    Back, Next, Play, Show all --step_changed(0..6, None when folded)--> the world pane
-    angle of up, nudge --edited(Projection)--> the store
+The formulas are filled with the model's own numbers; copied numbers have the digits that
+`python -m app matrices` prints. A folded panel computes nothing.
 """
 
 from __future__ import annotations
@@ -48,17 +42,15 @@ from widgets.parts.typeset import TypesetLabel, in_line, matrix
 from widgets.parts.writing import all_digits, lettering
 
 STEP_MS = 2500
-"""While playing, how long each step can be read."""
+"""Time to read each step while playing."""
 NUDGE_DEG = 0.1
 CLOSE_DEG = 1.0
-"""From here on up is near the view direction."""
+"""At most this angle, up is near the view direction."""
 _UP: Highlight = frozenset(("up",))
 _ABOUT: tuple[Highlight, ...] = tuple(
     frozenset(names)
     for names in (("eye",), ("target",), ("up",), ("n",), ("u",), ("v",), ("u", "v", "n", "eye"))
 )
-
-
 _E, _N, _U, _V, _LOOK, _UP_VECTOR, _TARGET = (
     f"{name}{ARROW}" for name in ("e", "n", "u", "v", "look", "up", "target")
 )
@@ -73,22 +65,17 @@ class _Step(NamedTuple):
 
 
 class FramePanel(Panel):
-    """Builds u, v and n in front of the reader.
-
-    Attributes
-    ----------
-    step : int
-        Index into `app.lecture.camera_frame.STEPS`.
-    """
+    """Builds u, v and n step by step."""
 
     concerns = PROJECTION
     step_changed = Signal(object)
-    """The step that is to be drawn; None while the panel is folded."""
+    """The step to draw; None while the panel is folded."""
 
     def __init__(self) -> None:
         super().__init__()
         self.setAccessibleName(self.tr("Camera frame"))
         self.step = 0
+        """Index into `app.lecture.camera_frame.STEPS`."""
         self._projection = Projection()
         self._highlight = NOTHING
         self._steps = self._make_steps()
@@ -96,8 +83,12 @@ class FramePanel(Panel):
         self._timer.setInterval(STEP_MS)
         self._timer.timeout.connect(self._play_on)
 
-        self.back = _button(self.tr("Back"), self.tr("One step back"), self._go_back)
-        self.next = _button(self.tr("Next"), self.tr("The next step"), self._go_on)
+        self.back = _button(
+            self.tr("Back"), self.tr("One step back"), lambda: self.go_to(self.step - 1)
+        )
+        self.next = _button(
+            self.tr("Next"), self.tr("The next step"), lambda: self.go_to(self.step + 1)
+        )
         self.play = push_button("", act=self.toggle)
         self.all = _button(
             self.tr("Show all"), self.tr("All steps at once"), lambda: self.go_to(len(STEPS) - 1)
@@ -115,13 +106,12 @@ class FramePanel(Panel):
         self._show_step()
 
     def _write_anew(self) -> None:
-        """In another lecture's letters."""
         self._steps = self._make_steps()
         self._show_step()
         self._refresh()
 
     def _lettered(self, text: str) -> str:
-        """A formula with a lecture's letters under its arrows."""
+        """Replace the letters under arrows by the lecture's."""
         letters = frame_letters(lettering.now)
         return re.sub(
             f"([a-z]+){ARROW}", lambda found: f"{letters.get(found[1], found[1])}{ARROW}", text
@@ -130,7 +120,7 @@ class FramePanel(Panel):
     # -- making
 
     def _of_length_1(self, unit: str, whole: str, vector: str) -> str:
-        """How a vector is brought to length 1; lecture 004 has a name for it as it is before."""
+        """Divide a vector by its length; lecture 004 names the undivided vector."""
         if lettering.now == "004":
             return f"{whole} = {vector},   {unit} = {stacked_fraction(whole, f'|{whole}|')}"
         return f"{unit} = {stacked_fraction(vector, f'|{vector}|')}"
@@ -149,8 +139,8 @@ class FramePanel(Panel):
             ),
             _Step(
                 self.tr("up"), _UP_VECTOR,
-                self.tr("The direction that shall be vertical in the picture. It need not be at a"
-                        " right angle to the view, and its length does not matter."),
+                self.tr("The direction that is vertical in the picture. It need not be "
+                        "perpendicular to the view, and its length does not matter."),
             ),
             _Step(
                 n, self._of_length_1(_N, f"N{ARROW}", f"{_E} − {_TARGET}"),
@@ -159,13 +149,13 @@ class FramePanel(Panel):
             ),
             _Step(
                 u, self._of_length_1(_U, f"U{ARROW}", f"{_UP_VECTOR} × {_N}"),
-                self.tr("To the right in the picture: at right angles to {0} and to {1}, of"
-                        " length 1.").format(up, n),
+                self.tr("To the right in the picture: at right angles to {0} and {1}, of "
+                        "length 1.").format(up, n),
             ),
             _Step(
                 v, f"{_V} = {_N} × {_U}",
-                self.tr("Upwards in the picture: at right angles to {0} and {1}. It is what is left"
-                        " of {2} across the view.").format(n, u, up),
+                self.tr("Upwards in the picture: at right angles to {0} and {1}. It is the "
+                        "part of {2} across the view.").format(n, u, up),
             ),
             _Step(
                 self.tr("view matrix"),
@@ -179,8 +169,9 @@ class FramePanel(Panel):
         self.figures = Label(wordWrap=True)
         self.angle = NumberRow(
             self.tr("Up from view"),
-            self.tr("Turns up towards the view direction, in the plane of both: the frame"
-                    " stays, until no axis to the right can be told from another."),
+            self.tr("Turns up towards the view direction, in the plane of both. The frame "
+                    "stays the same until up is too close to the view direction to say where"
+                    " right is."),
             Log(1e-14, 180.0), "°", self.tr("degrees"),
         )  # fmt: skip
         self.angle.setDefault(90.0)
@@ -191,7 +182,7 @@ class FramePanel(Panel):
         )
         self.nudge = _button(
             self.tr("Nudge up by {0}° to the side").format(NUDGE_DEG),
-            self.tr("Make an error in up, and see by how much the picture turns"),
+            self.tr("Make an error in up, and see how far the picture turns"),
             self._nudge,
         )
         self.warning = WarningLabel()
@@ -220,12 +211,12 @@ class FramePanel(Panel):
     # -- steps
 
     def go_to(self, step: int) -> None:
-        """Show a step and all before it, and play no more."""
+        """Show a step and all steps before it, and stop playing."""
         self.pause()
         self._set_step(step)
 
     def toggle(self) -> None:
-        """Play on from here, or from the first step if this is the last; or pause."""
+        """Play from here, or from the first step if this is the last; or pause."""
         if self.playing:
             self.pause()
             return
@@ -235,25 +226,19 @@ class FramePanel(Panel):
         self._show_playing()
 
     def pause(self) -> None:
-        """Stay at this step."""
+        """Stop playing."""
         self._timer.stop()
         self._show_playing()
 
     @property
     def playing(self) -> bool:
-        """Whether one step follows the other by itself."""
+        """Whether the steps follow each other automatically."""
         return self._timer.isActive()
 
     def _play_on(self) -> None:
         self._set_step(self.step + 1)
         if self.step == len(STEPS) - 1:
             self.pause()
-
-    def _go_on(self) -> None:
-        self.go_to(min(self.step + 1, len(STEPS) - 1))
-
-    def _go_back(self) -> None:
-        self.go_to(max(self.step - 1, 0))
 
     def _set_step(self, step: int) -> None:
         if step != self.step:
@@ -275,13 +260,12 @@ class FramePanel(Panel):
         self.all.setEnabled(self.step < len(STEPS) - 1)
 
     def _show_playing(self) -> None:
-        text = self.tr("Pause") if self.playing else self.tr("Play")
+        text, tip = self.tr("Play"), self.tr("One step after the other")
+        if self.playing:
+            text, tip = self.tr("Pause"), self.tr("Stay at this step")
         self.play.setText(text)
         self.play.setAccessibleName(text)
-        set_tip(
-            self.play,
-            self.tr("Stay at this step") if self.playing else self.tr("One step after the other"),
-        )
+        set_tip(self.play, tip)
 
     # -- the model
 
@@ -354,7 +338,6 @@ class FramePanel(Panel):
     # -- highlight
 
     def show_highlight(self, highlighted: Highlight) -> None:
-        """Mark the formula if it is about what is highlighted."""
         self._highlight = highlighted
         self.angle.set_marked(bool(highlighted & _UP))
         self._mark()
@@ -378,7 +361,7 @@ class FramePanel(Panel):
 
     def showEvent(self, event: QShowEvent) -> None:
         super().showEvent(event)
-        self._set_fonts()  # not before: the first polish of a style sheet takes it back
+        self._set_fonts()  # the first polish of a style sheet resets fonts that were set before
         self._refresh()
         self.step_changed.emit(self.step)
 
@@ -396,36 +379,33 @@ def _button(text: str, tip: str, act: Callable[[], object]) -> QPushButton:
 def _numbers(
     step: str, camera: Camera, write: Callable[[float], str], has_wholes: bool = False
 ) -> str:
-    """What a step comes to, line by line, as of `widgets.parts.typeset`.
+    """Return the numbers of a step, line by line, as of `widgets.parts.typeset`.
 
-    With lecture 004's names N and U of what is yet to be brought to length 1, if it `has_wholes`.
+    If it `has_wholes`, the undivided vectors have lecture 004's names N and U.
     """
 
     def vector(parts: Iterable[float]) -> str:
         return f"({', '.join(write(part + 0.0) for part in parts)})"
 
+    if step == STEPS[-1]:
+        return matrix([write(value + 0.0) for value in row] for row in view_matrix(camera))
     u, v, n = camera.frame.tolist()
     backward = [e - t for e, t in zip(camera.eye, camera.target, strict=True)]
-    lines: list[tuple[str, str]]
-    if step == "eye":
-        lines = [(_E, vector(camera.eye))]
-    elif step == "look":
-        lines = [
-            (_LOOK, vector(-part for part in backward)),
-            (f"|{_LOOK}|", write(camera.distance)),
-            (stacked_fraction(_LOOK, f"|{_LOOK}|"), vector(-part for part in n)),
-        ]
-    elif step == "up":
-        lines = [(_UP_VECTOR, vector(camera.up))]
-    elif step == "n":
-        whole = f"N{ARROW}" if has_wholes else f"{_E} − {_TARGET}"
-        lines = [(whole, vector(backward)), (f"|{whole}|", write(camera.distance)), (_N, vector(n))]
-    elif step == "u":
-        up = up_and_view(camera)
-        whole = f"U{ARROW}" if has_wholes else f"{_UP_VECTOR} × {_N}"
-        lines = [(whole, vector(up.cross)), (f"|{whole}|", write(up.length)), (_U, vector(u))]
-    elif step == "v":
-        lines = [(_V, vector(v))]
-    else:
-        return matrix([write(value + 0.0) for value in row] for row in view_matrix(camera))
-    return "\n".join(f"{name} = {value}" for name, value in lines)
+    up, distance = up_and_view(camera), write(camera.distance)
+    whole_n, whole_u = f"{_E} − {_TARGET}", f"{_UP_VECTOR} × {_N}"
+    if has_wholes:
+        whole_n, whole_u = f"N{ARROW}", f"U{ARROW}"
+    unit_look = stacked_fraction(_LOOK, f"|{_LOOK}|")
+    lines = {
+        "eye": {_E: vector(camera.eye)},
+        "look": {
+            _LOOK: vector(-part for part in backward),
+            f"|{_LOOK}|": distance,
+            unit_look: vector(-part for part in n),
+        },
+        "up": {_UP_VECTOR: vector(camera.up)},
+        "n": {whole_n: vector(backward), f"|{whole_n}|": distance, _N: vector(n)},
+        "u": {whole_u: vector(up.cross), f"|{whole_u}|": write(up.length), _U: vector(u)},
+        "v": {_V: vector(v)},
+    }
+    return "\n".join(f"{name} = {value}" for name, value in lines[step].items())

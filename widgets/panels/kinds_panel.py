@@ -1,7 +1,6 @@
-"""The tree of planar projections: a click makes the picture one of them, and the one it is is lit.
+"""The tree of planar projections: a click makes the picture one kind; the present kind is lit.
 
-Which one that is says the model (`app.lecture.kinds`), whoever has moved the camera; the little
-drawings are the model's own projections of a cube.
+The model (`app.lecture.kinds`) finds the kind of any picture, and projects the small cubes.
 """
 
 from __future__ import annotations
@@ -42,11 +41,11 @@ _OF_CUBE = Projection(
     Camera((0.0, 0.0, 2.6), (0.0, 0.0, 0.0)), Perspective(60.0, 0.5, 10.0), (640, 640)
 )
 _CUBE = box_faces((-1.4, -1.5, -0.5), (-0.4, -0.5, 0.5))
-"""Beside the axis, below it: so that a perspective from in front shows three faces."""
+"""Beside and below the axis, so that a perspective from the front shows three faces."""
 _TINT = 0.45
 _LEAST_ICON, _GAP_PX, _PAD_PX = 18, 7, 4
 _SMALLEST = 0.72
-"""Of the leaves' letters, in a narrow panel with letters for a class."""
+"""Least scale of the leaves' letters, in a narrow panel with large letters."""
 
 
 def _text(text: str) -> str:
@@ -55,29 +54,26 @@ def _text(text: str) -> str:
 
 @lru_cache(maxsize=len(KINDS))
 def _cube(kind: str) -> list[tuple[int, Array]]:
-    """The visible faces of a cube in a kind's drawing: the axis each is across, and its corners.
-
-    In pixels of a picture of its own.
-    """
+    """Return the visible faces of a cube: number, and corners in pixels of a picture."""
     projection = with_kind(_OF_CUBE, kind)
     faces = []
     for number, corners in enumerate(_CUBE):
         x, y = projection.trace(corners).image.T
         area = float(x @ np.roll(y, -1) - y @ np.roll(x, -1))
-        if area < -1.0:  # y runs down, so that what is seen from outside runs clockwise
+        if area < -1.0:  # y runs down, so that visible faces run clockwise
             faces.append((number, np.column_stack([x, y])))
     return faces
 
 
 _ACROSS = tuple(int(np.ptp(corners, axis=0).argmin()) for corners in _CUBE)
-"""Of each of its faces, the axis that it is across."""
+"""The axis at right angles to each face."""
 
 
 class _Node(QAbstractButton):
-    """A node: focusable, set by a click, Space or Enter."""
+    """A node of the tree; a click, Space or Enter chooses its kind."""
 
     pointed = Signal(str)
-    """It is under the mouse, or has the focus; empty when it no longer is."""
+    """The kind under the mouse or the focus; empty when it is left."""
 
     def __init__(self, kind: Kind, parent: QWidget) -> None:
         super().__init__(parent)
@@ -86,27 +82,27 @@ class _Node(QAbstractButton):
         self._on_path = False
         self._style = LIGHT
         self.scale = 1.0
-        """Of its letters."""
+        """Of the letters."""
         self.setText(_text(kind.title))
         self.setAccessibleName(_text(kind.title))
         self.setCheckable(True)
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
 
     def show_state(self, *, lit: bool, on_path: bool, style: Style) -> None:
-        """Whether the picture is of this kind, and whether of one below it."""
+        """Show whether the picture is of this kind (lit), or of a kind below (on the path)."""
         self.setChecked(lit)
         self._on_path, self._style = on_path, style
         said = _text(self._kind.condition)
         if lit:
-            said = self.tr("the picture is so now: {0}").format(said)
+            said = self.tr("the picture is of this kind now: {0}").format(said)
         self.setAccessibleDescription(said)
         self.update()
 
     def nextCheckState(self) -> None:
-        """Lit is what the picture is, not what was clicked."""
+        """A click changes the projection, which then lights a node."""
 
     def font_of(self) -> QFont:
-        """Bold where the picture is of this kind: colour is never alone."""
+        """Bold on the path: colour is never the only sign."""
         font = QFont(self.font())
         font.setBold(self._on_path)
         font.setPointSizeF(self.scale * font.pointSizeF())
@@ -116,9 +112,7 @@ class _Node(QAbstractButton):
         bold = QFont(self.font())
         bold.setBold(True)
         metrics = QFontMetrics(bold)
-        high = metrics.height() + _PAD_PX
-        if self.is_leaf:
-            high += _LEAST_ICON + _PAD_PX
+        high = metrics.height() + _PAD_PX + (_LEAST_ICON + _PAD_PX if self.is_leaf else 0)
         return QSize(metrics.horizontalAdvance(self.text()) + 3 * _PAD_PX, high)
 
     def paintEvent(self, event: QPaintEvent) -> None:
@@ -139,7 +133,7 @@ class _Node(QAbstractButton):
         if self.is_leaf:
             below = QRectF(0.0, self.height() - line - _PAD_PX / 2, self.width(), line)
             room = QRectF(0.0, _PAD_PX, self.width(), below.top() - _PAD_PX)
-            if lit:  # the cube's colours are those of the panes, on their own ground
+            if lit:  # the cube has the panes' colours, on their background
                 painter.setPen(Qt.PenStyle.NoPen)
                 painter.setBrush(colours.color(roles.Base))
                 painter.drawRoundedRect(room.adjusted(4.0, 0.0, -4.0, 0.0), 3.0, 3.0)
@@ -180,7 +174,7 @@ class _Node(QAbstractButton):
 
 
 class _Tree(QWidget):
-    """The nodes, level below level, and the lines between them; its leaves stand in one row."""
+    """The nodes, level below level, and the lines between them; the leaves stand in one row."""
 
     def __init__(self) -> None:
         super().__init__()
@@ -211,7 +205,7 @@ class _Tree(QWidget):
         self.place()
 
     def place(self) -> None:
-        """Put the nodes where they belong."""
+        """Place the nodes in the present size."""
         inner = max(
             node.sizeHint().height() for name, node in self.nodes.items() if name not in self.leaves
         )
@@ -236,7 +230,7 @@ class _Tree(QWidget):
     def paintEvent(self, event: QPaintEvent) -> None:
         painter, roles = QPainter(self), QPalette.ColorRole
         ways = [(kind.parent, name) for name, kind in KINDS.items() if kind.parent]
-        # What is on the way to the picture's kind is drawn over the rest.
+        # The path to the picture's kind is drawn last, over the other lines.
         for parent, name in sorted(ways, key=lambda way: self.nodes[way[1]].font_of().bold()):
             on_path = self.nodes[name].font_of().bold()
             colour = self.palette().color(roles.Highlight if on_path else roles.PlaceholderText)
@@ -250,15 +244,7 @@ class _Tree(QWidget):
 
 
 class KindsPanel(ReadablePanel):
-    """The tree, and what makes a kind what it is.
-
-    Attributes
-    ----------
-    nodes : dict of str to QAbstractButton
-        By the names of `app.lecture.kinds.KINDS`; the checked one is what the picture is.
-    condition : QLabel
-        Of the node that is pointed at, or else of the lit one, with its scale factors.
-    """
+    """The tree, and below it the condition and the scale factors of a kind."""
 
     concerns = PROJECTION | {"scene", "settings"}
 
@@ -278,7 +264,7 @@ class KindsPanel(ReadablePanel):
         self._fit()
 
     def _fit(self) -> None:
-        """Room for two lines under the tree, whatever they say: or it would jump."""
+        """Keep room for two lines under the tree, so that it does not jump."""
         self.condition.setFixedHeight(2 * self.fontMetrics().lineSpacing() + 2)
         self._tree.place()
 
@@ -321,19 +307,19 @@ class KindsPanel(ReadablePanel):
         self.condition.setText(self._said(now))
 
     def _said(self, now: str | None) -> str:
-        """What makes the kind that is asked about, and how long a unit along each axis is drawn."""
+        """Return the condition of the kind that is pointed at, or lit, and its scale factors."""
         assert self._shown is not None
         about = self._pointed or now
         if about is None:
             return self.tr(
-                "A typed matrix is none of these by its making: choose one, and its lens takes the"
-                " matrix' place."
+                "A typed matrix belongs to no kind. Choose a kind, and its lens replaces the"
+                " matrix."
             )
         kind = KINDS[about]
         text = self.tr("{0}: {1}.").format(_text(kind.title), _text(kind.condition))
         is_so = now is not None and about in path(now)
+        projection = self._shown.projection
         try:
-            projection = self._shown.projection
             projection = projection if is_so else with_kind(projection, about)
         except Refusal as error:
             return self.tr("{0} Not possible here: {1}").format(text, sentence(error))
@@ -343,7 +329,7 @@ class KindsPanel(ReadablePanel):
         assert self._shown is not None
         factors = scale_factors(projection)
         if factors is None:
-            text = self.tr("No scale factors: what is farther away is drawn smaller.")
+            text = self.tr("No scale factors: things farther away are drawn smaller.")
         else:
             drawn = (
                 self.tr("A unit is drawn {0} long along x, {1} along y, {2} along z.")

@@ -1,7 +1,7 @@
-"""One 4x4 matrix: its cells, painted, pointed at and typed.
+"""One 4x4 matrix: its cells are painted, pointed at and typed.
 
-Cells that differ from before the last change are lit, and their digits from the first other one on
-underlined.
+A cell whose value differs from before the last change is highlighted, and its digits are underlined
+from the first that differs.
 """
 
 from __future__ import annotations
@@ -9,8 +9,9 @@ from __future__ import annotations
 import re
 from collections.abc import Callable
 from functools import partial
+from typing import NamedTuple
 
-from PySide6.QtCore import QEvent, QPointF, QRectF, QSize, Qt, Signal
+from PySide6.QtCore import QCoreApplication, QEvent, QPointF, QRectF, QSize, Qt, Signal
 from PySide6.QtGui import (
     QColor,
     QContextMenuEvent,
@@ -37,26 +38,37 @@ from widgets.parts.plain import Markup, set_tip, show_tip
 from widgets.parts.typeset import typeset
 from widgets.parts.writing import all_digits
 
-_AXES = ("u", "v", "n")
 VIEW = ("view_from_world", "rotation")
 TO_CLIP = ("clip_from_view", "clip_from_world")
 """The matrices whose rows are the coordinates of clip space."""
 ROW_GAP_PX = 3.0
-
-
 _POWER = re.compile("e|·?10(?=[⁻⁰¹²³⁴⁵⁶⁷⁸⁹])")
+_STEPS = {
+    Qt.Key.Key_Left: (0, -1), Qt.Key.Key_Right: (0, 1),
+    Qt.Key.Key_Up: (-1, 0), Qt.Key.Key_Down: (1, 0),
+}  # fmt: skip
+
+
+class Writing(NamedTuple):
+    """How all matrices are written."""
+
+    letters: Letters = "own"
+    rows: bool = False
+    """Whether vectors are rows, so that the axes are rows too."""
+    formulas: bool = False
+    style: Style = LIGHT
 
 
 def _parts(text: str) -> tuple[str, str]:
-    """A number's digits, and the power of ten behind them, if there is one."""
+    """The digits of a number, and the power of ten after them."""
     power = _POWER.search(text)
     return (text, "") if power is None else (text[: power.start()], text[power.end() :])
 
 
 def first_change(before: str, after: str) -> int | None:
-    """Where the digits of a number begin to differ; None if the texts are alike.
+    """Return the place of the first digit that differs; None if the texts are alike.
 
-    With another count of digits before the point every digit has another place: all differ.
+    With another number of digits before the point all digits differ: each has another weight.
     """
     if before == after:
         return None
@@ -67,68 +79,68 @@ def first_change(before: str, after: str) -> int | None:
     return next((i for i, (a, b) in pairs if a != b), min(len(before), len(after)))
 
 
+def _differences(
+    matrix: Matrix, before: Matrix | None, writing: Writing
+) -> dict[tuple[int, int], int | None]:
+    """Return the cells that differ, with the first digit that does; None for a formula's."""
+    if before is None:
+        return {}
+    return {
+        (i, j): None if writing.formulas else first_change(read_text(old), read_text(new))
+        for i, rows in enumerate(zip(before.values, matrix.values, strict=True))
+        for j, (old, new) in enumerate(zip(*rows, strict=True))
+        if old != new
+    }
+
+
 def is_a_cameras(matrix: Matrix) -> bool:
-    """Whether a matrix is made of a camera's axes; a typed one has none."""
+    """Whether a matrix is made of a camera's axes; a typed matrix is not."""
     return matrix.name in (*VIEW, "world_from_view") and matrix.formulas[0][0] != "m_11"
 
 
 class _CellField(QLineEdit):
-    """Where a cell is typed: Tab goes on to the next, Esc back to what was."""
+    """The field in which a cell is typed: Tab goes to the next cell, Esc discards the text."""
 
     left = Signal()
     moved_on = Signal(int)
 
     def event(self, event: QEvent) -> bool:
         kinds, keys = QEvent.Type, Qt.Key
-        if isinstance(event, QKeyEvent) and event.type() in (
-            kinds.ShortcutOverride,
-            kinds.KeyPress,
-        ):
-            steps = {keys.Key_Tab: 1, keys.Key_Backtab: -1}
-            pressed = event.type() == kinds.KeyPress
-            enter = event.key() in (keys.Key_Return, keys.Key_Enter)
-            if enter or event.key() == keys.Key_Escape or event.key() in steps:
-                event.accept()  # a line of text would pass Enter on, which opens a cell
-                if pressed and enter:
-                    self.returnPressed.emit()
-                elif pressed and event.key() == keys.Key_Escape:
-                    self.left.emit()
-                elif pressed:
-                    self.moved_on.emit(steps[keys(event.key())])
+        takes = event.type() in (kinds.ShortcutOverride, kinds.KeyPress)
+        if takes and isinstance(event, QKeyEvent):
+            acts: dict[Qt.Key, Callable[[], object]] = {
+                keys.Key_Return: self.returnPressed.emit,
+                keys.Key_Enter: self.returnPressed.emit,
+                keys.Key_Escape: self.left.emit,
+                keys.Key_Tab: partial(self.moved_on.emit, 1),
+                keys.Key_Backtab: partial(self.moved_on.emit, -1),
+            }
+            act = acts.get(keys(event.key()))
+            if act is not None:
+                event.accept()  # QLineEdit passes Enter on to the view, which would open a cell
+                if event.type() == kinds.KeyPress:
+                    act()
                 return True
         return super().event(event)
 
 
 class MatrixView(QWidget):
-    """One 4x4 matrix; its cells are pointed at with the mouse or the arrow keys.
+    """One 4x4 matrix; the mouse or the arrow keys point at its cells.
 
-    A double click, F2 or Enter opens the number of an `editable` one to be typed.
-
-    Parameters
-    ----------
-    title : str
-        What a reader calls it.
-    explain : callable
-        The sentence about a cell: ``(matrix, row, column) -> str``.
-
-    Attributes
-    ----------
-    pointed : Signal(str)
-        The sentence about the cell under the mouse or the cursor.
-    copied : Signal(str, object)
-        A format (``"text"``, ``"numpy"``, ``"latex"``) and the matrix to be copied in it.
-    typed : Signal(int, int, str)
-        Row, column and text of a cell, to be taken or refused by `refuse`.
-    moved_on : Signal(int, int)
-        Row and column of the cell that is to be typed next.
+    A double click, F2 or Enter opens the number of a cell for typing if the matrix is `editable`.
+    `title` is for screen readers; `explain` returns the sentence about a cell.
     """
 
     pointed = Signal(str)
+    """The sentence about the cell under the mouse or the cursor."""
     copied = Signal(str, object)
+    """A format (``"text"``, ``"numpy"``, ``"latex"``) and the matrix to copy in it."""
     highlighted = Signal(object)
-    """The `Highlight` that the cell under the mouse or the cursor draws; only when it changes."""
+    """The `Highlight` of the cell under the mouse or the cursor; only when it changes."""
     typed = Signal(int, int, str)
+    """Row, column and text of a cell; the receiver may call `refuse`."""
     moved_on = Signal(int, int)
+    """Row and column of the cell that is typed next."""
 
     def __init__(
         self, title: str, explain: Callable[[Matrix, int, int], str], *, editable: bool = False
@@ -136,86 +148,48 @@ class MatrixView(QWidget):
         super().__init__()
         self.setAccessibleName(title)
         self._explain, self._editable = explain, editable
-        self._field: _CellField | None = None
+        self.field: _CellField | None = None
+        """The field of the cell that is being typed."""
+        self.place = (0, 0)
+        """Row and column of the keyboard's cursor."""
+        self.texts: list[list[str]] = []
+        """The cells' texts; of formulas, as of `widgets.parts.typeset`."""
         self._refused = False
         self._matrix: Matrix | None = None
-        self._texts: list[list[str]] = []
-        self._marks: list[list[int | None]] = []
-        self._lit: set[tuple[int, int]] = set()
-        self._columns: list[float] = [0.0] * 4
-        self._fitting = self._columns
-        """The widths of what is shown now."""
-        self._measured: list[float] = []
-        self._letters: Letters = "own"
-        self._rows = self._formulas = False
-        self._style = LIGHT
-        self._dressed: tuple[object, ...] = ()
-        """How the cells are written, all of them together."""
-        self._cursor = (0, 0)
+        self._changed: dict[tuple[int, int], int | None] = {}
+        """The first changed digit, by row and column of the cells that differ from before."""
+        self._columns = self._fitting = [0.0] * 4
+        """Widths of the columns, and the widths that the present texts need."""
+        self._heights = [QFontMetricsF(self.font()).height() + ROW_GAP_PX] * 4
+        self._writing = Writing()
+        self._written: tuple[object, ...] = ()
         self._highlight = self._pointed_at = NOTHING
-        self._told: tuple[int, int] | None = None  # of which cell
+        self._told: tuple[int, int] | None = None
+        """The cell that the last sentence was about."""
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.setMouseTracking(True)
         self.setSizePolicy(QSizePolicy.Policy.Fixed, QSizePolicy.Policy.Fixed)
 
-    def show_matrix(
-        self,
-        matrix: Matrix,
-        before: Matrix | None,
-        *,
-        letters: Letters,
-        rows: bool,
-        formulas: bool,
-        style: Style,
-    ) -> None:
-        """Show a matrix, and what differs in it from another.
-
-        Parameters
-        ----------
-        matrix : Matrix
-        before : Matrix or None
-            What it was before the last change.
-        letters : Letters
-        rows : bool
-            Whether vectors are rows, so that the axes are too.
-        formulas : bool
-            Formulas instead of numbers.
-        style : Style
-            The colours of the axes.
-        """
-        dressed = (letters, rows, formulas, style, all_digits.now)
-        before_that, self._dressed = self._dressed, dressed
-        anew = dressed != before_that
-        self._letters, self._rows, self._formulas, self._style = dressed[:4]
+    def show_matrix(self, matrix: Matrix, before: Matrix | None, writing: Writing) -> None:
+        """Show a matrix, and mark the cells that differ from `before`."""
+        written_before, self._written = self._written, (writing, all_digits.now)
+        rewritten = self._written != written_before
         old, self._matrix = self._matrix, matrix
-        is_other = dressed[:4] != before_that[:4]
-        if old is not None and (is_other or old.values != matrix.values):
+        if old is not None and (writing != self._writing or old.values != matrix.values):
             self.abandon()
-        lit = set()
-        marks: list[list[int | None]] = [[None] * 4 for _ in range(4)]
-        for i, row in enumerate(matrix.values):
-            for j, value in enumerate(row):
-                if before is not None and before.values[i][j] != value:
-                    lit.add((i, j))
-                    if not formulas:
-                        texts = read_text(before.values[i][j]), read_text(value)
-                        marks[i][j] = first_change(*texts)
-        if not anew and old == matrix and (lit, marks) == (self._lit, self._marks):
+        self._writing = writing
+        changed = _differences(matrix, before, writing)
+        if not rewritten and old == matrix and changed == self._changed:
             return
-        self._lit, self._marks = lit, marks
-        if formulas:
-            self._texts = [[stacked(cell, letters) for cell in row] for row in matrix.formulas]
+        self._changed = changed
+        if writing.formulas:
+            self.texts = [[stacked(cell, writing.letters) for cell in r] for r in matrix.formulas]
         else:
-            self._texts = [[read_text(value) for value in row] for row in matrix.values]
-        self._measure(anew or old is None or old.name != matrix.name)
+            self.texts = [[read_text(value) for value in row] for row in matrix.values]
+        self._measure(rewritten or old is None or old.name != matrix.name)
         if self.hasFocus():
             self._say()
         self.update()
-
-    @property
-    def texts(self) -> list[list[str]]:
-        """What the cells show; of formulas, as of `widgets.parts.typeset`."""
-        return self._texts
 
     # -- places
 
@@ -226,67 +200,58 @@ class MatrixView(QWidget):
 
     def _measure(self, anew: bool) -> None:
         height = QFontMetricsF(self.font()).height()
-        cells = [[typeset(text, self.font()) for text in row] for row in self._texts]
+        cells = [[typeset(text, self.font()) for text in row] for row in self.texts]
         widths = [max(row[j].width for row in cells) + 0.8 * height for j in range(4)]
-        # While numbers run, columns only grow: a row that jumps to and fro cannot be read.
+        # While numbers change quickly, columns only grow: a row that jumps cannot be read.
         self._fitting = widths
         self._columns = widths if anew else list(map(max, self._columns, widths))
-        # A subscript hangs into the room between two rows, a fraction does not.
-        self._measured = [
+        # A subscript hangs into the gap between two rows, a fraction does not.
+        self._heights = [
             max(height, *(cell.height - (0.0 if cell.rules else 2.0) for cell in row)) + ROW_GAP_PX
             for row in cells
         ]
         self._take_room()
 
     def fit(self) -> None:
-        """Make the columns as narrow as what they show: no number runs."""
+        """Shrink the columns to their texts, once the numbers stand still."""
         if self._columns != self._fitting:
             self._columns = self._fitting
             self._take_room()
             self.update()
 
     def _take_room(self) -> None:
-        size = self._wanted()
+        size = self.sizeHint()
         if size != self.minimumSize():
             self.setFixedSize(size)
-        if self._field is not None:
-            self._place_field(self._field)
+        if self.field is not None:
+            self._place_field(self.field)
 
     @property
     def _margin(self) -> tuple[float, float]:
         """Left and top of the first cell: room for the axes' letters and the bracket.
 
-        Above there is room wherever the letters are, so that all matrices stand on one line.
+        There is always room for letters above, so that all matrices stand on one line.
         """
         plate = QFontMetricsF(self._small()).height() + 2.0
         return (plate + 8.0 if self._axes_are_rows else 8.0), plate + 2.0
 
     @property
     def _axes_are_rows(self) -> bool:
-        return (self._matrix is not None and self._matrix.name in VIEW) is not self._rows
+        return (self._matrix is not None and self._matrix.name in VIEW) is not self._writing.rows
 
-    def _wanted(self) -> QSize:
+    def sizeHint(self) -> QSize:
         left, top = self._margin
         return QSize(int(left + sum(self._columns) + 8.0), int(top + sum(self._heights) + 4.0))
 
-    def sizeHint(self) -> QSize:
-        return self._wanted()
-
-    @property
-    def _heights(self) -> list[float]:
-        """Of the rows; of lines of text until there is a matrix, whose place is kept free."""
-        return self._measured or [QFontMetricsF(self.font()).height() + ROW_GAP_PX] * 4
-
     def cell_rect(self, row: int, column: int) -> QRectF:
-        """Where a cell is in the widget."""
+        """Return the rectangle of a cell in the widget."""
         left, top = self._margin
         return QRectF(
             left + sum(self._columns[:column]), top + sum(self._heights[:row]),
             self._columns[column], self._heights[row],
         )  # fmt: skip
 
-    def cell_at(self, place: QPointF) -> tuple[int, int] | None:
-        """Row and column of the cell at a place in the widget."""
+    def _cell_at(self, place: QPointF) -> tuple[int, int] | None:
         cells = ((i, j) for i in range(4) for j in range(4))
         return next((cell for cell in cells if self.cell_rect(*cell).contains(place)), None)
 
@@ -297,36 +262,33 @@ class MatrixView(QWidget):
             return
         painter = QPainter(self)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-        ink = self.palette().windowText().color()
-        self._paint_axes(painter)
+        ink, accent = self.palette().windowText().color(), QColor(self._writing.style.accent)
+        self._paint_axes(painter, self._matrix)
         self._paint_brackets(painter, ink)
-        for i, row in enumerate(self._texts):
+        for i, row in enumerate(self.texts):
             for j, text in enumerate(row):
                 rect = self.cell_rect(i, j)
-                if (i, j) in self._lit:
-                    light = QColor(self._style.accent)
-                    painter.fillRect(rect.adjusted(1, 1, -1, -1), faded(light, 0.3))
-                    painter.setPen(QPen(light, 1.0))
+                if (i, j) in self._changed:
+                    painter.fillRect(rect.adjusted(1, 1, -1, -1), faded(accent, 0.3))
+                    painter.setPen(QPen(accent, 1.0))
                     painter.drawRect(rect.adjusted(1.5, 1.5, -1.5, -1.5))
                 if self.is_marked(i, j):
                     paint_highlight(self, painter, rect.adjusted(1, 1, -1, -1))
                 painter.setPen(faded(ink, 0.45) if text == "0" else ink)
-                self._paint_text(painter, rect, text, self._marks[i][j])
+                self._paint_text(painter, rect, text, self._changed.get((i, j)))
         if self.hasFocus():
             painter.setPen(QPen(self.palette().highlight().color(), 2.0))
-            painter.drawRect(self.cell_rect(*self._cursor).adjusted(1, 1, -1, -1))
+            painter.drawRect(self.cell_rect(*self.place).adjusted(1, 1, -1, -1))
         painter.end()
 
-    def _paint_axes(self, painter: QPainter) -> None:
+    def _paint_axes(self, painter: QPainter, matrix: Matrix) -> None:
         left, top = self._margin
         painter.setFont(self._small())
         plate = QFontMetricsF(self._small()).height()
-        assert self._matrix is not None
-        camera = is_a_cameras(self._matrix)
-        third = written("axis_n", self._letters).removesuffix(ARROW)
-        names = ("u", "v", third) if camera else ("x", "y", "z")
-        for k, (axis, name) in enumerate(zip(_AXES, names, strict=True)):
-            colour = QColor(getattr(self._style, axis))
+        third = written("axis_n", self._writing.letters).removesuffix(ARROW)
+        style = self._writing.style
+        names = ("u", "v", third) if is_a_cameras(matrix) else ("x", "y", "z")
+        for k, (name, shade) in enumerate(zip(names, (style.u, style.v, style.n), strict=True)):
             if self._axes_are_rows:
                 cell = self.cell_rect(k, 0)
                 rect = QRectF(0.0, cell.top() + 1.0, plate, cell.height() - 2.0)
@@ -335,9 +297,10 @@ class MatrixView(QWidget):
                 cell = self.cell_rect(0, k)
                 rect = QRectF(cell.left() + 2.0, 0.0, cell.width() - 4.0, plate)
                 band = QRectF(cell.left(), top, cell.width(), sum(self._heights))
+            colour = QColor(shade)
             painter.fillRect(band, faded(colour, 0.12))
             painter.fillRect(rect, colour)
-            painter.setPen(QColor(self._style.text_on(colour.name())))
+            painter.setPen(QColor(style.text_on(colour.name())))
             painter.drawText(rect, Qt.AlignmentFlag.AlignCenter, name)
         painter.setFont(self.font())
 
@@ -346,12 +309,8 @@ class MatrixView(QWidget):
         bottom, width = top + sum(self._heights), sum(self._columns)
         painter.setPen(QPen(ink, 1.2))
         for x, inward in ((left - 2.0, 4.0), (left + width + 2.0, -4.0)):
-            painter.drawPolyline(
-                [
-                    QPointF(x + inward, top), QPointF(x, top),
-                    QPointF(x, bottom), QPointF(x + inward, bottom),
-                ]
-            )  # fmt: skip
+            corners = ((x + inward, top), (x, top), (x, bottom), (x + inward, bottom))
+            painter.drawPolyline([QPointF(*corner) for corner in corners])
 
     def _paint_text(self, painter: QPainter, rect: QRectF, text: str, mark: int | None) -> None:
         metrics, cell = QFontMetricsF(self.font()), typeset(text, self.font())
@@ -366,12 +325,12 @@ class MatrixView(QWidget):
     # -- typing
 
     def edit_cell(self, row: int, column: int) -> None:
-        """Open a cell to be typed, with all its digits; without effect if that is not to be."""
-        if not self._editable or self._formulas or self._matrix is None:
+        """Open a cell for typing, with all its digits, if the matrix shows editable numbers."""
+        if not self._editable or self._writing.formulas or self._matrix is None:
             return
         self.abandon()
-        self._cursor = (row, column)
-        self._field = field = _CellField(cell_text(self._matrix.values[row][column]), self)
+        self.place = (row, column)
+        self.field = field = _CellField(cell_text(self._matrix.values[row][column]), self)
         place = self.tr("{0}, row {1}, column {2}")
         field.setAccessibleName(place.format(self.accessibleName(), row + 1, column + 1))
         field.setPlaceholderText("1/3")
@@ -391,43 +350,37 @@ class MatrixView(QWidget):
         field.setFocus()
 
     def _place_field(self, field: QLineEdit) -> None:
-        """Put the field over its cell, as wide as what is typed needs."""
+        """Put the field over its cell, as wide as the typed text needs."""
         wide = QFontMetricsF(self.font()).horizontalAdvance(field.text() + "00") + 8.0
-        rect = self.cell_rect(*self._cursor)
+        rect = self.cell_rect(*self.place)
         wide = min(max(wide, rect.width()), float(self.width()))
         left = max(min(rect.right() - wide, self.width() - wide), 0.0)
         field.setGeometry(int(left), int(rect.top()), int(wide), int(rect.height()))
 
-    @property
-    def place(self) -> tuple[int, int]:
-        """Row and column of the cell that the keyboard is at."""
-        return self._cursor
-
-    def take_over(self, cursor: tuple[int, int]) -> None:
-        """Go on at the cell where another view stood."""
-        self._cursor = cursor
+    def take_over(self, place: tuple[int, int]) -> None:
+        """Take the keyboard from another view, at the cell where it was."""
+        self.place = place
         self._say()
         self.setFocus()
 
     def refuse(self) -> None:
-        """What was typed was not taken: it stays open to be mended."""
+        """Keep the typed text open, in a frame, so that it can be corrected."""
         self._refused = True
-        if self._field is not None:
-            self._field.setStyleSheet(
-                f"padding: 0px; margin: 0px; border: 2px solid {self._style.far}"
-            )
+        if self.field is not None:
+            frame = f"border: 2px solid {self._writing.style.far}"
+            self.field.setStyleSheet(f"padding: 0px; margin: 0px; {frame}")
 
     def _mend(self) -> None:
         self._refused = False
 
     def _enter(self) -> bool:
-        """Hand the text on; whether it was taken."""
-        field, (row, column) = self._field, self._cursor
+        """Hand the text on; return whether it was accepted."""
+        field = self.field
         if field is None or self._refused:
             return False
         if field.isModified():
             field.setModified(False)
-            self.typed.emit(row, column, field.text())
+            self.typed.emit(*self.place, field.text())
             if self._refused:
                 field.setModified(True)
                 return False
@@ -435,17 +388,17 @@ class MatrixView(QWidget):
         return True
 
     def _left_field(self) -> None:
-        if self._field is not None and not self._field.hasFocus() and not self._enter():
-            self.abandon()  # nobody mends it any more: the number before stands
+        if self.field is not None and not self.field.hasFocus() and not self._enter():
+            self.abandon()  # nobody corrects the text any more: the number before stays
 
     def _move_on(self, step: int) -> None:
-        place = (4 * self._cursor[0] + self._cursor[1] + step) % 16
+        place = (4 * self.place[0] + self.place[1] + step) % 16
         if self._enter():
             self.moved_on.emit(*divmod(place, 4))
 
     def abandon(self) -> None:
-        """Close the cell that is being typed, if one is; the number before stands."""
-        field, self._field, self._refused = self._field, None, False
+        """Close the field of a cell, if one is open; the number before stays."""
+        field, self.field, self._refused = self.field, None, False
         if field is not None:
             had_focus = self.window().focusWidget() is field
             field.hide()
@@ -454,13 +407,8 @@ class MatrixView(QWidget):
                 self.setFocus()
             self.update()
 
-    @property
-    def field(self) -> QLineEdit | None:
-        """Where a cell is being typed, if one is."""
-        return self._field
-
     def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
-        cell = self.cell_at(event.position())
+        cell = self._cell_at(event.position())
         if cell is not None and event.button() == Qt.MouseButton.LeftButton:
             self.edit_cell(*cell)
 
@@ -468,19 +416,19 @@ class MatrixView(QWidget):
 
     def _say(self) -> None:
         if self._matrix is not None:
-            self._told = self._cursor
-            sentence = self._explain(self._matrix, *self._cursor)
+            self._told = self.place
+            sentence = self._explain(self._matrix, *self.place)
             self.setAccessibleDescription(sentence)
             self.pointed.emit(sentence)
-            self._point_at(self._cursor)
+            self._point_at(self.place)
 
     def say_again(self) -> None:
-        """Tell anew what was told of a cell, which may have changed, unless it is being typed."""
-        if self._matrix is not None and self._told is not None and self._field is None:
+        """Repeat the sentence about a cell that may have changed, unless a cell is being typed."""
+        if self._matrix is not None and self._told is not None and self.field is None:
             self.pointed.emit(self._explain(self._matrix, *self._told))
 
     def mouseMoveEvent(self, event: QMouseEvent) -> None:
-        cell = self.cell_at(event.position())
+        cell = self._cell_at(event.position())
         if cell is not None and self._matrix is not None:
             self._told = cell
             self.pointed.emit(self._explain(self._matrix, *cell))
@@ -495,23 +443,24 @@ class MatrixView(QWidget):
             self.highlighted.emit(highlighted)
 
     def show_highlight(self, highlighted: Highlight) -> None:
-        """Mark the cells that speak of what is highlighted."""
+        """Mark the cells that contain a highlighted quantity."""
         if highlighted != self._highlight:
             self._highlight = highlighted
             self.update()
 
     def is_marked(self, row: int, column: int) -> bool:
-        """Whether a cell speaks of what is highlighted, or is made of it."""
-        if self._matrix is None or not self._highlight:
+        """Whether a cell contains a highlighted quantity, or is computed from it."""
+        matrix = self._matrix
+        if matrix is None or not self._highlight:
             return False
-        depends = set(self._matrix.fields[row][column]) & {"target", "up"}
-        names = letters_in(self._matrix, row, column) | depends
-        if self._matrix.name in TO_CLIP:
-            names |= {f"clip_{'xyzw'[column if self._rows else row]}"}
+        depends = set(matrix.fields[row][column]) & {"target", "up"}
+        names = letters_in(matrix, row, column) | depends
+        if matrix.name in TO_CLIP:
+            names |= {f"clip_{'xyzw'[column if self._writing.rows else row]}"}
         return bool(names & made_of(self._highlight))
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
-        self._cursor = self.cell_at(event.position()) or self._cursor
+        self.place = self._cell_at(event.position()) or self.place
         self._say()
         self.update()
         super().mousePressEvent(event)
@@ -521,31 +470,25 @@ class MatrixView(QWidget):
         self._say()
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
-        steps = {
-            Qt.Key.Key_Left: (0, -1), Qt.Key.Key_Right: (0, 1),
-            Qt.Key.Key_Up: (-1, 0), Qt.Key.Key_Down: (1, 0),
-        }  # fmt: skip
         if event.matches(QKeySequence.StandardKey.Copy):
             self.copied.emit("text", self._matrix)
-        elif event.key() in steps:
-            row, column = steps[Qt.Key(event.key())]
-            self._cursor = (
-                min(max(self._cursor[0] + row, 0), 3), min(max(self._cursor[1] + column, 0), 3),
-            )  # fmt: skip
+        elif event.key() in _STEPS:
+            down, right = _STEPS[Qt.Key(event.key())]
+            row, column = self.place
+            self.place = min(max(row + down, 0), 3), min(max(column + right, 0), 3)
             self._say()
             self.update()
         elif event.key() in (Qt.Key.Key_F2, Qt.Key.Key_Return, Qt.Key.Key_Enter):
-            self.edit_cell(*self._cursor)
+            self.edit_cell(*self.place)
         else:
             super().keyPressEvent(event)
 
     def event(self, event: QEvent) -> bool:
         kinds = QEvent.Type
         if isinstance(event, QHelpEvent) and event.type() == kinds.ToolTip and self._matrix:
-            cell = self.cell_at(QPointF(event.pos()))
+            cell = self._cell_at(QPointF(event.pos()))
             if cell is not None:
-                tip = self._explain(self._matrix, *cell)
-                show_tip(event.globalPos(), rich(tip), self)
+                show_tip(event.globalPos(), rich(self._explain(self._matrix, *cell)), self)
                 return True
         done = super().event(event)
         if event.type() in (kinds.Leave, kinds.FocusOut, kinds.Hide):
@@ -555,13 +498,19 @@ class MatrixView(QWidget):
     def contextMenuEvent(self, event: QContextMenuEvent) -> None:
         menu = QMenu(self)
         menu.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
-        for form, text in (
-            ("text", self.tr("Copy as text")),
-            ("numpy", self.tr("Copy for NumPy (numbers)")),
-            ("latex", self.tr("Copy for LaTeX (needs amsmath)")),
-        ):
-            menu.addAction(text, partial(self.copied.emit, form, self._matrix))
+        matrix = self._matrix
+        add_copies(menu, lambda form: self.copied.emit(form, matrix))
         menu.popup(event.globalPos())
+
+
+def add_copies(menu: QMenu, copy: Callable[[str], object]) -> None:
+    """Add an action for each format in which matrices are copied."""
+    for form, text in (
+        ("text", QCoreApplication.translate("MatrixView", "Copy as text")),
+        ("numpy", QCoreApplication.translate("MatrixView", "Copy for NumPy (numbers)")),
+        ("latex", QCoreApplication.translate("MatrixView", "Copy for LaTeX (needs amsmath)")),
+    ):
+        menu.addAction(text, partial(copy, form))
 
 
 def rich(text: str) -> Markup:

@@ -1,10 +1,10 @@
-"""Measure: what speed costs in accuracy, here, for the scene and the camera in the panes.
+"""Measure: what speed costs in accuracy on this machine, for the present scene and camera.
 
 ::
 
-    Run --> Measuring (a process of its own) --> Results, one for each trade or sweep
-    a file of results ---------------------------> drawn thinner over those
-    a click on a point or a row --> used({"rung": "float32"})   the window makes it so
+    Run --> Measuring (another process) --> Results, one for each trade or sweep
+    a file of results --------------------> drawn thinner over them
+    a click on a point or a row --> used({"rung": "float32"})
 """
 
 from __future__ import annotations
@@ -14,7 +14,7 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
 
-from PySide6.QtCore import QEvent, QObject, QSize, Qt, Signal
+from PySide6.QtCore import QEvent, QObject, Qt, Signal
 from PySide6.QtGui import QFont, QGuiApplication, QIcon, QPalette
 from PySide6.QtWidgets import (
     QAbstractItemView,
@@ -32,7 +32,7 @@ from PySide6.QtWidgets import (
 
 from app.document.document import Document
 from app.document.files import write_bytes_atomically
-from app.drawings.style import LIGHT, Style
+from app.drawings.style import Style
 from app.measure import chart
 from app.measure.meaning import meaning
 from app.measure.results import (
@@ -52,10 +52,10 @@ from app.measure.results import (
 )
 from app.model.refusal import Refusal
 from app.scenes.phenomena.diagram import Diagram
+from widgets.panels.diagram_panel import DiagramPanel
 from widgets.panels.measuring import Measuring
 from widgets.parts.buttons import push_button
 from widgets.parts.combo import Combo
-from widgets.parts.diagram import DiagramView
 from widgets.parts.focus import FocusRing
 from widgets.parts.icons import icon
 from widgets.parts.layouts import in_column, in_row
@@ -63,39 +63,30 @@ from widgets.parts.messages import of_measurements, sentence
 from widgets.parts.note import Note
 from widgets.parts.panel import Changed, Shown
 from widgets.parts.plain import Label, set_tip
-from widgets.parts.readable import ReadablePanel
 from widgets.parts.writing import all_digits
 
-LEAST_WINDOW_PX = 900
-"""In a window that is so wide it must find room."""
 ENDINGS = (".csv", ".json", *chart.ENDINGS)
-"""Of what can be exported."""
+"""Of the files that can be exported."""
 NOTE_LETTERS = 24
-"""As wide as this many letters the column of notes is at the least, if they are as long."""
+"""Least width of the column of notes, in letters, unless the notes are shorter."""
 SWEPT = ("near", "far", "fov", "distance", "up", "aspect")
+_NAME = Qt.ItemDataRole.UserRole
 
 
-class MeasurePanel(ReadablePanel):
+class MeasurePanel(DiagramPanel):
     """Runs measurements, and shows each as a chart, a table and a sentence.
 
-    Parameters
-    ----------
-    document : callable
-        The document as it stands, to be measured.
-    current : callable
-        What is in use now, as `Choice.use` has it.
-    smoothings : sequence of str
-        Those that the panes can draw with.
-    precision : QWidget
-        Says how exactly it is drawn and read.
+    `document` returns the document to measure, `current` what is in use, as of `Choice.use`.
+    `smoothings` are those that the panes can draw with. The widget `precision` stands above the
+    list.
     """
 
     used = Signal(object)
     """The `use` of a choice that was clicked: a dict of str."""
     went_on = Signal(str)
-    """That sentence, when the panel is used again and nobody has to read it any more."""
+    """A refusal's sentence that is out of date, because the panel is used again."""
     succeeded = Signal()
-    """A file was read or written after all."""
+    """A file was read or written."""
 
     def __init__(
         self,
@@ -105,32 +96,32 @@ class MeasurePanel(ReadablePanel):
         precision: QWidget,
     ) -> None:
         super().__init__()
-        self._precision = precision
         self._document, self._current, self._smoothings = document, current, smoothings
-        self._style = LIGHT
         self._gestures = 0
         self._said = ""
-        """What was refused last, until the panel is used again."""
+        """The last refusal, until the panel is used again."""
         self._asked: list[str] = []
-        """What the running measurement is about."""
+        """The trades and sweeps that are being measured."""
         self.measured: dict[str, Results] = {}
         """By its name, the last of every trade and sweep; each holds only that one."""
         self.loaded: dict[str, Results] = {}
         """The same of a file."""
         self.words: dict[str, str] = {}
-        """Why there is nothing, by name."""
+        """Why a trade or sweep has no results."""
+        self._least_notes = 0
         self.measuring = Measuring(self)
-        self.measuring.progressed.connect(self._progressed)
+        self.measuring.progressed.connect(lambda part: self.progress.setValue(round(1000 * part)))
         self.measuring.finished.connect(self._finished)
-        self._make_controls()
+        controls = self._make_controls()
         self._make_views()
-        self._lay_out()
+        left = in_column(precision, (self.list, 1), controls, gap=3)
+        middle = in_column((self._drawn, 1), self.where, self.seen, gap=0)
+        right = in_column(self.sentence, (self.table, 1), gap=3)
+        in_row(left, (middle, 6), (right, 5), on=self, margins=(4, 0, 4, 2), gap=8)
         self._show_running()
         self._readable.changed()
 
-    # -- making
-
-    def _make_controls(self) -> None:
+    def _make_controls(self) -> QGridLayout:
         self.list = QListWidget()
         self.list.setSelectionMode(QAbstractItemView.SelectionMode.ExtendedSelection)
         self.list.setAccessibleName(self.tr("Trades and sweeps"))
@@ -138,13 +129,14 @@ class MeasurePanel(ReadablePanel):
             self.list,
             self.tr("What to measure and to show; Ctrl or Shift to choose several to measure"),
         )
-        for name in chart.TITLES:
-            item = QListWidgetItem(of_measurements(chart.TITLES[name]))
-            item.setData(Qt.ItemDataRole.UserRole, name)
-            self.list.addItem(item)
+        for name, title in chart.TITLES.items():
+            item = QListWidgetItem(of_measurements(title), self.list)
+            item.setData(_NAME, name)
         self.list.setCurrentRow(0)
         self.list.currentItemChanged.connect(self._go_on)
         self.list.currentItemChanged.connect(self._readable.changed)
+        self.list.setMinimumHeight(40)
+        self.list.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Ignored)
         self.how = Combo()
         self.how.addItem(self.tr("Quick"), True)
         self.how.addItem(self.tr("Full"), False)
@@ -156,100 +148,78 @@ class MeasurePanel(ReadablePanel):
         self.run_button = push_button(
             self.tr("Run"), self.tr("Measure what is chosen, for this scene and camera"), self.run
         )
-        self.cancel_button = push_button(
-            self.tr("Cancel"), self.tr("Stop; what was measured until then is kept"),
-            self.measuring.cancel,
-        )  # fmt: skip
+        tip = self.tr("Stop, and keep the results so far")
+        self.cancel_button = push_button(self.tr("Cancel"), tip, self.measuring.cancel)
         self.progress = QProgressBar()
         self.progress.setRange(0, 1000)
         self.progress.setAccessibleName(self.tr("Progress of the measurement"))
         self.progress.hide()
-        self.export_button = push_button(
-            self.tr("Export…"), self.tr("Save what is shown: CSV, JSON, PNG or PDF"),
-            self.export_dialog,
-        )  # fmt: skip
-        self.load_button = push_button(
-            self.tr("Compare…"),
-            self.tr("Draw results of a file, of another machine perhaps, over these"),
-            self.load_dialog,
-        )
-        self.forget_button = push_button(
-            self.tr("Forget"), self.tr("Take the results of the file away again"), self.forget
-        )
+        tip = self.tr("Save what is shown: CSV, JSON, PNG or PDF")
+        self.export_button = push_button(self.tr("Export…"), tip, self.export_dialog)
+        tip = self.tr("Draw the results of a file, perhaps of another machine, over these")
+        self.load_button = push_button(self.tr("Compare…"), tip, self.load_dialog)
+        tip = self.tr("Remove the results of the file")
+        self.forget_button = push_button(self.tr("Forget"), tip, self.forget)
+        buttons = QGridLayout()
+        buttons.setSpacing(3)
+        buttons.addWidget(self.progress, 1, 0, 1, 3)
+        for row, widgets in (
+            (0, (self.how, self.run_button, self.cancel_button)),
+            (2, (self.export_button, self.load_button, self.forget_button)),
+        ):
+            for column, widget in enumerate(widgets):
+                buttons.addWidget(widget, row, column)
+        for button in (self.run_button, self.cancel_button, self.export_button, self.load_button):
+            button.setMinimumWidth(60)
+        return buttons
 
     def _make_views(self) -> None:
-        self.diagrams: list[DiagramView] = []
         self._drawn = in_row(margins=(0, 0, 0, 0))
-        self.where = Note()
-        self.where.setAccessibleName(self.tr("On what and when it was measured"))
-        self.seen = Note()
+        self.where, self.seen = Note(), Note()
+        self.where.setAccessibleName(self.tr("Machine and date of the measurement"))
         self.seen.setAccessibleName(self.tr("The scene and camera that were measured"))
-        self.sentence = Label(
-            wordWrap=True,
-            textInteractionFlags=Qt.TextInteractionFlag.TextSelectableByMouse,
-        )
+        selectable = Qt.TextInteractionFlag.TextSelectableByMouse
+        self.sentence = Label(wordWrap=True, textInteractionFlags=selectable)
         self.table = QTableWidget()
-        self.table.setAccessibleName(self.tr("What was measured"))
+        self.table.setAccessibleName(self.tr("Results"))
         self.table.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
         self.table.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
-        self.table.setTabKeyNavigation(False)  # or the keyboard never leaves it
+        self.table.setTabKeyNavigation(False)  # the keyboard could not leave the table
         self.table.setSelectionMode(QAbstractItemView.SelectionMode.SingleSelection)
         self.table.verticalHeader().hide()
         self.table.setMinimumSize(200, 40)
         for shown in (self.list, self.table):
             FocusRing(shown)
-        self._least_notes = 0
         self.table.horizontalHeader().sectionResized.connect(self._fit_notes)
         self.table.viewport().installEventFilter(self)
         self.table.cellClicked.connect(self._row_used)
         self.table.cellActivated.connect(self._row_used)
 
-    def _lay_out(self) -> None:
-        buttons = QGridLayout()
-        buttons.setSpacing(3)
-        buttons.addWidget(self.how, 0, 0)
-        buttons.addWidget(self.run_button, 0, 1)
-        buttons.addWidget(self.cancel_button, 0, 2)
-        buttons.addWidget(self.progress, 1, 0, 1, 3)
-        buttons.addWidget(self.export_button, 2, 0)
-        buttons.addWidget(self.load_button, 2, 1)
-        buttons.addWidget(self.forget_button, 2, 2)
-        left = in_column(self._precision, (self.list, 1), buttons, gap=3)
-        middle = in_column((self._drawn, 1), self.where, self.seen, gap=0)
-        right = in_column(self.sentence, (self.table, 1), gap=3)
-        in_row(left, (middle, 6), (right, 5), on=self, margins=(4, 0, 4, 2), gap=8)
-        for button in (self.run_button, self.cancel_button, self.export_button, self.load_button):
-            button.setMinimumWidth(60)
-        self.list.setMinimumHeight(40)
-        self.list.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Ignored)
-
-    def minimumSizeHint(self) -> QSize:
-        return QSize(min(super().minimumSizeHint().width(), LEAST_WINDOW_PX), 80)
+    def _place_diagrams(self) -> None:
+        self.diagrams[-1].spot_clicked.connect(self._spot_used)
+        self._drawn.addWidget(self.diagrams[-1], 1)
 
     # -- what the owner says
 
     def begin_gesture(self) -> None:
-        """Wait with measuring: a control is being dragged, or something plays."""
+        """Pause the measurement while a control is dragged or something plays."""
         self._gestures += 1
         self._show_paused()
 
     def end_gesture(self) -> None:
-        """End what `begin_gesture` began; go on when the last one has ended."""
+        """Resume the measurement when the last gesture has ended."""
         self._gestures = max(0, self._gestures - 1)
         self._show_paused()
 
     def take(self, shown: Shown, changed: Changed) -> None:
-        self._readable.changed()  # another choice is the present one, perhaps
+        self._readable.changed()  # perhaps another choice is in use
 
     def set_style(self, style: Style) -> None:
-        """Draw the charts in other colours and sizes; those of the panes."""
-        self._style = style
-        for diagram in self.diagrams:
-            diagram.set_style(style)
-        self._readable.changed()  # with the style goes the font, and with it the columns
+        super().set_style(style)
+        self._readable.changed()  # the style may bring another font, which changes the columns
 
     def close_process(self) -> None:
-        """End what is being measured, for good."""
+        """End the measurement for good."""
         self.measuring.kill()
         self._show_running()
 
@@ -258,27 +228,24 @@ class MeasurePanel(ReadablePanel):
     @property
     def name(self) -> str:
         """The trade or sweep that is shown."""
-        item = self.list.currentItem()
-        return str(item.data(Qt.ItemDataRole.UserRole))
+        return str(self.list.currentItem().data(_NAME))
 
     @property
     def chosen(self) -> list[str]:
-        """The trades and sweeps that are to be measured."""
+        """The trades and sweeps to measure."""
         items = self.list.selectedItems() or [self.list.currentItem()]
-        rows = sorted(map(self.list.row, items))
-        return [str(self.list.item(row).data(Qt.ItemDataRole.UserRole)) for row in rows]
+        return [str(item.data(_NAME)) for item in sorted(items, key=self.list.row)]
 
     def choose(self, *names: str) -> None:
         """Choose trades and sweeps, and show the last of them."""
+        rows = [row for row, name in enumerate(chart.TITLES) if name in names]
         self.list.clearSelection()
-        for row, name in enumerate(chart.TITLES):
-            if name in names:
-                self.list.setCurrentRow(row)
-        for row, name in enumerate(chart.TITLES):
-            self.list.item(row).setSelected(name in names)
+        self.list.setCurrentRow(rows[-1])
+        for row in range(self.list.count()):
+            self.list.item(row).setSelected(row in rows)
 
     def run(self) -> None:
-        """Measure what is chosen."""
+        """Measure the chosen trades and sweeps."""
         if self.measuring.running:
             return
         self._go_on()
@@ -289,26 +256,22 @@ class MeasurePanel(ReadablePanel):
         self.measuring.start(self._document(), trades, sweeps, quick=self.how.currentData())
         self._show_running()
 
-    def _progressed(self, fraction: float) -> None:
-        self.progress.setValue(round(1000.0 * fraction))
-
     def _finished(self, results: Results | None, said: str) -> None:
         found = {} if results is None else _split(results)
         missing = [name for name in self._asked if name not in found]
+        cancelled = results is not None and not results.complete
         for name in self._asked:
             self.words.pop(name, None)
         self.measured |= found
-        if results is not None and not results.complete:
+        if cancelled:
             said = of_measurements(CANCELLED)
         for name in missing:
             self.words[name] = said
-            if results is None or results.complete:  # or an older one is better than nothing
+            if not cancelled:  # after a cancel older results stay
                 self.measured.pop(name, None)
-        if missing and (results is None or results.complete):
+        if missing and not cancelled:
             self._refuse(said)
-        done = (
-            results is not None and results.complete and any(map(_says_something, found.values()))
-        )
+        done = not cancelled and any(map(_says_something, found.values()))
         self.progress.setValue(1000 if done else 0)
         self._show_running()
         self._readable.changed()
@@ -324,12 +287,12 @@ class MeasurePanel(ReadablePanel):
         paused = self._gestures > 0
         self.measuring.set_paused(paused)
         waits = paused and self.measuring.running
-        self.progress.setFormat(self.tr("waits") if waits else "%p %")
+        self.progress.setFormat(self.tr("paused") if waits else "%p %")
 
     # -- files
 
     def export_dialog(self) -> None:
-        """Ask where to save what is shown, and do it."""
+        """Ask for a file name, and export what is shown."""
         path, _ = QFileDialog.getSaveFileName(
             self, self.tr("Export what is shown"), f"{self.name}.pdf",
             self.tr("Tables (*.csv);;Results (*.json);;Pictures (*.png);;Vectors (*.pdf)"),
@@ -339,7 +302,7 @@ class MeasurePanel(ReadablePanel):
             self.export(Path(path))
 
     def export(self, path: Path) -> bool:
-        """Save what is shown, in the format that the ending says; False if that failed."""
+        """Save what is shown, in the format of the file's ending; return whether that worked."""
         shown, other = self._shown()
         ending = path.suffix.lower()
         if shown is None:
@@ -367,7 +330,7 @@ class MeasurePanel(ReadablePanel):
         return True
 
     def load_dialog(self) -> None:
-        """Ask for a file of results, and show it over what was measured."""
+        """Ask for a file of results, and draw it over the measured ones."""
         path, _ = QFileDialog.getOpenFileName(
             self, self.tr("Compare with results of a file"), "",
             self.tr("Results (*.json);;All files (*)"),
@@ -376,7 +339,7 @@ class MeasurePanel(ReadablePanel):
             self.load(Path(path))
 
     def load(self, path: Path) -> bool:
-        """Show results of a file over what was measured; False if it is none, and all stays."""
+        """Draw the results of a file over the measured ones; return whether that worked."""
         try:
             results = _read(path)
         except OSError as error:
@@ -394,14 +357,14 @@ class MeasurePanel(ReadablePanel):
         return True
 
     def forget(self) -> None:
-        """Take the results of the file away again."""
+        """Remove the results of the file."""
         self.loaded = {}
         self._readable.changed()
 
     # -- showing
 
     def _shown(self) -> tuple[Results | None, Results | None]:
-        """What is shown, and what is drawn thinner over it."""
+        """Return the results that are shown, and the ones that are drawn thinner over them."""
         measured, loaded = self.measured.get(self.name), self.loaded.get(self.name)
         return (measured, loaded) if measured is not None else (loaded, None)
 
@@ -415,22 +378,19 @@ class MeasurePanel(ReadablePanel):
         self.export_button.setEnabled(shown is not None)
         self._show_chart(shown, other)
         self._show_table(shown, other)
+        words = self.words.get(self.name, "")
         if shown is None:
-            self.where.setText("")
-            self.seen.setText("")
-            self.sentence.setText(self.words.get(self.name) or self.tr("Not measured yet."))
-            self.sentence.show()
-            return
-        part = _part(shown)
-        said = meaning(part).sentence(of_measurements) if isinstance(part, Trade) else ""
-        if not part.complete:
-            said = f"{chart.title(part, of_measurements)}. {said}"
-        if self.name in self.words:
-            said = f"{self.words[self.name]} {said}"
+            said = words or self.tr("Not measured yet.")
+        else:
+            part = _part(shown)
+            said = meaning(part).sentence(of_measurements) if isinstance(part, Trade) else ""
+            if not part.complete:
+                said = f"{chart.title(part, of_measurements)}. {said}"
+            said = f"{words} {said}" if words else said
         self.sentence.setText(said)
         self.sentence.setVisible(bool(said))
-        self.where.setText(chart.where(shown))
-        self.seen.setText(chart.seen(shown, of_measurements))
+        self.where.setText(chart.where(shown) if shown else "")
+        self.seen.setText(chart.seen(shown, of_measurements) if shown else "")
 
     def _show_chart(self, shown: Results | None, other: Results | None) -> None:
         diagrams: tuple[Diagram, ...] = ()
@@ -438,17 +398,7 @@ class MeasurePanel(ReadablePanel):
             over = _part(other) if other is not None else None
             name = chart.machine(other) if other is not None else ""
             diagrams = chart.diagrams(_part(shown), self._current(), over, name, of_measurements)
-        while len(self.diagrams) < max(1, len(diagrams)):
-            view = DiagramView()
-            view.set_style(self._style)
-            view.spot_clicked.connect(self._spot_used)
-            view.copy_wanted.connect(self.copy_wanted)
-            view.export_wanted.connect(self.export_wanted)
-            self.diagrams.append(view)
-            self._drawn.addWidget(view, 1)
-        for number, view in enumerate(self.diagrams):
-            view.show_diagram(diagrams[number] if number < len(diagrams) else None)
-            view.setVisible(number < max(1, len(diagrams)))
+        self._show_diagrams(diagrams, least=1)
 
     def _show_table(self, shown: Results | None, other: Results | None) -> None:
         heads: list[str] = []
@@ -460,57 +410,53 @@ class MeasurePanel(ReadablePanel):
         elif self.name in self.words:
             heads, rows = ["", ""], [["", self.words[self.name]]]
         choices = self._choices()
-        beaten = [
-            part.is_beaten(choice)
-            for part in (_part(each) for each in (shown, other) if each is not None)
-            if isinstance(part, Trade)
-            for choice in part.choices
-        ]
         set_tip(
             self.table,
             self.tr(
-                "Click a choice to use it in the panes; those in italics cannot be used, and those"
-                " in grey are beaten by another one in both"
+                "Click a choice to use it in the panes; choices in italics cannot be used, "
+                "and those in grey are worse than another one in both cost and error"
             )
             if choices
-            else self.tr("What was measured at each value; there is nothing to use in the panes"),
+            else self.tr("The results at each value; there is nothing to use in the panes"),
         )
-        slanted = QFont(self.table.font())
-        slanted.setItalic(True)
-        grey = self.palette().brush(QPalette.ColorRole.PlaceholderText)
         self.table.setVisible(bool(rows))
         self.table.setRowCount(len(rows))
         self.table.setColumnCount(len(heads))
         self.table.setHorizontalHeaderLabels([named(head, of_measurements) for head in heads])
         for y, row in enumerate(rows):
-            why = self._why_not(choices[y]) if y < len(choices) else ""
-            for x, text in enumerate(row):
-                cell = QTableWidgetItem(named(text, of_measurements))
-                if why:
-                    cell.setFont(slanted)
-                    if x == 0 and choices[y].cost is not None:
-                        cell.setText(self.tr("{0} (measured only)").format(cell.text()))
-                if y < len(beaten) and beaten[y]:
-                    cell.setForeground(grey)
-                set_tip(cell, "\n".join(filter(None, (named(row[-1], of_measurements), why))))
-                if 0 < x < len(row) - 1:
-                    cell.setTextAlignment(
-                        Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
-                    )
-                self.table.setItem(y, x, cell)
+            trade, choice = choices[y] if y < len(choices) else (None, None)
+            self._show_row(y, row, trade, choice)
         header = self.table.horizontalHeader()
         header.setSectionResizeMode(QHeaderView.ResizeMode.Interactive)
         self._least_notes = 0
         self.table.resizeColumnsToContents()
         if rows:
-            # Without notes it needs no room of its own; with them, enough for a few words.
             words = self.fontMetrics().averageCharWidth() * NOTE_LETTERS
             self._least_notes = min(words, header.sectionSize(len(heads) - 1))
             header.resizeSection(len(heads) - 1, self._least_notes)
         self._fit_notes()
 
+    def _show_row(
+        self, y: int, row: Sequence[str], trade: Trade | None, choice: Choice | None
+    ) -> None:
+        why = self._why_not(choice) if choice is not None else ""
+        slanted = QFont(self.table.font())
+        slanted.setItalic(True)
+        for x, text in enumerate(row):
+            cell = QTableWidgetItem(named(text, of_measurements))
+            if why:
+                cell.setFont(slanted)
+                if x == 0 and choice is not None and choice.cost is not None:
+                    cell.setText(self.tr("{0} (measured only)").format(cell.text()))
+            if trade is not None and choice is not None and trade.is_beaten(choice):
+                cell.setForeground(self.palette().brush(QPalette.ColorRole.PlaceholderText))
+            set_tip(cell, "\n".join(filter(None, (named(row[-1], of_measurements), why))))
+            if 0 < x < len(row) - 1:
+                cell.setTextAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
+            self.table.setItem(y, x, cell)
+
     def _fit_notes(self) -> None:
-        """Make the last column as wide as there is room, and the rows as high as that makes it."""
+        """Give the last column the rest of the width, and fit the heights of the rows to it."""
         header = self.table.horizontalHeader()
         last = header.count() - 1
         if self._least_notes and last >= 0:
@@ -525,17 +471,17 @@ class MeasurePanel(ReadablePanel):
 
     # -- using
 
-    def _choices(self) -> list[Choice]:
-        """Of the rows, in their order."""
+    def _choices(self) -> list[tuple[Trade, Choice]]:
+        """Return the choices of the rows, in their order, with their trades."""
         parts = [_part(each) for each in self._shown() if each is not None]
-        return [c for part in parts if isinstance(part, Trade) for c in part.choices]
+        return [(part, c) for part in parts if isinstance(part, Trade) for c in part.choices]
 
     def _refuse(self, text: str) -> None:
         self._said = text
         self.refused.emit(text)
 
     def _go_on(self, *_: object) -> None:
-        """What was refused is past."""
+        """The last refusal is out of date."""
         if self._said:
             said, self._said = self._said, ""
             self.went_on.emit(said)
@@ -544,18 +490,18 @@ class MeasurePanel(ReadablePanel):
         self._go_on()
         choices = self._choices()
         if row < len(choices):
-            self._use(choices[row])
+            self._use(choices[row][1])
 
     def _spot_used(self, key: str) -> None:
         self._go_on()
-        for row, choice in enumerate(self._choices()):
+        for row, (_, choice) in enumerate(self._choices()):
             if choice.name == key:
                 self.table.selectRow(row)
                 self._use(choice)
                 return
 
     def _why_not(self, choice: Choice) -> str:
-        """Why the panes cannot be drawn with a choice; empty if they can."""
+        """Say why the panes cannot draw with a choice; empty if they can."""
         if choice.use and choice.use.get("smoothing", "none") in self._smoothings:
             return ""
         return of_measurements(MEASURED_ONLY).format(named(choice.name, of_measurements))
@@ -565,13 +511,13 @@ class MeasurePanel(ReadablePanel):
         if not why:
             self.used.emit(dict(choice.use))
             return
-        self.table.clearSelection()  # as if it were used
+        self.table.clearSelection()  # a selected row looks as if it were in use
         if choice.name:
             self._refuse(why)
 
 
 def _part(results: Results) -> Trade | Sweep:
-    """The one trade or sweep of results that were split."""
+    """The only trade or sweep of results that were split."""
     parts: list[Trade | Sweep] = [*results.trades, *results.sweeps]
     return parts[0]
 
@@ -585,7 +531,7 @@ def _says_something(results: Results) -> bool:
 
 
 def _split(results: Results) -> dict[str, Results]:
-    """Results by the name of their trade or sweep, each with that one alone."""
+    """Split results by the names of their trades and sweeps."""
     found = {
         trade.name: replace(results, trades=(trade,), sweeps=(), complete=trade.complete)
         for trade in results.trades
@@ -610,7 +556,7 @@ def _read(path: Path) -> Results:
 
 
 def _other_rows(other: Results) -> tuple[list[str], list[list[str]]]:
-    """The table of other results; whose they are is in the last column, the only wide one."""
+    """The table of results from a file; its last column, the only wide one, names the machine."""
     heads, *rows = table(_part(other), all_digits=all_digits.now)
     name = chart.machine(other)
     return heads, [[*cells, "; ".join(filter(None, (name, note)))] for *cells, note in rows]
@@ -619,7 +565,7 @@ def _other_rows(other: Results) -> tuple[list[str], list[list[str]]]:
 def _joined(
     heads: list[str], rows: list[list[str]], other_heads: list[str], other_rows: list[list[str]]
 ) -> tuple[list[str], list[list[str]]]:
-    """Two tables below each other; the columns that only the second has come last but one."""
+    """Two tables below each other; columns that only the second has come last but one."""
     middle = list(dict.fromkeys([*heads[1:-1], *other_heads[1:-1]]))
     joined = []
     for names, each in ((heads, rows), (other_heads, other_rows)):

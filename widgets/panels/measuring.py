@@ -1,12 +1,12 @@
-"""One measurement at a time, as a process of its own: nothing of it stops the window.
+"""One measurement at a time, in a process of its own: the window does not wait for it.
 
 ::
 
     start(document, ...) --> python -m app measure --attended --json - ...
     set_paused           --> "pause", "resume" on its standard input
-    cancel               --> "cancel"; what it measured until then still comes
+    cancel               --> "cancel"; the results until then still come
     progressed           <-- a fraction, a line each, on its standard error
-    finished             <-- Results on its standard output, or a sentence that says why not
+    finished             <-- Results on its standard output, or why there are none
 """
 
 from __future__ import annotations
@@ -30,7 +30,7 @@ from widgets.parts.messages import sentence
 
 PAUSE, RESUME, CANCEL = b"pause\n", b"resume\n", b"cancel\n"
 _KILLED_WITHIN_MS = 30_000
-"""It ends at once, but for a machine that is busy with much else."""
+"""The process ends at once, unless the machine is very busy."""
 
 
 class Measuring(QObject):
@@ -39,7 +39,7 @@ class Measuring(QObject):
     progressed = Signal(float)
     """The fraction done."""
     finished = Signal(object, str)
-    """`Results` or None, and a sentence on what could not be measured, if there is something."""
+    """`Results` or None, and a sentence on what could not be measured, if anything."""
 
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
@@ -48,9 +48,9 @@ class Measuring(QObject):
         """Holds the document while it is measured."""
         self._paused = False
         self._lines: list[str] = []
-        """What the process said on its standard error, but for fractions."""
+        """The process's standard error, without the fractions."""
         self._rest = b""
-        """The beginning of a line whose end is yet to come."""
+        """The beginning of an incomplete line."""
 
     @property
     def running(self) -> bool:
@@ -60,7 +60,7 @@ class Measuring(QObject):
     def start(
         self, document: Document, trades: Sequence[str], sweeps: Sequence[str], *, quick: bool
     ) -> None:
-        """Measure trades and sweeps of a document; not while another measurement runs."""
+        """Measure trades and sweeps of a document; no other measurement may be running."""
         assert not self.running
         try:
             self._file = _written(document)
@@ -83,17 +83,17 @@ class Measuring(QObject):
             process.write(PAUSE)
 
     def set_paused(self, paused: bool) -> None:
-        """Let it wait, from the next timing on, and go on again."""
+        """Pause before the next timing, or resume."""
         if paused != self._paused:
             self._paused = paused
             self._tell(PAUSE if paused else RESUME)
 
     def cancel(self) -> None:
-        """Stop it after the present timing; it finishes with what it has."""
+        """Stop after the present timing; `finished` has the results until then."""
         self._tell(CANCEL)
 
     def kill(self) -> None:
-        """End it at once, without a word."""
+        """End the process at once; `finished` is not emitted."""
         process = self._process
         if process is None:
             return
@@ -120,7 +120,7 @@ class Measuring(QObject):
                 self.progressed.emit(fraction)
 
     def _failed(self, error: QProcess.ProcessError) -> None:
-        """It could not be started; of any other end `_ended` is told too."""
+        """Report a process that did not start; `_ended` reports all other ends."""
         if error == QProcess.ProcessError.FailedToStart and self._process is not None:
             text = self.tr("The measurement cannot be started: {0}.")
             said = text.format(self._process.errorString().rstrip("."))
@@ -131,12 +131,12 @@ class Measuring(QObject):
         assert self._process is not None
         self._read()
         out = bytes(self._process.readAllStandardOutput().data())
-        said = self._lines[-1] if self._lines else ""  # of a traceback, what went wrong
-        said = said.removeprefix(f"{self._file}: ")  # of which the user knows nothing
+        said = self._lines[-1] if self._lines else ""  # a traceback ends with the error
+        said = said.removeprefix(f"{self._file}: ")  # a temporary name
         self._clear()
         try:
             results = from_json(out.decode(), self.tr("The measurement"))
-        except (Refusal, UnicodeDecodeError):  # it said why, or was ended from outside
+        except (Refusal, UnicodeDecodeError):  # `said` has the reason, unless somebody killed it
             self.finished.emit(None, said or self.tr("The measurement ended unexpectedly."))
         else:
             self.finished.emit(results, said)
@@ -145,12 +145,12 @@ class Measuring(QObject):
         if self._process is not None:
             self._process.deleteLater()
             self._process = None
-        with suppress(OSError):  # the system's own tidying has been here before
+        with suppress(OSError):  # the system may have removed it
             os.unlink(self._file)
 
 
 def _written(document: Document) -> str:
-    """A file with the document, meshes by their absolute paths."""
+    """Write the document to a temporary file, with absolute paths of meshes."""
 
     def absolute(path: str) -> str:
         return os.path.abspath(path) if is_mesh(path) else path

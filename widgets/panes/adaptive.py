@@ -2,10 +2,9 @@
 
 ::
 
-    the document changes --> step(dragging) --> every pane: smoothing, detail
-                                                   |  Qt paints, and swaps buffers
-    FrameBudget <-- time from the change to the swap -----+
-    the hand rests -------> step(False)     --> every pane at full quality
+    the document changes --> step(dragging) --> every pane: smoothing, detail --> Qt paints
+    FrameBudget <-- time from the change to the swap of the buffers <---------------+
+    the drag ends ---------> step(False)    --> every pane at full quality
 """
 
 from __future__ import annotations
@@ -24,32 +23,23 @@ from widgets.panes.pane import SMOOTHINGS, Pane, multisamples
 from widgets.parts.progress import progress_dialog
 
 AT_FIRST = 200_000
-"""Triangles that a software renderer is given at first, before it is known how many it draws in
-time: to find that out with a million would hold the first step of a drag for half a second."""
+"""Triangles of a software renderer's first frame, before its speed is known: a million would hold
+the first step of a drag for half a second."""
 MANY_TRIANGLES = 10_000
-"""To make coarser versions of a scene of more takes so long that progress is shown."""
+"""Making coarser versions of a scene with more triangles shows progress."""
 AT_REST = "FXAA"
-"""How a pane smooths by itself. Where OpenGL is software it takes five times as long as the rest of
-drawing a pane."""
+"""The automatic smoothing. With OpenGL in software it takes five times as long as the rest."""
 
 
 class Adaptive(QObject):
     """The quality of the window's panes.
 
-    Parameters
-    ----------
-    panes : mapping of str to Pane
-    software_rendering : bool
-        Whether OpenGL runs without a GPU: antialiasing then waits until the hand rests.
-    target_ms : float
-        Longest frame while a control is dragged; 0 for any.
-    window : QWidget
-        Parent, also of the dialog that shows progress.
+    With `software_rendering` antialiasing waits for the end of a drag. `target_ms` is the longest
+    frame while a control is dragged; 0 for any.
     """
 
     changed = Signal()
-    """Whether a drag misses the target at the coarsest quality, or how many samples there are, is
-    another answer now."""
+    """`late_ms` has become zero or not zero, or `samples` has changed."""
 
     def __init__(
         self,
@@ -69,7 +59,7 @@ class Adaptive(QObject):
         self._began: float | None = None
         self._drawn_at = 0.0
         self._told: tuple[bool, int] = (False, 0)
-        self._idle = QTimer(self, singleShot=True, interval=0)  # the scene is to be seen first
+        self._idle = QTimer(self, singleShot=True, interval=0)  # the scene appears first
         self._idle.timeout.connect(self._prepare)
         self.budget = FrameBudget([Level(False, 1.0)], 0.0)
         for pane in panes.values():
@@ -77,7 +67,7 @@ class Adaptive(QObject):
             pane.canvas.shown.connect(self._swapped)
 
     def show(self, scene: Scene, quality: Quality) -> None:
-        """Take over what is drawn; the panes are to be built anew for it."""
+        """Prepare another scene or quality; the caller builds the panes for it."""
         if scene is not self._scene or quality != self.quality:
             if not is_made(scene, quality.detail):
                 self._make(scene, (quality.detail,), can_be_cancelled=False)
@@ -87,51 +77,48 @@ class Adaptive(QObject):
             self._plan()
 
     def ahead(self, scene: Scene) -> None:
-        """Make what dragging may need of a scene that may be shown next."""
+        """Make the coarser versions of a scene that may be shown next."""
         if self._target_ms > 0.0:
             for share in shares_for_dragging(scene):
                 reduced(scene, share)
 
     def set_target(self, target_ms: float) -> None:
-        """Set the longest frame that is wanted while a control is dragged; 0 for any."""
+        """Set the longest frame while a control is dragged; 0 for any."""
         self._target_ms = target_ms
         self._plan()
         self._idle.start()
 
     @property
     def drawn(self) -> Scene:
-        """The scene with as many triangles as its document asks for."""
+        """The scene with as many triangles as its document wants."""
         assert self._scene is not None
         return self.whole(self._scene)
 
     def whole(self, scene: Scene) -> Scene:
-        """A scene with as many triangles as are drawn at rest."""
+        """Return a scene with as many triangles as are drawn at rest."""
         return reduced(scene, self.quality.detail)
 
     @property
     def late_ms(self) -> float:
-        """What frames take at the coarsest quality, if that is more than wanted; else 0.
-
-        At rest nothing is late: nobody waits for a frame then.
-        """
+        """The ms of a frame at the coarsest quality if that exceeds the target; 0 at rest."""
         return self.budget.frame_ms if self._dragging and self.budget.is_late else 0.0
 
     @property
     def samples(self) -> int:
-        """How many samples a pixel OpenGL gives, where it is fewer than were chosen; else 0."""
+        """OpenGL's samples a pixel if they are fewer than chosen, else 0."""
         wanted = multisamples(self.quality.smoothing)
         given = min(pane.samples for pane in self._panes.values()) if wanted else 0
         return given if given < wanted else 0
 
     def smoothing(self, smooth: bool) -> str:
-        """How a pane smooths: as was chosen, or else well or not at all."""
+        """Return the chosen smoothing, else the automatic one, or none."""
         if self.quality.smoothing in SMOOTHINGS:
             return self.quality.smoothing
         return AT_REST if smooth else "none"
 
     def step(self, dragging: bool) -> None:
-        """The document has changed, or the hand has come to rest: to be called before drawing."""
-        self._end_frame(self._drawn_at)  # if the hand was quicker than the screen
+        """Set the quality before a change is drawn, or at the end of a drag."""
+        self._end_frame(self._drawn_at)  # if the drag is faster than the screen
         self._dragging = dragging
         if dragging:
             self._began = time.perf_counter()
@@ -140,24 +127,26 @@ class Adaptive(QObject):
         else:
             self._began = None
             share, smoothing = self.quality.detail, self.smoothing(True)
-        whole = self._scene is None or share == self.quality.detail
+        fewer: Scene | None = None
+        if self._scene is not None and share != self.quality.detail:
+            fewer = reduced(self._scene, share)
         for pane in self._panes.values():
             pane.set_smoothing(smoothing)
-            pane.set_detail(None if whole or self._scene is None else reduced(self._scene, share))
-        if not dragging:  # of a drag its first frame tells
+            pane.ask("detail", fewer)
+        if not dragging:  # in a drag the first frame decides
             self._tell()
 
     def _swapped(self) -> None:
-        """A pane's picture has reached the screen; with it those of its window's other panes."""
+        """A pane's picture has reached the screen, with those of the other panes of its window."""
         self._end_frame(time.perf_counter())
         self._tell()
 
     def _drawn(self) -> None:
-        """A pane's picture was drawn: the last one before the next step ends the frame."""
+        """A pane's picture was drawn; the last one before the next step ends the frame."""
         self._drawn_at = time.perf_counter()
 
     def _end_frame(self, at: float) -> None:
-        """Take down how long the step took that was drawn last; what is not drawn has no end."""
+        """Record the time of the last step that was drawn."""
         if self._began is not None and self._drawn_at > self._began:
             self.budget.frame(1e3 * (at - self._began))
             self._began = None
@@ -169,7 +158,7 @@ class Adaptive(QObject):
             self.changed.emit()
 
     def _plan(self) -> None:
-        """The levels that there are just now, from the finest on."""
+        """Plan the present levels, from the finest on."""
         assert self._scene is not None
         share = self.quality.detail
         levels = [Level(False, share)]
@@ -185,7 +174,7 @@ class Adaptive(QObject):
         self.budget = FrameBudget(levels, self._target_ms, first)
 
     def _prepare(self) -> None:
-        """Make what dragging may need of the scene, before anybody drags."""
+        """Make the coarser versions of the scene before anybody drags."""
         scene = self._scene
         if scene is None or self._target_ms <= 0.0:
             return
@@ -205,7 +194,7 @@ class Adaptive(QObject):
                 dialog.show()  # the first version alone may take longer
             for done, share in enumerate(shares):
                 dialog.setValue(done)
-                if dialog.isVisible():  # and takes what is meant for the window
+                if dialog.isVisible():  # it takes the window's events
                     QApplication.processEvents()
                 if dialog.wasCanceled():
                     return

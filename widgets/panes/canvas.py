@@ -1,18 +1,17 @@
-"""The surface that a pane draws on: one of two small canvases, with one hand for mouse and keys.
+"""The surface that a pane draws on: two kinds of canvas, and one hand for mouse and keys.
 
 ::
 
     redraw() --> QWidget.update, coalesced by Qt --> Qt's paint event --> one VTK render --> drawn
 
-- `GlCanvas` has pyvistaqt's interactor inside: VTK draws into a QOpenGLWidget of Qt's.
+- `GlCanvas` contains pyvistaqt's interactor: VTK draws into a QOpenGLWidget.
 - `RasterCanvas` is a plain widget: VTK draws off the screen, as for a figure, and the widget paints
-  the pixels. Where OpenGL is software that takes half the time, as Qt composes no textures then,
-  and a slider beside it is repainted without the canvases. It needs no OpenGL of Qt's.
+  the pixels. With OpenGL in software that takes half the time: Qt composes no textures, and
+  repaints a slider beside it without the canvases. It needs no OpenGL in Qt.
 
-Both are empty until they are opened, which is when VTK is imported. Only they render: pyvista's
-`render` draws at once *and* again in the paint event. The mouse does not go through VTK's
-interactor styles, which render by themselves, rewrite the clipping range at every drag, and bind
-plain keys to changes of the scene: `Hand` has mouse and keys of either canvas.
+Both are empty until they are opened, which imports VTK. Nothing else renders: pyvista's `render`
+draws at once *and* again in the paint event. VTK's interactor styles are not used: they render,
+rewrite the clipping range at every drag, and bind plain keys to changes of the scene.
 """
 
 from __future__ import annotations
@@ -38,6 +37,7 @@ from PySide6.QtOpenGLWidgets import QOpenGLWidget
 from PySide6.QtWidgets import QApplication, QGestureEvent, QPinchGesture, QWidget
 
 from widgets.parts.focus import FocusRing
+from widgets.parts.plain import set_tip
 
 if TYPE_CHECKING:
     from app.drawings.off_screen import OffScreen
@@ -46,7 +46,7 @@ ORBIT_DEG_PER_PX = 0.4
 ZOOM_PER_WHEEL_STEP = 1.15
 HIGHEST_DEG = 89.0
 KEY_PX = 25.0
-"""What the mouse would be moved by for an arrow key: it turns by 10 degrees."""
+"""Movement of the mouse that an arrow key stands for: it turns by 10 degrees."""
 ARROWS = {
     Qt.Key.Key_Left: (-1.0, 0.0),
     Qt.Key.Key_Right: (1.0, 0.0),
@@ -55,22 +55,21 @@ ARROWS = {
 }
 """Right and down."""
 _ZOOM_STEPS = {Qt.Key.Key_Plus: 1, Qt.Key.Key_Equal: 1, Qt.Key.Key_Minus: -1}
-"""Plus is on the key of = of many keyboards."""
+"""On many keyboards plus is on the key of =."""
 
 
 class _Canvas(QWidget):
-    """A widget that shows what VTK draws, from the moment that it is opened.
+    """A widget that shows VTK's picture once it `is_open`, and is empty before.
 
-    Before that it is empty, so that a window can be seen before VTK is imported; `render_window`
-    and `renderer` are there once it `is_open`.
+    `render_window` and `renderer` exist once it is open.
     """
 
     painted = Signal(float)
-    """A repaint was done, in so many ms; only while `timed`."""
+    """The ms of a repaint; only while `timed`."""
     drawn = Signal()
-    """VTK has drawn a picture; the hand may go on before it is `shown`."""
+    """VTK has drawn a picture; it may be `shown` later."""
     shown = Signal()
-    """What was painted has reached the screen."""
+    """The picture has reached the screen."""
     render_window: Any
     renderer: Any
 
@@ -84,12 +83,24 @@ class _Canvas(QWidget):
 
     @property
     def pixel_ratio(self) -> float:
-        """Pixels that VTK draws for one of Qt's, along each side."""
+        """VTK's pixels for one of Qt's, along each side."""
         return self.devicePixelRatioF() * self._finer
+
+    def open(self) -> None:
+        """Make VTK's window."""
+        raise NotImplementedError
+
+    def draw_finer(self, times: float) -> None:
+        """Draw this many pixels for one pixel of the screen, along each side."""
+        raise NotImplementedError
+
+    def redraw(self) -> None:
+        """Ask Qt for one repaint, however often it is asked before the next paint."""
+        raise NotImplementedError
 
     @contextmanager
     def or_empty(self) -> Iterator[None]:
-        """Draw in the empty screen, which is empty again if that fails."""
+        """Draw in the empty screen, and empty it again if that fails."""
         window, renderer = self.render_window, self.renderer
         renderers, layers = list(window.GetRenderers()), window.GetNumberOfLayers()
         camera = renderer.GetActiveCamera()
@@ -97,7 +108,7 @@ class _Canvas(QWidget):
             yield
         except Exception:
             renderer.RemoveAllViewProps()
-            window.RemoveObservers("StartEvent")  # by which drawings are laid out
+            window.RemoveObservers("StartEvent")  # drawings lay themselves out at it
             for added in [each for each in window.GetRenderers() if each not in renderers]:
                 window.RemoveRenderer(added)
             window.SetNumberOfLayers(layers)
@@ -111,35 +122,32 @@ class _Canvas(QWidget):
 
 
 class GlCanvas(_Canvas):
-    """VTK draws into a QOpenGLWidget inside: where there is a graphics card."""
+    """VTK draws into a QOpenGLWidget; for machines with a graphics card."""
 
     def __init__(self, parent: QWidget | None) -> None:
         super().__init__(parent)
-        # A window that gets its first one when it is seen already is made anew by Qt.
+        # Qt makes a visible window again when it gets its first QOpenGLWidget.
         self._inside = QOpenGLWidget(self)
         self._inside.hide()
 
     def open(self) -> None:
-        """Make VTK's window."""
         from widgets.panes.interactor import Interactor
 
         self._inside.deleteLater()
         self._inside = interactor = Interactor(self)
         self.render_window, self.renderer = interactor.render_window, interactor.renderer
         interactor.resize(self.size())
-        interactor.lower()  # under the ring of the focus
+        interactor.lower()  # under the focus ring
         interactor.show()
         interactor.frameSwapped.connect(self.shown)
         self.is_open = True
 
     def draw_finer(self, times: float) -> None:
-        """Draw so many pixels for one that the screen shows, along each side."""
         if times != self._finer:
             self._finer = times
             self._inside.resizeGL(self.width(), self.height())
 
     def redraw(self) -> None:
-        """Ask Qt for one repaint, however often it is asked before the next paint."""
         self._inside.update()
 
     def resizeEvent(self, event: QResizeEvent) -> None:
@@ -152,18 +160,17 @@ class GlCanvas(_Canvas):
 
 
 class RasterCanvas(_Canvas):
-    """A widget that paints what VTK has drawn off the screen."""
+    """A widget that paints the pixels of VTK's off-screen picture."""
 
     def __init__(self, parent: QWidget | None) -> None:
         super().__init__(parent)
-        # Qt flushes when all of a window is painted.
+        # Qt flushes after it has painted the whole window.
         self.drawn.connect(self.shown, Qt.ConnectionType.QueuedConnection)
         self._screen: OffScreen | None = None
         self._is_stale = True
         self._image = QImage()
 
     def open(self) -> None:
-        """Make VTK's window."""
         from vtkmodules.vtkCommonCore import vtkUnsignedCharArray
 
         self._pixels = vtkUnsignedCharArray()
@@ -171,7 +178,7 @@ class RasterCanvas(_Canvas):
         self._take(self.screen_ahead())
 
     def screen_ahead(self) -> OffScreen:
-        """Another screen of VTK's, to be drawn in before it is shown; its maker closes it."""
+        """Return another screen, which can be drawn before it is shown; the caller closes it."""
         from app.drawings.off_screen import OffScreen
 
         screen = OffScreen(*self._size_px)
@@ -179,7 +186,7 @@ class RasterCanvas(_Canvas):
         return screen
 
     def show_screen(self, screen: OffScreen) -> OffScreen:
-        """Show what is drawn in one of `screen_ahead` from now on; give the one before back."""
+        """Show a screen of `screen_ahead` from now on; return the screen before."""
         before = self._screen
         assert before is not None
         self._take(screen)
@@ -192,19 +199,14 @@ class RasterCanvas(_Canvas):
 
     @property
     def _size_px(self) -> tuple[int, int]:
-        """That VTK draws."""
-        wide, high = (
-            max(1, round(side * self.pixel_ratio)) for side in (self.width(), self.height())
-        )
-        return wide, high
+        ratio = self.pixel_ratio
+        return max(1, round(self.width() * ratio)), max(1, round(self.height() * ratio))
 
     def draw_finer(self, times: float) -> None:
-        """Draw so many pixels for one that the screen shows, along each side."""
         self._finer = times
         self.redraw()
 
     def redraw(self) -> None:
-        """Ask Qt for one repaint, however often it is asked before the next paint."""
         self._is_stale = True
         self.update()
 
@@ -250,15 +252,9 @@ CANVASES: dict[str, type[AnyCanvas]] = {"opengl": GlCanvas, "raster": RasterCanv
 
 
 class Hand(QObject):
-    """Mouse and keys on a canvas: they move its own camera, or are told.
+    """Mouse and keys on a canvas: they move its own camera if it `orbits`, or emit signals.
 
     Places are in device pixels from the canvas' top left.
-
-    Parameters
-    ----------
-    canvas : GlCanvas or RasterCanvas
-    orbits : bool
-        Whether it moves the canvas' own camera.
     """
 
     moved = Signal()
@@ -266,20 +262,20 @@ class Hand(QObject):
     clicked = Signal(QPointF)
     """Pressed and released in one place: the middle of that pixel."""
     drag_started = Signal(QPointF)
-    """The left button has left the place where it was pressed."""
+    """The place where the left button was pressed; the mouse has left it."""
     dragged = Signal(QPointF, bool)
-    """How far it is from there, and whether Shift is held."""
+    """The movement from there, and whether Shift is held."""
     drag_ended = Signal()
     hovered = Signal(QPointF)
-    """The mouse is over this place, no button held: the middle of that pixel."""
+    """The mouse is here without a button: the middle of that pixel."""
     left = Signal()
-    """The mouse is over the canvas no more."""
+    """The mouse has left the canvas."""
     scrolled = Signal(float)
-    """The wheel was turned by so many steps, or a key for it pressed, where that is no zoom."""
+    """Steps of the wheel, or of a key for it, where they do not zoom."""
     pushed = Signal(QPointF)
-    """An arrow key was pressed where it turns nothing: what is under the hand goes so far."""
+    """The movement that an arrow key stands for, where it does not turn."""
     dropped = Signal()
-    """What was being dragged is back at its place, or gone: what the hand does is nothing more."""
+    """The receiver has ended the drag; the rest of the movement has no effect."""
 
     def __init__(self, canvas: AnyCanvas, *, orbits: bool) -> None:
         super().__init__(canvas)
@@ -287,15 +283,16 @@ class Hand(QObject):
         self._orbits = orbits
         self._last: QPointF | None = None
         self._pressed: QPointF | None = None
-        """Where the left button went down, as long as it may be a click."""
+        """Where the left button was pressed, while it may be a click."""
         self._dragged_from: QPointF | None = None
         self._holds = False
-        # Or Qt paints the window under it, and uploads that, whenever it draws a slider as well.
+        # Without it Qt paints the window under the canvas, and uploads it, with every slider step.
         canvas.setAttribute(Qt.WidgetAttribute.WA_OpaquePaintEvent)
         canvas.setMouseTracking(True)
-        # By Tab alone: a click leaves the focus in a field that is typed in.
+        # By Tab only: a click leaves the focus in a field that is being typed.
         canvas.setFocusPolicy(Qt.FocusPolicy.TabFocus)
         FocusRing(canvas)
+        self._describe()
         kinds = QEvent.Type
         self._takes: dict[QEvent.Type, Any] = {
             kinds.MouseButtonPress: self._press,
@@ -309,30 +306,51 @@ class Hand(QObject):
         }
         canvas.installEventFilter(self)
 
+    def _describe(self) -> None:
+        if self._orbits:
+            tip = self.tr(
+                "Click to follow a point; drag to turn, Shift-drag to move, wheel to zoom, "
+                "double-click to reset; or Tab to here, and arrows, + −, Home"
+            )
+            keys = self.tr("Arrow keys turn, Shift and an arrow moves, + and − zoom, Home resets.")
+        else:
+            tip = self.tr(
+                "Click to follow a point; drag to move the camera in its plane, wheel to go "
+                "nearer to the target; or Tab to here, and arrows, + −"
+            )
+            keys = self.tr("Arrow keys move the camera in its plane, + and − go nearer and back.")
+        set_tip(self._canvas, tip)
+        cursor_keys = self.tr(
+            "Page Down and Page Up go from vertex to vertex, with Shift from handle to handle or "
+            "probe to probe; Space follows a vertex; Enter takes hold and lets go, Shift and Enter "
+            "as a drag with Shift; arrows drag by a pixel, with Shift by ten; Escape puts back."
+        )
+        self._canvas.setAccessibleDescription(f"{keys} {cursor_keys}")
+
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        # Before the canvas is open there is nothing to turn, and no camera to turn it with.
+        # Before the canvas is open there is no camera.
         take = self._takes.get(event.type()) if self._canvas.is_open else None
         return watched is self._canvas and take is not None and bool(take(event))
 
     def keep_view(self) -> None:
-        """The drag that has just started is about what was under it: the view stays."""
+        """Keep the view during the drag that has just started: something is being dragged."""
         self._last = None
         self._holds = True
 
     @property
     def is_down(self) -> bool:
-        """Whether a button of the mouse was pressed on the canvas and is held."""
+        """Whether a button of the mouse was pressed on the canvas, and is still down."""
         return self._pressed is not None or self._dragged_from is not None
 
     def take_hold(self, place: QPointF) -> bool:
-        """Start a drag without the mouse; tell whether there was something to be dragged."""
+        """Start a drag without the mouse; return whether there is something to drag."""
         self._holds = False
         self.drag_started.emit(place)
         if not self._holds:
             self.drag_ended.emit()
         return self._holds
 
-    # Each returns whether the event goes no further in the canvas: ignored, it goes to the pane.
+    # Each returns whether the canvas does not get the event; an ignored event goes to the pane.
 
     def _key(self, event: QKeyEvent) -> bool:
         modifiers, key = event.modifiers(), event.key()
@@ -364,7 +382,7 @@ class Hand(QObject):
 
     def _press(self, event: QMouseEvent) -> bool:
         event.accept()
-        if self._dragged_from is None:  # another button is no part of a drag
+        if self._dragged_from is None:  # another button does not belong to a drag
             self._last = event.position()
             is_left = event.button() == Qt.MouseButton.LeftButton
             self._pressed = event.position() if is_left else None
@@ -386,7 +404,7 @@ class Hand(QObject):
         return True
 
     def _middle(self, position: QPointF) -> QPointF:
-        """Of the pixel at a position, in device pixels."""
+        """Return the middle of the pixel at a position, in device pixels."""
         return (position + QPointF(0.5, 0.5)) * self._canvas.pixel_ratio
 
     def _double_click(self, event: QMouseEvent) -> bool:
@@ -403,7 +421,7 @@ class Hand(QObject):
         is_shifted = bool(event.modifiers() & Qt.KeyboardModifier.ShiftModifier)
         if self._pressed is not None:
             moved = (event.position() - self._pressed).manhattanLength()
-            if moved < QApplication.startDragDistance():  # a hand that trembles turns nothing
+            if moved < QApplication.startDragDistance():
                 return True
             self._dragged_from, self._pressed = self._pressed, None
             self.drag_started.emit(self._dragged_from * ratio)
@@ -421,7 +439,7 @@ class Hand(QObject):
     def _wheel(self, event: QWheelEvent) -> bool:
         event.accept()
         steps = event.angleDelta().y() / 120.0
-        if self._dragged_from is not None:  # what is held would leave the hand
+        if self._dragged_from is not None:  # the held thing would move away from the mouse
             return True
         if self._orbits:
             self._zoom(ZOOM_PER_WHEEL_STEP**steps)
@@ -440,7 +458,7 @@ class Hand(QObject):
 
     @property
     def camera(self) -> Any:
-        """The canvas' own; pyvista's `camera` would first put it where pyvista likes."""
+        """The canvas' own; pyvista's `camera` would move it first."""
         return self._canvas.renderer.GetActiveCamera()
 
     def _zoom(self, factor: float) -> None:

@@ -1,18 +1,14 @@
 """Pictures beside that of the image pane: held ones, or others that follow the document.
 
-::
-
-    the document changes --> pane.take --> refresh --> what follows is drawn once more
-                                              '------> what is held stays: pixels
-
-Each of the others is a pane of its own that draws off the screen and keeps its pixels, inside of
-the image pane: cut at dividers that are dragged, or side by side, where the live picture gives way.
-They are only looked at: hand, handles and probes are those of the live one.
+Each of the others is a pane inside the image pane, which draws off the screen and keeps its pixels:
+cut at dividers that the user drags, or side by side, where the live picture becomes smaller. A held
+picture is not drawn again. Mouse, handles and probes work in the live picture only.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from functools import partial
 from itertools import pairwise
 
 from PySide6.QtCore import QEvent, QObject, QPoint, QPointF, QRect, QRectF, QSize, Qt, Signal
@@ -45,18 +41,18 @@ from widgets.parts.panel import Shown
 from widgets.parts.plain import Label, set_tip
 
 GRASP_PX = 15
-"""Width of a divider for the mouse; it is drawn a fifth as wide."""
+"""Width of a divider for the mouse; the painted line has a fifth of it."""
 KEY_STEP = 0.02
-"""Of the picture's width for an arrow key; with Shift a tenth of it."""
+"""Part of the picture's width for an arrow key; with Shift a tenth of it."""
 
 
 class Divider(QWidget):
     """A line between two pictures that lie over each other."""
 
     moved = Signal(float)
-    """The mouse has it at this place, in pixels from the left of what it divides."""
+    """The mouse drags it to this place, in pixels from the left of the surface."""
     stepped = Signal(float)
-    """A key moves it by this part of the picture's width; beyond 1 to an end."""
+    """A key moves it by this part of the picture's width; more than 1 is to an end."""
     left = Signal()
     """Esc was pressed on it."""
 
@@ -68,7 +64,10 @@ class Divider(QWidget):
         self.setAccessibleName(self.tr("Divider between two pictures"))
         set_tip(
             self,
-            self.tr("Drag it over the pictures, or ← →; with Shift finer; Home, End; Esc ends it"),
+            self.tr(
+                "Drag it, or press ← → (with Shift for finer steps), Home or End; Esc "
+                "ends the comparison"
+            ),
         )
         FocusRing(self)
 
@@ -84,7 +83,7 @@ class Divider(QWidget):
         elif key in (Qt.Key.Key_Home, Qt.Key.Key_End):
             self.stepped.emit(-2.0 if key == Qt.Key.Key_Home else 2.0)
         elif key == Qt.Key.Key_Escape:
-            self.left.emit()  # also in a window of the pane's own
+            self.left.emit()  # works in the pane's own window too
         else:
             super().keyPressEvent(event)
 
@@ -112,17 +111,7 @@ class Divider(QWidget):
 
 
 class _Other(QWidget):
-    """One of the other pictures: a pane that nothing reaches, cut to its place.
-
-    Attributes
-    ----------
-    picture : Picture
-    pane : Pane
-    shown : Shown or None
-        What it shows; None while there is no such picture of the document.
-    why : QLabel
-        Then it says why.
-    """
+    """One of the other pictures: a pane without mouse and keys, cut to its place."""
 
     def __init__(self, pane: Pane, picture: Picture) -> None:
         super().__init__(pane.surface)
@@ -132,7 +121,7 @@ class _Other(QWidget):
         self.pane = pane.another(f"{pane.name}: {picture.name}")
         self.pane.setFrameShape(Pane.Shape.NoFrame)
         self.pane.header.hide()
-        self.pane.set_presenting(True)
+        self.pane.header.set_presenting(True)
         self.pane.canvas.setFocusPolicy(Qt.FocusPolicy.NoFocus)
         set_tip(self.pane.canvas, "")
         self.pane.canvas.setMinimumSize(1, 1)
@@ -143,10 +132,11 @@ class _Other(QWidget):
         self.why.setWordWrap(True)
         self.why.setAutoFillBackground(True)
         self.why.hide()
+        """Says why there is no such picture."""
         self.shown: Shown | None = None
 
     def refresh(self, shown: Shown, smoothing: str) -> None:
-        """Draw it anew if it is another picture than before, or is drawn otherwise."""
+        """Draw the picture again if it has changed."""
         try:
             document = pictured(shown.document, self.picture)
         except Refusal as error:
@@ -164,7 +154,7 @@ class _Other(QWidget):
         self.why.setVisible(self.shown is None)
 
     def place(self, cut: QRect, whole: QRect) -> None:
-        """Be seen in one rectangle of the surface, of a pane that has another."""
+        """Show the part `cut` of a pane that would fill `whole`."""
         self.setGeometry(cut)
         self.pane.setGeometry(whole.translated(-cut.topLeft()))
         self.pane.surface.fit()
@@ -173,7 +163,7 @@ class _Other(QWidget):
 
 
 class _Words(Label):
-    """Two lines of text, as much as there is room for; all of it as its tooltip."""
+    """Two lines for as much text as fits; the tooltip has all of it."""
 
     def __init__(self) -> None:
         super().__init__()
@@ -183,7 +173,7 @@ class _Words(Label):
         self._parts: Sequence[str] = ()
 
     def say(self, parts: Sequence[str]) -> None:
-        """Say all of these, one after the other, or as many of the first as there is room for."""
+        """Show all parts, or as many of the first as fit."""
         if parts != self._parts:
             self._parts = parts
             set_tip(self, "".join(parts))
@@ -191,11 +181,11 @@ class _Words(Label):
             self._fit()
 
     def sizeHint(self) -> QSize:
-        """Two lines high, whatever there is to say: the picture keeps its size."""
+        """Always two lines high: the picture keeps its size."""
         return QSize(0, 2 * self.fontMetrics().lineSpacing() + 2)
 
     def heightForWidth(self, _width: int) -> int:
-        """The same: a label that wraps has the height of its text otherwise."""
+        """The same height, where Qt would take that of the text."""
         return self.sizeHint().height()
 
     def resizeEvent(self, event: QResizeEvent) -> None:
@@ -219,47 +209,29 @@ class _Words(Label):
 
 
 class Compare(QObject):
-    """The pictures in the image pane.
-
-    Parameters
-    ----------
-    pane : Pane
-        Shows the document's own picture.
-    smoothing : callable
-        How a pane smooths while the hand rests.
-
-    Attributes
-    ----------
-    pictures : tuple of Picture
-        From left to right or from above; none while there is only the document's own.
-    dividers : tuple of float
-        As fractions of the picture's width; none where they are side by side.
-    bar : QWidget
-        Below the picture: in what they differ.
-    """
+    """The pictures in the image pane; `smoothing` returns the smoothing of a pane at rest."""
 
     changed = Signal()
-    """Other pictures are compared, or none, or otherwise."""
+    """The pictures or the dividers have changed."""
     end_wanted = Signal()
 
     def __init__(self, pane: Pane, smoothing: Callable[[], str]) -> None:
         super().__init__(pane)
         self._pane, self._smoothing = pane, smoothing
         self.pictures: tuple[Picture, ...] = ()
+        """From left to right or from the top; empty while there is only the document's own."""
         self.dividers: tuple[float, ...] = ()
+        """Fractions of the picture's width; empty where the pictures are side by side."""
         self.others: list[_Other] = []
         self.handles: list[Divider] = []
         self.captions: list[Title] = []
         self._cuts: list[QRect] = []
         self._laid_out: list[tuple[int, int] | None] = []
-        """For which sizes of images."""
-        self._make_bar()
-        pane.marked.connect(self.refresh)
-
-    def _make_bar(self) -> None:
+        """The sizes of the images in the present layout."""
         self.bar = QWidget()
+        """Below the picture: says how the pictures differ."""
         self.words = _Words()
-        self.words.setAccessibleName(self.tr("In what the pictures differ"))
+        self.words.setAccessibleName(self.tr("Differences between the pictures"))
         self.way = tool_button(act=self.toggle_way, flat=True, by_click=True)
         self.end = tool_button(
             "", self.tr("End the comparison (Esc)"), self.end_wanted,
@@ -269,26 +241,25 @@ class Compare(QObject):
         in_row((self.words, 1), self.way, self.end, on=self.bar, margins=(8, 2, 2, 2))
         self.bar.hide()
         self._name_way()
-        self._pane.add_below(self.bar)
+        pane.add_below(self.bar)
+        pane.marked.connect(self.refresh)
 
     @property
     def is_on(self) -> bool:
-        """Whether anything is compared."""
+        """Whether pictures are compared."""
         return bool(self.pictures)
 
     @property
     def is_divided(self) -> bool:
-        """Whether they lie over each other, which pictures of two shapes never do."""
+        """Whether the pictures lie over each other, which they never do with two shapes."""
         return bool(self.dividers) and not self._has_two_shapes
 
     @property
     def _has_two_shapes(self) -> bool:
         return len({each.projection.aspect for each in self._seen if each is not None}) > 1
 
-    # -- what is compared
-
     def show(self, pictures: Sequence[Picture], dividers: Sequence[float]) -> None:
-        """Compare with these from now on; `refresh` draws them."""
+        """Compare these pictures; `refresh` draws them."""
         if tuple(pictures) == self.pictures and tuple(dividers) == self.dividers:
             return
         if tuple(pictures) != self.pictures:
@@ -297,7 +268,7 @@ class Compare(QObject):
                 widget.hide()
                 widget.deleteLater()
             self.pictures = tuple(pictures)
-            for watched in (self._pane.surface, self._pane.header):  # not before it is of use
+            for watched in (self._pane.surface, self._pane.header):
                 watched.installEventFilter(self)
             self._pane.canvas.shown.connect(self._open, Qt.ConnectionType.SingleShotConnection)
             self.others = [_Other(self._pane, each) for each in pictures if not each.live]
@@ -307,11 +278,10 @@ class Compare(QObject):
                 caption.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
         self.dividers = tuple(dividers)
         while len(self.handles) < len(dividers):
-            handle = Divider(self._pane.surface)
-            number = len(self.handles)
-            handle.moved.connect(lambda x, number=number: self._drag(number, x))
+            handle, number = Divider(self._pane.surface), len(self.handles)
+            handle.moved.connect(partial(self._drag, number))
             handle.left.connect(self.end_wanted)
-            handle.stepped.connect(lambda part, number=number: self._step(number, part))
+            handle.stepped.connect(lambda part, n=number: self._put(n, self.dividers[n] + part))
             self.handles.append(handle)
         self._pane.canvas.setMinimumSize(*((1, 1) if pictures else (120, 120)))
         self.bar.setVisible(self.is_on)
@@ -321,7 +291,7 @@ class Compare(QObject):
         self.changed.emit()
 
     def toggle_way(self) -> None:
-        """Divide the pictures that are side by side, or the other way round."""
+        """Change between side by side and over each other."""
         if self.is_on:
             count = len(self.pictures)
             even = tuple(number / count for number in range(1, count))
@@ -329,17 +299,16 @@ class Compare(QObject):
             self.refresh()
 
     def _name_way(self) -> None:
-        text = self.tr("Side by side") if self.dividers else self.tr("Over each other")
+        text = self.tr("Over each other")
+        tip = self.tr("Lay the pictures over each other, with a divider that you can drag")
+        if self.dividers:
+            text = self.tr("Side by side")
+            tip = self.tr("Show every picture whole, beside the others")
         self.way.setText(text)
-        set_tip(
-            self.way,
-            self.tr("Show every picture whole, beside the others")
-            if self.dividers
-            else self.tr("Lay the pictures over each other, with a divider to be dragged"),
-        )
+        set_tip(self.way, tip)
 
     def refresh(self) -> None:
-        """Draw what is another picture now than before; what is held stays as it is."""
+        """Draw the pictures that have changed; held pictures stay."""
         shown = self._pane.shown
         if not self.is_on or shown is None or not self._pane.isVisible():
             return
@@ -354,27 +323,27 @@ class Compare(QObject):
 
     @property
     def _seen(self) -> list[Shown | None]:
-        """What each of the pictures shows, in their order; None for what there is not."""
+        """What each picture shows, in their order; None for an impossible one."""
         return [self._pane.shown if each is None else each.shown for each in self._others]
 
     @property
     def _others(self) -> list[_Other | None]:
-        """Which of the others draws each of the pictures; None for the live one."""
+        """The widget of each picture, in their order; None for the live one."""
         others = iter(self.others)
         return [None if each.live else next(others) for each in self.pictures]
 
     def _open(self) -> None:
-        """The live picture has reached the screen: the others follow."""
+        """Draw the others after the live picture has reached the screen."""
         self._laid_out = []
         self.refresh()
 
     def set_style(self, style: Style) -> None:
-        """Fill what lies beside the pictures with the colour of their margins."""
+        """Fill the free part of the surface with the colour of the pictures' margins."""
         self._pane.surface.beside = QColor(style.margin)
         self._pane.surface.update()
 
     def close_canvases(self) -> None:
-        """Release VTK's hold of the other pictures, before the window's own close."""
+        """Release VTK's objects of the other pictures, before the window closes."""
         for other in self.others:
             other.pane.close_canvas()
 
@@ -393,16 +362,16 @@ class Compare(QObject):
         settings = () if phenomenon is None else phenomenon.settings
         written = Written(field_name, of_phenomena, read_text)
         texts = in_words(self.pictures, states, settings, written)
-        texts = texts or [self.tr("nothing differs yet: change something")]
+        texts = texts or [self.tr("no difference yet: change something")]
         if self.dividers and not self.is_divided:
-            texts.append(self.tr("of two shapes: side by side, of one height"))
+            texts.append(self.tr("different shapes: side by side, at equal heights"))
         parts = [f"{' | '.join(names)}:  ", *(f"{text}, " for text in texts[:-1]), texts[-1]]
         self.words.say([parts[0] + parts[1], *parts[2:]])
 
     # -- where they are
 
     def _lay_out(self) -> None:
-        """Give the live picture and the others their places."""
+        """Place the live picture and the others."""
         surface = self._pane.surface
         whole, divided = surface.rect(), self.is_divided
         bare = self.is_on and not divided
@@ -432,8 +401,8 @@ class Compare(QObject):
         self._place_captions()
 
     def _place_captions(self) -> None:
-        """Each above its picture, where title and buttons leave it room."""
-        free_left, free_right = self._pane.title_room
+        """Put each caption above its picture, where title and buttons leave room."""
+        free_left, free_right = self._pane.header.room
         title = self._pane.title
         row = title.mapTo(self._pane, QPoint()).y() - self._pane.surface.y()
         below = row + title.height()
@@ -458,7 +427,7 @@ class Compare(QObject):
         return [round(place.left() + part * place.width()) for part in self.dividers]
 
     def _cells(self) -> list[QRect]:
-        """Places beside or above each other, whichever gives the larger pictures, of one height."""
+        """Places beside or above each other, whichever gives larger pictures of one height."""
         whole, em = self._pane.surface.rect(), float(self._pane.fontMetrics().height())
         aspects = [1.0 if shown is None else shown.projection.aspect for shown in self._seen]
         found = cells(whole.width(), whole.height(), aspects, em)
@@ -470,11 +439,8 @@ class Compare(QObject):
         place = _picture_in(self._pane, self._pane.surface.rect())
         self._put(number, (x - place.left()) / place.width())
 
-    def _step(self, number: int, part: float) -> None:
-        self._put(number, self.dividers[number] + part)
-
     def _put(self, number: int, place: float) -> None:
-        """Move a divider, as far as the next one or an end."""
+        """Move a divider, at most to the next one or to an end."""
         bounds = (0.0, *self.dividers, 1.0)
         place = min(max(place, bounds[number]), bounds[number + 2])
         if place != self.dividers[number]:
@@ -493,7 +459,7 @@ class Compare(QObject):
 
 
 def _picture_in(pane: Pane, room: QRect) -> QRectF:
-    """Where a pane's picture is in a room of the surface that its canvas has, or would have."""
+    """Return the place of a pane's picture if its canvas filled a part of the surface."""
     if pane.drawing is None or room.isEmpty():
         return QRectF(room.x(), room.y(), max(1, room.width()), max(1, room.height()))
     ratio = pane.canvas.pixel_ratio

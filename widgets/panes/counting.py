@@ -1,11 +1,6 @@
-"""What a phenomenon predicts about the picture's pixels, counted in a picture off the screen.
+"""Counts the pixels that a phenomenon predicts, in a picture off the screen.
 
-::
-
-    window -> take(shown, changed)                 at every change of what a phenomenon shows
-    counted(illustration, share) -> scene panel         once the hand rests
-
-While anything moves, nothing is counted: the last change but `REST_MS` is waited for.
+Nothing is counted until `REST_MS` after the last change.
 """
 
 from __future__ import annotations
@@ -23,26 +18,21 @@ from widgets.parts.panel import Changed, Shown
 
 REST_MS = 250
 PIXELS = 130_000
-"""In which is counted: 0.3 points of a share, in less than 100 ms on a software renderer."""
+"""Size of the picture: precise to 0.3 points of a share, in less than 100 ms in software."""
 LONGEST_PX = 1000
 MOST_FACES = 20_000
-"""A larger mesh of the user's would keep the window waiting: its share is only predicted."""
+"""A larger mesh would block the window: its share is only predicted."""
 
 
 class Counting(QObject):
-    """Counts the pixels of one illustration, when it has not changed for a while.
+    """Counts the pixels of one illustration when it has not changed for a while.
 
-    Parameters
-    ----------
-    busy : callable
-        Whether the hand does not rest: a control is held, or something plays.
-    parent : QObject
+    `busy` returns whether a control is held or something plays.
     """
 
     concerns = frozenset({"illustration"})
     counted = Signal(object, float)
-    """The `Illustration`, and the share of its pixels, 0..1, that are wrong; NaN where those are
-    few."""
+    """The `Illustration`, and the share of its wrong pixels, 0..1; NaN if they are few."""
 
     def __init__(self, busy: Callable[[], bool], parent: QObject) -> None:
         super().__init__(parent)
@@ -52,14 +42,14 @@ class Counting(QObject):
         self._timer.timeout.connect(self._rest)
 
     def take(self, shown: Shown, changed: Changed) -> None:
-        """Count what is shown now, if it is to be counted, once nothing changes any more."""
+        """Count this illustration once nothing changes any more."""
         self.stop()
         if shown.illustration is not None and shown.illustration.rendering is not None:
             self._shown = shown.scene, shown.projection, shown.illustration
             self._timer.start()
 
     def stop(self) -> None:
-        """Count no more."""
+        """Cancel the count."""
         self._shown = None
         self._timer.stop()
 
@@ -87,7 +77,7 @@ class Counting(QObject):
         from app.drawings.rasterising import counted_wrong_share
 
         current = QOpenGLContext.currentContext()
-        if current is not None:  # or VTK may take Qt's context for its own
+        if current is not None:  # VTK might draw in Qt's context
             current.doneCurrent()
         wide = math.sqrt(PIXELS * projection.aspect)
         width, height = (

@@ -1,15 +1,15 @@
-"""A cursor that the keyboard moves over a pane: another hand, which clicks and drags as the mouse.
+"""A cursor that the keyboard moves over a pane: it clicks and drags as the mouse does.
 
 ::
 
-    Page Down, Page Up         --> the next vertex that is seen in the pane, and hand.hovered
-    Shift+Page Down, Page Up   --> the next thing to take hold of: a handle, in the image a probe
+    Page Down, Page Up         --> the next visible vertex, and hand.hovered
+    Shift+Page Down, Page Up   --> the next handle, or in the image the next probe
     Space                      --> hand.clicked
     Enter, arrows, Enter       --> hand.take_hold, hand.dragged, hand.drag_ended
     hand.dropped (Esc, or gone)--> hand.drag_ended
 
-It stands on a thing, not on a pixel: it goes with it when the model changes or the pane is turned.
-It costs nothing where it is not. It goes when the focus leaves the pane, and goes on from there.
+The cursor stands on a thing, not on a pixel: it moves with the thing when the model changes or the
+pane is turned. It disappears when the focus leaves the pane, and costs nothing while it is hidden.
 """
 
 from __future__ import annotations
@@ -45,8 +45,8 @@ if TYPE_CHECKING:
     from app.scenes.scene import Scene
 
 STEP_PX, LONG_STEP_PX = 1.0, 10.0
-"""What an arrow drags by, without and with Shift."""
-_RADIUS_EM = 1.1  # round a handle that is pointed out
+"""Pixels that an arrow key drags by, without and with Shift."""
+_RADIUS_EM = 1.1
 _LINE_PX, _HELD_LINE_PX, _RIM_PX = 2.0, 4.0, 2.0
 _GAP_PX = 2
 
@@ -60,31 +60,17 @@ class Vertex:
 
 @dataclass(frozen=True)
 class Followed:
-    """A point that a probe follows."""
+    """The point of a probe."""
 
     number: int
 
 
 Thing: TypeAlias = Handle | Vertex | Followed
-"""What the cursor stands on."""
+"""The cursor's place."""
 
 
 class Cursor(QObject):
-    """The cursor of one pane.
-
-    Parameters
-    ----------
-    name : str
-        Of the pane: the world has handles, the image probes to take hold of.
-    pane : Pane
-    manipulation : Manipulation
-        Says what a handle moves.
-
-    Attributes
-    ----------
-    text : str
-        What it says of where it is; nothing while it is not there.
-    """
+    """The cursor of one pane: in the world it takes hold of handles, in the image of probes."""
 
     concerns = frozenset({"scene"})
 
@@ -94,7 +80,7 @@ class Cursor(QObject):
         self._scene: Scene | None = None
         self._thing: Thing | None = None
         self._notice = ""
-        """What is said in place of where it is, until the next key."""
+        """A sentence instead of the cursor's place, until the next key."""
         self._is_there = self._is_dragging = self._is_shifted = False
         self._away = QPointF()
         self._ring = _Ring(pane.canvas)
@@ -109,17 +95,18 @@ class Cursor(QObject):
 
     @property
     def text(self) -> str:
+        """The text beside the cursor; empty while the cursor is hidden."""
         return self._label.text() if self._is_there else ""
 
     def take(self, shown: Shown, changed: Changed) -> None:
-        """Let go and forget where it was: of another scene all things are others."""
+        """Let go, and forget the place, which belongs to another scene."""
         self._leave()
         self._scene, self._thing = shown.scene, None
 
     # -- keys
 
     def _focus_moved(self, left: QWidget | None, entered: QWidget | None) -> None:
-        """Have the canvas' keys while it has the focus: it is drawn at every step."""
+        """Filter the canvas' events only while it has the focus: every repaint is an event."""
         canvas = self._pane.canvas
         if entered is canvas:
             canvas.installEventFilter(self)
@@ -157,7 +144,7 @@ class Cursor(QObject):
                 self._drag(*ARROWS[keys(key)], LONG_STEP_PX if is_shifted else STEP_PX)
             elif key in (keys.Key_Return, keys.Key_Enter):
                 self.let_go()
-            # Esc is the drag's, Tab takes the focus on; whatever else moves the view, which stays.
+            # Esc ends the drag, Tab moves the focus; all other keys would move the view.
             return key not in (keys.Key_Escape, keys.Key_Tab, keys.Key_Backtab)
         if key in (keys.Key_PageDown, keys.Key_PageUp):
             self._go(key == keys.Key_PageDown, to_hold=is_shifted)
@@ -175,25 +162,22 @@ class Cursor(QObject):
         return True
 
     def _go(self, forwards: bool, *, to_hold: bool) -> None:
-        """Go to the next thing, or the one before."""
+        """Go to the next thing, or to the one before."""
         thing = self._next_to_hold(forwards) if to_hold else self._next_vertex(forwards)
         if thing is not None:
             self._thing = thing
         if not self._is_there:
             self._is_there = True
-            # After the picture, in which it cannot be moved.
+            # Queued: the cursor cannot move while the picture is painted.
             queued = Qt.ConnectionType.QueuedConnection
             self._pane.canvas.drawn.connect(self._follow, queued)
         if thing is None:
-            self._notice = (
-                self.tr("There is nothing else to take hold of")
-                if to_hold
-                else self.tr("No other vertex is seen")
-            )
+            self._notice = self.tr("No other vertex is visible")
+            if to_hold:
+                self._notice = self.tr("There is nothing else to drag")
         spot = self._spot()
         if spot is not None:
             self._pane.hand.hovered.emit(spot)
-        self._follow()
         self._announce()
 
     def _next_vertex(self, forwards: bool) -> Vertex | None:
@@ -202,22 +186,16 @@ class Cursor(QObject):
         drawing = self._pane.drawing
         assert self._scene is not None and drawing is not None
         at = self._thing.number if isinstance(self._thing, Vertex) else None
-        number = next_vertex(
-            self._scene,
-            self._pane.projection,
-            drawing.sight,
-            drawing.picture_rectangle_px,
-            self._pane.canvas.pixel_ratio,
-            at,
-            forwards=forwards,
-        )
+        shown = (self._scene, self._pane.projection, drawing.sight, drawing.picture_rectangle_px)
+        ratio = self._pane.canvas.pixel_ratio
+        number = next_vertex(*shown, ratio, at, forwards=forwards)
         return None if number is None else Vertex(number)
 
     def _next_to_hold(self, forwards: bool) -> Thing | None:
         things: Sequence[Thing] = ()
         drawing = self._pane.drawing
         if self._name == "world" and drawing is not None:
-            drawing.hold(None)  # or it would be the first of them, wherever it belongs
+            drawing.hold(None)  # the held handle would be the first in the list
             things = [handle for handle, _ in drawing.handles_shown]
         elif self._name == "image":
             followed = [Followed(probe.number) for probe in self._pane.probes if probe.number]
@@ -238,34 +216,31 @@ class Cursor(QObject):
         if spot is None:
             return
         if self._name == "image" and isinstance(self._thing, Vertex):
-            # It goes with the probe that follows its vertex, which is what is dragged there.
+            # The drag moves the probe that follows this vertex.
             place = self._place(self._thing)
             probes = [p.number for p in self._pane.probes if p.number and p.point == place]
             self._thing = Followed(probes[-1]) if probes else self._thing
-        self._pane.hand.hovered.emit(spot)  # the mouse may have pointed at something else since
+        self._pane.hand.hovered.emit(spot)  # the mouse may have moved since
         self._is_dragging = self._pane.hand.take_hold(spot)
         if not self._is_dragging:
-            self._notice = self.tr("There is nothing to take hold of at this place")
+            self._notice = self.tr("There is nothing to drag here")
         self._is_shifted, self._away = is_shifted, QPointF()
-        self._follow()
         self._announce()
 
     def _drag(self, right: float, down: float, step_px: float) -> None:
         self._away += QPointF(right, down) * (step_px * self._pane.canvas.pixel_ratio)
         self._pane.hand.dragged.emit(self._away, self._is_shifted)
-        self._follow()
         self._announce()
 
     def let_go(self) -> None:
-        """End a drag where it is."""
+        """End a drag at its present place."""
         if self._is_dragging:
             self._is_dragging = False
             self._pane.hand.drag_ended.emit()
-            self._follow()
             self._announce()
 
     def _leave(self) -> None:
-        """Be seen no more; the next key goes on from here."""
+        """Hide the cursor; the next key goes on from its place."""
         if self._is_there:
             self.let_go()
             self._is_there = False
@@ -277,7 +252,7 @@ class Cursor(QObject):
     # -- where it is
 
     def _place(self, thing: Thing | None) -> Vector | None:
-        """Where a vertex or a probe's point is in the world; None for what is no point."""
+        """Return the world coordinates of a vertex or a probe's point; None for a handle."""
         if isinstance(thing, Vertex) and self._scene is not None:
             from app.drawings.probes import vertex_of
 
@@ -287,7 +262,7 @@ class Cursor(QObject):
         return None
 
     def _seen(self, thing: Thing | None) -> tuple[float, float] | None:
-        """Where a thing is seen in the pane, in device pixels; None where it is not."""
+        """Return a thing's place in the pane, in device pixels; None if it is not visible."""
         drawing, place = self._pane.drawing, self._place(thing)
         x, y = math.nan, math.nan
         if drawing is None:
@@ -298,15 +273,14 @@ class Cursor(QObject):
             ((x, y),) = drawing.sight.seen([place]).tolist()
         size, ratio = self._pane.canvas.size(), self._pane.canvas.pixel_ratio
         inside = 0.0 <= x < size.width() * ratio and 0.0 <= y < size.height() * ratio
-        return (x, y) if inside else None  # nor NaN, behind the pane's camera
+        return (x, y) if inside else None  # NaN: behind the pane's camera
 
     def _spot(self) -> QPointF | None:
-        """Where the cursor is, in device pixels."""
         seen = self._seen(self._thing)
         return None if seen is None else QPointF(*seen)
 
     def _words(self) -> str:
-        """What it stands on, and where that is, or which value it has."""
+        """Name the thing, and its coordinates or its value."""
         thing, place = self._thing, self._place(self._thing)
         if isinstance(thing, Handle):
             return self._manipulation.now(thing)
@@ -318,7 +292,7 @@ class Cursor(QObject):
         return self.tr("Vertex ({0})").format(numbers)
 
     def _follow(self) -> None:
-        """Be where its thing is now."""
+        """Move to the present place of the thing."""
         if not self._is_there:
             return
         spot, canvas = self._spot(), self._pane.canvas
@@ -335,7 +309,7 @@ class Cursor(QObject):
             self._put_label(around, self._ring.radius + _GAP_PX if spot is not None else 0)
 
     def _put_label(self, around: QPoint, apart: int) -> None:
-        """Beside the ring, below it or above, and inside the pane."""
+        """Place the label beside the ring, below or above it, and inside the pane."""
         label, canvas = self._label, self._pane.canvas
         frame = 2 * label.margin() + 2
         wanted = label.fontMetrics().horizontalAdvance(label.text()) + frame
@@ -350,13 +324,14 @@ class Cursor(QObject):
         label.raise_()
 
     def _announce(self) -> None:
+        self._follow()
         if self.text:
             event = QAccessibleAnnouncementEvent(self._pane.canvas, self.text)
             QAccessible.updateAccessibility(event)
 
 
 class _Ring(QWidget):
-    """A ring with a rim that stands out from it, on bright and on dark pictures."""
+    """A ring with a rim of another colour, visible on bright and on dark pictures."""
 
     def __init__(self, parent: QWidget) -> None:
         super().__init__(parent)
@@ -367,12 +342,12 @@ class _Ring(QWidget):
 
     @property
     def radius(self) -> int:
-        """Of all of it; text grows for a class, and so does the ring."""
+        """With the rim; the ring grows with the font."""
         line_px = _HELD_LINE_PX + 2.0 * _RIM_PX
         return round(_RADIUS_EM * QFontInfo(self.font()).pixelSize() + line_px / 2.0) + 1
 
     def show_at(self, centre: QPoint, *, held: bool) -> None:
-        """Lie round a place; thicker while it holds something."""
+        """Surround a place, with a thicker line while something is held."""
         side = 2 * self.radius + 1
         self.setGeometry(centre.x() - self.radius, centre.y() - self.radius, side, side)
         if held != self._is_held:
@@ -386,10 +361,8 @@ class _Ring(QWidget):
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         middle = QPointF(self.width() / 2.0, self.height() / 2.0)
         radius = _RADIUS_EM * QFontInfo(self.font()).pixelSize()
-        for brush, width_px in (
-            (palette.base(), line_px + 2.0 * _RIM_PX),
-            (palette.text(), line_px),
-        ):
+        rim_px = line_px + 2.0 * _RIM_PX
+        for brush, width_px in ((palette.base(), rim_px), (palette.text(), line_px)):
             painter.setPen(QPen(brush.color(), width_px))
             painter.drawEllipse(middle, radius, radius)
         painter.end()

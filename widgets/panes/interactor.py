@@ -1,4 +1,4 @@
-"""pyvistaqt's interactor, as a canvas with OpenGL has it inside."""
+"""pyvistaqt's interactor, for a canvas with OpenGL."""
 
 from __future__ import annotations
 
@@ -15,15 +15,15 @@ PYPLOT = "matplotlib.pyplot"
 
 
 def _imported_without_pyplot(name: str) -> Any:
-    """Import a module that names pyplot and does not use it: that takes as long as VTK itself.
+    """Import a module that imports pyplot without using it: pyplot takes as long as VTK.
 
-    Whoever does use what it was given gets pyplot after all.
+    The module gets a stand-in, which imports pyplot when it is used.
     """
     if PYPLOT in sys.modules:
         return importlib.import_module(name)
 
     def given(wanted: str) -> Any:
-        if wanted.startswith("__"):  # asked of every module, by whoever looks through them
+        if wanted.startswith("__"):  # tools read these names of every module
             raise AttributeError(wanted)
         return getattr(importlib.import_module(PYPLOT), wanted)
 
@@ -45,20 +45,14 @@ _WIDE_LINES = QSurfaceFormat.FormatOption.DeprecatedFunctions
 
 
 class Interactor(QtInteractor):
-    """VTK draws into it; mouse and keys go past it, to the canvas.
-
-    Parameters
-    ----------
-    canvas : GlCanvas
-        Which knows this class, and is not known here.
-    """
+    """VTK draws into it; mouse and keys go to the canvas (a `GlCanvas`) behind it."""
 
     def __init__(self, canvas: Any) -> None:
         super().__init__(canvas, auto_update=False, multi_samples=0)
         self._canvas = canvas
         if QGuiApplication.platformName() in ("xcb", "windows"):
-            # As VTK's own windows are: else it widens lines in a shader, to other pixels. (Not on
-            # Wayland, where a widget with a format of its own stays black.)
+            # VTK's own windows have it; without it a shader widens lines, to other pixels. (Not on
+            # Wayland, where a widget with its own format stays black.)
             wanted = self.format()
             wanted.setOption(_WIDE_LINES)
             self.setFormat(wanted)
@@ -92,7 +86,7 @@ class Interactor(QtInteractor):
     def paintGL(self) -> None:
         window: Any = self.render_window
         if self._resizing and window.GetNeverRendered():
-            return  # Qt has given it its first size; it will show it, and draw it then
+            return  # Qt draws again when it shows the widget
         began = time.perf_counter()
         super().paintGL()  # type: ignore[no-untyped-call]
         self._canvas.drawn.emit()

@@ -1,14 +1,12 @@
-"""Taking hold of the camera itself: its handles in the world pane, the picture in the image pane.
+"""Dragging the camera: its handles in the world pane, the picture in the image pane.
 
 ::
 
-    hand.drag_started, dragged --> app.picking.handles: what it makes of a field --> edited
-                                                  or of the scene's setting --> setting_edited
-                                                             Refusal --> a sentence over
-                                                                                 the pane
+    hand.drag_started, dragged --> app.picking.handles --> edited, or setting_edited
+                                         Refusal --> a sentence over the pane
 
-A drag is a gesture, and so is a burst of wheel steps. The panes must stand still under the hand,
-so that the sentence of a refusal lies over the pane: the window's own bar would push them down.
+A drag is a gesture, and so is a burst of wheel steps. A refusal lies over the pane: the window's
+message bar would move the panes away from the mouse.
 """
 
 from __future__ import annotations
@@ -51,23 +49,17 @@ from widgets.parts.panel import PROJECTION, Changed, Shown
 from widgets.parts.plain import Label, set_tip
 
 HOLD_WITHIN_PX = 9.0
-"""So near to a mark a drag takes hold of it."""
+"""Greatest distance from a mark at which a drag takes hold of it."""
 
 
 class Manipulation(Gestures, QObject):
-    """Turns drags on handles and on the picture, and the wheel there, into projections.
-
-    Attributes
-    ----------
-    message : MessageBar
-        Why a drag goes no further, while it does not.
-    """
+    """Turns drags on handles and on the picture, and the wheel there, into projections."""
 
     concerns = PROJECTION | {"scene", "illustration", "settings"}
     edited = Signal(object)
-    """The hand made this `Projection`."""
+    """The user made this `Projection`."""
     setting_edited = Signal(object)
-    """The hand gave the scene's settings these values, by name; `refuse` says if they cannot be."""
+    """The user gave settings of the scene these values, by name; the receiver may `refuse`."""
 
     def __init__(self, world: Pane, image: Pane, parent: QObject) -> None:
         super().__init__(parent)
@@ -86,6 +78,7 @@ class Manipulation(Gestures, QObject):
             "+ −, Home); click to follow a point"
         )
         self.message = MessageBar(world)
+        """The present refusal."""
         self._line = Label(parent=world, wordWrap=True, margin=4)
         self._line.setObjectName("heldLine")
         self._line.setAutoFillBackground(True)
@@ -105,12 +98,12 @@ class Manipulation(Gestures, QObject):
         image.hand.pushed.connect(self._push)
 
     def take(self, shown: Shown, changed: Changed) -> None:
-        """Take the new values over: what the next drag begins with."""
+        """Keep the values with which the next drag begins."""
         if "scene" in changed:
             self.let_go()
         projection, drag = shown.projection, self._drag
         if projection.lens.kind != self._projection.lens.kind:
-            self._drop()  # undone or reset under the hand: its fields are gone
+            self._drop()  # undone or reset while dragging: the fields are gone
         self._projection = projection
         if changed & {"illustration", "settings"}:
             self._values = shown.document.settings
@@ -120,7 +113,7 @@ class Manipulation(Gestures, QObject):
             settings = () if phenomenon is None else phenomenon.settings
             self._labels = {each.name: of_phenomena(each.label) for each in settings}
             if drag is not None and drag.held is not None and drag.held.setting not in self._grips:
-                self._drop()  # another scene under the hand
+                self._drop()  # another scene while dragging
         drawing = self._world.drawing
         if drawing is not None and drawing.held is not None:
             if self.now(drawing.held):
@@ -136,7 +129,7 @@ class Manipulation(Gestures, QObject):
             self._point_out(drawing, self._handle_at(drawing, pixel))
 
     def leave(self) -> None:
-        """Point out no handle: the mouse, or the drawing that the handle was in, is gone."""
+        """Highlight no handle: the mouse, or the handle's drawing, is gone."""
         drawing = self._world.drawing
         if drawing is not None and self._drag is None:
             self._point_out(drawing, None)
@@ -146,7 +139,7 @@ class Manipulation(Gestures, QObject):
         return drawing.handle_at((pixel.x(), pixel.y()), within_px)
 
     def _point_out(self, drawing: Drawing, handle: Handle | None) -> None:
-        said_of_another = handle is None and self.said  # in a drawing before this one
+        said_of_another = handle is None and self.said  # of an earlier drawing
         if handle == drawing.held and not said_of_another:
             return
         drawing.hold(handle)
@@ -163,11 +156,11 @@ class Manipulation(Gestures, QObject):
             self._tell(handle)
 
     def _tell(self, handle: Handle) -> None:
-        """Say what a drag of a handle does, and what it has made so far."""
+        """Say what a drag of a handle does, and the present value."""
         self._say(f"{self._does(handle)[1]}: {self.now(handle)}")
 
     def now(self, handle: Handle) -> str:
-        """What a handle moves, and the value that it has: ``Near = 4``; nothing if it is gone."""
+        """Return a handle's field and value: ``Near = 4``; empty if the handle is gone."""
         if handle.name == "grip":
             grip = self._grips.get(handle.setting)
             return "" if grip is None else f"{self._labels[grip.setting]} = {_shown(_value(grip))}"
@@ -185,9 +178,9 @@ class Manipulation(Gestures, QObject):
         return ", ".join(f"{field_name(name)} = {_shown(value)}" for name, value in values.items())
 
     def _say(self, text: str) -> None:
-        """Beside the pane's title, or in a line over the pane if that is too narrow.
+        """Show a text beside the pane's title, or in a line over the pane if that is too narrow.
 
-        What once took the line keeps it: the text does not jump while its numbers change.
+        A text that needed the line keeps it, so that it does not jump while its numbers change.
         """
         set_tip(self._world.canvas, text)
         note, line, width = self._world.note, self._line, self._world.width()
@@ -202,7 +195,7 @@ class Manipulation(Gestures, QObject):
 
     @property
     def said(self) -> str:
-        """What is said about the handle under the mouse, or in the hand."""
+        """The text about the handle under the mouse, or in the hand."""
         return self._line.text() or self._world.note.text()
 
     def _does(self, handle: Handle) -> tuple[tuple[str, ...], str]:
@@ -210,7 +203,7 @@ class Manipulation(Gestures, QObject):
             return (), self.tr("Drag this point (Shift: up and down)")
         does: dict[str, tuple[tuple[str, ...], str]] = {
             "origin": (("translate",), self.tr("Drag the object (Shift: up and down)")),
-            "turn": (("rotate_deg",), self.tr("Drag round to turn the object, as seen from here")),
+            "turn": (("rotate_deg",), self.tr("Drag in a circle to turn the object")),
             "object": (("scale",), self.tr("Drag along the axis to stretch the object")),
             "eye": (("eye",), self.tr("Drag the eye (Shift: up and down)")),
             "target": (("target",), self.tr("Drag the target (Shift: up and down)")),
@@ -221,7 +214,7 @@ class Manipulation(Gestures, QObject):
             if name in does:
                 return does[name]
         if self._projection.lens.fov_y_deg is not None:
-            return ("fov_y_deg",), self.tr("Drag to open the lens")
+            return ("fov_y_deg",), self.tr("Drag to change the field of view")
         right, up = handle.at
         sides = "right" if right > 0.0 else "left", "top" if up > 0.0 else "bottom"
         return sides, self.tr("Drag this corner (Shift: both sides)")
@@ -229,7 +222,7 @@ class Manipulation(Gestures, QObject):
     # -- drags
 
     def _take_handle(self, pixel: QPointF) -> None:
-        """Take hold of the handle that a drag in the world pane starts on."""
+        """Take hold of the handle at the start of a drag in the world pane."""
         drawing = self._world.drawing
         if drawing is None:
             return
@@ -245,7 +238,7 @@ class Manipulation(Gestures, QObject):
         self._start(_Drag(self._world, self._projection, taken, held, before))
 
     def take_picture(self, pixel: QPointF) -> None:
-        """Take hold of the picture, if a drag in the image pane starts on it."""
+        """Take hold of the picture if a drag in the image pane starts on it."""
         drawing = self._image.drawing
         if drawing is not None and drawing.image_pixel(pixel.x(), pixel.y()):
             self._start(_Drag(self._image, self._projection))
@@ -282,18 +275,18 @@ class Manipulation(Gestures, QObject):
         before: Vector = tuple(held.point.tolist())
         self.message.hide()
         point = dragged_grip(before, sight, pixel, shift=shift)
-        if point == before:  # the hand is back
+        if point == before:  # dragged back
             self.setting_edited.emit({held.setting: drag.before})
         else:
             moved = replace(held, point=np.array(point))
             self.setting_edited.emit({held.setting: _value(moved)})
 
     def refuse(self, error: Refusal) -> None:
-        """Say over the pane why a setting cannot be what the hand made of it."""
+        """Say over the pane why a setting cannot have the dragged value."""
         self._refuse(self._world, error)
 
     def let_go(self) -> None:
-        """End a drag where it is; whatever the hand does until it lets go is none."""
+        """End a drag; movements until the button is released have no effect."""
         if not self._escape.is_watched:
             return
         self._escape.leave()
@@ -304,16 +297,16 @@ class Manipulation(Gestures, QObject):
             self._world.canvas.setCursor(Qt.CursorShape.OpenHandCursor)
         self._finish()
         if drawing is not None and drawing.held is not None:
-            self._tell(drawing.held)  # where a refusal was
+            self._tell(drawing.held)  # instead of a refusal
 
     def _drop(self) -> None:
-        """Forget the drag, and tell the hand so."""
+        """Forget the drag, and tell the hand."""
         drag, self._drag = self._drag, None
         if drag is not None:
             drag.pane.hand.dropped.emit()
 
     def _put_back(self) -> None:
-        """Give up the drag: what it changed is as it was at its start."""
+        """Cancel the drag, and restore the values before it."""
         drag = self._drag
         if drag is None:
             return
@@ -335,7 +328,7 @@ class Manipulation(Gestures, QObject):
             self._nudge(partial(panned, self._projection, drawing.image_shift(way.x(), way.y())))
 
     def _nudge(self, make: Callable[[], Change]) -> None:
-        """Make one of many small changes, which are one step together."""
+        """Make one of many small changes, which together are one step to undo."""
         if self._drag is None:
             self._begin()
             self._quiet.start()
@@ -381,23 +374,21 @@ class Manipulation(Gestures, QObject):
 
 @dataclass
 class _Drag:
-    """What is held, and how everything was when the hand took it."""
+    """A drag, and the state at its start."""
 
     pane: Pane
     start: Projection
     taken: tuple[Handle, tuple[float, float], Sight, Spot] | None = None
-    """The handle, where the planes were drawn, how the pane looked, and where the handle was in
-    it; None for the picture."""
+    """Handle, drawn planes, the pane's sight and the handle's pixel; None for the picture."""
     held: Grip | None = None
-    """The setting that is dragged, as it was held."""
+    """The dragged setting at the start, and its value."""
     before: Any = None
-    """Its value then."""
     names: set[str] = field(default_factory=set)
-    """The fields that have been dragged at."""
+    """The fields that the drag has changed."""
 
 
 def _seen_from(change: Change, error: Refusal) -> Refusal:
-    """A refusal as it looks from what was dragged."""
+    """Phrase a refusal for the field that was dragged."""
     side, _ = OTHER_SIDE.get(error.bound, ("", ""))
     value = change.get(side)
     if isinstance(value, float):

@@ -1,8 +1,8 @@
-"""The one kind of pane: a title, and a canvas that shows any drawing.
+"""A pane: a title, and a canvas that shows any drawing.
 
 How a change reaches the screen, and why it is drawn once::
 
-    take(shown, changed) --> drawing.show_projection(p)   matrices only, draws nothing
+    take(shown, changed) --> drawing.show_projection(p)   sets matrices, draws nothing
                          --> canvas.redraw()              coalesced by Qt
     mouse on the canvas -> vtkCamera of this pane only -> canvas.redraw()
 """
@@ -12,8 +12,7 @@ from __future__ import annotations
 import sys
 import time
 from collections.abc import Callable, Sequence
-from functools import partial
-from typing import Any, NamedTuple
+from typing import Any
 
 from PySide6.QtCore import QEvent, QPoint, QPointF, QRect, Qt, Signal
 from PySide6.QtGui import (
@@ -27,29 +26,28 @@ from PySide6.QtGui import (
     QResizeEvent,
     QShowEvent,
 )
-from PySide6.QtWidgets import QFrame, QGridLayout, QToolButton, QWidget
+from PySide6.QtWidgets import QFrame, QGridLayout, QWidget
 
 from app.drawings import AXES
 from app.drawings.drawing import Drawing
 from app.lecture.highlight import NOTHING, Highlight
 from app.model.projection import Camera, Projection
 from app.picking.picking import Probe
-from app.scenes.scene import Scene
+from widgets.panes.ahead import Ahead
 from widgets.panes.canvas import AnyCanvas, Hand, RasterCanvas
+from widgets.panes.header import Header
 from widgets.parts.buttons import tool_button
-from widgets.parts.layouts import in_column, in_row
-from widgets.parts.note import Title
+from widgets.parts.layouts import in_column
 from widgets.parts.panel import PROJECTION, Changed, Shown
-from widgets.parts.plain import set_tip
 
 SCALES = {"half resolution": 0.5, "supersampling 2 x 2": 2.0}
-"""Pixels that are drawn for one that is shown, along each side, where that is not one."""
+"""Drawn pixels for one pixel of the screen, along each side, where it is not one."""
 SMOOTHINGS = ("none", "FXAA", "MSAA 2", "MSAA 4", "MSAA 8", *SCALES)
-"""What a pane can do: of larger pictures Qt takes four pixels at the most for one."""
+"""The smoothings of a pane. Qt averages four pixels of a larger picture at the most."""
 
 
 def multisamples(smoothing: str) -> int:
-    """The samples a pixel that one of `SMOOTHINGS` asks OpenGL for."""
+    """Return the samples a pixel that one of `SMOOTHINGS` needs from OpenGL."""
     kind, _, samples = smoothing.partition(" ")
     return int(samples) if kind == "MSAA" else 0
 
@@ -80,35 +78,11 @@ _SHOW: dict[str, Callable[[Drawing, Any], object]] = {
 """How a drawing is told; ``projection`` and ``view`` take more than one call."""
 
 
-class _Ahead(NamedTuple):
-    """A drawing that is made and has been drawn once, of what may be shown next.
-
-    Attributes
-    ----------
-    args : tuple
-        What `Pane.build` is given for it.
-    shown : Shown
-    screen : OffScreen
-        That it is in.
-    drawing : Drawing
-    """
-
-    args: tuple[object, ...]
-    shown: Shown
-    screen: Any
-    drawing: Drawing
-
-
 class Surface(QWidget):
     """Holds a canvas so that its edges are on whole pixels of the screen.
 
-    Where the screen's scale is 1.5, say, they are not everywhere: Qt then leaves a black line at
-    an edge, and stretches the picture by the rest of a pixel.
-
-    Attributes
-    ----------
-    beside : QColor or None
-        Of what the canvas leaves free; the window's if None.
+    At a fractional scale of the screen Qt otherwise leaves a black line at an edge, and stretches
+    the picture by the rest of a pixel.
     """
 
     def __init__(self, canvas: QWidget) -> None:
@@ -116,6 +90,7 @@ class Surface(QWidget):
         self._margins = in_column(canvas, on=self, margins=(0, 0, 0, 0))
         self._room: QRect | None = None
         self.beside: QColor | None = None
+        """Colour of the part without canvas; None for the window's."""
 
     def paintEvent(self, event: QPaintEvent) -> None:
         if self._room is not None and self.beside is not None:
@@ -149,7 +124,7 @@ class Surface(QWidget):
 
 
 def _to_whole(edge: int, inwards: int, ratio: float) -> int:
-    """How far it is from an edge to a whole pixel of the screen; 0 if there is none near."""
+    """Return the steps from an edge to a whole pixel of the screen; 0 if there is none near."""
     for away in range(8):
         at = (edge + inwards * away) * ratio
         if abs(at - round(at)) < 1e-6:
@@ -158,41 +133,28 @@ def _to_whole(edge: int, inwards: int, ratio: float) -> int:
 
 
 class Pane(QFrame):
-    """A titled canvas for one drawing.
+    """A titled canvas with one drawing; the mouse moves the pane's own camera if it `orbits`.
 
-    A pane that is not visible neither computes nor draws; it shows the current value when it
-    appears.
-
-    Parameters
-    ----------
-    title : str
-        Translated name of the pane.
-    make_drawing : callable
-        Builds the drawing into a screen: ``make_drawing(screen, *args)``, with the arguments
-        that `build` is given.
-    orbits : bool
-        Whether the mouse moves this pane's own camera.
-    make_canvas : class
-        `GlCanvas` or `RasterCanvas`.
+    A hidden pane neither computes nor draws; it shows the current value when it appears.
+    ``make_drawing(screen, *args)`` builds the drawing, with the arguments of `build`.
     """
 
     concerns = PROJECTION | {"illustration"}
     fixed_left = Signal()
-    """The fixed view was turned by hand, and is the free one now."""
+    """The user turned the fixed view, which became the free view."""
     enlarge_requested = Signal()
-    """The title was double-clicked."""
     clicked = Signal(QPointF)
     """A place in the canvas, in device pixels from its top left."""
     double_clicked = Signal()
-    """The canvas was double-clicked: the click before was meant to be no click."""
+    """The canvas was double-clicked: the click before does not count."""
     float_requested = Signal()
     """The pane shall get, or leave, a window of its own."""
     highlighted = Signal(object)
-    """The `Highlight` that the mouse draws to what is under it; only when that changes."""
+    """The `Highlight` of what is under the mouse; only when it changes."""
     timed = Signal(float, float)
-    """What the last step's matrices and a repaint took, in ms; only after `set_timed`."""
+    """The ms of the last step's matrices and of a repaint; only after `set_timed`."""
     marked = Signal()
-    """It shows other layers or probes."""
+    """The pane shows other layers or probes."""
 
     def __init__(
         self,
@@ -205,32 +167,29 @@ class Pane(QFrame):
         super().__init__()
         self.setFrameShape(QFrame.Shape.StyledPanel)
         self.setAccessibleName(title)
-        self.drawing: Drawing | None = None
-        """What is drawn, once there is something."""
         self._make_drawing = make_drawing
-        self._shown: Shown | None = None
+        self.drawing: Drawing | None = None
+        self.shown: Shown | None = None
+        """What the pane shows, or will show when it appears."""
         self._to_build: tuple[object, ...] | None = None
         self._built_with: tuple[object, ...] | None = None
-        self._ahead: list[_Ahead] = []
-        self._replaced: list[tuple[Any, Drawing | None]] = []
-        """Screens and drawings that others have taken the place of: to let go takes a while."""
         self._waits = False
         self._asked = dict(AS_BUILT)
         self._due: set[str] = set()
-        """Of what is asked for, what the drawing has yet to show."""
+        """What the drawing has yet to show."""
         self._hidden: frozenset[str] = frozenset()
         self._is_bare = False
         self._pointed_at = NOTHING
         self._smoothing = "none"
         self._matrices_ms = 0.0
-        self._beside_title: tuple[QWidget, QWidget] | None = None
 
-        self.title = Title(title)
-        self.note = Title("", "paneNote")
         acts: dict[str, tuple[str, object]] = {
             "home": (self.tr("Reset this pane's own view (double-click)"), self.reset_view),
-            "enlarge": (self.tr("Enlarge; again, to the whole window"), self.enlarge_requested),
-            "float": (self.tr("Into a window of its own, and back"), self.float_requested),
+            "enlarge": (
+                self.tr("Enlarge; click again for the whole window"),
+                self.enlarge_requested,
+            ),
+            "float": (self.tr("Move to a window of its own, and back"), self.float_requested),
         }
         if not orbits:
             del acts["home"]
@@ -238,165 +197,86 @@ class Pane(QFrame):
             tool_button("", tip, act, icon=icon, name=f"{title}: {tip}", flat=True)
             for icon, (tip, act) in acts.items()
         ]
-        self.header = QWidget()
-        set_tip(
-            self.header,
-            self.tr(
-                "Double-click to make this pane large; again, as large as the window, and back"
-            ),
-        )
-        self._tools = QWidget()
+        self.header = Header(self, title, tools)
+        self.title, self.note = self.header.title, self.header.note
+        self.canvas = make_canvas(self)
+        self.ahead = Ahead(self.canvas, make_drawing, self._smooth)
+        self.canvas.setAccessibleName(title)
+        self.hand = Hand(self.canvas, orbits=orbits)
+        self.hand.moved.connect(self._view_moved)
+        self.hand.clicked.connect(self.clicked)
+        self.hand.hovered.connect(self._point_at)
+        self.hand.left.connect(self._point_at)
+        self.canvas.painted.connect(lambda ms: self.timed.emit(self._matrices_ms, ms))
+        self.surface = Surface(self.canvas)
         self._column = QGridLayout(self)
         self._column.setContentsMargins(0, 0, 0, 0)
         self._column.setSpacing(0)
-
-        self.canvas = make_canvas(self)
-        self.hand = Hand(self.canvas, orbits=orbits)
-        self.canvas.setAccessibleName(title)
-        self.hand.moved.connect(self._view_moved)
-        self.hand.clicked.connect(self.clicked)
-        self.hand.hovered.connect(self._hovered)
-        self.hand.left.connect(partial(self._point_at, NOTHING))
-        self.canvas.painted.connect(lambda ms: self.timed.emit(self._matrices_ms, ms))
-        if orbits:
-            tip = self.tr(
-                "Click to follow a point; drag to turn, Shift-drag to move, wheel to zoom, "
-                "double-click to reset; or Tab to here, and arrows, + −, Home"
-            )
-            keys = self.tr("Arrow keys turn, Shift and an arrow moves, + and − zoom, Home resets.")
-        else:
-            tip = self.tr(
-                "Click to follow a point; drag to move the camera in its plane, wheel to go "
-                "nearer to the target; or Tab to here, and arrows, + −"
-            )
-            keys = self.tr("Arrow keys move the camera in its plane, + and − go nearer and back.")
-        set_tip(self.canvas, tip)
-        cursor_keys = self.tr(
-            "Page Down and Page Up go from vertex to vertex, with Shift from handle to handle or "
-            "probe to probe; Space follows a vertex; Enter takes hold and lets go, Shift and Enter "
-            "as a drag with Shift; arrows drag by a pixel, with Shift by ten; Escape puts back."
-        )
-        self.canvas.setAccessibleDescription(f"{keys} {cursor_keys}")
-        self.surface = Surface(self.canvas)
         self._column.addWidget(self.surface, 0, 0)
         self._column.setRowStretch(0, 1)
-        self._title_bar = in_row(self.title, self.note, on=self.header, margins=(8, 2, 2, 2))
-        self._tool_bar = in_row(*tools, on=self._tools, margins=(8, 2, 2, 2))
         sides = Qt.AlignmentFlag
-        for bar, side in ((self.header, sides.AlignLeft), (self._tools, sides.AlignRight)):
+        for bar, side in ((self.header, sides.AlignLeft), (self.header.tools, sides.AlignRight)):
             self._column.addWidget(bar, 0, 0, sides.AlignTop | side)  # on the picture
 
     def open(self) -> None:
-        """Let VTK draw from now on; it is imported for that, if it was not."""
+        """Import VTK if necessary, and let it draw from now on."""
         self.canvas.open()
         if self.isVisible():
             self._appear()
 
     def build(self, shown: Shown, view: Camera | None, *args: object) -> None:
-        """Make the drawing anew, for another scene or style: now if visible, else on appearing.
+        """Make another drawing, for another scene or style; a hidden pane does it on appearing.
 
-        Parameters
-        ----------
-        shown : Shown
-            What it shows first.
-        view : Camera or None
-            Where the pane's own camera is to stand; None for where everything is in view.
-        *args
-            Handed to `make_drawing` after the screen.
+        `view` is the pane's own camera; None places it so that everything is in view.
         """
-        self._shown = shown
+        self.shown = shown
         self._to_build = self._built_with = args
         self._asked["view"] = view
         self._refresh()
 
     def set_waiting(self, waits: bool) -> None:
-        """Be brought up to date no more, as several changes come together; or again, and now."""
+        """Collect several changes, and show them together when the pane no longer waits."""
         if waits != self._waits:
             self._waits = waits
             if not waits:
                 self._refresh()
 
-    def draw_ahead(self, shown: Shown, *args: object) -> None:
-        """Make what a `build` with the same arguments will show: not where Qt has VTK's window."""
-        canvas = self.canvas
-        if not isinstance(canvas, RasterCanvas) or not canvas.is_open or not self.isVisible():
-            return
-        if not any(ahead.args == args for ahead in self._ahead):
-            screen = canvas.screen_ahead()
-            drawing = self._make_drawing(screen, *args)
-            drawing.show_projection(shown.projection, shown.illustration)
-            drawing.reset_view()
-            self._smooth(screen.render_window)
-            screen.render_window.Render()  # its shaders are compiled by that
-            self._ahead.append(_Ahead(args, shown, screen, drawing))
-
-    def keep_ahead(self, *wanted: tuple[object, ...]) -> None:
-        """Forget what was made ahead with other arguments than these, and what was left."""
-        old = [ahead for ahead in self._ahead if ahead.args not in wanted]
-        self._ahead = [ahead for ahead in self._ahead if ahead.args in wanted]
-        for screen, _ in (*self._replaced, *((ahead.screen, ahead.drawing) for ahead in old)):
-            screen.close()
-        self._replaced.clear()
-
-    def _take_ahead(self, args: tuple[object, ...]) -> Shown | None:
-        """Take the drawing that was made ahead, if there is one, and tell what it shows."""
-        for ahead in self._ahead:
-            if ahead.args == args and isinstance(self.canvas, RasterCanvas):
-                self._ahead.remove(ahead)
-                self._replaced.append((self.canvas.show_screen(ahead.screen), self.drawing))
-                self.drawing = ahead.drawing
-                return ahead.shown
-        return None
-
     def look_from(self, view: Camera | None) -> None:
-        """Look at the drawing from elsewhere; None from where everything is in view.
-
-        Like `build`, with the drawing that there is: of the same scene.
-        """
+        """Move the pane's own camera as `build` does, without another drawing."""
         if view != self.view or view is None:
             self._asked["view"] = view
             self._due.add("view")
             self._refresh()
 
     def another(self, title: str) -> Pane:
-        """A pane that draws the same in another place, off the screen, and lets nobody turn it."""
+        """Return a pane with the same drawings on a raster canvas, which nobody can turn."""
         return Pane(title, self._make_drawing, orbits=False, make_canvas=RasterCanvas)
 
     def draw_like(self, other: Pane, shown: Shown, *, at_rest: str = "") -> None:
-        """Show something in the way in which another pane is drawn.
+        """Show something in the same way as another pane, which has been built.
 
-        Parameters
-        ----------
-        other : Pane
-            One that has been built.
-        shown : Shown
-        at_rest : str
-            How it smooths, drawn with all triangles; as the other one does just now if empty.
+        `at_rest` is the smoothing of a picture with all triangles; if it is empty, smoothing and
+        triangles are those of the other pane.
         """
         if other._built_with is not None and other._built_with is not self._built_with:
             self.build(shown, None, *other._built_with)
             self._built_with = other._built_with
-        elif shown is not self._shown:
+        elif shown is not self.shown:
             self.take(shown, PROJECTION)
         self.show_layers(other._hidden)
         self.set_bare(other._is_bare)
         self.show_probes(tuple(probe for probe in other.probes if probe.number))
         self.set_smoothing(at_rest or other._smoothing)
-        self.set_detail(None if at_rest else other._asked["detail"])
-
-    @property
-    def shown(self) -> Shown | None:
-        """What it shows, or will when it appears."""
-        return self._shown
+        self.ask("detail", None if at_rest else other._asked["detail"])
 
     @property
     def name(self) -> str:
-        """What it is called, translated, whatever its title says that it shows now."""
+        """The pane's name, translated, whatever its title says."""
         return self.accessibleName()
 
     @property
     def view(self) -> Camera | None:
-        """Where the user moved the pane's own camera to; None if it was not moved."""
+        """The pane's own camera if the user has moved it, else None."""
         asked: Camera | None = self._asked["view"]
         if self._to_build is not None or self.drawing is None or "view" in self._due:
             return asked
@@ -404,20 +284,25 @@ class Pane(QFrame):
 
     @property
     def projection(self) -> Projection:
-        """What it was told last."""
-        assert self._shown is not None
-        return self._shown.projection
+        """The projection of `shown`."""
+        assert self.shown is not None
+        return self.shown.projection
 
     def take(self, shown: Shown, changed: Changed) -> None:
-        """Show the model's new value, and what a phenomenon shows for it: now, or on appearing."""
-        self._shown = shown
+        """Show the model's new value; a hidden pane does it on appearing."""
+        self.shown = shown
         self._due.add("projection")
         self._refresh()
 
-    # -- what is asked for: it is shown at once if the pane is visible, else when it appears
+    # -- the rest of what a drawing can show
 
-    def _ask(self, what: str, wanted: object) -> bool:
-        """Ask for one of `AS_BUILT`; whether it is another one than before."""
+    def ask(self, what: str, wanted: object) -> bool:
+        """Show one of `AS_BUILT`, now or on appearing; return whether it is new.
+
+        ``"detail"``: a scene with fewer triangles, or None. ``"stage"``: a position on the stage
+        strip. ``"step"``: a step of the camera's frame, or None. ``"fixed"``: one of
+        `app.document.view.FIXED`, or ``""``. ``"object_axes"``: whether they are always visible.
+        """
         if wanted == self._asked[what]:
             return False
         self._asked[what] = wanted
@@ -425,93 +310,54 @@ class Pane(QFrame):
         self._refresh()
         return True
 
-    def show_stage(self, position: float) -> None:
-        """Show a position of the stage strip."""
-        self._ask("stage", position)
-
-    def show_step(self, step: int | None) -> None:
-        """Build the camera's frame up to a step, or show what is always shown."""
-        self._ask("step", step)
-
-    def show_fixed(self, view: str) -> None:
-        """Look from one of `app.document.view.FIXED`, or freely for ``""``."""
-        self._ask("fixed", view)
-
-    def show_object_axes(self, wanted: bool) -> None:
-        """Show the object's axes also where they are the world's."""
-        self._ask("object_axes", wanted)
-
     def show_layers(self, hidden: frozenset[str]) -> None:
-        """Switch off these of `app.document.view.LAYERS`, and no others."""
-        if hidden != self._hidden:
-            self._hidden = hidden
-            self._show_layers()
+        """Hide these of `app.document.view.LAYERS`, and no others."""
+        is_new, self._hidden = hidden != self._hidden, hidden
+        self.ask("layers", hidden | {AXES} if self._is_bare else hidden)
+        if is_new:
             self.marked.emit()
 
     def set_bare(self, bare: bool) -> None:
-        """Leave a picture's axes out, for its size's sake."""
+        """Hide a picture's axes, which would make it smaller."""
         self._is_bare = bare
-        self._show_layers()
-
-    def _show_layers(self) -> None:
-        self._ask("layers", self._hidden | {AXES} if self._is_bare else self._hidden)
+        self.show_layers(self._hidden)
 
     def show_probes(self, probes: Sequence[Probe]) -> None:
         """Mark these probes, and no others."""
-        if self._ask("probes", probes):
+        if self.ask("probes", probes):
             self.marked.emit()
 
     @property
     def probes(self) -> Sequence[Probe]:
-        """Those that are marked."""
+        """The marked probes."""
         marked: Sequence[Probe] = self._asked["probes"]
         return marked
 
-    def set_detail(self, fewer: Scene | None) -> None:
-        """Draw the faces of a scene with fewer triangles, or None for all."""
-        self._ask("detail", fewer)
-
     def show_highlight(self, highlighted: Highlight) -> None:
-        """Let what is highlighted stand out."""
+        """Highlight these things, and nothing else."""
         self._asked["highlight"] = highlighted
         if not self.isVisible() or self._to_build is not None or self.drawing is None:
             self._due.add("highlight")
         elif self.drawing.show_highlight(highlighted):
             self.request_repaint()
 
-    def _hovered(self, place: QPointF) -> None:
-        if self.drawing is not None:
-            self._point_at(self.drawing.highlight_at(place.x(), place.y()))
-
-    def _point_at(self, highlighted: Highlight) -> None:
+    def _point_at(self, place: QPointF | None = None) -> None:
+        highlighted = NOTHING
+        if place is not None and self.drawing is not None:
+            highlighted = self.drawing.highlight_at(place.x(), place.y())
         if highlighted != self._pointed_at:
             self._pointed_at = highlighted
             self.highlighted.emit(highlighted)
 
     def _refresh(self) -> None:
-        """Bring the drawing, if it is seen, up to what was asked for."""
-        shown = self._shown
+        """Bring a visible drawing up to date."""
+        shown = self.shown
         if not self.isVisible() or shown is None or not self.canvas.is_open or self._waits:
             return
         if self._to_build is not None:
-            ahead = self._take_ahead(self._to_build)
-            if ahead is None:
-                if self.drawing is not None:
-                    self.drawing.remove()
-                self.drawing = None
-                with self.canvas.or_empty():
-                    self.drawing = self._make_drawing(self.canvas, *self._to_build)
-            self._to_build = None
-            self._asked["detail"] = None
-            others = {what for what, wanted in self._asked.items() if wanted != AS_BUILT[what]}
-            self._due = others
-            if ahead is None or ahead.document != shown.document:
-                self._due |= {"projection", "view"}
-            elif "stage" in others:  # on which the view depends
-                self._due.add("view")
-            self._apply_smoothing()
+            self._build(shown, self._to_build)
         if self._due & {"detail", "layers"}:
-            self._due.add("projection")  # these only tell how it is shown
+            self._due.add("projection")  # sets the matrices of the faces that are now shown
         drawing = self.drawing
         for what, wanted in self._asked.items():
             if drawing is None or what not in self._due:
@@ -529,40 +375,34 @@ class Pane(QFrame):
         self._due.clear()
         self.request_repaint()
 
+    def _build(self, shown: Shown, args: tuple[object, ...]) -> None:
+        taken, before = self.ahead.take(args, self.drawing), None
+        if taken is not None:
+            before, self.drawing = taken
+        else:
+            if self.drawing is not None:
+                self.drawing.remove()
+            self.drawing = None
+            with self.canvas.or_empty():
+                self.drawing = self._make_drawing(self.canvas, *args)
+        self._to_build = None
+        self._asked["detail"] = None
+        others = {what for what, wanted in self._asked.items() if wanted != AS_BUILT[what]}
+        self._due = others
+        if before is None or before.document != shown.document:
+            self._due |= {"projection", "view"}
+        elif "stage" in others:  # the view depends on it
+            self._due.add("view")
+        self._apply_smoothing()
+
     def add_below(self, widget: QWidget) -> None:
         """Put a widget under the canvas: it is hidden, enlarged and floated with the pane."""
         self._column.addWidget(widget, 1, 0)
 
-    def add_to_header(self, widget: QWidget, narrow: QWidget) -> None:
-        """Put a widget beside the title, and another one in its place where it has no room."""
-        self._title_bar.addWidget(widget)
-        self._title_bar.addWidget(narrow)
-        self._beside_title = widget, narrow
-
-    def add_tool(self, button: QToolButton) -> None:
-        """Put a button before those at the end of the title row."""
-        self._tool_bar.insertWidget(0, button)
-        self._fit_header()
-
-    @property
-    def title_room(self) -> tuple[int, int]:
-        """From where to where the title row is free, in pixels from the surface's left."""
-        left = self.header.x() + self.header.width()
-        return left, self.width() if self._tools.isHidden() else self._tools.x()
-
-    def set_presenting(self, on: bool) -> None:
-        """Show a class no buttons in the title, which the mouse and the keys can do without."""
-        self._tools.setVisible(not on)
-        self._fit_header()
-
-    def set_title(self, title: str, note: str) -> None:
-        """Name what the pane shows now; its own name, for screen readers, stays."""
-        self.title.setText(title)
-        self.note.setText(note)
-        self._fit_header()
+    # -- painting
 
     def set_smoothing(self, smoothing: str) -> None:
-        """Change antialiasing, to one of `SMOOTHINGS`; the next repaint shows it."""
+        """Change the antialiasing to one of `SMOOTHINGS`, from the next repaint on."""
         if smoothing != self._smoothing:
             self._smoothing = smoothing
             if self.drawing is not None:
@@ -570,14 +410,14 @@ class Pane(QFrame):
                 self.request_repaint()
 
     def set_timed(self, timed: bool) -> None:
-        """Tell with every repaint what it cost, and wait for its end; or do not."""
+        """Emit `timed` with every repaint, which then waits for its end."""
         self.canvas.timed = timed
         if timed and self.canvas.is_open:
             self.request_repaint()
 
     @property
     def samples(self) -> int:
-        """Of each pixel, by OpenGL's multisampling: fewer than asked for where it has no more."""
+        """OpenGL's samples a pixel, perhaps fewer than the smoothing needs."""
         if self.drawing is None:
             return multisamples(self._smoothing)
         return int(self.canvas.render_window.GetMultiSamples())
@@ -595,6 +435,8 @@ class Pane(QFrame):
         """Ask Qt for one repaint, however often it is asked before the next paint."""
         self.canvas.redraw()
 
+    # -- the pane's own camera
+
     def reset_view(self) -> None:
         """Put the pane's own camera back; the model is not touched."""
         if self.drawing is not None:
@@ -602,23 +444,28 @@ class Pane(QFrame):
             self.request_repaint()
 
     def refit(self) -> None:
-        """Bring back what an edit has carried out of a view that nobody moved."""
+        """Frame again what an edit has carried out of a view that the user has not moved."""
         if self.isVisible() and self.drawing is not None and self.drawing.refit():
             self.request_repaint()
 
-    def move_to(self, window: QWidget | None, place: Callable[[], object]) -> None:
-        """Get under another top-level window, of which the picture knows nothing yet.
+    def _view_moved(self) -> None:
+        if self.drawing is not None:
+            self.drawing.reset_clipping_range()
+            if self._asked["fixed"] and not self.drawing.fixed:
+                self._asked["fixed"] = ""
+                self.fixed_left.emit()
+        self.request_repaint()
 
-        Parameters
-        ----------
-        window : QWidget or None
-            New parent as a window of its own; None to be docked by `place`.
-        place : callable
-            Called while the pane is hidden: puts it where it shall be.
+    # -- in the window
+
+    def move_to(self, window: QWidget | None, place: Callable[[], object]) -> None:
+        """Move under another top-level window, the parent of the pane's own, or None to be docked.
+
+        `place` is called while the pane is hidden, and puts it in its place.
         """
         self.hide()
         if window is None:
-            self.setWindowFlags(Qt.WindowType.Widget)  # `place` takes it for a docked one
+            self.setWindowFlags(Qt.WindowType.Widget)  # `place` expects a docked pane
         else:
             self.setParent(window, Qt.WindowType.Window)
         place()
@@ -629,44 +476,19 @@ class Pane(QFrame):
         self.surface.fit()
 
     def close_canvas(self) -> None:
-        """Release VTK's hold; before the window's own close, or it outlives its GL context."""
+        """Release VTK's objects; call it before the window closes, and its GL context with it."""
         self.drawing = None
-        self.keep_ahead()
+        self.ahead.keep()
         self.canvas.close()
-
-    def _view_moved(self) -> None:
-        if self.drawing is not None:
-            self.drawing.reset_clipping_range()
-            if self._asked["fixed"] and not self.drawing.fixed:
-                self._asked["fixed"] = ""
-                self.fixed_left.emit()
-        self.request_repaint()
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)
-        self._fit_header()
+        self.header.fit()
 
     def changeEvent(self, event: QEvent) -> None:
         super().changeEvent(event)
         if event.type() == QEvent.Type.FontChange:
-            self._fit_header()
-
-    def _fit_header(self) -> None:
-        """Leave the note what the title and the buttons leave of the width, all in one line."""
-        self.header.setMinimumHeight(self._tools.sizeHint().height())
-        tools_px = 0 if self._tools.isHidden() else self._tools.sizeHint().width()
-        room = max(0, self.width() - tools_px)
-        bar = self._title_bar
-        margins = bar.contentsMargins()
-        taken = margins.left() + self.title.sizeHint().width() + bar.spacing() + margins.right()
-        if self._beside_title is not None:
-            wide, narrow = self._beside_title
-            fits = taken + bar.spacing() + wide.sizeHint().width() <= room
-            wide.setVisible(fits)
-            narrow.setVisible(not fits)
-            taken += bar.spacing() + (wide if fits else narrow).sizeHint().width()
-        self.header.setMaximumWidth(room)
-        self.note.setMaximumWidth(max(0, room - taken))
+            self.header.fit()
 
     def moveEvent(self, event: QMoveEvent) -> None:
         super().moveEvent(event)
@@ -679,12 +501,12 @@ class Pane(QFrame):
     def _appear(self) -> None:
         try:
             self._refresh()
-            self.refit()  # gestures may have ended while nobody looked
+            self.refit()  # a gesture may have ended while the pane was hidden
         except Exception:  # PySide6 loses it, or itself, where several panes are shown at once
             sys.excepthook(*sys.exc_info())
 
     def closeEvent(self, event: QCloseEvent) -> None:
-        if self.isWindow():  # floating: its close button docks it again
+        if self.isWindow():  # the close button of a floating pane docks it again
             event.ignore()
             self.float_requested.emit()
         else:
@@ -698,7 +520,8 @@ class Pane(QFrame):
 
     def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
         place = event.position().toPoint()
-        if any(bar.geometry().contains(place) for bar in (self.header, self._tools)):
+        bars = self.header, self.header.tools
+        if any(bar.geometry().contains(place) for bar in bars):
             self.enlarge_requested.emit()
         else:
             self.double_clicked.emit()

@@ -1,7 +1,6 @@
 """The stage strip under the NDC pane: from the world to the picture and back, by hand or played.
 
-The strip knows positions and words, and no matrix: `Pane.show_stage` takes the positions, and
-`Pane.set_title` what `named` says.
+The strip knows positions and words, but no matrix.
 """
 
 from __future__ import annotations
@@ -36,18 +35,18 @@ from widgets.parts.writing import lettering
 STEPS = 240
 """Slider steps from one stop to the next."""
 CATCH = 12
-"""Within as many steps of a stop a drag is at the stop."""
+"""A drag that comes as near to a stop is at the stop."""
 GAP_PX = 3
-"""On both sides of a name."""
+"""Space on both sides of a name."""
 STEP_S, REST_S = 2.0, 0.8
-"""Seconds that playing takes from one stop to the next, and stands at each."""
+"""Seconds of playing from one stop to the next, and of the rest at each."""
 
 
 class _StopsSlider(HeldSlider):
     """A slider whose arrow keys go from stop to stop."""
 
     grasped = Signal()
-    """The mouse goes down, and has moved nothing yet."""
+    """The mouse is pressed, and has moved nothing yet."""
 
     def __init__(self) -> None:
         super().__init__()
@@ -71,16 +70,13 @@ class _StopsSlider(HeldSlider):
 
 
 class StageStrip(QWidget, Playing, Gestures):
-    """One slider through all stages, a name under each stop, and play.
-
-    It starts at NDC.
-    """
+    """A slider through all stages, which starts at NDC, a name under each stop, and play."""
 
     concerns = PROJECTION - {"camera"}
     moved = Signal(float)
     """The new position: 0 to 5, whole at `stages.STOPS`."""
     named = Signal(str, str)
-    """What is shown there, and its axes and limits."""
+    """The stage there, and its axes and limits."""
 
     def __init__(self) -> None:
         super().__init__()
@@ -94,13 +90,13 @@ class StageStrip(QWidget, Playing, Gestures):
             ),
             (
                 self.tr("Box"),
-                self.tr("The canonical parallel volume: M_pp has made the pyramid a box"),
+                self.tr("The canonical parallel volume: M_pp has turned the pyramid into a box"),
             ),
             (self.tr("NDC"), self.tr("Normalised device coordinates, z mirrored for display")),
             (self.tr("Image"), self.tr("The picture in pixels: x right, y down")),
         )
         self._identity = self.tr("M_pp")
-        """Of a parallel lens, which has its box one stop before: what does nothing there."""
+        """Name of this stop for a parallel lens, whose box is one stop before."""
         self._projection = Projection()
         self._parallel = self._free = False
         self._said = ("", "")
@@ -132,7 +128,7 @@ class StageStrip(QWidget, Playing, Gestures):
         for half in range(2 * len(STOPS)):
             self._below.setColumnStretch(half, 1)
         self._rows = 0
-        """Of names; two where one row has no room for their letters."""
+        """Rows of names: two where one row is too narrow."""
         self.stops = [_Narrow() for _ in STOPS]
         for stop, button in enumerate(self.stops):
             button.clicked.connect(partial(self.go_to, float(stop)))
@@ -154,23 +150,17 @@ class StageStrip(QWidget, Playing, Gestures):
 
     @property
     def stop(self) -> int:
-        """The stop whose axes and letters are shown: the nearest one."""
+        """The nearest stop, whose axes and letters are shown."""
         return int(self._at + 0.5)
 
     def go_to(self, position: float) -> None:
-        """Stand at a position, as if the slider had been moved there.
-
-        Parameters
-        ----------
-        position : float
-            0 to 5.
-        """
+        """Go to a position, 0 to 5, as if the slider had been moved there."""
         self.pause()
         if position != self._at:
             self._stand_at(position)
 
     def take(self, shown: Shown, changed: Changed) -> None:
-        """Name the stops after what they are of this projection, and say axes and limits here."""
+        """Name the stops, axes and limits of this projection."""
         self._projection = shown.projection
         lens = self._projection.lens
         self._free = not lens.has_steps
@@ -181,7 +171,7 @@ class StageStrip(QWidget, Playing, Gestures):
         self._say()
 
     def _say(self) -> None:
-        """Say axes and limits, and what is shown, where they are other ones."""
+        """Emit stage, axes and limits if they have changed."""
         said = self._title(), self._words(self._projection)
         if said != self._said:
             self._said = said
@@ -189,10 +179,10 @@ class StageStrip(QWidget, Playing, Gestures):
             self.named.emit(*said)
 
     def _name(self, stop: int) -> tuple[str, str]:
-        """A stop's name and tooltip."""
+        """Return a stop's name and tooltip."""
         if self._parallel and stop == CANONICAL_PERSPECTIVE:
             name, _ = self._names[CANONICAL_PARALLEL]
-            tip = self.tr("The canonical parallel volume, at once: a parallel lens has no pyramid")
+            tip = self.tr("The canonical parallel volume: a parallel lens has no pyramid before it")
             return name, tip
         if self._parallel and stop == CANONICAL_PARALLEL:
             return self._identity, self.tr("The same box: M_pp of a parallel lens is the identity")
@@ -205,7 +195,7 @@ class StageStrip(QWidget, Playing, Gestures):
             set_tip(button, tip)
 
     def _title(self) -> str:
-        """What the pane shows at this position."""
+        """Return the stage at this position."""
         titles = (
             self.tr("World"),
             self.tr("View"),
@@ -226,7 +216,7 @@ class StageStrip(QWidget, Playing, Gestures):
         return f"{self._name(before)[0]} → {self._name(before + 1)[0]}"
 
     def _words(self, projection: Projection) -> str:
-        """Axes and limits at this position, in few words."""
+        """Return axes and limits at this position, in few words."""
         stop, lens = self.stop, projection.lens
         if stop == WORLD:
             text = self.tr("x, y, z in world units")
@@ -256,7 +246,7 @@ class StageStrip(QWidget, Playing, Gestures):
     # -- playing
 
     def play(self) -> None:
-        """Run on from here to the picture, resting at each stop; from its end, all of it."""
+        """Run from here to the picture with a rest at each stop; from the end, run all stages."""
         if self.playing or self.isHidden():
             return
         self._clock.start()
@@ -267,14 +257,14 @@ class StageStrip(QWidget, Playing, Gestures):
         self._rest_s = 0.0
 
     def pause(self) -> None:
-        """Stand still; playing again goes on from here."""
+        """Stop; playing again goes on from here."""
         if self.playing:
             self._clock.stop()
             self._show_playing()
             self.gesture_finished.emit()
 
     def advance(self, seconds: float) -> None:
-        """Run for some seconds; without effect while paused."""
+        """Run for some seconds; while paused, do nothing."""
         while self.playing and seconds > 0.0:
             rest = min(self._rest_s, seconds)
             self._rest_s -= rest
@@ -295,7 +285,7 @@ class StageStrip(QWidget, Playing, Gestures):
     # -- kept together
 
     def _stand_at(self, position: float) -> None:
-        """Played: between the slider's steps too."""
+        """Go to any position, also between the slider's steps."""
         self._at = position
         with QSignalBlocker(self.slider):
             self.slider.setValue(round(position * STEPS))
@@ -306,7 +296,7 @@ class StageStrip(QWidget, Playing, Gestures):
         self.pause()
         stop = round(value / STEPS) * STEPS
         if self.slider.isSliderDown() and 0 < abs(value - stop) <= CATCH:
-            self.slider.setValue(stop)  # and here again
+            self.slider.setValue(stop)  # calls this method again
             return
         if value != self._at * STEPS:
             self._at = value / STEPS
@@ -329,7 +319,7 @@ class StageStrip(QWidget, Playing, Gestures):
         self._name_button(
             self.tr("{0} the stages"),
             self.tr("Run through all stages to the picture, resting at each."),
-            self.tr("Stand still; playing again goes on from here."),
+            self.tr("Pause; playing again continues from here."),
         )
 
     def resizeEvent(self, event: QResizeEvent) -> None:
@@ -342,7 +332,7 @@ class StageStrip(QWidget, Playing, Gestures):
             self._fit()
 
     def _fit(self) -> None:
-        # The slider's ends over the middles of the first and the last name.
+        # The slider's ends are over the middles of the first and the last name.
         name_width = self._columns.geometry().width() // len(STOPS)
         style = self.slider.style()
         handle = style.pixelMetric(style.PixelMetric.PM_SliderLength, None, self.slider)
@@ -351,7 +341,7 @@ class StageStrip(QWidget, Playing, Gestures):
         self._fit_names(name_width)
 
     def _fit_names(self, width: int) -> None:
-        """Write the names in one row or two, and smaller only where two have no room either."""
+        """Write the names in one row or two, and smaller only where two rows are too narrow."""
         widths = [self.fontMetrics().horizontalAdvance(name) + 2 * GAP_PX for name in self._longest]
         self._stagger(1 if max(widths) <= width else 2)
         ends, inner = max(widths[0], widths[-1]), max(widths[1:-1])
@@ -364,7 +354,7 @@ class StageStrip(QWidget, Playing, Gestures):
             button.setFont(font)
 
     def _stagger(self, rows: int) -> None:
-        """Put the names under their stops: in one row, or every other one in a second."""
+        """Put the names under their stops, every other name in a second row if there are two."""
         if rows == self._rows:
             return
         self._rows = rows
@@ -375,7 +365,7 @@ class StageStrip(QWidget, Playing, Gestures):
 
     @property
     def _longest(self) -> list[str]:
-        """Of each stop's names, whatever the lens."""
+        """The longest name of each stop, whatever the lens."""
         names = [name for name, _ in self._names]
         names[CANONICAL_PARALLEL] = max(names[CANONICAL_PARALLEL], self._identity, key=len)
         return names
@@ -386,13 +376,13 @@ class StageStrip(QWidget, Playing, Gestures):
 
 
 class _Narrow(QToolButton):
-    """A name that takes the width it is given."""
+    """A name that may be narrower than its text."""
 
     def __init__(self) -> None:
         super().__init__(autoRaise=True)
         self.setCheckable(True)
         self.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
-        self.setFocusPolicy(Qt.FocusPolicy.NoFocus)  # the slider's arrow keys reach them all
+        self.setFocusPolicy(Qt.FocusPolicy.NoFocus)  # the slider's arrow keys reach all stops
 
     def minimumSizeHint(self) -> QSize:
         return QSize(0, super().minimumSizeHint().height())

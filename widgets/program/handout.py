@@ -6,7 +6,7 @@ display is needed.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from functools import partial
 from textwrap import wrap
@@ -16,12 +16,10 @@ from PySide6.QtGui import (
     QColor,
     QFont,
     QGuiApplication,
-    QImage,
     QPageLayout,
     QPageSize,
     QPainter,
     QPdfWriter,
-    QTextDocument,
 )
 
 from app.document.document import Document
@@ -90,7 +88,8 @@ class _Block:
     """A part of a page over its width, in points; `kept` on the page where the next one begins."""
 
     height: float
-    what: QTextDocument | QImage | tuple[Typeset, ...]
+    paint: Callable[[QPainter, QRectF], object]
+    """Paints what of it is in a rectangle."""
     left: float = 0.0
     kept: bool = False
 
@@ -108,7 +107,7 @@ def _text(
     document.setUseDesignMetrics(True)
     set_text(document, text, title=title)
     document.setTextWidth(width - left)
-    return _Block(document.size().height(), document, left, kept=title)
+    return _Block(document.size().height(), document.drawContents, left, kept=title)
 
 
 def _blocks(course: Course, place: int, step: Step, width: float) -> Iterator[_Block]:
@@ -149,7 +148,8 @@ def _figure(document: Document, width: float) -> _Block:
         quality=document.quality,
     )
     image = image_of(pixels)
-    return _Block(width * image.height() / image.width(), image)
+    place = QRectF(0.0, 0.0, width, width * image.height() / image.width())
+    return _Block(place.height(), lambda painter, _part: painter.drawImage(place, image))
 
 
 def _panel(document: Document, before: Document | None, width: float) -> Iterator[_Block]:
@@ -220,7 +220,13 @@ def _side_by_side(formulas: Iterable[str], width: float) -> Iterator[_Block]:
         rows[-1].append(part.at(right, part.ascent))
         right += part.width + BETWEEN_FORMULAS_PX
     for row in rows:
-        yield _Block(scale * max(part.descent for part in row), tuple(row))
+        yield _Block(scale * max(part.descent for part in row), partial(_paint_row, row))
+
+
+def _paint_row(row: Sequence[Typeset], painter: QPainter, _part: QRectF) -> None:
+    painter.scale(FORMULA_PT / FORMULA_PX, FORMULA_PT / FORMULA_PX)
+    for formula in row:
+        formula.paint(painter, 0.0, 0.0)
 
 
 class _Pages:
@@ -293,13 +299,5 @@ class _Pages:
             line = QRectF(0.25 * left, self._y, 1.5, part)
             painter.fillRect(line, QColor(LIGHT.near))
         painter.translate(QPointF(left, self._y - begin))
-        clip = QRectF(0.0, begin, self._width - left, part)
-        if isinstance(block.what, QImage):
-            painter.drawImage(QRectF(0.0, 0.0, self._width, block.height), block.what)
-        elif isinstance(block.what, QTextDocument):
-            block.what.drawContents(painter, clip)
-        else:
-            painter.scale(FORMULA_PT / FORMULA_PX, FORMULA_PT / FORMULA_PX)
-            for formula in block.what:
-                formula.paint(painter, 0.0, 0.0)
+        block.paint(painter, QRectF(0.0, begin, self._width - left, part))
         painter.restore()

@@ -52,7 +52,7 @@ class Comparing(QObject):
             self.tr("Compare"), menus.compare.toolTip(), self.toggle,
             icon="compare", name=menus.compare.text().replace("&", ""), flat=True, checkable=True,
         )  # fmt: skip
-        image.add_tool(self.button)
+        image.header.add_tool(self.button)
         menus.compare.triggered.connect(self.toggle)
         menus.compare_way.triggered.connect(self.pictures.toggle_way)
         card.comparison_wanted.connect(self.begin)

@@ -72,12 +72,12 @@ class Look(QObject):
                 "half height": self.tr("half height"),
                 "no planes": self.tr("A typed matrix has no near, no far and no angle."),
                 "no angle": self.tr(
-                    "A parallel lens has no angle: it is as wide at every distance."
+                    "A parallel lens has no angle: it is equally wide at every distance."
                 ),
                 "no eye": self.tr("A parallel lens has no eye: this is the view along its axis."),
                 "no room": self.tr("No room for all dimensions."),
                 "no half angle": self.tr(
-                    "This window is off the axis, which does not halve its angle."
+                    "This window is off-axis: the axis does not halve its angle."
                 ),
             }
         )
@@ -136,7 +136,7 @@ class Look(QObject):
     def forget_ahead(self) -> None:
         """Discard the drawings that `ahead` has made."""
         for pane in self._panes.values():
-            pane.keep_ahead()
+            pane.ahead.keep()
 
     def _build(self, turned: Mapping[str, Camera]) -> None:
         shown = self._shown
@@ -181,9 +181,9 @@ class Look(QObject):
             for name, pane in self._panes.items()
         ]
         for pane in self._panes.values():
-            pane.keep_ahead(*(arguments for _, _, arguments in plan))
+            pane.ahead.keep(*(arguments for _, _, arguments in plan))
         for pane, step, arguments in plan:
-            pane.draw_ahead(step, *arguments)
+            pane.ahead.draw(step, *arguments)
             yield
 
     def refine(self, name: str, smooth: bool) -> None:

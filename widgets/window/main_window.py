@@ -457,7 +457,7 @@ class MainWindow(QMainWindow):
         self.look.set_presenting(on)
         self.controls.set_presenting(on)
         for pane in self.panes.values():
-            pane.set_presenting(on)
+            pane.header.set_presenting(on)
         self.menus.fit_icons()
         if not on and self._before_presenting is not None:
             whole = self._before_presenting[1]

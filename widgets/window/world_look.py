@@ -70,7 +70,7 @@ class WorldLook(QObject):
         self.fixed, self.hidden = "", frozenset[str]()
         self._views = FixedViews()
         self._views.menu.menu().addActions(list(menus.fixed.values()))
-        self._world.add_to_header(self._views, self._views.menu)
+        self._world.header.add(self._views, self._views.menu)
         for name, button in self._views.buttons.items():
             button.clicked.connect(partial(self.show, name))
             menus.fixed[name].triggered.connect(partial(self.show, name))
@@ -86,7 +86,7 @@ class WorldLook(QObject):
                 pane.show_layers(hidden)
         if fixed != self.fixed:
             self.fixed = fixed
-            self._world.show_fixed(fixed)
+            self._world.ask("fixed", fixed)
         self._mark()
 
     def _switch(self) -> None:

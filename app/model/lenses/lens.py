@@ -12,6 +12,7 @@ import math
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
+from functools import cached_property
 from typing import Any, ClassVar, NamedTuple, cast
 
 from app.arithmetic.rationals import Rationals
@@ -141,12 +142,12 @@ class Lens(Geometry):
         """The same in float64; a term that would lose digits, like ``r - l``, is a key itself."""
         raise NotImplementedError
 
-    @property
+    @cached_property
     def has_steps(self) -> bool:
         """Whether points pass the canonical volumes; a typed matrix is one step."""
         return bool(self.table.steps)
 
-    @property
+    @cached_property
     def has_pyramid(self) -> bool:
         """Whether the first canonical volume is the pyramid, from which M_pp leads to the box."""
         return self.has_steps and self.table.steps[0].name == TO_PYRAMID

@@ -1,0 +1,50 @@
+"""A panel with diagrams: their views, and a width that also fits a small window."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from PySide6.QtCore import QSize
+
+from app.drawings.style import LIGHT, Style
+from app.scenes.phenomena.diagram import Diagram
+from widgets.parts.diagram import DiagramView
+from widgets.parts.readable import ReadablePanel
+
+LEAST_WINDOW_PX = 900
+"""The panel must fit into a window of this width."""
+
+
+class DiagramPanel(ReadablePanel):
+    """A panel with as many views as it has had diagrams at once; the rest are hidden."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.diagrams: list[DiagramView] = []
+        self._style = LIGHT
+
+    def minimumSizeHint(self) -> QSize:
+        return QSize(min(super().minimumSizeHint().width(), LEAST_WINDOW_PX), 80)
+
+    def set_style(self, style: Style) -> None:
+        self._style = style
+        for diagram in self.diagrams:
+            diagram.set_style(style)
+
+    def _place_diagrams(self) -> None:
+        """Put all views into the layout; called when there is another one."""
+        raise NotImplementedError
+
+    def _show_diagrams(self, diagrams: Sequence[Diagram], least: int = 0) -> None:
+        """Show diagrams, and empty views up to the `least` number."""
+        count = max(least, len(diagrams))
+        while len(self.diagrams) < count:
+            view = DiagramView()
+            view.set_style(self._style)
+            view.copy_wanted.connect(self.copy_wanted)
+            view.export_wanted.connect(self.export_wanted)
+            self.diagrams.append(view)
+            self._place_diagrams()
+        for place, view in enumerate(self.diagrams):
+            view.setVisible(place < count)
+            view.show_diagram(diagrams[place] if place < len(diagrams) else None)

@@ -1,0 +1,69 @@
+"""Drawings that are made before they are shown, so that a step of a lesson appears at once."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any, NamedTuple
+
+from app.drawings.drawing import Drawing
+from widgets.panes.canvas import AnyCanvas, RasterCanvas
+from widgets.parts.panel import Shown
+
+
+class _Drawn(NamedTuple):
+    args: tuple[object, ...]
+    """The arguments of `Pane.build` that the drawing is for."""
+    shown: Shown
+    screen: Any
+    drawing: Drawing
+
+
+class Ahead:
+    """The drawings that are made ahead for a canvas; only a `RasterCanvas` can take them.
+
+    `make_drawing` is that of the `Pane`; `smooth` sets the antialiasing of a window of VTK's.
+    """
+
+    def __init__(
+        self,
+        canvas: AnyCanvas,
+        make_drawing: Callable[..., Drawing],
+        smooth: Callable[[Any], object],
+    ) -> None:
+        self._canvas, self._make_drawing, self._smooth = canvas, make_drawing, smooth
+        self._drawn: list[_Drawn] = []
+        self._replaced: list[tuple[Any, Drawing | None]] = []
+        """Screens and drawings that were replaced; releasing them takes time."""
+
+    def draw(self, shown: Shown, *args: object) -> None:
+        """Make the drawing that a `build` with the same arguments will show."""
+        canvas = self._canvas
+        if not isinstance(canvas, RasterCanvas) or not canvas.is_open or not canvas.isVisible():
+            return
+        if not any(each.args == args for each in self._drawn):
+            screen = canvas.screen_ahead()
+            drawing = self._make_drawing(screen, *args)
+            drawing.show_projection(shown.projection, shown.illustration)
+            drawing.reset_view()
+            self._smooth(screen.render_window)
+            screen.render_window.Render()  # compiles the shaders
+            self._drawn.append(_Drawn(args, shown, screen, drawing))
+
+    def keep(self, *wanted: tuple[object, ...]) -> None:
+        """Release all drawings with other arguments, and all replaced drawings."""
+        old = [each for each in self._drawn if each.args not in wanted]
+        self._drawn = [each for each in self._drawn if each.args in wanted]
+        for screen, _ in (*self._replaced, *((each.screen, each.drawing) for each in old)):
+            screen.close()
+        self._replaced.clear()
+
+    def take(
+        self, args: tuple[object, ...], before: Drawing | None
+    ) -> tuple[Shown, Drawing] | None:
+        """Show the drawing for these arguments instead of the one before, if there is one."""
+        for each in self._drawn:
+            if each.args == args and isinstance(self._canvas, RasterCanvas):
+                self._drawn.remove(each)
+                self._replaced.append((self._canvas.show_screen(each.screen), before))
+                return each.shown, each.drawing
+        return None

@@ -1,0 +1,79 @@
+"""The title row that lies on a pane's picture: the title and a note at the left, buttons right."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from PySide6.QtWidgets import QToolButton, QWidget
+
+from widgets.parts.layouts import in_row
+from widgets.parts.note import Title
+from widgets.parts.plain import set_tip
+
+
+class Header(QWidget):
+    """The title and the note; `tools` is a widget of its own, with the buttons.
+
+    Everything stays in one line.
+    """
+
+    def __init__(self, pane: QWidget, title: str, tools: Sequence[QToolButton]) -> None:
+        super().__init__()
+        self._pane = pane
+        self.title, self.note = Title(title), Title("", "paneNote")
+        self.tools = QWidget()
+        self._beside_title: tuple[QWidget, QWidget] | None = None
+        self._title_bar = in_row(self.title, self.note, on=self, margins=(8, 2, 2, 2))
+        self._tool_bar = in_row(*tools, on=self.tools, margins=(8, 2, 2, 2))
+        set_tip(
+            self,
+            self.tr(
+                "Double-click to enlarge this pane, again for the whole window, and again to"
+                " go back"
+            ),
+        )
+
+    def add(self, widget: QWidget, narrow: QWidget) -> None:
+        """Put a widget beside the title, and `narrow` in its place where it does not fit."""
+        self._title_bar.addWidget(widget)
+        self._title_bar.addWidget(narrow)
+        self._beside_title = widget, narrow
+
+    def add_tool(self, button: QToolButton) -> None:
+        """Put a button before the other buttons."""
+        self._tool_bar.insertWidget(0, button)
+        self.fit()
+
+    @property
+    def room(self) -> tuple[int, int]:
+        """The free part of the row, in pixels from the pane's left."""
+        hidden = self.tools.isHidden()
+        return self.x() + self.width(), self._pane.width() if hidden else self.tools.x()
+
+    def set_presenting(self, on: bool) -> None:
+        """Hide the buttons from a class; mouse and keys do the same."""
+        self.tools.setVisible(not on)
+        self.fit()
+
+    def say(self, title: str, note: str) -> None:
+        """Name the content of the pane; its accessible name stays."""
+        self.title.setText(title)
+        self.note.setText(note)
+        self.fit()
+
+    def fit(self) -> None:
+        """Share out the width, after a change of the pane's size or font."""
+        self.setMinimumHeight(self.tools.sizeHint().height())
+        tools_px = 0 if self.tools.isHidden() else self.tools.sizeHint().width()
+        room = max(0, self._pane.width() - tools_px)
+        bar = self._title_bar
+        margins = bar.contentsMargins()
+        taken = margins.left() + self.title.sizeHint().width() + bar.spacing() + margins.right()
+        if self._beside_title is not None:
+            wide, narrow = self._beside_title
+            fits = taken + bar.spacing() + wide.sizeHint().width() <= room
+            wide.setVisible(fits)
+            narrow.setVisible(not fits)
+            taken += bar.spacing() + (wide if fits else narrow).sizeHint().width()
+        self.setMaximumWidth(room)
+        self.note.setMaximumWidth(max(0, room - taken))
