@@ -122,7 +122,7 @@ class Projection(Pipeline):
 
     @property
     def passage(self) -> Passage:
-        """The passage of points through the lens: a new one each time, to avoid a reference cycle."""
+        """The passage of points through the lens; made anew, to avoid a reference cycle."""
         return EyeFirst(self) if self.lens.planes is not None else TypedCells(self)
 
     @property
