@@ -1462,7 +1462,7 @@ def test_an_exported_phenomenon_carries_its_settings_and_its_mesh(tmp_path: Path
             ["scene=depth-buffer", "settings.range=logarithmic", "lens.far=inf"],
             "depth-buffer: a logarithmic depth buffer needs a perspective lens and a far plane",
         ),
-        (["scene=eye-plane", "lens.kind=orthographic"], "eye-plane: a parallel lens has no eye"),
+        (["scene=eye-plane", "lens.kind=orthographic"], "eye-plane: a parallel lens divides by 1"),
         (["scene=depth-buffer"], ""),
     ],
 )
