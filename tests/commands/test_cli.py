@@ -1251,7 +1251,7 @@ def test_export_options_reach_the_picture(tmp_path: Path, by_hand: Path) -> None
         ),
         (["figure.png", "--size", "9000x900", "--scale", "2"], "--size width = 9000 times scale 2"),
         (["figure.png", "--size", "big"], "--size = 'big': must be WIDTHxHEIGHT"),
-        (["figure.png", "--scale", "0"], "scale = 0: must lie between 0"),
+        (["figure.png", "--scale", "0"], "scale = 0: must be greater than 0"),
         (["figure.png", "--scale", "2x"], "--scale = '2x': must be a finite number"),
         (["figure.png", "--text-size", "big"], "--text-size = 'big': must be a number of points."),
         (["figure.png", "--text-size", "0"], "--text-size = 0: must be from 0.24 to 38.4 points"),

@@ -1,1 +1,1 @@
-"""Matrices, camera frame, probes, scene, measurements."""
+"""Panels of the drawer: matrices, camera frame, kinds, probes, explanation, measurements."""

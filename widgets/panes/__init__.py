@@ -1,1 +1,1 @@
-"""The three pictures as widgets, and what the hand does in them."""
+"""The three pictures as widgets, and the mouse and the keyboard in them."""
