@@ -7,7 +7,7 @@ operations are below 2^-102 (Joldes, Muller, Popescu, "Tight and rigorous error 
 building blocks of double-word arithmetic", 2017). Scalars are Python's own rationals: exact, or
 rounded to `BITS` bits where a root or an angle makes them irrational.
 
-Overflow and underflow are the caller's: the operands' products must stay between 1e-290 and 1e290
+The caller prevents overflow and underflow: products of operands must stay between 1e-290 and 1e290
 for the low parts to exist.
 """
 
@@ -29,7 +29,7 @@ RELATIVE_ERROR = 2.0**-100
 """Bound of the relative error of each operation on double-doubles."""
 
 UNDERFLOW = 1e-300
-"""What products near the smallest float64 may lose, and some."""
+"""Upper bound of the loss of a product near the smallest float64."""
 
 _SPLITTER = 2.0**27 + 1.0
 
@@ -42,7 +42,7 @@ class DoubleDouble(NamedTuple):
 
 
 def from_exact(value: Fraction) -> tuple[float, float]:
-    """The two float64 that are nearest to an exact number."""
+    """The two float64 whose sum is nearest to an exact number."""
     hi = float(value)
     return hi, float(value - Fraction(hi))
 
@@ -109,13 +109,7 @@ def divide(a: DoubleDouble, b: DoubleDouble) -> DoubleDouble:
 
 
 def root(value: Fraction) -> Fraction:
-    """The square root of a rational, to `BITS` bits.
-
-    Parameters
-    ----------
-    value : Fraction
-        Not negative.
-    """
+    """The square root of a rational that is not negative, to `BITS` bits."""
     if value == 0:
         return Fraction(0)
     # As many bits below the point as make the integer's root BITS long, whatever its size.
@@ -126,7 +120,7 @@ def root(value: Fraction) -> Fraction:
 
 
 def cut(value: Fraction) -> Fraction:
-    """The same number to `BITS` bits, so that rationals do not grow without end."""
+    """The number cut to `BITS` bits, so that rationals do not grow without end."""
     if value == 0:
         return value
     shift = BITS - (value.numerator.bit_length() - value.denominator.bit_length())
@@ -166,8 +160,7 @@ def _cosine_and_ratio(x: Fraction) -> tuple[Fraction, Fraction]:
 def cotangent_deg(angle_deg: Fraction) -> Fraction:
     """The cotangent of an angle strictly between 0 and 180 degrees, to about `BITS` bits.
 
-    From the angle's distance from 0, 90 or 180 degrees, whichever is nearest: at most 45 degrees,
-    exact, and never lost in a larger number.
+    It is computed from the exact distance to 0, 90 or 180 degrees, whichever is nearest.
     """
     if angle_deg > 90:
         return -cotangent_deg(180 - angle_deg)

@@ -11,15 +11,7 @@ Rationals: TypeAlias = list[list[Fraction]]
 
 
 class Elimination(NamedTuple):
-    """What Gauss and Jordan leave of a square matrix.
-
-    Attributes
-    ----------
-    rank : int
-    determinant : Fraction
-    inverse : (n, n) Rationals or None
-        None if the determinant is 0.
-    """
+    """Properties of a square matrix; the inverse is None if the determinant is 0."""
 
     rank: int
     determinant: Fraction
@@ -27,17 +19,17 @@ class Elimination(NamedTuple):
 
 
 def rationals(matrix: Sequence[Sequence[float | Fraction]]) -> Rationals:
-    """The same matrix in rationals; every float64 is one."""
+    """The matrix in rationals; every float64 is one."""
     return [[Fraction(part) for part in row] for row in matrix]
 
 
 def dot(a: Sequence[Fraction], b: Sequence[Fraction]) -> Fraction:
-    """The sum of the products of two rows' parts."""
+    """The dot product."""
     return sum((x * y for x, y in zip(a, b, strict=True)), Fraction(0))
 
 
 def nearest(number: Any) -> float:
-    """The nearest float64; infinite if it is beyond them all."""
+    """The nearest float64; infinite beyond the largest one."""
     try:
         return float(number)
     except OverflowError:
@@ -45,7 +37,7 @@ def nearest(number: Any) -> float:
 
 
 def product(left: list[list[Any]], right: list[list[Any]]) -> list[list[Any]]:
-    """``left right``, in any exact arithmetic; most cells of a lens are zero, and skipped."""
+    """``left right`` in any exact arithmetic; skips zeros, which most cells of a lens are."""
     columns, zero = list(zip(*right, strict=True)), left[0][0] - left[0][0]
     return [
         [

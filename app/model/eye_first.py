@@ -1,29 +1,24 @@
-"""The way of points through a lens with an eye plane, in closed form.
+"""The passage of points through a lens with an eye plane, in closed form.
 
-The eye is subtracted first: the formulas start from view coordinates, and the distance from the eye
-plane is kept apart from what is divided by it. `app.model.typed_cells` gives the same answers for
-a matrix that somebody typed.
+The eye is subtracted first. The formulas start from view coordinates, and divide by the distance
+from the eye plane last. `app.model.typed_cells` has the same methods for a typed matrix.
 """
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 from fractions import Fraction
-from functools import cached_property
 from typing import Any, cast
 
 import numpy as np
 
 from app.arithmetic import double_double as dd
 from app.arithmetic.double_double import DoubleDouble
-from app.model.lenses.answers import ExactLens
 from app.model.lenses.lens import EyeLens
-from app.model.lenses.oblique import COTS
-from app.model.limits import BEYOND, LARGEST, NO_POINT, Array, Vector, read_only
+from app.model.limits import BEYOND, LARGEST, NO_POINT, Array, Vector
 from app.model.object_transform import Placed
 from app.model.pipeline import HalfSpaces, Pipeline, Trace
 from app.model.refusal import Refusal
-from app.model.tables import evaluated
 
 _CHUNK = 16384  # larger blocks wake OpenBLAS's second thread, which fights a software renderer
 _LARGE_STRETCH = 2.0**24  # `Pipeline.stretch` up to which dot products of 75 bits will do
@@ -31,15 +26,9 @@ _ABOVE_OFFSETS = 2.0**27  # added and taken away again, leaves the upper 27 bits
 
 
 class EyeFirst:
-    """The way through a `Central` or a `Parallel` lens.
+    """The passage through a `Central` or a `Parallel` lens."""
 
-    Attributes
-    ----------
-    frustum_sign : int
-        See `Projection.frustum_sign`.
-    """
-
-    frustum_sign = 1
+    frustum_sign = 1  # see `Projection.frustum_sign`
 
     def __init__(self, pipeline: Pipeline) -> None:
         self._of, self._lens = pipeline, cast(EyeLens, pipeline.lens)
@@ -47,14 +36,9 @@ class EyeFirst:
 
     # -- matrices
 
-    @cached_property
-    def clip_from_eye(self) -> Array:
-        """Clip from world axes with their origin in the eye, (4, 4)."""
-        return read_only(self._of.clip_from_view @ self._of.view_rotation)
-
     @property
     def eye_from_clip(self) -> tuple[Array, ...]:
-        """The inverse of `clip_from_eye` as factors, or a `Refusal` if there is none."""
+        """The inverse of `Pipeline.clip_from_eye` as factors, or a `Refusal` if there is none."""
         return self._of.view_rotation.T, self._of.view_from_clip
 
     @property
@@ -69,40 +53,16 @@ class EyeFirst:
 
     @property
     def w_of_z(self) -> tuple[float, float]:
-        """The factor and the constant that give w from z of clip space.
-
-        A constant alone means that points are divided already.
-        """
+        """Factor and constant of w in z of clip space; factor 0 if points are divided already."""
         (a, b), (c, d) = self._of.clip_from_view[2:, 2:]
         return c / a + 0.0, d - c * b / a
-
-    @cached_property
-    def exact_lens(self) -> ExactLens:
-        """The numbers that the lens is made of, without their rounding to float64."""
-        zero, letters = Fraction(0), self._of.exact_letters
-        upright = {**letters, **dict.fromkeys(COTS, zero)}
-        x, y, _, w = evaluated(self._lens.table.clip_from_view, upright)
-        at = 2 if w[2] else 3  # the column of w
-        cot_alpha, cot_beta = (letters.get(cot, zero) for cot in COTS)
-        return ExactLens(
-            (x[0], y[1]),
-            (x[at] / w[at], y[at] / w[at]),
-            (cot_alpha, cot_beta),
-            Fraction(self._lens.near),
-            letters.get("f"),
-        )
 
     # -- points in float64
 
     def view(self, world: Array, rest: Array | None = None) -> tuple[Array, Array]:
-        """View coordinates of points (n, 3), rounded once, and what that cut off of z.
+        """View coordinates of points (n, 3), rounded once, (3, n), and what that cut off z, (n,).
 
         `rest` is what the points' own rounding cut off.
-
-        Returns
-        -------
-        view : (3, n) array
-        rest : (n,) array
 
         Notes
         -----
@@ -174,7 +134,7 @@ class EyeFirst:
         x, y, z = rows
         distance = -z
         w = distance if lens.central else np.ones_like(distance)
-        (x_clip, y_clip), (x_ndc, y_ndc) = lens.pictured(of.axes, of.aspect, x, y, distance)
+        (x_clip, y_clip), (x_ndc, y_ndc) = lens.pictured(lambda: of.axes, of.aspect, x, y, distance)
         numerator, depth = lens.depth_over_w(distance, rest, reverse=self._reverse)
         opengl = of.depth == "opengl"
         z_clip = 2.0 * numerator - w if opengl else numerator
@@ -210,7 +170,7 @@ class EyeFirst:
         return offsets @ self._of.view_rotation.astype(offsets.dtype)[:3, :3].T
 
     def beyond(self, view: Any, clip: Any) -> tuple[Any, Any]:
-        """Which points, (n, 3) and (n, 4), lie before the near plane and beyond the far one."""
+        """Which points, (n, 3) and (n, 4), lie before the near plane, and beyond the far one."""
         number, distance = view.dtype.type, -view[:, 2]
         return distance < number(self._lens.near), distance > number(self._lens.far)
 
@@ -258,7 +218,7 @@ class EyeFirst:
 
         The result is in the arithmetic of the arguments, `coordinates` or `exact_coordinates`.
         """
-        n, distance = self.exact_lens, -z
+        n, distance = self._of.exact_lens, -z
         one = distance * 0 + 1
         w = distance if self._lens.central else one
         from_near, to_far = distance - n.near, one if n.far is None else -distance + n.far
@@ -285,10 +245,9 @@ class EyeFirst:
 
     @property
     def view_error(self) -> float:
-        """Relative error of `trace`'s view coordinates before their final rounding.
+        """Error of `trace`'s view coordinates before their final rounding.
 
-        Relative to the distance from the eye (the sum of the sizes of the offset); z together with
-        what its rounding cut off.
+        Relative to the sum of the sizes of the offset from the eye; z includes what was cut off.
         """
         return 2.0**-74 if self._of.stretch <= _LARGE_STRETCH else 2.0**-96
 
@@ -347,14 +306,10 @@ class EyeFirst:
 
     @property
     def order(self) -> tuple[Array, Array]:
-        """What is in front of what, and what lies between near and far.
+        """From the axes of `stated_in`: the order of points, and the limits of the depth.
 
-        Returns
-        -------
-        order : (4,) array
-            From the axes of `stated_in`: a number that is smaller in front, times w.
-        limits : (k, 4) array
-            Half-spaces of these axes: ``limit . (x, y, z, 1) >= 0`` inside.
+        The order, (4,), gives a number that is smaller in front, times w. The limits, (k, 4), are
+        half-spaces between near and far: ``limit . (x, y, z, 1) >= 0`` inside.
         """
         # Without the digits that the depth loses far away: -1/w, or the distance. Of a row c z + d
         # that makes w, (-d z + c)/(c z + d) only falls with z.
@@ -375,10 +330,10 @@ class EyeFirst:
         return found
 
     def nearer(self, share: float, length: float, least: float) -> tuple[float, float]:
-        """The growth of z in clip space when things come nearer: a constant, and a factor of w.
+        """Change of z in clip space when things come nearer: a constant, and a factor of w.
 
-        Nearer by a `share` of the distance, by a `length` if the lens has no eye, or by the
-        `least` part of the depth range for a typed matrix.
+        They come nearer by a `share` of the distance, by a `length` if the lens has no eye, and
+        for a typed matrix by the `least` part of the depth range.
         """
         a, b = self._of.clip_from_view[2, 2:]
         # z_clip = a z + b with -z = w, so that b / (1 - share) for b is the depth at w (1 - share).

@@ -35,9 +35,7 @@ LARGEST_DEGREE = 100
 """Factors of the largest product, with all powers multiplied out."""
 
 TOO_LONG = QT_TRANSLATE_NOOP("Refusal", "is longer than {0} characters")
-TOO_DEEP = QT_TRANSLATE_NOOP(
-    "Refusal", "has more than {0} nested brackets (character {1})"
-)
+TOO_DEEP = QT_TRANSLATE_NOOP("Refusal", "has more than {0} nested brackets (character {1})")
 TOO_LARGE = QT_TRANSLATE_NOOP("Refusal", "has a power with a degree above {0} (character {1})")
 UNKNOWN = QT_TRANSLATE_NOOP("Refusal", "has {0}, which no formula may contain (character {1})")
 EXPECTED = QT_TRANSLATE_NOOP(

@@ -16,7 +16,8 @@ from app.arithmetic.rationals import Rationals, product, rationals
 from app.model.camera import Camera
 from app.model.formula import FLOAT64
 from app.model.lenses import Lens, Perspective
-from app.model.lenses.answers import Axis, Window
+from app.model.lenses.answers import Axis, ExactLens, Window
+from app.model.lenses.oblique import COTS
 from app.model.limits import (
     AT_LEAST,
     AT_MOST,
@@ -265,6 +266,13 @@ class Pipeline:
         return read_only(self.clip_from_view @ self.view_from_world)
 
     @cached_property
+    def clip_from_eye(self) -> Array:
+        """Clip from world axes with their origin in the eye, (4, 4)."""
+        if self.lens.planes is None:
+            return rounded(self.exact_from_eye[1])
+        return read_only(self.clip_from_view @ self.view_rotation)
+
+    @cached_property
     def image_from_ndc(self) -> Array:
         """The viewport matrix (lecture 002), (4, 4): x, y to pixels, z to depth in [0, 1]."""
         width, height = self.image_size
@@ -294,6 +302,22 @@ class Pipeline:
         for row, axis in zip(rotation, self.camera.exact_frame, strict=False):
             row[:3] = axis
         return rotation
+
+    @cached_property
+    def exact_lens(self) -> ExactLens:
+        """The numbers of the lens before they are rounded to float64."""
+        zero, letters = Fraction(0), self.exact_letters
+        upright = {**letters, **dict.fromkeys(COTS, zero)}
+        x, y, _, w = evaluated(self.lens.table.clip_from_view, upright)
+        at = 2 if w[2] else 3  # the column of w
+        cot_alpha, cot_beta = (letters.get(cot, zero) for cot in COTS)
+        return ExactLens(
+            (x[0], y[1]),
+            (x[at] / w[at], y[at] / w[at]),
+            (cot_alpha, cot_beta),
+            Fraction(self.lens.near),
+            letters.get("f"),
+        )
 
     @cached_property
     def eye_from_clip(self) -> Rationals:

@@ -29,7 +29,7 @@ canonical volumes and the matrices M_pp and M_z between them those of lecture 00
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from functools import cached_property, lru_cache, reduce
+from functools import lru_cache, reduce
 from typing import Any, TypeAlias
 
 import numpy as np
@@ -109,7 +109,7 @@ __all__ = [  # the other rooms import everything of the model from here
 ]  # fmt: skip
 
 Passage: TypeAlias = EyeFirst | TypedCells
-"""The way of points through a lens; both classes have the same methods."""
+"""The passage of points through a lens; both classes have the same methods."""
 
 
 @dataclass(frozen=True)
@@ -120,9 +120,9 @@ class Projection(Pipeline):
     `Pipeline` has its fields and the matrices that are read.
     """
 
-    @cached_property
+    @property
     def passage(self) -> Passage:
-        """The way of points through the lens."""
+        """The passage of points through the lens; made anew, to avoid a reference cycle."""
         return EyeFirst(self) if self.lens.planes is not None else TypedCells(self)
 
     @property
@@ -136,11 +136,6 @@ class Projection(Pipeline):
         return self.lens.shear
 
     # -- matrices, with the eye subtracted first
-
-    @property
-    def clip_from_eye(self) -> Array:
-        """Clip from world axes with their origin in the eye: `clip_from_world_at` it, (4, 4)."""
-        return self.passage.clip_from_eye
 
     def clip_from_world_at(self, origin: ArrayLike) -> Array:
         """`clip_from_world` for points given relative to a world point `origin`, (4, 4).

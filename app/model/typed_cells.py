@@ -1,11 +1,10 @@
-"""The way of points through a matrix that somebody typed: its cells, with the eye subtracted."""
+"""The passage of points through a typed matrix: its cells, after the eye is subtracted."""
 
 from __future__ import annotations
 
 import math
 from collections.abc import Sequence
 from fractions import Fraction
-from functools import cached_property
 from typing import Any
 
 import numpy as np
@@ -22,7 +21,7 @@ RAY_REACH = 10.0
 
 
 class TypedCells:
-    """The way through a `FreeMatrix`; `EyeFirst` documents what its methods answer."""
+    """The passage through a `FreeMatrix`; `EyeFirst` documents the methods."""
 
     view_error = 0.0
     w_of_z = 0.0, 1.0
@@ -32,19 +31,15 @@ class TypedCells:
 
     # -- matrices
 
-    @cached_property
-    def clip_from_eye(self) -> Array:
-        return rounded(self._of.exact_from_eye[1])
-
     @property
     def eye_from_clip(self) -> tuple[Array, ...]:
         return (rounded(self._of.eye_from_clip),)
 
     @property
     def stated_in(self) -> tuple[Array, Array]:
-        return self.clip_from_eye, np.eye(4)
+        return self._of.clip_from_eye, np.eye(4)
 
-    @cached_property
+    @property
     def frustum_sign(self) -> int:
         try:
             x, y, z, w = self._of.eye_from_clip[3]
@@ -66,7 +61,7 @@ class TypedCells:
     # -- points
 
     def trace(self, world: Array, rest: Array | None = None) -> Trace:
-        of, clip_from_eye = self._of, self.clip_from_eye
+        of, clip_from_eye = self._of, self._of.clip_from_eye
         offsets = world - of.camera.eye
         if rest is not None:
             offsets += rest
@@ -147,7 +142,7 @@ class TypedCells:
 
     @property
     def depth_terms(self) -> tuple[Array, Array]:
-        row, clip = self._of.image_from_ndc[2, 2:], self.clip_from_eye
+        row, clip = self._of.image_from_ndc[2, 2:], self._of.clip_from_eye
         return row @ clip[2:], row @ np.abs(clip)[2:]
 
     # -- lines, and what is drawn
@@ -176,10 +171,10 @@ class TypedCells:
         return line
 
     def _line_in_front(self, ends: Array, shares: Array) -> Array | None:
-        """The part in front of the eye plane of a line that others may see reach infinity.
+        """The part of a line in front of the eye plane, if it may reach infinity.
 
-        An un-projected point has the inverse of its own w: it passes 0 where the line passes
-        infinity, and the rest gives the direction there.
+        An un-projected point has the inverse of its own w, which is 0 where the line passes
+        infinity; the other coordinates give the direction there.
         """
         try:
             (unprojected,) = self.eye_from_clip
@@ -216,7 +211,7 @@ class TypedCells:
 
     @property
     def order(self) -> tuple[Array, Array]:
-        clip = self.clip_from_eye
+        clip = self._of.clip_from_eye
         z_near, z_far = self._of.depth_range
         sign = math.copysign(1.0, z_far - z_near)
         planes = np.array([clip[2] - z_near * clip[3], z_far * clip[3] - clip[2]])

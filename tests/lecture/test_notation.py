@@ -74,7 +74,8 @@ def letter_values(projection: Projection, letters: Letters = "own") -> dict[str,
     values |= {
         "n": sign * lens.near, "f": sign * lens.far, "l": left, "r": right, "b": bottom, "t": top,
     }  # fmt: skip
-    if isinstance(lens, Perspective):
+    values |= {letter: getattr(lens, names[0]) for letter, names in lens.table.fields.items()}
+    if lens.fov_y_deg is not None:
         values["fov"] = values["theta_v"] = math.radians(lens.fov_y_deg)
         values["theta_h"] = math.radians(fov_x_from_fov_y(lens.fov_y_deg, projection.aspect))
         values["e"] = focal_length_e(lens.fov_y_deg, projection.aspect)

@@ -9,7 +9,7 @@ import sys
 from collections.abc import Callable, Iterator
 from dataclasses import FrozenInstanceError, replace
 from fractions import Fraction
-from functools import reduce
+from functools import partial, reduce
 from itertools import product
 
 import numpy as np
@@ -1323,28 +1323,8 @@ def camera_with(**changes: object) -> Callable[[], object]:
     return lambda: Camera(**{"eye": (6, 5, 9), "target": (0, 2, 0), "up": (0, 1, 0)} | changes)
 
 
-def perspective_with(**changes: object) -> Callable[[], object]:
-    return lambda: Perspective(**{"fov_y_deg": 45, "near": 1, "far": 30} | changes)
-
-
-def orthographic_with(**changes: object) -> Callable[[], object]:
-    return lambda: Orthographic(**changes)
-
-
-def frustum_with(**changes: object) -> Callable[[], object]:
-    return lambda: Frustum(**changes)
-
-
-def oblique_with(**changes: object) -> Callable[[], object]:
-    return lambda: Oblique(**changes)
-
-
 def unprojecting(points: object, far: float = 30.0) -> Callable[[], object]:
     return lambda: Projection(lens=Perspective(far=far)).world_from_image(points)
-
-
-def projection_with(**changes: object) -> Callable[[], object]:
-    return lambda: Projection(**changes)
 
 
 def tracing(points: object) -> Callable[[], object]:
@@ -1361,50 +1341,51 @@ BOUNDS = marked(limits)
 # What is refused, and the sentence: the field, the value and the bound.
 REFUSED: list[tuple[Callable[[], object], str]] = [
     # lenses
-    (perspective_with(near=0), "near = 0: must be greater than 0."),
-    (perspective_with(near=1e-206), "near = 1e-206: must be at least 1e-205."),
-    (perspective_with(near=30), "near = 30: must be less than far, which is 30."),
-    (perspective_with(near=INF), "near = inf: must be less than far, which is 30."),
-    (orthographic_with(near=INF), "near = inf: must be less than far, which is 30."),
-    (perspective_with(near=INF, far=INF), "near = inf: must be a finite number."),
-    (perspective_with(near=NAN), "near = nan: must be a finite number."),
-    (perspective_with(near=True), "near = True: must be a finite number."),
-    (perspective_with(near="1"), "near = '1': must be a finite number."),
-    (perspective_with(far=-INF), "far = -inf: must be a finite number."),
-    (perspective_with(far=1e101), "far = 1e+101: must be at most 1e+100."),
-    (perspective_with(far=HUGE), "far = 1e400: must be at most 1e+100."),
-    (perspective_with(far="inf"), "far = 'inf': must be a finite number."),
-    (perspective_with(fov_y_deg=0), "fov_y_deg = 0: must lie between 0 and 180, both excluded."),
-    (perspective_with(fov_y_deg=180),
+    (partial(Perspective, near=0), "near = 0: must be greater than 0."),
+    (partial(Perspective, near=1e-206), "near = 1e-206: must be at least 1e-205."),
+    (partial(Perspective, near=30), "near = 30: must be less than far, which is 30."),
+    (partial(Perspective, near=INF), "near = inf: must be less than far, which is 30."),
+    (partial(Orthographic, near=INF), "near = inf: must be less than far, which is 30."),
+    (partial(Perspective, near=INF, far=INF), "near = inf: must be a finite number."),
+    (partial(Perspective, near=NAN), "near = nan: must be a finite number."),
+    (partial(Perspective, near=True), "near = True: must be a finite number."),
+    (partial(Perspective, near="1"), "near = '1': must be a finite number."),
+    (partial(Perspective, far=-INF), "far = -inf: must be a finite number."),
+    (partial(Perspective, far=1e101), "far = 1e+101: must be at most 1e+100."),
+    (partial(Perspective, far=HUGE), "far = 1e400: must be at most 1e+100."),
+    (partial(Perspective, far="inf"), "far = 'inf': must be a finite number."),
+    (partial(Perspective, fov_y_deg=0),
+     "fov_y_deg = 0: must lie between 0 and 180, both excluded."),
+    (partial(Perspective, fov_y_deg=180),
      "fov_y_deg = 180: must lie between 0 and 180, both excluded."),
-    (perspective_with(fov_y_deg=1e-91), "fov_y_deg = 1e-91: must be at least 1e-90."),
-    (perspective_with(fov_y_deg=1e101),
+    (partial(Perspective, fov_y_deg=1e-91), "fov_y_deg = 1e-91: must be at least 1e-90."),
+    (partial(Perspective, fov_y_deg=1e101),
      "fov_y_deg = 1e+101: must lie between 0 and 180, both excluded."),
-    (orthographic_with(far=INF), "far = inf: must be a finite number."),
-    (orthographic_with(left=4), "left = 4: must be less than right, which is 4."),
-    (orthographic_with(bottom=5), "bottom = 5: must be less than top, which is 4."),
-    (orthographic_with(left=0, right=1e-310),
+    (partial(Orthographic, far=INF), "far = inf: must be a finite number."),
+    (partial(Orthographic, left=4), "left = 4: must be less than right, which is 4."),
+    (partial(Orthographic, bottom=5), "bottom = 5: must be less than top, which is 4."),
+    (partial(Orthographic, left=0, right=1e-310),
      "left = 0: is too close to 1e-310 for float64 to tell apart."),
-    (orthographic_with(keep="z"), "keep = 'z': must be one of stretch, x, y."),
-    (orthographic_with(keep=[]), "keep = (): must be one of stretch, x, y."),
-    (projection_with(lens=Orthographic(0, 1e-3, 1e16, 1e16 + 100, keep="x")),
+    (partial(Orthographic, keep="z"), "keep = 'z': must be one of stretch, x, y."),
+    (partial(Orthographic, keep=[]), "keep = (): must be one of stretch, x, y."),
+    (partial(Projection, lens=Orthographic(0, 1e-3, 1e16, 1e16 + 100, keep="x")),
      "bottom = 1.000000000000005e+16: is too close to 1.000000000000005e+16 for float64 to tell"
      " apart."),
     # frusta
-    (frustum_with(right=-0.7), "left = -0.7: must be less than right, which is -0.7."),
-    (frustum_with(bottom=0, top=1e-111),
+    (partial(Frustum, right=-0.7), "left = -0.7: must be less than right, which is -0.7."),
+    (partial(Frustum, bottom=0, top=1e-111),
      "bottom = 0: is too close to 1e-111 for a plane as far from the eye as near is."),
-    (frustum_with(right=2e89, near=1e-2), "right = 2e+89: must be at most 1e+88."),
-    (frustum_with(left=-2e89, near=1e-2), "left = -2e+89: must be at least -1e+88."),
+    (partial(Frustum, right=2e89, near=1e-2), "right = 2e+89: must be at most 1e+88."),
+    (partial(Frustum, left=-2e89, near=1e-2), "left = -2e+89: must be at least -1e+88."),
     (lambda: Projection(lens=Frustum(1.0, 1.0 + 1e-15, 1.0, 2.0, keep="x"), image_size=(9, 1)),
      "bottom = 1.5: is too close to 1.5 for float64 to tell apart."),
     # oblique lenses
-    (oblique_with(alpha_deg=0), "alpha_deg = 0: must lie between 0 and 180, both excluded."),
-    (oblique_with(beta_deg=180), "beta_deg = 180: must lie between 0 and 180, both excluded."),
-    (oblique_with(alpha_deg=1e-5), "alpha_deg = 1e-05: must be at least 5.72958e-05."),
-    (oblique_with(alpha_deg=179.99999),
+    (partial(Oblique, alpha_deg=0), "alpha_deg = 0: must lie between 0 and 180, both excluded."),
+    (partial(Oblique, beta_deg=180), "beta_deg = 180: must lie between 0 and 180, both excluded."),
+    (partial(Oblique, alpha_deg=1e-5), "alpha_deg = 1e-05: must be at least 5.72958e-05."),
+    (partial(Oblique, alpha_deg=179.99999),
      "alpha_deg = 179.99999: must be at most 179.99994270422047."),
-    (oblique_with(left=0, right=1e-195),
+    (partial(Oblique, left=0, right=1e-195),
      "left = 0: is too close to 1e-195 for float64 to tell apart."),
     (lambda: oblique_angles(-1.0, 45.0), "receding = -1: must be at least 0."),
     (lambda: oblique_angles(2e6, 0.0), "receding = 2000000: must be at most 1000000."),
@@ -1437,17 +1418,17 @@ REFUSED: list[tuple[Callable[[], object], str]] = [
     (lambda: Camera.from_orbit((0, 2.2, 0), Orbit(30, 15, 1e-14)),
      "distance = 1e-14: is too close to 0 for float64 to tell apart."),
     # the image and the depth range
-    (projection_with(image_size=(0, 0)),
+    (partial(Projection, image_size=(0, 0)),
      "width = 0: must be a whole number of pixels from 1 to 16384."),
-    (projection_with(image_size=(100_000, 100_000)),
+    (partial(Projection, image_size=(100_000, 100_000)),
      "width = 100000: must be a whole number of pixels from 1 to 16384."),
-    (projection_with(image_size=(800.5, 600)),
+    (partial(Projection, image_size=(800.5, 600)),
      "width = 800.5: must be a whole number of pixels from 1 to 16384."),
-    (projection_with(image_size=(800, True)),
+    (partial(Projection, image_size=(800, True)),
      "height = True: must be a whole number of pixels from 1 to 16384."),
-    (projection_with(image_size=800),
+    (partial(Projection, image_size=800),
      "image = 800: must be a whole number of pixels from 1 to 16384."),
-    (projection_with(depth="vulkan"),
+    (partial(Projection, depth="vulkan"),
      "depth = 'vulkan': must be one of opengl, direct3d, reversed."),
     (lambda: Projection().with_lens("fisheye"),
      f"kind = 'fisheye': must be one of {', '.join(kinds())}."),
@@ -1560,10 +1541,10 @@ def test_the_refused_value_is_kept_and_its_sentence_stays_short() -> None:
         Perspective(near=-1)
     assert caught.value.value == -1.0
     for make in (
-        perspective_with(near="9" * 100_000),
+        partial(Perspective, near="9" * 100_000),
         camera_with(eye=list(range(100_000))),
         tracing(np.full((100_000, 2), 1.5)),
-        projection_with(depth="two\nlines\n" * 100),
+        partial(Projection, depth="two\nlines\n" * 100),
     ):
         with pytest.raises(Refusal) as caught:
             make()

@@ -7,11 +7,12 @@ accuracy: with 80 digits there is no need to.
 from __future__ import annotations
 
 from collections.abc import Sequence
+from fractions import Fraction
 from typing import Any, NamedTuple
 
 import mpmath
 
-from app.model.projection import FreeMatrix, ObjectTransform, Perspective, Projection
+from app.model.projection import FreeMatrix, ObjectTransform, Oblique, Perspective, Projection
 
 mp = mpmath.mp.clone()
 mp.dps = 80
@@ -104,6 +105,9 @@ class Exact:
             top = mp.mpf(lens.near) * mp.tan(mp.mpf(lens.fov_y_deg) * mp.pi / 360)
             right = top * self.width / self.height
             return [-right, right, -top, top]
+        if not lens.window_stays:  # a lens that this oracle does not know
+            sides = lens.exact_window(Fraction(*self.projection.image_size))
+            return [mp.mpf(side.numerator) / side.denominator for side in sides]
         left, right = mp.mpf(lens.left), mp.mpf(lens.right)
         bottom, top = mp.mpf(lens.bottom), mp.mpf(lens.top)
         if lens.keep == "x":  # about its centre until the aspect is the image's
@@ -122,10 +126,10 @@ class Exact:
         x, y, z = view = [dot(row, offset) for row in self.frame]
         near, far = mp.mpf(lens.near), mp.mpf(lens.far)
         left, right, bottom, top = self.window()
-        if lens.kind in ("orthographic", "oblique"):
+        if lens.parallel:
             w = mp.mpf(1)
             part = (-z - near) / (far - near)  # of the way from near to far
-            if lens.kind == "oblique":  # lecture 002's H, whose z_n is -near
+            if isinstance(lens, Oblique):  # lecture 002's H, whose z_n is -near
                 x = x - (-near - z) * cotangent_deg(lens.alpha_deg)
                 y = y - (-near - z) * cotangent_deg(lens.beta_deg)
         else:

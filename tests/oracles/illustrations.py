@@ -12,6 +12,7 @@ from typing import Any
 import numpy as np
 
 from app.drawings.style import LIGHT
+from app.model.lenses import LENSES
 from app.model.projection import (
     Camera,
     Frustum,
@@ -76,7 +77,7 @@ def projections(phenomenon: Phenomenon) -> Iterator[Projection]:
     subject = subject_of(phenomenon)
     centre = tuple((a + b) / 2.0 for a, b in zip(subject.lower, subject.upper, strict=True))
     kinds = [
-        start.with_lens(kind) for kind in ("perspective", "frustum", "orthographic", "oblique")
+        start.with_lens(kind) for kind in LENSES
     ]
     for seen in kinds:
         for depth in ("opengl", "direct3d", "reversed"):
@@ -119,7 +120,7 @@ def random_projection(dice: random.Random, start: Projection) -> Projection:
     lens = Perspective(dice.uniform(10, 120), dice.uniform(0.01, 1), dice.choice([50.0, math.inf]))
     size = (dice.randint(300, 2000), dice.randint(300, 2000))
     seen = Projection(Camera.from_orbit(start.camera.target, orbit), lens, size)
-    seen = seen.with_lens(dice.choice(["perspective", "frustum", "orthographic", "oblique"]))
+    seen = seen.with_lens(dice.choice([*LENSES]))
     if not isinstance(seen.lens, Frustum):
         return seen
     left, right, bottom, top = seen.window

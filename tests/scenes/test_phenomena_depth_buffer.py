@@ -15,6 +15,7 @@ import pyvista as pv
 from app.drawings.off_screen import off_screen
 from app.drawings.rasterising import counted_wrong_share
 from app.model.depth import DepthBuffer
+from app.model.lenses import LENSES
 from app.model.projection import Array, Camera, Orthographic, Perspective, Projection
 from app.scenes.phenomena.depth_buffer import PHENOMENON, buffer_of, distances
 from app.scenes.phenomena.illustration import Subject
@@ -38,7 +39,7 @@ def random_projection(random: np.random.Generator, number: int) -> Projection:
     near, far = 10.0 ** random.uniform(-3, 0), 10.0 ** random.uniform(1.8, 4)
     lens = Perspective(random.uniform(30, 70), near, far)
     projection = Projection(Camera(eye, target, (0.0, 1.0, 0.0)), lens, (640, 360))
-    return projection.with_lens(("perspective", "frustum", "orthographic", "oblique")[number % 4])
+    return projection.with_lens(list(LENSES)[number % len(LENSES)])
 
 
 def brute_force(projection: Projection, gap: float, random: np.random.Generator) -> Array:

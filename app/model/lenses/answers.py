@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from fractions import Fraction
 from typing import NamedTuple, TypeAlias
 
@@ -32,6 +33,10 @@ class Axis(NamedTuple):
         """Map the low end to -1 and the high end to 1; subtracts first, where little is lost."""
         across: Array = (value - self.middle) / (self.extent / 2.0)
         return across
+
+
+Axes: TypeAlias = Callable[[], tuple[Axis, Axis]]
+"""Computes the picture's x and y range on the near plane, which some lenses do not need."""
 
 
 class ExactLens(NamedTuple):

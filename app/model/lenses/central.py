@@ -13,7 +13,7 @@ import numpy as np
 
 from app.arithmetic import double_double as dd
 from app.arithmetic.rationals import Rationals
-from app.model.lenses.answers import Angles, Axis, Intrinsics, Window
+from app.model.lenses.answers import Angles, Axes, Axis, Intrinsics, Window
 from app.model.lenses.lens import EyeLens, Lens, Seen
 from app.model.lenses.solving import ends
 from app.model.limits import SMALLEST, Array, Keep
@@ -60,9 +60,9 @@ class Central(EyeLens):
     # -- points
 
     def pictured(
-        self, axes: tuple[Axis, Axis], aspect: float, x: Array, y: Array, distance: Array
+        self, axes: Axes, aspect: float, x: Array, y: Array, distance: Array
     ) -> tuple[tuple[Array, Array], tuple[Array, Array]]:
-        w, near, (x_axis, y_axis) = distance, self.near, axes
+        w, near, (x_axis, y_axis) = distance, self.near, axes()
         ndc = x_axis.across(near * (x / w)), y_axis.across(near * (y / w))
         # Where w is 0 there is no quotient, but still a point in clip space.
         x_clip = 2.0 * near / x_axis.extent * x - x_axis.skew * w

@@ -16,7 +16,7 @@ from functools import cached_property
 from typing import Any, ClassVar, NamedTuple, cast
 
 from app.arithmetic.rationals import Rationals
-from app.model.lenses.answers import Angles, Axis, Intrinsics, Window
+from app.model.lenses.answers import Angles, Axes, Intrinsics, Window
 from app.model.lenses.geometry import Geometry
 from app.model.limits import (
     ABOVE,
@@ -277,7 +277,7 @@ class EyeLens(Lens):
     """
 
     def pictured(
-        self, axes: tuple[Axis, Axis], aspect: float, x: Array, y: Array, distance: Array
+        self, axes: Axes, aspect: float, x: Array, y: Array, distance: Array
     ) -> tuple[tuple[Array, Array], tuple[Array, Array]]:
         """x and y of clip space, and x and y of the cube."""
         raise NotImplementedError

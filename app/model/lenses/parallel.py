@@ -11,7 +11,7 @@ from typing import Any, ClassVar, cast
 import numpy as np
 
 from app.arithmetic.rationals import Rationals
-from app.model.lenses.answers import Axis, Window
+from app.model.lenses.answers import Axes, Window
 from app.model.lenses.lens import EyeLens, Lens, Seen
 from app.model.lenses.solving import ends
 from app.model.limits import Array, Keep
@@ -45,11 +45,12 @@ class Parallel(EyeLens):
     # -- points
 
     def pictured(
-        self, axes: tuple[Axis, Axis], aspect: float, x: Array, y: Array, distance: Array
+        self, axes: Axes, aspect: float, x: Array, y: Array, distance: Array
     ) -> tuple[tuple[Array, Array], tuple[Array, Array]]:
         cot_alpha, cot_beta = self.shear
         before = self.near - distance
-        ndc = axes[0].across(x + cot_alpha * before), axes[1].across(y + cot_beta * before)
+        x_axis, y_axis = axes()
+        ndc = x_axis.across(x + cot_alpha * before), y_axis.across(y + cot_beta * before)
         return ndc, ndc
 
     def depth_over_w(self, distance: Array, rest: Array, *, reverse: bool) -> tuple[Array, Array]:

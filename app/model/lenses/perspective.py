@@ -14,7 +14,7 @@ from typing import ClassVar
 
 from app.arithmetic.double_double import cotangent_deg
 from app.arithmetic.rationals import Rationals
-from app.model.lenses.answers import Angles, Axis, ExactWindow, Intrinsics, Window
+from app.model.lenses.answers import Angles, Axes, ExactWindow, Intrinsics, Window
 from app.model.lenses.central import FULL_FRAME_DIAGONAL_MM, Central
 from app.model.lenses.lens import Control, LensTable, plane_letters
 from app.model.lenses.solving import shortest
@@ -212,7 +212,7 @@ class Perspective(Central):
         return Intrinsics(focal, focal, (width - 1) / 2.0, (height - 1) / 2.0)
 
     def pictured(
-        self, axes: tuple[Axis, Axis], aspect: float, x: Array, y: Array, distance: Array
+        self, axes: Axes, aspect: float, x: Array, y: Array, distance: Array
     ) -> tuple[tuple[Array, Array], tuple[Array, Array]]:
         w, scale_y = distance, self.cot_half_fov_y
         scale_x = scale_y / aspect
