@@ -10,7 +10,7 @@ Everything is scene-local, ``world - scene.origin`` subtracted in float64.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import Any
 
 import numpy as np
@@ -90,7 +90,13 @@ class WorldDrawing(Drawing):
             (actor.GetProperty(), actor.GetProperty().GetOpacity())
             for actor in (*self.frustum.dimmable, *self.picture.actors, *self.camera.solid)
         ]
-        self._emphasis = self._make_emphasis()
+        self._emphasis = emphasis = Emphasis(canvas)
+        emphasis.volume(self.frustum.space, CUBE)
+        for name, line in (*self.camera.shafts.items(), *self.frustum.outlines.items()):
+            emphasis.line(line, name)
+        emphasis.line(self.frustum.apex, "fov")
+        for name, mark in self.camera.discs.items():
+            emphasis.point(mark, name)
         self.labels = Labels(canvas, words)
         for name, label in self.labels.named.items():
             self._emphasis.label(label, name)
@@ -98,6 +104,8 @@ class WorldDrawing(Drawing):
         self._probes = Probes(canvas)
         self.handles = HandleMarks(canvas) if live else None
         self._highlighted: Highlight = frozenset()
+        self._light = 1.0
+        """How bright the frustum is."""
         self._marks: MarksDrawing | None = None
         self._marked = np.empty((0, 3))
         self._silhouette = Silhouette(scene, style.font_size)
@@ -106,20 +114,11 @@ class WorldDrawing(Drawing):
         self._grips: dict[str, Array] = {}
         self._measured: tuple[tuple[str, float], ...] = ()
         self._lengths: tuple[Length, ...] = ()
-        self._standing: Standing | None = None
+        self._standing = self._stand(scene.start.camera)
+        self.camera.show(self._standing)
         self.own = OwnView(canvas, self._origin, self._objects.mean(axis=0))
         self.show_projection(scene.start)
         self.reset_view()
-
-    def _make_emphasis(self) -> Emphasis:
-        emphasis = Emphasis(self._canvas)
-        emphasis.volume(self.frustum.space, CUBE)
-        for name, line in (*self.camera.shafts.items(), *self.frustum.outlines.items()):
-            emphasis.line(line, name)
-        emphasis.line(self.frustum.apex, "fov")
-        for name, mark in self.camera.discs.items():
-            emphasis.point(mark, name)
-        return emphasis
 
     def remove(self) -> None:
         self._canvas.remove()
@@ -177,8 +176,16 @@ class WorldDrawing(Drawing):
             return
         is_first = camera.steps is None
         camera.show_step(step)
-        if is_first:
-            self._name_steps()
+        if is_first and camera.steps is not None:
+            style = self._canvas.style
+            for name, thing, shaft, colour in (
+                ("up", "up", camera.steps.up, style.accent),
+                ("look", "target", camera.steps.look, style.target),
+            ):
+                self._emphasis.line(shaft, thing)
+                self._emphasis.label(self.labels.add_arrow(name, colour), thing)
+            self._emphasis.show(self._highlighted)
+        self._light = 1.0 if step is None else DIMMED
         for line, opacity in self._dimmable:
             line.SetOpacity(opacity * self._light)
         self.labels.dim_planes(self._light)
@@ -189,22 +196,7 @@ class WorldDrawing(Drawing):
         self.own.around = around
         if not (self.own.was_moved or self.own.fixed):
             self.own.place(self._framed())
-        self._follow_camera(afresh=True)
-
-    @property
-    def _light(self) -> float:
-        return 1.0 if self.camera.step is None else DIMMED
-
-    def _name_steps(self) -> None:
-        steps, style = self.camera.steps, self._canvas.style
-        assert steps is not None
-        for name, thing, shaft, colour in (
-            ("up", "up", steps.up, style.accent),
-            ("look", "target", steps.look, style.target),
-        ):
-            self._emphasis.line(shaft, thing)
-            self._emphasis.label(self.labels.add_arrow(name, colour), thing)
-        self._emphasis.show(self._highlighted)
+        self.reset_clipping_range()
 
     def highlight_at(self, x_px: float, y_px: float) -> Highlight:
         found = self._emphasis.label_at(x_px, y_px)
@@ -213,9 +205,9 @@ class WorldDrawing(Drawing):
         if found:
             return found
         arrows, tips = self.camera.arrows
-        at = self._stands
+        at = self._standing
         points_local = [at.eye, at.target, at.eye + tips, self.frustum.corners]
-        spots = self._spots(np.vstack(points_local))
+        spots = self.own.pane.pointed(np.vstack(points_local))
         eye, target, *tip_spots = spots[:-8]
         corners = spots[-8:]
         points = [(frozenset((name,)), spot) for name, spot in zip(CORNERS, corners, strict=True)]
@@ -224,9 +216,9 @@ class WorldDrawing(Drawing):
             (frozenset(("target" if name == "look" else name,)), eye, tip)
             for name, tip in zip(arrows, tip_spots, strict=True)
         ]
-        axes = self._object_axes
+        axes = self._axes if self.has_object_axes else None
         if axes is not None:
-            origin, *ends = self._spots(np.vstack([axes.origin, axes.origin + axes.ways]))
+            origin, *ends = self.own.pane.pointed(np.vstack([axes.origin, axes.origin + axes.ways]))
             points.append((frozenset((OBJECT_AXES[3],)), origin))
             segments += [
                 (frozenset((name,)), origin, end)
@@ -236,16 +228,6 @@ class WorldDrawing(Drawing):
         if self._projection.lens.central:
             segments += [(frozenset(("fov",)), eye, corner) for corner in corners[:4]]
         return pointed_at((x_px, y_px), self._canvas.style.font_size, points, segments, corners)
-
-    def _spots(self, points: Array) -> list[Spot]:
-        pane = self.own.pane
-        height_px = pane.size_px[1]
-        return [
-            (x, height_px - y, depth if pane.flat else -1.0 / depth)
-            if depth > 0.0
-            else (math.nan, math.nan, math.nan)
-            for x, y, depth in pane.seen(points)
-        ]
 
     # -- the model
 
@@ -263,20 +245,23 @@ class WorldDrawing(Drawing):
             for drawn in (self._actors, self.picture.actors):
                 drawn.show_moved(not projection.placement.is_identity)
             self._faces_space.set(self._local_from_object)
-            self._place_lines()
+            lifted = self.own.lifted(1.0)
+            self._lines_space.set(lifted @ self._local_from_object)
+            self._ground_space.set(lifted)
             self._show_axes()
             self._mask = None
-        if is_placed or self._standing is None or projection.camera is not self._standing.camera:
+        if is_placed or projection.camera is not self._standing.camera:
             self._standing = self._stand(projection.camera)
             self.camera.show(self._standing)
         is_first = self._marks is None and illustration is not None
         self._show_illustration(illustration)
-        self.frustum.show(projection, self._standing, self._deepest_grip)
+        at = self._standing
+        self.frustum.show(projection, at, _deepest(self._grips.values(), at, self._scene.size))
         if is_first and not self.own.was_moved:
             self.reset_view()
         elif self.own.fixed:
             self.own.follow(self._framed())
-            self._follow_camera(afresh=False)
+            self.reset_clipping_range(afresh=False)
         else:
             self._follow_pane(afresh=False)
 
@@ -307,23 +292,6 @@ class WorldDrawing(Drawing):
     def has_object_axes(self) -> bool:
         return self._actors.is_moved or self._wants_axes
 
-    @property
-    def _object_axes(self) -> ObjectAxes | None:
-        return self._axes if self.has_object_axes else None
-
-    @property
-    def _deepest_grip(self) -> float:
-        """The largest depth of a scene's grips, of those near the scene; 0 without any."""
-        at, most = self._stands, _FRAMED_MARK * self._scene.size
-        offsets = [np.array(point) - at.camera.eye for point in self._grips.values()]
-        depths = [-float(o @ at.camera.frame[2]) for o in offsets if math.hypot(*o) <= most]
-        return max(depths, default=0.0)
-
-    @property
-    def _stands(self) -> Standing:
-        assert self._standing is not None
-        return self._standing
-
     def _stand(self, camera: Camera) -> Standing:
         """What depends on the camera alone, and not on its lens."""
         eye, target = (np.array(point) - self._origin for point in (camera.eye, camera.target))
@@ -341,12 +309,12 @@ class WorldDrawing(Drawing):
 
     def _place_labels(self, *, afresh: bool) -> bool:
         """Place the labels; return whether one has changed sides."""
-        at, planes = self._stands, self._projection.lens.planes
+        at, planes = self._standing, self._projection.lens.planes
         arrows, tips = self.camera.names
         unseen = self._unseen
         if "camera" in self._canvas.hidden:
             arrows, tips = (), np.empty((0, 3))
-        axes = self._object_axes
+        axes = self._axes if self.has_object_axes else None
         if axes is not None:
             beside = tips.reshape(len(axes.names), len(arrows), 3)
             tips = np.concatenate([beside, axes.names], axis=1).reshape(-1, 3)
@@ -360,11 +328,16 @@ class WorldDrawing(Drawing):
         if self._marks is not None or self.handles is not None or self.own.fixed:
             first = self._place_first
         pane = self.own.pane
+        held_at: dict[str, tuple[float, float]] = {
+            handle.name: (x, pane.size_px[1] - y)
+            for handle, (x, y) in self.handles_shown
+            if handle.name in ("near", "far")
+        }
         if pane is not self._masked_for or self._mask is None:
             self._masked_for = pane
             self._mask = self._silhouette.seen(pane, self._local_from_object)
         return self.labels.lay_out(
-            pane, named, afresh=afresh, first=first, subject=self._mask, held_at=self._held_at()
+            pane, named, afresh=afresh, first=first, subject=self._mask, held_at=held_at
         )
 
     @property
@@ -386,15 +359,6 @@ class WorldDrawing(Drawing):
             unseen |= {"eye"}
         return frozenset(unseen)
 
-    def _held_at(self) -> dict[str, tuple[float, float]]:
-        """The handles of near and far, from the pane's left and bottom."""
-        height_px = self.own.pane.size_px[1]
-        return {
-            handle.name: (x, height_px - y)
-            for handle, (x, y) in self.handles_shown
-            if handle.name in ("near", "far")
-        }
-
     def _place_first(self, layout: Layout, seen: Callable[[Array], Sequence[Spot]]) -> None:
         """Place handles and texts of a scene, which the labels keep off."""
         height_px = self.own.pane.size_px[1]
@@ -412,7 +376,7 @@ class WorldDrawing(Drawing):
 
     @property
     def _in_fixed_view(self) -> Measured:
-        at, view = self._stands, self.own.fixed
+        at, view = self._standing, self.own.fixed
         lengths = tuple(
             (each.name, each.value, each.start - self._origin, each.end - self._origin)
             for each in self._lengths
@@ -437,9 +401,12 @@ class WorldDrawing(Drawing):
         self.reset_clipping_range()
 
     def _framed(self) -> Framed:
-        at, frustum = self._stands, self.frustum
+        at, frustum = self._standing, self.frustum
         corners = frustum.corners if frustum.seen else None
-        points, has_eye = self._points_to_frame(), self._projection.lens.central
+        has_eye = self._projection.lens.central
+        points = _points_to_frame(
+            at, self._objects, frustum.corners, self._marked, self._scene.size
+        )
         below_em = 0.0
         if self.own.fixed and self._dimensions is not None:
             below_em = self._dimensions.below_em(self.own.size_px, self._in_fixed_view)
@@ -465,51 +432,27 @@ class WorldDrawing(Drawing):
         self.own.show(view)
         self.reset_clipping_range()
 
-    def _points_to_frame(self) -> Array:
-        """The points that `reset_view` brings into view; only the near part of a very wide frustum.
-
-        The wider the frustum is beyond `_WHOLE`, the less of it is framed, steadily. Where it
-        cannot be seen whole without losing the scene, the scene matters more.
-        """
-        at = self._stands
-        centre = (self._objects.mean(axis=0) + at.eye) / 2.0
-        away = np.linalg.norm(self._marked - self._objects.mean(axis=0), axis=1)
-        marked = self._marked[away <= _FRAMED_MARK * self._scene.size]
-        points = np.concatenate([self._objects, self.frustum.corners, [at.eye, at.target], marked])
-        offsets = points - centre
-        lengths = np.maximum(np.linalg.norm(offsets, axis=1, keepdims=True), 1e-300)
-        whole, nearby = _WHOLE * at.extent, _NEARBY * at.extent
-        shown = np.minimum(lengths, np.maximum(whole * (whole / lengths), nearby))
-        framed: Array = centre + offsets * (shown / lengths)
-        return framed
-
     def _lay_out(self, _width_px: int, _height_px: int) -> None:
         """Fit a view that nobody has moved into a window of another size."""
         if not self.own.was_moved:
             self.own.place(self._framed())
         self.reset_clipping_range()
 
-    def reset_clipping_range(self) -> None:
-        self._follow_camera(afresh=True)
-
-    def _follow_camera(self, *, afresh: bool) -> None:
+    def reset_clipping_range(self, *, afresh: bool = True) -> None:
         self.own.look()
         self._switch_layers()
         if not self.own.fixed and self._dimensions is not None:
             self._dimensions.hide()
-        self._place_lines()
+        lifted = self.own.lifted(1.0)
+        self._lines_space.set(lifted @ self._local_from_object)
+        self._ground_space.set(lifted)
         if self._marks is not None:
             self._marks.place_copies(self.own.lifted)
         self._follow_pane(afresh=afresh)
 
-    def _place_lines(self) -> None:
-        lifted = self.own.lifted(1.0)
-        self._lines_space.set(lifted @ self._local_from_object)
-        self._ground_space.set(lifted)
-
     def _follow_pane(self, *, afresh: bool) -> None:
         """Update everything that depends on the model and on the pane's camera."""
-        pane, frustum, at = self.own.pane, self.frustum, self._stands
+        pane, frustum, at = self.own.pane, self.frustum, self._standing
         self.camera.follow(pane)
         self._place_handles()
         self._place_labels(afresh=afresh)
@@ -536,7 +479,7 @@ class WorldDrawing(Drawing):
                 return
             self._marks = MarksDrawing(self._canvas, self._scene, self._words, leads=True)
             self._marks.show_highlight(self._highlighted)
-        marks, limit = self._marks, _FARTHEST_MARK * self._stands.extent
+        marks, limit = self._marks, _FARTHEST_MARK * self._standing.extent
         shown = illustration or Illustration(())
         if shown.rendering is not None:
             for rasteriser in self._rasterisers:
@@ -589,7 +532,7 @@ class WorldDrawing(Drawing):
 
     def _place_handles(self) -> None:
         if self.handles is not None:
-            axes = self._object_axes
+            axes = self._axes if self.has_object_axes else None
             held, apart_px = self.handles.held, APART_EM * self._canvas.style.font_size
             size_px = self.own.pane.size_px
             none = "handles" in self._canvas.hidden
@@ -600,3 +543,30 @@ class WorldDrawing(Drawing):
                 ),
                 size_px[1],
             )  # fmt: skip
+
+
+def _deepest(points: Iterable[Array], at: Standing, size: float) -> float:
+    """The largest depth of a scene's grips, of those near the scene; 0 without any."""
+    offsets = [np.array(point) - at.camera.eye for point in points]
+    near = [offset for offset in offsets if math.hypot(*offset) <= _FRAMED_MARK * size]
+    return max((-float(offset @ at.camera.frame[2]) for offset in near), default=0.0)
+
+
+def _points_to_frame(
+    at: Standing, objects: Array, corners: Array, marked: Array, size: float
+) -> Array:
+    """The points that `reset_view` brings into view; only the near part of a very wide frustum.
+
+    The wider the frustum is beyond `_WHOLE`, the less of it is framed, steadily. Where it cannot be
+    seen whole without losing the scene, the scene matters more.
+    """
+    middle = objects.mean(axis=0)
+    centre = (middle + at.eye) / 2.0
+    marked = marked[np.linalg.norm(marked - middle, axis=1) <= _FRAMED_MARK * size]
+    points = np.concatenate([objects, corners, [at.eye, at.target], marked])
+    offsets = points - centre
+    lengths = np.maximum(np.linalg.norm(offsets, axis=1, keepdims=True), 1e-300)
+    whole, nearby = _WHOLE * at.extent, _NEARBY * at.extent
+    shown = np.minimum(lengths, np.maximum(whole * (whole / lengths), nearby))
+    framed: Array = centre + offsets * (shown / lengths)
+    return framed
