@@ -53,111 +53,93 @@ KINDS: dict[str, Kind] = {
     kind.name: kind
     for kind in (
         Kind(
-            "planar", "",
-            QT_TRANSLATE_NOOP("Kind", "planar projections"),
+            "planar", "", QT_TRANSLATE_NOOP("Kind", "planar projections"),
             QT_TRANSLATE_NOOP("Kind", "projectors are straight lines, and meet a plane"),
         ),
         Kind(
-            "perspective", "planar",
-            QT_TRANSLATE_NOOP("Kind", "perspective"),
+            "perspective", "planar", QT_TRANSLATE_NOOP("Kind", "perspective"),
             QT_TRANSLATE_NOOP("Kind", "all projectors meet in the eye"),
         ),
         Kind(
-            "1-point", "perspective",
-            QT_TRANSLATE_NOOP("Kind", "1-point"),
+            "1-point", "perspective", QT_TRANSLATE_NOOP("Kind", "1-point"),
             QT_TRANSLATE_NOOP(
                 "Kind", "two axes are parallel to the image plane: one vanishing point"
             ),
             Orbit(0.0, 0.0, 1.0),
         ),
         Kind(
-            "2-point", "perspective",
-            QT_TRANSLATE_NOOP("Kind", "2-point"),
+            "2-point", "perspective", QT_TRANSLATE_NOOP("Kind", "2-point"),
             QT_TRANSLATE_NOOP(
                 "Kind", "one axis is parallel to the image plane: two vanishing points"
             ),
             Orbit(40.0, 0.0, 1.0),
         ),
         Kind(
-            "3-point", "perspective",
-            QT_TRANSLATE_NOOP("Kind", "3-point"),
+            "3-point", "perspective", QT_TRANSLATE_NOOP("Kind", "3-point"),
             QT_TRANSLATE_NOOP(
                 "Kind", "no axis is parallel to the image plane: three vanishing points"
             ),
             Orbit(44.0, 30.0, 1.0),
         ),
         Kind(
-            "parallel", "planar",
-            QT_TRANSLATE_NOOP("Kind", "parallel"),
+            "parallel", "planar", QT_TRANSLATE_NOOP("Kind", "parallel"),
             QT_TRANSLATE_NOOP("Kind", "all projectors are parallel"),
         ),
         Kind(
-            "orthographic", "parallel",
-            QT_TRANSLATE_NOOP("Kind", "orthographic"),
+            "orthographic", "parallel", QT_TRANSLATE_NOOP("Kind", "orthographic"),
             QT_TRANSLATE_NOOP("Kind", "projectors are at right angles to the image plane"),
         ),
         Kind(
-            "axonometric", "orthographic",
-            QT_TRANSLATE_NOOP("Kind", "axonometric"),
+            "axonometric", "orthographic", QT_TRANSLATE_NOOP("Kind", "axonometric"),
             QT_TRANSLATE_NOOP("Kind", "no two axes are parallel to the image plane"),
         ),
         Kind(
-            "isometric", "axonometric",
-            QT_TRANSLATE_NOOP("Kind", "isometric"),
+            "isometric", "axonometric", QT_TRANSLATE_NOOP("Kind", "isometric"),
             QT_TRANSLATE_NOOP("Kind", "all three axes make equal angles with the image plane"),
             Orbit(45.0, _degrees(math.sqrt(0.5)), 1.0),
         ),
         Kind(  # from (1, 1, sqrt 7), as ISO 5456-3 draws it: z half as long as x and y
-            "dimetric", "axonometric",
-            QT_TRANSLATE_NOOP("Kind", "dimetric"),
+            "dimetric", "axonometric", QT_TRANSLATE_NOOP("Kind", "dimetric"),
             QT_TRANSLATE_NOOP("Kind", "two axes make equal angles with the image plane"),
             Orbit(_degrees(1.0 / math.sqrt(7.0)), _degrees(1.0 / math.sqrt(8.0)), 1.0),
         ),
         Kind(
-            "trimetric", "axonometric",
-            QT_TRANSLATE_NOOP("Kind", "trimetric"),
+            "trimetric", "axonometric", QT_TRANSLATE_NOOP("Kind", "trimetric"),
             QT_TRANSLATE_NOOP("Kind", "the axes make three different angles with the image plane"),
             Orbit(30.0, 20.0, 1.0),
         ),
         Kind(
-            "multiview", "orthographic",
-            QT_TRANSLATE_NOOP("Kind", "multiview"),
+            "multiview", "orthographic", QT_TRANSLATE_NOOP("Kind", "multiview"),
             QT_TRANSLATE_NOOP("Kind", "two axes are parallel to the image plane"),
         ),
         Kind(
-            "front", "multiview",
-            QT_TRANSLATE_NOOP("Kind", "front"),
+            "front", "multiview", QT_TRANSLATE_NOOP("Kind", "front"),
             QT_TRANSLATE_NOOP("Kind", "x and y are parallel to the image plane, seen along −z"),
             Orbit(0.0, 0.0, 1.0),
         ),
         Kind(
-            "top", "multiview",
-            QT_TRANSLATE_NOOP("Kind", "top"),
+            "top", "multiview", QT_TRANSLATE_NOOP("Kind", "top"),
             QT_TRANSLATE_NOOP("Kind", "x and z are parallel to the image plane, seen along −y"),
             Orbit(0.0, 90.0, 1.0),
         ),
         Kind(
-            "side", "multiview",
-            QT_TRANSLATE_NOOP("Kind", "side"),
+            "side", "multiview", QT_TRANSLATE_NOOP("Kind", "side"),
             QT_TRANSLATE_NOOP("Kind", "y and z are parallel to the image plane, seen along −x"),
             Orbit(90.0, 0.0, 1.0),
         ),
         Kind(
-            "oblique", "parallel",
-            QT_TRANSLATE_NOOP("Kind", "oblique"),
+            "oblique", "parallel", QT_TRANSLATE_NOOP("Kind", "oblique"),
             QT_TRANSLATE_NOOP("Kind", "projectors are aslant to the image plane"),
         ),
         Kind(
-            "cavalier", "oblique",
-            QT_TRANSLATE_NOOP("Kind", "cavalier"),
+            "cavalier", "oblique", QT_TRANSLATE_NOOP("Kind", "cavalier"),
             QT_TRANSLATE_NOOP(
                 "Kind", "two axes are parallel to the image plane, the third is drawn in full"
             ),
             Orbit(0.0, 0.0, 1.0), 1.0,
         ),
         Kind(
-            "cabinet", "oblique",
-            QT_TRANSLATE_NOOP("Kind", "cabinet"),
+            "cabinet", "oblique", QT_TRANSLATE_NOOP("Kind", "cabinet"),
             QT_TRANSLATE_NOOP(
                 "Kind", "two axes are parallel to the image plane, the third is drawn in half"
             ),

@@ -1,4 +1,4 @@
-"""The tree of planar projections of lecture 002: each node's condition, and its numbers."""
+"""The tree of planar projections of lecture 002: conditions and scale factors."""
 
 from __future__ import annotations
 
@@ -68,23 +68,20 @@ FACTORS = {
 @pytest.mark.parametrize("kind", FACTORS)
 def test_l12_scale_factors_are_those_of_the_textbook(kind: str) -> None:
     found = with_kind(STARTS["letter-f"], kind)
-    assert scale_factors(found) == pytest.approx(FACTORS[kind], abs=1e-15, rel=1e-14)
-    # The picture's own size, and its stretch, are no part of them.
+    # The picture's size and stretch do not matter.
     lens = replace(found.lens, left=-1.0, right=7.0, keep="stretch")  # type: ignore[call-arg]
-    assert scale_factors(replace(found, lens=lens)) == pytest.approx(
-        FACTORS[kind], abs=1e-15, rel=1e-14
-    )
+    for each in (found, replace(found, lens=lens)):
+        assert scale_factors(each) == pytest.approx(FACTORS[kind], abs=1e-15, rel=1e-14)
 
 
 def test_l12_the_trimetric_drawing_has_three_scales() -> None:
-    """With azimuth a and elevation e they are the lengths left beside the line of sight."""
+    """With azimuth a and elevation e they are the components across the line of sight."""
     found = scale_factors(with_kind(STARTS["letter-f"], "trimetric"))
     a, e = math.radians(30.0), math.radians(20.0)
     sight = math.cos(e) * math.sin(a), math.sin(e), math.cos(e) * math.cos(a)
     assert found == pytest.approx([math.sqrt(1.0 - part**2) for part in sight], rel=1e-14)
-    assert sum(part**2 for part in found or ()) == pytest.approx(
-        2.0, rel=1e-14
-    )  # of any orthogonal
+    squares = sum(part**2 for part in found or ())
+    assert squares == pytest.approx(2.0, rel=1e-14)  # as for every orthographic picture
 
 
 def test_l12_a_perspective_has_as_many_vanishing_points_as_its_name_says() -> None:
@@ -122,7 +119,7 @@ def seen(azimuth_deg: float, elevation_deg: float, roll_deg: float = 0.0) -> Pro
         (seen(0.01, 0.0), "trimetric"),
     ],
 )
-def test_l12_a_drawing_is_known_however_it_came_to_be(projection: Projection, kind: str) -> None:
+def test_l12_the_kind_follows_from_the_camera_alone(projection: Projection, kind: str) -> None:
     assert kind_of(projection) == kind
 
 

@@ -1,4 +1,4 @@
-"""Every formula against its number, every number against the command's, and what is copied."""
+"""Formulas agree with their numbers, numbers with the command's; and copying works."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ from tests.support.samples import pairwise
 BOX = (-3.0, 4.5, -2.0, 3.25)
 DEPTHS: tuple[Any, ...] = ("opengl", "direct3d", "reversed")
 SAMPLE = pairwise(product(LENSES, DEPTHS, LETTERS, (False, True)))
-"""Each lens, depth range and lecture's letters with each other, as columns and as rows."""
+"""Every pair of lens, depth range, letters, and columns or rows."""
 CAMERA = Camera((6.0, 5.0, 9.0), (0.5, 2.0, -0.25), (0.1, 1.0, 0.2))
 
 
@@ -46,10 +46,9 @@ def projection_of(lens: str, depth: Any = "opengl") -> Projection:
 
 
 def letter_values(projection: Projection, letters: Letters = "own") -> dict[str, Any]:
-    """What the names in the formulas stand for: floats, vectors, ``cot``, ``tan`` and ``dot``.
+    """The values of the names in the formulas: floats, vectors, ``cot``, ``tan`` and ``dot``.
 
-    Of a free matrix its own cells. Angles are in radians; with ``"002"`` n and f are the planes'
-    coordinates, which are negative.
+    A free matrix has its cells. Angles are in radians. With ``"002"``, n and f are negative.
     """
     lens, camera = projection.lens, projection.camera
     width, height = projection.image_size
@@ -91,7 +90,7 @@ def evaluated(matrix: Matrix, values: dict[str, Any]) -> list[list[float]]:
 @pytest.mark.parametrize("letters", LETTERS)
 @pytest.mark.parametrize("lens", LENSES)
 def test_a_letter_stands_for_one_thing(lens: str, letters: Letters) -> None:
-    """And w for none of them: it is what is divided by, and the axis in lecture 001's letters."""
+    """No letter is w, which is the divisor, and the axis in lecture 001's letters."""
     shown = matrices(projection_of(lens), letters, running=True)
     parts = [part for matrix in shown for part in (matrix, *matrix.factors)]
     names = {
@@ -104,12 +103,12 @@ def test_a_letter_stands_for_one_thing(lens: str, letters: Letters) -> None:
 
 
 def expected_count(lens: Lens, letters: Letters) -> int:
-    """How many matrices stand in a row with their running products."""
-    if letters in ("000", "003"):  # one of the lens; lecture 003 writes the object's as well
+    """The number of matrices with their running products."""
+    if letters in ("000", "003"):  # one for the lens; lecture 003 also has the object's
         return 5 + (letters == "003")
     if letters == "002":
         return 6 + 3 * isinstance(lens, Frustum | Oblique)
-    if lens.parallel:  # M_pp and what makes w the distance are identities
+    if lens.parallel:  # two steps are identities
         return 12 if letters == "own" else 9
     return 12 if letters != "own" else 13
 
@@ -119,8 +118,7 @@ def test_every_formula_is_its_number(lens: str, depth: str, letters: Letters, ro
     projection = projection_of(lens, depth)
     shown = matrices(projection, letters, rows=rows, running=True)
     values = letter_values(projection, letters)
-    (lens_matrix,) = (m for m in shown if m.name == "clip_from_view")
-    for i, row in enumerate(lens_matrix.values, 1):
+    for i, row in enumerate(one(shown, "clip_from_view").values, 1):
         values |= {f"p_{i}{j}": value for j, value in enumerate(row, 1)}
     assert len(shown) == expected_count(projection.lens, letters)
     for matrix in shown:
@@ -143,7 +141,7 @@ def test_products_are_products(lens: str, depth: str, letters: Letters, rows: bo
             multiplied = np.linalg.multi_dot(parts)
             assert np.allclose(multiplied, matrix.values, rtol=1e-12, atol=1e-12)
             checked += 1
-    # The view, the viewport and the whole; of ours also M_z, and what runs on the way.
+    # The view, the viewport and the whole; ours also have M_z and the running products.
     assert checked >= (3 if letters in ("000", "002", "003") else 6)
     inverse = by_name["world_from_view"] @ by_name["view_from_world"]
     assert np.allclose(inverse, np.eye(4), rtol=0.0, atol=1e-14)
@@ -166,18 +164,16 @@ def test_numbers_are_the_commands(lens: str, depth: str) -> None:
         assert all(notation.cell_text(value) in words for row in matrix.values for value in row)
 
 
-@pytest.mark.parametrize("running", [False, True])
-def test_running_products_end_in_the_commands_matrix(running: bool) -> None:
-    shown = matrices(projection_of("frustum"), running=running)
-    names = [matrix.name for matrix in shown]
+def test_running_products_are_shown_on_request() -> None:
     extra = {"canonical_perspective_from_world", "canonical_parallel_from_world"}
-    assert (extra <= set(names)) is running
+    for running in (False, True):
+        shown = matrices(projection_of("frustum"), running=running)
+        assert (extra <= {matrix.name for matrix in shown}) is running
 
 
 def test_the_letters_of_each_lecture() -> None:
     def lens_cell(letters: Letters, lens: str, row: int, column: int) -> str:
-        shown = matrices(projection_of(lens), letters)
-        (matrix,) = (m for m in shown if m.name == "clip_from_view")
+        matrix = one(matrices(projection_of(lens), letters), "clip_from_view")
         return notation.written(matrix.formulas[row][column], letters)
 
     thin = "\u2009"
@@ -259,7 +255,7 @@ def test_l11_p_obl_is_p_ort_after_h() -> None:
 
 
 def test_l6_off_the_axis_is_h_before_a_window_about_it() -> None:
-    """Lecture 002: H brings the window.s middle to the axis; P_persp has no third term."""
+    """Lecture 002: H moves the window's middle to the axis; P_persp has no third term."""
     shown = matrices(projection_of("frustum"), "002")
     p_persp, h = (one(shown, name) for name in ("clip_from_sheared", "sheared_from_view"))
     lens = LENSES["frustum"]
@@ -289,7 +285,7 @@ def test_l2_the_three_matrices_of_lecture_003() -> None:
 def test_lecture_002_maps_near_to_one_and_has_z_for_w() -> None:
     """z' = 1 at z = z_n and -1 at z = z_f, and w' = z."""
     shown = matrices(projection_of("perspective"), "002")
-    matrix = np.array(next(m.values for m in shown if m.name == "clip_from_view"))
+    matrix = np.array(one(shown, "clip_from_view").values)
     for z, expected in ((-1.0, 1.0), (-30.0, -1.0)):
         _, _, z_clip, w = matrix @ (0.0, 0.0, z, 1.0)
         assert w == z
@@ -311,9 +307,7 @@ def test_row_vectors_turn_matrices_and_products() -> None:
 
 def test_a_cell_names_the_fields_it_depends_on() -> None:
     def fields(lens: str, name: str, row: int, column: int) -> set[str]:
-        shown = matrices(projection_of(lens))
-        (matrix,) = (m for m in shown if m.name == name)
-        return set(matrix.fields[row][column])
+        return set(one(matrices(projection_of(lens)), name).fields[row][column])
 
     assert fields("perspective", "clip_from_view", 0, 0) == {"fov_y_deg", "image"}
     assert fields("frustum", "clip_from_view", 0, 0) == {"near", "left", "right", "keep"}
@@ -328,7 +322,7 @@ def test_a_cell_names_the_fields_it_depends_on() -> None:
 
 
 def moves(projection: Projection) -> dict[str, list[Projection]]:
-    """A projection with each of its controls moved, to wherever that is another way to depend."""
+    """The projections with one control moved, for each control."""
     camera, lens = projection.camera, projection.lens
     found: dict[str, list[Projection]] = {
         "depth": [projection.with_depth(d) for d in DEPTH_RANGES if d != projection.depth],
@@ -400,10 +394,10 @@ MOVED: dict[str, tuple[Lens, ...]] = {
      ("free", "upright")],
 )  # fmt: skip
 def test_a_cell_names_just_what_changes_it(lens: str, camera: str) -> None:
-    """Of those controls that a projection has, in hand where it is: zeros hide others there."""
+    """Compare with moving each control; a zero factor hides the other factors."""
     checked = 0
     for chosen, depth in product(MOVED[lens], DEPTHS):
-        # Proportions and cameras are fitted and placed alike in every depth range.
+        # The depth range does not affect proportions and cameras.
         as_ever = camera == "askew" and getattr(chosen, "keep", "stretch") == "stretch"
         if not as_ever and depth != "reversed":
             continue
@@ -436,7 +430,7 @@ def test_a_cell_names_just_what_changes_it(lens: str, camera: str) -> None:
 
 def test_copies() -> None:
     projection = projection_of("frustum")
-    matrix = next(m for m in matrices(projection) if m.name == "clip_from_view")
+    matrix = one(matrices(projection), "clip_from_view")
     numbers: dict[str, Any] = {"np": np}
     exec(notation.as_numpy(matrix), numbers)
     assert np.array_equal(numbers["clip_from_view"], matrix.values)

@@ -1,4 +1,4 @@
-"""The stage strip's matrices: exact at the stops, straight between them, finite for every lens."""
+"""The strip's matrices are exact at the stops, keep lines straight, and are always finite."""
 
 from __future__ import annotations
 
@@ -77,8 +77,7 @@ def euclid(points: Array) -> Array:
 def test_a_stop_is_the_product_of_the_pipelines_own_stages(lens: Lens, depth: str) -> None:
     strip = morph(lens, depth)
     _, _, first, m_pp, *_, image = strip.projection.stages
-    product = np.eye(4)
-    wanted = {WORLD: product}
+    wanted = {WORLD: np.eye(4)}
     wanted[VIEW] = strip.projection.view_from_world
     wanted[CANONICAL_PERSPECTIVE] = first.matrix @ wanted[VIEW]
     wanted[CANONICAL_PARALLEL] = m_pp.matrix @ wanted[CANONICAL_PERSPECTIVE]
@@ -112,12 +111,9 @@ def test_the_frames_scale_shift_and_mirror_and_do_nothing_else(lens: Lens) -> No
 def test_for_a_parallel_lens_m_pp_is_the_identity() -> None:
     for name in ("orthographic", "oblique"):
         strip = morph(LENSES[name])
-        before, after = (
-            strip.display_from_local(float(stop))
-            for stop in (CANONICAL_PERSPECTIVE, CANONICAL_PARALLEL)
-        )
-        assert np.array_equal(before, after)
-        assert np.array_equal(before, strip.display_from_local(2.5))
+        positions = (CANONICAL_PERSPECTIVE, 2.5, CANONICAL_PARALLEL)
+        before, between, after = map(strip.display_from_local, positions)
+        assert np.array_equal(before, between) and np.array_equal(before, after)
 
 
 @pytest.mark.parametrize("depth", DEPTH_RANGES)
@@ -135,7 +131,7 @@ def test_the_path_arrives_at_every_stop(lens: Lens, depth: str) -> None:
 
 @pytest.mark.parametrize("lens", LENSES.values(), ids=LENSES)
 def test_straight_lines_stay_straight(lens: Lens) -> None:
-    """1 000 random segments at random positions: what is between the ends is drawn between them."""
+    """For 1 000 random segments and positions, a point between the ends stays between them."""
     random = np.random.default_rng(4)
     strip = morph(lens)
     # In the view volume, where all is finite: from random points of the box.
@@ -161,7 +157,7 @@ def test_straight_lines_stay_straight(lens: Lens) -> None:
 @pytest.mark.parametrize("depth", DEPTH_RANGES)
 @pytest.mark.parametrize("lens", LENSES.values(), ids=LENSES)
 def test_scene_and_view_volume_move_as_one(lens: Lens, depth: str) -> None:
-    """The volume's corners are where the scene's matrix takes the model's own corners."""
+    """The scene's matrix maps the model's own corners to the volume's corners."""
     strip = morph(lens, depth)
     corners = corners_world(strip.projection)
     box = np.array([(x, y, z, 1.0) for z in (1.0, 0.0)
@@ -189,8 +185,7 @@ def test_world_to_view_is_a_rigid_motion() -> None:
     assert np.abs(halfway @ halfway - CAMERA.frame).max() < 1e-14  # twice half the turn
 
 
-@pytest.mark.parametrize("half", [False, True])
-def test_half_a_turn_has_an_axis_too(half: bool) -> None:
+def test_half_a_turn_has_an_axis_too() -> None:
     for camera in (
         Camera((0, 0, -5), (0, 0, 0), (0, 1, 0)),  # about y
         Camera((0, 0, -5), (0, 0, 0), (0, -1, 0)),  # about x
@@ -199,11 +194,10 @@ def test_half_a_turn_has_an_axis_too(half: bool) -> None:
         Camera((3, -7, 2), (0, 1, 0), (1e-3, -1, 0.3)),
         Camera((1e-9, 0, -5), (0, 0, 0), (0, 1, 0)),
     ):
-        part = 0.5 if half else 1.0 - 1e-12
-        turn = rotation_between(camera.frame, part)
-        whole = turn @ turn if half else turn
-        assert np.abs(whole - camera.frame).max() < 1e-11
-        assert np.abs(turn @ turn.T - np.eye(3)).max() < 1e-14
+        half, nearly = (rotation_between(camera.frame, part) for part in (0.5, 1.0 - 1e-12))
+        for turn, whole in ((half, half @ half), (nearly, nearly)):
+            assert np.abs(whole - camera.frame).max() < 1e-11
+            assert np.abs(turn @ turn.T - np.eye(3)).max() < 1e-14
 
 
 @pytest.mark.parametrize("depth", DEPTH_RANGES)
@@ -268,7 +262,7 @@ def test_the_planes_are_open_then_close_then_cut_at_the_volume(lens: Lens) -> No
 
 
 def test_a_far_scene_keeps_its_digits() -> None:
-    """A scene at 1e9 is drawn like the one at 0: origin and eye meet in float64."""
+    """A scene at 1e9 looks like the one at 0: the eye is subtracted in float64."""
     here = morph(LENSES["perspective"])
     away = np.array([1e9, -2e9, 1e9])
     camera = Camera(tuple(CAMERA.eye + away), tuple(CAMERA.target + away), CAMERA.up)
@@ -281,7 +275,7 @@ def test_a_far_scene_keeps_its_digits() -> None:
 
 @pytest.mark.parametrize("lens", {**LENSES, **EXTREME}.values(), ids={**LENSES, **EXTREME})
 def test_a_box_is_cut_at_its_six_faces(lens: Lens) -> None:
-    """Left, right, bottom, top, far, near of the stops whose volume is a box, by hand."""
+    """Compare with planes by hand: left, right, bottom, top, far, near."""
     strip = morph(lens)
     for stop, half in ((CANONICAL_PARALLEL, 0.5), (NDC, 1.0), (IMAGE, 0.05)):
         up = 720.0 / 1280.0 if stop == IMAGE else 1.0
@@ -302,7 +296,7 @@ CELLS = (
 
 @pytest.mark.parametrize("cell", CELLS)
 def test_a_free_matrix_goes_from_view_to_ndc_in_one_step(cell: Any) -> None:
-    """Its volume is cut by its own planes at every moment, and whole at the stops."""
+    """Its own planes clip its volume at every moment."""
     start = load("letter-f").start
     free = with_cell(start, *cell)
     assert isinstance(free.lens, FreeMatrix) and free.frustum_sign == 1

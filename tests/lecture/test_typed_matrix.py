@@ -1,4 +1,4 @@
-"""Typed matrices: recognised where a lens or a camera has them, named where none does."""
+"""Typed matrices: recognised as a lens or a camera, or described by their properties."""
 
 from __future__ import annotations
 
@@ -71,7 +71,7 @@ EDIT = Projection(Camera((6.0, 5.0, 9.0), (0.0, 2.2, 0.0)))
 
 
 def plain(lens: Lens) -> Lens:
-    """Without `keep`, which no matrix tells."""
+    """Without `keep`, which the matrix does not contain."""
     window = Projection(lens=lens).window
     if isinstance(lens, Perspective | FreeMatrix):
         return lens
@@ -98,7 +98,11 @@ def test_a_lens_own_matrix_is_that_lens(lens: Lens, depth: Any) -> None:
         cells = shown(projection, name)
         for row, column in PLACES:
             assert with_cell(projection, name, row, column, cells[row][column]) is projection
-    # Typed over a matrix that nothing is, in any order: only the last cell completes it.
+    # The present fields stay where they fit.
+    spoiled = with_cell(projection, "clip_from_view", 0, 1, 0.25)
+    assert isinstance(spoiled.lens, FreeMatrix) and spoiled.lens.former == lens
+    assert with_cell(spoiled, "clip_from_view", 0, 1, 0.0) == projection
+    # Typed over a free matrix in any order: only the last cell completes the lens.
     typed = Projection(projection.camera, LENSES[lens.kind](), (1280, 720), depth)
     typed = with_cell(typed, "clip_from_view", 0, 1, 0.25)
     cells = shown(projection, "clip_from_view")
@@ -113,23 +117,16 @@ def test_a_lens_own_matrix_is_that_lens(lens: Lens, depth: Any) -> None:
     assert typed.camera == projection.camera
 
 
-@pytest.mark.parametrize("lens", TYPED.values(), ids=TYPED)
-def test_the_fields_in_hand_stay_where_they_fit(lens: Lens) -> None:
-    projection = replace(EDIT, lens=lens)
-    spoiled = with_cell(projection, "clip_from_view", 0, 1, 0.25)
-    assert isinstance(spoiled.lens, FreeMatrix) and spoiled.lens.former == lens
-    assert with_cell(spoiled, "clip_from_view", 0, 1, 0.0) == projection
-
-
 def test_the_kind_in_hand_comes_before_the_simplest() -> None:
     symmetric = Frustum(-1.6, 1.6, -0.9, 0.9, 1.0, 30.0)
-    cells = shown(replace(EDIT, lens=symmetric), "clip_from_view")
-    for in_hand, kind in ((symmetric, "frustum"), (Orthographic(), "perspective")):
-        found = recognised_lens(cells, replace(EDIT, lens=in_hand))
-        assert found is not None and found.kind == kind
     upright = replace(Oblique(), alpha_deg=90.0, beta_deg=90.0)
-    cells = shown(replace(EDIT, lens=upright), "clip_from_view")
-    for in_hand, kind in ((upright, "oblique"), (Perspective(), "orthographic")):
+    for typed, in_hand, kind in (
+        (symmetric, symmetric, "frustum"),
+        (symmetric, Orthographic(), "perspective"),
+        (upright, upright, "oblique"),
+        (upright, Perspective(), "orthographic"),
+    ):
+        cells = shown(replace(EDIT, lens=typed), "clip_from_view")
         found = recognised_lens(cells, replace(EDIT, lens=in_hand))
         assert found is not None and found.kind == kind
 
@@ -151,21 +148,21 @@ def test_one_cell_makes_the_lens_that_has_it() -> None:
     assert (right + left) / (right - left) == pytest.approx(0.125, rel=1e-14)
 
 
-@pytest.mark.parametrize("factor", [0.5, 3.0, 1e-20, 1e20])
 @pytest.mark.parametrize("lens", TYPED.values(), ids=TYPED)
-def test_a_positive_factor_changes_nothing(lens: Lens, factor: float) -> None:
+def test_a_positive_factor_changes_nothing(lens: Lens) -> None:
+    """A negative factor reverses w: everything would be behind the eye."""
     projection = replace(EDIT, lens=lens)
-    cells = np.array(shown(projection, "clip_from_view")) * factor
-    found = recognised_lens(cells.tolist(), projection)
-    assert found is not None and found.kind == lens.kind
-    again = shown(replace(projection, lens=found), "clip_from_view")
-    assert np.allclose(again, shown(projection, "clip_from_view"), rtol=4e-15, atol=1e-15)
-    # The negative one turns w round: everything would be behind the eye.
-    assert recognised_lens((-cells).tolist(), projection) is None
+    own = np.array(shown(projection, "clip_from_view"))
+    for factor in (0.5, 3.0, 1e-20, 1e20):
+        found = recognised_lens((own * factor).tolist(), projection)
+        assert found is not None and found.kind == lens.kind
+        again = shown(replace(projection, lens=found), "clip_from_view")
+        assert np.allclose(again, own, rtol=4e-15, atol=1e-15)
+        assert recognised_lens((-own * factor).tolist(), projection) is None
 
 
 @pytest.mark.parametrize("value", [1e-20, 1e-75])
-def test_what_is_tiny_is_not_taken_for_zero(value: float) -> None:
+def test_a_tiny_cell_is_not_taken_for_zero(value: float) -> None:
     for row, column in ((0, 1), (0, 2), (3, 3)):
         typed = edited(row, column, value)
         assert shown(typed, "clip_from_view")[row][column] == value
@@ -288,13 +285,10 @@ def test_a_cell_that_cannot_be_is_named(value: Any, bound: str) -> None:
 
 
 @pytest.mark.parametrize("matrix", [[], [[1.0] * 4] * 3, [[1.0] * 3] * 4, 7, None, "abcd"])
-def test_what_is_no_matrix_is_refused(matrix: Any) -> None:
+def test_only_two_matrices_of_four_rows_can_be_typed(matrix: Any) -> None:
     for make in (FreeMatrix, lambda cells: with_matrix(EDIT, "clip_from_view", cells)):
         with pytest.raises(Refusal, match="four rows of four finite numbers"):
             make(matrix)
-
-
-def test_only_two_matrices_can_be_typed() -> None:
     with pytest.raises(Refusal, match="view_from_world, clip_from_view"):
         with_cell(EDIT, "image_from_ndc", 0, 0, 1.0)
 
@@ -305,25 +299,33 @@ UPRIGHT = ((1.0, 0.0, 0.0, 0.0), (0.0, 1.0, 0.0, 0.0), (0.0, 0.0, -1.0, 0.0), (0
 
 
 @pytest.mark.parametrize(
-    ("row", "column", "value", "found"),
+    ("name", "row", "column", "value", "found"),
     [
-        (0, 1, 0.5, [NOT_AFFINE, W_VANISHES]),
-        (0, 0, 0.0, [SINGULAR, NOT_AFFINE, W_VANISHES]),
-        (0, 0, -1.0, [MIRRORED_CLIP, NOT_AFFINE, W_VANISHES]),
-        (3, 2, 0.0, [SINGULAR, W_IS_NOT_POSITIVE]),
-        (3, 2, 1.0, [MIRRORED_CLIP, ALL_BEHIND, NOT_AFFINE, W_VANISHES]),
-        (2, 2, 0.0, [THROUGH_INFINITY, NOT_AFFINE, W_VANISHES]),
-        (3, 0, 0.05, [NOT_AFFINE, W_VANISHES]),
+        ("clip_from_view", 0, 1, 0.5, [NOT_AFFINE, W_VANISHES]),
+        ("clip_from_view", 0, 0, 0.0, [SINGULAR, NOT_AFFINE, W_VANISHES]),
+        ("clip_from_view", 0, 0, -1.0, [MIRRORED_CLIP, NOT_AFFINE, W_VANISHES]),
+        ("clip_from_view", 3, 2, 0.0, [SINGULAR, W_IS_NOT_POSITIVE]),
+        ("clip_from_view", 3, 2, 1.0, [MIRRORED_CLIP, ALL_BEHIND, NOT_AFFINE, W_VANISHES]),
+        ("clip_from_view", 2, 2, 0.0, [THROUGH_INFINITY, NOT_AFFINE, W_VANISHES]),
+        ("clip_from_view", 3, 0, 0.05, [NOT_AFFINE, W_VANISHES]),
+        ("view_from_world", 0, 0, -1.0, [MIRRORED_VIEW, NOT_RIGID, AFFINE]),
+        ("view_from_world", 0, 0, 2.0, [NOT_RIGID, AFFINE]),
+        ("view_from_world", 3, 2, 0.5, [NOT_AFFINE, W_VANISHES]),
+        ("view_from_world", 3, 3, 0.0, [SINGULAR, W_IS_NOT_POSITIVE]),
     ],
 )
-def test_what_a_matrix_does_is_named(row: int, column: int, value: float, found: list[str]) -> None:
-    assert texts(edited(row, column, value)) == found
+def test_the_effects_of_a_matrix_are_named(
+    name: str, row: int, column: int, value: float, found: list[str]
+) -> None:
+    typed = edited(row, column, value, name)
+    assert texts(typed, name) == found
+    if name == "view_from_world":
+        assert MIRRORED_CLIP not in texts(typed) and SINGULAR not in texts(typed)
+        assert properties(typed, "clip_from_world") == []
 
 
-def test_whichever_pair_is_exchanged_is_among_those_named() -> None:
-    cells = shown(EDIT, "clip_from_view")
-    said = [str(p) for p in properties(edited(1, 1, -cells[1][1]), "clip_from_view")]
-    assert "mirrored: as if left and right, top and bottom, or near and far were exchanged" in said
+def said(projection: Projection) -> list[str]:
+    return [str(each) for each in properties(projection, "clip_from_view")]
 
 
 @pytest.mark.parametrize(
@@ -338,18 +340,18 @@ def test_whichever_pair_is_exchanged_is_among_those_named() -> None:
 def test_where_w_vanishes_is_written_as_an_equation(row: Any, found: str) -> None:
     cells = [list(line) for line in shown(EDIT, "clip_from_view")]
     cells[0][1], cells[3] = 0.5, list(row)
-    said = [
-        str(p) for p in properties(with_matrix(EDIT, "clip_from_view", cells), "clip_from_view")
-    ]
-    assert f"w vanishes where {found} = 0: the divide sends these points to infinity" in said
+    text = f"w vanishes where {found} = 0: the divide sends these points to infinity"
+    assert text in said(with_matrix(EDIT, "clip_from_view", cells))
 
 
-def test_an_affine_matrix_is_named_with_its_w() -> None:
+def test_an_affine_matrix_is_named_with_its_w_and_a_mirrored_one_with_all_pairs() -> None:
+    cells = shown(EDIT, "clip_from_view")
+    pairs = "mirrored: as if left and right, top and bottom, or near and far were exchanged"
+    assert pairs in said(edited(1, 1, -cells[1][1]))
     sheared = [list(row) for row in UPRIGHT]
     sheared[0][1], sheared[3][3] = 0.5, 2.0
     typed = with_matrix(EDIT, "clip_from_view", sheared)
-    assert [str(p) for p in properties(typed, "clip_from_view")] == ["affine: w is 2 everywhere"]
-    assert texts(typed) == [AFFINE]
+    assert said(typed) == ["affine: w is 2 everywhere"]
 
 
 @pytest.mark.parametrize(
@@ -358,23 +360,16 @@ def test_an_affine_matrix_is_named_with_its_w() -> None:
 def test_the_rank_is_told(rank: int, rows: tuple[int, ...]) -> None:
     cells = [list(row) if i in rows else [0.0] * 4 for i, row in enumerate(UPRIGHT)]
     typed = with_matrix(EDIT, "clip_from_view", cells)
-    assert f"singular (rank {rank}): the frustum cannot be drawn" in map(
-        str, properties(typed, "clip_from_view")
-    )
+    assert f"singular (rank {rank}): the frustum cannot be drawn" in said(typed)
     assert typed.frustum_sign == 0
     with pytest.raises(Refusal, match=f"its rank is {rank}"):
         typed.world_from_clip_at((0.0, 0.0, 0.0))
     assert np.isfinite(typed.trace([[0.0, 2.0, 0.0]]).clip).all()
 
 
-def test_the_rank_is_not_a_matter_of_rounding() -> None:
-    """0.1 0.9 - 0.3 0.3 is 0 in decimals, but not of the floats that stand for them."""
-    cells = [
-        [0.1, 0.3, 0.0, 0.0],
-        [0.3, 0.9, 0.0, 0.0],
-        [0.0, 0.0, -1.0, -2.0],
-        [0.0, 0.0, -1.0, 0.0],
-    ]
+def test_rounding_does_not_change_the_rank() -> None:
+    """0.1 0.9 - 0.3 0.3 is 0 in decimals, but not for the nearest floats."""
+    cells = [[0.1, 0.3, 0, 0], [0.3, 0.9, 0, 0], [0, 0, -1.0, -2.0], [0, 0, -1.0, 0]]
     assert np.linalg.matrix_rank(cells) == 3
     assert SINGULAR not in texts(with_matrix(EDIT, "clip_from_view", cells))
     cells[0][0], cells[1][1] = 0.5, 0.18
@@ -393,24 +388,6 @@ def test_no_lens_is_mirrored_in_any_depth_range(lens: Lens, depth: Any) -> None:
     assert MIRRORED_CLIP not in texts(free) and SINGULAR not in texts(free)
     mirrored = np.array(shown(projection, "clip_from_view")) * [[-1.0], [1.0], [1.0], [1.0]]
     assert MIRRORED_CLIP in texts(replace(projection, lens=FreeMatrix(mirrored.tolist())))
-
-
-@pytest.mark.parametrize(
-    ("row", "column", "value", "found"),
-    [
-        (0, 0, -1.0, [MIRRORED_VIEW, NOT_RIGID, AFFINE]),
-        (0, 0, 2.0, [NOT_RIGID, AFFINE]),
-        (3, 2, 0.5, [NOT_AFFINE, W_VANISHES]),
-        (3, 3, 0.0, [SINGULAR, W_IS_NOT_POSITIVE]),
-    ],
-)
-def test_what_a_view_matrix_does_is_named(
-    row: int, column: int, value: float, found: list[str]
-) -> None:
-    typed = edited(row, column, value, "view_from_world")
-    assert texts(typed, "view_from_world") == found
-    assert MIRRORED_CLIP not in texts(typed) and SINGULAR not in texts(typed)
-    assert properties(typed, "clip_from_world") == []
 
 
 # --------------------------------------------------------------------------- the model under it
@@ -459,7 +436,7 @@ FREE = {
 
 @pytest.mark.parametrize("projection", FREE.values(), ids=FREE)
 def test_points_are_the_products_of_the_shown_matrices(projection: Projection) -> None:
-    """In rationals from the very cells, and never a mirrored number behind."""
+    """Products in rationals of the same cells; points behind the eye have no image."""
     points = np.random.default_rng(2).uniform(-6.0, 6.0, (40, 3))
     view, *_ = (rationals(stage.exact) for stage in projection.stages[1:2])
     clip = product(projection.direct_stages[0].exact, view)
@@ -491,7 +468,7 @@ def test_points_are_the_products_of_the_shown_matrices(projection: Projection) -
 
 
 @pytest.mark.parametrize("projection", FREE.values(), ids=FREE)
-def test_what_only_a_lens_has_is_refused_with_a_sentence(projection: Projection) -> None:
+def test_a_free_matrix_refuses_the_properties_of_a_lens(projection: Projection) -> None:
     for ask in (
         lambda: projection.window,
         lambda: projection.intrinsics,
@@ -548,7 +525,7 @@ def test_the_planes_of_a_free_matrix_are_those_of_the_lens_that_has_it(depth: An
 
 
 def test_where_infinity_lies_in_the_volume_there_is_no_frustum() -> None:
-    """Un-projected, w is x + 1/2: of one sign at all corners only where the shift is above 1."""
+    """The inverse's w is x + shift, which has one sign at all corners only for |shift| > 1."""
     for shift, sign in ((0.5, 0), (-0.5, 0), (2.0, 1), (-2.0, -1)):
         inverse = np.eye(4)
         inverse[3] = 1.0, 0.0, 0.0, shift

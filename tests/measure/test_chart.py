@@ -1,5 +1,4 @@
-"""Charts of measurements: what is drawn where, as data and as pictures, and names that do not
-hide each other."""
+"""Charts of measurements as data and as pictures, and names that do not overlap."""
 
 from __future__ import annotations
 
@@ -20,16 +19,7 @@ from app.measure import chart
 from app.measure.arithmetic import SWEEPS
 from app.measure.meaning import meaning
 from app.measure.measuring import TRADES
-from app.measure.results import (
-    COLUMNS,
-    JUDGED,
-    WORDS,
-    Sweep,
-    Trade,
-    named,
-    table,
-    to_csv,
-)
+from app.measure.results import COLUMNS, JUDGED, WORDS, Sweep, Trade, named, table, to_csv
 from app.model.projection import Projection
 from app.scenes.phenomena.diagram import Diagram, Spot
 from tests.support.commands import refused, run_here
@@ -55,24 +45,16 @@ def test_every_trade_and_sweep_has_its_texts() -> None:
 
 
 def test_a_choice_is_at_its_cost_and_error() -> None:
+    """A line joins the choices that no other one beats; 0 and infinity are at the edges."""
     (diagram,) = chart.diagrams(TRADE)
     found = spots(diagram)
     assert set(found) == {"fast", "bad", "good", "right", "endless"}
     assert (found["bad"].x, found["bad"].y) == (5.0, 2.0)
     assert all(diagram.left < spot.x < diagram.right for spot in found.values())
     assert all(diagram.bottom < spot.y < diagram.top for spot in found.values())
-
-
-def test_what_no_other_one_beats_is_joined_and_the_rest_faded() -> None:
-    (diagram,) = chart.diagrams(TRADE)
-    assert {name for name, spot in spots(diagram).items() if spot.faded} == {"bad", "endless"}
+    assert {name for name, spot in found.items() if spot.faded} == {"bad", "endless"}
     (line,) = diagram.curves
     assert line.points[:, 0].tolist() == [1.0, 10.0, 100.0]
-
-
-def test_zero_and_infinity_are_at_the_edges_and_say_so() -> None:
-    (diagram,) = chart.diagrams(TRADE)
-    found = spots(diagram)
     assert found["right"].name == "right (0)" and found["endless"].name == "endless (∞)"
     assert found["right"].y < 1e-6 and found["endless"].y > 2.0
 
@@ -115,11 +97,13 @@ def test_another_machine_s_is_thinner_and_named_and_within_the_chart() -> None:
     assert len(over[1].points) == 5, "nothing of it is dropped"
 
 
-def test_where_there_is_no_number_there_is_no_chart() -> None:
+def test_a_trade_without_numbers_has_words_and_no_chart() -> None:
     absent = replace(TRADE, choices=(choice("", None, None, "no vertex"),))
     assert chart.diagrams(absent) == ()
     assert chart.diagrams(replace(SWEEP, values=(), curves={})) == ()
     assert "(cancelled)" in chart.title(replace(TRADE, complete=False))
+    empty = chart.picture(replace(RESULTS, trades=(absent,), sweeps=()), "a.png")
+    assert empty.startswith(b"\x89PNG")
 
 
 # -- sweeps
@@ -168,22 +152,18 @@ def test_a_table_has_a_word_for_what_has_no_number() -> None:
     assert table(SWEEP)[1] == ["0.01", "-", "1e-09", "float32 answers NaN"]
 
 
-def test_a_sweep_s_values_and_head_say_what_they_are() -> None:
+def test_a_sweep_s_values_have_four_digits_or_all() -> None:
     values = (179.0, 179.999999999995, 180.0 - 1e-12)
-    swept = Sweep("fov", "°", values, {"a": curve((1e-9,) * 3, ("",) * 3)})
-    head, *rows = table(swept)
+    head, *rows = table(Sweep("fov", "°", values, {"a": curve((1e-9,) * 3, ("",) * 3)}))
     assert head == ["fov, °", "a", JUDGED]
     assert [row[0] for row in rows] == ["179", "179.999999999995", "179.999999999999"]
     assert named(head[0], {"fov": "kut"}.__getitem__) == "kut, °"
-
-
-def test_a_sweep_s_values_have_four_digits_or_all() -> None:
     values = (0.0316227766017, 1234567.0, 2.5)
     swept = sweep("near", values, {"a": curve((1 / 3,) * 3, ("",) * 3)})
     assert [row[:2] for row in table(swept)[1:]] == [
         ["0.03162", "0.33"], ["1234567", "0.33"], ["2.5", "0.33"],
     ]  # fmt: skip
-    whole = table(swept, all_digits=True)[1:]  # what is measured has no more digits than it had
+    whole = table(swept, all_digits=True)[1:]  # measured errors keep two digits
     assert [row[:2] for row in whole] == [[repr(value), "0.33"] for value in values]
 
 
@@ -237,6 +217,13 @@ def test_what_one_reads_has_no_exponent_for_thousands(
 # -- names
 
 NONE = np.empty((0, 4))
+FRAME = np.array([0.0, 0.0, 400.0, 300.0])
+
+
+def placed(given_points: list[tuple[float, float, float]]) -> tuple[np.ndarray, np.ndarray]:
+    """The points, and the sizes of their names."""
+    x, y, widths = np.array(given_points).T
+    return np.column_stack([x, y]), np.column_stack([widths, np.full(len(x), 12.0)])
 
 
 @given(
@@ -247,10 +234,8 @@ NONE = np.empty((0, 4))
 def test_names_never_hide_each_other_nor_dots_and_stay_inside(
     given_points: list[tuple[float, float, float]],
 ) -> None:
-    points = np.array([point[:2] for point in given_points])
-    sizes = np.array([(point[2], 12.0) for point in given_points])
-    frame = np.array([0.0, 0.0, 400.0, 300.0])
-    places = beside(points, sizes, frame, np.empty((0, 2)), np.full(len(points), 5.0), NONE)
+    points, sizes = placed(given_points)
+    places = beside(points, sizes, FRAME, np.empty((0, 2)), np.full(len(points), 5.0), NONE)
     boxes = [box for box in places if box is not None]
     for i, box in enumerate(boxes):
         assert (box[:2] >= 0.0).all() and box[2] <= 400.0 and box[3] <= 300.0
@@ -271,11 +256,9 @@ def test_names_never_hide_each_other_nor_dots_and_stay_inside(
 def test_names_and_their_lines_cross_no_curve_no_dot_and_no_earlier_name(
     given_points: list[tuple[float, float, float]], left: float, right: float
 ) -> None:
-    points = np.array([point[:2] for point in given_points])
-    sizes = np.array([(point[2], 12.0) for point in given_points])
-    frame = np.array([0.0, 0.0, 400.0, 300.0])
+    points, sizes = placed(given_points)
     along = np.column_stack([np.linspace(0.0, 400.0, 400), np.linspace(left, right, 400)])
-    places = beside(points, sizes, frame, along, np.full(len(points), 5.0), NONE)
+    places = beside(points, sizes, FRAME, along, np.full(len(points), 5.0), NONE)
     for i, box in enumerate(places):
         if box is None:
             continue
@@ -290,15 +273,14 @@ def test_names_and_their_lines_cross_no_curve_no_dot_and_no_earlier_name(
 
 
 def test_a_name_stands_right_beside_a_lonely_point() -> None:
-    frame = np.array([0.0, 0.0, 400.0, 300.0])
     one, size = np.array([[200.0, 150.0]]), np.array([[60.0, 12.0]])
-    (box,) = beside(one, size, frame, np.empty((0, 2)), np.array([5.0]), NONE)
+    (box,) = beside(one, size, FRAME, np.empty((0, 2)), np.array([5.0]), NONE)
     assert box is not None and box.tolist() == [205.0, 144.0, 265.0, 156.0]
     line = np.column_stack([np.linspace(200.0, 400.0, 100), np.full(100, 150.0)])
-    (box,) = beside(one, size, frame, line, np.array([5.0]), NONE)
+    (box,) = beside(one, size, FRAME, line, np.array([5.0]), NONE)
     assert box is not None and not (box[1] < 150.0 < box[3] and box[0] >= 200.0)
     name = np.array([[210.0, 140.0, 300.0, 160.0]])
-    (box,) = beside(one, size, frame, np.empty((0, 2)), np.array([5.0]), name)
+    (box,) = beside(one, size, FRAME, np.empty((0, 2)), np.array([5.0]), name)
     assert box is not None and (box[2] <= 210.0 or box[3] <= 140.0 or box[1] >= 160.0)
     full = np.array([0.0, 0.0, 30.0, 300.0])
     assert beside(np.array([[15.0, 150.0]]), size, full, line, np.array([5.0]), NONE) == [None]
@@ -325,12 +307,6 @@ def test_a_pdf_holds_vectors_and_is_the_same_every_time() -> None:
     one, other = (chart.picture(RESULTS, "a.pdf", other=RESULTS) for _ in range(2))
     assert one.startswith(b"%PDF") and one == other
     assert b"/Subtype /Image" not in one
-
-
-def test_what_could_not_be_measured_is_words_in_the_picture() -> None:
-    nothing = replace(TRADE, choices=(choice("", None, None, "no vertex"),))
-    empty = chart.picture(replace(RESULTS, trades=(nothing,), sweeps=()), "a.png")
-    assert empty.startswith(b"\x89PNG")
 
 
 def test_a_chart_names_machine_versions_scene_camera_and_date() -> None:

@@ -1,4 +1,4 @@
-"""The measurements: their numbers against 80 digits, their predictions, their file."""
+"""The measurements: their numbers against 80 digits, their predictions and their file."""
 
 from __future__ import annotations
 
@@ -9,6 +9,7 @@ import sys
 import types
 from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -37,7 +38,7 @@ from app.measure.detail import outline
 from app.measure.interpolation import Edge, affine, bound, correct, steepest_edge
 from app.measure.interpolation import measure as measure_interpolation
 from app.measure.interpolation import truth as true_place
-from app.measure.measuring import TRADES, measure_all
+from app.measure.measuring import measure_all
 from app.measure.reference import SAMPLE, sample, truth
 from app.measure.results import (
     JUDGED,
@@ -50,7 +51,7 @@ from app.measure.results import (
     to_csv,
     to_json,
 )
-from app.measure.run import in_turns, part_of, percentile95
+from app.measure.run import Watch, in_turns, part_of, percentile95
 from app.measure.smoothing import SMOOTHINGS, pictures, samples_given, shown
 from app.measure.smoothing import measure as measure_smoothing
 from app.model.depth import FORMATS, MAPPINGS, DepthBuffer
@@ -83,7 +84,7 @@ def oracle_errors(projection: Projection, world: np.ndarray, answers: np.ndarray
 @pytest.mark.parametrize("depth", DEPTH_RANGES)
 @pytest.mark.parametrize("parameter", list(SWEEPS))
 def test_the_reference_is_the_oracle(parameter: str, depth: str) -> None:
-    """Two descriptions, over the extremes that are swept: all 32 digits of a pair of float64."""
+    """Both agree over the swept extremes, in all 32 digits of a pair of float64."""
     for value in values_of(parameter, 7):
         projection, moved = SWEEPS[parameter].set(replace(START, depth=depth), value)
         world = in_view(projection, POINTS + moved)[:5]
@@ -142,32 +143,19 @@ def test_measured_errors_are_those_of_the_oracle(depth: str, far: float) -> None
     assert compared >= 8
 
 
-def test_precisions_are_compared_by_the_same_code() -> None:
-    """Each pair is one function in two formats, and float64's answers are the better ones."""
-    found = {choice.name: choice for choice in measure(START, POINTS, seconds=0.0).choices}
-    for name in ("{}", "{}, eye first"):
-        single, double = (found[name.format(kind)] for kind in ("float32", "float64"))
-        assert single.error is not None and double.error is not None
-        assert 1e-6 < single.error < 1e-3 and double.error < 1e-11
-
-
-def test_the_output_says_what_its_errors_are() -> None:
-    trade = measure(START, POINTS, seconds=0.0)
-    assert str(SAMPLE) in JUDGED
-    assert table(trade)[0][-1] == JUDGED
-    assert table(sweep("far", START, POINTS, (9.0,)))[0][-1].startswith(f"{JUDGED}, ")
-    assert table(measure_depth(START))[0][-1] == ""
-
-
-def test_every_way_costs_time_and_the_precisions_can_be_used() -> None:
+def test_trade_1_times_every_way_and_defines_its_errors() -> None:
     trade = measure(START, POINTS, seconds=0.0)
     assert trade.complete and trade.rounds >= 5
+    found = {choice.name: choice for choice in trade.choices if choice.note != NOT_INSTALLED}
+    assert all(0.0 < choice.cost <= choice.cost_p95 for choice in found.values())
     precisions = {choice.use["rung"] for choice in trade.choices if choice.use}
-    assert precisions == {"float32", "float64"}  # the exact one reads, and draws nothing
-    for choice in trade.choices:
-        if choice.note != NOT_INSTALLED:
-            assert choice.cost is not None and choice.cost_p95 is not None
-            assert 0.0 < choice.cost <= choice.cost_p95
+    assert precisions == {"float32", "float64"}  # the panes cannot draw the exact one
+    for name in ("{}", "{}, eye first"):  # the same code in two formats
+        single, double = (found[name.format(kind)] for kind in ("float32", "float64"))
+        assert 1e-6 < single.error < 1e-3 and double.error < 1e-11
+    assert str(SAMPLE) in JUDGED and table(trade)[0][-1] == JUDGED
+    assert table(sweep("far", START, POINTS, (9.0,)))[0][-1].startswith(f"{JUDGED}, ")
+    assert table(measure_depth(START))[0][-1] == ""
 
 
 def test_float32_is_the_models_precision_to_the_bit() -> None:
@@ -184,36 +172,31 @@ def test_float32_is_the_models_precision_to_the_bit() -> None:
 @pytest.mark.parametrize("parameter", list(SWEEPS))
 @pytest.mark.parametrize("depth", ["opengl", "direct3d", "reversed"])
 def test_predictions_hold_over_every_sweep(parameter: str, depth: str) -> None:
+    """Our float64 stays accurate over the sweep, and VTK's camera breaks somewhere."""
     projection = replace(START, depth=depth)
     swept = sweep(parameter, projection, POINTS, values_of(parameter, 25))
     assert len(swept.values) == 25 and swept.complete
+    curves = dict(swept.curves)
+    vtk = curves.pop("VTK's camera")
+    assert set(vtk.predicted) == {None}
     ratios = []
-    for name, curve in swept.curves.items():
-        if name == "VTK's camera":
-            assert set(curve.predicted) == {None}
-            continue
+    for name, curve in curves.items():
         for errors, predicted in (
             (curve.errors, curve.predicted),
             (curve.errors_depth, curve.predicted_depth),
         ):
             for error, expected, note in zip(errors, predicted, curve.notes, strict=True):
-                assert expected is not None
                 if error is None:
                     assert note and expected == math.inf
                     continue
                 assert error <= expected, (name, error)
                 ratios.append(expected / max(error, 1e-30))
     assert len(ratios) > 60 and np.median(ratios) <= 30.0
-
-
-@pytest.mark.parametrize("parameter", list(SWEEPS))
-def test_our_float64_stays_sharp_and_vtks_camera_breaks_somewhere(parameter: str) -> None:
-    swept = sweep(parameter, START, POINTS, values_of(parameter, 25))
-    ours, vtk = swept.curves["float64, every stage"], swept.curves["VTK's camera"]
-    if parameter != "fov":  # below 1e-12 degrees no float64 point can be placed in the picture
-        assert max(error for error in ours.errors if error is not None) < 1e-12
+    largest = max(filter(None, curves["float64, every stage"].errors))
+    # Below 1e-12 degrees no float64 point can be placed in the picture.
+    assert parameter == "fov" or largest < 1e-12
     if parameter in ("fov", "distance", "up", "aspect"):
-        assert max(error for error in vtk.errors if error is not None) > 0.1
+        assert max(filter(None, vtk.errors)) > 0.1
     if parameter == "fov":
         assert "clamps" in vtk.notes[0] and "clamps" in vtk.notes[-1]
 
@@ -252,13 +235,8 @@ def test_a_sweep_covers_its_range_and_can_be_narrowed(parameter: str) -> None:
     assert values[-1] == pytest.approx(SWEEPS[parameter].high)
     assert list(values) == sorted(values)
     assert values_of(parameter, 2, 1.0, 2.0) == pytest.approx((1.0, 2.0))
-
-
-def test_a_box_is_swept_too() -> None:
-    projection = replace(START, lens=Orthographic(-4.0, 4.0, -2.25, 2.25, 1.0, 30.0))
-    for parameter in SWEEPS:
-        swept = sweep(parameter, projection, POINTS, values_of(parameter, 3))
-        assert swept.complete
+    box = replace(START, lens=Orthographic(-4.0, 4.0, -2.25, 2.25, 1.0, 30.0))
+    assert sweep(parameter, box, POINTS, values_of(parameter, 3)).complete
 
 
 def test_no_vertex_in_front_is_said() -> None:
@@ -281,9 +259,8 @@ def test_a_peer_that_fails_to_import_is_named(monkeypatch: pytest.MonkeyPatch) -
     assert missing["pylinalg"] == NOT_INSTALLED
     assert "broken on purpose" in missing["PyGLM"]
     assert "matplotlib's proj3d" in found
-    assert {c.name: c.note for c in measure(START, POINTS, seconds=0.0).choices}[
-        "PyGLM"
-    ] == missing["PyGLM"]
+    notes = {c.name: c.note for c in measure(START, POINTS, seconds=0.0).choices}
+    assert notes["PyGLM"] == missing["PyGLM"]
 
 
 # --------------------------------------------------------------------------- depth
@@ -380,15 +357,14 @@ def test_correct_interpolation_is_exact_and_more_pieces_are_better() -> None:
 # --------------------------------------------------------------------------- running
 
 
-def stop_after(calls: int) -> tuple[object, list[float]]:
-    seen: list[float] = []
+def stop_after(calls: int) -> Watch:
+    seen = itertools.count(1)
 
-    def watch(fraction: float) -> None:
-        seen.append(fraction)
-        if len(seen) > calls:
+    def watch(_fraction: float) -> None:
+        if next(seen) > calls:
             raise Cancelled
 
-    return watch, seen
+    return watch
 
 
 def test_turns_are_interleaved_and_progress_grows() -> None:
@@ -403,40 +379,35 @@ def test_turns_are_interleaved_and_progress_grows() -> None:
     assert seen == sorted(seen) and seen[0] >= 0.0 and seen[-1] <= 1.0
 
 
-def test_a_part_watches_its_part() -> None:
+def test_a_part_scales_its_progress_and_the_percentile_interpolates() -> None:
     seen: list[float] = []
     part_of(seen.append, 0.5, 1.0)(0.5)
     assert seen == [0.75]
-
-
-@pytest.mark.parametrize("times, expected", [([1.0], 1.0), ([1.0, 2.0, 3.0], 2.9)])
-def test_the_95th_percentile(times: list[float], expected: float) -> None:
-    assert percentile95(times) == pytest.approx(expected)
+    assert percentile95([1.0]) == 1.0 and percentile95([1.0, 2.0, 3.0]) == pytest.approx(2.9)
 
 
 def test_a_cancelled_run_keeps_what_was_done() -> None:
-    document = Document("letter-f", START)
-    watch, _ = stop_after(4)
-    results = measure_all(document, LETTER_F, ["depth"], {"near": (None, None)}, watch=watch)  # type: ignore[arg-type]
-    assert not results.complete
+    def run(calls: int, trade: str, *sweeps: str) -> Results:
+        names = dict.fromkeys(sweeps, (None, None))
+        watch, document = stop_after(calls), Document("letter-f", START)
+        results = measure_all(document, LETTER_F, [trade], names, quick=True, watch=watch)
+        assert results.document["scene"] == "letter-f"
+        assert results.versions["numpy"] == np.__version__
+        return results
+
+    results = run(4, "depth", "near")
     (trade,) = results.trades
-    assert not trade.complete and len(trade.choices) == 4 and not results.sweeps
-    watch, _ = stop_after(len(FORMATS) * len(MAPPINGS) + 3)
-    results = measure_all(
-        document,
-        LETTER_F,
-        ["depth"],
-        {"near": (None, None)},
-        quick=True,
-        watch=watch,  # type: ignore[arg-type]
-    )
+    assert not trade.complete and len(trade.choices) == 4
+    assert not results.complete and not results.sweeps
+    results = run(len(FORMATS) * len(MAPPINGS) + 3, "depth", "near")
     assert results.trades[0].complete and not results.complete
     (swept,) = results.sweeps
     assert len(swept.values) == 3 and not swept.complete
-    watch, _ = stop_after(16)
-    results = measure_all(document, LETTER_F, ["arithmetic"], {}, watch=watch)  # type: ignore[arg-type]
+    results = run(16, "arithmetic")
     assert results.trades[0].choices[0].error is not None
     assert from_json(to_json(results)) == results
+    results = run(1000, "depth")
+    assert results.complete and [trade.name for trade in results.trades] == ["depth"]
 
 
 # --------------------------------------------------------------------------- the file
@@ -455,21 +426,19 @@ TRADE = Trade(
 )
 
 
-def results_of(trade: Trade = TRADE) -> Results:
-    return Results("2026-11-21T08:00:00+00:00", {"cores": "2"}, {"numpy": "2"}, {"a": 1}, (trade,))
+def results_of(*sweeps: Sweep) -> Results:
+    date = "2026-11-21T08:00:00+00:00"
+    return Results(date, {"cores": "2"}, {"numpy": "2"}, {"a": 1}, (TRADE,), sweeps)
 
 
 def test_the_file_brings_everything_back() -> None:
     swept = sweep("near", START, POINTS, values_of("near", 3))
-    results = replace(results_of(), sweeps=(swept,), complete=False)
+    results = replace(results_of(swept), complete=False)
     assert from_json(to_json(results)) == results
 
 
-def test_the_frontier_leaves_out_what_is_beaten() -> None:
+def test_a_spreadsheet_can_read_the_table() -> None:
     assert [choice.name for choice in TRADE.frontier] == ["cheap", "good"]
-
-
-def test_a_table_can_be_read_by_a_spreadsheet() -> None:
     lines = to_csv(TRADE).splitlines()
     assert lines[0] == "choice,cost_ns,cost_p95_ns,error_px,predicted,error_depth,other,note"
     assert lines[1] == "cheap,1.0,1.1,0.001,0.002,1e-06,,"
@@ -491,37 +460,24 @@ def test_a_table_can_be_read_by_a_spreadsheet() -> None:
         ),
         (lambda tree: tree["trades"][0].update(complete=1), "complete must be true or false"),
         (lambda tree: tree.update(machine=[]), "machine must be an object"),
+        (
+            lambda tree: tree["sweeps"][0]["choices"]["exact"]["error"].pop(),
+            "as long as the sweep's values",
+        ),
     ],
 )
-def test_another_file_is_refused_in_a_sentence(change: object, sentence: str) -> None:
-    tree = json.loads(to_json(results_of()))
-    change(tree)  # type: ignore[operator]
+def test_another_file_is_refused_in_a_sentence(change: Any, sentence: str) -> None:
+    tree = json.loads(to_json(results_of(sweep("near", START, POINTS, (1.0, 2.0)))))
+    change(tree)
     with pytest.raises(Refusal) as caught:
         from_json(json.dumps(tree), "results.json")
     assert sentence in str(caught.value) and str(caught.value).startswith("results.json: ")
 
 
 @pytest.mark.parametrize("text", ["", "[1]", "{", "nonsense", "[" * 100_000])
-def test_what_is_no_json_is_refused(text: str) -> None:
+def test_a_text_without_json_is_refused(text: str) -> None:
     with pytest.raises(Refusal, match="is not a file of measurements"):
         from_json(text)
-
-
-def test_a_sweep_with_too_few_errors_is_refused() -> None:
-    swept = sweep("near", START, POINTS, (1.0, 2.0))
-    tree = json.loads(to_json(replace(results_of(), sweeps=(swept,))))
-    tree["sweeps"][0]["choices"]["exact"]["error"].pop()
-    with pytest.raises(Refusal, match="as long as the sweep's values"):
-        from_json(json.dumps(tree))
-
-
-def test_every_trade_names_itself() -> None:
-    results = measure_all(Document("letter-f", START), LETTER_F, ["depth"], {}, quick=True)
-    assert [trade.name for trade in results.trades] == ["depth"]
-    assert set(TRADES) >= {"arithmetic", "depth"}
-    assert results.document["scene"] == "letter-f" and results.versions["numpy"] == np.__version__
-    assert isinstance(results.sweeps, tuple) and not results.sweeps
-    assert Sweep("near", "", (), {}).complete
 
 
 # --------------------------------------------------------------------------- pictures
@@ -531,16 +487,11 @@ def test_smoothing_is_cheaper_without_and_better_with_more_samples() -> None:
     trade = measure_smoothing(LETTER_F, START, seconds=0.0)
     errors = {choice.name: choice.error for choice in trade.choices}
     assert list(errors) == [smoothing.name for smoothing, _ in pictures()]
-    assert (
-        errors["supersampling 3 x 3"]
-        < errors["supersampling 2 x 2"]
-        < errors["none"]
-        < errors["half resolution"]
-    )
+    rising = ("supersampling 3 x 3", "supersampling 2 x 2", "none", "half resolution")
+    assert all(errors[a] < errors[b] for a, b in itertools.pairwise(rising))
     multisampled = [error for name, error in errors.items() if name.startswith("MSAA")]
     assert max(multisampled) < errors["FXAA"] < errors["none"]
-    for choice in trade.choices:
-        assert choice.cost is not None and choice.cost > 0.0
+    assert all(choice.cost > 0.0 for choice in trade.choices)
     assert len(set(errors.values())) == len(errors), "no two are the same picture here"
     notes = {smoothing.name: note for smoothing, note in pictures()}
     assert {choice.name: choice.note for choice in trade.choices} == notes
@@ -591,8 +542,7 @@ def sphere(tmp_path_factory: pytest.TempPathFactory) -> Scene:
 def test_fewer_triangles_move_the_outline_as_far_as_they_are_long(sphere: Scene) -> None:
     trade = measure_detail(sphere, sphere.start, seconds=0.0)
     assert [choice.name for choice in trade.choices] == [
-        "100 %",
-        *(f"{100 * s:g} %" for s in SHARES),
+        f"{100 * share:g} %" for share in (1.0, *SHARES)
     ]
     assert trade.choices[0].error == 0.0
     errors = [choice.error for choice in trade.choices]

@@ -1,4 +1,4 @@
-"""Diagrams: what is at a place of the data is at that place of the picture, and nothing else."""
+"""Diagrams show every point of the data at its place, and nothing else."""
 
 from __future__ import annotations
 
@@ -24,6 +24,13 @@ from widgets.parts.messages import figure_text
 MAGENTA, GREEN = "#ff00ff", "#00ff00"
 LINE = Curve(np.array([(0.0, 0.0), (10.0, 5.0)]), MAGENTA, width=2.0)
 PLAIN = Diagram("A line", (LINE,), 0.0, 10.0, 0.0, 10.0, "across", "up")
+
+
+def sized(width: int, height: int, diagram: Diagram) -> DiagramView:
+    made = DiagramView()
+    made.resize(width, height)
+    made.show_diagram(diagram)
+    return made
 
 
 @pytest.fixture
@@ -82,9 +89,7 @@ def test_a_curve_goes_through_its_points(view: DiagramView, changes: dict[str, A
 
 def test_the_window_s_corners_are_the_frame_s() -> None:
     """With top above bottom y runs up, with bottom above top it runs down, as in an image."""
-    view = DiagramView()
-    view.resize(420, 300)
-    view.show_diagram(PLAIN)
+    view = sized(420, 300, PLAIN)
     assert view.to_px(0.0, 0.0) == view.frame.bottomLeft()
     assert view.to_px(10.0, 10.0) == view.frame.topRight()
     view.show_diagram(replace(PLAIN, bottom=10.0, top=0.0))
@@ -92,18 +97,15 @@ def test_the_window_s_corners_are_the_frame_s() -> None:
 
 
 def test_a_power_of_ten_is_as_wide_as_another() -> None:
-    view = DiagramView()
-    view.resize(420, 300)
-    view.show_diagram(replace(PLAIN, left=1.0, right=1e4, x_log=True))
+    view = sized(420, 300, replace(PLAIN, left=1.0, right=1e4, x_log=True))
     places = [view.to_px(x, 0.0).x() for x in (1.0, 10.0, 100.0, 1e3, 1e4)]
     assert np.diff(places) == pytest.approx(view.frame.width() / 4.0)
 
 
 @pytest.mark.parametrize("size", [(420, 200), (200, 420), (800, 800)])
 def test_in_a_picture_both_axes_have_one_scale(size: tuple[int, int]) -> None:
-    view = DiagramView()
-    view.resize(*size)
-    view.show_diagram(replace(PLAIN, right=1280.0, bottom=720.0, top=0.0, equal=True))
+    picture = replace(PLAIN, right=1280.0, bottom=720.0, top=0.0, equal=True)
+    view = sized(*size, picture)
     frame = view.frame
     assert frame.width() / frame.height() == pytest.approx(1280 / 720)
     assert QRectF(view.rect()).contains(frame)
@@ -129,7 +131,7 @@ def test_dots_are_at_their_points_and_not_between(view: DiagramView) -> None:
     assert not near(view, view.to_px(5.0, 2.5), MAGENTA)
 
 
-def test_what_is_outside_of_the_window_is_not_drawn(view: DiagramView) -> None:
+def test_points_outside_the_window_are_not_drawn(view: DiagramView) -> None:
     far = np.array([(-5.0, 20.0), (15.0, 20.0), (15.0, -5.0), (-5.0, -5.0)])
     view.show_diagram(replace(PLAIN, curves=(replace(LINE, points=far, closed=True),)))
     assert count(view, MAGENTA) == 0
@@ -164,9 +166,7 @@ def test_no_value_of_a_curve_breaks_the_diagram(view: DiagramView, value: float)
         {"left": -3.0, "x_log": True},
     ],
 )
-def test_a_window_that_is_none_shows_a_frame_alone(
-    view: DiagramView, changes: dict[str, Any]
-) -> None:
+def test_an_invalid_window_shows_only_a_frame(view: DiagramView, changes: dict[str, Any]) -> None:
     view.show_diagram(replace(PLAIN, **changes))
     assert count(view, MAGENTA) == 0
     assert count(view, LIGHT.background) > 1000
@@ -185,12 +185,8 @@ def test_segments_are_inside_and_on_the_curve(points: list[tuple[float, float]])
     for start, end in segments(np.array(points))[0]:
         for place in (start, end, (start + end) / 2.0):
             assert (place >= -1e-6).all() and (place <= 1.0 + 1e-6).all()
-            away = min(_distance(place, np.array(a), np.array(b)) for a, b in _pairs(points))
+            away = min(_distance(place, np.array(a), np.array(b)) for a, b in pairwise(points))
             assert away < 1e-3
-
-
-def _pairs(points: list[tuple[float, float]]) -> list[tuple[tuple[float, float], ...]]:
-    return list(pairwise(points))
 
 
 def _distance(place: np.ndarray, start: np.ndarray, end: np.ndarray) -> float:
@@ -327,18 +323,12 @@ def test_colours_are_those_of_the_theme_by_name(view: DiagramView) -> None:
         view.set_style(style)
         assert near(view, view.to_px(5.0, 2.5), style.near)
         assert count(view, style.background) > 10_000
+    ordinary = count(view, DARK.near)
     view.set_style(DARK.enlarged(3.0))
-    assert count(view, DARK.near) > 2 * _counted(view, DARK)
+    assert count(view, DARK.near) > 2 * ordinary
 
 
-def _counted(view: DiagramView, style: Any) -> int:
-    view.set_style(style)
-    return count(view, style.near)
-
-
-def test_it_paints_only_when_there_is_something_else_to_see(
-    view: DiagramView, qtbot: QtBot, qapp: Any
-) -> None:
+def test_it_repaints_only_after_a_change(view: DiagramView, qtbot: QtBot, qapp: Any) -> None:
     painted: list[int] = []
     paint = view.paintEvent
 

@@ -375,6 +375,14 @@ class DiagramView(QWidget):
         each = metrics.horizontalAdvance("000000") if is_across else 1.6 * metrics.height()
         return axis.marks(max(2, min(9, int(length / each))))
 
+    def _placed_marks(
+        self, diagram: Diagram, axis: _Axis, length: float, is_across: bool
+    ) -> list[tuple[float, float]]:
+        """Return the ticks and their places along the axis, 0 to 1, in the order of the places."""
+        marks = self._marks(diagram, axis, length, is_across)
+        places = axis.unit(np.array(marks)).tolist()
+        return sorted(zip(marks, places, strict=True), key=lambda pair: pair[1])
+
     # -- painting
 
     def paintEvent(self, event: QPaintEvent) -> None:
@@ -457,9 +465,7 @@ class DiagramView(QWidget):
         painter.setFont(self._small)
         metrics = QFontMetricsF(self._small)
         free = -math.inf
-        marks = self._marks(diagram, across, frame.width(), True)
-        places = across.unit(np.array(marks)).tolist()
-        for mark, place in sorted(zip(marks, places, strict=True), key=lambda pair: pair[1]):
+        for mark, place in self._placed_marks(diagram, across, frame.width(), True):
             x = frame.left() + place * frame.width()
             painter.setPen(self._pen("muted", 0.5))
             painter.drawLine(QLineF(x, frame.bottom(), x, frame.bottom() + TICK_PX))
@@ -471,9 +477,7 @@ class DiagramView(QWidget):
                 painter.drawText(box, Qt.AlignmentFlag.AlignHCenter, text)
                 free = x + width / 2.0 + 2.0 * GAP_PX
         free = math.inf
-        marks = self._marks(diagram, up, frame.height(), False)
-        places = up.unit(np.array(marks)).tolist()
-        for mark, place in sorted(zip(marks, places, strict=True), key=lambda pair: pair[1]):
+        for mark, place in self._placed_marks(diagram, up, frame.height(), False):
             y = frame.bottom() - place * frame.height()
             painter.setPen(self._pen("muted", 0.5))
             painter.drawLine(QLineF(frame.left() - TICK_PX, y, frame.left(), y))
