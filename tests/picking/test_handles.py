@@ -1,4 +1,4 @@
-"""What a drag of a handle makes of the model: the handle goes where the hand is."""
+"""Dragging a handle changes the model so that the handle follows the pointer."""
 
 from __future__ import annotations
 
@@ -36,7 +36,7 @@ from app.picking.picking import Sight
 from tests.support.lenses import LENSES
 
 SIZE = (800, 700)
-# Which fields a handle moves; the rest of the projection stays.
+# The fields that a handle changes.
 FIELDS = {"eye": {"eye"}, "target": {"target"}, "near": {"near"}, "far": {"far"}}
 CORNERS = [Handle("corner", "near", (x, y)) for x in (-1.0, 1.0) for y in (-1.0, 1.0)]
 FAR_CORNERS = [handle._replace(face="far") for handle in CORNERS]
@@ -44,7 +44,7 @@ PLANES = [Handle(name, name, at) for name in ("near", "far") for at in ((0.0, 1.
 
 
 def looks(camera: Camera) -> Sight:
-    """From beside the model's camera and above, as the world pane does."""
+    """The view of the world pane, from beside and above the model's camera."""
     pane = Camera((-22.0, 14.0, 25.0), camera.target)
     return Sight.of(Projection(pane, Perspective(50.0, 0.1, 1e5), SIZE))
 
@@ -55,14 +55,14 @@ def at(projection: Projection, handle: Handle, drawn: tuple[float, float], sight
 
 
 def planes(projection: Projection) -> tuple[float, float]:
-    """Where the planes are drawn if they are near enough."""
+    """The distances at which the planes are drawn."""
     return projection.lens.near, min(projection.lens.far, 60.0)
 
 
 @pytest.mark.parametrize("lens", LENSES.values(), ids=LENSES)
 @pytest.mark.parametrize("shift", [False, True], ids=["plain", "shift"])
 def test_the_dragged_handle_ends_under_the_hand(lens: Lens, shift: bool) -> None:
-    """200 random drags of each lens: the pixels are those of the same handle of other models."""
+    """Drag to the pixel of the same handle in another model, 200 times at random."""
     random = np.random.default_rng(7)
     free, tried = [EYE, TARGET, *CORNERS, *FAR_CORNERS], 0
     for _ in range(200):
@@ -73,7 +73,7 @@ def test_the_dragged_handle_ends_under_the_hand(lens: Lens, shift: bool) -> None
         if handle.name == "far" and lens.far == math.inf:
             continue
         start = at(projection, handle, drawn, sight)
-        if not ((start >= 0.0) & (start < SIZE)).all():  # nobody sees it
+        if not ((start >= 0.0) & (start < SIZE)).all():  # outside the pane
             continue
         tried += 1
         pixel = start + random.uniform(-25.0, 25.0, 2)
@@ -86,7 +86,7 @@ def test_the_dragged_handle_ends_under_the_hand(lens: Lens, shift: bool) -> None
             other = changed(projection, {"fov_y_deg": lens.fov_y_deg * random.uniform(0.7, 1.3)})
             rail = at(other, handle, drawn, sight)
         elif handle.name == "corner" and getattr(lens, "keep", "stretch") != "stretch":
-            # On the diagonal: through the opposite corner, which stays, or which is mirrored.
+            # On the diagonal through the opposite corner, which stays or is mirrored.
             window = np.array(projection.window).reshape(2, 2)
             fixed = (
                 window.mean(axis=1) if shift else window[[0, 1], [int(x < 0) for x in handle.at]]
@@ -119,20 +119,20 @@ def test_the_dragged_handle_ends_under_the_hand(lens: Lens, shift: bool) -> None
 
 @pytest.mark.parametrize("lens", LENSES.values(), ids=LENSES)
 def test_a_handle_that_is_not_moved_moves_nothing(lens: Lens) -> None:
-    """Back where the drag began, every digit is as it was."""
+    """A drag back to its start keeps every digit."""
     projection = Projection(Camera((1 / 3, 5.0, 9.0), (0.1, 2.2, -1 / 7)), lens, (1280, 720))
     drawn, sight = planes(projection), looks(projection.camera)
     for handle in (EYE, TARGET, *PLANES, *CORNERS, *FAR_CORNERS):
         if handle.name == "far" and lens.far == math.inf:
             continue
         x, y = at(projection, handle, drawn, sight).tolist()
-        if math.isnan(x):  # behind the eye of the pane, where no hand reaches
+        if math.isnan(x):  # behind the eye of the pane
             continue
         change = dragged(projection, handle, drawn, sight, (x, y))
         moved = changed(projection, change)
         if getattr(lens, "keep", "stretch") == "stretch" or handle.name != "corner":
             assert moved == projection, handle
-        else:  # the fields become the window that is seen
+        else:  # the fields become the visible window
             assert moved.window == pytest.approx(projection.window, rel=1e-14)
 
 
@@ -170,7 +170,7 @@ def test_the_opposite_corner_stays_or_is_mirrored() -> None:
         assert right > kept.window[1]
 
 
-def test_what_no_model_can_have_is_refused_and_never_nan() -> None:
+def test_impossible_models_are_refused_and_never_nan() -> None:
     projection = Projection(Camera((6.0, 5.0, 9.0), (0.0, 2.2, 0.0)), Perspective(45.0, 1.0, 30.0))
     sight, drawn = looks(projection.camera), (1.0, 30.0)
     near, far = Handle("near", "near", (0.0, 1.0)), Handle("far", "far", (0.0, 1.0))
@@ -268,7 +268,7 @@ def test_the_wheel_never_reaches_the_target() -> None:
 
 
 def test_handles_stand_in_the_pane_and_not_on_one_another() -> None:
-    """From far away the near face is a dot, and the corners of the far one are what is held."""
+    """From far away the near face is a dot, and only the far corners have handles."""
     projection = Projection(Camera((6.0, 5.0, 9.0), (0.0, 2.2, 0.0)), Perspective(45.0, 1.0, 30.0))
     random, faces = np.random.default_rng(5), set()
     for _ in range(200):
@@ -288,17 +288,15 @@ def test_handles_stand_in_the_pane_and_not_on_one_another() -> None:
             where = at(projection, handle, (1.0, 30.0), sight)
             assert math.dist(where, spot) <= 1e-9
     assert faces == {"near", "far"}
-    # Of a near face that is wide, but low, as well.
+    # The same holds for a wide but low near face.
     low = replace(projection, lens=Orthographic(-3.0, 3.0, -0.1, 0.1, 1.0, 30.0))
-    pane = Projection(
-        Camera((20.0, 14.0, 25.0), (4.0, 4.0, 6.0)), Perspective(50.0, 0.1, 1e5), SIZE
-    )
-    sight = Sight.of(pane)
+    pane_camera = Camera((20.0, 14.0, 25.0), (4.0, 4.0, 6.0))
+    sight = Sight.of(Projection(pane_camera, Perspective(50.0, 0.1, 1e5), SIZE))
     found = shown(low, (1.0, 30.0), sight, SIZE, 12.0)
     assert {handle.face for handle, _ in found if handle.name == "corner"} == {"far"}
 
 
-def test_what_is_held_stays_whatever_it_stands_on() -> None:
+def test_the_held_handle_stays_visible_over_other_handles() -> None:
     projection = Projection(Camera((6.0, 5.0, 9.0), (0.0, 2.2, 0.0)), Perspective(45.0, 1.0, 30.0))
     sight = looks(projection.camera)
     crowded = replace(projection, lens=Perspective(45.0, 1e-6, 30.0))  # near is in the eye
@@ -309,14 +307,11 @@ def test_what_is_held_stays_whatever_it_stands_on() -> None:
     assert [handle.name for handle in found].count("near") == 1
 
 
-def test_nothing_is_near_a_place_behind_the_pane() -> None:
-    assert nearest([(EYE, (math.nan, math.nan))], (3.0, 3.0), 9.0) is None
-    assert nearest([(EYE, (3.0, 13.0))], (3.0, 3.0), 9.0) is None
-
-
 def test_of_several_in_reach_the_nearest_is_taken() -> None:
     handles = [(EYE, (3.0, 4.0)), (TARGET, (3.0, 9.0))]
     assert nearest(handles, (3.0, 3.0), 9.0) == nearest(handles[::-1], (3.0, 3.0), 9.0) == EYE
+    for out_of_reach in ((math.nan, math.nan), (3.0, 13.0)):
+        assert nearest([(EYE, out_of_reach)], (3.0, 3.0), 9.0) is None
 
 
 def test_fields_are_read_and_written_back() -> None:

@@ -1,4 +1,4 @@
-"""L2: the object held in the world pane: what a drag makes of its transform."""
+"""L2: dragging the object in the world pane changes its transform."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ def handle(name: str) -> Handle:
 
 
 def placed(random: np.random.Generator, order: str = "trs") -> Projection:
-    """An object of everyday size, anyhow, before a camera."""
+    """A random object of ordinary size in front of a camera."""
     placement = ObjectTransform(
         tuple(random.uniform(-2.0, 2.0, 3)),
         tuple(random.uniform(-170.0, 170.0, 3)),
@@ -47,7 +47,7 @@ def spot(projection: Projection, name: str, sight: Sight) -> np.ndarray:
 @pytest.mark.parametrize("order", ["trs", "rts"])
 @pytest.mark.parametrize("name", ["origin", "x", "y", "z"])
 def test_l2_what_is_held_goes_with_the_hand(name: str, order: str) -> None:
-    """Onto the pixel of the same handle of another object that differs in nothing else."""
+    """Drag to the pixel of the same handle of an object with another scale."""
     random = np.random.default_rng(3)
     for _ in range(40):
         projection = placed(random, order)
@@ -83,7 +83,7 @@ def test_l2_a_turn_goes_round_as_the_hand_goes_and_about_the_line_of_sight() -> 
         after = changed(projection, change)
         assert set(change) == {"rotate_deg"}
         assert np.allclose(spot(after, "origin", sight), centre)
-        # A turn in space about the ray: directions across it turn by the angle, it stays.
+        # A turn about the ray keeps the ray and turns the directions across it by the angle.
         before, now = (
             ObjectTransform(rotate_deg=p.placement.rotate_deg).matrix[:3, :3]
             for p in (projection, after)

@@ -1,7 +1,8 @@
-"""What is under a pixel, against a ray tracer that knows nothing of homogeneous corners."""
+"""Picking agrees with a ray tracer in world space, without homogeneous coordinates."""
 
 from __future__ import annotations
 
+import itertools
 import math
 from dataclasses import replace
 from typing import Any
@@ -11,6 +12,7 @@ import pytest
 
 from app.drawings.probes import pick_in, sort_ahead
 from app.model.projection import (
+    DEPTH_RANGES,
     Array,
     Camera,
     FreeMatrix,
@@ -18,17 +20,7 @@ from app.model.projection import (
     Perspective,
     Projection,
 )
-from app.picking.picking import (
-    Hit,
-    Lines,
-    Probe,
-    Sight,
-    Surface,
-    dragged,
-    pick,
-    projector,
-    stops,
-)
+from app.picking.picking import Hit, Lines, Probe, Sight, Surface, dragged, pick, projector, stops
 from app.scenes.scene import Scene, load
 from tests.support.lenses import LENSES, free_matrix
 
@@ -81,8 +73,9 @@ def first_hit(projection: Projection, triangles: Array, pixel: tuple[float, floa
     return point if not projection.trace(point).outside[1] else None
 
 
-@pytest.mark.parametrize("depth", ["opengl", "direct3d", "reversed"])
-@pytest.mark.parametrize("lens", LENSES.values(), ids=LENSES)
+@pytest.mark.parametrize(
+    ("lens", "depth"), zip(LENSES.values(), itertools.cycle(DEPTH_RANGES)), ids=LENSES
+)
 def test_the_surface_under_a_pixel_is_the_model_s(lens: Lens, depth: str) -> None:
     scene = load("letter-f")
     projection = Projection(CAMERA, lens, (1280, 720), depth)  # type: ignore[arg-type]
@@ -93,7 +86,7 @@ def test_the_surface_under_a_pixel_is_the_model_s(lens: Lens, depth: str) -> Non
     found = 0
     for pixel in random.uniform(np.maximum(low, 0), np.minimum(high, (1280, 720)), (200, 2)):
         x, y = pixel.tolist()
-        hit, expected = surface.pick(Sight.of(projection), (x, y), 0.0), None
+        hit = surface.pick(Sight.of(projection), (x, y), 0.0)
         expected = first_hit(projection, triangles, (x, y))
         assert (hit is None) == (expected is None), (x, y)
         if hit is not None and expected is not None:
@@ -122,9 +115,8 @@ def test_a_vertex_within_six_pixels_comes_first_unless_it_is_hidden(lens: Lens) 
 
 def test_a_triangle_that_crosses_the_eye_plane_is_hit_in_front_only() -> None:
     """A floor from far behind the eye to far in front of it."""
-    projection = Projection(
-        Camera((0.0, 1.0, 0.0), (0.0, 1.0, -1.0)), Perspective(90.0, 0.1, 500.0)
-    )
+    camera = Camera((0.0, 1.0, 0.0), (0.0, 1.0, -1.0))
+    projection = Projection(camera, Perspective(90.0, 0.1, 500.0))
     floor = np.array([(0, 0, -300), (-900, 0, 300), (900, 0, 300)], np.float32)
     surface = Surface(floor, np.array([(0, 1, 2)]))
     sight = Sight.of(projection)
@@ -139,7 +131,7 @@ def test_a_triangle_that_crosses_the_eye_plane_is_hit_in_front_only() -> None:
     assert surface.pick(Sight.of(replace(projection, lens=lens)), (width / 2.0, height)) is None
 
 
-def test_what_is_nearer_than_near_or_beyond_far_is_not_seen() -> None:
+def test_surfaces_outside_near_and_far_are_not_picked() -> None:
     square = np.array([(-1, -1, 0), (1, -1, 0), (0, 1, 0)], np.float32)
     layers = np.concatenate([square + np.float32([0, 0, z]) for z in (4.5, 0.0, -9.0)])
     surface = Surface(layers, np.arange(9).reshape(3, 3))
@@ -155,7 +147,7 @@ def test_what_is_nearer_than_near_or_beyond_far_is_not_seen() -> None:
 
 
 def test_the_vertex_with_the_cursor_is_among_the_stops_of_any_crowd() -> None:
-    """Of 250 000 vertices some 200 are gone to; without being asked for, this one is not."""
+    """The stops are some 200 of 250 000 vertices; this vertex is a stop only because of `at`."""
     side = np.linspace(-1.0, 1.0, 500, dtype=np.float32)
     points = np.stack([*np.meshgrid(side, side), np.zeros((500, 500), np.float32)], -1)
     points = points.reshape(-1, 3)
@@ -195,7 +187,7 @@ def test_a_mesh_denser_than_the_pixels_is_picked_from_any_distance() -> None:
 
 
 def test_a_dense_flat_mesh_is_picked() -> None:
-    """Without an extent along one axis there are no cells along it."""
+    """A mesh without an extent along one axis has no cells along it."""
     count = 400
     across, down = np.meshgrid(*2 * [np.linspace(-1.0, 1.0, count, dtype=np.float32)])
     corner = np.arange(count * count).reshape(count, count)
@@ -217,7 +209,7 @@ def test_nothing_is_found_in_nothing() -> None:
 
 
 def nearest_on(projection: Projection, line: Array, pixel: tuple[float, float]) -> Array | None:
-    """The place of a line that is drawn nearest to a pixel, by ever finer samples of its trace."""
+    """The place of a line nearest to a pixel, by ever finer samples of its trace."""
     low, high, best = 0.0, 1.0, None
     for count in (4001, *9 * [101]):
         parts = np.linspace(low, high, count)
@@ -235,7 +227,7 @@ def nearest_on(projection: Projection, line: Array, pixel: tuple[float, float]) 
 
 @pytest.mark.parametrize("lens", ALL_LENSES.values(), ids=ALL_LENSES)
 def test_the_place_of_a_line_nearest_to_a_click_is_the_model_s(lens: Lens) -> None:
-    """Lines through the whole scene, of which many run behind the eye, and clicks beside them."""
+    """Click beside lines through the whole scene, many of which also run behind the eye."""
     random = np.random.default_rng(5)
     size, ends, between = 20.0, 0, 0
     for _ in range(240):
@@ -336,7 +328,7 @@ def test_a_face_wins_over_a_line_behind_it_and_no_other() -> None:
         assert picked(z).point == pytest.approx((0.2, 0.1, 0.0), abs=1e-12)
 
 
-def test_a_line_beside_a_face_that_is_in_front_is_not_what_a_click_on_the_face_means() -> None:
+def test_a_click_on_a_face_ignores_a_line_beside_and_behind_it() -> None:
     projection, ((x, y), (edge, _)) = seen_along_z([(1.07, 0.0, -4.0), (1.0, 0.0, -3.5)])
     assert x - 2.5 < edge < x - 1.0
     line, sight = Lines([[(1.07, -3.0, -4.0), (1.07, 3.0, -4.0)]]), Sight.of(projection)
@@ -356,11 +348,9 @@ def test_a_line_that_is_hidden_where_it_is_nearest_is_not_picked_beside_the_face
 
 
 def test_an_edge_of_a_face_that_leans_away_is_on_it() -> None:
-    """The farther edge of a floor, clicked just inside: the floor is nearer there."""
-    floor = Surface(
-        np.array([(-4, 0, -4), (4, 0, -4), (4, 0, 4), (-4, 0, 4)], np.float32),
-        np.array([(0, 1, 2), (0, 2, 3)]),
-    )
+    """Click just inside the farther edge of a floor, where the floor is nearer."""
+    corners = np.array([(-4, 0, -4), (4, 0, -4), (4, 0, 4), (-4, 0, 4)], np.float32)
+    floor = Surface(corners, np.array([(0, 1, 2), (0, 2, 3)]))
     projection = Projection(Camera((0.0, 3.0, 9.0), (0.0, 0.0, 0.0)), image_size=(1280, 720))
     x, y = projection.trace((0.3, 0.0, -4.0)).image.tolist()
     edge = Lines([[(-4.0, 0.0, -4.0), (4.0, 0.0, -4.0)]])
@@ -387,17 +377,15 @@ def test_ends_come_before_lines_and_vertices_before_what_is_beside_or_behind_the
 
 def test_a_line_that_is_seen_end_on_is_picked_at_its_front() -> None:
     projection, ((x, y),) = seen_along_z([(0.0, 0.0, 0.0)])
-    line = Lines([[(0.0, 0.0, -5.0), (0.0, 0.0, 50.0)]])  # runs through the eye
-    lens = Perspective(45.0, 2.0, 30.0)
-    hit = pick(NO_FACES, line, Sight.of(replace(projection, lens=lens)), (float(x), float(y)))
-    assert hit is not None and hit.point == (0.0, 0.0, -5.0)  # the end that is seen
-    line = Lines([[(0.0, 0.0, -50.0), (0.0, 0.0, 50.0)]])
-    hit = pick(NO_FACES, line, Sight.of(replace(projection, lens=lens)), (float(x), float(y)))
-    assert hit is not None and hit.point == pytest.approx((0.0, 0.0, 7.0), abs=1e-9)  # at near
+    sight = Sight.of(replace(projection, lens=Perspective(45.0, 2.0, 30.0)))
+    for end, picked in ((-5.0, -5.0), (-50.0, 7.0)):  # the visible end, and near
+        line = Lines([[(0.0, 0.0, end), (0.0, 0.0, 50.0)]])  # passes through the eye
+        hit = pick(NO_FACES, line, sight, (float(x), float(y)))
+        assert hit is not None and hit.point == pytest.approx((0.0, 0.0, picked), abs=1e-9)
 
 
 def test_a_scene_is_sorted_before_it_is_clicked() -> None:
-    """Ahead and beside: what is sorted then is what a pick takes."""
+    """Sorting ahead, also twice, does not change the pick."""
     scene = load("cube")
     sort_ahead(scene)
     sort_ahead(scene)
@@ -411,10 +399,8 @@ def test_a_projector_is_one_pixel(lens: Lens) -> None:
     projection = Projection(CAMERA, lens, (1280, 720))
     point = (1.0, 2.0, 0.5)
     through = projection.trace(point)
-    for probe in (
-        Probe(1, point),
-        Probe(2, pixel=(float(through.image[0]), float(through.image[1]))),
-    ):
+    x, y = through.image.tolist()
+    for probe in (Probe(1, point), Probe(2, pixel=(x, y))):
         line = projector(projection, probe, [1.5, 8.0, float(-through.view[2])])
         assert line is not None
         trace = projection.trace(line)
@@ -423,10 +409,11 @@ def test_a_projector_is_one_pixel(lens: Lens) -> None:
         assert line[2] == pytest.approx(point, abs=1e-12)
 
 
-def test_a_point_behind_the_eye_has_no_projector() -> None:
+def test_a_point_behind_the_eye_has_no_projector_and_cannot_be_dragged() -> None:
     projection = Projection(CAMERA, LENSES["perspective"], (1280, 720))
-    assert projector(projection, Probe(1, (12.0, 8.0, 18.0)), [1.0]) is None
-    assert projector(projection, Probe(1, CAMERA.eye), [1.0]) is None
+    for point in ((12.0, 8.0, 18.0), CAMERA.eye):
+        assert projector(projection, Probe(1, point), [1.0]) is None
+    assert dragged(projection, (12.0, 8.0, 18.0), (3.0, 0.0), along_ray=False) is None
 
 
 @pytest.mark.parametrize("lens", LENSES.values(), ids=LENSES)
@@ -450,11 +437,6 @@ def test_a_dragged_point_stays_in_its_plane_or_on_its_ray(lens: Lens) -> None:
     for down in (-1e9, 1e9):
         moved = dragged(projection, point, (0.0, down), along_ray=True)
         assert moved is None if not lens.parallel else moved is not None
-
-
-def test_a_point_without_a_picture_cannot_be_dragged() -> None:
-    projection = Projection(CAMERA, LENSES["perspective"], (1280, 720))
-    assert dragged(projection, (12.0, 8.0, 18.0), (3.0, 0.0), along_ray=False) is None
 
 
 @pytest.mark.parametrize("depth", ["opengl", "direct3d", "reversed"])
