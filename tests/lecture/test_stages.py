@@ -25,7 +25,6 @@ from app.lecture.stages import (
 )
 from app.lecture.typed_matrix import with_cell
 from app.model.projection import (
-    DEPTH_RANGES,
     Array,
     Camera,
     FreeMatrix,
@@ -39,6 +38,7 @@ from app.model.projection import (
 from app.scenes.scene import load
 from tests.support.frustum import corners_world
 from tests.support.lenses import LENSES
+from tests.support.samples import with_depths
 
 EXTREME: dict[str, Lens] = {
     "near 1e-6": Perspective(45.0, 1e-6, 1e6),
@@ -72,8 +72,7 @@ def euclid(points: Array) -> Array:
     return result
 
 
-@pytest.mark.parametrize("depth", DEPTH_RANGES)
-@pytest.mark.parametrize("lens", LENSES.values(), ids=LENSES)
+@pytest.mark.parametrize(("lens", "depth"), with_depths(LENSES))
 def test_a_stop_is_the_product_of_the_pipelines_own_stages(lens: Lens, depth: str) -> None:
     strip = morph(lens, depth)
     _, _, first, m_pp, *_, image = strip.projection.stages
@@ -116,8 +115,7 @@ def test_for_a_parallel_lens_m_pp_is_the_identity() -> None:
         assert np.array_equal(before, between) and np.array_equal(before, after)
 
 
-@pytest.mark.parametrize("depth", DEPTH_RANGES)
-@pytest.mark.parametrize("lens", LENSES.values(), ids=LENSES)
+@pytest.mark.parametrize(("lens", "depth"), with_depths(LENSES))
 def test_the_path_arrives_at_every_stop(lens: Lens, depth: str) -> None:
     strip = morph(lens, depth)
     points = np.column_stack([CORNERS, np.ones(8)])
@@ -154,8 +152,7 @@ def test_straight_lines_stay_straight(lens: Lens) -> None:
     assert worst <= 1e-12
 
 
-@pytest.mark.parametrize("depth", DEPTH_RANGES)
-@pytest.mark.parametrize("lens", LENSES.values(), ids=LENSES)
+@pytest.mark.parametrize(("lens", "depth"), with_depths(LENSES))
 def test_scene_and_view_volume_move_as_one(lens: Lens, depth: str) -> None:
     """The scene's matrix maps the model's own corners to the volume's corners."""
     strip = morph(lens, depth)
@@ -200,8 +197,7 @@ def test_half_a_turn_has_an_axis_too() -> None:
             assert np.abs(turn @ turn.T - np.eye(3)).max() < 1e-14
 
 
-@pytest.mark.parametrize("depth", DEPTH_RANGES)
-@pytest.mark.parametrize("lens", {**LENSES, **EXTREME}.values(), ids={**LENSES, **EXTREME})
+@pytest.mark.parametrize(("lens", "depth"), with_depths({**LENSES, **EXTREME}))
 def test_every_moment_is_finite_and_none_is_flat(lens: Lens, depth: str) -> None:
     strip = morph(lens, depth, origin=(1.0, 2.0, -1.0))
     middle = np.array([0.0, 0.0, 0.5, 1.0])

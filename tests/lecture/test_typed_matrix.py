@@ -50,6 +50,7 @@ from app.model.projection import (
 from app.model.refusal import Refusal
 from app.precision import levels as precision
 from tests.support.frustum import corners_world
+from tests.support.samples import with_depths
 
 QUICK = settings(max_examples=80)
 PLACES = [(i, j) for i in range(4) for j in range(4)]
@@ -90,8 +91,7 @@ def edited(row: int, column: int, value: float, name: str = "clip_from_view") ->
 # --------------------------------------------------------------------------- recognition
 
 
-@pytest.mark.parametrize("depth", DEPTH_RANGES)
-@pytest.mark.parametrize("lens", TYPED.values(), ids=TYPED)
+@pytest.mark.parametrize(("lens", "depth"), with_depths(TYPED))
 def test_a_lens_own_matrix_is_that_lens(lens: Lens, depth: Any) -> None:
     projection = replace(EDIT, lens=lens, depth=depth)
     for name in EDITABLE:
@@ -379,8 +379,7 @@ def test_rounding_does_not_change_the_rank() -> None:
     assert SINGULAR in texts(with_matrix(EDIT, "clip_from_view", cells))
 
 
-@pytest.mark.parametrize("depth", DEPTH_RANGES)
-@pytest.mark.parametrize("lens", TYPED.values(), ids=TYPED)
+@pytest.mark.parametrize(("lens", "depth"), with_depths(TYPED))
 def test_no_lens_is_mirrored_in_any_depth_range(lens: Lens, depth: Any) -> None:
     projection = replace(EDIT, lens=lens, depth=depth)
     assert properties(projection, "clip_from_view") == []
@@ -393,8 +392,7 @@ def test_no_lens_is_mirrored_in_any_depth_range(lens: Lens, depth: Any) -> None:
 # --------------------------------------------------------------------------- the model under it
 
 
-@pytest.mark.parametrize("depth", DEPTH_RANGES)
-@pytest.mark.parametrize("lens", TYPED.values(), ids=TYPED)
+@pytest.mark.parametrize(("lens", "depth"), with_depths(TYPED))
 def test_a_lens_cells_as_a_free_matrix_make_the_same_picture(lens: Lens, depth: Any) -> None:
     projection = replace(EDIT, lens=lens, depth=depth)
     free = projection.with_lens("matrix")

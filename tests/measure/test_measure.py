@@ -61,6 +61,7 @@ from app.precision.levels import trace
 from app.scenes.fewer_triangles import QUADRIC_TRIANGLES, SHARES, reduced
 from app.scenes.scene import Scene, load
 from tests.oracles.exact import Exact, mp
+from tests.support.samples import pairwise
 
 LETTER_F = load("letter-f")
 POINTS = LETTER_F.sample
@@ -91,9 +92,14 @@ def test_the_reference_is_the_oracle(parameter: str, depth: str) -> None:
         assert_true(projection, world)
 
 
-@pytest.mark.parametrize("depth", DEPTH_RANGES)
-@pytest.mark.parametrize("keep", ["stretch", "x", "y"])
-@pytest.mark.parametrize("kind", ["frustum", "orthographic", "oblique"])
+@pytest.mark.parametrize(
+    ("kind", "keep", "depth"),
+    pairwise(
+        itertools.product(
+            ("frustum", "orthographic", "oblique"), ("stretch", "x", "y"), DEPTH_RANGES
+        )
+    ),
+)
 def test_the_reference_is_the_oracle_for_every_lens(kind: str, keep: str, depth: str) -> None:
     projection = replace(START, depth=depth).with_lens(kind)
     lens = replace(projection.lens, left=-3.0, bottom=-0.5, keep=keep)

@@ -74,7 +74,7 @@ def first_hit(projection: Projection, triangles: Array, pixel: tuple[float, floa
 
 
 @pytest.mark.parametrize(
-    ("lens", "depth"), zip(LENSES.values(), itertools.cycle(DEPTH_RANGES)), ids=LENSES
+    ("lens", "depth"), list(zip(LENSES.values(), itertools.cycle(DEPTH_RANGES))), ids=LENSES
 )
 def test_the_surface_under_a_pixel_is_the_model_s(lens: Lens, depth: str) -> None:
     scene = load("letter-f")

@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import itertools
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from typing import Any, TypeVar
+
+import pytest
 
 Row = TypeVar("Row", bound=tuple[Any, ...])
 
@@ -29,3 +31,13 @@ def pairwise(rows: Iterable[Row]) -> list[Row]:
         wanted -= left.pop(best)
         chosen.append(best)
     return chosen
+
+
+def with_depths(lenses: Mapping[str, Any]) -> list[Any]:
+    """Parameters ``lens, depth``: each lens with opengl, and with the other ranges in turn."""
+    others = itertools.cycle(("reversed", "direct3d"))
+    return [
+        pytest.param(lens, depth, id=f"{name}-{depth}")
+        for name, lens in lenses.items()
+        for depth in ("opengl", next(others))
+    ]
