@@ -73,7 +73,8 @@ class Placer:
         self.taken: list[Box] = []
         """What no label may overlap, and no leader cross."""
         self.bodies: list[Box] = []
-        """Those of `taken` that the leader of a point inside them may leave."""
+        """Those of `taken` that the leader of a point inside them, or `own_px` away, may cross."""
+        self.own_px = 0.0
 
     def place(
         self,
@@ -122,7 +123,9 @@ class Placer:
     def _crosses(self, anchor: tuple[float, float], box: Box) -> bool:
         """Whether a leader would seem to belong to something else that it runs under."""
         (x, y), (end_x, end_y), halo = anchor, box.nearest(anchor), self._halo_px
-        own = [b for b in self.bodies if b.left <= x <= b.right and b.low <= y <= b.high]
+        near = Box(x - self.own_px, y - self.own_px, x + self.own_px, y + self.own_px)
+        own = [b for b in self.bodies if b.left <= near.right and b.right >= near.left
+               and b.low <= near.high and b.high >= near.low]  # fmt: skip
         for part in self._samples:
             on_x, on_y = x + part * (end_x - x), y + part * (end_y - y)
             for taken in self.taken:
@@ -149,7 +152,8 @@ def beside(
     gaps : (n,) array
         From each point to its name.
     """
-    placer = Placer(Box(*frame.tolist()), samples=np.linspace(0.1, 0.9, 8).tolist(), halo_px=1.0)
+    samples = np.linspace(0.1, 0.9, 8)
+    placer = Placer(Box(*frame.tolist()), samples=samples.tolist(), halo_px=1.0)
     reach = gaps[:, None] - 1.0
     placer.bodies = _boxes(np.hstack([points - reach, points + reach]))
     placer.taken = [*_boxes(taken), *placer.bodies]
@@ -162,16 +166,18 @@ def beside(
         # To the side of a point a name need not be farther up too.
         centres[steps == 0, 1] -= (directions * gap)[steps == 0, 1]
         boxes = np.hstack([centres - size / 2.0, centres + size / 2.0])
-        boxes = boxes[~_overlap(boxes, crossed).any(axis=1)]
+        usable = ~_overlap(boxes, crossed).any(axis=1)
         anchor = float(point[0]), float(point[1])
-        candidates = (Candidate(box, anchor) for box in _boxes(boxes))
+        placer.own_px = float(gap) + 1.0  # dots of one cluster do not block each other's leaders
+        candidates = (
+            Candidate(box, anchor, key=step)
+            for box, step in zip(_boxes(boxes[usable]), steps[usable].tolist(), strict=True)
+        )
         chosen = placer.place(candidates, at_worst=0.0) if size[0] > 0.0 else None
         found.append(None if chosen is None else np.array(chosen.box))
-        if chosen is not None:  # later names keep off the leader, except at its point
-            x, y = chosen.box.nearest(anchor)
-            if math.dist((x, y), anchor) > 2.0 * gap:
-                ends = np.linspace(0.3, 1.0, 7)[:, None] * (x - point[0], y - point[1]) + point
-                placer.taken += _boxes(np.hstack([ends - 1.0, ends + 1.0]))
+        if chosen is not None and chosen.key:  # later names keep off its leader, except at the dot
+            ends = samples[2:, None] * (np.array(chosen.box.nearest(anchor)) - point) + point
+            placer.taken += _boxes(np.hstack([ends - 1.0, ends + 1.0]))
     return found
 
 
