@@ -17,6 +17,7 @@ import pyvista as pv
 from hypothesis import given
 from hypothesis import strategies as st
 
+import app.measure.run
 import app.measure.smoothing
 from app.document.document import Document
 from app.measure.arithmetic import (
@@ -489,7 +490,14 @@ def test_a_text_without_json_is_refused(text: str) -> None:
 # --------------------------------------------------------------------------- pictures
 
 
-def test_smoothing_is_cheaper_without_and_better_with_more_samples() -> None:
+@pytest.fixture
+def one_round(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Time every choice once only."""
+    monkeypatch.setattr(app.measure.run, "_LEAST_ROUNDS", 1)
+
+
+@pytest.mark.usefixtures("one_round")
+def test_more_samples_make_smoothing_more_accurate() -> None:
     trade = measure_smoothing(LETTER_F, START, seconds=0.0)
     errors = {choice.name: choice.error for choice in trade.choices}
     assert list(errors) == [smoothing.name for smoothing, _ in pictures()]
@@ -545,6 +553,7 @@ def sphere(tmp_path_factory: pytest.TempPathFactory) -> Scene:
     return load(str(path))
 
 
+@pytest.mark.usefixtures("one_round")
 def test_fewer_triangles_move_the_outline_as_far_as_they_are_long(sphere: Scene) -> None:
     trade = measure_detail(sphere, sphere.start, seconds=0.0)
     assert [choice.name for choice in trade.choices] == [
