@@ -246,7 +246,7 @@ def test_a_sweep_covers_its_range_and_can_be_narrowed(parameter: str) -> None:
     assert sweep(parameter, box, POINTS, values_of(parameter, 3)).complete
 
 
-def test_no_vertex_in_front_is_said() -> None:
+def test_a_note_states_that_no_vertex_is_in_front() -> None:
     away = replace(START, camera=Camera(START.camera.target, START.camera.eye, START.camera.up))
     trade = measure(away, POINTS[:1] * 0.0 + np.array([[0.0, 0.0, -50.0]]), seconds=0.0)
     (choice,) = trade.choices
@@ -578,7 +578,7 @@ def test_the_outline_is_where_the_model_projects_it(sphere: Scene) -> None:
     assert seen.max() == pytest.approx(radius, abs=1.0)
 
 
-def test_a_scene_of_few_faces_has_no_less_detail() -> None:
+def test_a_scene_of_few_faces_cannot_be_reduced() -> None:
     (choice,) = measure_detail(LETTER_F, START, seconds=0.0).choices
     assert choice.error is None and "too few triangles" in choice.note
     assert reduced(LETTER_F, 0.1) is LETTER_F
