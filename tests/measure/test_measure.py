@@ -493,7 +493,7 @@ def test_a_text_without_json_is_refused(text: str) -> None:
 @pytest.fixture
 def one_round(monkeypatch: pytest.MonkeyPatch) -> None:
     """Time every choice once only."""
-    monkeypatch.setattr(app.measure.run, "_LEAST_ROUNDS", 1)
+    monkeypatch.setattr(app.measure.run, "LEAST_ROUNDS", 1)
 
 
 @pytest.mark.usefixtures("one_round")
