@@ -1,6 +1,6 @@
-"""The trade of speed for accuracy, measured on this machine, for one scene and one camera.
+"""Measure the trade of speed for accuracy on this machine, for one scene and one camera.
 
-Every trade is a module with a ``measure``; each of its choices is really run, and its answers are
-held against an independent reference. `measuring.measure_all` runs what is asked for and keeps
-what was done when it is cancelled. `results` says what comes out, and how it is written down.
+Every trade is a module with a function ``measure``, which runs each choice and compares its answers
+with an independent reference. `measuring.measure_all` runs the requested trades and keeps finished
+ones after a cancellation. `results` defines the results and their file.
 """

@@ -16,7 +16,7 @@ from app.model.refusal import Cancelled
 
 _SHORTEST = 1e-3
 """Least duration of one timing in seconds; shorter runs are repeated and averaged."""
-_LEAST_ROUNDS = 5
+LEAST_ROUNDS = 5
 
 
 Watch: TypeAlias = Callable[[float], None]
@@ -76,9 +76,9 @@ def in_turns(
             repeats[name] = max(1, round(_SHORTEST / max(time.perf_counter() - began, 1e-9)))
         start = time.perf_counter()
         rounds, spent = 0, 0.0
-        while rounds < _LEAST_ROUNDS or spent < seconds:
+        while rounds < LEAST_ROUNDS or spent < seconds:
             for name, run in runs.items():
-                watch(min(rounds / _LEAST_ROUNDS, spent / max(seconds, 1e-9), 1.0))
+                watch(min(rounds / LEAST_ROUNDS, spent / max(seconds, 1e-9), 1.0))
                 began = time.perf_counter()
                 for _ in range(repeats[name]):
                     run()

@@ -393,7 +393,7 @@ MOVED: dict[str, tuple[Lens, ...]] = {
      *(("frustum-even", camera) for camera in CAMERAS if camera != "askew"),
      ("free", "upright")],
 )  # fmt: skip
-def test_a_cell_names_just_what_changes_it(lens: str, camera: str) -> None:
+def test_a_cell_names_exactly_the_controls_that_change_it(lens: str, camera: str) -> None:
     """Compare with moving each control; a zero factor hides the other factors."""
     checked = 0
     for chosen, depth in product(MOVED[lens], DEPTHS):

@@ -216,7 +216,7 @@ def test_every_moment_is_finite_and_none_is_flat(lens: Lens, depth: str) -> None
 
 
 @pytest.mark.parametrize("name", [name for name in LENSES if name != "wide"])
-def test_what_is_framed_stays_in_the_frame(name: str) -> None:
+def test_framed_points_stay_in_the_frame(name: str) -> None:
     lens = LENSES[name]
     strip = morph(lens)
     ball = np.column_stack([CORNERS, np.ones(8)])

@@ -276,7 +276,7 @@ def test_a_shear_that_rounding_cannot_explain_is_no_camera(turn: float) -> None:
         (10**400, "must be at most 1e+100"),
     ],
 )
-def test_a_cell_that_cannot_be_is_named(value: Any, bound: str) -> None:
+def test_an_impossible_cell_is_named(value: Any, bound: str) -> None:
     for name in EDITABLE:
         with pytest.raises(Refusal, match="0, 2") as caught:
             with_cell(EDIT, name, 0, 2, value)
@@ -357,7 +357,7 @@ def test_an_affine_matrix_is_named_with_its_w_and_a_mirrored_one_with_all_pairs(
 @pytest.mark.parametrize(
     ("rank", "rows"), [(0, ()), (1, (0,)), (2, (0, 3)), (3, (0, 1, 3)), (3, (1, 2, 3))]
 )
-def test_the_rank_is_told(rank: int, rows: tuple[int, ...]) -> None:
+def test_the_rank_is_stated(rank: int, rows: tuple[int, ...]) -> None:
     cells = [list(row) if i in rows else [0.0] * 4 for i, row in enumerate(UPRIGHT)]
     typed = with_matrix(EDIT, "clip_from_view", cells)
     assert f"singular (rank {rank}): the frustum cannot be drawn" in said(typed)

@@ -85,7 +85,7 @@ def test_choices_at_one_place_share_a_name_and_keep_their_keys() -> None:
     assert [s.key for s in diagram.spots] != [] and len(spots(diagram)) == 3
 
 
-def test_another_machine_s_is_thinner_and_named_and_within_the_chart() -> None:
+def test_another_machine_is_drawn_thinner_with_its_name_inside_the_chart() -> None:
     slower = replace(
         TRADE, choices=tuple(replace(c, cost=c.cost and 1000.0 * c.cost) for c in TRADE.choices)
     )
@@ -141,7 +141,7 @@ def test_a_huge_error_leaves_the_chart_and_not_the_others() -> None:
 # -- tables
 
 
-def test_a_table_has_a_word_for_what_has_no_number() -> None:
+def test_a_table_has_a_note_for_each_missing_number() -> None:
     heads, *rows = table(replace(TRADE, complete=False))
     assert heads == ["", "ns", "p95", "px", "predicted", JUDGED]
     assert rows[1] == ["bad", "5", "5", "2", "-", ""]
@@ -168,7 +168,7 @@ def test_a_sweep_s_values_have_four_digits_or_all() -> None:
 
 
 @pytest.mark.parametrize("parameter", ["near", "far"])
-def test_what_a_sweep_moves_besides_is_told(parameter: str) -> None:
+def test_the_table_names_the_other_parameter_that_a_sweep_changes(parameter: str) -> None:
     said = table(sweep(parameter, (1.0,), {"a": curve((1e-9,), ("",))}))[0][-1]
     judged, told = said.split(", ")
     assert judged == JUDGED and told in WORDS
@@ -178,7 +178,7 @@ def test_what_a_sweep_moves_besides_is_told(parameter: str) -> None:
     assert told == {"near": "far is 4 near at least", "far": "near is far / 4 at most"}[parameter]
 
 
-def test_a_table_s_heads_are_words_with_units() -> None:
+def test_table_headings_are_words_with_units() -> None:
     """A file's and a spreadsheet's columns keep their plain names."""
     values = dict.fromkeys(COLUMNS, 0.5) | {"triangles": 2.0}
     trade = replace(TRADE, choices=(replace(TRADE.choices[0], values=values),))
@@ -201,7 +201,7 @@ def test_a_table_s_heads_are_words_with_units() -> None:
         (math.inf, "inf", "inf"),
     ],
 )
-def test_what_one_reads_has_no_exponent_for_thousands(
+def test_numbers_to_read_have_no_exponent_for_thousands(
     number: float, in_table: str, in_sentence: str
 ) -> None:
     trade = replace(TRADE, choices=(choice("only", number, 1.0), choice("error", 1.0, number)))

@@ -17,6 +17,7 @@ import pyvista as pv
 from hypothesis import given
 from hypothesis import strategies as st
 
+import app.measure.run
 import app.measure.smoothing
 from app.document.document import Document
 from app.measure.arithmetic import (
@@ -245,7 +246,7 @@ def test_a_sweep_covers_its_range_and_can_be_narrowed(parameter: str) -> None:
     assert sweep(parameter, box, POINTS, values_of(parameter, 3)).complete
 
 
-def test_no_vertex_in_front_is_said() -> None:
+def test_a_note_states_that_no_vertex_is_in_front() -> None:
     away = replace(START, camera=Camera(START.camera.target, START.camera.eye, START.camera.up))
     trade = measure(away, POINTS[:1] * 0.0 + np.array([[0.0, 0.0, -50.0]]), seconds=0.0)
     (choice,) = trade.choices
@@ -489,7 +490,14 @@ def test_a_text_without_json_is_refused(text: str) -> None:
 # --------------------------------------------------------------------------- pictures
 
 
-def test_smoothing_is_cheaper_without_and_better_with_more_samples() -> None:
+@pytest.fixture
+def one_round(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Time every choice once only."""
+    monkeypatch.setattr(app.measure.run, "LEAST_ROUNDS", 1)
+
+
+@pytest.mark.usefixtures("one_round")
+def test_more_samples_make_smoothing_more_accurate() -> None:
     trade = measure_smoothing(LETTER_F, START, seconds=0.0)
     errors = {choice.name: choice.error for choice in trade.choices}
     assert list(errors) == [smoothing.name for smoothing, _ in pictures()]
@@ -545,6 +553,7 @@ def sphere(tmp_path_factory: pytest.TempPathFactory) -> Scene:
     return load(str(path))
 
 
+@pytest.mark.usefixtures("one_round")
 def test_fewer_triangles_move_the_outline_as_far_as_they_are_long(sphere: Scene) -> None:
     trade = measure_detail(sphere, sphere.start, seconds=0.0)
     assert [choice.name for choice in trade.choices] == [
@@ -569,7 +578,7 @@ def test_the_outline_is_where_the_model_projects_it(sphere: Scene) -> None:
     assert seen.max() == pytest.approx(radius, abs=1.0)
 
 
-def test_a_scene_of_few_faces_has_no_less_detail() -> None:
+def test_a_scene_of_few_faces_cannot_be_reduced() -> None:
     (choice,) = measure_detail(LETTER_F, START, seconds=0.0).choices
     assert choice.error is None and "too few triangles" in choice.note
     assert reduced(LETTER_F, 0.1) is LETTER_F

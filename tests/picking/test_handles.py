@@ -61,7 +61,7 @@ def planes(projection: Projection) -> tuple[float, float]:
 
 @pytest.mark.parametrize("lens", LENSES.values(), ids=LENSES)
 @pytest.mark.parametrize("shift", [False, True], ids=["plain", "shift"])
-def test_the_dragged_handle_ends_under_the_hand(lens: Lens, shift: bool) -> None:
+def test_the_dragged_handle_ends_under_the_pointer(lens: Lens, shift: bool) -> None:
     """Drag to the pixel of the same handle in another model, 200 times at random."""
     random = np.random.default_rng(7)
     free, tried = [EYE, TARGET, *CORNERS, *FAR_CORNERS], 0
@@ -219,7 +219,7 @@ def test_far_goes_to_infinity_at_its_vanishing_point_and_a_box_cannot() -> None:
         changed(projection, dragged(projection, handle, (1.0, 40.0), sight, (x, y)))
 
 
-def test_a_plane_at_a_break_is_brought_in_where_it_is_drawn_or_carried_out_in_proportion() -> None:
+def test_a_plane_at_a_break_moves_in_to_its_drawn_place_or_out_in_proportion() -> None:
     projection = Projection(Camera(), Perspective(45.0, 1.0, 1e6))
     sight, drawn = looks(Camera()), (1.0, 20.0)
     handle = Handle("far", "far", (0.0, 1.0))
@@ -238,7 +238,7 @@ def test_a_plane_at_a_break_is_brought_in_where_it_is_drawn_or_carried_out_in_pr
 
 
 @pytest.mark.parametrize("lens", LENSES.values(), ids=LENSES)
-def test_the_picture_goes_with_the_hand(lens: Lens) -> None:
+def test_the_picture_follows_the_pointer(lens: Lens) -> None:
     random = np.random.default_rng(3)
     for _ in range(200):
         eye, target = random.uniform((-5, 1, 5), (8, 8, 12)), random.uniform(-2.0, 2.0, 3)
@@ -267,7 +267,7 @@ def test_the_wheel_never_reaches_the_target() -> None:
         changed(projection, dollied(projection, LARGEST))
 
 
-def test_handles_stand_in_the_pane_and_not_on_one_another() -> None:
+def test_handles_are_inside_the_pane_and_do_not_overlap() -> None:
     """From far away the near face is a dot, and only the far corners have handles."""
     projection = Projection(Camera((6.0, 5.0, 9.0), (0.0, 2.2, 0.0)), Perspective(45.0, 1.0, 30.0))
     random, faces = np.random.default_rng(5), set()
@@ -307,7 +307,7 @@ def test_the_held_handle_stays_visible_over_other_handles() -> None:
     assert [handle.name for handle in found].count("near") == 1
 
 
-def test_of_several_in_reach_the_nearest_is_taken() -> None:
+def test_the_nearest_handle_in_reach_is_taken() -> None:
     handles = [(EYE, (3.0, 4.0)), (TARGET, (3.0, 9.0))]
     assert nearest(handles, (3.0, 3.0), 9.0) == nearest(handles[::-1], (3.0, 3.0), 9.0) == EYE
     for out_of_reach in ((math.nan, math.nan), (3.0, 13.0)):

@@ -46,7 +46,7 @@ def spot(projection: Projection, name: str, sight: Sight) -> np.ndarray:
 
 @pytest.mark.parametrize("order", ["trs", "rts"])
 @pytest.mark.parametrize("name", ["origin", "x", "y", "z"])
-def test_l2_what_is_held_goes_with_the_hand(name: str, order: str) -> None:
+def test_l2_the_held_handle_follows_the_pointer(name: str, order: str) -> None:
     """Drag to the pixel of the same handle of an object with another scale."""
     random = np.random.default_rng(3)
     for _ in range(40):
@@ -66,7 +66,7 @@ def test_l2_what_is_held_goes_with_the_hand(name: str, order: str) -> None:
         assert all(getattr(after.placement, key) == getattr(placement, key) for key in kept)
 
 
-def test_l2_a_turn_goes_round_as_the_hand_goes_and_about_the_line_of_sight() -> None:
+def test_l2_a_turn_follows_the_pointer_about_the_line_of_sight() -> None:
     random = np.random.default_rng(4)
     for _ in range(60):
         projection = placed(random)
@@ -100,7 +100,7 @@ def test_l2_a_turn_goes_round_as_the_hand_goes_and_about_the_line_of_sight() -> 
         assert float(seen_end @ (end - centre)) > 0.0 or abs(angle) < 0.2
 
 
-def test_where_it_is_held_is_on_its_columns() -> None:
+def test_the_object_s_handles_are_on_its_columns() -> None:
     projection = placed(np.random.default_rng(5))
     points, matrix = object_points(projection.placement, REACH), projection.placement.matrix
     assert tuple(points) == OBJECT_POINTS
@@ -110,7 +110,7 @@ def test_where_it_is_held_is_on_its_columns() -> None:
         assert np.allclose(points[name], tip[:3])
 
 
-def test_it_is_held_only_while_its_axes_are_drawn() -> None:
+def test_the_object_has_handles_only_while_its_axes_are_drawn() -> None:
     projection = Projection(placement=ObjectTransform((0.0, 0.0, 1.0), (0.0, 20.0, 0.0)))
     sight = looks(Camera((9.0, 6.0, 12.0), (0.0, 2.0, 0.0)))
 
@@ -122,7 +122,7 @@ def test_it_is_held_only_while_its_axes_are_drawn() -> None:
     assert names(REACH) == set(OBJECT_POINTS)
 
 
-def test_what_is_moved_is_named_and_given_back() -> None:
+def test_the_moved_fields_are_named_and_restored() -> None:
     projection = placed(np.random.default_rng(6))
     fields = ("translate", "rotate_deg", "scale")
     before = present(projection, fields)

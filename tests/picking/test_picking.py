@@ -76,7 +76,7 @@ def first_hit(projection: Projection, triangles: Array, pixel: tuple[float, floa
 @pytest.mark.parametrize(
     ("lens", "depth"), list(zip(LENSES.values(), itertools.cycle(DEPTH_RANGES))), ids=LENSES
 )
-def test_the_surface_under_a_pixel_is_the_model_s(lens: Lens, depth: str) -> None:
+def test_the_surface_under_a_pixel_agrees_with_the_model(lens: Lens, depth: str) -> None:
     scene = load("letter-f")
     projection = Projection(CAMERA, lens, (1280, 720), depth)  # type: ignore[arg-type]
     surface, triangles = surface_of(scene), triangles_of(scene)
@@ -199,7 +199,7 @@ def test_a_dense_flat_mesh_is_picked() -> None:
     assert hit is not None and hit.point == pytest.approx((0.3, 0.2, 0.25), abs=0.01)
 
 
-def test_nothing_is_found_in_nothing() -> None:
+def test_an_empty_scene_has_nothing_to_pick() -> None:
     sight = Sight.of(load("letter-f").start)
     assert NO_FACES.pick(sight, (640.0, 360.0)) is None
     assert pick(NO_FACES, NO_LINES, sight, (640.0, 360.0)) is None
@@ -226,7 +226,7 @@ def nearest_on(projection: Projection, line: Array, pixel: tuple[float, float]) 
 
 
 @pytest.mark.parametrize("lens", ALL_LENSES.values(), ids=ALL_LENSES)
-def test_the_place_of_a_line_nearest_to_a_click_is_the_model_s(lens: Lens) -> None:
+def test_the_place_of_a_line_nearest_to_a_click_agrees_with_the_model(lens: Lens) -> None:
     """Click beside lines through the whole scene, many of which also run behind the eye."""
     random = np.random.default_rng(5)
     size, ends, between = 20.0, 0, 0

@@ -172,7 +172,7 @@ def test_an_invalid_window_shows_only_a_frame(view: DiagramView, changes: dict[s
     assert count(view, LIGHT.background) > 1000
 
 
-def test_a_tiny_diagram_draws_without_a_word(view: DiagramView) -> None:
+def test_a_tiny_diagram_draws_without_warnings(view: DiagramView) -> None:
     view.setMinimumSize(1, 1)
     for size in ((1, 1), (40, 12), (12, 300), (150, 110)):
         view.resize(*size)
@@ -248,7 +248,7 @@ def test_a_logarithmic_axis_has_powers_of_ten(
         (999999.6, "10⁶"),
     ],
 )  # fmt: skip
-def test_numbers_are_written_to_be_read_from_afar(value: float, text: str) -> None:
+def test_numbers_are_written_for_reading_from_afar(value: float, text: str) -> None:
     assert figure_text(value) == text
 
 
@@ -293,7 +293,7 @@ def test_the_names_of_curves_stand_beside_them_and_not_on_each_other(view: Diagr
 @pytest.mark.parametrize("colour", ["ink", "n", "accent"])
 @pytest.mark.parametrize("dots", [True, False])
 @pytest.mark.parametrize("scale", [1.0, 3.0])
-def test_a_name_brings_no_second_point_and_hides_none(
+def test_a_name_adds_no_point_and_hides_none(
     view: DiagramView, colour: str, dots: bool, scale: float
 ) -> None:
     """A name without letters is one plain plate, beside the point and not on it."""
@@ -377,9 +377,7 @@ def test_spots_are_at_their_places_in_their_shapes(view: DiagramView) -> None:
     assert count(view, MAGENTA) == 0 and view.spot_names == {}
 
 
-def test_a_click_on_a_spot_tells_its_key_and_beside_it_nothing(
-    view: DiagramView, qtbot: QtBot
-) -> None:
+def test_only_a_click_on_a_spot_emits_its_key(view: DiagramView, qtbot: QtBot) -> None:
     view.show_diagram(
         replace(PLAIN, spots=(Spot(2.0, 2.0, key="a"), Spot(8.0, 8.0, key="b"), Spot(5.0, 2.0)))
     )
