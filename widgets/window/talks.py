@@ -337,7 +337,7 @@ class TalkActions(QObject):
         self._talks = talks
         self.speaker = QAction(self.tr("Speaker's &window"), window)
         self.speaker.triggered.connect(talks.open_speaker)
-        self.with_talk = QAction(self.tr("Open it &when a talk is presented"), window)
+        self.with_talk = QAction(self.tr("Open it when a talk is presente&d"), window)
         self.with_talk.setCheckable(True)
         self.with_talk.setChecked(settings.speaker_window)
         self.with_talk.toggled.connect(partial(setattr, settings, "speaker_window"))
