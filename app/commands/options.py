@@ -377,6 +377,10 @@ def _talk() -> Parser:
         help="write figures, words and notes of every step on A4; a file that is there is"
         " overwritten",
     )  # fmt: skip
+    parser.add_argument(
+        "--for", dest="readers", metavar="teacher|students",
+        help="of the handout: teacher has answers and notes, students lines to write on instead",
+    )  # fmt: skip
     return parser
 
 
