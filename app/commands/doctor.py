@@ -103,9 +103,9 @@ def _folders() -> Iterator[Finding]:
         yield Finding("Window", f"cannot be loaded: {error}", "see the system libraries above")
         return
     for name, folder in (
-        ("Settings in", settings_path().parent),
-        ("Recovery in", data_folder()),
-        ("Log in", log_path().parent),
+        ("Settings folder", settings_path().parent),
+        ("Recovery folder", data_folder()),
+        ("Log folder", log_path().parent),
     ):
         there = folder
         while not there.exists() and there != there.parent:

@@ -101,7 +101,7 @@ def _range(name: str, ends: str) -> tuple[str, tuple[float | None, float | None]
     whole = SWEEPS[name]
     if not whole.low <= low < high <= whole.high:
         raise CliError(
-            f"--sweep {name} = {ends!r}: must rise, and lie between {whole.low:g} and"
+            f"--sweep {name} = {ends!r}: must have LOW below HIGH, both from {whole.low:g} to"
             f" {whole.high:g}."
         )
     return name, (low, high)

@@ -165,7 +165,7 @@ class Parser(argparse.ArgumentParser):
             default=[],
             metavar="NAME=VALUE",
             help="change a value of the document, such as lens.far=inf; may be repeated; "
-            f"the names are {', '.join(SETTABLE)} and settings.NAME of the scene's own",
+            f"the names are {', '.join(SETTABLE)} and settings.NAME for a setting of the scene",
         )
 
     def add_choice(self, option: str, values: Sequence[str], text: str, default: str = "") -> None:
@@ -246,13 +246,15 @@ def _window() -> Parser:
     parser = Parser(
         "",
         "[FILE]",
-        "a document, an exported PNG picture, a mesh, a lesson or a talk (the letter F)",
+        "a document, an exported PNG picture, a mesh, a lesson or a talk (default: the letter F)",
         f"commands, each with its own --help:\n{lines}",
     )
     parser.add_set()
     parser.add_choice("--theme", THEMES, "colours, for this start only")
     parser.add_choice(
-        "--canvas", CANVASES, "how panes draw (opengl with a graphics card, raster without)"
+        "--canvas",
+        CANVASES,
+        "how panes draw (default: opengl with a graphics card, raster without)",
     )
     parser.add_argument(
         "--reset", action="store_true", help="delete the settings, then open the window"
@@ -266,73 +268,81 @@ def _window() -> Parser:
 
 
 def _export() -> Parser:
-    text = "the picture to write (.png), and the document, picture or mesh to draw (the letter F)"
+    text = (
+        "the picture to write (.png), and the document, picture or mesh to draw "
+        "(default: the letter F)"
+    )
     parser = Parser("export", "OUT [FILE]", text)
     parser.add_argument(
         "--panes",
         default="world,ndc,image",
         metavar="world,ndc,image",
-        help="the panes to draw, side by side (all)",
+        help="the panes to draw, side by side (default: all)",
     )
     parser.add_argument(
         "--size",
         type=_size,
         metavar="WIDTHxHEIGHT",
-        help="pixels at scale 1 (640x640 for each pane, or the image's own size for it alone)",
+        help="size in pixels at scale 1 (default: 640x640 for each pane, or its own size for the "
+        "image alone)",
     )
     parser.add_argument(
         "--scale",
         type=_number("--scale", "a finite number"),
         default=1.0,
         metavar="FACTOR",
-        help="the same figure, finer (1)",
+        help="draw the same figure with more pixels (default: 1)",
     )
     parser.add_argument(
         "--text-size", type=_number("--text-size", "a number of points"), metavar="PT",
-        help="height of the letters in points, 300 pixels to 72 of them at scale 1 (6 in a pane of"
-        " 640 pixels, and in others in proportion)",
+        help="height of the letters in points; 72 points are 300 pixels at scale 1 (default: 6 "
+             "in a pane of 640 pixels, in proportion in others)",
     )  # fmt: skip
-    parser.add_argument("--transparent", action="store_true", help="no background")
-    parser.add_choice("--theme", THEMES, "colours (light)", "light")
+    parser.add_argument(
+        "--transparent", action="store_true", help="leave the background transparent"
+    )
+    parser.add_choice("--theme", THEMES, "colours (default: light)", "light")
     parser.add_set()
     return parser
 
 
 def _project() -> Parser:
     text = (
-        "a document, picture or mesh whose camera is used (the letter F's), and the points: "
-        "CSV with the columns x,y,z, or - for standard input; a fourth one, w, may be 0 for a"
-        " point at infinity, and divides x, y and z where it is neither 0 nor 1"
+        "a document, picture or mesh whose camera is used (default: the letter F), and the "
+        "points: CSV with the columns x,y,z, or - for standard input; a fourth column, w, may be "
+        "0 for a point at infinity; any other w divides x, y and z"
     )
     parser = Parser("project", "[FILE] POINTS", text)
-    parser.add_choice("--format", PROJECT_FORMATS, "output format (table)", "table")
-    parser.add_choice("--rung", PRECISIONS, "arithmetic (float64, or exact where that is needed)")
-    parser.add_choice("--space", SPACES, "space of the coordinates (world)", "world")
+    parser.add_choice("--format", PROJECT_FORMATS, "output format (default: table)", "table")
+    parser.add_choice(
+        "--rung", PRECISIONS, "arithmetic (default: float64, or exact where that is needed)"
+    )
+    parser.add_choice("--space", SPACES, "space of the coordinates (default: world)", "world")
     parser.add_set()
     return parser
 
 
 def _matrices() -> Parser:
-    text = "a document, picture or mesh whose camera is used (the letter F's)"
+    text = "a document, picture or mesh whose camera is used (default: the letter F)"
     parser = Parser("matrices", "[FILE]", text)
-    parser.add_choice("--format", MATRIX_FORMATS, "output format (text)", "text")
+    parser.add_choice("--format", MATRIX_FORMATS, "output format (default: text)", "text")
     parser.add_set()
     return parser
 
 
 def _measure() -> Parser:
-    text = "a document, picture or mesh to measure (the letter F)"
+    text = "a document, picture or mesh to measure (default: the letter F)"
     parser = Parser("measure", "[FILE]", text)
     parser.add_argument(
         "--trade", action="append", metavar="|".join(TRADES),
         type=lambda value: one_of("--trade", value, TRADES),
-        help="measure this one; may be repeated (all, if neither --trade nor --sweep is given)",
+        help="measure this trade; may be repeated (default, without --sweep: all)",
     )  # fmt: skip
     parser.add_argument(
         "--sweep", action="append", metavar="NAME[=LOW:HIGH]", type=_sweep,
-        help=f"the errors over a parameter's range; NAME is one of {', '.join(SWEEPS)}",
+        help=f"measure the errors over a parameter's range; NAME is one of {', '.join(SWEEPS)}",
     )  # fmt: skip
-    parser.add_argument("--scene", metavar="NAME", help="as --set scene=NAME")
+    parser.add_argument("--scene", metavar="NAME", help="the same as --set scene=NAME")
     parser.add_argument(
         "--quick", action="store_true", help="measure for half a minute only, less exactly"
     )
@@ -341,12 +351,12 @@ def _measure() -> Parser:
         help="write all results; FILE is overwritten, - is standard output",
     )  # fmt: skip
     parser.add_argument(
-        "--csv", metavar="FILE", help="write the tables, one after the other, in the same way"
+        "--csv", metavar="FILE", help="write the tables, one after the other; FILE as for --json"
     )
     parser.add_argument(
         "--chart",
         metavar="FILE",
-        help="draw all results, in the same way: .png, or .pdf as vectors",
+        help="draw all results; FILE as for --json, ending in .png, or in .pdf for vectors",
     )
     parser.add_argument(
         "--attended", action="store_true",
@@ -359,8 +369,8 @@ def _measure() -> Parser:
 
 def _lesson() -> Parser:
     text = (
-        "check: try all states, keys and samples of lessons and talks (of those that come with"
-        " the program); list: list them"
+        "check: try every state, answer key and sample of lessons and talks (default: those that "
+        "come with the program); list: list them"
     )
     return Parser("lesson", "check|list [FILE...]", text)
 
@@ -369,13 +379,13 @@ def _talk() -> Parser:
     parser = Parser("talk", "FILE", "a talk, or a lesson")
     parser.add_argument(
         "--check", action="store_true",
-        help="draw every step without a display, try all that lesson check tries, and say what is"
-        " wrong with file and line",
+        help="draw every step without a display, run lesson check, and report each mistake with "
+             "file and line",
     )  # fmt: skip
     parser.add_argument(
         "--handout", metavar="OUT.pdf",
-        help="write figures, words and notes of every step on A4; a file that is there is"
-        " overwritten",
+        help="write the figures, text and notes of every step on A4 pages; an existing file is "
+             "overwritten",
     )  # fmt: skip
     return parser
 

@@ -24,8 +24,8 @@ SOME_PICTURES = QT_TRANSLATE_NOOP(
 )
 SOME_DIVIDERS = QT_TRANSLATE_NOOP(
     "Refusal",
-    "must be rising numbers from 0 to 1, one fewer than the compared pictures, or none for side by"
-    " side",
+    "must be increasing numbers from 0 to 1, one fewer than the compared pictures, or none for"
+    " side by side",
 )
 ONLY_OF_THE_PICTURE = QT_TRANSLATE_NOOP(
     "Refusal", "must be a value of settings, camera, lens, image, object or depth, as NAME=VALUE"

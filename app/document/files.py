@@ -45,7 +45,7 @@ UNREADABLE = QT_TRANSLATE_NOOP("Refusal", "cannot be read: {0}")
 UNWRITABLE = QT_TRANSLATE_NOOP("Refusal", "cannot be written: {0}")
 BAD_NAME = QT_TRANSLATE_NOOP("Refusal", "is not a name that a file can have")
 BROKEN_PICTURE = QT_TRANSLATE_NOOP(
-    "Refusal", "is not a whole PNG picture: it is broken or cut short"
+    "Refusal", "is not a complete PNG picture: it is damaged or cut short"
 )
 NEITHER = QT_TRANSLATE_NOOP(
     "Refusal",

@@ -68,12 +68,12 @@ UNCLOSED_ABOVE = QT_TRANSLATE_NOOP(
 )
 CODE_UNCLOSED = QT_TRANSLATE_NOOP(
     "Refusal",
-    "begins code that is not closed: a line ``` is one too many, or lacks its kind",
+    "begins code that is not closed: there is one ``` line too many, or one without its kind",
 )
 BLOCK_IN_CODE = QT_TRANSLATE_NOOP(
     "Refusal",
-    "begins code, not a block, and the block of line {0} is in it: a line ``` is one too many, or"
-    " lacks its kind",
+    "begins code, not a block, and the block of line {0} is in it: there is one ``` line too "
+    "many, or one without its kind",
 )
 STEP_IN_STEP = QT_TRANSLATE_NOOP("Refusal", "has the title of a step, but no line --- above it")
 BLOCK_INDENTED = QT_TRANSLATE_NOOP(

@@ -82,16 +82,16 @@ ONE_OF = QT_TRANSLATE_NOOP("Refusal", "must be one of {0}")
 FAR_BEYOND_NEAR = QT_TRANSLATE_NOOP("Refusal", "must be greater than near, which is {0}")
 RIGHT_OF_LEFT = QT_TRANSLATE_NOOP("Refusal", "must be greater than left, which is {0}")
 TOP_ABOVE_BOTTOM = QT_TRANSLATE_NOOP("Refusal", "must be greater than bottom, which is {0}")
-DISTINCT = QT_TRANSLATE_NOOP("Refusal", "is too close to {0} for float64 to tell apart")
+DISTINCT = QT_TRANSLATE_NOOP("Refusal", "is too close to {0} for float64 to tell the two apart")
 WIDER = QT_TRANSLATE_NOOP(
     "Refusal", "is too close to {0} for a plane as far from the eye as near is"
 )
-NO_POINT = QT_TRANSLATE_NOOP("Refusal", "is at infinity, where there is no point but a direction")
+NO_POINT = QT_TRANSLATE_NOOP("Refusal", "is at infinity, so it is a direction and not a point")
 INVERTIBLE = QT_TRANSLATE_NOOP("Refusal", "must have an inverse, but its rank is {0}")
 FOUR_BY_FOUR = QT_TRANSLATE_NOOP("Refusal", "must be four rows of four finite numbers")
 ZERO_OR_AT_LEAST = QT_TRANSLATE_NOOP("Refusal", "must be 0 or at least {0} in size")
 SMALL_INVERSE = QT_TRANSLATE_NOOP(
-    "Refusal", "must have an inverse that float64 can hold, and multiply"
+    "Refusal", "must have an inverse whose numbers and products float64 can hold"
 )
 OTHER_SIDE = {
     NEAR_BEFORE_FAR: ("far", FAR_BEYOND_NEAR),

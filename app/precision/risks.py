@@ -38,12 +38,13 @@ LARGE_INVERSE = QT_TRANSLATE_NOOP(
     "Health", "The free matrix is too nearly singular: no frustum is drawn"
 )
 REACHES_INFINITY = QT_TRANSLATE_NOOP(
-    "Health", "The free matrix' view volume reaches infinity: no frustum is drawn"
+    "Health", "The free matrix's view volume reaches infinity: no frustum is drawn"
 )
 VTK_CLAMPS = QT_TRANSLATE_NOOP("Health", "VTK's own camera would clamp the field of view to {0}°")
 VTK_DROPS = QT_TRANSLATE_NOOP(
     "Health",
-    "The scene is {0} times as large as near: VTK by itself drops what is near from 1e7 on",
+    "The scene is {0} times as large as the near distance: from 1e7 on, VTK alone does not draw "
+    "what is near",
 )
 
 _GAP = 1e-3  # of the scene's size: surfaces nearer to each other than this are drawn

@@ -51,8 +51,8 @@ class FreeMatrix(Lens):
     title: ClassVar[str] = QT_TRANSLATE_NOOP("Lens", "free matrix")
     tip: ClassVar[str] = QT_TRANSLATE_NOOP(
         "Lens",
-        "None of these: the cells of clip_from_view that you typed in the Matrices panel. If you"
-        " choose another kind, the lens from before comes back.",
+        "None of these: the cells of clip_from_view that you typed in the Matrices panel. If you "
+        "choose another kind, the previous lens comes back.",
     )
     # Offset, cell, product and three sums.
     roundings: ClassVar[tuple[float, float, float, float]] = (6.0, 6.0, 6.0, 6.0)

@@ -55,7 +55,7 @@ class Frustum(Central, Windowed):
     title: ClassVar[str] = QT_TRANSLATE_NOOP("Lens", "frustum (off-axis)")
     tip: ClassVar[str] = QT_TRANSLATE_NOOP(
         "Lens",
-        "Rays meet in the eye, but the window is anywhere on the near plane: a shifted pyramid"
+        "Rays meet in the eye, but the window may be anywhere on the near plane: a shifted pyramid"
         " (glFrustum).",
     )
 

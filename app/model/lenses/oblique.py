@@ -71,15 +71,15 @@ class Oblique(Parallel, Windowed):
     title: ClassVar[str] = QT_TRANSLATE_NOOP("Lens", "oblique")
     tip: ClassVar[str] = QT_TRANSLATE_NOOP(
         "Lens",
-        "Rays are parallel and meet the picture aslant: a slanted box, as in cavalier and cabinet"
-        " drawings (lecture 002: H, then orthographic).",
+        "Rays are parallel and meet the picture at a slant: a slanted box, as in cavalier and"
+        " cabinet drawings (lecture 002: H, then orthographic).",
     )
     controls: ClassVar[Mapping[str, Control]] = {
         "alpha_deg": Control(
             QT_TRANSLATE_NOOP(
                 "Lens",
                 "Angle of the projectors with the x axis: H of lecture 002 adds (z + near)"
-                " cot(alpha) to x. Points on the near plane stay.",
+                " cot(alpha) to x. Points on the near plane do not move.",
             ),
             *(1.0, 179.0, 0.5, "°"),
         ),
@@ -87,7 +87,7 @@ class Oblique(Parallel, Windowed):
             QT_TRANSLATE_NOOP(
                 "Lens",
                 "Angle of the projectors with the y axis: H of lecture 002 adds (z + near)"
-                " cot(beta) to y. Points on the near plane stay.",
+                " cot(beta) to y. Points on the near plane do not move.",
             ),
             *(1.0, 179.0, 0.5, "°"),
         ),

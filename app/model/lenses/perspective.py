@@ -147,7 +147,7 @@ class Perspective(Central):
     title: ClassVar[str] = QT_TRANSLATE_NOOP("Lens", "perspective")
     tip: ClassVar[str] = QT_TRANSLATE_NOOP(
         "Lens",
-        "Rays meet in the eye: what is farther looks smaller. The view volume is a pyramid cut off"
+        "Rays meet in the eye: farther objects look smaller. The view volume is a pyramid cut off"
         " by near and far, symmetric about the view direction (gluPerspective).",
     )
     controls: ClassVar[Mapping[str, Control]] = {
