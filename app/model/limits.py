@@ -36,7 +36,7 @@ PLANES = (
 """The six planes of the view volume, in the order of `Trace.outside`."""
 
 LARGEST = 1e100
-"""Largest coordinate or distance: with `SMALLEST` no matrix overflows (2e205 * 1e100)."""
+"""Largest coordinate or distance: together with `SMALLEST`, no matrix overflows (2e205 * 1e100)."""
 SMALLEST = 1e-205
 """Smallest near distance, and smallest depth range of a parallel lens."""
 SMALLEST_WINDOW = 1e-200
@@ -48,7 +48,7 @@ SMALLEST_FIELD = 1e-90
 SMALLEST_OPENING = 1e-98
 """Smallest side of a frustum's window in units of near; less than that of `SMALLEST_FIELD`."""
 SMALLEST_CELL = 1e-75
-"""Smallest cell of a typed matrix but 0: a product of two is far from underflow."""
+"""Smallest nonzero cell of a typed matrix: a product of two is far from underflow."""
 LARGEST_INVERSE = 10**150
 """Largest cell of the inverse of a typed matrix, for the same reason."""
 BEYOND = 1e250
@@ -98,7 +98,7 @@ OTHER_SIDE = {
     LEFT_BEFORE_RIGHT: ("right", RIGHT_OF_LEFT),
     BOTTOM_BEFORE_TOP: ("top", TOP_ABOVE_BOTTOM),
 }
-"""By the bound of one field, the opposite field and its bound.
+"""For the bound of one field, the opposite field and its bound.
 
 A lens cannot know which of the two fields was changed; callers that know use these.
 """
@@ -156,7 +156,7 @@ def between(field: str, value: Any, low: int, high: int) -> float:
     except Refusal as error:
         if error.bound == FINITE_NUMBER:
             raise
-        # Beyond all numbers, and so beyond these.
+        # Infinity is beyond every number, and so beyond these bounds.
         raise Refusal(field, error.value, BETWEEN, low, high) from None
     if not low < number < high:
         raise Refusal(field, number, BETWEEN, low, high)
@@ -199,7 +199,7 @@ def _cell(field: str, value: Any, smallest: float) -> float:
     number = finite(field, value)
     if number != 0.0 and abs(number) < smallest:
         raise Refusal(field, number, ZERO_OR_AT_LEAST, smallest)
-    return number + 0.0  # minus zero is a zero here: 0 typed is what is kept
+    return number + 0.0  # store 0 for minus zero
 
 
 def cos_sin_deg(angle_deg: float) -> tuple[float, float]:

@@ -29,7 +29,7 @@ from app.model.limits import (
 from app.model.refusal import QT_TRANSLATE_NOOP
 
 COTS = ("cot(alpha)", "cot(beta)")
-"""The letters by which projectors lean."""
+"""The letters of the projectors' slant."""
 
 SHEAR = """
     1  0  cot(alpha)  n*cot(alpha)
@@ -62,9 +62,9 @@ class Oblique(Parallel, Windowed):
     """The oblique parallel lens of lecture 002: the orthographic one after its matrix H.
 
     ``x' = x + (z + near) cot(alpha)`` and ``y' = y + (z + near) cot(beta)`` in view space: the
-    projectors lean, and points on the near plane stay. ``0 < alpha_deg, beta_deg < 180`` are the
-    angles of the projectors with the x and the y axis; 90 and 90 is the orthographic lens.
-    `oblique_angles` has those of cavalier and cabinet drawings.
+    projectors are slanted, and points on the near plane do not move. ``0 < alpha_deg, beta_deg <
+    180`` are the angles of the projectors with the x and the y axis; 90 and 90 is the orthographic
+    lens. `oblique_angles` has those of cavalier and cabinet drawings.
     """
 
     kind: ClassVar[str] = "oblique"
@@ -110,7 +110,7 @@ class Oblique(Parallel, Windowed):
 
     @property
     def least_window(self) -> float:
-        """The least width and height of the window, with room for the shear."""
+        """The least width and height of the window for which the shear does not overflow."""
         return SMALLEST_WINDOW * LARGEST_SHEAR
 
     @property
