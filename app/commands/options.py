@@ -1,7 +1,7 @@
-"""The command line's words: commands, their options, and how wrong ones are refused.
+"""The commands, their options, and the messages for wrong ones.
 
-Standard library only: help comes, and a mistyped option is refused, before anything is set up.
-Every wrong input becomes a `CliError` of one sentence.
+This module needs only the standard library: help and the refusal of misspelt options work before
+the set-up. Every wrong input becomes a `CliError` of one sentence.
 """
 
 from __future__ import annotations
@@ -33,7 +33,7 @@ SUMMARIES = {
     "talk": "draw every step of a talk, or print it with its notes",
     "doctor": "report what this machine has, what is missing and how to get it",
 }
-"""The commands, and what each is for."""
+"""The commands and their summaries."""
 
 THEMES = ("light", "dark")
 CANVASES = ("opengl", "raster")
@@ -55,7 +55,7 @@ SETTABLE = (
 )  # fmt: skip
 """Every path that ``--set`` knows, for all lenses; each scene adds its own ``settings.NAME``.
 
-These lists repeat names of modules that need more than Python; a test compares them.
+These lists repeat names from modules with dependencies; a test compares them.
 """
 
 
@@ -77,9 +77,9 @@ def complain(sentence: str, status: int) -> int:
 def standard_output() -> TextIO:
     """Standard output, set so that it takes every character.
 
-    Files and other programs get UTF-8 everywhere, as TeX and JSON are read; Python would use the
-    locale's encoding, which is cp1252 in Windows and has no minus sign. A terminal keeps its own
-    encoding, and shows the number of a character that it lacks.
+    Files and other programs always get UTF-8, which TeX and JSON expect; Python would use the
+    locale's encoding, which is cp1252 on Windows and lacks the minus sign. A terminal keeps its
+    encoding and shows the code of a character that it lacks.
 
     Raises
     ------
@@ -129,7 +129,7 @@ class Parser(argparse.ArgumentParser):
         self.add_argument("words", nargs="*", metavar=names, help=text)
 
     def _print_message(self, message: str, _file: object = None) -> None:
-        """Print the help or the version; argparse itself ignores errors of writing."""
+        """Print the help or the version; argparse would ignore write errors."""
         write_out([message])
 
     def error(self, message: str) -> NoReturn:
@@ -137,7 +137,7 @@ class Parser(argparse.ArgumentParser):
 
     def read(self, arguments: Sequence[str]) -> tuple[argparse.Namespace, list[str]]:
         """Parse options and words in any order; refuse too few words and too many."""
-        # After -- all words are names; argparse forgets that when options and names are mixed.
+        # After -- all words are names; argparse loses that when options and names are mixed.
         end = arguments.index("--") if "--" in arguments else len(arguments)
         found, extra = self.parse_known_intermixed_args(arguments[:end])
         for word in extra:
@@ -158,7 +158,7 @@ class Parser(argparse.ArgumentParser):
         return found, words
 
     def add_set(self) -> None:
-        """Take ``--set``."""
+        """Add ``--set``."""
         self.add_argument(
             "--set",
             action="append",
@@ -169,7 +169,7 @@ class Parser(argparse.ArgumentParser):
         )
 
     def add_choice(self, option: str, values: Sequence[str], text: str, default: str = "") -> None:
-        """Take one of several values."""
+        """Add an option that takes one of several values."""
         self.add_argument(
             option,
             type=lambda value: one_of(option, value, values),
@@ -187,7 +187,7 @@ def _nearest(word: str, known: Iterable[str]) -> str:
 
 
 def one_of(option: str, value: str, values: Sequence[str]) -> str:
-    """An option's value, which must be one of several."""
+    """Return an option's value, which must be one of several."""
     # argparse does not catch a CliError, and so does not rephrase it.
     if value not in values:
         raise CliError(f"{option} = {value!r}: must be one of {', '.join(values)}.")
@@ -195,7 +195,7 @@ def one_of(option: str, value: str, values: Sequence[str]) -> str:
 
 
 def parse_number(text: str) -> float:
-    """A number in the C locale, without Python's own notation such as 1_000."""
+    """Parse a number in the C locale, without Python's own notation such as 1_000."""
     if "_" in text:
         raise ValueError(text)
     return float(text)
@@ -407,17 +407,17 @@ _PARSERS: dict[str, Callable[[], Parser]] = {
 
 
 def parser_of(command: str) -> Parser:
-    """The options of a command; an empty name means the window."""
+    """Return the parser of a command; an empty name means the window."""
     return _PARSERS[command]()
 
 
 def answer(arguments: Sequence[str]) -> None:
-    """Print the help or the version, and end, if one of them is asked for; otherwise return.
+    """Print the help or the version and exit, if requested; otherwise return.
 
     Raises
     ------
     SystemExit, CliError
-        After the answer, or for another error on the command line.
+        After printing, or for an error on the command line.
     """
     end = arguments.index("--") if "--" in arguments else len(arguments)
     if {"-h", "--help", "--version"}.isdisjoint(arguments[:end]):
@@ -430,14 +430,14 @@ def answer(arguments: Sequence[str]) -> None:
 
 
 def outcome(run: Callable[[], _Status]) -> _Status | int:
-    """Run, print the sentence of an error, and return the exit status."""
+    """Run, print an error's sentence if there is one, and return the exit status."""
     try:
         return run()
     except CliError as error:
         return complain(str(error), error.status)
     except SystemExit as done:  # argparse, after --help and --version
         return int(done.code or 0)
-    except BrokenPipeError:  # “| head” has seen enough
+    except BrokenPipeError:  # the reader, such as “| head”, has closed the pipe
         return 0
     except KeyboardInterrupt:
         return INTERRUPTED
