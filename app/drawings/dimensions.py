@@ -110,10 +110,7 @@ class Dimensions:
         actor.GetProperty().SetLineWidth(canvas.style.line_width / 2.0)
         canvas.add(actor, layer="labels")
         # Before the texts, whose plates hide the ends.
-        self._leaders = {
-            name: Leader(canvas, canvas.style.ink, canvas.style.line_width / 2.0)
-            for name in ("angle", "height")
-        }
+        self._leaders = {name: Leader(canvas) for name in ("angle", "height")}
         self._texts = {name: canvas.label("") for name in _NAMES}
         self._sentence = canvas.label("", anchor=(-1, -1))
         self.hide()

@@ -11,6 +11,7 @@ import importlib.util
 import math
 import pathlib
 import re
+import weakref
 from functools import cache, lru_cache
 from typing import Any, NamedTuple
 
@@ -184,6 +185,12 @@ def size_px(text: str, em: float) -> tuple[int, int]:
     return math.ceil((right - left) * em), math.ceil((high - low) * em)
 
 
+class LabelActor(vtkTexturedActor2D):
+    """The actor of a label, by which a window's labels are found."""
+
+    label: weakref.ref[Label]
+
+
 class Label:
     """A text at a pixel of a renderer, of constant size, in the dark tone of a colour.
 
@@ -215,7 +222,8 @@ class Label:
         quad.GetPointData().SetTCoords(numpy_to_vtk(on_image, deep=1))  # type: ignore[no-untyped-call]
         mapper = vtkPolyDataMapper2D()
         mapper.SetInputData(quad)
-        self.actor = vtkTexturedActor2D()
+        self.actor = LabelActor()
+        self.actor.label = weakref.ref(self)
         self.actor.SetMapper(mapper)
         self.actor.SetTexture(self._texture)
         self._show()

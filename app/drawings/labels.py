@@ -79,10 +79,7 @@ class Labels:
         self._canvas, self._words = canvas, words
         style, label = canvas.style, canvas.label
         # The leaders before all labels, whose plates hide the ends.
-        self._leaders = {
-            name: Leader(canvas, getattr(style, name), style.line_width)
-            for name in (*_THINGS, *AXES)
-        }
+        self._leaders = {name: Leader(canvas) for name in (*_THINGS, *AXES)}
         self._arrows = {a: label(words[a], colour=getattr(style, a)) for a in AXES}
         self._kept: Mapping[Label, Side] = {}
         things = {name: label(words[name], colour=getattr(style, name)) for name in _THINGS}
@@ -362,21 +359,18 @@ class Layout:
 
 
 class Leader:
-    """A thin line in the plane of the screen, from a label to its point; hidden at first."""
+    """A thin grey line in the plane of the screen, from a label to its point; hidden at first."""
 
-    def __init__(self, canvas: Canvas, colour: str, width: float, renderer: Any = None) -> None:
+    def __init__(self, canvas: Canvas, renderer: Any = None) -> None:
         self._line, self._canvas = ScreenCells(1, 2), weakref.proxy(canvas)
         self.actor = self._line.actor
-        self.set_colour(colour)
-        self.actor.GetProperty().SetLineWidth(width)
+        self.actor.GetProperty().SetColor(*rgb(canvas.style.leader))
+        self.actor.GetProperty().SetLineWidth(canvas.style.line_width / 2.0)
         canvas.add(self.actor, renderer=renderer, layer="labels")
         self.set_visible(False)
 
     def set_visible(self, visible: bool) -> None:
         self._canvas.set_visible(self.actor, visible)
-
-    def set_colour(self, colour: str) -> None:
-        self.actor.GetProperty().SetColor(*rgb(colour))
 
     def join(self, start_px: tuple[float, float], end_px: tuple[float, float]) -> None:
         """Draw it between two pixels, counted from the left and from the bottom."""

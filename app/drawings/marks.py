@@ -247,19 +247,15 @@ class MarksDrawing:
         self._text_abouts = [texts[i].about for i in near]
         away = [texts[i] if texts[i].away_from is None else _away(texts[i]) for i in near]
         self._away_points = _placed_each(away, placing)
-        style = self._style
         while len(self._labels) < len(near):
             label = self._canvas.label("", self._renderer)
             self._labels.append(label)
             leader = None
             if self._leads:
-                leader = Leader(self._canvas, style.ink, style.line_width / 2.0, self._renderer)
+                leader = Leader(self._canvas, self._renderer)
             self._leaders.append(leader)
-        for label, leader, i, word in zip(self._labels, self._leaders, near, words, strict=False):
-            colour = texts[i].colour
-            label.set_colour(self._named(colour or "ink"))
-            if leader is not None:
-                leader.set_colour(self._named(colour or "ink"))
+        for label, i, word in zip(self._labels, near, words, strict=False):
+            label.set_colour(self._named(texts[i].colour or "ink"))
             label.set_text(word)
         self._frame_texts()
         for label, leader in list(zip(self._labels, self._leaders, strict=True))[len(near) :]:

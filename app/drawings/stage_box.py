@@ -136,10 +136,7 @@ class StageBox:
 
         label = self._canvas.label
         # The leaders before all labels, whose plates hide the ends.
-        self._leaders = {
-            name: Leader(self._canvas, getattr(style, name), style.line_width)
-            for name in ("near", "far")
-        }
+        self._leaders = {name: Leader(self._canvas) for name in ("near", "far")}
         self.near = label(words["near"], colour=style.near)
         self.far = label(words["far"], colour=style.far)
         # Without plates: they lie over what is drawn, and hide nothing of it.

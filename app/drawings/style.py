@@ -32,6 +32,7 @@ class Style:
     target: str
     frustum: str
     accent: str  # highlights
+    leader: str  # from a label to its mark: no concept's colour, or it would seem to be an axis
     shadow: str  # on the background or on a ground that is tinted with `muted`
     line_width: float = 2.0
     """Of ordinary lines; thin ones have half of it and thick ones one and a half. At a whole scale
@@ -78,6 +79,7 @@ LIGHT = Style(
     target="#a1960d",
     frustum="#5a6068",
     accent="#c46f9d",
+    leader="#8b929a",
     shadow="#5a6068",
 )
 DARK = Style(
@@ -94,6 +96,7 @@ DARK = Style(
     target="#f0e442",
     frustum="#a4abb3",
     accent="#cc79a7",
+    leader="#8b929a",
     shadow="#7c838c",
 )
 
