@@ -51,7 +51,7 @@ from app.model.refusal import Refusal
 from app.picking.picking import Probe
 from app.scenes.phenomena import PHENOMENA
 from tests import PATIENCE_S
-from tests.random_documents import outcome, outcome_of
+from tests.fuzz.documents import outcome, outcome_of
 from tests.support.carrier import carrier
 from tests.support.phenomenon import EVERYTHING, called, make_known
 
