@@ -15,7 +15,7 @@ from app.lessons.course import Course
 from app.lessons.lesson import read
 from tests.support.commands import one_sentence, run, run_here
 from widgets.parts.messages import read_text
-from widgets.program.handout import FIGURE_WIDTHS, _best, _paged, _Sheet
+from widgets.program.handout import paged
 
 TALK = """---
 title: From <b> to $x$
@@ -263,15 +263,13 @@ LONG = "---\ntitle: Long\n---\n" + "---\n".join(
 def test_no_page_of_a_handout_is_half_blank(qapp: Any, talk: Path, answers: bool) -> None:
     talk.write_text(LONG)
     course = Course(read(talk))
-    for width in FIGURE_WIDTHS:
-        pages = _paged(_Sheet(course, 490.0, width, answers), 745.0)
-        assert sum(len(page.pieces) for page in pages) >= 2 + 7 * 2
-        for page in pages:
-            end = max(piece.y + piece.height for piece in page.pieces)
-            assert page.blank == pytest.approx(1.0 - end / 745.0) and end <= 745.0 + 1e-6
-            assert not page.pieces[-1].block.kept, "a title is not alone at the end of a page"
-    layouts = [_paged(_Sheet(course, 490.0, width, answers), 745.0) for width in FIGURE_WIDTHS]
-    assert max(page.blank for page in _best(layouts)) < 0.5
+    pages = paged(course, 490.0, 745.0, answers)
+    assert sum(len(page.pieces) for page in pages) >= 2 + 7 * 2
+    for page in pages:
+        end = max(piece.y + piece.height for piece in page.pieces)
+        assert end <= 745.0 + 1e-6 and page.blank == pytest.approx(1.0 - end / 745.0)
+        assert page.blank < 0.5
+        assert not page.pieces[-1].block.kept, "a title is not alone at the end of a page"
 
 
 def test_the_handout_has_the_value_of_an_answer(qapp: Any, talk: Path) -> None:

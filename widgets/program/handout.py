@@ -88,7 +88,7 @@ def handout(course: Course, *, answers: bool = True) -> bytes:
     )
     page = QRectF(writer.pageLayout().paintRect(QPageLayout.Unit.Point))
     width, height = page.width(), page.height() - 2.0 * FOOT_PT
-    pages = _best([_paged(_Sheet(course, width, part, answers), height) for part in FIGURE_WIDTHS])
+    pages = paged(course, width, height, answers)
     painter = QPainter(writer)
     painter.setRenderHint(QPainter.RenderHint.LosslessImageRendering)
     painter.scale(DPI / 72.0, DPI / 72.0)
@@ -104,7 +104,7 @@ def handout(course: Course, *, answers: bool = True) -> bytes:
 
 
 @dataclass
-class _Block:
+class Block:
     """A part of a page over its width, in points; `kept` on the page where the next one begins."""
 
     height: float
@@ -117,9 +117,7 @@ class _Block:
     """How wide its content is."""
 
 
-def _text(
-    text: str, width: float, size: float, *, title: bool = False, left: float = 0.0
-) -> _Block:
+def _text(text: str, width: float, size: float, *, title: bool = False, left: float = 0.0) -> Block:
     document = TextDocument()
     font = QFont("DejaVu Sans")
     font.setStyleHint(QFont.StyleHint.SansSerif)
@@ -131,7 +129,7 @@ def _text(
     set_text(document, text, title=title)
     document.setTextWidth(width - left)
     size_pt = document.size()
-    return _Block(
+    return Block(
         size_pt.height(), document.drawContents, left, kept=title, wide=size_pt.width() + left
     )
 
@@ -143,7 +141,7 @@ class _Sheet:
         self._course, self._width, self._answers = course, width, answers
         self._figure_width = part * width
 
-    def head(self) -> Iterator[_Block]:
+    def head(self) -> Iterator[Block]:
         lesson = self._course.lesson
         minutes = lesson.minutes or sum(
             step.note.minutes for step in lesson.steps if step.note is not None
@@ -152,13 +150,13 @@ class _Sheet:
         if minutes and self._answers:
             yield _text(f"{minutes:g} min", self._width, TEXT_PT)
 
-    def steps(self) -> Iterator[_Block]:
+    def steps(self) -> Iterator[Block]:
         for place, step in enumerate(self._course.lesson.steps):
             blocks = list(self._of(place, step))
             blocks[-1].after = BETWEEN_STEPS_PT
             yield from blocks
 
-    def _of(self, place: int, step: Step) -> Iterator[_Block]:
+    def _of(self, place: int, step: Step) -> Iterator[Block]:
         """Yield a step's title, its figure with what stands beside it, and its questions."""
         course = self._course
         number = f"{place + 1}. " if len(course.lesson.steps) > 1 else ""
@@ -190,7 +188,7 @@ class _Sheet:
         minutes = f"*{step.note.minutes:g} min.* " if step.note.minutes else ""
         return minutes + step.note.text
 
-    def _with_figure(self, document: Document, texts: list[str], note: str) -> Iterator[_Block]:
+    def _with_figure(self, document: Document, texts: list[str], note: str) -> Iterator[Block]:
         """Yield a figure and its texts: beside it if they are narrow and low enough."""
         figure = _figure(document, self._width, self._figure_width)
         left = figure.wide + NOTE_INDENT_PT
@@ -201,11 +199,11 @@ class _Sheet:
             if not self._answers:
                 yield self._lines(LINES_BELOW * RULE_PT)
             return
-        beside, most = list[_Block](), COLUMN_OVER * figure.height
+        beside, most = list[Block](), COLUMN_OVER * figure.height
         if not self._answers:
             most = figure.height - LINES_BESIDE * RULE_PT
 
-        def fits(block: _Block) -> bool:
+        def fits(block: Block) -> bool:
             high = sum(each.height + BETWEEN_PT for each in beside) + block.height
             return high <= most and block.wide <= room + 0.5
 
@@ -221,16 +219,16 @@ class _Sheet:
         yield _beside(figure, beside, left)
         yield from self._below(texts, note)
 
-    def _below(self, texts: Iterable[str], note: str) -> Iterator[_Block]:
+    def _below(self, texts: Iterable[str], note: str) -> Iterator[Block]:
         yield from (_text(text, self._width, TEXT_PT) for text in texts)
         if note:
             yield _text(note, self._width, NOTE_PT, left=NOTE_INDENT_PT)
 
-    def _lines(self, height: float) -> _Block:
+    def _lines(self, height: float) -> Block:
         return _ruled(self._width, height)
 
 
-def _beside(figure: _Block, others: Sequence[_Block], left: float) -> _Block:
+def _beside(figure: Block, others: Sequence[Block], left: float) -> Block:
     """A figure, and blocks below each other beside it."""
     right = sum(block.height for block in others) + BETWEEN_PT * max(0, len(others) - 1)
 
@@ -241,10 +239,10 @@ def _beside(figure: _Block, others: Sequence[_Block], left: float) -> _Block:
             _paint_block(painter, block, QRectF(0.0, 0.0, part.width() - left, block.height))
             painter.translate(0.0, block.height + BETWEEN_PT)
 
-    return _Block(max(figure.height, right), paint)
+    return Block(max(figure.height, right), paint)
 
 
-def _ruled(width: float, height: float) -> _Block:
+def _ruled(width: float, height: float) -> Block:
     """Lines to write on."""
 
     def paint(painter: QPainter, part: QRectF) -> None:
@@ -254,10 +252,10 @@ def _ruled(width: float, height: float) -> _Block:
             if part.top() <= y <= part.bottom() + 0.5:
                 painter.drawLine(QPointF(0.0, y), QPointF(width, y))
 
-    return _Block(height, paint)
+    return Block(height, paint)
 
 
-def _figure(document: Document, width: float, one_pane: float) -> _Block:
+def _figure(document: Document, width: float, one_pane: float) -> Block:
     """The picture of a state: one pane, or the compared pictures across the page."""
     scene = scene_of(document)
     pane = document.view.large or scene.leading
@@ -295,10 +293,10 @@ def _figure(document: Document, width: float, one_pane: float) -> _Block:
             painter.setPen(QPen(QColor(LIGHT.muted), 0.6))
             painter.drawRect(place)
 
-    return _Block(high, paint, wide=wide)
+    return Block(high, paint, wide=wide)
 
 
-def _panel(document: Document, before: Document | None, width: float) -> Iterator[_Block]:
+def _panel(document: Document, before: Document | None, width: float) -> Iterator[Block]:
     """Yield the numbers of the open panel, unless they are the same as in the state before."""
     view = document.view
     seen = None if before is None else (before, before.view.panel, before.view.letters)
@@ -322,7 +320,7 @@ def _matrices(document: Document) -> Iterator[str]:
         yield "\n".join(lines)
 
 
-def _readout(document: Document, width: float) -> Iterator[_Block]:
+def _readout(document: Document, width: float) -> Iterator[Block]:
     """Yield the scene's numbers, except the one counted in the window's own picture."""
     scene = scene_of(document)
     if scene.phenomenon is None:
@@ -352,7 +350,7 @@ def _readout(document: Document, width: float) -> Iterator[_Block]:
     yield from _side_by_side(formulas, width)
 
 
-def _side_by_side(formulas: Iterable[str], width: float) -> Iterator[_Block]:
+def _side_by_side(formulas: Iterable[str], width: float) -> Iterator[Block]:
     font = QFont("DejaVu Sans")
     font.setPixelSize(FORMULA_PX)
     scale = FORMULA_PT / FORMULA_PX
@@ -366,7 +364,7 @@ def _side_by_side(formulas: Iterable[str], width: float) -> Iterator[_Block]:
         rows[-1].append(part.at(right, part.ascent))
         right += part.width + BETWEEN_FORMULAS_PX
     for row in rows:
-        yield _Block(scale * max(part.descent for part in row), partial(_paint_row, row))
+        yield Block(scale * max(part.descent for part in row), partial(_paint_row, row))
 
 
 def _paint_row(row: Sequence[Typeset], painter: QPainter, _part: QRectF) -> None:
@@ -378,30 +376,36 @@ def _paint_row(row: Sequence[Typeset], painter: QPainter, _part: QRectF) -> None
 # --------------------------------------------------------------------------- pages
 
 
-class _Piece(NamedTuple):
+class Piece(NamedTuple):
     """What of a block is on a page, and where."""
 
-    block: _Block
+    block: Block
     y: float
     begin: float
     height: float
 
 
-class _Page(NamedTuple):
-    pieces: list[_Piece]
+class Page(NamedTuple):
+    pieces: list[Piece]
     blank: float
     """Of its height, below the last piece."""
 
 
-def _paged(sheet: _Sheet, height: float) -> list[_Page]:
+def paged(course: Course, width: float, height: float, answers: bool) -> list[Page]:
+    """Place a talk on pages, with figures of the width that fills them best."""
+    sheets = (_Sheet(course, width, part, answers) for part in FIGURE_WIDTHS)
+    return _best([_placed(sheet, height) for sheet in sheets])
+
+
+def _placed(sheet: _Sheet, height: float) -> list[Page]:
     """Place blocks below each other, and begin a new page for one that does not fit."""
     blocks = [*sheet.head(), *sheet.steps()]
-    pages, pieces, y = list[_Page](), list[_Piece](), 0.0
+    pages, pieces, y = list[Page](), list[Piece](), 0.0
 
     def turn() -> None:
         nonlocal pieces, y
         end = max((piece.y + piece.height for piece in pieces), default=0.0)
-        pages.append(_Page(pieces, 1.0 - end / height))
+        pages.append(Page(pieces, 1.0 - end / height))
         pieces, y = [], 0.0
 
     for number, block in enumerate(blocks):
@@ -414,7 +418,7 @@ def _paged(sheet: _Sheet, height: float) -> list[_Page]:
         done = 0.0
         while True:
             part = min(block.height - done, height - y)
-            pieces.append(_Piece(block, y, done, part))
+            pieces.append(Piece(block, y, done, part))
             y, done = y + part, done + part
             if done >= block.height - 0.5:
                 break
@@ -424,19 +428,17 @@ def _paged(sheet: _Sheet, height: float) -> list[_Page]:
     return pages
 
 
-def _best(layouts: Sequence[list[_Page]]) -> list[_Page]:
+def _best(layouts: Sequence[list[Page]]) -> list[Page]:
     """The first of the layouts whose pages are full enough, or the one with the fullest pages."""
 
-    def emptiest(pages: list[_Page]) -> float:
+    def emptiest(pages: list[Page]) -> float:
         return max(page.blank for page in pages)
 
     full = (pages for pages in layouts if emptiest(pages) <= BLANK)
     return next(full, min(layouts, key=emptiest))
 
 
-def _paint_page(
-    painter: QPainter, page: _Page, width: float, height: float, is_ruled: bool
-) -> None:
+def _paint_page(painter: QPainter, page: Page, width: float, height: float, is_ruled: bool) -> None:
     """Paint a page; what is blank becomes space between its blocks, or lines to write on."""
     blank = page.blank * height
     gaps = sum(not piece.block.kept for piece in page.pieces[:-1])
@@ -455,7 +457,7 @@ def _paint_page(
         painter.restore()
 
 
-def _paint_block(painter: QPainter, block: _Block, part: QRectF) -> None:
+def _paint_block(painter: QPainter, block: Block, part: QRectF) -> None:
     painter.save()
     if block.left:
         line = QRectF(0.25 * block.left, part.top(), 1.5, part.height())
