@@ -195,7 +195,7 @@ def _own_bow(projection: Projection, part: Inside, found: Deviation) -> Marks:
     beside = (1.0 - _STEPS[quarter]) * curve[0] + _STEPS[quarter] * curve[-1]
     text = []
     if math.isfinite(percent):
-        text = [Text(f"{figure(percent, 4)} %", on_bow, away_from=on_chord)]
+        text = [Text(f"{figure(percent, 4)} %", on_bow, away_from=on_chord, name="deviation")]
     return Marks.of(
         *text,
         Line(straight, "accent", 2.0),
@@ -203,8 +203,8 @@ def _own_bow(projection: Projection, part: Inside, found: Deviation) -> Marks:
         Line(curve, "u", 2.0),
         segment(on_chord, on_bow, "ink", 1.0),
         Dot(on_bow, "u", 1.2),
-        Text("A z + B", curve[quarter], "u", away_from=beside),
-        Text("A + B / z", straight[0], "accent", away_from=straight.mean(axis=0)),
+        Text("A z + B", curve[quarter], "u", away_from=beside, name="Az+B"),
+        Text("A + B / z", straight[0], "accent", (), straight.mean(axis=0), "A+B/z"),
     )
 
 
@@ -247,4 +247,5 @@ PHENOMENON = Phenomenon(
     controls=("lens.near", "lens.far"),
     leading="ndc",
     own_mesh=True,
+    names=("P", "Q", "Az+B", "A+B/z", "deviation"),
 )

@@ -75,8 +75,8 @@ def _show(projection: Projection, _settings: Settings, subject: Subject) -> Illu
         on_film = world_from_view(projection, np.column_stack([-d * x, -d * y, [d, d]]))
         on_front = world_from_view(projection, np.column_stack([d * x, d * y, [-d, -d]]))
         world += [segment(*ends, "accent", 1.0) for ends in zip(arrow, on_film, strict=True)]
-        for name, each in (("h", arrow), ("−d·h/z", on_film), ("d·h/z", on_front)):
-            world += [Line(each, "accent", 3.0), named(name, each[1])]
+        for name, each in (("h", arrow), ("h'", on_film), ("d·h/z", on_front)):
+            world += [Line(each, "accent", 3.0, name=name), named(name, each[1])]
         diagrams = (_diagram(d, z, y * z),)
         slab *= z
         image += seen_lines(projection, trace.clip[None], ("accent",), 3.0)
@@ -159,4 +159,5 @@ PHENOMENON = Phenomenon(
     follow=_follow,
     found=_found,
     own_mesh=True,
+    names=("hole", "film", "h", "h'", "d", "z"),
 )

@@ -190,7 +190,7 @@ def _show(projection: Projection, _settings: Settings, subject: Subject) -> Illu
     texts: list[Text] = []
     if size is not None:
         lines += [Line(each, "accent", 1.5) for each in (bar, ticks[:2], ticks[2:])]
-        texts.append(Text(f"{size:.0f} px", bar[1], "accent"))
+        texts.append(Text(f"{size:.0f} px", bar[1], "accent", name="height"))
     at_squares = []
     if ratio is not None:
         # Two squares of one size at the subject's nearest and farthest depth.
@@ -285,4 +285,5 @@ PHENOMENON = Phenomenon(
     follow=_follow,
     found=_found,
     own_mesh=True,
+    names=("nearest", "farthest", "d"),
 )

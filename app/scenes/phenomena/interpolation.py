@@ -229,4 +229,5 @@ PHENOMENON = Phenomenon(
     leading="image",
     requires=frozenset({"texture"}),
     own_mesh=True,
+    names=("½ on the screen", "½ in the world"),
 )

@@ -3,6 +3,9 @@
 Also how the scene itself is rasterised. Whatever follows every vertex is a matrix (`Copy`) or the
 rasteriser's own work (`Rendering`); marks are few.
 
+A mark with a `name` belongs to the thing of that id: where the picture does not name it, the mark
+is drawn more quietly. A mark without one is always drawn as it is.
+
 Colours are names of `app.drawings.style.Style`, such as ``"near"``, or ``"#rrggbb"``. Points are
 world coordinates in the world pane, NDC in the NDC pane and pixels in the image pane.
 """
@@ -20,6 +23,8 @@ from app.model.depth import DepthBuffer
 from app.model.projection import Array, Vector
 from app.scenes.shapes import Coloured
 
+_NOT_IN_IDS = str.maketrans("", "", "${}()\\")
+
 
 @dataclass(frozen=True, eq=False)
 class Line:
@@ -29,6 +34,7 @@ class Line:
     colour: str = "ink"
     width: float = 1.0
     about: tuple[str, ...] = ()
+    name: str = ""
 
 
 @dataclass(frozen=True, eq=False)
@@ -38,6 +44,7 @@ class Face:
     points: Array
     colour: str = "accent"
     opacity: float = 0.3
+    name: str = ""
 
 
 @dataclass(frozen=True, eq=False)
@@ -47,11 +54,12 @@ class Dot:
     point: Array
     colour: str = "accent"
     size: float = 1.0
+    name: str = ""
 
 
 @dataclass(frozen=True, eq=False)
 class Text:
-    """A few letters beside a point (2 or 3,).
+    """A few letters beside a point (2 or 3,), which pictures show if they name its `id`.
 
     `colour` is that of its plate, if it has one. In the world and in NDC the letters are placed
     away from the point `away_from`: the middle of a figure with an edge here, for example.
@@ -62,6 +70,17 @@ class Text:
     colour: str = ""
     about: tuple[str, ...] = ()
     away_from: Array | None = None
+    name: str = ""
+
+    @property
+    def id(self) -> str:
+        """What a document calls it: its name, else its letters: ``d`` of ``$d = 4$``."""
+        return self.name or plain_id(self.text)
+
+
+def plain_id(text: str) -> str:
+    """The letters of a text without its value, signs of TeX and brackets: ``V_x``, ``P'``."""
+    return text.partition(" = ")[0].translate(_NOT_IN_IDS).strip()
 
 
 @dataclass(frozen=True, eq=False)
@@ -101,7 +120,8 @@ def segment(
 
 def named(name: str, point: Array, colour: str = "accent", size: float = 1.3) -> Marks:
     """A dot and its letter."""
-    return Marks.of(Dot(point, colour, size), Text(name, point, colour))
+    text = Text(name, point, colour)
+    return Marks.of(Dot(point, colour, size, text.id), text)
 
 
 def outline(corners: Array) -> Array:
@@ -110,10 +130,16 @@ def outline(corners: Array) -> Array:
 
 
 def plate(
-    corners: Array, colour: str, width: float, opacity: float, about: tuple[str, ...] = ()
+    corners: Array,
+    colour: str,
+    width: float,
+    opacity: float,
+    about: tuple[str, ...] = (),
+    name: str = "",
 ) -> Marks:
     """A flat convex polygon (k, 2 or 3): its face, and its outline in the same colour."""
-    return Marks.of(Line(outline(corners), colour, width, about), Face(corners, colour, opacity))
+    edge = Line(outline(corners), colour, width, about, name)
+    return Marks.of(edge, Face(corners, colour, opacity, name))
 
 
 @dataclass(frozen=True, eq=False)

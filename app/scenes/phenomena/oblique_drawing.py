@@ -181,7 +181,8 @@ def _show(projection: Projection, _settings: Settings, subject: Subject) -> Illu
         labels = tuple(map("{}: {}".format, labels, scales))
 
     def texts(places: Array) -> list[Text]:
-        return list(map(Text, labels, places, _COLOURS))
+        marks = zip(labels, places, _COLOURS, "uvn", strict=True)
+        return [Text(text, at, colour, name=f"scale {axis}") for text, at, colour, axis in marks]
 
     world: list[Mark] = [*edges, *texts(segments.mean(axis=1))]
     if warning is None:
@@ -259,4 +260,5 @@ PHENOMENON = Phenomenon(
     follow=_follow,
     found=_found,
     own_mesh=True,
+    names=("scale u", "scale v", "scale n"),
 )

@@ -117,7 +117,7 @@ def seen_texts(trace: Trace, texts: Sequence[Text]) -> tuple[Text, ...]:
     """The letters of the last traced points in the image, if their points are in the volume."""
     last = slice(len(trace.image) - len(texts), None)
     return tuple(
-        Text(text.text, place, text.colour)
+        Text(text.text, place, text.colour, name=text.id)
         for text, place, here in zip(texts, trace.image[last], seen(trace)[last], strict=True)
         if here
     )

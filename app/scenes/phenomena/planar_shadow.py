@@ -217,7 +217,7 @@ def _world_marks(settings: Settings, subject: Subject, light: Array, marked: lis
         """From the light through a point to its end."""
         return segment(place + reach * way if sun else light[:3], end, *drawn)
 
-    y = Text(f"y = {figure(height, 4)}", corners[3])
+    y = Text(f"y = {figure(height, 4)}", corners[3], name="ground")
     world: list[Mark] = [plate(corners, "muted", 1.0, 0.2), y]
     which = np.array([(x, 1, z) for x in (0, 1) for z in (0, 1)], dtype=bool)
     tops = np.where(which, subject.upper, subject.lower)
@@ -237,7 +237,7 @@ def _world_marks(settings: Settings, subject: Subject, light: Array, marked: lis
         tail = np.array([head[0], height, head[2]])
         world.append(segment(head, tail, "ink", 1.0))
         text = f"{'L_y − h' if height else 'L_y'} = {figure(head[1] - height, 4)}"
-    world.append(Text(text, (head + tail) / 2.0))
+    world.append(Text(text, (head + tail) / 2.0, name="elevation" if sun else "L_y"))
     world.append(named(WORDS["sun" if sun else "lamp"], head, size=1.6))
     world += [named(name, at, size=1.2) for name, at in zip(("P", "P'"), marked, strict=False)]
     if len(marked) == 2:
@@ -262,4 +262,5 @@ PHENOMENON = Phenomenon(
     numbers=3,
     check=_check,
     own_mesh=True,
+    names=("light", "sun", "P", "P'", "ground"),
 )

@@ -106,7 +106,7 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Illus
 
     plane = section(projection, distance)
     nearest = math.inf
-    world: list[Mark] = [plate(plane, "v", 1.0, 0.14, _OF_D)]
+    world: list[Mark] = [plate(plane, "v", 1.0, 0.14, _OF_D, "d")]
     world.append(Text(f"d = {figure(distance, 4)}", plane[2], "v", _OF_D))
     for x, y, z in projection.trace(_outermost(subject)).view.tolist():
         if z < 0.0:
@@ -201,4 +201,5 @@ PHENOMENON = Phenomenon(
     numbers=6,
     check=_check,
     own_mesh=True,
+    names=("y", "y_p", "d", "w", "eye", "P", "P'"),
 )
