@@ -224,7 +224,12 @@ class StageBox:
             letter = self._letters[i]
             self._at[letter] = tips[i]
             letter.set_text(self._words[letters[i]])
-            is_named = letters[i] in self._names or AXES[i] in self._names.pointed
+            # A single x, y or z may be a length in another pane.
+            wanted = letters if stop != VIEW else letters[i]
+            if stop == IMAGE:
+                wanted = "xy"
+            is_named = all(name in self._names for name in wanted)
+            is_named |= AXES[i] in self._names.pointed
             is_shown = is_named and (stop != IMAGE or i < 2)
             letter.set_visible(is_shown)
             for actor in arrow:

@@ -53,6 +53,7 @@ class Shown:
         self.screen, self.pane = screen, pane
         self.projection = AWAY if pane == "world" else scene.start
         self.drawing = PANES[pane](screen, scene, words, style)
+        self.drawing.show_names(None)
         self.drawing.show_projection(self.projection)
         if pane == "world":
             self.drawing.show_view(CLOSE)
@@ -606,6 +607,7 @@ def test_l8_no_letters_lie_on_the_bow(off_screen: Any, size: tuple[int, int]) ->
     (bow,) = (line for line in full.ndc.lines if len(line.points) == 65)
     screen = off_screen(*size)
     drawing = StageDrawing(screen, scene, WORDS, LIGHT)
+    drawing.show_names(None)
     pictures = []
     for texts in ((), full.ndc.texts):
         marks = Marks((bow,), texts=texts)

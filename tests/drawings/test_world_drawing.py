@@ -72,6 +72,7 @@ class View:
         self.camera = vtkCamera()
         plotter.renderer.SetActiveCamera(self.camera)
         self.drawing = WorldDrawing(plotter, scene, WORDS, style)
+        self.drawing.show_names(None)
         self.scene = scene
 
     def pixels(self) -> Pixels:
