@@ -31,9 +31,16 @@ ONLY_OF_THE_PICTURE = QT_TRANSLATE_NOOP(
     "Refusal", "must be a value of settings, camera, lens, image, object or depth, as NAME=VALUE"
 )
 HELD_ELSEWHERE = QT_TRANSLATE_NOOP("Refusal", "must be the document's own, {0}")
+NAME_ENDS = ": "
+"""Between the name of a picture and its values."""
 PARTS = ("settings", "camera", "lens", "image", "object", "depth")
 """The parts of a document that a picture shows, and may have for itself."""
 ON, OFF = QT_TRANSLATE_NOOP("phenomena", "on"), QT_TRANSLATE_NOOP("phenomena", "off")
+ARROW = " \u2192 "
+_NAMING = ("settings", "lens", "camera", "image", "object", "depth")
+"""The parts whose values name a picture, the telling ones first."""
+_SAYS_ITSELF = ("lens.kind", "image", "depth")
+"""Values that need no name of their field."""
 _ALONG = 1e-9  # sine between two camera axes that are one
 
 
@@ -166,7 +173,40 @@ def in_words(
     return [_in_words(path, values, by_path.get(path), written) for path, values in found]
 
 
+def names_in(
+    own: Sequence[str], states: Sequence[Held], settings: Sequence[Setting], written: Written
+) -> list[str]:
+    """The name of each picture: its own one, or what differs: ``near 4``, ``near 8``.
+
+    A setting of the scene names a picture rather than the lens, and the lens rather than the
+    camera. A second value follows where the first one does not tell the pictures apart. Where
+    nothing differs, the name is empty.
+    """
+    by_path = {setting.path: setting for setting in settings}
+    found = sorted(differences(states), key=lambda each: _NAMING.index(each[0].partition(".")[0]))
+    values: list[tuple[str, ...]] = [() for _ in states]
+    for path, differing in found:
+        setting = by_path.get(path)
+        label, texts = _written(path, differing, setting, written)
+        if not all(texts) or all(own):
+            continue
+        says_itself = path in _SAYS_ITSELF or (setting is not None and setting.choices)
+        texts = texts if says_itself else [f"{label} {text}" for text in texts]
+        values = [(*before, text) for before, text in zip(values, texts, strict=True)]
+        if all(name or values.count(texts) == 1 for name, texts in zip(own, values, strict=True)):
+            break
+    return [name or ", ".join(texts) for name, texts in zip(own, values, strict=True)]
+
+
 def _in_words(path: str, values: Sequence[Any], setting: Setting | None, written: Written) -> str:
+    label, texts = _written(path, values, setting, written)
+    return f"{label} {ARROW.join(texts)}" if all(texts) else label
+
+
+def _written(
+    path: str, values: Sequence[Any], setting: Setting | None, written: Written
+) -> tuple[str, list[str]]:
+    """What a value is called, and the text of each, with its unit; no text for a matrix."""
     _, _, name = path.rpartition(".")
     label, unit = written.field(name), "\u00b0" if name.endswith("_deg") else ""
     texts = [_value(value, written) for value in values]
@@ -176,12 +216,11 @@ def _in_words(path: str, values: Sequence[Any], setting: Setting | None, written
         texts = [words.get(text, text) for text in texts]
     elif name == "image":
         texts = [f"{width} \u00d7 {height}" for width, height in values]
-    if "" in texts:  # a matrix
-        return label
+    if "" in texts:
+        return label, [""] * len(texts)
     if label[1:2].islower():  # in the middle of a sentence
         label = label[0].lower() + label[1:]
-    arrow = " \u2192 "
-    return f"{label} {arrow.join(f'{text}{unit}' for text in texts)}"
+    return label, [f"{text}{unit}" for text in texts]
 
 
 def _value(value: Any, written: Written) -> str:

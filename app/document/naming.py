@@ -18,7 +18,7 @@ _CUBE = frozenset({"near", "far"})
 """What the cube beside a scene's own picture is named by."""
 
 
-def names_in(
+def named_in(
     pane: str, scene: Scene, names: tuple[str, ...] | None = None
 ) -> frozenset[str] | None:
     """Return the ids that a pane names under a view's `names`; None for everything."""
@@ -39,14 +39,14 @@ def nameable(pane: str, document: Document, scene: Scene) -> frozenset[str]:
         shown = scene.phenomenon.illustration(projection, settings, scene.subject)
     planes = frozenset(("near", "far") if projection.lens.planes is not None else ())
     if pane == "image":
-        return frozenset({"pixels"}).union(text.id for text in shown.image.texts)
+        return frozenset({"pixels"}).union(text.name for text in shown.image.texts)
     if pane == "ndc":
         axes = AXES if view.stage == VIEW else ("x", "y", "z")
         stop = planes if view.stage != IMAGE else frozenset[str]()
         numbers = ("numbers",) if view.stage > VIEW else ()
         texts = shown.ndc.texts if view.stage == NDC else ()
-        return stop.union(axes, numbers, (text.id for text in texts))
-    found = planes.union(AXES, ("eye", "target"), (text.id for text in shown.world.texts))
+        return stop.union(axes, numbers, (text.name for text in texts))
+    found = planes.union(AXES, ("eye", "target"), (text.name for text in shown.world.texts))
     if view.step is not None:
         found |= frozenset(STEPS) & {"look", "up"}
     if not projection.placement.is_identity:

@@ -8,7 +8,7 @@ from collections.abc import Iterable, Sequence
 from dataclasses import replace
 
 from app.document.codec import LONGEST_SHOWN, document_paths, from_tree, to_tree
-from app.document.compare import SOME_DIVIDERS, Picture
+from app.document.compare import NAME_ENDS, SOME_DIVIDERS, Picture
 from app.document.document import Document
 from app.document.fields import Field, fields_of, lens_fields, numbers
 from app.document.view import AS_EVER
@@ -23,8 +23,8 @@ OTHER_LENS = QT_TRANSLATE_NOOP("Refusal", "belongs to another lens: set lens.kin
 OTHER_SCENE = QT_TRANSLATE_NOOP("Refusal", "belongs to another scene: set scene as well ({0})")
 COMPARED = QT_TRANSLATE_NOOP(
     "Refusal",
-    "must be one of the scene's own comparisons ({0}), or NAME=VALUE, with ; between the values of"
-    " a picture and | between pictures",
+    "must be one of the scene's own comparisons ({0}), or PATH=VALUE, with ; between the values of"
+    " a picture, | between pictures, and NAME: before a picture that has a name",
 )
 NO_EQUALS = QT_TRANSLATE_NOOP("Refusal", "must be written as NAME=VALUE")
 
@@ -51,7 +51,9 @@ def set_values(document: Document, assignments: Iterable[str]) -> Document:
         probes are the numbers x, y, z of each point in turn; hidden layers, and the things that
         the pictures name, are names with commas.
         ``view.compare=lens.near=2;lens.far=9|lens.near=3`` compares with two pictures, and
-        ``view.compare=NAME`` with those of a comparison that the scene has ready-made.
+        ``view.compare=NAME`` with those of a comparison that the scene has ready-made. A picture
+        may have a name, ``eye: settings.preset=eye|phone: settings.preset=phone``; of several
+        pictures one may be the document's own.
 
     Raises
     ------
@@ -154,21 +156,36 @@ def _beside(document: Document, pictures: str | None, dividers: str | None) -> D
         document = compared(document, pictures)
     elif pictures is not None:
         with document_paths("view.compare"):
-            others = [
-                Picture(changes=tuple(change.strip() for change in part.split(";")))
-                for part in (pictures.split("|") if pictures else ())
-            ]
-        for other in others:
-            pictured(document, other)
-        compare = (*others, Picture(live=True)) if others else ()
+            found = [_picture(part) for part in (pictures.split("|") if pictures else ())]
+        states = [pictured(document, picture) for picture in found]
+        if len(found) > 1 and document in states:
+            own = states.index(document)
+            found[own] = replace(found[own], live=True)
+        elif found:
+            found.append(Picture(live=True))
         with document_paths("view"):
-            document = replace(document, view=replace(document.view, compare=compare, dividers=()))
+            view = replace(document.view, compare=tuple(found), dividers=())
+            document = replace(document, view=view)
     if dividers is not None:
         with document_paths("view"):
             if (places := numbers(dividers)) is None:
                 raise Refusal("dividers", dividers, SOME_DIVIDERS)
             document = replace(document, view=replace(document.view, dividers=tuple(places)))
     return document
+
+
+def _picture(text: str) -> Picture:
+    """A picture as `picture_text` writes it: its values, perhaps after its name."""
+    name, ends, values = text.partition(NAME_ENDS)
+    if not ends or "=" in name:
+        name, values = "", text
+    return Picture(name.strip(), tuple(change.strip() for change in values.split(";")))
+
+
+def picture_text(picture: Picture) -> str:
+    """A picture's part of ``view.compare``: ``phone: settings.preset=phone``."""
+    values = ";".join(picture.changes)
+    return f"{picture.name}{NAME_ENDS}{values}" if picture.name else values
 
 
 def pictured(document: Document, picture: Picture) -> Document:
@@ -212,14 +229,13 @@ def compared(document: Document, name: str) -> Document:
 
 
 def name_of(document: Document, picture: Picture) -> str:
-    """The name of a compared picture: its own, or ``held``, ``now`` or ``other``.
+    """The name that was given to a compared picture; empty if it has none now.
 
     The document's own picture has its name only as long as the document has the values for it.
     """
-    if not picture.live:
-        return picture.name or ("other" if picture.held is None else "held")
-    if picture.name:
+    if picture.live and picture.name:
         with contextlib.suppress(Refusal):  # then it has not these values
             if pictured(document, replace(picture, live=False)) == document:
                 return picture.name
-    return "now"
+        return ""
+    return picture.name

@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 from vtkmodules.vtkRenderingCore import vtkRenderer
 
-from app.document.naming import names_in
+from app.document.naming import named_in
 from app.drawings import AXES
 from app.drawings.actors import Canvas, Space, face_actor, identity_camera, lifted
 from app.drawings.drawing import Drawing, Rectangle
@@ -78,7 +78,7 @@ class ImageDrawing(Drawing):
         self._picture = vtkRenderer()
         self._projection = scene.start
         self._hidden: frozenset[str] = frozenset()
-        self.names = Names(names_in(self.pane, scene))
+        self.names = Names(named_in(self.pane, scene))
         self._add_picture()
         self._probes = Probes(self._canvas, self._picture)
         self._marks: MarksDrawing | None = None

@@ -147,7 +147,7 @@ class MarksDrawing:
         if self._now is None:
             return ()
         texts, names = self._now[0].texts, self._names
-        return [t for t in texts if t.id in names or names.pointed.intersection(t.about)]
+        return [t for t in texts if t.name in names or names.pointed.intersection(t.about)]
 
     def show_names(self) -> None:
         """Show what is named now; the texts wait for `place_texts`."""

@@ -24,7 +24,7 @@ from typing import Any
 import numpy as np
 from vtkmodules.vtkCommonDataModel import vtkPlane
 
-from app.document.naming import names_in
+from app.document.naming import named_in
 from app.drawings.actors import Canvas, lift_lines
 from app.drawings.drawing import Drawing, Rectangle
 from app.drawings.frustum import CUBE
@@ -82,7 +82,7 @@ class StageDrawing(Drawing):
             if lines is not None:
                 lift_lines(lines)
         self._canvas.add(*drawn)
-        self.names = Names(names_in(self.pane, scene))
+        self.names = Names(named_in(self.pane, scene))
         self.box = StageBox(self._canvas, words, self.names)
         self._emphasis = Emphasis(self._canvas)
         self.box.make_emphasis(self._emphasis)

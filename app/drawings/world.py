@@ -15,7 +15,7 @@ from typing import Any
 
 import numpy as np
 
-from app.document.naming import names_in
+from app.document.naming import named_in
 from app.drawings import actors
 from app.drawings.actors import Canvas
 from app.drawings.camera import CameraDrawing, Standing, view_matrices
@@ -108,7 +108,7 @@ class WorldDrawing(Drawing):
         self._dimensions: Dimensions | None = None
         self._probes = Probes(canvas)
         self.handles = HandleMarks(canvas) if live else None
-        self.names = Names(names_in(self.pane, scene))
+        self.names = Names(named_in(self.pane, scene))
         self._light = 1.0
         """How bright the frustum is."""
         self._marks: MarksDrawing | None = None

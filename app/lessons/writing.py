@@ -19,7 +19,7 @@ from app.document.codec import Path as AnyPath
 from app.document.codec import to_json
 from app.document.document import Document, is_mesh
 from app.document.files import UNREADABLE, blamed_on, write, write_bytes_atomically
-from app.document.settings import set_values
+from app.document.settings import picture_text, set_values
 from app.document.view import AS_EVER
 from app.lecture.notation import Letters
 from app.lessons.course import CONTENT, Course, scene_of
@@ -86,7 +86,7 @@ def _texts(document: Document) -> dict[str, str]:
             for each in (phenomenon.comparisons if phenomenon else ())
             if [picture[0] for picture in each.pictures] == names
         ]
-        others = [";".join(each.changes) for each in pictures if not each.live]
+        others = [picture_text(each) for each in pictures if each.changes]
         found["view.compare"] = ready[0] if ready else "|".join(others)
     return found
 

@@ -128,6 +128,7 @@ def test_a_face_has_the_same_colour_in_all_panes(name: str, off_screen: MakeScre
     for kind in (ImageDrawing, StageDrawing):
         screen = off_screen(500, 400)
         drawing = kind(screen, scene, WORDS, LIGHT)
+        drawing.show_names(None)
         drawing.show_projection(scene.start)
         if kind is StageDrawing:  # where the same faces are seen as in the picture
             drawing.show_view(Camera((0.0, 0.0, 1.8), (0.0, 0.0, 0.0)))
@@ -313,8 +314,10 @@ def test_ndc_writes_the_ends_of_its_depth_range(depth: Any, off_screen: MakeScre
         for prop in screen.renderer.GetViewProps()
         if prop.IsA("vtkTextActor")
     ]
-    near, far = (f"{z:.0f}".replace("-", "−") for z in DEPTH_RANGES[depth])
-    assert sorted(texts) == sorted(["near", "far", "x", "y", "z", "−1", "1", "−1", "1", near, far])
+    signs = {-1.0: "−1", 0.0: "0", 1.0: "+1"}
+    near, far = (signs[z] for z in DEPTH_RANGES[depth])
+    everything = [f"near {near}", f"far {far}", "x", "y", "z", "−1", "1", "−1", "1"]
+    assert sorted(filter(None, texts)) == sorted(everything)
 
 
 @pytest.mark.parametrize("size", [(300, 400), (500, 560), (1280, 720), (900, 300), (200, 900)])

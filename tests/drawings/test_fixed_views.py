@@ -653,6 +653,7 @@ def test_labels_and_grid_are_switched_in_the_other_panes(
         screen = off_screen(*SIZE_PX)
         start = load(name).start
         drawing = kind(screen, load(name), WORDS, LIGHT, tolerance_px)
+        drawing.show_names(None)
         drawing.show_projection(start)
         before = screen.pixels()
         assert texts_of(screen) and drawn(before, GRID_RGB).any()

@@ -28,7 +28,7 @@ from PySide6.QtGui import (
 )
 from PySide6.QtWidgets import QFrame, QGridLayout, QWidget
 
-from app.document.naming import names_in
+from app.document.naming import named_in
 from app.drawings import AXES
 from app.drawings.drawing import Drawing
 from app.lecture.highlight import NOTHING, Highlight
@@ -371,7 +371,7 @@ class Pane(QFrame):
                 drawing.show_projection(shown.projection, shown.illustration)
                 self._matrices_ms = 1e3 * (time.perf_counter() - began)
             elif what == "names":
-                drawing.show_names(names_in(drawing.pane, shown.scene, wanted))
+                drawing.show_names(named_in(drawing.pane, shown.scene, wanted))
             elif what == "view":
                 drawing.reset_view()
                 if wanted is not None:

@@ -3,8 +3,8 @@
 Also how the scene itself is rasterised. Whatever follows every vertex is a matrix (`Copy`) or the
 rasteriser's own work (`Rendering`); marks are few.
 
-A mark with a `name` belongs to the thing of that id: where the picture does not name it, the mark
-is drawn more quietly. A mark without one is always drawn as it is.
+A mark with a `name` belongs to the thing of that name: where the picture does not name it, the
+mark is drawn more quietly. A line, face or dot without a name is always drawn as it is.
 
 Colours are names of `app.drawings.style.Style`, such as ``"near"``, or ``"#rrggbb"``. Points are
 world coordinates in the world pane, NDC in the NDC pane and pixels in the image pane.
@@ -22,8 +22,6 @@ from numpy.typing import ArrayLike
 from app.model.depth import DepthBuffer
 from app.model.projection import Array, Vector
 from app.scenes.shapes import Coloured
-
-_NOT_IN_IDS = str.maketrans("", "", "${}()\\")
 
 
 @dataclass(frozen=True, eq=False)
@@ -59,28 +57,36 @@ class Dot:
 
 @dataclass(frozen=True, eq=False)
 class Text:
-    """A few letters beside a point (2 or 3,), which pictures show if they name its `id`.
+    """A few letters beside a point (2 or 3,).
 
-    `colour` is that of its plate, if it has one. In the world and in NDC the letters are placed
-    away from the point `away_from`: the middle of a figure with an edge here, for example.
+    Attributes
+    ----------
+    name : str
+        Its plain name in ``view.names``: ``y_p``, ``film``.
+    colour : str
+        Of its concept; empty for ink.
+    away_from : (2 or 3,) array, optional
+        In the world and in NDC the letters are placed away from this point: the middle of a figure
+        with an edge here, for example.
+    text : str
+        What is written: words, with mathtext between dollars. By default the name as a letter.
     """
 
-    text: str
+    name: str
     point: Array
     colour: str = ""
     about: tuple[str, ...] = ()
     away_from: Array | None = None
-    name: str = ""
+    text: str = ""
 
-    @property
-    def id(self) -> str:
-        """What a document calls it: its name, else its letters: ``d`` of ``$d = 4$``."""
-        return self.name or plain_id(self.text)
+    def __post_init__(self) -> None:
+        if not self.text:
+            object.__setattr__(self, "text", letter(self.name))
 
 
-def plain_id(text: str) -> str:
-    """The letters of a text without its value, signs of TeX and brackets: ``V_x``, ``P'``."""
-    return text.partition(" = ")[0].translate(_NOT_IN_IDS).strip()
+def letter(name: str) -> str:
+    """A plain name or formula as it is typeset."""
+    return name
 
 
 @dataclass(frozen=True, eq=False)
@@ -118,10 +124,11 @@ def segment(
     return Line(np.array([start, end]), colour, width, about)
 
 
-def named(name: str, point: Array, colour: str = "accent", size: float = 1.3) -> Marks:
+def named(
+    name: str, point: Array, colour: str = "accent", size: float = 1.3, text: str = ""
+) -> Marks:
     """A dot and its letter."""
-    text = Text(name, point, colour)
-    return Marks.of(Dot(point, colour, size, text.id), text)
+    return Marks.of(Dot(point, colour, size, name), Text(name, point, colour, text=text))
 
 
 def outline(corners: Array) -> Array:
