@@ -18,7 +18,6 @@ from typing import Any
 
 import numpy as np
 from PIL import Image, ImageDraw, ImageFont, PngImagePlugin
-from vtkmodules.vtkRenderingCore import vtkTextActor
 
 from app.document.codec import FORMAT
 from app.document.compare import Written, in_words, names_in
@@ -29,8 +28,8 @@ from app.document.naming import named_in
 from app.document.settings import name_of, pictured
 from app.document.view import AS_EVER, PANES, View
 from app.drawings import AXES, WORDS, Words
-from app.drawings.actors import font_file
 from app.drawings.image import ImageDrawing
+from app.drawings.label import font_file
 from app.drawings.off_screen import Pixels, off_screen, pixels_of
 from app.drawings.side_by_side import BARE_EM, cells
 from app.drawings.stage import StageDrawing
@@ -339,7 +338,7 @@ def _in_words(text: str, size: tuple[int, int], style: Style) -> Array:
     Whole lines, at most a quarter of the height; the rest is dropped. Empty without a difference.
     """
     width, height = size
-    font = ImageFont.truetype(font_file(bold=False), style.font_size)
+    font = ImageFont.truetype(font_file("DejaVuSans"), style.font_size)
     room = width - 2.0 * BARE_EM * style.font_size
     lines: list[str] = []
     for word in text.split():
@@ -403,7 +402,6 @@ def _render_pane(
             drawing.show_fixed(view.fixed)
         if transparent:
             for renderer in window.GetRenderers():
-                _clear_plates(renderer)
                 renderer.SetBackground(0.0, 0.0, 0.0)
                 renderer.SetBackgroundAlpha(0.0)
         window.Render()
@@ -416,15 +414,6 @@ def _render_pane(
             ends = place.left / factor, (place.left + place.width) / factor
         drawing.remove()
     return _averaged(drawn, factor, transparent), ends
-
-
-def _clear_plates(renderer: Any) -> None:
-    """Remove the plates in the background's colour, which is not drawn."""
-    for actor in renderer.GetViewProps():
-        if isinstance(actor, vtkTextActor):
-            text = actor.GetTextProperty()
-            if text.GetBackgroundColor() == renderer.GetBackground():
-                text.SetBackgroundOpacity(0.0)
 
 
 def _oversampling(size: tuple[int, int]) -> int:
