@@ -88,7 +88,7 @@ def test_a_following_picture_has_its_own_values_and_the_documents_others(held: D
          "view.compare[2].set = 'scene=cube': must be a value of settings, camera, lens, image,"
          " object or depth, as NAME=VALUE."),
         ("[0.25, 0.5]", "[0.5, 0.25]",
-         "view.dividers = [0.5, 0.25]: must be rising numbers from 0 to 1, one fewer than the"
+         "view.dividers = [0.5, 0.25]: must be increasing numbers from 0 to 1, one fewer than the"
          " compared pictures, or none for side by side."),
     ],
 )  # fmt: skip
@@ -121,10 +121,11 @@ def test_a_document_opens_even_if_it_cannot_have_a_compared_picture_now() -> Non
          " comparisons (interpolation), or PATH=VALUE, with ; between the values of a picture,"
          " | between pictures, and NAME: before a picture that has a name."),
         (["view.compare=lens.near=-1"], "lens.near = -1: must be greater than 0."),
-        (["view.dividers=0.5"], "view.dividers = [0.5]: must be rising numbers from 0 to 1, one"
-         " fewer than the compared pictures, or none for side by side."),
-        (["view.compare=interpolation", "view.dividers=x"], "view.dividers = 'x': must be rising"
-         " numbers from 0 to 1, one fewer than the compared pictures, or none for side by side."),
+        (["view.dividers=0.5"], "view.dividers = [0.5]: must be increasing numbers from 0 to 1,"
+         " one fewer than the compared pictures, or none for side by side."),
+        (["view.compare=interpolation", "view.dividers=x"], "view.dividers = 'x': must be"
+         " increasing numbers from 0 to 1, one fewer than the compared pictures, or none for side"
+         " by side."),
     ],
 )  # fmt: skip
 def test_a_wrong_comparison_cannot_be_set(texts: list[str], sentence: str) -> None:

@@ -49,11 +49,11 @@ WORDS = Words("planar-shadow")
 
 ABOVE_THE_PLANE = QT_TRANSLATE_NOOP(
     "Refusal",
-    "must lie above the plane y = {0}: on the plane or under it, it casts no shadow on it",
+    "must lie above the plane y = {0}: a light on the plane or under it casts no shadow there",
 )
 FROM_ABOVE = QT_TRANSLATE_NOOP(
     "Refusal",
-    "must point upward, to the sun: parallel to the plane or from under it, its rays never meet it",
+    "must point upward, to the sun: otherwise its rays never meet the plane",
 )
 
 
