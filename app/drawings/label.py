@@ -94,9 +94,9 @@ def _tex(letter: str, sub: str) -> str:
 
 
 @lru_cache(maxsize=256)
-def laid(text: str) -> Laid:
+def laid(text: str, plain: bool = False) -> Laid:
     """Set a label in one line. TeX that cannot be drawn is shown as it is typed."""
-    pieces = pieces_of(text)
+    pieces = [(text, False)] if plain else pieces_of(text)
     has_words = any(len(piece) > 1 and not is_tex for piece, is_tex in pieces)
     larger = _AMONG_WORDS if has_words else LARGER
     vertices, codes, x = [np.empty((0, 2))], [np.empty(0, np.uint8)], 0.0
@@ -133,7 +133,9 @@ def _piece(text: str, is_tex: bool) -> _Piece:
     return _Piece(points, np.asarray(codes, dtype=np.uint8), width / _SIZE)
 
 
-def drawn(text: str, em: float, colour: str, halo: str, underlined: bool = False) -> Pixels:
+def drawn(
+    text: str, em: float, colour: str, halo: str, underlined: bool = False, plain: bool = False
+) -> Pixels:
     """Draw a label with a halo round its letters.
 
     Parameters
@@ -152,7 +154,7 @@ def drawn(text: str, em: float, colour: str, halo: str, underlined: bool = False
     from matplotlib.path import Path
     from matplotlib.transforms import Affine2D
 
-    label, rim = laid(text), rim_px(em)
+    label, rim = laid(text, plain), rim_px(em)
     left, low, right, high = (side * em for side in label.box)
     under = max(2, round(_UNDER_EM * em)) if underlined else 0
     width, height = math.ceil(right - left) + 2 * rim, math.ceil(high - low) + 2 * rim + under
@@ -179,9 +181,9 @@ def rim_px(em: float) -> int:
     return math.ceil(HALO_EM * em)
 
 
-def size_px(text: str, em: float) -> tuple[int, int]:
+def size_px(text: str, em: float, plain: bool = False) -> tuple[int, int]:
     """Return the width and the height of a label's letters, without its halo."""
-    left, low, right, high = laid(text).box
+    left, low, right, high = laid(text, plain).box
     return math.ceil((right - left) * em), math.ceil((high - low) * em)
 
 
@@ -195,14 +197,20 @@ class Label:
     """A text at a pixel of a renderer, of constant size, in the dark tone of a colour.
 
     `anchor` says which part of the letters is at the position: -1 left, 0 centre, 1 right; -1
-    bottom, 0 middle, 1 top.
+    bottom, 0 middle, 1 top. A `plain` text is a sentence or a stranger's, and has no formulas.
     """
 
     def __init__(
-        self, text: str, style: Style, *, colour: str = "", anchor: tuple[int, int] = (0, 0)
+        self,
+        text: str,
+        style: Style,
+        *,
+        colour: str = "",
+        anchor: tuple[int, int] = (0, 0),
+        plain: bool = False,
     ) -> None:
         self.em = style.font_size
-        self._style, self._anchor = style, anchor
+        self._style, self._anchor, self._plain = style, anchor, plain
         self._visible = self._shown = True
         self._underlined = False
         self._turn, self._place = 0.0, (0.0, 0.0)
@@ -240,7 +248,7 @@ class Label:
     @property
     def size_px(self) -> tuple[int, int]:
         """Width and height of the letters, without the halo."""
-        return size_px(self._text, self.em)
+        return size_px(self._text, self.em, self._plain)
 
     def set_text(self, text: str) -> None:
         """Write another text; the same one costs nothing."""

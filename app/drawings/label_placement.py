@@ -13,7 +13,7 @@ from __future__ import annotations
 
 import math
 import random
-from collections.abc import Hashable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Hashable, Iterable, Mapping, Sequence
 from typing import Any, NamedTuple, TypeAlias
 
 import numpy as np
@@ -22,6 +22,8 @@ from numpy.typing import ArrayLike, NDArray
 Floats = NDArray[np.float64]
 Spot: TypeAlias = tuple[float, float]
 
+GAP_PX = 3.0
+"""Between a curve and its name."""
 SQUARE_EM = 1.0 / 3.0
 """Side of the squares in which ink is counted."""
 LEADER_FROM_EM = 1.2
@@ -44,12 +46,6 @@ class Places(NamedTuple):
     anchors: Floats  # (n, 2): what a leader would join to the label
     away: Floats  # (n,), distance from the anchor in px
     leads: bool = True  # whether a leader may join a place that is far away
-
-    def __add__(self, other: object) -> Places:
-        """These places, and then others."""
-        assert isinstance(other, Places)
-        joined = (np.concatenate(pair) for pair in zip(self[:4], other[:4], strict=True))
-        return Places(*joined, leads=self.leads)
 
 
 class Wish(NamedTuple):
@@ -75,7 +71,11 @@ class Placed(NamedTuple):
 
 
 def around(
-    spots: ArrayLike, size: tuple[float, float], em: float, rim: float = 0.0, way: Spot | None = None
+    spots: ArrayLike,
+    size: tuple[float, float],
+    em: float,
+    rim: float = 0.0,
+    way: Spot | None = None,
 ) -> Places:
     """Imhof's positions round points, first near, then farther away; towards `way` first."""
     points = np.reshape(np.asarray(spots, dtype=np.float64), (-1, 2))
@@ -148,27 +148,38 @@ def along(edges: ArrayLike, middle: Spot, size: tuple[float, float], em: float) 
         np.reshape(centres, (count, 2)), np.array(turns, dtype=np.float64),
         np.reshape(anchors, (count, 2)), np.full(count, 0.35 * em),
     )  # fmt: skip
-    return places + around(mids[order], size, em)
+    return joined(places, around(mids[order], size, em))
+
+
+def joined(*places: Places) -> Places:
+    """Return the candidates of all of these, the first ones best."""
+    centres, turns, anchors, away = (
+        np.concatenate(parts) for parts in list(zip(*places, strict=True))[:4]
+    )
+    return Places(centres, turns, anchors, away, any(each.leads for each in places))
 
 
 def _reach(out: Floats, size: tuple[float, float]) -> float:
     """How far the middle of a box is from its rim in a direction, (2,)."""
     across, up = np.abs(out).tolist()
-    return min(size[0] / 2.0 / max(across, 1e-9), size[1] / 2.0 / max(up, 1e-9))
+    return float(min(size[0] / 2.0 / max(across, 1e-9), size[1] / 2.0 / max(up, 1e-9)))
 
 
-def clipped(segments: Floats, size_px: tuple[int, int]) -> Floats:
-    """Return the parts of segments, (n, 2, 2), in a pane; those outside are left out."""
+def clipped(segments: Floats, frame: Floats) -> Floats:
+    """Return the parts of segments, (n, 2, 2), in a frame; those outside are left out."""
     starts, ways = segments[:, 0], segments[:, 1] - segments[:, 0]
     first, last = np.zeros(len(segments)), np.ones(len(segments))
     with np.errstate(divide="ignore", invalid="ignore"):
         for axis in (0, 1):
-            low, high = -starts[:, axis] / ways[:, axis], (size_px[axis] - starts[:, axis]) / ways[:, axis]
+            low = (frame[axis] - starts[:, axis]) / ways[:, axis]
+            high = (frame[axis + 2] - starts[:, axis]) / ways[:, axis]
             first = np.fmax(first, np.fmin(low, high))
             last = np.fmin(last, np.fmax(low, high))
-    inside = (first < last) & ((starts + ways * first[:, None] >= -0.5).all(axis=1))
-    inside &= (starts + ways * first[:, None] <= np.array(size_px) + 0.5).all(axis=1)
-    parts = np.stack([starts + ways * first[:, None], starts + ways * last[:, None]], axis=1)
+    first, last = np.clip(first, 0.0, 1.0), np.clip(last, 0.0, 1.0)
+    begin = starts + ways * first[:, None]
+    inside = (first < last) & (begin >= frame[:2] - 0.5).all(axis=1)
+    inside &= (begin <= frame[2:] + 0.5).all(axis=1)
+    parts = np.stack([begin, starts + ways * last[:, None]], axis=1)
     found: Floats = parts[inside]
     return found
 
@@ -177,11 +188,17 @@ def clipped(segments: Floats, size_px: tuple[int, int]) -> Floats:
 
 
 class Ground:
-    """What labels must not hide: marks never, other ink as little as possible."""
+    """What labels must not hide: marks never, other ink as little as possible.
 
-    def __init__(self, size_px: tuple[int, int], em: float, top_px: float = 0.0) -> None:
-        self.size_px, self.em = size_px, em
-        self.frame = np.array([0.0, 0.0, size_px[0], size_px[1] - top_px])
+    Labels stay in the frame: left, low, right, high. `draw` tells this ground where the ink is; it
+    is called only if labels have to be placed anew.
+    """
+
+    def __init__(
+        self, frame: Sequence[float], em: float, draw: Callable[[Ground], None] = lambda _: None
+    ) -> None:
+        self._draw: Callable[[Ground], None] | None = draw
+        self.frame, self.em = np.array(frame, dtype=np.float64), em
         self._marks: list[tuple[float, float, float, float]] = []
         self._square = SQUARE_EM * em
         self._ink: NDArray[np.bool_] | None = None
@@ -203,20 +220,21 @@ class Ground:
     @property
     def shape(self) -> tuple[int, int]:
         """The columns and rows of the ink's squares."""
-        columns, rows = (int(side / self._square) + 2 for side in self.size_px)
+        columns, rows = (int(side / self._square) + 2 for side in self.frame[2:])
         return columns, rows
 
     def ink(self, held: NDArray[np.bool_]) -> None:
         """Count squares, (columns, rows), as ink."""
-        self._counted = None
         self._ink = held.copy() if self._ink is None else self._ink | held
 
     def ink_lines(self, segments: Floats) -> None:
         """Count lines as ink, (n, 2, 2)."""
-        parts = clipped(segments[np.isfinite(segments).all(axis=(1, 2))], self.size_px)
+        parts = clipped(segments[np.isfinite(segments).all(axis=(1, 2))], self.frame)
         held = np.zeros(self.shape, dtype=np.bool_)
         if len(parts):
-            steps = np.maximum(1, np.ceil(np.abs(np.diff(parts, axis=1)).max(axis=(1, 2)) / self._square))
+            steps = np.maximum(
+                1, np.ceil(np.abs(np.diff(parts, axis=1)).max(axis=(1, 2)) / self._square)
+            )
             steps = steps.astype(np.int64) + 1
             which = np.repeat(np.arange(len(parts)), steps)
             first = np.repeat(np.cumsum(steps) - steps, steps)
@@ -226,8 +244,19 @@ class Ground:
             held[columns.clip(0, self.shape[0] - 1), rows.clip(0, self.shape[1] - 1)] = True
         self.ink(held)
 
+    def ink_points(self, points: Floats) -> None:
+        """Count the squares of points, (n, 2), as ink."""
+        held = np.zeros(self.shape, dtype=np.bool_)
+        points = points[np.isfinite(points).all(axis=1)] / self._square
+        columns, rows = points[((points >= 0.0) & (points < self.shape)).all(axis=1)].astype(int).T
+        held[columns, rows] = True
+        self.ink(held)
+
     def hidden(self, boxes: Floats) -> Floats:
         """Return which part of each box, (n, 4), is ink."""
+        if self._draw is not None:
+            self._draw(self)
+            self._draw = None
         if self._ink is None:
             return np.zeros(len(boxes))
         if self._counted is None:
@@ -239,7 +268,9 @@ class Ground:
         cells[:, 2:] = np.maximum(cells[:, 2:], cells[:, :2] + 1)
         left, low, right, high = np.clip(cells, 0, limit).T
         counted = self._counted
-        inked = counted[right, high] - counted[left, high] - counted[right, low] + counted[left, low]
+        inked = (
+            counted[right, high] - counted[left, high] - counted[right, low] + counted[left, low]
+        )
         parts: Floats = inked / np.maximum((right - left) * (high - low), 1)
         return parts
 
@@ -288,7 +319,9 @@ def _costs(
         some: Any = slice(None) if numbers is None else slice(numbers[i], numbers[i] + 1)
         centres, turns, anchors, away = (each[some] for each in places[:4])
         cos, sin = np.abs(np.cos(turns)), np.abs(np.sin(turns))
-        half = np.stack([cos * size[0] + sin * size[1], sin * size[0] + cos * size[1]], axis=1) / 2.0
+        half = (
+            np.stack([cos * size[0] + sin * size[1], sin * size[0] + cos * size[1]], axis=1) / 2.0
+        )
         boxes = np.hstack([centres - half, centres + half])
         order = np.arange(len(places.centres))[some]
         cost = _ORDER * order * (8.0 / max(8.0, len(places.centres)))
@@ -308,7 +341,9 @@ def _costs(
         alone.append(cost)
     boxes, costs = np.concatenate(parts), np.concatenate(alone)
     left, low, right, high = ground.frame
-    outside = (boxes[:, 0] < left) | (boxes[:, 1] < low) | (boxes[:, 2] > right) | (boxes[:, 3] > high)
+    outside = (
+        (boxes[:, 0] < left) | (boxes[:, 1] < low) | (boxes[:, 2] > right) | (boxes[:, 3] > high)
+    )
     marks = ground.marks
     if len(marks):
         outside |= _overlap(boxes, marks).any(axis=1)
@@ -324,7 +359,8 @@ def _crossed(anchors: Floats, boxes: Floats, marks: Floats) -> NDArray[np.bool_]
     steps = np.linspace(0.15, 0.95, 8)[:, None, None]
     points = anchors + steps * (ends - anchors)
     inside = (points[:, :, None] > marks[:, :2]) & (points[:, :, None] < marks[:, 2:])
-    return np.asarray(inside.all(axis=3).any(axis=(0, 2)))
+    found: NDArray[np.bool_] = np.any(np.all(inside, axis=3), axis=(0, 2))
+    return found
 
 
 def _solve(
@@ -333,7 +369,7 @@ def _solve(
     """The number of each label's candidate, or None."""
     first = np.concatenate([[0], np.cumsum(counts)[:-1]]).tolist()
     clash = _pairs(boxes, em)
-    alone = costs.tolist()
+    alone: list[float] = costs.tolist()
     unplaced = [_UNPLACED - 10.0 * wish.rank for wish in wishes]
     free = [
         [at for at in range(start, start + count) if alone[at] < math.inf]
@@ -345,7 +381,9 @@ def _solve(
         if at is None:
             return unplaced[label]
         row = clash[at]
-        hits = sum(1 for other, it in enumerate(state) if other != label and it is not None and row[it])
+        hits = sum(
+            1 for other, it in enumerate(state) if other != label and it is not None and row[it]
+        )
         return alone[at] + _OVERLAP * hits
 
     for label in sorted(range(len(wishes)), key=lambda each: wishes[each].rank):
@@ -395,3 +433,90 @@ def _overlap(boxes: Floats, others: Floats) -> NDArray[np.bool_]:
     other_left, other_low, other_right, other_high = others.T[:, None, :]
     across = (left < other_right) & (other_left < right)
     return np.asarray(across & (low < other_high) & (other_low < high))
+
+
+# --------------------------------------------------------------------------- diagrams
+
+
+def beside(
+    points: Floats, sizes: Floats, frame: Floats, along: Floats, gaps: Floats, taken: Floats
+) -> list[Floats | None]:
+    """Place the names of points; None where a name has no free place.
+
+    Parameters
+    ----------
+    points, sizes : (n, 2) arrays
+        In pixels; the first ones choose first. A name without width gets no place.
+    frame, taken : (4,) and (k, 4) arrays
+        Left, low, right, high: where names may be, and boxes of other names; so is the result.
+    along : (m, 2) array
+        Places along curves, which no name hides.
+    gaps : (n,) array
+        From each point to its name.
+    """
+    em = float(sizes[:, 1].max())
+    ground = Ground(frame.tolist(), em)
+    for box in (*taken.tolist(), *np.hstack([along - 1.0, along + 1.0]).tolist()):
+        ground.keep_box(*box)
+    wishes = []
+    for i, (point, size, gap) in enumerate(zip(points, sizes, gaps.tolist(), strict=True)):
+        ground.keep([point.tolist()], 0.4 * gap)
+        if size[0] > 0.0:
+            wide, high = size.tolist()
+            wishes.append(Wish(i, (wide, high), around(point, (wide, high), em, gap - 0.3 * em), i))
+    placed = place(wishes, ground)
+    found = (placed.get(i) for i in range(len(points)))
+    return [
+        None
+        if each is None
+        else np.concatenate([each.centre - size / 2.0, each.centre + size / 2.0])
+        for each, size in zip(found, sizes, strict=True)
+    ]
+
+
+def beside_curve(
+    frame: Floats,
+    along: Floats,
+    half: float,
+    size: tuple[float, float],
+    taken: Floats,
+    lines: Floats,
+    kept: Floats | None = None,
+) -> Floats:
+    """Place a curve's name beside the curve, free of other names and of curves, if possible.
+
+    Without a free place the name goes into a list at the top left.
+
+    Parameters
+    ----------
+    frame : (4,) array
+        Left, top, right, bottom: where names may be; so are all boxes.
+    along : (n, 2) array
+        Places along the curve, which is `half` pixels wide on either side.
+    taken, lines : (m, 4) and (k, 4) arrays
+        Boxes of other names, and of pieces of all curves.
+    kept : (4,) array, optional
+        The name's last place, which is kept while it is free and beside its curve.
+    """
+    width, height = size
+    if kept is not None and np.abs(kept[2:] - kept[:2] - size).max() < 1e-3:
+        near = kept + height * np.array([-1.0, -1.0, 1.0, 1.0])
+        free = not _overlap(kept[None], np.vstack([lines, taken])).any()
+        fits = (kept[:2] >= frame[:2]).all() and (kept[2:] <= frame[2:]).all()
+        if free and fits and _overlap(near[None], np.hstack([along, along])).any():
+            return kept
+    right, left = GAP_PX + half - 1.0, 1.0 - half - width  # a line touches its name, a dot does not
+    sides = np.array([(right, -height), (left, -height), (right, 1.0), (left, 1.0)])
+    corners = (along[::-1, None, :] + sides).reshape(-1, 2)  # from the right, where curves part
+    boxes = np.hstack([corners, corners + size])
+    costs = _overlap(boxes, lines).sum(axis=1).astype(np.float64)
+    inside = (boxes[:, :2] >= frame[:2]).all(axis=1) & (boxes[:, 2:] <= frame[2:]).all(axis=1)
+    costs[~inside | _overlap(boxes, taken).any(axis=1)] = np.inf
+    if len(costs) and costs.min() < np.inf:
+        best: Floats = boxes[int(costs.argmin())]
+        return best
+    left, top = frame[:2] + GAP_PX
+    box = np.array([left, top, left + width, top + height])
+    while _overlap(box[None], taken).any() and box[3] < frame[3]:
+        box += (0.0, height, 0.0, height)
+    return box

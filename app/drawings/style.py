@@ -132,9 +132,3 @@ def tone(colour: str, background: str) -> str:
         i / 20.0 for i in range(21) if contrast(mixed(colour, end, i / 20.0), background) >= 4.5
     )
     return mixed(colour, end, part)
-
-
-def mixed(colour: str, other: str, part: float) -> str:
-    """Return a colour with a part of another one in it."""
-    parts = zip(rgb(colour), rgb(other), strict=True)
-    return "#" + "".join(f"{round(255.0 * ((1.0 - part) * a + part * b)):02x}" for a, b in parts)
