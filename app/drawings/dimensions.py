@@ -17,12 +17,13 @@ import math
 import textwrap
 from collections.abc import Callable, Mapping, Sequence
 from fractions import Fraction
+from functools import partial
 from typing import NamedTuple
 
 import numpy as np
 
 from app.drawings.actors import Canvas, ScreenCells
-from app.drawings.label_placement import Ground, around, beyond, joined, on
+from app.drawings.label_placement import Ground, Places, around, beyond, joined, on
 from app.drawings.labels import LENGTH, Board
 from app.drawings.names import Names
 from app.drawings.pane_view import Spot
@@ -216,8 +217,12 @@ class Dimensions:
             x, y = arc[_ARC // 2].tolist()
             way = x - float(eye[0]), y - float(eye[1])
             key, size = (_KEY, "angle"), self._board.label((_KEY, "angle")).size_px
-            places = beyond((x, y), way, size, self._em)
-            self._board.want(key, joined(places, around((x, y), size, self._em)), LENGTH)
+
+            def places() -> Places:
+                past = beyond((x, y), way, size, self._em)
+                return joined(past, around((x, y), size, self._em))
+
+            self._board.want(key, [(x, y)], places, LENGTH)
 
     def _across(self, spots: Array, measured: Measured) -> None:
         """Half the height and half the width of the window, seen along the axis."""
@@ -269,7 +274,7 @@ class Dimensions:
                 self._lines.add(
                     (x, y), (middle[0] + sign * along_it[0], middle[1] + sign * along_it[1])
                 )
-            self._board.want(key, on(middle), LENGTH)
+            self._board.want(key, [middle], partial(on, middle), LENGTH)
         else:
             self._lines.add(start, end)
             self._board.want_beside(key, (*middle, 1.0), LENGTH)
@@ -285,7 +290,7 @@ class Dimensions:
                     0.5 * self._em, (0.5 + 1.5 * (len(said) - 1 - number)) * self._em
                 )
         if said:
-            ground.keep_box(0.0, 0.0, float(ground.frame[2]), (0.5 + 1.5 * len(said)) * self._em)
+            ground.keep_box(0.0, 0.0, float(ground.limits[2]), (0.5 + 1.5 * len(said)) * self._em)
 
     def _said(self, size_px: tuple[int, int], measured: Measured) -> list[str]:
         """The lines of the sentence that says what the lens lacks."""

@@ -14,7 +14,8 @@ from __future__ import annotations
 import math
 import random
 from collections.abc import Callable, Hashable, Iterable, Mapping, Sequence
-from typing import Any, NamedTuple, TypeAlias
+from functools import partial
+from typing import NamedTuple, TypeAlias
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -34,8 +35,7 @@ _STEEPEST = math.radians(30.0)
 # What a place costs.
 _INK, _CROSSES, _ORDER, _FOREIGN, _OVERLAP, _UNPLACED = 20.0, 8.0, 0.2, 10.0, 1e6, 1e3
 _MOVES = 200
-_WORSE = 3.0
-"""A label keeps its place while something moves, until that costs so many times the best."""
+_RIM_EM = 0.45  # of a mark, where its leader begins
 
 
 class Places(NamedTuple):
@@ -48,13 +48,29 @@ class Places(NamedTuple):
     leads: bool = True  # whether a leader may join a place that is far away
 
 
+NOWHERE = Places(np.empty((0, 2)), np.empty(0), np.empty((0, 2)), np.empty(0))
+
+
 class Wish(NamedTuple):
-    """A label that wants a place; of two that want the same one the lower rank has it."""
+    """A label that wants a place; of two that want the same one the lower rank has it.
+
+    `spots` are the points that it names. `places` makes its candidates, if they are needed.
+    """
 
     key: Hashable
     size: tuple[float, float]
-    places: Places
+    spots: Sequence[Spot]
+    places: Callable[[], Places]
     rank: float = 0.0
+
+
+class Kept(NamedTuple):
+    """Where a label stands, from one of its spots."""
+
+    spot: int
+    offset: Spot
+    turn: float
+    leads: bool
 
 
 class Placed(NamedTuple):
@@ -63,8 +79,7 @@ class Placed(NamedTuple):
     centre: Spot
     turn: float
     leader: tuple[Spot, Spot] | None
-    number: int  # of its candidate
-    cost: float
+    kept: Kept
 
 
 # --------------------------------------------------------------------------- candidates
@@ -165,7 +180,7 @@ def _reach(out: Floats, size: tuple[float, float]) -> float:
     return float(min(size[0] / 2.0 / max(across, 1e-9), size[1] / 2.0 / max(up, 1e-9)))
 
 
-def clipped(segments: Floats, frame: Floats) -> Floats:
+def clipped(segments: Floats, frame: Sequence[float]) -> Floats:
     """Return the parts of segments, (n, 2, 2), in a frame; those outside are left out."""
     starts, ways = segments[:, 0], segments[:, 1] - segments[:, 0]
     first, last = np.zeros(len(segments)), np.ones(len(segments))
@@ -177,8 +192,8 @@ def clipped(segments: Floats, frame: Floats) -> Floats:
             last = np.fmin(last, np.fmax(low, high))
     first, last = np.clip(first, 0.0, 1.0), np.clip(last, 0.0, 1.0)
     begin = starts + ways * first[:, None]
-    inside = (first < last) & (begin >= frame[:2] - 0.5).all(axis=1)
-    inside &= (begin <= frame[2:] + 0.5).all(axis=1)
+    inside = (first < last) & (begin >= np.array(frame[:2]) - 0.5).all(axis=1)
+    inside &= (begin <= np.array(frame[2:]) + 0.5).all(axis=1)
     parts = np.stack([begin, starts + ways * last[:, None]], axis=1)
     found: Floats = parts[inside]
     return found
@@ -198,8 +213,10 @@ class Ground:
         self, frame: Sequence[float], em: float, draw: Callable[[Ground], None] = lambda _: None
     ) -> None:
         self._draw: Callable[[Ground], None] | None = draw
-        self.frame, self.em = np.array(frame, dtype=np.float64), em
-        self._marks: list[tuple[float, float, float, float]] = []
+        left, low, right, high = map(float, frame)
+        self.limits, self.em = (left, low, right, high), em
+        self.taken: list[tuple[float, float, float, float]] = []
+        """Boxes that no label may overlap."""
         self._square = SQUARE_EM * em
         self._ink: NDArray[np.bool_] | None = None
         self._counted: NDArray[np.int64] | None = None
@@ -208,19 +225,15 @@ class Ground:
         """Keep labels from marks at these places."""
         for x, y, *_ in spots:
             if math.isfinite(x + y):
-                self._marks.append((x - rim, y - rim, x + rim, y + rim))
+                self.taken.append((x - rim, y - rim, x + rim, y + rim))
 
     def keep_box(self, left: float, low: float, right: float, high: float) -> None:
-        self._marks.append((left, low, right, high))
-
-    @property
-    def marks(self) -> Floats:
-        return np.reshape(np.array(self._marks, dtype=np.float64), (-1, 4))
+        self.taken.append((left, low, right, high))
 
     @property
     def shape(self) -> tuple[int, int]:
         """The columns and rows of the ink's squares."""
-        columns, rows = (int(side / self._square) + 2 for side in self.frame[2:])
+        columns, rows = (int(side / self._square) + 2 for side in self.limits[2:])
         return columns, rows
 
     def ink(self, held: NDArray[np.bool_]) -> None:
@@ -229,7 +242,7 @@ class Ground:
 
     def ink_lines(self, segments: Floats) -> None:
         """Count lines as ink, (n, 2, 2)."""
-        parts = clipped(segments[np.isfinite(segments).all(axis=(1, 2))], self.frame)
+        parts = clipped(segments[np.isfinite(segments).all(axis=(1, 2))], self.limits)
         held = np.zeros(self.shape, dtype=np.bool_)
         if len(parts):
             steps = np.maximum(
@@ -279,76 +292,92 @@ class Ground:
 
 
 def place(
-    wishes: Sequence[Wish], ground: Ground, kept: Mapping[Hashable, int] | None = None
+    wishes: Sequence[Wish], ground: Ground, kept: Mapping[Hashable, Kept] | None = None
 ) -> dict[Hashable, Placed]:
     """Place labels; one without a free place is left out, the lowest rank first.
 
-    With `kept`, numbers of candidates by key, labels stay there if all of these places are free:
-    words that jump distract from what moves.
+    With `kept`, labels keep their offsets while these places are free: words that jump distract
+    from what moves.
     """
-    wishes = [wish for wish in wishes if len(wish.places.centres)]
-    if not wishes:
+    if kept is not None:
+        stays = _stay(wishes, ground, kept)
+        if stays is not None:
+            return stays
+    choices = [(wish, wish.places()) for wish in wishes]
+    choices = [(wish, places) for wish, places in choices if len(places.centres)]
+    if not choices:
         return {}
-    if kept is not None and all(
-        wish.key in kept and kept[wish.key] < len(wish.places.centres) for wish in wishes
-    ):
-        numbers = np.array([kept[wish.key] for wish in wishes])
-        costs, boxes = _costs(wishes, ground, numbers)
-        if np.isfinite(costs).all() and not _pairs(boxes, ground.em).any():
-            return {
-                wish.key: _placed(wish, number, float(cost), ground.em)
-                for wish, number, cost in zip(wishes, numbers.tolist(), costs, strict=True)
-            }
-    costs, boxes = _costs(wishes, ground, None)
-    counts = [len(wish.places.centres) for wish in wishes]
-    chosen = _solve(wishes, counts, costs, boxes, ground.em)
-    found, first = {}, 0
-    for wish, count, number in zip(wishes, counts, chosen, strict=True):
-        if number is not None:
-            found[wish.key] = _placed(wish, number, float(costs[first + number]), ground.em)
-        first += count
+    costs, boxes = _costs(choices, ground)
+    counts = [len(places.centres) for _, places in choices]
+    chosen = _solve([wish.rank for wish, _ in choices], counts, costs, boxes, ground.em)
+    return {
+        wish.key: _placed(wish, places, number, ground.em)
+        for (wish, places), number in zip(choices, chosen, strict=True)
+        if number is not None
+    }
+
+
+def _stay(
+    wishes: Sequence[Wish], ground: Ground, kept: Mapping[Hashable, Kept]
+) -> dict[Hashable, Placed] | None:
+    """All labels with their kept offsets; None if one of these places is not free any more."""
+    found: dict[Hashable, Placed] = {}
+    taken = list(ground.taken)
+    left_most, lowest, right_most, highest = ground.limits
+    for wish in wishes:
+        was = kept.get(wish.key)
+        if was is None or was.spot >= len(wish.spots):
+            return None
+        (x, y), (to_right, up) = wish.spots[was.spot], was.offset
+        cos, sin = abs(math.cos(was.turn)), abs(math.sin(was.turn))
+        half_x = (cos * wish.size[0] + sin * wish.size[1]) / 2.0
+        half_y = (sin * wish.size[0] + cos * wish.size[1]) / 2.0
+        left, right = x + to_right - half_x, x + to_right + half_x
+        low, high = y + up - half_y, y + up + half_y
+        inside = left >= left_most and low >= lowest and right <= right_most and high <= highest
+        if not inside or any(
+            left < t_right and t_left < right and low < t_high and t_low < high
+            for t_left, t_low, t_right, t_high in taken
+        ):
+            return None
+        taken.append((left, low, right, high))
+        centre, leader = (x + to_right, y + up), None
+        if was.leads:
+            leader = _leader((x, y), centre, wish.size, ground.em)
+        found[wish.key] = Placed(centre, was.turn, leader, was)
     return found
 
 
-def _costs(
-    wishes: Sequence[Wish], ground: Ground, numbers: NDArray[np.int64] | None
-) -> tuple[Floats, Floats]:
-    """What candidates cost alone, and their boxes: all, or those of these numbers."""
+def _costs(choices: Sequence[tuple[Wish, Places]], ground: Ground) -> tuple[Floats, Floats]:
+    """What candidates cost alone, and their boxes."""
     em, parts, alone = ground.em, [], []
-    for i, (_, size, places, _) in enumerate(wishes):
-        some: Any = slice(None) if numbers is None else slice(numbers[i], numbers[i] + 1)
-        centres, turns, anchors, away = (each[some] for each in places[:4])
-        cos, sin = np.abs(np.cos(turns)), np.abs(np.sin(turns))
-        half = (
-            np.stack([cos * size[0] + sin * size[1], sin * size[0] + cos * size[1]], axis=1) / 2.0
-        )
-        boxes = np.hstack([centres - half, centres + half])
-        order = np.arange(len(places.centres))[some]
-        cost = _ORDER * order * (8.0 / max(8.0, len(places.centres)))
-        far = away > LEADER_FROM_EM * em
-        cost = cost + np.where(far, away / em if places.leads else np.inf, 0.0)
+    for i, (wish, places) in enumerate(choices):
+        (wide, high), count = wish.size, len(places.centres)
+        cos, sin = np.abs(np.cos(places.turns)), np.abs(np.sin(places.turns))
+        half = np.stack([cos * wide + sin * high, sin * wide + cos * high], axis=1) / 2.0
+        boxes = np.hstack([places.centres - half, places.centres + half])
+        cost = _ORDER * np.arange(count) * (8.0 / max(8.0, count))
+        far = places.away > LEADER_FROM_EM * em
+        cost += np.where(far, places.away / em if places.leads else np.inf, 0.0)
         others = np.concatenate(
-            [np.empty((0, 2)), *(w.places.anchors[:1] for j, w in enumerate(wishes) if j != i)]
+            [np.empty((0, 2)), *(p.anchors[:1] for j, (_, p) in enumerate(choices) if j != i)]
         )
         if len(others):
-            own = np.linalg.norm(np.clip(anchors, boxes[:, :2], boxes[:, 2:]) - anchors, axis=1)
+            at = places.anchors
+            own = np.linalg.norm(np.clip(at, boxes[:, :2], boxes[:, 2:]) - at, axis=1)
             nearest = np.clip(others[None], boxes[:, None, :2], boxes[:, None, 2:])
             apart = np.linalg.norm(nearest - others[None], axis=2).min(axis=1)
-            cost = cost + np.where(apart < own, _FOREIGN, 0.0)
-            crossed = _crossed(anchors, boxes, np.hstack([others - 0.4 * em, others + 0.4 * em]))
-            cost = cost + np.where(far & crossed, _CROSSES, 0.0)
+            cost += np.where(apart < own, _FOREIGN, 0.0)
+            crossed = _crossed(at, boxes, np.hstack([others - 0.4 * em, others + 0.4 * em]))
+            cost += np.where(far & crossed, _CROSSES, 0.0)
         parts.append(boxes)
         alone.append(cost)
     boxes, costs = np.concatenate(parts), np.concatenate(alone)
-    left, low, right, high = ground.frame
-    outside = (
-        (boxes[:, 0] < left) | (boxes[:, 1] < low) | (boxes[:, 2] > right) | (boxes[:, 3] > high)
-    )
-    marks = ground.marks
-    if len(marks):
-        outside |= _overlap(boxes, marks).any(axis=1)
-    if numbers is None:
-        costs = costs + _INK * ground.hidden(boxes)
+    frame = np.array(ground.limits)
+    outside = (boxes[:, :2] < frame[:2]).any(axis=1) | (boxes[:, 2:] > frame[2:]).any(axis=1)
+    if ground.taken:
+        outside |= _overlap(boxes, np.array(ground.taken)).any(axis=1)
+    costs += _INK * ground.hidden(boxes)
     costs[outside] = np.inf
     return costs, boxes
 
@@ -364,18 +393,18 @@ def _crossed(anchors: Floats, boxes: Floats, marks: Floats) -> NDArray[np.bool_]
 
 
 def _solve(
-    wishes: Sequence[Wish], counts: Sequence[int], costs: Floats, boxes: Floats, em: float
+    ranks: Sequence[float], counts: Sequence[int], costs: Floats, boxes: Floats, em: float
 ) -> list[int | None]:
     """The number of each label's candidate, or None."""
     first = np.concatenate([[0], np.cumsum(counts)[:-1]]).tolist()
     clash = _pairs(boxes, em)
     alone: list[float] = costs.tolist()
-    unplaced = [_UNPLACED - 10.0 * wish.rank for wish in wishes]
+    unplaced = [_UNPLACED - 10.0 * rank for rank in ranks]
     free = [
         [at for at in range(start, start + count) if alone[at] < math.inf]
         for start, count in zip(first, counts, strict=True)
     ]
-    state: list[int | None] = [None] * len(wishes)
+    state: list[int | None] = [None] * len(ranks)
 
     def cost_of(label: int, at: int | None) -> float:
         if at is None:
@@ -386,10 +415,10 @@ def _solve(
         )
         return alone[at] + _OVERLAP * hits
 
-    for label in sorted(range(len(wishes)), key=lambda each: wishes[each].rank):
+    for label in sorted(range(len(ranks)), key=ranks.__getitem__):
         state[label] = min([*free[label], None], key=lambda at, label=label: cost_of(label, at))  # type: ignore[misc]
     dice = random.Random(1995)
-    movable = [label for label in range(len(wishes)) if len(free[label]) > 1]
+    movable = [label for label in range(len(ranks)) if len(free[label]) > 1]
     total = sum(cost_of(label, at) for label, at in enumerate(state))
     best, least = list(state), total
     for move in range(_MOVES if len(movable) > 1 else 0):
@@ -413,19 +442,24 @@ def _pairs(boxes: Floats, em: float) -> NDArray[np.bool_]:
     return clash
 
 
-def _placed(wish: Wish, number: int, cost: float, em: float) -> Placed:
-    places = wish.places
-    x, y = places.centres[number].tolist()
-    leader = None
-    if places.leads and places.away[number] > LEADER_FROM_EM * em:
-        half = np.array(wish.size) / 2.0
-        anchor = places.anchors[number]
-        box = np.array([x, y])
-        end = np.clip(anchor, box - half, box + half)
-        length = float(np.linalg.norm(end - anchor))
-        start = anchor + (end - anchor) * min(0.5, 0.45 * em / max(length, 1e-9))
-        leader = (tuple(start.tolist()), tuple(end.tolist()))
-    return Placed((x, y), float(places.turns[number]), leader, number, cost)
+def _placed(wish: Wish, places: Places, number: int, em: float) -> Placed:
+    (x, y), (at_x, at_y) = places.centres[number].tolist(), places.anchors[number].tolist()
+    turn = float(places.turns[number])
+    leads = places.leads and bool(places.away[number] > LEADER_FROM_EM * em)
+    apart = [math.hypot(spot_x - at_x, spot_y - at_y) for spot_x, spot_y in wish.spots]
+    nearest = min(range(len(apart)), key=lambda i: apart[i] if apart[i] >= 0.0 else math.inf)
+    from_x, from_y = wish.spots[nearest]
+    leader = _leader((at_x, at_y), (x, y), wish.size, em) if leads else None
+    return Placed((x, y), turn, leader, Kept(nearest, (x - from_x, y - from_y), turn, leads))
+
+
+def _leader(spot: Spot, centre: Spot, size: tuple[float, float], em: float) -> tuple[Spot, Spot]:
+    """From the rim of a mark to the box of its label."""
+    (x, y), (middle_x, middle_y) = spot, centre
+    end_x = min(max(x, middle_x - size[0] / 2.0), middle_x + size[0] / 2.0)
+    end_y = min(max(y, middle_y - size[1] / 2.0), middle_y + size[1] / 2.0)
+    part = min(0.5, _RIM_EM * em / max(math.hypot(end_x - x, end_y - y), 1e-9))
+    return (x + part * (end_x - x), y + part * (end_y - y)), (end_x, end_y)
 
 
 def _overlap(boxes: Floats, others: Floats) -> NDArray[np.bool_]:
@@ -463,7 +497,8 @@ def beside(
         ground.keep([point.tolist()], 0.4 * gap)
         if size[0] > 0.0:
             wide, high = size.tolist()
-            wishes.append(Wish(i, (wide, high), around(point, (wide, high), em, gap - 0.3 * em), i))
+            places = partial(around, point, (wide, high), em, gap - 0.3 * em)
+            wishes.append(Wish(i, (wide, high), [(point[0], point[1])], places, i))
     placed = place(wishes, ground)
     found = (placed.get(i) for i in range(len(points)))
     return [

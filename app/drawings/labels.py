@@ -7,7 +7,8 @@ from __future__ import annotations
 
 import math
 import weakref
-from collections.abc import Hashable, Mapping, Sequence
+from collections.abc import Callable, Hashable, Mapping, Sequence
+from functools import partial
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -15,7 +16,9 @@ import numpy as np
 from app.drawings.actors import Canvas, ScreenCells
 from app.drawings.label import Label
 from app.drawings.label_placement import (
+    NOWHERE,
     Ground,
+    Kept,
     Places,
     Wish,
     along,
@@ -46,7 +49,7 @@ class Board:
         self.em = canvas.style.font_size
         self._labels: dict[Hashable, tuple[Label, Leader]] = {}
         self._wishes: list[Wish] = []
-        self._kept: dict[Hashable, int] = {}
+        self._kept: dict[Hashable, Kept] = {}
 
     def label(self, key: Hashable, text: str = "", colour: str = "") -> Label:
         """Return the label of a key, which is created when it is first asked for."""
@@ -57,9 +60,15 @@ class Board:
             self._labels[key] = label, leader
         return self._labels[key][0]
 
-    def want(self, key: Hashable, places: Places, rank: float) -> None:
-        """Ask for one of these places for the label of a key."""
-        self._wishes.append(Wish(key, self.label(key).size_px, places, rank))
+    def want(
+        self,
+        key: Hashable,
+        spots: Sequence[tuple[float, float]],
+        places: Callable[[], Places],
+        rank: float,
+    ) -> None:
+        """Ask for one of these places, which name these spots, for the label of a key."""
+        self._wishes.append(Wish(key, self.label(key).size_px, spots, places, rank))
 
     def want_beside(
         self, key: Hashable, spot: Spot, rank: float, way: tuple[float, float] | None = None
@@ -67,8 +76,8 @@ class Board:
         """Ask for a place beside a point, towards `way` first."""
         x, y, depth = spot
         if depth > 0.0 and math.isfinite(x + y):
-            size = self.label(key).size_px
-            self.want(key, around((x, y), size, self.em, DOT_EM * self.em, way), rank)
+            size, rim = self.label(key).size_px, DOT_EM * self.em
+            self.want(key, [(x, y)], partial(around, (x, y), size, self.em, rim, way), rank)
 
     def settle(self, ground: Ground, *, afresh: bool) -> bool:
         """Place the wanted labels, and hide the others; return whether one has changed its place.
@@ -77,7 +86,7 @@ class Board:
         """
         placed = place(self._wishes, ground, None if afresh else self._kept)
         self._wishes = []
-        before, self._kept = self._kept, {key: each.number for key, each in placed.items()}
+        before, self._kept = self._kept, {key: each.kept for key, each in placed.items()}
         for key, (label, leader) in self._labels.items():
             found = placed.get(key)
             label.set_visible(found is not None)
@@ -138,7 +147,8 @@ class Labels:
         for name, start, tip in zip(named.arrows, starts, tips, strict=True):
             if tip[2] > 0.0:
                 way = tip[0] - start[0], tip[1] - start[1]
-                board.want(name, beyond(tip[:2], way, board.label(name).size_px, em), AXIS)
+                size = board.label(name).size_px
+                board.want(name, [tip[:2]], partial(beyond, tip[:2], way, size, em), AXIS)
         if named.corners is None:
             return
         distances = named.planes or (None, None)
@@ -152,7 +162,7 @@ class Labels:
                 letter = self._words.get(f"{{{name}_distance}}", name)
                 text = f"{text} {letter} = {written_distance(distance)}"
             self.named[name].set_text(text)
-            want_plane(board, ground, name, pane.seen(face), pane.covered(face))
+            want_plane(board, ground, name, pane.seen(face), partial(pane.covered, face))
 
 
 def want_plane(
@@ -160,21 +170,26 @@ def want_plane(
     ground: Ground,
     key: Hashable,
     corners: Sequence[Spot],
-    covered: Sequence[Spot] = (),
+    covered: Callable[[], Sequence[Spot]] = tuple,
 ) -> None:
     """Ask for a place for a plane's name: along its visible edges, else on it.
 
-    `corners` are seen in the pane, and so are the places that it covers.
+    `corners` are seen in the pane; `covered` returns the places of the pane that show the plane.
     """
-    spots = np.array([(x, y) if depth > 0.0 else (np.nan, np.nan) for x, y, depth in corners])
-    edges = np.stack([spots, np.roll(spots, -1, axis=0)], axis=1)
-    seen = clipped(edges[np.isfinite(edges).all(axis=(1, 2))], ground.frame)
-    places = [on((x, y)) for x, y, _ in covered[:_MOST_INSIDE]]
-    if len(seen):
-        x, y = seen.reshape(-1, 2).mean(axis=0).tolist()
-        places.insert(0, along(seen, (x, y), board.label(key).size_px, board.em))
-    if places:
-        board.want(key, joined(*places), PLANE)
+    spots = [(x, y) if depth > 0.0 else (math.nan, math.nan) for x, y, depth in corners]
+    size = board.label(key).size_px
+
+    def places() -> Places:
+        ends = np.array(spots)
+        edges = np.stack([ends, np.roll(ends, -1, axis=0)], axis=1)
+        seen = clipped(edges[np.isfinite(edges).all(axis=(1, 2))], ground.limits)
+        found = [on((x, y)) for x, y, _ in covered()[:_MOST_INSIDE]]
+        if len(seen):
+            x, y = seen.reshape(-1, 2).mean(axis=0).tolist()
+            found.insert(0, along(seen, (x, y), size, board.em))
+        return joined(*found) if found else NOWHERE
+
+    board.want(key, spots, places, PLANE)
 
 
 class Leader:

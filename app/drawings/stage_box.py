@@ -9,6 +9,7 @@ from __future__ import annotations
 import itertools
 import math
 from collections.abc import Callable, Mapping, Sequence
+from functools import partial
 
 import numpy as np
 import pyvista as pv
@@ -290,9 +291,8 @@ class StageBox:
             if letter in self._written:
                 x, y, _ = spots[letter]
                 way = x - from_x, y - from_y
-                self._board.want(
-                    self._keys[letter], beyond((x, y), way, letter.size_px, ground.em), AXIS
-                )
+                places = partial(beyond, (x, y), way, letter.size_px, ground.em)
+                self._board.want(self._keys[letter], [(x, y)], places, AXIS)
         across = np.ptp(corners[np.isfinite(corners).all(axis=1), 0]) if len(corners) else 0.0
         for number in itertools.chain(*self._numbers.values()):
             if number in self._written and across >= _NUMBERS_FROM_EM * ground.em:
