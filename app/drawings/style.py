@@ -54,12 +54,6 @@ def rgb(colour: str) -> tuple[float, float, float]:
     return red, green, blue
 
 
-def mixed(colour: str, paper: str, part: float) -> str:
-    """A colour with a part of the paper's colour mixed in, from 0 to 1."""
-    pairs = zip(rgb(colour), rgb(paper), strict=True)
-    return "#" + "".join(f"{round(255.0 * ((1.0 - part) * c + part * p)):02x}" for c, p in pairs)
-
-
 def contrast(one: str, other: str) -> float:
     """The contrast ratio of two colours, 1..21 (WCAG 2.2, relative luminance)."""
     lighter, darker = sorted((_luminance(one), _luminance(other)), reverse=True)
