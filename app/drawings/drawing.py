@@ -173,6 +173,18 @@ class Drawing(Protocol):
         return right_px, down_px
 
     @property
+    def is_coarse(self) -> bool:
+        """Whether `refine` would improve the picture."""
+        return False
+
+    def refine(self, *, whole: bool = False) -> None:
+        """Improve a coarse picture for some milliseconds, or fully if `whole`.
+
+        It draws, but not in the drawing's own window: that has to be rendered afterwards.
+        """
+        return
+
+    @property
     def problem(self) -> Phrase | None:
         """Why the picture is not rasterised as the phenomenon asks; known after a rendering."""
         return None

@@ -381,7 +381,8 @@ def _render_pane(
         options["tolerance_px"] = quality.tolerance_px(DRAWING_TOLERANCE_PX)
     if pane == "image":
         options |= {
-            "framed": framed, "quality": quality, "caption": caption, "middle": middle
+            "framed": framed, "quality": quality, "caption": caption, "middle": middle,
+            "finer": factor,
         }  # fmt: skip
     with off_screen(width, height) as screen:
         window = screen.render_window
@@ -404,6 +405,7 @@ def _render_pane(
             for renderer in window.GetRenderers():
                 renderer.SetBackground(0.0, 0.0, 0.0)
                 renderer.SetBackgroundAlpha(0.0)
+        drawing.refine(whole=True)
         window.Render()
         if isinstance(drawing, ImageDrawing) and drawing.problem is not None:  # known from now on
             window.Render()

@@ -14,13 +14,14 @@ import time
 from collections.abc import Callable, Sequence
 from typing import Any
 
-from PySide6.QtCore import QEvent, QPoint, QPointF, QRect, Qt, Signal
+from PySide6.QtCore import QEvent, QPoint, QPointF, QRect, Qt, QTimer, Signal
 from PySide6.QtGui import (
     QCloseEvent,
     QColor,
     QKeyEvent,
     QMouseEvent,
     QMoveEvent,
+    QOpenGLContext,
     QPainter,
     QPaintEvent,
     QResizeEvent,
@@ -41,6 +42,8 @@ from widgets.parts.buttons import tool_button
 from widgets.parts.layouts import in_column
 from widgets.parts.panel import PROJECTION, Changed, Shown
 
+REST_MS = 80
+"""A coarse picture is refined when nothing has changed for so long."""
 SCALES = {"half resolution": 0.5, "supersampling 2 x 2": 2.0}
 """Drawn pixels for one pixel of the screen, along each side, where it is not one."""
 SMOOTHINGS = ("none", "FXAA", "MSAA 2", "MSAA 4", "MSAA 8", *SCALES)
@@ -209,6 +212,10 @@ class Pane(QFrame):
         self.hand.clicked.connect(self.clicked)
         self.hand.hovered.connect(self._point_at)
         self.hand.left.connect(self._point_at)
+        self._rest = QTimer(self, singleShot=True)
+        self._rest.timeout.connect(self._refine)
+        self._has_changed = True
+        self.canvas.drawn.connect(self._plan_refining)
         self.canvas.painted.connect(lambda ms: self.timed.emit(self._matrices_ms, ms))
         self.surface = Surface(self.canvas)
         self._column = QGridLayout(self)
@@ -379,6 +386,7 @@ class Pane(QFrame):
             else:
                 _SHOW[what](drawing, wanted)
         self._due.clear()
+        self._has_changed = True
         self.request_repaint()
 
     def _build(self, shown: Shown, args: tuple[object, ...]) -> None:
@@ -440,6 +448,21 @@ class Pane(QFrame):
     def request_repaint(self) -> None:
         """Ask Qt for one repaint, however often it is asked before the next paint."""
         self.canvas.redraw()
+
+    def _plan_refining(self) -> None:
+        """Refine a picture that was drawn coarsely: soon after a change, at once after a step."""
+        if self.drawing is not None and self.drawing.is_coarse:
+            self._rest.start(REST_MS if self._has_changed else 0)
+
+    def _refine(self) -> None:
+        if self.drawing is None or not self.isVisible():
+            return
+        self._has_changed = False
+        current = QOpenGLContext.currentContext()
+        if current is not None:  # VTK might draw in Qt's context
+            current.doneCurrent()
+        self.drawing.refine()
+        self.request_repaint()
 
     # -- the pane's own camera
 

@@ -13,14 +13,14 @@ world coordinates in the world pane, NDC in the NDC pane and pixels in the image
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any, TypeAlias
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from app.model.depth import DepthBuffer
-from app.model.projection import Array, Vector
+from app.model.projection import Array, Camera, Frustum, Projection, Vector
 from app.scenes.shapes import Coloured
 
 
@@ -232,6 +232,37 @@ class Fog:
         return min(max((self.end - distance) / (self.end - self.start), 0.0), 1.0)
 
 
+@dataclass(frozen=True)
+class Aperture:
+    """The round opening of a lens, in world units, and the distance that it is focused at."""
+
+    radius: float
+    focus: float
+
+    def seen_from(
+        self, projection: Projection, right: float, up: float, shift: tuple[float, float] = (0, 0)
+    ) -> Projection:
+        """The projection from a point of the opening, at these parts of its radius.
+
+        The focused plane is the common window: a point of it has the same pixel from everywhere.
+        `shift` moves the picture right and up, in pixels.
+        """
+        camera, lens = projection.camera, projection.lens
+        x, y = self.radius * right, self.radius * up
+        way = x * camera.frame[0] + y * camera.frame[1]
+        eye, target = ((np.array(point) + way).tolist() for point in (camera.eye, camera.target))
+        low_x, high_x, low_y, high_y = projection.window
+        width, height = projection.image_size
+        x = x * lens.near / self.focus + shift[0] * (high_x - low_x) / width
+        y = y * lens.near / self.focus + shift[1] * (high_y - low_y) / height
+        window = low_x - x, high_x - x, low_y - y, high_y - y
+        return replace(
+            projection,
+            camera=Camera(tuple(eye), tuple(target), camera.up),
+            lens=Frustum(*window, lens.near, lens.far, "stretch"),
+        )
+
+
 @dataclass(frozen=True, eq=False)
 class Level:
     """One level of detail of the scene's objects.
@@ -250,10 +281,12 @@ class Rendering:
     """How the image pane rasterises the scene, where that is not the ordinary way.
 
     The depths are rounded to the codes of `buffer`. The `levels`, nearest first, are none or three,
-    and replace the scene's faces; their faces must never change.
+    and replace the scene's faces; their faces must never change. With an `aperture`, what is not in
+    focus is blurred.
     """
 
     buffer: DepthBuffer | None = None
     texture: Texture | None = None
     fog: Fog | None = None
     levels: tuple[Level, ...] = ()
+    aperture: Aperture | None = None
