@@ -30,9 +30,7 @@ class Dock(QScrollArea):
         FocusRing(self)
         self.search = SearchBox(self)
         self._column = QWidget()
-        self.setWidget(
-            self._column
-        )  # while it is empty: later, everything in it would be styled again
+        self.setWidget(self._column)  # while it is empty: later all of it would be styled again
         self._layout: QVBoxLayout = in_column(on=self._column, gap=2)
 
     def bring_into_view(self, *parts: QWidget) -> None:

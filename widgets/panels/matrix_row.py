@@ -126,9 +126,7 @@ class MatrixRow(QWidget):
         self._to_left = tool_button("", tip, self._go_left, icon="back", name=left, flat=True)
         self._to_right = tool_button("", tip, self._go_right, icon="unfold", name=right, flat=True)
         policy = QSizePolicy(QSizePolicy.Policy.Fixed, QSizePolicy.Policy.Ignored)
-        policy.setRetainSizeWhenHidden(
-            True
-        )  # otherwise the matrices would move while they are read
+        policy.setRetainSizeWhenHidden(True)  # or the matrices would move while they are read
         for end in (self._to_left, self._to_right):
             end.setSizePolicy(policy)
         self._bar.valueChanged.connect(self._show_ends)

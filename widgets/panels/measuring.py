@@ -136,10 +136,7 @@ class Measuring(QObject):
         self._clear()
         try:
             results = from_json(out.decode(), self.tr("The measurement"))
-        except (
-            Refusal,
-            UnicodeDecodeError,
-        ):  # `said` has the reason, unless the process was killed
+        except (Refusal, UnicodeDecodeError):  # `said` has the reason, unless it was killed
             self.finished.emit(None, said or self.tr("The measurement ended unexpectedly."))
         else:
             self.finished.emit(results, said)

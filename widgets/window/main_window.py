@@ -153,12 +153,12 @@ class MainWindow(QMainWindow):
         self._is_closed = self._was_painted = self._is_narrow = False
         self.start_card: StartCard | None = None
         self._folded: Panel | None = None
-        """The panel to reopen when no pane is whole and nothing is presented any more."""
+        """The panel to reopen when no pane fills the window and nothing is presented."""
         self._before_presenting: tuple[bool, str, list[int]] | None = None
         """Whether the dock was shown, the whole pane, and the splitter's sizes."""
         self.settings = settings
         settings.cannot_save = self._tell_unsaved
-        dress(settings)  # before the first widget, which would keep its font
+        dress(settings)  # before the first widget is made, which would keep its font
         self.store = Store(document, self, saved=saved)
         self.messages = MessageBar()
         titles = {"world": self.tr("World"), "ndc": self.tr("NDC cube"), "image": self.tr("Image")}
@@ -276,7 +276,7 @@ class MainWindow(QMainWindow):
         in_row(self.panels.names, (self.status, 1), on=self.bottom, margins=(0, 0, 0, 2))
 
     def _make_rooms(self) -> None:
-        """Create the components that join others, and define the notification order."""
+        """Create the components that connect others, and define the notification order."""
         image, controls = self.panes["image"], self.controls
         self.guide = SceneGuide(
             self.scene_panel, self.panels, controls, self.manipulation, image, self.menus,
@@ -321,7 +321,7 @@ class MainWindow(QMainWindow):
         self.recovery = Recovery(data_folder(), self.store, self.messages, self.files, self)
         self._told: tuple[Told, ...] = (
             *self.cursors.values(),
-            self.manipulation,  # releases a held handle before its drawing is gone
+            self.manipulation,  # releases a held handle before its drawing is deleted
             self.probing,
             self.guide,  # tells the controls about the scene
             self.controls,
@@ -384,10 +384,10 @@ class MainWindow(QMainWindow):
         self.comparing.pictures.refresh()
 
     def _tell(self, changed: Changed) -> None:
-        """Notify those whom the change concerns."""
+        """Notify the components that the change concerns."""
         self.panels.keep(self.shown)
         waits = bool(changed & {"scene", "view"})
-        if waits:  # the panes take over another document after they are arranged, all at once
+        if waits:  # the panes take over another document all at once, after they are arranged
             self.look.set_waiting(True)
         try:
             for told in self._told:
@@ -436,12 +436,12 @@ class MainWindow(QMainWindow):
         card.open()
 
     def _on_top(self) -> Callable[[], object] | None:
-        """Return what Esc does: it leaves the start card, Present, a message, a comparison, ..."""
+        """Return the action of Esc: leave the start card, Present, a message, a comparison, ..."""
         if self.start_card is not None:
             return self.start_card.close
         if self.present.is_on:
             return self.present.leave
-        if self.messages.text and not self.messages.choices:  # an offer would be lost
+        if self.messages.text and not self.messages.choices:  # otherwise an offer would be lost
             return self.messages.done
         if self.comparing.is_on:
             return self.comparing.end
@@ -463,7 +463,7 @@ class MainWindow(QMainWindow):
             whole = self._before_presenting[1]
             self.slots.arrange(self.slots.layout_name, self.slots.large, whole)
         self.slots.set_presenting(on)
-        if on and self._is_narrow:  # the dock is folded, but a class must read what to try
+        if on and self._is_narrow:  # the dock is folded, but a class must see what to try
             self.menus.controls.setChecked(True)
         if not on and self._before_presenting is not None:
             dock, _, shared = self._before_presenting
@@ -480,7 +480,7 @@ class MainWindow(QMainWindow):
         self.side.show_parts(card=card, controls=wanted and not alone)
         self.bottom.setVisible(not alone and not presents)
         course = self.lessons.course if self.talks.is_on else None
-        # While presenting, the only open panel is one that the talk's step asks for.
+        # While presenting, only the panel of the talk's step is open.
         asked = course is not None and course.shown(self.lessons.place).view.get("panel")
         folds = alone or (presents and not asked)
         if folds and self.panels.open_panel is not None:
@@ -525,7 +525,7 @@ class MainWindow(QMainWindow):
 
     def closeEvent(self, event: QCloseEvent) -> None:
         take_typed(self)
-        self.recovery.autosave.save_now()  # whatever ends the program while the question stands
+        self.recovery.autosave.save_now()  # in case the program ends while the question is open
         if not self.files.may_discard():
             event.ignore()
             return
