@@ -9,7 +9,7 @@ The letter F of eight cubes standing on a grid in the xz plane is the scene of l
 (Horvat); the cube and the receding row of posts prepare and follow it. After them come the
 phenomena of `app.scenes.phenomena`, whose subject can be the user's own mesh.
 
-This room knows no Qt and no screen. It reads files and places the first camera, nothing else.
+This package knows neither Qt nor a screen. It only reads files and places the first camera.
 """
 
 from __future__ import annotations

@@ -74,7 +74,7 @@ def module_of(path: str) -> str:
 
 
 def folder_of(module: str) -> str:
-    """The room of the table that a module is in; empty for what stands beside them all."""
+    """The package of a module in the table; empty for modules outside all packages."""
     return ".".join(module.split(".")[:2]) if module.count(".") else ""
 
 
@@ -129,7 +129,7 @@ def is_below(name: str, prefixes: tuple[str, ...]) -> bool:
 
 
 def faults(path: str, source: str) -> list[str]:
-    """What in a source file is against the table, one sentence each."""
+    """Return the imports of a source file that the table forbids, one sentence each."""
     module = module_of(path)
     folder = folder_of(module)
     if module in ("app", "widgets", *GROUND):
@@ -139,7 +139,7 @@ def faults(path: str, source: str) -> list[str]:
     elif folder in FLOOR:
         floor = FLOOR[folder]
     else:
-        return [f"{path} is in no folder of the table: which room does it belong to?"]
+        return [f"{path} is in no folder of the table."]
     free = () if floor < 0 else ("numpy", *AT_ONCE.get(folder, ()))
     late_free = LATE.get(folder, ())
     found = []
@@ -159,7 +159,7 @@ def faults(path: str, source: str) -> list[str]:
             others for what, others in NOT_FOR.items() if is_below(name, (what,)) and name != module
         )
         if not fits or any(is_below(module, others) for others in kept_from):
-            found.append(f"{path}:{line} imports {name}, which this room must not")
+            found.append(f"{path}:{line} imports {name}, which this folder must not")
     return found
 
 

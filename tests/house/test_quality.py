@@ -116,7 +116,7 @@ def private_names(node: ast.AST) -> list[str]:
 
 
 def test_tests_ask_for_nothing_private() -> None:
-    """But for what they have made themselves: a user sees the rest, or another room calls it."""
+    """Tests use only public names, except of classes and functions that they define themselves."""
     found = {}
     for path in sorted((ROOT / "tests").rglob("*.py")):
         nodes = list(ast.walk(ast.parse(path.read_text(encoding="utf-8"))))

@@ -48,7 +48,7 @@ from widgets.parts.focus import focus_next
 from widgets.parts.highlight import Highlighter
 from widgets.parts.layouts import in_column, in_row
 from widgets.parts.message_bar import MessageBar
-from widgets.parts.panel import EVERYTHING, Changed, Panel, Shown, Told
+from widgets.parts.panel import EVERYTHING, Changed, Listener, Panel, Shown
 from widgets.parts.writing import all_digits
 from widgets.window.actions import Actions, take_typed
 from widgets.window.arrangement import Arrangement
@@ -195,11 +195,11 @@ class MainWindow(QMainWindow):
             panes=self.panes, theme=settings.theme, all_digits=settings.all_digits,
         )  # fmt: skip
         self.present = Present(self, self.menus.tools, self.bottom, Screens(settings))
-        self._make_rooms()
+        self._make_components()
         self.highlighter = Highlighter(self)
         wire(self)
         self.show_beside()
-        self._tell(EVERYTHING)
+        self._notify(EVERYTHING)
         self.history.show()
         if path is not None:
             self.files.take_up(path)
@@ -275,7 +275,7 @@ class MainWindow(QMainWindow):
         split.setSizes(PICTURES_AND_DOCK)
         in_row(self.panels.names, (self.status, 1), on=self.bottom, margins=(0, 0, 0, 2))
 
-    def _make_rooms(self) -> None:
+    def _make_components(self) -> None:
         """Create the components that connect others, and define the notification order."""
         image, controls = self.panes["image"], self.controls
         self.guide = SceneGuide(
@@ -319,7 +319,7 @@ class MainWindow(QMainWindow):
         self.menus.lesson_menu.addActions(self.talk_actions.all)
         self.lessons.opened.connect(self.talk_actions.show_lesson)
         self.recovery = Recovery(data_folder(), self.store, self.messages, self.files, self)
-        self._told: tuple[Told, ...] = (
+        self._listeners: tuple[Listener, ...] = (
             *self.cursors.values(),
             self.manipulation,  # releases a held handle before its drawing is deleted
             self.probing,
@@ -366,7 +366,7 @@ class MainWindow(QMainWindow):
         before = self.shown
         try:
             self.shown = self._snapshot(document)
-            self._tell(self.shown.changed_since(before))
+            self._notify(self.shown.changed_since(before))
         except Exception as error:
             if self.files.scene(document.scene, document.mesh) is before.scene:
                 raise
@@ -383,16 +383,16 @@ class MainWindow(QMainWindow):
         self.arrangement.show(document.view)
         self.comparing.pictures.refresh()
 
-    def _tell(self, changed: Changed) -> None:
+    def _notify(self, changed: Changed) -> None:
         """Notify the components that the change concerns."""
         self.panels.keep(self.shown)
         waits = bool(changed & {"scene", "view"})
         if waits:  # the panes take over another document all at once, after they are arranged
             self.look.set_waiting(True)
         try:
-            for told in self._told:
-                if changed & told.concerns:
-                    told.take(self.shown, changed)
+            for listener in self._listeners:
+                if changed & listener.concerns:
+                    listener.take(self.shown, changed)
         finally:
             if waits:
                 self.look.set_waiting(False)
