@@ -43,14 +43,14 @@ TEXT_PT, TITLE_PT, NOTE_PT, FOOT_PT = 10.5, 15.0, 9.5, 8.0
 BETWEEN_PT, BETWEEN_STEPS_PT = 6.0, 20.0
 NOTE_INDENT_PT = 12.0
 FIGURE_PX = (1400, 500)
-"""Two panes across the page, about 200 pixels to an inch."""
+"""Width of a figure of two panes across the page, about 200 pixels per inch."""
 DPI = 1200
 """Qt places lines and letters on whole pixels of the page."""
 FORMULA_PX, FORMULA_PT = 18, 8.5
 """Letters of a matrix as it is laid out, with brackets of whole pixels, and as it is printed."""
 BETWEEN_FORMULAS_PX = 40.0
 NOTE_CHARACTERS = 36
-"""Line length of a matrix's note, which is then not wider than the matrix."""
+"""Line length of a matrix's note, so that it is not wider than the matrix."""
 
 
 def handout(course: Course) -> bytes:
@@ -85,11 +85,11 @@ def handout(course: Course) -> bytes:
 
 @dataclass
 class _Block:
-    """A part of a page over its width, in points; `kept` on the page where the next one begins."""
+    """A part of a page over its width, in points; `kept` on the same page as the next one."""
 
     height: float
     paint: Callable[[QPainter, QRectF], object]
-    """Paints what of it is in a rectangle."""
+    """Paints the part of the block in a rectangle."""
     left: float = 0.0
     kept: bool = False
 
@@ -153,7 +153,7 @@ def _figure(document: Document, width: float) -> _Block:
 
 
 def _panel(document: Document, before: Document | None, width: float) -> Iterator[_Block]:
-    """Yield the numbers of the open panel, unless they are the same as in the state before."""
+    """Yield the numbers of the open panel, unless they are the same as in the previous state."""
     view = document.view
     seen = None if before is None else (before, before.view.panel, before.view.letters)
     if seen == (document, view.panel, view.letters):
@@ -230,7 +230,7 @@ def _paint_row(row: Sequence[Typeset], painter: QPainter, _part: QRectF) -> None
 
 
 class _Pages:
-    """Places blocks below each other, and begins a new page for one that does not fit."""
+    """Places blocks below each other, and begins a new page for a block that does not fit."""
 
     def __init__(
         self, painter: QPainter, writer: QPdfWriter, width: float, height: float, title: str
@@ -248,7 +248,7 @@ class _Pages:
             self._draw(_text(f"{minutes:g} min", self._width, TEXT_PT))
 
     def put(self, blocks: list[_Block]) -> None:
-        """Draw the blocks of a step: on a new page if they fit there and not here."""
+        """Draw the blocks of a step, on a new page if they fit there but not here."""
         if self._y > 0.0:
             self._y += BETWEEN_STEPS_PT
         whole = sum(block.height + BETWEEN_PT for block in blocks)
