@@ -177,7 +177,7 @@ def read(path: str) -> str:
     return (ROOT / path).read_text(encoding="utf-8")
 
 
-def test_a_room_imports_only_what_stands_below_it() -> None:
+def test_a_folder_imports_only_folders_below_it() -> None:
     assert [fault for path in sources() for fault in faults(path, read(path))] == []
 
 
@@ -211,7 +211,7 @@ def questions(source: str) -> list[str]:
     return found
 
 
-def test_hardly_anybody_outside_asks_which_lens_it_is() -> None:
+def test_few_places_outside_the_lenses_test_the_kind_of_lens() -> None:
     """What differs between lenses is a number or a method of theirs (DESIGN section 2)."""
     assert questions("x = isinstance(a.lens, Frustum | Oblique) or lens.parallel") != []
     asked = {
@@ -262,7 +262,7 @@ def test_a_forbidden_import_is_found(path: str, source: str, name: str) -> None:
         ("widgets/window/files.py", "import app.document.store"),
     ],
 )
-def test_an_allowed_import_is_let_pass(path: str, source: str) -> None:
+def test_an_allowed_import_is_accepted(path: str, source: str) -> None:
     assert faults(path, source) == []
 
 

@@ -444,7 +444,7 @@ def test_an_unusable_choice_is_in_italics_and_says_why(panel: MeasurePanel, tmp_
     assert italics == [False, True, True]
     assert greys == [True, False, False], "only the first is worse than another one in both"
     assert tips[0] == ""
-    assert tips[1] == "supersampling 3 x 3 is measured only: the panes are not drawn with it."
+    assert tips[1] == "supersampling 3 x 3 is only measured: the panes are not drawn with it."
     assert tips[2].splitlines()[0] == "not installed" and tips[2].count("measured only") == 1
     assert used.count() == 1 and refused.count() == 2
 
