@@ -6,8 +6,8 @@ from collections.abc import Callable, Sequence
 from pathlib import Path
 
 from app import bootstrap
-from app.commands.arguments import cannot_import, check_out
-from app.commands.options import CANNOT_DRAW, CliError, parser_of, write_out
+from app.commands.arguments import check_drawing, check_out, importing
+from app.commands.options import CliError, parser_of, write_out
 from app.document.document import Document
 from app.document.files import write_bytes_atomically
 from app.lessons.checking import Report, counted
@@ -42,16 +42,9 @@ def talk(arguments: Sequence[str]) -> int:
 
 
 def _draw() -> Callable[[Document], object]:
-    try:
-        with bootstrap.for_good():
-            from app.drawings.figures import render
-            from app.drawings.off_screen import check_off_screen
-    except ImportError as error:
-        raise cannot_import(error) from error
-    try:
-        check_off_screen()
-    except RuntimeError as error:
-        raise CliError(str(error), CANNOT_DRAW) from error
+    with importing():
+        from app.drawings.figures import render
+    check_drawing()
 
     def draw(document: Document) -> object:
         return render(
@@ -105,9 +98,6 @@ def _placed(error: Refusal, lesson: Lesson, step: Step) -> Refusal:
 
 
 def _print(lesson: Lesson, out: str) -> None:
-    try:
-        with bootstrap.for_good():
-            from widgets.program.handout import handout
-    except ImportError as error:
-        raise cannot_import(error) from error
+    with importing():
+        from widgets.program.handout import handout
     write_bytes_atomically(out, handout(Course(lesson)))
