@@ -460,7 +460,7 @@ def test_an_error_keeps_its_parts_so_that_it_can_be_translated() -> None:
 
 
 def test_a_long_value_is_cut() -> None:
-    for value in ("x" * 10**6, list(range(10**5)), {str(i): i for i in range(10**4)}):
+    for value in ("x" * 10**6, list(range(10**4)), {str(i): i for i in range(10**4)}):
         assert "...: must be" in sentence(parse, with_value("depth", value))
 
 
