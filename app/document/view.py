@@ -39,12 +39,21 @@ LAYERS = ("labels", "handles", "grid", "frustum", "camera", "near-picture")
 """What of the world can be hidden."""
 FIXED = ("side", "top", "axis", "eye")
 """From where the world can be seen, beside freely."""
+SLIDES = (*PANES, "equation", "kinds")
+"""What can be the slide that a class sees: panes, an equation, the tree of projections."""
+STRIP = "stage"
+"""The name of the stage strip among the controls of a slide."""
+MOST_ON_SLIDE = 2
+"""Most pictures of a slide, and most controls below it."""
 MOST_PROBES = 6
 """More cannot be compared at a glance."""
 
 A_STAGE = QT_TRANSLATE_NOOP("Refusal", "must be one of {0}, or a number from 0 to {1}")
 ONE_OR_NONE = QT_TRANSLATE_NOOP("Refusal", "must be one of {0}, or empty for none")
 SOME_OF = QT_TRANSLATE_NOOP("Refusal", "must be a list of names from {0}")
+SOME_SLIDES = QT_TRANSLATE_NOOP("Refusal", "must be a list of at most {0} names from {1}")
+SOME_CONTROLS = QT_TRANSLATE_NOOP("Refusal", "must be a list of at most {0} names of values")
+AN_EQUATION = QT_TRANSLATE_NOOP("Refusal", "must be a text")
 SOME_PROBES = QT_TRANSLATE_NOOP("Refusal", "must be a list of at most {0} probes")
 A_PROBE = QT_TRANSLATE_NOOP(
     "Refusal",
@@ -82,6 +91,12 @@ class View:
     dividers: tuple[float, ...] = ()
     """Where the pictures lie over each other and are divided, as fractions of the width; none
     where they are side by side."""
+    slide: tuple[str, ...] = ()
+    """The `SLIDES` that a class sees: one, or two beside each other; empty for the large pane."""
+    controls: tuple[str, ...] = ()
+    """The values that a class sees being changed, by their paths, or `STRIP`."""
+    equation: str = ""
+    """The matrices of an equation that is a slide; see `app.lecture.equation`."""
     panes: dict[str, Camera] = field(default_factory=dict)
     """The camera of each pane that somebody turned, also of unknown panes. Do not change it."""
 
@@ -96,6 +111,18 @@ class View:
             raise Refusal("stage", self.stage, A_STAGE, ", ".join(STAGES), IMAGE)
         if not self.layers <= set(LAYERS):
             raise Refusal("layers", sorted(self.layers, key=str), SOME_OF, ", ".join(LAYERS))
+        if (
+            len(set(self.slide)) != len(self.slide)
+            or not set(self.slide) <= set(SLIDES)
+            or (len(self.slide) > MOST_ON_SLIDE)
+        ):
+            raise Refusal(
+                "slide", ", ".join(self.slide), SOME_SLIDES, MOST_ON_SLIDE, ", ".join(SLIDES)
+            )
+        if len(set(self.controls)) != len(self.controls) or len(self.controls) > MOST_ON_SLIDE:
+            raise Refusal("controls", ", ".join(self.controls), SOME_CONTROLS, MOST_ON_SLIDE)
+        if not isinstance(self.equation, str):
+            raise Refusal("equation", self.equation, AN_EQUATION)
         numbers = [probe.number for probe in self.probes]
         if numbers != sorted(set(numbers) & set(range(1, MOST_PROBES + 1))):
             raise Refusal("probes", numbers, SOME_PROBES, MOST_PROBES)
@@ -193,6 +220,20 @@ def _set_of(name: str, value: Any, bound: Bound, *limits: object) -> frozenset[A
     return frozenset(value)
 
 
+def _slide(value: Any) -> tuple[str, ...]:
+    return _texts("slide", value, SOME_SLIDES, MOST_ON_SLIDE, ", ".join(SLIDES))
+
+
+def _controls(value: Any) -> tuple[str, ...]:
+    return _texts("controls", value, SOME_CONTROLS, MOST_ON_SLIDE)
+
+
+def _texts(name: str, value: Any, bound: Bound, *limits: object) -> tuple[str, ...]:
+    if not isinstance(value, list) or not all(isinstance(part, str) for part in value):
+        raise Refusal(name, value, bound, *limits)
+    return tuple(value)
+
+
 def _dividers(value: Any) -> tuple[Any, ...]:
     if not isinstance(value, list):
         raise Refusal("dividers", value, SOME_DIVIDERS)
@@ -236,6 +277,8 @@ _AS_READ: dict[str, Callable[[Any], Any]] = {
     "panel": _panel,
     "layers": _layers,
     "pinned": _pinned,
+    "slide": _slide,
+    "controls": _controls,
     "probes": _probes,
     "dividers": _dividers,
 }
@@ -243,5 +286,7 @@ _AS_WRITTEN: dict[str, Callable[[Any], Any]] = {
     "stage": lambda stage: STAGES[int(stage)] if stage.is_integer() else stage,
     "layers": lambda layers: [name for name in LAYERS if name in layers],
     "pinned": sorted,
+    "slide": list,
+    "controls": list,
     "probes": _probe_places,
 }

@@ -232,9 +232,7 @@ def test_the_handout_has_the_value_of_an_answer(qapp: Any, talk: Path) -> None:
     assert "How wide? 72.73° ✓ By tangents." in " ".join(text.split())  # 2 atan(16/9 tan 22.5°)
 
 
-def test_a_handout_is_written_whole_or_not_at_all(
-    qapp: Any, talk: Path, tmp_path: Path
-) -> None:
+def test_a_handout_is_written_whole_or_not_at_all(qapp: Any, talk: Path, tmp_path: Path) -> None:
     out = tmp_path / "out.pdf"
     out.write_bytes(b"of before")
     talk.write_text(TALK.replace("show: lens.near=3", "show: lens.near=99"))

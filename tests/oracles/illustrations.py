@@ -76,9 +76,7 @@ def projections(phenomenon: Phenomenon) -> Iterator[Projection]:
     start = phenomenon.start
     subject = subject_of(phenomenon)
     centre = tuple((a + b) / 2.0 for a, b in zip(subject.lower, subject.upper, strict=True))
-    kinds = [
-        start.with_lens(kind) for kind in LENSES
-    ]
+    kinds = [start.with_lens(kind) for kind in LENSES]
     for seen in kinds:
         for depth in ("opengl", "direct3d", "reversed"):
             yield replace(seen, depth=depth)  # type: ignore[arg-type]
