@@ -110,13 +110,9 @@ class Dimensions:
         actor.GetProperty().SetLineWidth(canvas.style.line_width / 2.0)
         canvas.add(actor, layer="labels")
         # Before the texts, whose plates hide the ends.
-        self._leaders = {
-            name: Leader(canvas, canvas.style.ink, canvas.style.line_width / 2.0)
-            for name in ("angle", "height")
-        }
-        plate = canvas.style.background
-        self._texts = {name: canvas.label("", plate=plate) for name in _NAMES}
-        self._sentence = canvas.label("", anchor=(-1, -1), plate=plate)
+        self._leaders = {name: Leader(canvas) for name in ("angle", "height")}
+        self._texts = {name: canvas.label("") for name in _NAMES}
+        self._sentence = canvas.label("", anchor=(-1, -1))
         self.hide()
 
     def hide(self) -> None:
@@ -317,7 +313,8 @@ class Dimensions:
     ) -> None:
         """Put a text on the middle of its level line, or beside a line that is too short."""
         room_px = end[0] - start[0]
-        if layout.half(text)[0] * 2.0 + self._em <= room_px:
+        self._texts[name].set_text(text)
+        if layout.half(self._texts[name])[0] * 2.0 + self._em <= room_px:
             middle = (start[0] + end[0]) / 2.0, start[1]
             if self._try(layout, name, text, middle, _ON, gaps=1):
                 return

@@ -95,7 +95,7 @@ class ImageDrawing(Drawing):
             self._caption: Any = None
             self._middle = middle
             if caption:
-                self._caption = self._canvas.label(caption, anchor=(0, -1), bold=True)
+                self._caption = self._canvas.label(caption, anchor=(0, -1))
 
     def show_highlight(self, highlighted: Highlight) -> bool:
         return self._emphasis.show(highlighted)
@@ -314,8 +314,8 @@ class ImageDrawing(Drawing):
         self._zero = label("0, 0", anchor=(-1, -1))
         self._width_label = label("", anchor=(1, -1))
         self._height_label = label("", anchor=(-1, 1))
-        self._x_label = label(words["x"], anchor=(-1, 1), plate=style.u)
-        self._y_label = label(words["y"], anchor=(1, 1), plate=style.v)
+        self._x_label = label(words["x"], anchor=(-1, 1), colour=style.u)
+        self._y_label = label(words["y"], anchor=(1, 1), colour=style.v)
         self._axis_labels = (
             self._zero, self._width_label, self._height_label, self._x_label, self._y_label
         )  # fmt: skip

@@ -34,7 +34,6 @@ from vtkmodules.vtkRenderingCore import vtkActor
 from app.drawings.actors import (
     Canvas,
     Detail,
-    Label,
     SceneActors,
     Space,
     colour_by_points,
@@ -42,6 +41,7 @@ from app.drawings.actors import (
     put_in_front,
     unlit_actor,
 )
+from app.drawings.label import Label
 from app.drawings.labels import GAPS_EM, Layout, Leader
 from app.drawings.pane_view import Spot
 from app.drawings.style import rgb
@@ -153,15 +153,14 @@ class MarksDrawing:
     def label_at(self, x_px: float, y_px: float) -> Highlight:
         """Return the subjects of the label at a pixel from the pane's top left."""
         height_px = self._canvas.window.GetSize()[1]
-        renderer = self._renderer or self._canvas.renderer
         for label, about in zip(self._labels, self._text_abouts, strict=False):
-            if about and label.covers(renderer, x_px, height_px - y_px):
+            if about and label.covers(x_px, height_px - y_px):
                 return frozenset(about)
         return NOTHING
 
     def _frame_texts(self) -> None:
         for label, about in zip(self._labels, self._text_abouts, strict=False):
-            label.set_framed(bool(self._highlighted.intersection(about)))
+            label.set_underlined(bool(self._highlighted.intersection(about)))
 
     def _show_lines(self, lines: Sequence[Line], placing: Placing) -> Array:
         lines = [line for line in lines if len(line.points) > 1]
@@ -248,19 +247,15 @@ class MarksDrawing:
         self._text_abouts = [texts[i].about for i in near]
         away = [texts[i] if texts[i].away_from is None else _away(texts[i]) for i in near]
         self._away_points = _placed_each(away, placing)
-        style = self._style
         while len(self._labels) < len(near):
-            label = self._canvas.label("", self._renderer, plate=style.ink, bold=True)
+            label = self._canvas.label("", self._renderer)
             self._labels.append(label)
             leader = None
             if self._leads:
-                leader = Leader(self._canvas, style.ink, style.line_width / 2.0, self._renderer)
+                leader = Leader(self._canvas, self._renderer)
             self._leaders.append(leader)
-        for label, leader, i, word in zip(self._labels, self._leaders, near, words, strict=False):
-            colour = texts[i].colour
-            label.set_plate(self._named(colour or "background"))
-            if leader is not None:
-                leader.set_colour(self._named(colour or "ink"))
+        for label, i, word in zip(self._labels, near, words, strict=False):
+            label.set_colour(self._named(texts[i].colour or "ink"))
             label.set_text(word)
         self._frame_texts()
         for label, leader in list(zip(self._labels, self._leaders, strict=True))[len(near) :]:

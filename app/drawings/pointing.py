@@ -16,12 +16,12 @@ from vtkmodules.vtkRenderingCore import vtkActor
 from app.drawings.actors import (
     CUBE_EDGES,
     Canvas,
-    Label,
     Space,
     face_actor,
     line_actor,
     point_actor,
 )
+from app.drawings.label import Label
 from app.lecture.highlight import CORNERS, NOTHING, SIDES, Highlight
 from app.model.projection import Array
 
@@ -72,8 +72,8 @@ class Emphasis:
         self._tell(names, actor.SetVisibility)
 
     def label(self, label: Label, name: str) -> None:
-        """Put a frame round this label's plate; it can be pointed at, too."""
-        self._tell((name,), label.set_framed)
+        """Underline this label; it can be pointed at, too."""
+        self._tell((name,), label.set_underlined)
         self._labels.append((name, label))
 
     def volume(self, space: Space, corners: Array) -> list[Any]:
@@ -113,7 +113,7 @@ class Emphasis:
         """Return what the label at a pixel, counted from the pane's top left, is about."""
         height_px = self._canvas.window.GetSize()[1]
         for name, label in self._labels:
-            if label.covers(self._canvas.renderer, x_px, height_px - y_px):
+            if label.covers(x_px, height_px - y_px):
                 return frozenset((name,))
         return NOTHING
 

@@ -17,7 +17,6 @@ from vtkmodules.vtkRenderingCore import vtkActor
 
 from app.drawings.actors import (
     Canvas,
-    Label,
     Space,
     face_actor,
     fitting,
@@ -27,6 +26,7 @@ from app.drawings.actors import (
     unlit_actor,
 )
 from app.drawings.frustum import CUBE
+from app.drawings.label import Label
 from app.drawings.labels import Layout, Leader
 from app.drawings.pane_view import Spot
 from app.drawings.pointing import FACES, FAR_FACE, NEAR_FACE, Emphasis
@@ -136,15 +136,12 @@ class StageBox:
 
         label = self._canvas.label
         # The leaders before all labels, whose plates hide the ends.
-        self._leaders = {
-            name: Leader(self._canvas, getattr(style, name), style.line_width)
-            for name in ("near", "far")
-        }
-        self.near = label(words["near"], plate=style.near)
-        self.far = label(words["far"], plate=style.far)
+        self._leaders = {name: Leader(self._canvas) for name in ("near", "far")}
+        self.near = label(words["near"], colour=style.near)
+        self.far = label(words["far"], colour=style.far)
         # Without plates: they lie over what is drawn, and hide nothing of it.
         self._numbers = {name: [label("") for _ in range(2)] for name in "xyz"}
-        self._letters = tuple(label("", plate=colour) for colour in (style.u, style.v, style.n))
+        self._letters = tuple(label("", colour=colour) for colour in (style.u, style.v, style.n))
 
     def make_emphasis(self, emphasis: Emphasis) -> None:
         for face in emphasis.volume(self._space, CUBE):

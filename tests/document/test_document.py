@@ -51,7 +51,7 @@ from app.model.refusal import Refusal
 from app.picking.picking import Probe
 from app.scenes.phenomena import PHENOMENA
 from tests import PATIENCE_S
-from tests.random_documents import outcome, outcome_of
+from tests.fuzz.documents import outcome, outcome_of
 from tests.support.carrier import carrier
 from tests.support.phenomenon import EVERYTHING, called, make_known
 
@@ -618,7 +618,7 @@ def text_chunk(body: bytes) -> bytes:
 
 def test_a_broken_picture_is_refused_wherever_it_is_cut_or_changed() -> None:
     whole = carrier(WRITTEN)
-    broken = "The document is not a whole PNG picture: it is broken or cut short."
+    broken = "The document is not a complete PNG picture: it is damaged or cut short."
     for end in range(len(whole)):
         assert sentence(extract, whole[:end]) == broken
         changed = bytearray(whole)
@@ -658,7 +658,7 @@ def test_a_file_that_is_no_document_is_refused_by_its_name(
 ) -> None:
     monkeypatch.chdir(tmp_path)
     no_text = "is not a Frustum Lab document: it is not UTF-8 text."
-    no_picture = "is not a whole PNG picture: it is broken or cut short."
+    no_picture = "is not a complete PNG picture: it is damaged or cut short."
     negative, meshes = with_value("lens.near", -1), ", ".join(MESH_ENDINGS)
     contents: dict[str, tuple[bytes, str]] = {
         "empty.json": (b"", " is empty."),

@@ -17,6 +17,7 @@ from vtkmodules.vtkRenderingCore import vtkCamera
 
 from app.drawings import WORDS
 from app.drawings.image import ImageDrawing
+from app.drawings.label import LabelActor
 from app.drawings.stage import StageDrawing
 from app.drawings.style import DARK, LIGHT, Style, contrast, rgb
 from app.drawings.world import WorldDrawing
@@ -306,9 +307,7 @@ def test_ndc_writes_the_ends_of_its_depth_range(depth: Any, off_screen: MakeScre
     drawing = StageDrawing(screen, scene, WORDS, LIGHT)
     drawing.show_projection(replace(scene.start, depth=depth))
     texts = [
-        prop.GetInput().strip()
-        for prop in screen.renderer.GetViewProps()
-        if prop.IsA("vtkTextActor")
+        prop.label().text for prop in screen.renderer.GetViewProps() if isinstance(prop, LabelActor)
     ]
     near, far = (f"{z:.0f}".replace("-", "−") for z in DEPTH_RANGES[depth])
     assert sorted(texts) == sorted(["near", "far", "x", "y", "z", "−1", "1", "−1", "1", near, far])

@@ -24,8 +24,7 @@ from app.model.projection import Camera
 from app.model.refusal import Refusal
 from app.picking.picking import Probe
 from app.scenes.scene import BUILT_IN
-from tests.random_documents import a_tree
-from tests.support.edits import a_view, edited
+from tests.fuzz.catalogue import a_tree, a_view, edited
 
 
 def given_back(document: Document, letters: str | None = None) -> Document:

@@ -30,12 +30,12 @@ def obj_file(path: Path, points: np.ndarray) -> None:
     path.write_text("\n".join(rows) + "\nf 1 2 3 4\nf 1 5 2\nf 2 5 3\nf 3 5 4\nf -2 -1 -5\n")
 
 
-def stl_text_file(path: Path, points: np.ndarray) -> None:
-    text = "solid the vertex loop of a facet\n"
+def stl_text_file(path: Path, points: np.ndarray, name: str = "the vertex loop of a facet") -> None:
+    text = f"solid {name}\n"
     for corners in points[TRIANGLES].tolist():
         rows = "".join(f"      vertex {x!r} {y!r} {z!r}\n" for x, y, z in corners)
         text += f"  facet normal 0 0 0\n    outer loop\n{rows}    endloop\n  endfacet\n"
-    path.write_text(text + "endsolid the vertex loop of a facet\n")
+    path.write_text(f"{text}endsolid {name}\n")
 
 
 def stl_file(path: Path, points: np.ndarray, header: bytes = b"solid but binary") -> None:
@@ -76,11 +76,14 @@ def ply_big_endian_file(path: Path, points: np.ndarray) -> None:
 
 
 def gltf_parts(
-    points: np.ndarray, translation: list[float] | None = None, scale: float = 1.0
+    points: np.ndarray,
+    translation: list[float] | None = None,
+    scale: float = 1.0,
+    kind: str = "<u2",
 ) -> tuple[dict[str, Any], bytes]:
     """A glTF description with a node in a node, and the bytes of its buffer."""
     positions = points.astype("<f4").tobytes()
-    indices = TRIANGLES.astype("<u2").tobytes()
+    indices = TRIANGLES.astype(kind).tobytes()
     content: dict[str, Any] = {
         "asset": {"version": "2.0"},
         "scene": 0,
@@ -93,7 +96,8 @@ def gltf_parts(
         "accessors": [
             {"bufferView": 0, "componentType": 5126, "count": len(points), "type": "VEC3",
              "min": points.min(axis=0).tolist(), "max": points.max(axis=0).tolist()},
-            {"bufferView": 1, "componentType": 5123, "count": TRIANGLES.size, "type": "SCALAR"},
+            {"bufferView": 1, "componentType": {"u1": 5121, "<u2": 5123, "<u4": 5125}[kind],
+             "count": TRIANGLES.size, "type": "SCALAR"},
         ],
         "bufferViews": [
             {"buffer": 0, "byteLength": len(positions)},
@@ -104,22 +108,25 @@ def gltf_parts(
     return content, positions + indices
 
 
-def write_gltf(path: Path, content: dict[str, Any], body: bytes) -> None:
-    if path.suffix == ".gltf":
-        address = "data:application/octet-stream;base64," + base64.b64encode(body).decode()
-        content["buffers"][0]["uri"] = address
-        path.write_text(json.dumps(content))
-        return
+def glb(content: Any, body: bytes) -> bytes:
+    """A binary glTF file."""
     text = json.dumps(content).encode()
     text += b" " * (-len(text) % 4)
     body += b"\0" * (-len(body) % 4)
-    path.write_bytes(
+    return (
         struct.pack("<4sII", b"glTF", 2, 28 + len(text) + len(body))
-        + struct.pack("<I4s", len(text), b"JSON")
-        + text
-        + struct.pack("<I4s", len(body), b"BIN\0")
-        + body
-    )
+        + struct.pack("<I4s", len(text), b"JSON") + text
+        + struct.pack("<I4s", len(body), b"BIN\0") + body
+    )  # fmt: skip
+
+
+def write_gltf(path: Path, content: dict[str, Any], body: bytes) -> None:
+    if path.suffix == ".glb":
+        path.write_bytes(glb(content, body))
+        return
+    data = base64.b64encode(body).decode()
+    content["buffers"][0]["uri"] = f"data:application/octet-stream;base64,{data}"
+    path.write_text(json.dumps(content))
 
 
 def gltf_file(path: Path, points: np.ndarray) -> None:

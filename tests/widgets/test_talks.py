@@ -27,7 +27,7 @@ from app.lessons.course import Course, scene_of
 from app.lessons.lesson import MOST_STEPS, Step, parse_lesson
 from app.model.projection import Camera
 from app.scenes.scene import BUILT_IN, Scene
-from tests.support.edits import a_view, edited
+from tests.fuzz.catalogue import a_view, edited
 from tests.support.window import (
     MakeWindow,
     activate,

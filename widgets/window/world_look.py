@@ -29,7 +29,7 @@ class FixedViews(QWidget):
         super().__init__()
         self.setObjectName("fixedViews")
         texts = {
-            "": (self.tr("Free"), self.tr("From where you have turned it")),
+            "": (self.tr("Free"), self.tr("As you turned it with the mouse")),
             "side": (self.tr("Side"),
                      self.tr("From the side, flat like a sketch on the blackboard, with its"
                              " lengths")),

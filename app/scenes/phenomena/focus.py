@@ -211,7 +211,7 @@ def _planes(projection: Projection, lens: _Focused, subject: Subject) -> Marks:
     for name, distance, colour, opacity in _crossing(projection, lens):
         corners = section(projection, distance)
         marks.append(plate(corners, colour, 1.0, opacity))
-        marks.append(Text(WORDS[name], corners[_NAMED_AT[name]], colour))
+        marks.append(Text(name, corners[_NAMED_AT[name]], colour, text=WORDS[name]))
     # The frustum's edges are thick where everything between them is sharp.
     low = max(near, lens.sharp.near)
     high = min(far, lens.sharp.far, 4.0 * (lens.focus + subject.size))
@@ -262,7 +262,9 @@ def _sharp_in_picture(projection: Projection, lens: _Focused, subject: Subject) 
     sides = np.stack([corners, np.roll(corners, -1, axis=1)], axis=2).reshape(-1, 2, 4)
     lines = seen_lines(projection, sides, ["v"] * len(sides), 2.0)
     tops = projection.trace(_FRONTS[:, 2:].mean(axis=1))  # the middle of each front's upper edge
-    names = [Text(WORDS["sharp"], top, "v") for top in tops.image[is_sharp & seen(tops)]][:1]
+    names = [
+        Text("sharp", top, "v", text=WORDS["sharp"]) for top in tops.image[is_sharp & seen(tops)]
+    ][:1]
     with np.errstate(all="ignore"):
         discs_mm = lens.blur_mm(-tops.view[:, 2])
     half = np.outer(discs_mm / 2.0, _px_per_mm(projection))

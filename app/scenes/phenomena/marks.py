@@ -53,15 +53,34 @@ class Dot:
 class Text:
     """A few letters beside a point (2 or 3,).
 
-    `colour` is that of its plate, if it has one. In the world and in NDC the letters are placed
-    away from the point `away_from`: the middle of a figure with an edge here, for example.
+    Attributes
+    ----------
+    name : str
+        Its plain name in ``view.names``: ``y_p``, ``film``.
+    colour : str
+        Of its concept; empty for ink.
+    away_from : (2 or 3,) array, optional
+        In the world and in NDC the letters are placed away from this point: the middle of a figure
+        with an edge here, for example.
+    text : str
+        What is written: words, with mathtext between dollars. By default the name as a letter.
     """
 
-    text: str
+    name: str
     point: Array
     colour: str = ""
     about: tuple[str, ...] = ()
     away_from: Array | None = None
+    text: str = ""
+
+    def __post_init__(self) -> None:
+        if not self.text:
+            object.__setattr__(self, "text", letter(self.name))
+
+
+def letter(name: str) -> str:
+    """A plain name or formula as it is typeset."""
+    return name
 
 
 @dataclass(frozen=True, eq=False)
@@ -99,9 +118,11 @@ def segment(
     return Line(np.array([start, end]), colour, width, about)
 
 
-def named(name: str, point: Array, colour: str = "accent", size: float = 1.3) -> Marks:
+def named(
+    name: str, point: Array, colour: str = "accent", size: float = 1.3, text: str = ""
+) -> Marks:
     """A dot and its letter."""
-    return Marks.of(Dot(point, colour, size), Text(name, point, colour))
+    return Marks.of(Dot(point, colour, size), Text(name, point, colour, text=text))
 
 
 def outline(corners: Array) -> Array:

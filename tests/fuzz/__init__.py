@@ -1,0 +1,1 @@
+"""Random documents, states and files, and the tools that use them."""

@@ -1,0 +1,26 @@
+"""``python3 -m tests.fuzz TOOL``: what takes longer than the suite may.
+
+| tool | does |
+|---|---|
+| `golden record FOLDER`, `golden compare FOLDER` | compares all outputs before and after a change |
+| `hostile` | opens damaged files with the command line, and with ``--window`` in a window |
+| `documents` | looks for silent NaNs in random documents |
+
+Each has ``--help``.
+"""
+
+from __future__ import annotations
+
+import os
+import sys
+from importlib import import_module
+
+from app import bootstrap
+
+if __name__ == "__main__":
+    tool, *words = sys.argv[1:] or [""]
+    if tool not in ("golden", "hostile", "documents"):
+        sys.exit(__doc__)
+    bootstrap.start("tests", extras=("test",))
+    os.environ["OPENBLAS_NUM_THREADS"] = "1"  # before numpy: a fork takes no threads along
+    sys.exit(import_module(f"tests.fuzz.{tool}").main(words))
