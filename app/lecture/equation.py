@@ -139,9 +139,11 @@ def _cells(term: Term) -> list[list[Ratio]]:
 
 
 def latex_cell(formula: str, letters: Letters) -> str:
-    """Write a cell's formula in TeX; a minus stands before its fraction."""
+    """Write a cell's formula in TeX: a fraction is large, and a minus stands before it."""
     tex = latex_formula(formula, letters)
-    found = re.fullmatch(r"\\frac\{-((?:[^{}]|\{(?:[^{}]|\{[^{}]*\})*\})*)\}(\{.*\})", tex)
+    if re.match(r"-?\\frac", tex):
+        tex = tex.replace("\\frac", "\\dfrac", 1)
+    found = re.fullmatch(r"\\dfrac\{-((?:[^{}]|\{(?:[^{}]|\{[^{}]*\})*\})*)\}(\{.*\})", tex)
     if found is None or re.search("[+-]", re.sub(r"\([^()]*\)|\{[^{}]*\}", "", found[1])):
         return tex
-    return rf"-\frac{{{found[1]}}}{found[2]}"
+    return rf"-\dfrac{{{found[1]}}}{found[2]}"

@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Collection
 
 from PySide6.QtCore import QEvent, QObject
-from PySide6.QtGui import QFont
+from PySide6.QtGui import QFont, QResizeEvent
 from PySide6.QtWidgets import QFrame, QSizePolicy, QWidget
 
 from app.document.view import MOST_ON_SLIDE, STRIP
@@ -20,6 +20,9 @@ from widgets.parts.panel import Changed, Shown
 
 LETTERS_SHARE = 0.021
 """Height of the letters, in heights of the screen: the speaker reads them."""
+GAP_PX = 48
+ROW_SHARE = 0.42
+"""Width of a row, in widths of the strip."""
 USUAL = ("lens.fov_y_deg", "lens.near")
 """The controls of a scene that has none of its own."""
 
@@ -40,7 +43,7 @@ class ControlStrip(QFrame):
         """Whether the speaker wants the strip; None for as the step has it."""
         self._is_for_class = False
         self.rows: list[Row] = []
-        self._row = in_row(on=self, margins=(24, 2, 24, 4), gap=48)
+        self._row = in_row(on=self, margins=(24, 2, 24, 4), gap=GAP_PX)
         self.hide()
 
     def take(self, shown: Shown, changed: Changed) -> None:
@@ -92,7 +95,18 @@ class ControlStrip(QFrame):
             self._row.addWidget(row, 1)
             for part in (row, *row.findChildren(QWidget)):
                 part.installEventFilter(self)
+        self._share_out()
         self.setVisible(bool(self.rows))
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        super().resizeEvent(event)
+        self._share_out()
+
+    def _share_out(self) -> None:
+        """Leave the sides free beside a single row."""
+        wanted = ROW_SHARE * self.width() * max(1, len(self.rows))
+        side = max(24, round((self.width() - wanted) / 2.0))
+        self._row.setContentsMargins(side, 2, side, 4)
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         """Show a class no tooltips."""

@@ -336,6 +336,7 @@ class MainWindow(QMainWindow):
             self.controls,
             self.slots,
             self.control_strip,
+            self.slide.equation,
             self.arrangement,  # overrides what a new scene has opened or forgotten
             self.cost,
             self.look,
@@ -390,6 +391,7 @@ class MainWindow(QMainWindow):
 
     def show_view(self, document: Document) -> None:
         self.shown = replace(self.shown, document=document)
+        self.slide.equation.ask(self.shown)
         self.arrangement.show(document.view)
         self.comparing.pictures.refresh()
 
@@ -468,6 +470,7 @@ class MainWindow(QMainWindow):
         self.look.set_presenting(on)
         self.controls.set_presenting(on)
         self.control_strip.set_presenting(on, float(self.screen().size().height()))
+        self.slide.equation.set_screen(float(self.screen().size().height()))
         self._body.setContentsMargins(*(NO_MARGINS if on else BODY_MARGINS))
         self._body.setSpacing(0 if on else BODY_GAP_PX)
         self.body.setAutoFillBackground(on)

@@ -35,6 +35,12 @@ SMALL = {"world": ("image", "ndc"), "image": ("world", "ndc"), "ndc": ("world", 
 """The small panes for each large one, from above."""
 
 
+def panes_of_slide(asked: tuple[str, ...], large: str) -> tuple[str, ...]:
+    """Return the panes of a slide; by default the large one, or the world beside an equation."""
+    panes = tuple(name for name in asked if name in PANES)
+    return panes or (("world",) if "equation" in asked else (large,))
+
+
 class Slots(QSplitter):
     """The panes, docked or floating, in the order of their columns and of their keys.
 
@@ -92,9 +98,14 @@ class Slots(QSplitter):
         """The panes that a class sees alone; empty if it sees all of them."""
         if not self.is_for_class:
             return ()
-        panes = tuple(name for name in self.asked if name in PANES)
-        wanted = self._chosen if self._chosen is not None else panes or (self.large,)
+        asked = panes_of_slide(self.asked, self.large)
+        wanted = asked if self._chosen is None else self._chosen
         return tuple(name for name in wanted if name not in self.floating)
+
+    @property
+    def has_equation(self) -> bool:
+        """Whether a class sees an equation, alone or beside a pane."""
+        return self.is_for_class and self._chosen is None and "equation" in self.asked
 
     def show_slide(self, asked: tuple[str, ...]) -> None:
         """Make these of `app.document.view.SLIDES` the slide; empty for the large pane."""

@@ -66,7 +66,8 @@ class TalkBand(QFrame):
         words = "\n\n".join(part.text for part in step.parts if not part.reveals)
         paragraphs = words.split("\n\n")
         formulas = [each for each in paragraphs if each.startswith("$$")]
-        self._texts = [words, "\n\n".join(formulas), *formulas[:1], paragraphs[0], ""]
+        shorter = ["\n\n".join(formulas), *formulas[:1], paragraphs[0]]
+        self._texts = [words, *filter(None, shorter), ""]
         self._fit()
 
     def say(self, note: str) -> None:

@@ -14,6 +14,7 @@ from widgets.panes.pane import Pane
 from widgets.parts.gestures import Gestures
 from widgets.parts.panel import Panel
 from widgets.parts.writing import all_digits, lettering
+from widgets.window.equation import EquationSlide
 
 
 def wire(window: Any) -> None:
@@ -51,7 +52,7 @@ def _wire_components(window: Any) -> None:
         (window.matrices.letters_changed, lettering.set, look.set_letters),
         (window.history.rested, look.rest, compare.refresh),
         (look.built, window.manipulation.leave, controls.set_style, compare.set_style),
-        (look.built, window.set_style),
+        (look.built, window.set_style, window.slide.equation.set_style),
         (menus.all_digits.triggered, window.set_all_digits),
         (menus.find.triggered, window.find_control),
         (menus.play.triggered, controls.animation.toggle),
@@ -116,7 +117,13 @@ def _wire_gestures(window: Any) -> None:
     """Announce each gesture, such as a drag: the store makes one undo step of it."""
     store, controls, panels = window.store, window.controls, window.panels.all
     sources: tuple[Gestures, ...] = (controls, controls.animation, window.manipulation, *panels)
-    listeners: tuple[Store | SceneCard | Panel, ...] = (store, controls.card, *panels)
+    equation = window.slide.equation
+    listeners: tuple[Store | SceneCard | Panel | EquationSlide, ...] = (
+        store,
+        controls.card,
+        equation,
+        *panels,
+    )
     for each in sources:
         for told in listeners:
             each.gesture_started.connect(told.begin_gesture)
