@@ -51,7 +51,7 @@ SETTABLE = (
     "image.width", "image.height", "quality.rung", "quality.smoothing",
     "quality.detail", "quality.depth_format", "quality.depth_mapping", "view.layout", "view.large",
     "view.stage", "view.frame_step", "view.panel", "view.letters", "view.layers", "view.fixed",
-    "view.probes", "view.compare", "view.dividers",
+    "view.names", "view.probes", "view.compare", "view.dividers",
 )  # fmt: skip
 """Every path that ``--set`` knows, for all lenses; each scene adds its own ``settings.NAME``.
 
@@ -386,6 +386,10 @@ def _talk() -> Parser:
         "--handout", metavar="OUT.pdf",
         help="write the figures, text and notes of every step on A4 pages; an existing file is "
              "overwritten",
+    )  # fmt: skip
+    parser.add_argument(
+        "--for", dest="readers", metavar="teacher|students",
+        help="of the handout: teacher has answers and notes, students lines to write on instead",
     )  # fmt: skip
     return parser
 

@@ -130,8 +130,8 @@ IMAGE = tuple(Field("image", name, PIXELS, required=True) for name in ("width", 
 QUALITY = _fields("quality", Quality, required=False)
 VIEW = _fields(
     "view", View, required=False,
-    stage=NUMBER_OR_WORD, layers=NAMES, slide=NAMES, controls=NAMES, probes=PROBES, pinned=None,
-    panes=None,
+    stage=NUMBER_OR_WORD, layers=NAMES, names=NAMES, slide=NAMES, controls=NAMES, probes=PROBES,
+    pinned=None, panes=None,
 )  # fmt: skip
 
 

@@ -47,6 +47,10 @@ MOST_ON_SLIDE = 2
 """Most pictures of a slide, and most controls below it."""
 MOST_PROBES = 6
 """Most probes: more cannot be compared at a glance."""
+MOST_NAMES = 7
+"""Most names of a view: a picture with more of them has no point."""
+EVERYTHING = ("*",)
+"""The names of a view that names everything."""
 
 A_STAGE = QT_TRANSLATE_NOOP("Refusal", "must be one of {0}, or a number from 0 to {1}")
 ONE_OR_NONE = QT_TRANSLATE_NOOP("Refusal", "must be one of {0}, or empty for none")
@@ -61,6 +65,9 @@ A_PROBE = QT_TRANSLATE_NOOP(
     " probe",
 )
 PROBE_NUMBERS = QT_TRANSLATE_NOOP("Refusal", "must be a list of the numbers of probes")
+SOME_NAMES = QT_TRANSLATE_NOOP(
+    "Refusal", "must be a list of at most {0} different names, or only *"
+)
 
 
 @dataclass(frozen=True)
@@ -82,6 +89,9 @@ class View:
     """The hidden `LAYERS`."""
     fixed: str = ""
     """The viewpoint of the world; empty for a free one."""
+    names: tuple[str, ...] | None = None
+    """The ids of the things that the pictures name, or `EVERYTHING`; None for the scene's own
+    list."""
     probes: tuple[Probe, ...] = ()
     """The probes, in the order of their numbers."""
     pinned: frozenset[int] = frozenset()
@@ -111,18 +121,8 @@ class View:
             raise Refusal("stage", self.stage, A_STAGE, ", ".join(STAGES), IMAGE)
         if not self.layers <= set(LAYERS):
             raise Refusal("layers", sorted(self.layers, key=str), SOME_OF, ", ".join(LAYERS))
-        if (
-            len(set(self.slide)) != len(self.slide)
-            or not set(self.slide) <= set(SLIDES)
-            or (len(self.slide) > MOST_ON_SLIDE)
-        ):
-            raise Refusal(
-                "slide", ", ".join(self.slide), SOME_SLIDES, MOST_ON_SLIDE, ", ".join(SLIDES)
-            )
-        if len(set(self.controls)) != len(self.controls) or len(self.controls) > MOST_ON_SLIDE:
-            raise Refusal("controls", ", ".join(self.controls), SOME_CONTROLS, MOST_ON_SLIDE)
-        if not isinstance(self.equation, str):
-            raise Refusal("equation", self.equation, AN_EQUATION)
+        _check_names(self.names)
+        self._check_slide()
         numbers = [probe.number for probe in self.probes]
         if numbers != sorted(set(numbers) & set(range(1, MOST_PROBES + 1))):
             raise Refusal("probes", numbers, SOME_PROBES, MOST_PROBES)
@@ -141,6 +141,16 @@ class View:
         check_pictures(self.compare, self.dividers)
         keep_checked(self, stage=float(self.stage), pinned=frozenset(map(int, self.pinned)))
 
+    def _check_slide(self) -> None:
+        names = set(self.slide)
+        if not len(names) == len(self.slide) <= MOST_ON_SLIDE or not names <= set(SLIDES):
+            limits = MOST_ON_SLIDE, ", ".join(SLIDES)
+            raise Refusal("slide", ", ".join(self.slide), SOME_SLIDES, *limits)
+        if not len(set(self.controls)) == len(self.controls) <= MOST_ON_SLIDE:
+            raise Refusal("controls", ", ".join(self.controls), SOME_CONTROLS, MOST_ON_SLIDE)
+        if not isinstance(self.equation, str):
+            raise Refusal("equation", self.equation, AN_EQUATION)
+
     @property
     def step(self) -> int | None:
         """The drawn step of the camera's frame; None while its panel is closed."""
@@ -157,6 +167,14 @@ def _is_number(value: object) -> bool:
 def _check_name(name: str, value: object, names: Sequence[str], bound: Bound) -> None:
     if value not in names and not (value == "" and bound == ONE_OR_NONE):
         raise Refusal(name, value, bound, ", ".join(names))
+
+
+def _check_names(names: tuple[str, ...] | None) -> None:
+    if names is None or names == EVERYTHING:
+        return
+    texts = [name for name in names if isinstance(name, str) and name.strip() not in ("", "*")]
+    if len(texts) != len(names) or len(set(texts)) != len(texts) or len(texts) > MOST_NAMES:
+        raise Refusal("names", list(names), SOME_NAMES, MOST_NAMES)
 
 
 AS_EVER = View()
@@ -207,6 +225,12 @@ def _panel(value: Any) -> Any:
 
 def _layers(value: Any) -> frozenset[Any]:
     return _set_of("layers", value, SOME_OF, ", ".join(LAYERS))
+
+
+def _names(value: Any) -> tuple[Any, ...]:
+    if not isinstance(value, list) or any(isinstance(part, (list, dict)) for part in value):
+        raise Refusal("names", value, SOME_NAMES, MOST_NAMES)
+    return tuple(value)
 
 
 def _pinned(value: Any) -> frozenset[Any]:
@@ -276,6 +300,7 @@ _AS_READ: dict[str, Callable[[Any], Any]] = {
     "stage": _stage,
     "panel": _panel,
     "layers": _layers,
+    "names": _names,
     "pinned": _pinned,
     "slide": _slide,
     "controls": _controls,
@@ -285,6 +310,7 @@ _AS_READ: dict[str, Callable[[Any], Any]] = {
 _AS_WRITTEN: dict[str, Callable[[Any], Any]] = {
     "stage": lambda stage: STAGES[int(stage)] if stage.is_integer() else stage,
     "layers": lambda layers: [name for name in LAYERS if name in layers],
+    "names": list,
     "pinned": sorted,
     "slide": list,
     "controls": list,

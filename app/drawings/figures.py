@@ -24,6 +24,7 @@ from app.document.compare import Written, in_words, names_in
 from app.document.document import Document
 from app.document.field_names import FIELDS
 from app.document.files import write_bytes_atomically
+from app.document.naming import named_in
 from app.document.settings import name_of, pictured
 from app.document.view import AS_EVER, PANES, View
 from app.drawings import AXES, WORDS, Words
@@ -380,12 +381,14 @@ def _render_pane(
         options["tolerance_px"] = quality.tolerance_px(DRAWING_TOLERANCE_PX)
     if pane == "image":
         options |= {
-            "framed": framed, "quality": quality, "caption": caption, "middle": middle
+            "framed": framed, "quality": quality, "caption": caption, "middle": middle,
+            "finer": factor,
         }  # fmt: skip
     with off_screen(width, height) as screen:
         window = screen.render_window
         drawing = _DRAWINGS[pane](screen, scene, words, style.enlarged(factor), **options)
         drawing.show_layers(view.layers | {AXES} if bare else view.layers)
+        drawing.show_names(named_in(pane, scene, view.names))
         drawing.show_projection(projection, illustration)
         if illustration is not None:  # as in the window, while nobody points at anything
             drawing.show_highlight(frozenset(illustration.about))
@@ -402,6 +405,7 @@ def _render_pane(
             for renderer in window.GetRenderers():
                 renderer.SetBackground(0.0, 0.0, 0.0)
                 renderer.SetBackgroundAlpha(0.0)
+        drawing.refine(whole=True)
         window.Render()
         if isinstance(drawing, ImageDrawing) and drawing.problem is not None:  # known from now on
             window.Render()

@@ -10,29 +10,32 @@ Everything is scene-local, ``world - scene.origin`` subtracted in float64.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
+from itertools import pairwise
 from typing import Any
 
 import numpy as np
 
+from app.document.naming import named_in
 from app.drawings import actors
 from app.drawings.actors import Canvas
 from app.drawings.camera import CameraDrawing, Standing, view_matrices
 from app.drawings.dimensions import Dimensions, Measured
 from app.drawings.drawing import Drawing, Rectangle
 from app.drawings.frame import DIMMED, LARGER, ObjectAxes
-from app.drawings.frustum import CUBE, FrustumDrawing
+from app.drawings.frustum import FrustumDrawing
 from app.drawings.handles import APART_EM, HandleMarks
-from app.drawings.labels import Labels, Layout, Named
+from app.drawings.label_placement import Ground
+from app.drawings.labels import DOT_EM, Board, Labels, Named
 from app.drawings.marks import MarksDrawing, Placing
+from app.drawings.names import Names
 from app.drawings.near_picture import NearPicture
 from app.drawings.own_view import Framed, OwnView
-from app.drawings.pane_view import PaneView
-from app.drawings.pointing import Emphasis, Segment, Spot, pointed_at, volume_edges
+from app.drawings.pointing import Emphasis, Segment, pointed_at, volume_edges
 from app.drawings.probes import Probes
 from app.drawings.rasterising import textured
-from app.drawings.silhouette import Mask, Silhouette
-from app.drawings.style import Style
+from app.drawings.silhouette import Silhouette
+from app.drawings.style import TITLE_EM, Style
 from app.lecture.highlight import CORNERS, OBJECT_AXES, Highlight
 from app.model.projection import Array, Camera, ObjectTransform, Projection
 from app.picking.handles import Handle, nearest, shown
@@ -46,7 +49,7 @@ _WHOLE, _NEARBY = (
     1.1,
 )  # of the extent: the largest frustum that is framed whole; else this much of it
 _FARTHEST_MARK = 1e3  # of the extent: where lines toward infinity end
-_PICTURE_PART = 0.5  # of the pane's width: smaller near planes are kept free of words
+_EDGES = [pair for line in actors.CUBE_EDGES for pair in pairwise(line)]
 _FRAMED_MARK = 5.0  # of the scene's size: farther marks are not framed
 
 
@@ -55,6 +58,8 @@ class WorldDrawing(Drawing):
 
     The own camera of `screen` looks at all this from outside. A `live` drawing has handles.
     """
+
+    pane = "world"
 
     def __init__(
         self,
@@ -91,31 +96,32 @@ class WorldDrawing(Drawing):
             for actor in (*self.frustum.dimmable, *self.picture.actors, *self.camera.solid)
         ]
         self._emphasis = emphasis = Emphasis(canvas)
-        emphasis.volume(self.frustum.space, CUBE)
-        for name, line in (*self.camera.shafts.items(), *self.frustum.outlines.items()):
+        self.frustum.make_emphasis(emphasis)
+        for name, line in self.camera.shafts.items():
             emphasis.line(line, name)
-        emphasis.line(self.frustum.apex, "fov")
+        for solid in self.camera.solid:
+            emphasis.line(solid, of=("eye",))
         for name, mark in self.camera.discs.items():
             emphasis.point(mark, name)
-        self.labels = Labels(canvas, words)
+        self._board = Board(canvas)
+        self.labels = Labels(self._board, canvas, words)
         for name, label in self.labels.named.items():
             self._emphasis.label(label, name)
         self._dimensions: Dimensions | None = None
         self._probes = Probes(canvas)
         self.handles = HandleMarks(canvas) if live else None
-        self._highlighted: Highlight = frozenset()
+        self.names = Names(named_in(self.pane, scene))
         self._light = 1.0
         """How bright the frustum is."""
         self._marks: MarksDrawing | None = None
         self._marked = np.empty((0, 3))
         self._silhouette = Silhouette(scene, style.font_size)
-        self._masked_for: PaneView | None = None
-        self._mask: Mask | None = None
         self._grips: dict[str, Array] = {}
         self._measured: tuple[tuple[str, float], ...] = ()
         self._lengths: tuple[Length, ...] = ()
         self._standing = self._stand(scene.start.camera)
         self.camera.show(self._standing)
+        self._show_named()
         self.own = OwnView(canvas, self._origin, self._objects.mean(axis=0))
         self.show_projection(scene.start)
         self.reset_view()
@@ -133,7 +139,7 @@ class WorldDrawing(Drawing):
         if view == self.own.fixed:
             return
         if view and self._dimensions is None:
-            self._dimensions = Dimensions(self._canvas, self._words)
+            self._dimensions = Dimensions(self._board, self._canvas, self._words)
         elif self._dimensions is not None:
             self._dimensions.hide()
         self.own.fixed = view
@@ -166,9 +172,32 @@ class WorldDrawing(Drawing):
     # -- pointing
 
     def show_highlight(self, highlighted: Highlight) -> bool:
-        self._highlighted = highlighted
+        before, self.names.pointed = self.names.pointed, highlighted
         of_scene = self._marks is not None and self._marks.show_highlight(highlighted)
-        return self._emphasis.show(highlighted) or of_scene
+        is_new = self._emphasis.show(highlighted) or of_scene
+        if before != highlighted and not self.names.all:
+            self._show_named()
+            self._follow_pane(afresh=False)
+        return is_new
+
+    def show_names(self, names: frozenset[str] | None) -> None:
+        if names == self.names.wanted:
+            return
+        self.names.wanted = names
+        self._show_named()
+        if self.own.was_moved:
+            self._follow_pane(afresh=True)
+        else:
+            self.reset_view()
+
+    def _show_named(self) -> None:
+        """Draw the camera's parts that are named, and the other things quietly."""
+        names = self.names
+        self.camera.show_names(names)
+        self.frustum.show_names(names)
+        self._emphasis.show_names(names)
+        if self._marks is not None:
+            self._marks.show_names()
 
     def show_step(self, step: int | None) -> None:
         camera = self.camera
@@ -184,7 +213,7 @@ class WorldDrawing(Drawing):
             ):
                 self._emphasis.line(shaft, thing)
                 self._emphasis.label(self.labels.add_arrow(name, colour), thing)
-            self._emphasis.show(self._highlighted)
+            self._emphasis.show(self.names.pointed)
         self._light = 1.0 if step is None else DIMMED
         for line, opacity in self._dimmable:
             line.SetOpacity(opacity * self._light)
@@ -211,7 +240,9 @@ class WorldDrawing(Drawing):
         eye, target, *tip_spots = spots[:-8]
         corners = spots[-8:]
         points = [(frozenset((name,)), spot) for name, spot in zip(CORNERS, corners, strict=True)]
-        points += [(frozenset(("eye",)), eye), (frozenset(("target",)), target)]
+        points.append((frozenset(("eye",)), eye))
+        if self.camera.shows_target:
+            points.append((frozenset(("target",)), target))
         segments: list[Segment] = [
             (frozenset(("target" if name == "look" else name,)), eye, tip)
             for name, tip in zip(arrows, tip_spots, strict=True)
@@ -249,7 +280,6 @@ class WorldDrawing(Drawing):
             self._lines_space.set(lifted @ self._local_from_object)
             self._ground_space.set(lifted)
             self._show_axes()
-            self._mask = None
         if is_placed or projection.camera is not self._standing.camera:
             self._standing = self._stand(projection.camera)
             self.camera.show(self._standing)
@@ -284,7 +314,7 @@ class WorldDrawing(Drawing):
                 self._emphasis.line(shaft, name)
                 label = self.labels.add_arrow(name, self._axes.colours[name])
                 self._emphasis.label(label, name)
-            self._emphasis.show(self._highlighted)
+            self._emphasis.show(self.names.pointed)
         if self._axes is not None:
             self._axes.show(self._local_from_object, self.has_object_axes)
 
@@ -308,37 +338,47 @@ class WorldDrawing(Drawing):
         )
 
     def _place_labels(self, *, afresh: bool) -> bool:
-        """Place the labels; return whether one has changed sides."""
-        at, planes = self._standing, self._projection.lens.planes
-        arrows, tips = self.camera.names
-        unseen = self._unseen
-        if "camera" in self._canvas.hidden:
-            arrows, tips = (), np.empty((0, 3))
-        axes = self._axes if self.has_object_axes else None
-        if axes is not None:
-            beside = tips.reshape(len(axes.names), len(arrows), 3)
-            tips = np.concatenate([beside, axes.names], axis=1).reshape(-1, 3)
-            arrows += tuple(axes.shafts)
-        named = Named(
-            at.eye, at.target, arrows, tips, self.camera.box, self._corners_seen, planes, unseen
-        )
-        first = None
+        """Place the labels; return whether one has changed its place."""
         if "labels" in self._canvas.hidden:
             return False
-        if self._marks is not None or self.handles is not None or self.own.fixed:
-            first = self._place_first
-        pane = self.own.pane
-        held_at: dict[str, tuple[float, float]] = {
-            handle.name: (x, pane.size_px[1] - y)
-            for handle, (x, y) in self.handles_shown
-            if handle.name in ("near", "far")
-        }
-        if pane is not self._masked_for or self._mask is None:
-            self._masked_for = pane
-            self._mask = self._silhouette.seen(pane, self._local_from_object)
-        return self.labels.lay_out(
-            pane, named, afresh=afresh, first=first, subject=self._mask, held_at=held_at
-        )
+        pane, at = self.own.pane, self._standing
+        em = self._canvas.style.font_size
+        ground = Ground((0, 0, pane.size_px[0], pane.size_px[1] - TITLE_EM * em), em, self._ink)
+        for handle, (x, y) in self.handles_shown:
+            if self.names.all or handle == self.held:
+                ground.keep([(x, pane.size_px[1] - y)], DOT_EM * em)
+        arrows: tuple[str, ...] = ()
+        ends = np.empty((0, 2, 3))
+        if "camera" not in self._canvas.hidden:
+            arrows, ways = self.camera.arrows
+            ends = np.stack([np.tile(at.eye, (len(ways), 1)), at.eye + ways], axis=1)
+        axes = self._axes if self.has_object_axes else None
+        if axes is not None:
+            arrows += tuple(axes.shafts)
+            start = np.tile(axes.origin, (3, 1))
+            ends = np.concatenate([ends, np.stack([start, start + axes.ways], axis=1)])
+        unnamed = {name for name in ("eye", "target", "near", "far") if name not in self.names}
+        named = Named(
+            at.eye, at.target, arrows, ends, self.camera.box, self._corners_seen,
+            self._projection.lens.planes, self._unseen | unnamed,
+        )  # fmt: skip
+        self.labels.want(ground, pane, named)
+        if self.own.fixed and self._dimensions is not None:
+            self._dimensions.want(ground, pane.seen, pane.size_px, self._in_fixed_view)
+        if self._marks is not None:
+            self._marks.want_texts(ground, pane.seen)
+        return self._board.settle(ground, afresh=afresh)
+
+    def _ink(self, ground: Ground) -> None:
+        """Tell the ground what is drawn."""
+        pane, placed = self.own.pane, self._local_from_object
+        triangles = self._silhouette.triangles @ placed[:3, :3].T + placed[:3, 3]
+        self._silhouette.ink(ground, pane.spots(triangles))
+        corners = self._corners_seen
+        if corners is not None:
+            ground.ink_lines(pane.spots(corners[_EDGES]))
+        if self._marks is not None:
+            self._marks.ink(ground, pane.seen)
 
     @property
     def _corners_seen(self) -> Array | None:
@@ -359,21 +399,6 @@ class WorldDrawing(Drawing):
             unseen |= {"eye"}
         return frozenset(unseen)
 
-    def _place_first(self, layout: Layout, seen: Callable[[Array], Sequence[Spot]]) -> None:
-        """Place handles and texts of a scene, which the labels keep off."""
-        height_px = self.own.pane.size_px[1]
-        layout.keep_free([(x, height_px - y, 1.0) for _, (x, y) in self.handles_shown])
-        if self.own.fixed and self._dimensions is not None:
-            own, corners = self.own, self._corners_seen
-            self._dimensions.place(layout, seen, own.pane.size_px, self._in_fixed_view)
-            if own.fixed == "axis" and corners is not None:
-                picture = seen(corners[:4])
-                across = max(x for x, _, _ in picture) - min(x for x, _, _ in picture)
-                if across < _PICTURE_PART * own.pane.size_px[0]:
-                    layout.keep_free_box(picture)
-        if self._marks is not None:
-            self._marks.place_texts(layout, seen)
-
     @property
     def _in_fixed_view(self) -> Measured:
         at, view = self._standing, self.own.fixed
@@ -392,6 +417,7 @@ class WorldDrawing(Drawing):
             self._objects,
             self._measured,
             lengths,
+            self.names,
         )
 
     # -- the pane's own camera
@@ -477,8 +503,9 @@ class WorldDrawing(Drawing):
         if self._marks is None:
             if illustration is None:
                 return
-            self._marks = MarksDrawing(self._canvas, self._scene, self._words, leads=True)
-            self._marks.show_highlight(self._highlighted)
+            self._marks = MarksDrawing(
+                self._canvas, self._scene, self._words, names=self.names, board=self._board
+            )
         marks, limit = self._marks, _FARTHEST_MARK * self._standing.extent
         shown = illustration or Illustration(())
         if shown.rendering is not None:
@@ -525,7 +552,12 @@ class WorldDrawing(Drawing):
     def hold(self, handle: Handle | None) -> None:
         if self.handles is not None:
             self.handles.held = handle
+            is_named = handle is None or handle.name in self.names
+            self.names.held = handle
             self._place_handles()
+            if not is_named or handle is None:
+                self._show_named()
+                self._place_labels(afresh=False)
 
     def handle_at(self, pixel: tuple[float, float], within_px: float) -> Handle | None:
         return nearest(self.handles_shown, pixel, within_px)
@@ -536,6 +568,7 @@ class WorldDrawing(Drawing):
             held, apart_px = self.handles.held, APART_EM * self._canvas.style.font_size
             size_px = self.own.pane.size_px
             none = "handles" in self._canvas.hidden
+            self.handles.draws_all = self.names.all
             self.handles.show(
                 [] if none else shown(
                     self._projection, self.planes_drawn, self.sight, size_px, apart_px, held,

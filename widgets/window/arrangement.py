@@ -79,6 +79,7 @@ class Arrangement(QObject):
             letters=self._matrices.letters.currentData(),
             layers=self._world.hidden,
             fixed=self._world.fixed,
+            names=self._world.names,
             probes=self._probes.probes,
             pinned=self._probes.pinned,
             compare=self._compare.pictures,
@@ -100,6 +101,7 @@ class Arrangement(QObject):
         self._slots.show_slide(view.slide)
         self._controls.ask(view.controls)
         self._world.show(view.fixed, view.layers)
+        self._world.name(view.names)
         self._strip.go_to(view.stage)
         self._frame.go_to(STEPS.index(view.frame_step))
         letters = self._matrices.letters

@@ -191,7 +191,7 @@ class Files(QObject):
             # Keep what was prepared for a class; drop what was about the previous scene.
             view = replace(
                 self._store.look(), large="", panel=None, probes=(), pinned=frozenset(), panes={},
-                slide=(), controls=(), equation="",
+                slide=(), controls=(), equation="", names=None,
                 compare=(), dividers=(),
             )  # fmt: skip
             extra = self._store.document.extra
