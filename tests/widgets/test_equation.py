@@ -62,7 +62,7 @@ def test_a_product_of_three_takes_the_whole_slide(window: MainWindow) -> None:
     assert found.left() > 0 and found.right() < equation.width() - 1
     assert found.width() >= 0.75 * window.width()
     assert found.height() >= 4 * LEAST_CELL * window.height()
-    assert equation._em_in(equation.width(), equation.height()) >= 0.6 * LEAST_EM * window.height()
+    assert equation.em_in(equation.width(), equation.height()) >= 0.6 * LEAST_EM * window.height()
 
 
 def test_the_cells_that_a_control_changes_light_up(window: MainWindow) -> None:

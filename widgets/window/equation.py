@@ -103,13 +103,7 @@ def _laid(term: Term, digits: int) -> _Laid:
 
 
 class EquationSlide(QWidget):
-    """Paints an equation as large as there is room for.
-
-    Attributes
-    ----------
-    needs_all : bool
-        Whether the equation leaves no room for a picture beside it.
-    """
+    """Paints an equation as large as there is room for."""
 
     concerns = PROJECTION | {"view"}
 
@@ -123,7 +117,6 @@ class EquationSlide(QWidget):
         self._laid: tuple[_Laid, ...] = ()
         self._style = LIGHT
         self._screen_px = 1.0
-        self.needs_all = False
         self._readable = Readable(self, self._fill)
         self.hide()
 
@@ -180,14 +173,14 @@ class EquationSlide(QWidget):
 
     # -- places
 
-    def wants_all(self, width: float) -> bool:
+    def needs_all(self, width: float) -> bool:
         """Whether the equation would be too small in a part of this width, or is none."""
         self._readable.settle()
         if self._equation is None and self._shown is not None:
             self._fill()
-        return bool(self._laid) and self._em_in(width, self.height()) < LEAST_EM * self._screen_px
+        return bool(self._laid) and self.em_in(width, self.height()) < LEAST_EM * self._screen_px
 
-    def _em_in(self, width: float, height: float) -> float:
+    def em_in(self, width: float, height: float) -> float:
         """Return the size of the letters with which the equation fits, in px."""
         room = width - 2.0 * EDGE * self._screen_px
         tall = max(sum(each.heights) for each in self._laid) + (2.0 if self._is_product else 0.6)
@@ -229,7 +222,7 @@ class EquationSlide(QWidget):
         painter.end()
 
     def _paint(self, painter: QPainter) -> None:
-        em, least_px = self._em_in(self.width(), self.height()), LEAST_CELL * self._screen_px
+        em, least_px = self.em_in(self.width(), self.height()), LEAST_CELL * self._screen_px
         room = self.width() - 2.0 * EDGE * self._screen_px
         usual = least_px
         stretch = 0.0

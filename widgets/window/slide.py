@@ -35,7 +35,7 @@ class Slide(QWidget):
         slots, equation = self._slots, self.equation
         has_equation = slots.has_equation
         equation.setVisible(has_equation)
-        is_alone = has_equation and equation.wants_all(EQUATION_SHARE * self.width())
+        is_alone = has_equation and equation.needs_all(EQUATION_SHARE * self.width())
         slots.setVisible(not is_alone)
         self._row.setStretch(0, round(100 * EQUATION_SHARE) if has_equation else 0)
         self._row.setStretch(1, round(100 * (1.0 - EQUATION_SHARE)) if has_equation else 1)
