@@ -75,7 +75,7 @@ def test_every_step_is_drawn_without_a_display(talk: Path) -> None:
         ("scene=letter-f", "scene=nowhere", r"line 9.*nowhere", "0 steps drawn, 1 wrong"),
     ],
 )
-def test_what_is_wrong_is_said_with_its_line(
+def test_a_mistake_is_reported_with_its_line(
     talk: Path, old: str, new: str, said: str, last: str
 ) -> None:
     assert TALK.count(old) == 1

@@ -52,20 +52,20 @@ PANE_ASPECT = 1.6
 FIGURE_WIDTHS = (0.58, 0.54, 0.62, 0.5, 0.66, 0.46, 0.7)
 """Possible widths of a figure, as parts of the page's: the first ones look best."""
 BLANK = 0.3
-"""Of a page, may be blank below its last line."""
+"""Largest share of a page that may stay blank below its last line."""
 RULE_PT = 24.0
-"""From one line to write on to the next."""
+"""Distance between lines to write on."""
 LINES_BESIDE, LINES_BELOW = 3, 2
 """Lines to write on: at least these beside a figure, and these below a question."""
 COLUMN_OVER = 1.2
-"""How many times as high as its figure the text beside it may be."""
+"""Largest height of the text beside a figure, relative to the figure."""
 DPI = 1200
 """Qt places lines and letters on whole pixels of the page."""
 FORMULA_PX, FORMULA_PT = 18, 8.5
 """Letters of a matrix as it is laid out, with brackets of whole pixels, and as it is printed."""
 BETWEEN_FORMULAS_PX = 40.0
 NOTE_CHARACTERS = 36
-"""Line length of a matrix's note, which is then not wider than the matrix."""
+"""Line length of a matrix's note, so that it is not wider than the matrix."""
 
 
 def handout(course: Course, *, answers: bool = True) -> bytes:
@@ -105,11 +105,11 @@ def handout(course: Course, *, answers: bool = True) -> bytes:
 
 @dataclass
 class Block:
-    """A part of a page over its width, in points; `kept` on the page where the next one begins."""
+    """A part of a page over its width, in points; `kept` on the same page as the next one."""
 
     height: float
     paint: Callable[[QPainter, QRectF], object]
-    """Paints what of it is in a rectangle."""
+    """Paints the part of the block in a rectangle."""
     left: float = 0.0
     kept: bool = False
     after: float = BETWEEN_PT

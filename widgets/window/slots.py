@@ -1,4 +1,4 @@
-"""The panes' places: one large and two small, or side by side, or one of them alone.
+"""The layout of the panes: one large and two small, side by side, or one alone.
 
 ::
 
@@ -32,7 +32,7 @@ UPPER_AND_LOWER = [318, 378]
 """In pixels of a window of 1366x768; the splitters keep the proportion."""
 LEAST_PANE_PX = (190, 150)
 SMALL = {"world": ("image", "ndc"), "image": ("world", "ndc"), "ndc": ("world", "image")}
-"""The small panes for each large one, from above."""
+"""The small panes for each large one, from top to bottom."""
 
 
 def panes_of_slide(asked: tuple[str, ...], large: str) -> tuple[str, ...]:
@@ -154,7 +154,7 @@ class Slots(QSplitter):
         kept = self.sizes(), self._small.sizes()
         stays = self._is_by_hand and layout == self.layout_name and not self.whole and not whole
         self.layout_name, self.large, self.whole = layout, large, whole
-        self.window().setUpdatesEnabled(False)  # nothing half-done may be visible
+        self.window().setUpdatesEnabled(False)  # no intermediate state may be visible
         try:
             if moved:
                 self._place()
