@@ -121,6 +121,10 @@ class MarksDrawing:
         self._now: tuple[Marks, Placing] | None = None
         self._names = names
         self._highlighted = names.pointed
+        self.measured: frozenset[str] = frozenset()
+        """Names that the pane writes elsewhere, at lines of dimensions, from the next `show` on."""
+        self.named_points = np.empty((0, 3))
+        """The points of the marks that the picture was told to name, (n, 3)."""
         self.points = np.empty((0, 3))
         """The marked points, in the coordinates of the pane's actors, (n, 3)."""
 
@@ -136,13 +140,31 @@ class MarksDrawing:
         drawn.append(self._show_dots(marks.dots, placing))
         self._show_texts(self._named_texts, placing)
         self.points = np.concatenate(drawn)
+        self.named_points = self._named_points(marks, placing)
+
+    def _named_points(self, marks: Marks, placing: Placing) -> Array:
+        wanted = self._names.wanted or ()
+        lines = [line.points for line in marks.lines if line.name in wanted]
+        lines += [face.points for face in marks.faces if face.name in wanted]
+        spots = [dot.point for dot in marks.dots if dot.name in wanted]
+        spots += [text.point for text in marks.texts if text.name in wanted]
+        placed = [placing.placed(np.asarray(points, dtype=float)) for points in lines]
+        if spots:
+            placed.append(placing.placed(np.array(spots, dtype=float)))
+        points = np.concatenate([np.empty((0, 3)), *placed])
+        return points[_within(points, placing.limit)]
 
     @property
     def _named_texts(self) -> Sequence[Text]:
         if self._now is None:
             return ()
         texts, names = self._now[0].texts, self._names
-        return [t for t in texts if t.name in names or names.pointed.intersection(t.about)]
+        return [
+            text
+            for text in texts
+            if text.name not in self.measured
+            and (text.name in names or names.pointed.intersection(text.about))
+        ]
 
     def show_names(self) -> None:
         """Show what is named now; the texts wait for `place_texts`."""

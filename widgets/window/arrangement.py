@@ -40,7 +40,7 @@ def cameras(panes: Mapping[str, Pane]) -> dict[str, Camera]:
 class Arrangement(QObject):
     """Reads the window's arrangement into a `View`, and arranges the window by one."""
 
-    concerns = frozenset({"view"})
+    concerns = frozenset({"view", "scene"})
 
     def __init__(
         self,
@@ -59,6 +59,8 @@ class Arrangement(QObject):
         self._drawer, self._panels = drawer, dict(zip(PANELS, drawer.all, strict=True))
         self._matrices, self._frame, self._probes = matrices, frame, probes
         self._compare = compare
+        self._scene_fixed = ""
+        """The viewpoint with which the scene opens."""
         self._given = View()
         """The view shown last; it still holds what no widget can change."""
 
@@ -76,7 +78,7 @@ class Arrangement(QObject):
             panel=next(opened, ""),
             letters=self._matrices.letters.currentData(),
             layers=self._world.hidden,
-            fixed=self._world.fixed,
+            fixed=None if self._world.fixed == self._scene_fixed else self._world.fixed,
             names=self._world.names,
             probes=self._probes.probes,
             pinned=self._probes.pinned,
@@ -86,7 +88,11 @@ class Arrangement(QObject):
         )
 
     def take(self, shown: Shown, changed: Changed) -> None:
-        self.show(shown.document.view)
+        before, self._scene_fixed = self._scene_fixed, shown.scene.fixed
+        if "view" in changed:
+            self.show(shown.document.view)
+        elif self._world.fixed == before:
+            self._world.show(self._scene_fixed)
 
     def show(self, view: View) -> None:
         """Arrange the window by a view; whatever already agrees with it is not touched."""
@@ -95,7 +101,8 @@ class Arrangement(QObject):
             self._drawer.open(self._panels.get(view.panel))
         # After the panel: a rearranged window reopens a panel that presenting has folded.
         self._slots.arrange(view.layout, view.large, self._slots.whole)
-        self._world.show(view.fixed, view.layers)
+        fixed = self._scene_fixed if view.fixed is None else view.fixed
+        self._world.show(fixed, view.layers)
         self._world.name(view.names)
         self._strip.go_to(view.stage)
         self._frame.go_to(STEPS.index(view.frame_step))

@@ -14,6 +14,7 @@ from PySide6.QtWidgets import QFileDialog, QMainWindow, QMessageBox
 from app.document.document import MESH_ENDINGS, Document, is_mesh
 from app.document.files import holds_document, read, write
 from app.document.store import Store
+from app.document.view import EVERYTHING
 from app.lessons.lesson import is_lesson
 from app.model.refusal import Cancelled, Refusal
 from app.scenes.scene import BUILT_IN, Scene, load
@@ -193,6 +194,8 @@ class Files(QObject):
                 self._store.look(), large="", panel=None, probes=(), pinned=frozenset(), panes={},
                 compare=(), dividers=(),
             )  # fmt: skip
+            if view.names != EVERYTHING:
+                view = replace(view, names=None)
             extra = self._store.document.extra
             return self._store.set_document(Document(name, scene.start, extra, view))
         return True

@@ -300,7 +300,7 @@ def _world_marks(
     u, v, _ = projection.camera.frame
     reach = 0.4 * subject.size
     corners = eye + reach * np.array([-u - v, u - v, u + v, v - u])
-    marks: list[Mark] = [plate(corners, "eye", 1.0, 0.15), Dot(eye, "eye")]
+    marks: list[Mark] = [plate(corners, "eye", 1.0, 0.15, (), "w=0"), Dot(eye, "eye")]
     marks += [
         named("A", a, size=1.2),
         named("B", b, size=1.2),
@@ -384,5 +384,6 @@ PHENOMENON = Phenomenon(
     leading="image",
     own_mesh=True,
     own_mesh_crosses=True,
+    seen_from=(0.0, 70.0),
     names=("A", "B", "eye", "w=0", "A'", "B'"),
 )

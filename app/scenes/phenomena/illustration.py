@@ -170,6 +170,11 @@ class Phenomenon:
         The pane that shows it best: ``"world"``, ``"ndc"`` or ``"image"``.
     names : tuple of str
         The ids of the things that its pictures name, unless the document has a list of its own.
+    fixed : str
+        The fixed viewpoint from which the world is seen as it opens, such as ``"side"``.
+    seen_from : (float, float), optional
+        From where the world is seen as it opens: degrees from the camera's side towards its back,
+        and upwards. By default the direction that hides least.
     own_mesh : bool
         Whether a user's mesh, scaled and moved into its bounds, can replace the built-in subject.
     own_mesh_crosses : bool
@@ -192,6 +197,8 @@ class Phenomenon:
     requires: frozenset[str] = frozenset()
     leading: str = "world"
     names: tuple[str, ...] = ()
+    fixed: str = ""
+    seen_from: tuple[float, float] | None = None
     own_mesh: bool = False
     own_mesh_crosses: bool = False
 

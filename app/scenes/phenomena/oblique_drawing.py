@@ -261,5 +261,6 @@ PHENOMENON = Phenomenon(
     follow=_follow,
     found=_found,
     own_mesh=True,
+    seen_from=(20.0, 60.0),
     names=_SCALE_NAMES,
 )

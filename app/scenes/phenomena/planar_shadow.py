@@ -266,5 +266,6 @@ PHENOMENON = Phenomenon(
     numbers=3,
     check=_check,
     own_mesh=True,
+    seen_from=(30.0, 20.0),
     names=("light", "P", "P'", "ground"),
 )

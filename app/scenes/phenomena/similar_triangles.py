@@ -203,5 +203,7 @@ PHENOMENON = Phenomenon(
     numbers=6,
     check=_check,
     own_mesh=True,
+    fixed="side",
+    seen_from=(0.0, 8.0),
     names=("y", "y_p", "d", "w", "eye", "P", "P'"),
 )
