@@ -498,10 +498,9 @@ class WorldDrawing(Drawing):
         objects = self._objects
         if self._scene.phenomenon is None or not len(core):
             core = np.concatenate([core, objects])
-        elif (size := np.linalg.norm(np.ptp(core, axis=0))) < np.linalg.norm(
-            np.ptp(objects, axis=0)
-        ):
-            # Marks on a part of the subject: with what is about them.
+            return core, np.concatenate(beside)
+        size, whole = (np.linalg.norm(np.ptp(points, axis=0)) for points in (core, objects))
+        if size < whole:  # marks on a part of the subject: with what is about them
             middle = (core.min(axis=0) + core.max(axis=0)) / 2.0
             near = _ABOUT * size if size > 0.0 else np.inf
             core = np.concatenate([core, np.clip(objects, middle - near, middle + near)])

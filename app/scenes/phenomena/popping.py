@@ -288,6 +288,5 @@ PHENOMENON = Phenomenon(
     found=_found,
     check=_check,
     requires=frozenset({"fog", "levels"}),
-    seen_from=(0.0, 60.0),
     names=("far", "next tree"),
 )
