@@ -130,7 +130,7 @@ IMAGE = tuple(Field("image", name, PIXELS, required=True) for name in ("width", 
 QUALITY = _fields("quality", Quality, required=False)
 VIEW = _fields(
     "view", View, required=False,
-    stage=NUMBER_OR_WORD, layers=NAMES, probes=PROBES, pinned=None, panes=None,
+    stage=NUMBER_OR_WORD, layers=NAMES, names=NAMES, probes=PROBES, pinned=None, panes=None,
 )  # fmt: skip
 
 

@@ -47,8 +47,9 @@ def set_values(document: Document, assignments: Iterable[str]) -> Document:
     assignments : iterable of str
         ``lens.far=inf``, ``camera.eye=3,2,4``, ``depth=reversed``, ``scene=cube``,
         ``settings.distance=2``, ``view.stage=pyramid``. A matrix is its 16 cells, row by row;
-        probes are the numbers x, y, z of each point in turn; hidden layers are names separated by
-        commas. ``view.compare=lens.near=2;lens.far=9|lens.near=3`` compares with two pictures, and
+        probes are the numbers x, y, z of each point in turn; hidden layers, and the things that
+        the pictures name, are names separated by commas.
+        ``view.compare=lens.near=2;lens.far=9|lens.near=3`` compares with two pictures, and
         ``view.compare=NAME`` with those of one of the scene's own comparisons. A picture
         may have a name, ``eye: settings.preset=eye|phone: settings.preset=phone``; of several
         pictures one may be the document's own.
@@ -69,7 +70,8 @@ def set_values(document: Document, assignments: Iterable[str]) -> Document:
     scene = texts.pop("scene", document.scene)
     if scene != document.scene:
         still = replace(document.projection, placement=NOT_MOVED)
-        document = replace(document, scene=scene, projection=still, settings={}, mesh="")
+        view = replace(document.view, names=None)
+        document = replace(document, scene=scene, projection=still, settings={}, mesh="", view=view)
     if "view.frame_step" in texts:
         texts.setdefault("view.panel", "frame")
     kind = texts.pop("lens.kind", "")

@@ -41,6 +41,10 @@ FIXED = ("side", "top", "axis", "eye")
 """The fixed viewpoints of the world."""
 MOST_PROBES = 6
 """Most probes: more cannot be compared at a glance."""
+MOST_NAMES = 7
+"""Most names of a view: a picture with more of them has no point."""
+EVERYTHING = ("*",)
+"""The names of a view that names everything."""
 
 A_STAGE = QT_TRANSLATE_NOOP("Refusal", "must be one of {0}, or a number from 0 to {1}")
 ONE_OR_NONE = QT_TRANSLATE_NOOP("Refusal", "must be one of {0}, or empty for none")
@@ -52,6 +56,9 @@ A_PROBE = QT_TRANSLATE_NOOP(
     " probe",
 )
 PROBE_NUMBERS = QT_TRANSLATE_NOOP("Refusal", "must be a list of the numbers of probes")
+SOME_NAMES = QT_TRANSLATE_NOOP(
+    "Refusal", "must be a list of at most {0} different names, or only *"
+)
 
 
 @dataclass(frozen=True)
@@ -73,6 +80,9 @@ class View:
     """The hidden `LAYERS`."""
     fixed: str = ""
     """The viewpoint of the world; empty for a free one."""
+    names: tuple[str, ...] | None = None
+    """The ids of the things that the pictures name, or `EVERYTHING`; None for the scene's own
+    list."""
     probes: tuple[Probe, ...] = ()
     """The probes, in the order of their numbers."""
     pinned: frozenset[int] = frozenset()
@@ -96,6 +106,7 @@ class View:
             raise Refusal("stage", self.stage, A_STAGE, ", ".join(STAGES), IMAGE)
         if not self.layers <= set(LAYERS):
             raise Refusal("layers", sorted(self.layers, key=str), SOME_OF, ", ".join(LAYERS))
+        _check_names(self.names)
         numbers = [probe.number for probe in self.probes]
         if numbers != sorted(set(numbers) & set(range(1, MOST_PROBES + 1))):
             raise Refusal("probes", numbers, SOME_PROBES, MOST_PROBES)
@@ -130,6 +141,14 @@ def _is_number(value: object) -> bool:
 def _check_name(name: str, value: object, names: Sequence[str], bound: Bound) -> None:
     if value not in names and not (value == "" and bound == ONE_OR_NONE):
         raise Refusal(name, value, bound, ", ".join(names))
+
+
+def _check_names(names: tuple[str, ...] | None) -> None:
+    if names is None or names == EVERYTHING:
+        return
+    texts = [name for name in names if isinstance(name, str) and name.strip() not in ("", "*")]
+    if len(texts) != len(names) or len(set(texts)) != len(texts) or len(texts) > MOST_NAMES:
+        raise Refusal("names", list(names), SOME_NAMES, MOST_NAMES)
 
 
 AS_EVER = View()
@@ -180,6 +199,12 @@ def _panel(value: Any) -> Any:
 
 def _layers(value: Any) -> frozenset[Any]:
     return _set_of("layers", value, SOME_OF, ", ".join(LAYERS))
+
+
+def _names(value: Any) -> tuple[Any, ...]:
+    if not isinstance(value, list) or any(isinstance(part, (list, dict)) for part in value):
+        raise Refusal("names", value, SOME_NAMES, MOST_NAMES)
+    return tuple(value)
 
 
 def _pinned(value: Any) -> frozenset[Any]:
@@ -235,6 +260,7 @@ _AS_READ: dict[str, Callable[[Any], Any]] = {
     "stage": _stage,
     "panel": _panel,
     "layers": _layers,
+    "names": _names,
     "pinned": _pinned,
     "probes": _probes,
     "dividers": _dividers,
@@ -242,6 +268,7 @@ _AS_READ: dict[str, Callable[[Any], Any]] = {
 _AS_WRITTEN: dict[str, Callable[[Any], Any]] = {
     "stage": lambda stage: STAGES[int(stage)] if stage.is_integer() else stage,
     "layers": lambda layers: [name for name in LAYERS if name in layers],
+    "names": list,
     "pinned": sorted,
     "probes": _probe_places,
 }

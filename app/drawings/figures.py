@@ -24,6 +24,7 @@ from app.document.compare import Written, in_words, names_in
 from app.document.document import Document
 from app.document.field_names import FIELDS
 from app.document.files import write_bytes_atomically
+from app.document.naming import named_in
 from app.document.settings import name_of, pictured
 from app.document.view import AS_EVER, PANES, View
 from app.drawings import AXES, WORDS, Words
@@ -387,6 +388,7 @@ def _render_pane(
         window = screen.render_window
         drawing = _DRAWINGS[pane](screen, scene, words, style.enlarged(factor), **options)
         drawing.show_layers(view.layers | {AXES} if bare else view.layers)
+        drawing.show_names(named_in(pane, scene, view.names))
         drawing.show_projection(projection, illustration)
         if illustration is not None:  # as in the window, while nobody points at anything
             drawing.show_highlight(frozenset(illustration.about))

@@ -15,12 +15,14 @@ import numpy as np
 from numpy.typing import NDArray
 from vtkmodules.vtkRenderingCore import vtkRenderer
 
+from app.document.naming import named_in
 from app.drawings import AXES
 from app.drawings.actors import Canvas, Space, face_actor, identity_camera, lifted
 from app.drawings.blurring import Blurring
 from app.drawings.drawing import Drawing, Rectangle
 from app.drawings.labels import Layout
 from app.drawings.marks import MarksDrawing, Placing, spread_over
+from app.drawings.names import Names
 from app.drawings.pointing import Emphasis, Segment, Spot, pointed_at
 from app.drawings.precision import ModelActors, least_tolerance
 from app.drawings.probes import Probes
@@ -50,8 +52,11 @@ class ImageDrawing(Drawing):
     `tolerance_px` is the error up to which the GPU's own float32 may draw. The depth buffer is that
     of `quality`, unless the scene is about a buffer itself. Without `framed`, the picture has no
     frame, no axes and no margins. A framed picture can have a `caption` above it, at `middle` of
-    its width. `finer` is how many pixels of the window, along each side, become one in the end.
+    its width. It has its axes if they are named. `finer` is how many pixels of the window, along
+    each side, become one in the end.
     """
+
+    pane = "image"
 
     def __init__(
         self,
@@ -78,6 +83,8 @@ class ImageDrawing(Drawing):
         self._image_size = scene.start.image_size
         self._picture = vtkRenderer()
         self._projection = scene.start
+        self._hidden: frozenset[str] = frozenset()
+        self.names = Names(named_in(self.pane, scene))
         self._add_picture()
         self._probes = Probes(self._canvas, self._picture)
         self._marks: MarksDrawing | None = None
@@ -96,6 +103,7 @@ class ImageDrawing(Drawing):
         if framed:
             self._canvas.renderer.SetBackground(*rgb(style.margin))
             self._add_axes(words)
+            self.show_layers(frozenset())
             self._add_sides()
             self._caption: Any = None
             self._middle = middle
@@ -103,7 +111,20 @@ class ImageDrawing(Drawing):
                 self._caption = self._canvas.label(caption, anchor=(0, -1))
 
     def show_highlight(self, highlighted: Highlight) -> bool:
+        before, self.names.pointed = self.names.pointed, highlighted
+        if before != highlighted and self._marks is not None and not self.names.all:
+            self._marks.show_names()
+            self._place_texts()
         return self._emphasis.show(highlighted)
+
+    def show_names(self, names: frozenset[str] | None) -> None:
+        if names == self.names.wanted:
+            return
+        self.names.wanted = names
+        self.show_layers(self._hidden)
+        if self._marks is not None:
+            self._marks.show_names()
+            self._place_texts()
 
     def highlight_at(self, x_px: float, y_px: float) -> Highlight:
         found = self._emphasis.label_at(x_px, y_px)
@@ -146,6 +167,9 @@ class ImageDrawing(Drawing):
             self._place_probes()
 
     def show_layers(self, hidden: frozenset[str]) -> None:
+        self._hidden = hidden
+        if "pixels" not in self.names:
+            hidden |= {AXES}
         if ("grid" in hidden) != ("grid" in self._canvas.hidden):
             self._model.show_grid("grid" not in hidden)
             if self._blurring is not None:
@@ -191,6 +215,7 @@ class ImageDrawing(Drawing):
                 renderer=self._picture,
                 over=True,
                 leads=True,
+                names=self.names,
             )
         width, height = self._image_size
         placing = Placing(

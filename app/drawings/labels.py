@@ -71,7 +71,7 @@ class Named(NamedTuple):
     body: Array  # (n, 3): extent of the camera's body
     corners: Array | None  # (8, 3), of the frustum as drawn, near first
     planes: tuple[float, float] | None  # distances of near and far to be written
-    without: frozenset[str] = frozenset()  # "eye" or "target", if they are not to be named
+    without: frozenset[str] = frozenset()  # of eye, target, near and far: those without a name
 
 
 class Labels:
@@ -160,7 +160,7 @@ class Labels:
             others = planes[1 - i][:4]
             if len(planes[i]) == 1:  # outwards from its handle
                 sides = _ABOVE_PLANE if planes[i][0][1] >= planes[1 - i][0][1] else _BELOW_HANDLE
-            if named.corners is None:
+            if named.corners is None or name in named.without:
                 layout.place(label, [], sides, leader)  # nowhere
                 continue
             beside = partial(layout.place, label, planes[i], sides, leader, apart_from=others)

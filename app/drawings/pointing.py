@@ -22,6 +22,8 @@ from app.drawings.actors import (
     point_actor,
 )
 from app.drawings.label import Label
+from app.drawings.names import QUIET, QUIET_WIDTH, Names
+from app.drawings.style import rgb
 from app.lecture.highlight import CORNERS, NOTHING, SIDES, Highlight
 from app.model.projection import Array
 
@@ -46,6 +48,7 @@ Segment: TypeAlias = tuple[Highlight, Spot, Spot]
 class Emphasis:
     def __init__(self, canvas: Canvas) -> None:
         self._canvas = canvas
+        self._marks: list[_Mark] = []
         self._told: list[tuple[Highlight, Callable[[bool], object]]] = []
         self._labels: list[tuple[str, Label]] = []
         self._shown = self._names = NOTHING
@@ -54,11 +57,20 @@ class Emphasis:
         self._told.append((frozenset(names), tell))
         self._names |= frozenset(names)
 
-    def line(self, actor: vtkActor, *names: str) -> None:
-        """Draw these lines wider while one of the names is highlighted."""
-        line = actor.GetProperty()
-        width = line.GetLineWidth()
-        self._tell(names, lambda on: line.SetLineWidth(width * (_WIDER if on else 1.0)))
+    def line(self, actor: vtkActor, *names: str, of: Sequence[str] = ()) -> None:
+        """Draw these lines wider while one of the names is highlighted.
+
+        They are drawn quietly while none of `of`, by default of the names, is named.
+        """
+        mark = _Mark(actor, self._canvas.style.background, frozenset(of or names))
+        self._marks.append(mark)
+        if names:
+            self._tell(names, mark.highlight)
+
+    def show_names(self, names: Names) -> None:
+        """Draw those lines quietly whose things are not named."""
+        for mark in self._marks:
+            mark.be_quiet(not any(name in names for name in mark.of))
 
     def point(self, actor: vtkActor, *names: str) -> None:
         """Draw these points larger."""
@@ -116,6 +128,33 @@ class Emphasis:
             if label.covers(x_px, height_px - y_px):
                 return frozenset((name,))
         return NOTHING
+
+
+class _Mark:
+    """Lines or faces that are highlighted, or quiet, or neither."""
+
+    def __init__(self, actor: vtkActor, paper: str, of: frozenset[str]) -> None:
+        self._property, self.of = actor.GetProperty(), of
+        self._width, self._colour = self._property.GetLineWidth(), self._property.GetColor()
+        self._paper = rgb(paper)
+        self._quiet = self._highlighted = False
+
+    def highlight(self, highlighted: bool) -> None:
+        self._highlighted = highlighted
+        self._dress()
+
+    def be_quiet(self, quiet: bool) -> None:
+        if quiet != self._quiet:
+            self._quiet = quiet
+            self._dress()
+
+    def _dress(self) -> None:
+        quiet = self._quiet and not self._highlighted
+        times = _WIDER if self._highlighted else QUIET_WIDTH if quiet else 1.0
+        self._property.SetLineWidth(times * self._width)
+        part = QUIET if quiet else 0.0
+        pairs = zip(self._colour, self._paper, strict=True)
+        self._property.SetColor(*((1.0 - part) * c + part * p for c, p in pairs))
 
 
 def volume_edges(spots: Sequence[Spot]) -> list[Segment]:

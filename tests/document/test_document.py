@@ -32,7 +32,16 @@ from app.document.document import MESH_ENDINGS, Document, is_mesh
 from app.document.files import extract, holds_document, read, write, write_bytes_atomically
 from app.document.settings import set_values
 from app.document.view import FIELDS as VIEW_FIELDS
-from app.document.view import FIXED, LAYERS, LAYOUTS, MOST_PROBES, PANELS, PANES, STAGES, View
+from app.document.view import (
+    FIXED,
+    LAYERS,
+    LAYOUTS,
+    MOST_PROBES,
+    PANELS,
+    PANES,
+    STAGES,
+    View,
+)
 from app.lecture.camera_frame import STEPS
 from app.lecture.notation import LETTERS
 from app.model.limits import ABOVE
@@ -170,6 +179,7 @@ def views(draw: st.DrawFn, camera: Camera) -> View:
         letters=draw(st.sampled_from(LETTERS)),
         layers=frozenset(draw(st.sets(st.sampled_from(LAYERS)))),
         fixed=draw(st.sampled_from(("", *FIXED))),
+        names=draw(st.sampled_from((None, (), ("*",), ("eye", "P'"), tuple("ABCDEFG")))),
         probes=tuple(probes),
         pinned=frozenset(draw(st.sets(st.sampled_from(numbers)))) if numbers else frozenset(),
         panes=dict.fromkeys(draw(st.sets(st.text(), max_size=2)), camera),
@@ -1182,6 +1192,7 @@ def test_a_wrong_camera_of_a_pane_is_named_where_the_file_has_it(
 NO_PANE = f"must be one of {', '.join(PANES)}, or empty for none."
 NO_STAGE = f"must be one of {', '.join(STAGES)}, or a number from 0 to 5."
 NO_PANEL = f"must be one of {', '.join(PANELS)}, or empty for none."
+NO_NAMES = "must be a list of at most 7 different names, or only *."
 NO_LAYERS = f"must be a list of names from {', '.join(LAYERS)}."
 NO_PROBE = (
     "must be three numbers for a point, four with w, two for the ray of a pixel, or null for no"
@@ -1205,6 +1216,13 @@ WRONG_VIEWS: list[tuple[object, str]] = [
     ({"layers": "grid"}, f".layers = 'grid': {NO_LAYERS}"),
     ({"layers": ["sky"]}, f".layers = ['sky']: {NO_LAYERS}"),
     ({"layers": [["grid"]]}, f".layers = [['grid']]: {NO_LAYERS}"),
+    ({"names": "eye"}, f".names = 'eye': {NO_NAMES}"),
+    ({"names": None}, f".names = null: {NO_NAMES}"),
+    ({"names": ["eye", 3]}, f".names = ['eye', 3]: {NO_NAMES}"),
+    ({"names": ["eye", "eye"]}, f".names = ['eye', 'eye']: {NO_NAMES}"),
+    ({"names": ["eye", "*"]}, f".names = ['eye', '*']: {NO_NAMES}"),
+    ({"names": list("ABCDEFGH")},
+     f".names = ['A', 'B', 'C', 'D', 'E', 'F', 'G', 'H']: {NO_NAMES}"),
     ({"fixed": "left"}, f".fixed = 'left': must be one of {', '.join(FIXED)}, or empty for none."),
     ({"probes": {}}, ".probes = {}: must be a list of at most 6 probes."),
     ({"probes": [None] * 7}, f".probes = [{', '.join(['null'] * 7)}]: must be a list of at most 6"
@@ -1240,6 +1258,9 @@ SET_VIEWS = {
     "view.letters=002": View(letters="002"),
     "view.layers=grid, labels": View(layers=frozenset({"grid", "labels"})),
     "view.fixed=axis": View(fixed="axis"),
+    "view.names=y, y_p,P'": View(names=("y", "y_p", "P'")),
+    "view.names=*": View(names=("*",)),
+    "view.names=": View(names=()),
     "view.probes=1,2,3, 4,5,6": View(probes=(Probe(1, (1, 2, 3)), Probe(2, (4, 5, 6)))),
     "view.probes=": View(),
 }
@@ -1248,6 +1269,12 @@ SET_VIEWS = {
 def test_a_view_is_set_by_path() -> None:
     for assignment, view in SET_VIEWS.items():
         assert set_values(Document(), [assignment]).view == view, assignment
+
+
+def test_another_scene_names_its_own_things() -> None:
+    named = set_values(Document(), ["view.names=near"])
+    assert set_values(named, ["scene=cube"]).view.names is None
+    assert set_values(named, ["scene=cube", "view.names=far"]).view.names == ("far",)
 
 
 def test_a_step_of_the_frame_opens_its_panel_unless_another_is_set() -> None:
@@ -1260,6 +1287,7 @@ SET_WRONG_VIEWS = {
     "view.stage=nan": f"view.stage = 'nan': {NO_STAGE}",
     "view.stage=6": f"view.stage = 6: {NO_STAGE}",
     "view.layers=sky,grid": f"view.layers = ['grid', 'sky']: {NO_LAYERS}",
+    "view.names=A,A": f"view.names = ['A', 'A']: {NO_NAMES}",
     "view.probes=1,2,nan": "view.probes = '1,2,nan': must be the numbers x, y, z of each point",
     **{f"{path}=1": f"{path} {NEAREST}" for path in ("view.panes", "view.pinned", "view", "views")},
 }

@@ -87,6 +87,7 @@ def test_a_figure_beside_a_live_pane_is_the_same_and_leaves_the_pane_alone(
     qtbot.addWidget(canvas, before_close_func=lambda widget: widget.close())
     canvas.resize(200, 150)
     drawing = StageDrawing(canvas, scene, WORDS, LIGHT)
+    drawing.show_names(None)
     drawing.show_projection(scene.start)
     with qtbot.waitExposed(canvas):
         canvas.show()

@@ -41,6 +41,7 @@ class Shown:
         self.plotter = OffScreen(*size)
         self.scene = load("letter-f")
         self.drawing = StageDrawing(self.plotter, self.scene, WORDS, style)
+        self.drawing.show_names(None)
         self.drawing.show_projection(self.scene.start)
 
     def pixels(self, position: float | None = None) -> Pixels:

@@ -29,6 +29,7 @@ from PySide6.QtGui import (
 )
 from PySide6.QtWidgets import QFrame, QGridLayout, QWidget
 
+from app.document.naming import named_in
 from app.drawings import AXES
 from app.drawings.drawing import Drawing
 from app.lecture.highlight import NOTHING, Highlight
@@ -58,6 +59,7 @@ def multisamples(smoothing: str) -> int:
 AS_BUILT: dict[str, Any] = {
     "detail": None,
     "layers": frozenset(),
+    "names": None,
     "projection": None,
     "stage": None,
     "view": None,
@@ -78,7 +80,7 @@ _SHOW: dict[str, Callable[[Drawing, Any], object]] = {
     "object_axes": lambda drawing, wanted: drawing.show_object_axes(wanted),
     "highlight": lambda drawing, highlighted: drawing.show_highlight(highlighted),
 }
-"""How a drawing is told; ``projection`` and ``view`` take more than one call."""
+"""How a drawing is told; ``projection``, ``names`` and ``view`` take more than one call."""
 
 
 class Surface(QWidget):
@@ -271,6 +273,7 @@ class Pane(QFrame):
         elif shown is not self.shown:
             self.take(shown, PROJECTION)
         self.show_layers(other._hidden)
+        self.ask("names", other._asked["names"])
         self.set_bare(other._is_bare)
         self.show_probes(tuple(probe for probe in other.probes if probe.number))
         self.set_smoothing(at_rest or other._smoothing)
@@ -306,7 +309,8 @@ class Pane(QFrame):
     def ask(self, what: str, wanted: object) -> bool:
         """Show one of `AS_BUILT`, now or on appearing; return whether it is new.
 
-        ``"detail"``: a scene with fewer triangles, or None. ``"stage"``: a position on the stage
+        ``"detail"``: a scene with fewer triangles, or None. ``"names"``: the names of a view, or
+        None for the scene's own. ``"stage"``: a position on the stage
         strip. ``"step"``: a step of the camera's frame, or None. ``"fixed"``: one of
         `app.document.view.FIXED`, or ``""``. ``"object_axes"``: whether they are always visible.
         """
@@ -373,6 +377,8 @@ class Pane(QFrame):
                 began = time.perf_counter()
                 drawing.show_projection(shown.projection, shown.illustration)
                 self._matrices_ms = 1e3 * (time.perf_counter() - began)
+            elif what == "names":
+                drawing.show_names(named_in(drawing.pane, shown.scene, wanted))
             elif what == "view":
                 drawing.reset_view()
                 if wanted is not None:

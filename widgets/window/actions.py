@@ -280,6 +280,11 @@ class Actions(QObject):
         }
         self.layers = {name: self._action(text, on=True) for name, text in layers.items()}
         self._menu(self.tr("&Layers"), *self.layers.values(), inside=menu)
+        self.name_everything = self._action(
+            self.tr("&Name everything"), None, "N",
+            self.tr("Name everything in the pictures, not only what the scene is about"), on=False,
+        )  # fmt: skip
+        menu.addAction(self.name_everything)
         themes = {
             "system": self.tr("As the system"),
             "light": self.tr("Light"),

@@ -247,4 +247,5 @@ PHENOMENON = Phenomenon(
     controls=("lens.near", "lens.far"),
     leading="ndc",
     own_mesh=True,
+    names=("P", "Q", "Az+B", "A+B/z", "deviation"),
 )

@@ -160,4 +160,5 @@ PHENOMENON = Phenomenon(
     follow=_follow,
     found=_found,
     own_mesh=True,
+    names=("hole", "film", "h", "h'", "d", "z"),
 )

@@ -335,4 +335,5 @@ PHENOMENON = Phenomenon(
     controls=("lens.near", "lens.far", "camera.distance"),
     numbers=7,
     leading="ndc",
+    names=("A", "B", "C", "1", "2"),
 )

@@ -255,4 +255,5 @@ PHENOMENON = Phenomenon(
     leading="image",
     requires=frozenset({"depth"}),
     own_mesh=True,
+    names=("surface-1", "surface-2"),
 )

@@ -457,4 +457,5 @@ PHENOMENON = Phenomenon(
     leading="image",
     own_mesh=True,
     own_mesh_crosses=True,
+    names=("A", "B", "eye", "w=0", "A'", "B'"),
 )

@@ -285,4 +285,5 @@ PHENOMENON = Phenomenon(
     follow=_follow,
     found=_found,
     own_mesh=True,
+    names=("nearest", "farthest", "d"),
 )

@@ -229,4 +229,5 @@ PHENOMENON = Phenomenon(
     leading="image",
     requires=frozenset({"texture"}),
     own_mesh=True,
+    names=("half-on-screen", "half-in-world"),
 )

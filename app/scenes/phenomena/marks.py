@@ -3,6 +3,9 @@
 Also how the scene itself is rasterised. Whatever follows every vertex is a matrix (`Copy`) or the
 rasteriser's own work (`Rendering`); marks are few.
 
+A mark with a `name` belongs to the thing of that name: where the picture does not name it, the
+mark is drawn more quietly. A line, face or dot without a name is always drawn as it is.
+
 Colours are names of `app.drawings.style.Style`, such as ``"near"``, or ``"#rrggbb"``. Points are
 world coordinates in the world pane, NDC in the NDC pane and pixels in the image pane.
 """
@@ -31,6 +34,7 @@ class Line:
     colour: str = "ink"
     width: float = 1.0
     about: tuple[str, ...] = ()
+    name: str = ""
 
 
 @dataclass(frozen=True, eq=False)
@@ -40,6 +44,7 @@ class Face:
     points: Array
     colour: str = "accent"
     opacity: float = 0.3
+    name: str = ""
 
 
 @dataclass(frozen=True, eq=False)
@@ -49,6 +54,7 @@ class Dot:
     point: Array
     colour: str = "accent"
     size: float = 1.0
+    name: str = ""
 
 
 @dataclass(frozen=True, eq=False)
@@ -119,7 +125,7 @@ def named(
     name: str, point: Array, colour: str = "accent", size: float = 1.3, text: str = ""
 ) -> Marks:
     """A dot and its letter."""
-    return Marks.of(Dot(point, colour, size), Text(name, point, colour, text=text))
+    return Marks.of(Dot(point, colour, size, name), Text(name, point, colour, text=text))
 
 
 def dash_dot(start: Array, end: Array, period: float, colour: str, width: float) -> list[Line]:
@@ -149,10 +155,16 @@ def outline(corners: Array) -> Array:
 
 
 def plate(
-    corners: Array, colour: str, width: float, opacity: float, about: tuple[str, ...] = ()
+    corners: Array,
+    colour: str,
+    width: float,
+    opacity: float,
+    about: tuple[str, ...] = (),
+    name: str = "",
 ) -> Marks:
     """A flat convex polygon (k, 2 or 3): its face, and its outline in the same colour."""
-    return Marks.of(Line(outline(corners), colour, width, about), Face(corners, colour, opacity))
+    edge = Line(outline(corners), colour, width, about, name)
+    return Marks.of(edge, Face(corners, colour, opacity, name))
 
 
 @dataclass(frozen=True, eq=False)

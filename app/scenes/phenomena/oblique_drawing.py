@@ -261,4 +261,5 @@ PHENOMENON = Phenomenon(
     follow=_follow,
     found=_found,
     own_mesh=True,
+    names=_SCALE_NAMES,
 )

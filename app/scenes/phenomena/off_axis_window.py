@@ -262,4 +262,5 @@ PHENOMENON = Phenomenon(
     follow=_follow,
     found=_found,
     own_mesh=True,
+    names=("l", "r", "b", "t", "eye", "window"),
 )

@@ -265,4 +265,5 @@ PHENOMENON = Phenomenon(
     numbers=3,
     check=_check,
     own_mesh=True,
+    names=("light", "P", "P'", "ground"),
 )

@@ -195,4 +195,5 @@ PHENOMENON = Phenomenon(
     numbers=6,
     check=_check,
     own_mesh=True,
+    names=("y", "y_p", "d", "w", "eye", "P", "P'"),
 )

@@ -428,4 +428,5 @@ PHENOMENON = Phenomenon(
     follow=_follow,
     found=_found,
     own_mesh=True,
+    names=("V_x", "V_y", "V_z", "P", "horizon"),
 )

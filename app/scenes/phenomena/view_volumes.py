@@ -192,4 +192,5 @@ PHENOMENON = Phenomenon(
     numbers=4,
     follow=_follow,
     found=_found,
+    names=("A", "B", "C", "D", "E"),
 )
