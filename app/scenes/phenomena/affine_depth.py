@@ -248,4 +248,5 @@ PHENOMENON = Phenomenon(
     leading="ndc",
     own_mesh=True,
     names=("P", "Q", "Az+B", "A+B/z", "deviation"),
+    leaves_out=frozenset({"near-picture"}),
 )

@@ -161,4 +161,5 @@ PHENOMENON = Phenomenon(
     found=_found,
     own_mesh=True,
     names=("hole", "film", "h", "h'", "d", "z"),
+    leaves_out=frozenset({"frustum", "near-picture"}),
 )

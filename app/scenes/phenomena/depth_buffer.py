@@ -256,4 +256,5 @@ PHENOMENON = Phenomenon(
     requires=frozenset({"depth"}),
     own_mesh=True,
     names=("surface-1", "surface-2"),
+    leaves_out=frozenset({"near-picture"}),
 )

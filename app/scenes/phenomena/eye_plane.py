@@ -458,4 +458,5 @@ PHENOMENON = Phenomenon(
     own_mesh=True,
     own_mesh_crosses=True,
     names=("A", "B", "eye", "w=0", "A'", "B'"),
+    leaves_out=frozenset({"frustum", "near-picture"}),
 )

@@ -286,4 +286,5 @@ PHENOMENON = Phenomenon(
     found=_found,
     own_mesh=True,
     names=("nearest", "farthest", "d"),
+    leaves_out=frozenset({"frustum", "near-picture"}),
 )

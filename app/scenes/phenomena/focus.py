@@ -328,4 +328,5 @@ PHENOMENON = Phenomenon(
     controls=("lens.fov_y_deg",),
     own_mesh=True,
     names=("sharp-from", "in-focus", "sharp-to"),
+    leaves_out=frozenset({"frustum", "near-picture"}),
 )

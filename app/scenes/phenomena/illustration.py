@@ -170,6 +170,12 @@ class Phenomenon:
         The pane that shows it best: ``"world"``, ``"ndc"`` or ``"image"``.
     names : tuple of str
         The ids of the things that its pictures name, unless the document has a list of its own.
+    leaves_out : frozenset of str
+        Layers that the world pane leaves out, as long as neither near nor far is named; without
+        ``"frustum"`` only the eye, the subject and the marks are framed.
+    pale : bool
+        Whether the world pane draws the subject as a pale silhouette, because the marks beside it
+        matter more.
     own_mesh : bool
         Whether a user's mesh, scaled and moved into its bounds, can replace the built-in subject.
     own_mesh_crosses : bool
@@ -192,6 +198,8 @@ class Phenomenon:
     requires: frozenset[str] = frozenset()
     leading: str = "world"
     names: tuple[str, ...] = ()
+    leaves_out: frozenset[str] = frozenset()
+    pale: bool = False
     own_mesh: bool = False
     own_mesh_crosses: bool = False
 

@@ -262,4 +262,5 @@ PHENOMENON = Phenomenon(
     found=_found,
     own_mesh=True,
     names=_SCALE_NAMES,
+    leaves_out=frozenset({"near-picture"}),
 )

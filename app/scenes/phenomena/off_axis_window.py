@@ -263,4 +263,5 @@ PHENOMENON = Phenomenon(
     found=_found,
     own_mesh=True,
     names=("l", "r", "b", "t", "eye", "window"),
+    leaves_out=frozenset({"frustum", "near-picture"}),
 )

@@ -266,4 +266,5 @@ PHENOMENON = Phenomenon(
     check=_check,
     own_mesh=True,
     names=("light", "P", "P'", "ground"),
+    leaves_out=frozenset({"frustum", "near-picture"}),
 )

@@ -196,4 +196,6 @@ PHENOMENON = Phenomenon(
     check=_check,
     own_mesh=True,
     names=("y", "y_p", "d", "w", "eye", "P", "P'"),
+    leaves_out=frozenset({"frustum", "near-picture", "grid"}),
+    pale=True,
 )
