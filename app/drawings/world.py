@@ -35,7 +35,7 @@ from app.drawings.probes import Probes
 from app.drawings.rasterising import textured
 from app.drawings.silhouette import Mask, Silhouette
 from app.drawings.style import Style
-from app.lecture.highlight import CORNERS, OBJECT_AXES, Highlight
+from app.lecture.highlight import AXES, CORNERS, OBJECT_AXES, Highlight
 from app.model.projection import Array, Camera, ObjectTransform, Projection
 from app.picking.handles import Handle, nearest, shown
 from app.picking.picking import Probe, Sight
@@ -176,10 +176,15 @@ class WorldDrawing(Drawing):
 
     @property
     def _left_out(self) -> frozenset[str]:
-        """The layers that the scene leaves out now."""
-        if "near" in self.names or "far" in self.names:
+        """The layers that the scene leaves out now: nothing of what is named."""
+        names, left_out = self.names, self._scene.leaves_out
+        if not left_out or names.all or self.camera.step is not None:
             return frozenset()
-        return self._scene.leaves_out
+        if "near" in names or "far" in names:
+            left_out -= {"frustum", "near-picture"}
+        if any(name in names for name in ("eye", "target", *AXES)):
+            left_out -= {"camera"}
+        return left_out
 
     # -- pointing
 
@@ -461,11 +466,17 @@ class WorldDrawing(Drawing):
         with_camera = np.concatenate([frustum.corners, [at.target]])
         if "frustum" in self._left_out:
             corners, with_camera = None, np.empty((0, 3))
+        eye = at.eye
+        if "camera" not in self._left_out:
+            with_camera = np.vstack([with_camera, eye])
+        elif not self.own.fixed:
+            eye = self._objects.mean(axis=0)
         points = _points_to_frame(at, self._objects, with_camera, self._marked, self._scene.size)
         below_em = 0.0
         if self.own.fixed and self._dimensions is not None:
             below_em = self._dimensions.below_em(self.own.size_px, self._in_fixed_view)
-        return Framed(at.camera, at.eye, points, corners, self._objects, has_eye, below_em)
+        side = None if self._scene.phenomenon is None else self._scene.phenomenon.side
+        return Framed(at.camera, eye, points, corners, self._objects, has_eye, below_em, side)
 
     def refit(self) -> bool:
         """Frame the view again, and go back to what `reset_view` framed once that shows everything.
@@ -625,7 +636,7 @@ def _points_to_frame(
     middle = objects.mean(axis=0)
     centre = (middle + at.eye) / 2.0
     marked = marked[np.linalg.norm(marked - middle, axis=1) <= _FRAMED_MARK * size]
-    points = np.concatenate([objects, with_camera, [at.eye], marked])
+    points = np.concatenate([objects, with_camera, marked])
     offsets = points - centre
     lengths = np.maximum(np.linalg.norm(offsets, axis=1, keepdims=True), 1e-300)
     whole, nearby = _WHOLE * at.extent, _NEARBY * at.extent

@@ -175,6 +175,11 @@ class Scene:
         return "world" if self.phenomenon is None else self.phenomenon.leading
 
     @property
+    def fixed(self) -> str:
+        """The fixed view of the world with which it opens; empty for the free one."""
+        return "" if self.phenomenon is None else self.phenomenon.fixed
+
+    @property
     def leaves_out(self) -> frozenset[str]:
         return frozenset() if self.phenomenon is None else self.phenomenon.leaves_out
 

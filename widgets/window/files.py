@@ -191,7 +191,7 @@ class Files(QObject):
             # Keep what was prepared for a class; drop what was about the previous scene.
             view = replace(
                 self._store.look(), large="", panel=None, probes=(), pinned=frozenset(), panes={},
-                compare=(), dividers=(),
+                compare=(), dividers=(), fixed=scene.fixed,
             )  # fmt: skip
             extra = self._store.document.extra
             return self._store.set_document(Document(name, scene.start, extra, view))

@@ -458,5 +458,7 @@ PHENOMENON = Phenomenon(
     own_mesh=True,
     own_mesh_crosses=True,
     names=("A", "B", "eye", "w=0", "A'", "B'"),
+    side=(10.0, 62.0),
+    pale=True,
     leaves_out=frozenset({"frustum", "near-picture"}),
 )

@@ -286,5 +286,6 @@ PHENOMENON = Phenomenon(
     found=_found,
     own_mesh=True,
     names=("nearest", "farthest", "d"),
+    side=(0.0, 65.0),
     leaves_out=frozenset({"frustum", "near-picture"}),
 )

@@ -266,5 +266,6 @@ PHENOMENON = Phenomenon(
     check=_check,
     own_mesh=True,
     names=("light", "P", "P'", "ground"),
-    leaves_out=frozenset({"frustum", "near-picture"}),
+    side=(20.0, 20.0),
+    leaves_out=frozenset({"camera", "frustum", "near-picture"}),
 )

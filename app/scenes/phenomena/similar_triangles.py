@@ -196,6 +196,8 @@ PHENOMENON = Phenomenon(
     check=_check,
     own_mesh=True,
     names=("y", "y_p", "d", "w", "eye", "P", "P'"),
+    side=(12.0, 10.0),
+    fixed="side",
     leaves_out=frozenset({"frustum", "near-picture", "grid"}),
     pale=True,
 )
