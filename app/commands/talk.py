@@ -7,7 +7,7 @@ from pathlib import Path
 
 from app import bootstrap
 from app.commands.arguments import cannot_import, check_out
-from app.commands.options import CANNOT_DRAW, CliError, parser_of, write_out
+from app.commands.options import CANNOT_DRAW, CliError, one_of, parser_of, write_out
 from app.document.document import Document
 from app.document.files import write_bytes_atomically
 from app.lessons.checking import Report, counted
@@ -15,6 +15,8 @@ from app.lessons.course import Course, scene_of
 from app.lessons.lesson import Lesson, Step, read
 from app.model.refusal import Refusal
 
+READERS = ("teacher", "students")
+"""Of a handout; the first ones unless others are asked for."""
 SMALL_PX = 120
 """Size of the panes drawn for the check."""
 
@@ -30,6 +32,10 @@ def talk(arguments: Sequence[str]) -> int:
         if not found.handout.lower().endswith(".pdf"):
             raise CliError(f"--handout = {found.handout!r}: must end in .pdf.")
         check_out("--handout", found.handout)
+    readers = found.readers or READERS[0]
+    one_of("--for", readers, READERS)
+    if found.readers and found.handout is None:
+        raise CliError("--for: needs --handout OUT.pdf.")
     draw = _draw()
     status = 0
     if found.check:
@@ -37,7 +43,7 @@ def talk(arguments: Sequence[str]) -> int:
         write_out([*(f"{error}\n" for error in wrong), f"{line}\n"])
         status = 1 if wrong else 0
     if found.handout is not None and not status:
-        _print(read(name), found.handout)
+        _print(read(name), found.handout, answers=readers == READERS[0])
     return status
 
 
@@ -104,10 +110,10 @@ def _placed(error: Refusal, lesson: Lesson, step: Step) -> Refusal:
     return error
 
 
-def _print(lesson: Lesson, out: str) -> None:
+def _print(lesson: Lesson, out: str, answers: bool) -> None:
     try:
         with bootstrap.for_good():
             from widgets.program.handout import handout
     except ImportError as error:
         raise cannot_import(error) from error
-    write_bytes_atomically(out, handout(Course(lesson)))
+    write_bytes_atomically(out, handout(Course(lesson), answers=answers))

@@ -42,7 +42,7 @@ _OURS = {
     **{f"turn_{x}": f"φ_{x}" for x in "xyz"},
     **{f"size_{x}": f"s_{x}" for x in "xyz"},
     "eye_x": "e_x", "eye_y": "e_y", "eye_z": "e_z", "theta_h": "θ_h", "theta_v": "θ_v",
-    "far_distance": "f",
+    "near_distance": "n", "far_distance": "f",
 }  # fmt: skip
 _EYE_P = {"eye": f"P{ARROW}", "eye_x": "x_p", "eye_y": "y_p", "eye_z": "z_p"}
 _SYMBOLS: dict[str, dict[str, str]] = {
@@ -50,7 +50,7 @@ _SYMBOLS: dict[str, dict[str, str]] = {
     "000": {
         **_OURS,
         "l": "x_min", "r": "x_max", "b": "y_min", "t": "y_max", "n": "z_min", "f": "z_max",
-        "far_distance": "z_max",
+        "near_distance": "z_min", "far_distance": "z_max",
     },
     "001": {
         **_OURS, **_EYE_P, "axis_n": f"w{ARROW}", "n_x": "w_x", "n_y": "w_y", "n_z": "w_z",
@@ -58,7 +58,7 @@ _SYMBOLS: dict[str, dict[str, str]] = {
     },
     "002": {
         **_OURS, "l": "x_l", "r": "x_r", "b": "y_b", "t": "y_t", "n": "z_n", "f": "z_f",
-        "far_distance": "\u2212z_f",
+        "near_distance": "\u2212z_n", "far_distance": "\u2212z_f",
     },
     "003": {**_OURS, **_EYE_P},  # e is its focal length
     "004": {

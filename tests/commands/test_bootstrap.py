@@ -185,14 +185,14 @@ def one_sentence(said: str) -> str:
 
 
 @pytest.mark.parametrize("command", ["", "export", "doctor"])
-def test_help_comes_before_any_set_up(command: str, fresh: Checkout) -> None:
+def test_help_needs_no_set_up(command: str, fresh: Checkout) -> None:
     status, output, said = fresh.run("-m", "app", *command.split(), "--help")
     assert (status, said) == (0, "")
     assert output.startswith(f"usage: python3 -m app {command}".rstrip())
     assert not (fresh.root / ".venv").exists()
 
 
-def test_the_version_and_a_mistyped_option_come_before_any_set_up(fresh: Checkout) -> None:
+def test_the_version_and_a_misspelt_option_need_no_set_up(fresh: Checkout) -> None:
     assert fresh.run("-m", "app", "--version") == (0, f"Frustum Lab {__version__}\n", "")
     status, output, said = fresh.run("-m", "app", "projct", "--help")
     assert (status, output) == (2, "")
@@ -200,7 +200,7 @@ def test_the_version_and_a_mistyped_option_come_before_any_set_up(fresh: Checkou
     assert not (fresh.root / ".venv").exists()
 
 
-def test_the_doctor_comes_before_any_set_up(fresh: Checkout) -> None:
+def test_the_doctor_needs_no_set_up(fresh: Checkout) -> None:
     status, output, said = fresh.run("-m", "app", "doctor")
     assert (status, said) == (3, "")
     assert re.search(r"^Environment +not set up yet$", output, re.MULTILINE)
@@ -209,7 +209,7 @@ def test_the_doctor_comes_before_any_set_up(fresh: Checkout) -> None:
     assert not (fresh.root / ".venv").exists()
 
 
-def test_the_doctor_goes_into_the_environment_that_there_is(made: Checkout) -> None:
+def test_the_doctor_uses_an_existing_environment(made: Checkout) -> None:
     """It stops early in this one, which has no Qt."""
     _, output, _ = made.run("-m", "app", "doctor")
     assert f"({made.root}/.venv/bin/python)" in output
@@ -456,7 +456,7 @@ def without_pip(made: Checkout) -> Path:
     return packages
 
 
-def test_an_environment_of_another_program_that_has_all_is_used_as_it_is(made: Checkout) -> None:
+def test_a_complete_environment_of_another_program_is_used(made: Checkout) -> None:
     packages = without_pip(made)
     before = sorted(packages.iterdir())
     said = made.assert_runs()

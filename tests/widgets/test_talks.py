@@ -374,7 +374,7 @@ def test_a_field_takes_what_is_typed(window: MainWindow) -> None:
     window.setFocus()
 
 
-def test_the_keys_are_a_panes_when_nothing_is_presented(window: MainWindow) -> None:
+def test_without_presenting_the_keys_belong_to_the_pane(window: MainWindow) -> None:
     window.talks.open_speaker()  # where they are the talk's all the same
     activate(window)
     press(window, Qt.Key.Key_Escape)
@@ -413,7 +413,7 @@ AROUND = lesson_of(
 )
 
 
-def test_a_pane_that_nobody_turned_looks_as_if_the_talk_had_begun_at_the_step(
+def test_an_unturned_pane_looks_the_same_whichever_step_came_first(
     window: MainWindow,
 ) -> None:
     def looks() -> tuple[np.ndarray, ...]:
@@ -436,7 +436,7 @@ def test_a_pane_that_nobody_turned_looks_as_if_the_talk_had_begun_at_the_step(
             np.testing.assert_allclose(found, other, atol=1e-9, err_msg=str(way))
 
 
-def test_without_a_talk_presenting_is_as_ever(window: MainWindow) -> None:
+def test_presenting_without_a_talk_is_unchanged(window: MainWindow) -> None:
     window.lessons.close()
     settle()
     assert window.present.is_on and window.band.isHidden()
@@ -464,7 +464,7 @@ def test_a_prediction_is_answered_by_the_state_that_it_shows(window: MainWindow)
     assert near() != 2.0
 
 
-def test_what_was_tried_is_left_by_one_key_and_undone(window: MainWindow) -> None:
+def test_one_key_discards_manual_changes_and_undo_restores_them(window: MainWindow) -> None:
     shown = window.store.document
     tried = replace(shown.projection, lens=replace(shown.projection.lens, near=1.0))
     window.store.set_projection(tried)
@@ -547,7 +547,7 @@ def test_the_speakers_window(window: MainWindow) -> None:
     assert not is_asked(window)  # or every event of every window would wait for it
 
 
-def test_the_notes_are_made_larger_and_stay_so(window: MainWindow, tmp_path: Path) -> None:
+def test_enlarged_notes_stay_enlarged(window: MainWindow, tmp_path: Path) -> None:
     speaker, settings = speaker_of(window), window.settings
     before = settings.notes_px
     for times, key, size in ((40, Qt.Key.Key_Plus, 72), (25, Qt.Key.Key_Minus, before)):
@@ -671,7 +671,7 @@ def test_a_new_talk_begins_with_what_is_seen(window: MainWindow, tmp_path: Path)
     window.messages.done()
 
 
-def test_a_file_that_changes_or_vanishes_leaves_the_last_good_one(
+def test_a_faulty_or_deleted_file_leaves_the_last_good_lesson(
     window: MainWindow, talk: Path
 ) -> None:
     press(window, PAGE_DOWN)
@@ -700,7 +700,7 @@ def test_a_file_that_changes_or_vanishes_leaves_the_last_good_one(
     assert window.band.accessibleName() == "Its cube"
 
 
-def test_a_wrong_file_is_complained_about_in_the_window_once_no_class_looks_on(
+def test_a_faulty_file_is_reported_once_presenting_has_ended(
     window: MainWindow,
 ) -> None:
     """On one screen the speaker's window may be hidden behind the other one."""
@@ -722,7 +722,7 @@ def test_a_wrong_file_is_complained_about_in_the_window_once_no_class_looks_on(
     assert "talk.md: line" in window.messages.text
 
 
-def test_a_step_that_cannot_be_leaves_the_one_before(window: MainWindow, talk: Path) -> None:
+def test_an_impossible_step_leaves_the_previous_one(window: MainWindow, talk: Path) -> None:
     change(window, TALK.replace("view.stage=pyramid", "view.stage=pyramid\nlens.near=99"))
     go_to(window.lessons, 1)
     document = window.store.document
@@ -744,7 +744,7 @@ TRIANGLE = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"
 
 
 @pytest.mark.parametrize("known", [False, True], ids=["never-seen", "seen-before"])
-def test_the_speaker_reads_which_step_cannot_be_and_not_the_class(
+def test_an_impossible_step_is_reported_to_the_speaker_not_the_class(
     window: MainWindow, talk: Path, known: bool
 ) -> None:
     mesh = talk.with_name("house.obj")
@@ -790,7 +790,7 @@ def test_the_speaker_reads_which_step_cannot_be_and_not_the_class(
     assert not window.messages.text
 
 
-def test_what_a_prediction_cannot_show_is_said_to_the_speaker(
+def test_an_impossible_state_of_a_prediction_is_reported_to_the_speaker(
     window: MainWindow, talk: Path
 ) -> None:
     text = TALK.replace("show: lens.near=2", "show: lens.near=99")
@@ -849,7 +849,7 @@ show: lens.near=3
 )
 
 
-def test_an_answer_is_put_to_the_class_and_then_given(window: MainWindow, talk: Path) -> None:
+def test_a_question_is_put_to_the_class_and_then_answered(window: MainWindow, talk: Path) -> None:
     """60° high and 16 : 9: 2 atan(16/9 tan 30°) = 91.49°. One question after the other."""
     assert 2 * math.degrees(math.atan(16 / 9 * math.tan(math.pi / 6))) == pytest.approx(
         91.49, abs=5e-3
@@ -891,7 +891,7 @@ def test_the_speaker_reads_answers_and_tasks_beforehand(window: MainWindow, talk
     )
 
 
-def test_an_answer_without_a_value_is_said_and_the_talk_goes_on(
+def test_an_answer_without_a_value_is_reported_and_the_talk_continues(
     window: MainWindow, talk: Path
 ) -> None:
     text = ASKED.replace("value: fov_x", "value: ndc_x")

@@ -1,4 +1,4 @@
-"""The panels under the panes. Their names stay at the bottom of the window; the open panel takes at
+"""The panels below the panes. Their names stay at the bottom of the window; the open panel takes at
 most a third of its height.
 """
 
@@ -28,11 +28,11 @@ from widgets.parts.plain import set_tip
 
 LEAST_EM = 4
 LARGEST_SHARE = 1 / 3
-"""Of the window's height, for the open panel."""
+"""Largest share of the window's height for the open panel."""
 
 
 class _Name(QToolButton):
-    """Opens and folds a panel by a click, Space or Enter; elided where there is no room."""
+    """Opens and folds a panel by a click, Space or Enter; elided if it does not fit."""
 
     def minimumSizeHint(self) -> QSize:
         return QSize(LEAST_EM * self.fontMetrics().height(), super().minimumSizeHint().height())
@@ -56,7 +56,7 @@ class _Name(QToolButton):
 
 
 class Panels(QWidget):
-    """Panels of which at most one is open; a folded panel is told of changes when it is opened."""
+    """Panels of which at most one is open; a folded panel is notified of changes when it opens."""
 
     opened = Signal()
     """A panel was opened, or the last one folded."""
@@ -110,7 +110,7 @@ class Panels(QWidget):
         self._shown = shown
 
     def tell(self, panel: Panel | None = None) -> None:
-        """Tell the open panel, or another one, what has changed since it was last told."""
+        """Notify the open panel, or `panel`, of the changes since its last notification."""
         panel = panel or self.open_panel
         if panel is None or self._shown is None:
             return
@@ -153,7 +153,7 @@ class Drawer(QSplitter):
         self.splitterMoved.connect(self._dragged)
 
     def fit(self) -> None:
-        """Give the open panel its share of the height: the same for all, or panes would jump."""
+        """Give the open panel its share of the height, the same for all: panes must not jump."""
         window_px, height = self.window().height(), sum(self.sizes())
         self._panels.setMaximumHeight(int(LARGEST_SHARE * window_px))
         wanted = int(self._share * window_px)

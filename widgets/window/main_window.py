@@ -48,7 +48,7 @@ from widgets.parts.focus import focus_next
 from widgets.parts.highlight import Highlighter
 from widgets.parts.layouts import in_column, in_row
 from widgets.parts.message_bar import MessageBar
-from widgets.parts.panel import EVERYTHING, Changed, Panel, Shown, Told
+from widgets.parts.panel import EVERYTHING, Changed, Listener, Panel, Shown
 from widgets.parts.writing import all_digits
 from widgets.window.actions import Actions, take_typed
 from widgets.window.arrangement import Arrangement
@@ -153,12 +153,12 @@ class MainWindow(QMainWindow):
         self._is_closed = self._was_painted = self._is_narrow = False
         self.start_card: StartCard | None = None
         self._folded: Panel | None = None
-        """The panel to reopen when no pane is whole and nothing is presented any more."""
+        """The panel to reopen when no pane fills the window and nothing is presented."""
         self._before_presenting: tuple[bool, str, list[int]] | None = None
         """Whether the dock was shown, the whole pane, and the splitter's sizes."""
         self.settings = settings
         settings.cannot_save = self._tell_unsaved
-        dress(settings)  # before the first widget, which would keep its font
+        dress(settings)  # before the first widget is made, which would keep its font
         self.store = Store(document, self, saved=saved)
         self.messages = MessageBar()
         titles = {"world": self.tr("World"), "ndc": self.tr("NDC cube"), "image": self.tr("Image")}
@@ -195,11 +195,11 @@ class MainWindow(QMainWindow):
             panes=self.panes, theme=settings.theme, all_digits=settings.all_digits,
         )  # fmt: skip
         self.present = Present(self, self.menus.tools, self.bottom, Screens(settings))
-        self._make_rooms()
+        self._make_components()
         self.highlighter = Highlighter(self)
         wire(self)
         self.show_beside()
-        self._tell(EVERYTHING)
+        self._notify(EVERYTHING)
         self.history.show()
         if path is not None:
             self.files.take_up(path)
@@ -275,8 +275,8 @@ class MainWindow(QMainWindow):
         split.setSizes(PICTURES_AND_DOCK)
         in_row(self.panels.names, (self.status, 1), on=self.bottom, margins=(0, 0, 0, 2))
 
-    def _make_rooms(self) -> None:
-        """Create the components that join others, and define the notification order."""
+    def _make_components(self) -> None:
+        """Create the components that connect others, and define the notification order."""
         image, controls = self.panes["image"], self.controls
         self.guide = SceneGuide(
             self.scene_panel, self.panels, controls, self.manipulation, image, self.menus,
@@ -319,9 +319,9 @@ class MainWindow(QMainWindow):
         self.menus.lesson_menu.addActions(self.talk_actions.all)
         self.lessons.opened.connect(self.talk_actions.show_lesson)
         self.recovery = Recovery(data_folder(), self.store, self.messages, self.files, self)
-        self._told: tuple[Told, ...] = (
+        self._listeners: tuple[Listener, ...] = (
             *self.cursors.values(),
-            self.manipulation,  # releases a held handle before its drawing is gone
+            self.manipulation,  # releases a held handle before its drawing is deleted
             self.probing,
             self.guide,  # tells the controls about the scene
             self.controls,
@@ -366,7 +366,7 @@ class MainWindow(QMainWindow):
         before = self.shown
         try:
             self.shown = self._snapshot(document)
-            self._tell(self.shown.changed_since(before))
+            self._notify(self.shown.changed_since(before))
         except Exception as error:
             if self.files.scene(document.scene, document.mesh) is before.scene:
                 raise
@@ -383,16 +383,16 @@ class MainWindow(QMainWindow):
         self.arrangement.show(document.view)
         self.comparing.pictures.refresh()
 
-    def _tell(self, changed: Changed) -> None:
-        """Notify those whom the change concerns."""
+    def _notify(self, changed: Changed) -> None:
+        """Notify the components that the change concerns."""
         self.panels.keep(self.shown)
         waits = bool(changed & {"scene", "view"})
-        if waits:  # the panes take over another document after they are arranged, all at once
+        if waits:  # the panes take over another document all at once, after they are arranged
             self.look.set_waiting(True)
         try:
-            for told in self._told:
-                if changed & told.concerns:
-                    told.take(self.shown, changed)
+            for listener in self._listeners:
+                if changed & listener.concerns:
+                    listener.take(self.shown, changed)
         finally:
             if waits:
                 self.look.set_waiting(False)
@@ -436,12 +436,12 @@ class MainWindow(QMainWindow):
         card.open()
 
     def _on_top(self) -> Callable[[], object] | None:
-        """Return what Esc does: it leaves the start card, Present, a message, a comparison, ..."""
+        """Return the action of Esc: leave the start card, Present, a message, a comparison, ..."""
         if self.start_card is not None:
             return self.start_card.close
         if self.present.is_on:
             return self.present.leave
-        if self.messages.text and not self.messages.choices:  # an offer would be lost
+        if self.messages.text and not self.messages.choices:  # otherwise an offer would be lost
             return self.messages.done
         if self.comparing.is_on:
             return self.comparing.end
@@ -463,7 +463,7 @@ class MainWindow(QMainWindow):
             whole = self._before_presenting[1]
             self.slots.arrange(self.slots.layout_name, self.slots.large, whole)
         self.slots.set_presenting(on)
-        if on and self._is_narrow:  # the dock is folded, but a class must read what to try
+        if on and self._is_narrow:  # the dock is folded, but a class must see what to try
             self.menus.controls.setChecked(True)
         if not on and self._before_presenting is not None:
             dock, _, shared = self._before_presenting
@@ -480,7 +480,7 @@ class MainWindow(QMainWindow):
         self.side.show_parts(card=card, controls=wanted and not alone)
         self.bottom.setVisible(not alone and not presents)
         course = self.lessons.course if self.talks.is_on else None
-        # While presenting, the only open panel is one that the talk's step asks for.
+        # While presenting, only the panel of the talk's step is open.
         asked = course is not None and course.shown(self.lessons.place).view.get("panel")
         folds = alone or (presents and not asked)
         if folds and self.panels.open_panel is not None:
@@ -525,7 +525,7 @@ class MainWindow(QMainWindow):
 
     def closeEvent(self, event: QCloseEvent) -> None:
         take_typed(self)
-        self.recovery.autosave.save_now()  # whatever ends the program while the question stands
+        self.recovery.autosave.save_now()  # in case the program ends while the question is open
         if not self.files.may_discard():
             event.ignore()
             return

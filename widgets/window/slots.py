@@ -1,4 +1,4 @@
-"""The panes' places: one large and two small, or side by side, or one of them alone.
+"""The layout of the panes: one large and two small, side by side, or one alone.
 
 ::
 
@@ -44,7 +44,7 @@ LOW_AND_SMALL = [850, 634]
 """For a class, in pixels of a screen of 1920x1080."""
 LEAST_PANE_PX = (190, 150)
 SMALL = {"world": ("image", "ndc"), "image": ("world", "ndc"), "ndc": ("world", "image")}
-"""The small panes for each large one, from above."""
+"""The small panes for each large one, from top to bottom."""
 
 
 class Slots(QSplitter):
@@ -93,7 +93,7 @@ class Slots(QSplitter):
         return tuple(name for name, pane in self._panes.items() if pane.isWindow())
 
     def bring(self, name: str) -> None:
-        """Bring a docked pane into the large slot; the second time, into the whole window."""
+        """Bring a docked pane into the large slot; if it is there, let it fill the window."""
         if name in self.floating:
             return
         if self.whole:
@@ -121,7 +121,7 @@ class Slots(QSplitter):
         was_wide = self._is_wide
         self.layout_name, self.large, self.whole = layout, large, whole
         stays = stays and self._is_wide == was_wide
-        self.window().setUpdatesEnabled(False)  # nothing half-done may be visible
+        self.window().setUpdatesEnabled(False)  # no intermediate state may be visible
         try:
             if moved:
                 self._place()
@@ -211,7 +211,7 @@ class Slots(QSplitter):
             self._is_by_hand = not self.whole and self._resize(*by_hand)
 
     def set_low(self, on: bool) -> None:
-        """Note whether a panel is open below, which leaves the slots little height."""
+        """Store whether a panel is open below, which leaves the slots little height."""
         was_wide = self._is_wide
         self._is_low = on
         if self._is_wide != was_wide:

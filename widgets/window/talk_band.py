@@ -1,4 +1,4 @@
-"""The band that the class reads during a talk: above the panes, never over them."""
+"""The band of text for the class during a talk: above the panes, never over them."""
 
 from __future__ import annotations
 
@@ -23,22 +23,22 @@ from widgets.parts.lesson_text import set_text
 from widgets.parts.plain import TextDocument
 
 SHARE, TALL_SHARE = 0.135, 0.18
-"""Height of the band in screen heights, the same all through a talk, so that no step moves a pane;
-the second if a step has a table, a displayed formula or many choices."""
+"""Height of the band in screen heights. It is the same throughout a talk, so that no step moves a
+pane; the second one is used if a step has a table, a displayed formula or many choices."""
 LEAST_TEXT_SHARE, MOST_SHARE = 0.022, 1.0 / 3.0
-"""Least size of letters and largest height of the band, in screen heights: for a long step the band
-grows so far, and then the wheel scrolls it."""
+"""Least text size and largest height of the band, in screen heights: the band grows up to this
+height for a long step, and then the wheel scrolls it."""
 TITLE_EM = 1.3
-"""Size of the title against the words."""
+"""Size of the title relative to the text."""
 SIZES = (1.2, 1.12, 1.06, 1.0, 0.92, 0.84, 0.76, 0.68, 0.6)
-"""Sizes of letters against the window's: the largest that fit are taken."""
+"""Text sizes relative to the window's: the largest that fits is used."""
 SIDE_SHARE = 0.48
 """Share of the band's width for the second column."""
 _GAP_PX, _EDGE_PX = 10, 2
 
 
 class TalkBand(QFrame):
-    """A step's title, words and questions, as large as there is room for."""
+    """A step's title, text and questions, as large as they fit."""
 
     def __init__(self) -> None:
         super().__init__()
@@ -47,23 +47,23 @@ class TalkBand(QFrame):
         self._title, self._words, self._asked = (TextDocument(self) for _ in range(3))
         self._number, self.note = "", ""
         self._ways: list[tuple[str, str]] = [("", "")]
-        """The ways to share the text out: the words, and the second column."""
+        """The possible layouts: the text, and the second column."""
         self._screen_px = 0.0
         self._usual_px = 0
-        """Its height, unless a step is too long."""
+        """The band's height, unless a step is too long."""
         self._moved_px = 0
-        """How far the wheel has scrolled it."""
+        """How far the wheel has scrolled the band."""
         self.hide()
 
     def set_talk(self, lesson: Lesson, screen_px: float) -> None:
-        """Take the height for all steps of a talk from the height of the screen."""
+        """Set the band's height for all steps of a talk from the height of the screen."""
         is_tall = any(part.is_tall for step in lesson.steps for part in step.parts)
         share = TALL_SHARE if is_tall else SHARE
         self._screen_px, self._usual_px = screen_px, round(share * screen_px)
         self.setFixedHeight(self._usual_px)
 
     def show_step(self, step: Step, number: str, asked: str = "") -> None:
-        """Show a step, and beside its words the question that is put just now, or its answer."""
+        """Show a step, and beside its text the current question, or its answer."""
         self._number = number
         words = [part.text for part in step.parts if not part.reveals]
         self.setAccessibleName(plain_of("\n\n".join([step.title, *words, asked])))
@@ -102,14 +102,14 @@ class TalkBand(QFrame):
 
     @property
     def _sizes(self) -> tuple[float, ...]:
-        """Return those of `SIZES` that can be read from the last row."""
+        """Return those of `SIZES` that are readable from the last row."""
         em = self.fontInfo().pixelSize()
         least = LEAST_TEXT_SHARE * self._screen_px
         return tuple(size for size in SIZES if round(size * em) >= least) or (least / em,)
 
     @property
     def _needed_px(self) -> int:
-        """Return the height that the text needs as it is laid out now."""
+        """Return the height of the text in its current layout."""
         words = self._title.size().height() + self._words.size().height()
         beside = 0.0 if self._asked.isEmpty() else self._asked.size().height()
         return math.ceil(max(words, beside) + 2 * _EDGE_PX)
@@ -119,7 +119,7 @@ class TalkBand(QFrame):
         return QRectF(self.rect()).adjusted(_GAP_PX, _EDGE_PX, -_GAP_PX, -_EDGE_PX)
 
     def _columns(self) -> tuple[QRectF, QRectF]:
-        """Return the areas of the words and of the second column, which may be empty."""
+        """Return the areas of the text and of the second column, which may be empty."""
         room = self._room
         if self._asked.isEmpty():
             return room, QRectF()
@@ -129,7 +129,7 @@ class TalkBand(QFrame):
         return left, right
 
     def _fit_all(self) -> None:
-        """Choose the way that allows the largest letters; if none fits, make the band higher."""
+        """Choose the layout that allows the largest text; if none fits, make the band higher."""
         self.setFixedHeight(self._usual_px or self.height())
         best, way = 0.0, self._ways[0]
         needed: dict[int, tuple[str, str]] = {}
@@ -150,7 +150,7 @@ class TalkBand(QFrame):
         self.update()
 
     def _share_out(self, words: str, beside: str) -> float:
-        """Lay the text out in the largest letters that fit, or the smallest; return their size."""
+        """Lay out the text in the largest size that fits, else in the smallest; return the size."""
         set_text(self._words, words, palette=self.palette())
         set_text(self._asked, beside, palette=self.palette())
         sizes = self._sizes
@@ -162,7 +162,7 @@ class TalkBand(QFrame):
         return sizes[low]
 
     def _fits(self, size: float) -> bool:
-        """Lay everything out in letters of a size; return whether it fits."""
+        """Lay out everything in a text size; return whether it fits."""
         left, right = self._columns()
         em = self.fontInfo().pixelSize()
         free = self.fontMetrics().horizontalAdvance(f"{self._number}  ")  # for the number

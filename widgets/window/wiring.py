@@ -1,6 +1,6 @@
 """The wiring of the main window: a table of its components' signals and slots.
 
-What depends on the document is told by `MainWindow`, in the order of its notification list.
+`MainWindow` notifies the components of changes to the document, in the order of its list.
 """
 
 from __future__ import annotations
@@ -30,7 +30,7 @@ def _wire_components(window: Any) -> None:
     )  # fmt: skip
     look, card, compare = window.look, controls.card, window.comparing.pictures
     probe, measure = window.probe_panel, window.measure_panel
-    lettering.set("own")  # it may still be another window's
+    lettering.set("own")  # it may still belong to another window
     all_digits.set(window.settings.all_digits)
     menus.show_recent()
     wires: tuple[tuple[Any, ...], ...] = (
@@ -88,7 +88,7 @@ def _wire_components(window: Any) -> None:
 
 
 def _wire_lesson(window: Any) -> None:
-    """Connect the lesson's card to its keys, and to everything that a task may ask for."""
+    """Connect the lesson's card to its keys, and to everything that a task may require."""
     card, menus = window.lesson_card, window.menus
     menus.lesson_menu.wire(card, window.settings)
     card.begun_again.connect(window.offer_answers)
@@ -112,7 +112,7 @@ def _wire_lesson(window: Any) -> None:
 
 
 def _wire_gestures(window: Any) -> None:
-    """Announce each gesture, such as a drag: the store makes one undo step of it."""
+    """Connect every gesture, such as a drag, to the store, which makes it one undo step."""
     store, controls, panels = window.store, window.controls, window.panels.all
     sources: tuple[Gestures, ...] = (controls, controls.animation, window.manipulation, *panels)
     listeners: tuple[Store | SceneCard | Panel, ...] = (store, controls.card, *panels)
@@ -126,7 +126,7 @@ def _wire_gestures(window: Any) -> None:
 
 
 def _wire_highlight(window: Any) -> None:
-    """Let every pane and panel highlight things, and show what is highlighted."""
+    """Connect every pane and panel to the highlighter, in both directions."""
     mark = window.highlighter.mark
     window.controls.highlighted.connect(mark)
     places: tuple[Pane | Panel, ...] = (*window.panes.values(), *window.panels.all)
