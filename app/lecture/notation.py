@@ -303,6 +303,11 @@ def _names(lens: _Written, letters: Letters) -> dict[str, str]:
     return found
 
 
+def names_of(projection: Projection, letters: Letters) -> dict[str, str]:
+    """Return a lecture's names of matrices, and of factors by ``stage/factor``."""
+    return _names(_written(projection), letters)
+
+
 def _chain(names: Mapping[str, str], parts: Sequence[str]) -> str:
     """Return a product in a lecture's names; empty if one of its parts has no name."""
     called = [names.get(name) for name in parts]
@@ -734,13 +739,13 @@ def as_latex(matrix: Matrix, letters: Letters, *, formulas: bool = False) -> str
         else [[latex_number(value) for value in row] for row in matrix.values]
     )
     body = " \\\\\n".join(" & ".join(row) for row in cells)
-    name = _latex_called(matrix.called) or latex_name(matrix.name)
+    name = latex_called(matrix.called) or latex_name(matrix.name)
     equation = f"{name} = \\begin{{pmatrix}}\n{body}\n\\end{{pmatrix}}"
     return f"\\[\n{equation}\n\\]\n"
 
 
-def _latex_called(called: str) -> str:
-    """Write a lecture's name in LaTeX: ``P_{\\mathrm{obl}} = P_{\\mathrm{ort}} H``."""
+def latex_called(called: str) -> str:
+    """Write a lecture's name of a matrix in LaTeX: ``P_{\\mathrm{obl}} = P_{\\mathrm{ort}} H``."""
     return re.sub(r"_(\S+)", r"_{\\mathrm{\1}}", called).replace("\u2192", r"\to ")
 
 

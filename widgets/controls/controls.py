@@ -91,6 +91,8 @@ class Controls(Dock, RowHolder):
         self._has_fixed_objects = False
         self._lifted: tuple[str, ...] = ()
         self._replaced: Collection[str] = ()
+        self._lent: list[str] = []
+        """The keys of the rows that are outside the dock."""
         self._found: set[QWidget] | None = None
         """The rows found by the search, the only ones shown; None without a search."""
         self.setAccessibleName(self.tr("Controls"))
@@ -256,6 +258,36 @@ class Controls(Dock, RowHolder):
         for part in self._parts:
             part.bring_home()
         self.card.lift(self.rows[key] for key in lifted)
+        self._show_found(self._found)
+
+    def lend(self, paths: Collection[str]) -> list[Row]:
+        """Return the rows of these values, by their paths in a document, to another place.
+
+        A vector has a row for each component. Unknown values, and those of another lens, have none.
+        """
+        self.take_back()
+        self._lent = [
+            key
+            for path in paths
+            for name in (path.rpartition(".")[2],)
+            for key in (name, *(f"{name}_{axis}" for axis in "xyz"))
+            if not path.startswith("settings.") and key in self._bindings
+            if self._in_use(self._bindings[key])
+        ]
+        of_scene = [path.removeprefix("settings.") for path in paths]
+        rows = [self.rows[key] for key in self._lent] + self.card.lend(of_scene)
+        self._show_values(PARTS)
+        return rows
+
+    def take_back(self) -> None:
+        """Put every row that was lent back into the dock."""
+        if not self._lent and not self.card.has_lent:
+            return
+        self._lent.clear()
+        for part in self._parts:
+            part.bring_home()
+        self.card.take_back()
+        self.card.lift(self.rows[key] for key in self._lifted)
         self._show_found(self._found)
 
     def set_presenting(self, on: bool) -> None:
@@ -461,7 +493,8 @@ class Controls(Dock, RowHolder):
         for rows in self._parts:
             is_open = rows.is_open
             for key, binding in rows.bindings.items():
-                seen = (is_open or key in self._lifted) and not binding.row.isHidden()
+                away = key in self._lifted or key in self._lent
+                seen = (is_open or away) and not binding.row.isHidden()
                 if seen and binding.part in parts:
                     binding.row.setValue(binding.read(self._projection))
 

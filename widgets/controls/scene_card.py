@@ -91,7 +91,9 @@ class SceneCard(QWidget, RowHolder):
         self._is_for_class = False
         self._edits = ""  # name of the setting that the user is changing
         self.players: dict[str, Player] = {}
-        self._readable = Readable(self, self._fill)
+        self._lent: set[str] = set()
+        """Names of the settings whose rows are elsewhere."""
+        self._readable = Readable(self, self._fill, lambda: self._is_seen)
         all_digits.changed.connect(self._readable.changed)
 
         self.title, self.tries = Balanced(), Balanced()
@@ -169,6 +171,26 @@ class SceneCard(QWidget, RowHolder):
         for row in rows:
             self._rows.addWidget(row)
 
+    def lend(self, names: Iterable[str]) -> list[Row]:
+        """Return the rows of these settings to another place; `take_back` ends that."""
+        self._lent = {name for name in names if name in self.rows}
+        self._readable.changed()
+        return [self.rows[name] for name in self.rows if name in self._lent]
+
+    def take_back(self) -> None:
+        """Put every row that was lent back into its place."""
+        self._lent.clear()
+        for place, row in enumerate(self.rows.values()):
+            self._rows.insertWidget(place, row)
+
+    @property
+    def has_lent(self) -> bool:
+        return bool(self._lent)
+
+    @property
+    def _is_seen(self) -> bool:
+        return self.isVisible() or any(self.rows[name].isVisible() for name in self._lent)
+
     def show_some(self, found: set[QWidget] | None) -> None:
         """Show only the found rows; None shows the whole card."""
         self._found = found
@@ -212,7 +234,7 @@ class SceneCard(QWidget, RowHolder):
         self._projection = projection
         for name, player in self.players.items():
             player.show_value(float(settings[name]))  # type: ignore[arg-type]
-        if self._edits in settings and self.isVisible():
+        if self._edits in settings and self._is_seen:
             self.rows[self._edits].setValue(settings[self._edits])
         self._readable.changed()
         if anew:  # values of the previous scene must not stay
@@ -271,6 +293,7 @@ class SceneCard(QWidget, RowHolder):
 
     def _make_rows(self, settings: Iterable[Setting]) -> None:
         self.players.clear()
+        self.take_back()
         _remove(self._rows, self.rows.values())
         self.rows = {}
         for setting in settings:

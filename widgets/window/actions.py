@@ -127,6 +127,10 @@ class Actions(QObject):
             self.tr("P&ointer in all panes"), None, "P",
             self.tr("While presenting, mark in all panes the point under the mouse"), on=False,
         )  # fmt: skip
+        self.strip = self._action(
+            self.tr("Co&ntrols of the slide"), None, "C",
+            self.tr("While presenting, show the controls of the slide below it, or hide them"),
+        )  # fmt: skip
         self.compare = self._action(
             self.tr("Co&mpare with this picture"), None, "F6",
             self.tr("Hold the current picture and compare it with later ones, or end the"
@@ -136,7 +140,9 @@ class Actions(QObject):
         self.compare_way = self._action(
             self.tr("Compare s&ide by side or overlaid"), None, "Shift+F6"
         )
-        for later in (self.remove_probe, self.blank, self.pointer, self.compare_way):
+        for later in (
+            self.remove_probe, self.blank, self.pointer, self.strip, self.compare_way,
+        ):  # fmt: skip
             later.setEnabled(False)
         self.controls = self._action(self.tr("&Controls"), None, "F4", on=True)
         self.show_cost = self._action(
@@ -255,7 +261,7 @@ class Actions(QObject):
         )
         slots.rearranged.connect(lambda: columns.setChecked(slots.layout_name == LAYOUTS[1]))
         menu = self._menu(
-            self.tr("&View"), self.present, self.blank, self.pointer, None,
+            self.tr("&View"), self.present, self.blank, self.pointer, self.strip, None,
             self.compare, self.compare_way, None, *large,
             self._action(self.tr("Back to &all panes"), slots.go_back, "Ctrl+0"), columns,
             self._action(self.tr("&Reset the panes' own views"), slots.reset_views, "Ctrl+Home"),

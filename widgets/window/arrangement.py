@@ -26,6 +26,7 @@ from widgets.panes.compare import Compare
 from widgets.panes.pane import Pane
 from widgets.panes.stage_strip import StageStrip
 from widgets.parts.panel import Changed, Shown
+from widgets.window.control_strip import ControlStrip
 from widgets.window.drawer import Panels
 from widgets.window.slots import Slots
 from widgets.window.world_look import WorldLook
@@ -53,12 +54,13 @@ class Arrangement(QObject):
         frame: FramePanel,
         probes: ProbePanel,
         compare: Compare,
+        controls: ControlStrip,
     ) -> None:
         super().__init__(slots)
         self._panes, self._slots, self._strip, self._world = panes, slots, strip, world
         self._drawer, self._panels = drawer, dict(zip(PANELS, drawer.all, strict=True))
         self._matrices, self._frame, self._probes = matrices, frame, probes
-        self._compare = compare
+        self._compare, self._controls = compare, controls
         self._given = View()
         """The view shown last; it keeps the values that no widget can change."""
 
@@ -91,10 +93,13 @@ class Arrangement(QObject):
     def show(self, view: View) -> None:
         """Arrange the window according to a view; whatever already agrees is not touched."""
         self._given = view
-        if view.panel is not None:  # otherwise the scene has opened its own panel
-            self._drawer.open(self._panels.get(view.panel))
+        panel = "kinds" if "kinds" in view.slide else view.panel
+        if panel is not None:  # otherwise the scene has opened its own panel
+            self._drawer.open(self._panels.get(panel))
         # After the panel: a rearranged window reopens a panel that presenting has folded.
         self._slots.arrange(view.layout, view.large, self._slots.whole)
+        self._slots.show_slide(view.slide)
+        self._controls.ask(view.controls)
         self._world.show(view.fixed, view.layers)
         self._world.name(view.names)
         self._strip.go_to(view.stage)

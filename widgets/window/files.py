@@ -191,7 +191,8 @@ class Files(QObject):
             # Keep what was prepared for a class; drop what concerned the previous scene.
             view = replace(
                 self._store.look(), large="", panel=None, probes=(), pinned=frozenset(), panes={},
-                compare=(), dividers=(), fixed=scene.fixed,
+                slide=(), controls=(), equation="", names=None, fixed=scene.fixed,
+                compare=(), dividers=(),
             )  # fmt: skip
             extra = self._store.document.extra
             return self._store.set_document(Document(name, scene.start, extra, view))

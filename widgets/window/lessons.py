@@ -243,7 +243,8 @@ class Lessons(QObject):
             there = shown.document.scene, shown.document.mesh
             look = replace(
                 look, large="", panel=None, probes=(), pinned=frozenset(), compare=(),
-                dividers=(), panes=self._views.get(there, {}),
+                dividers=(), slide=(), controls=(), equation="", names=None,
+                panes=self._views.get(there, {}),
             )  # fmt: skip
         return replace(look, **shown.view)
 

@@ -22,6 +22,7 @@ from widgets.parts.messages import Words, field_name
 from widgets.parts.panel import EVERYTHING, Changed, Shown
 from widgets.window.arrangement import cameras
 from widgets.window.settings import Settings
+from widgets.window.slots import panes_of_slide
 
 SORTED_AHEAD = 10_000
 """Number of faces above which a scene is sorted before the first click on it, not at the click."""
@@ -176,12 +177,20 @@ class Look(QObject):
             (pane, step, self._arguments(name, self.adaptive.whole(step.scene), style))
             for step in steps
             for name, pane in self._panes.items()
+            if self._is_seen_at(step, name)
         ]
         for pane in self._panes.values():
             pane.ahead.keep(*(arguments for _, _, arguments in plan))
         for pane, step, arguments in plan:
             pane.ahead.draw(step, *arguments)
             yield
+
+    def _is_seen_at(self, step: Shown, name: str) -> bool:
+        """Whether a pane will be visible at a step."""
+        if not self._screen_px:
+            return self._panes[name].isVisible()
+        view = step.document.view
+        return name in panes_of_slide(view.slide, view.large or step.scene.leading)
 
     def refine(self, name: str, smooth: bool) -> None:
         """Draw one pane smoothly, or coarsely while something moves that is not in the document."""

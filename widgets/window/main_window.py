@@ -20,16 +20,19 @@ from typing import Any
 from PySide6.QtCore import QByteArray, QEvent, QSize, Qt, QTimer, Signal
 from PySide6.QtGui import (
     QCloseEvent,
+    QColor,
     QDragEnterEvent,
     QDropEvent,
     QKeyEvent,
     QPaintEvent,
+    QPalette,
     QResizeEvent,
 )
 from PySide6.QtWidgets import QMainWindow, QSplitter, QWidget
 
 from app.document.document import Document
 from app.document.store import Store
+from app.drawings.style import Style
 from app.scenes.scene import Scene
 from widgets.panels.frame_panel import FramePanel
 from widgets.panels.kinds_panel import KindsPanel
@@ -53,6 +56,7 @@ from widgets.parts.writing import all_digits
 from widgets.window.actions import Actions, take_typed
 from widgets.window.arrangement import Arrangement
 from widgets.window.comparing import Comparing
+from widgets.window.control_strip import ControlStrip
 from widgets.window.drawer import Drawer, Panels
 from widgets.window.files import Files
 from widgets.window.help import Help
@@ -67,6 +71,7 @@ from widgets.window.quality import Cost, DrawnQuality
 from widgets.window.recovery import Recovery
 from widgets.window.scene_guide import SceneGuide
 from widgets.window.settings import data_folder
+from widgets.window.slide import Slide
 from widgets.window.slots import Slots
 from widgets.window.start_card import StartCard
 from widgets.window.status_line import StatusLine
@@ -99,6 +104,7 @@ def _image(*args: Any) -> Any:
 DRAWINGS: dict[str, Callable[..., Any]] = {"world": _world, "ndc": _stage, "image": _image}
 """The maker of each pane's drawing, which imports VTK."""
 AT_FIRST_PX = (1366, 768)
+BODY_MARGINS, NO_MARGINS, BODY_GAP_PX = (4, 4, 4, 0), (0, 0, 0, 0), 2
 FOLDS_BELOW_PX = 1200
 """A narrower window has no room for the dock beside its panes; a key opens it."""
 PICTURES_AND_DOCK = [1075, 285]
@@ -260,16 +266,18 @@ class MainWindow(QMainWindow):
 
     def _lay_out(self) -> None:
         # From the outside inwards: Qt styles a widget's children again whenever it gets a parent.
-        body = QWidget()
+        self.body = body = QWidget()
         self.setCentralWidget(body)
         self.band, self.bottom = TalkBand(), QWidget()
         self.split = split = QSplitter(Qt.Orientation.Horizontal)
-        parts = (self.messages, self.band, (split, 1), self.bottom)
-        in_column(*parts, on=body, margins=(4, 4, 4, 0), gap=2)
         self.slots = Slots(self.panes, self.strip)
-        self.drawer = Drawer(split, self.slots, self.panels)
+        self.slide = Slide(self.slots)
+        self.drawer = Drawer(split, self.slide, self.panels)
         self.side = Side(split)
         self.controls = self.side.controls
+        self.control_strip = ControlStrip(self.controls, self.strip)
+        parts = (self.messages, self.band, (split, 1), self.control_strip, self.bottom)
+        self._body = in_column(*parts, on=body, margins=BODY_MARGINS, gap=BODY_GAP_PX)
         split.setStretchFactor(0, 1)
         split.setStretchFactor(1, 0)
         split.setSizes(PICTURES_AND_DOCK)
@@ -288,6 +296,7 @@ class MainWindow(QMainWindow):
         self.arrangement = Arrangement(
             self.panes, self.slots, WorldLook(self.panes, self.menus), self.strip, self.panels,
             self.matrices, self.frame_panel, self.probe_panel, self.comparing.pictures,
+            self.control_strip,
         )  # fmt: skip
         self.store.look = lambda: self.arrangement.view
         self.cost = Cost(self.panes, self.status)
@@ -312,7 +321,7 @@ class MainWindow(QMainWindow):
         self.files.lesson_wanted.connect(self.lesson_card.open)
         self.talks = Talks(
             self, self.lessons, self.present, self.store, self.messages, self.settings, self.band,
-            self.look,
+            self.slide.question, self.look,
         )  # fmt: skip
         self.talk_actions = TalkActions(self.talks, self, self.settings)
         self.menus.lesson_menu.addSeparator()
@@ -326,6 +335,8 @@ class MainWindow(QMainWindow):
             self.guide,  # tells the controls about the scene
             self.controls,
             self.slots,
+            self.control_strip,
+            self.slide.equation,
             self.arrangement,  # overrides what a new scene has opened or forgotten
             self.cost,
             self.look,
@@ -380,6 +391,7 @@ class MainWindow(QMainWindow):
 
     def show_view(self, document: Document) -> None:
         self.shown = replace(self.shown, document=document)
+        self.slide.equation.ask(self.shown)
         self.arrangement.show(document.view)
         self.comparing.pictures.refresh()
 
@@ -454,25 +466,36 @@ class MainWindow(QMainWindow):
         self.menus.blank.setEnabled(on)
         self.menus.pointer.setEnabled(on)
         self.menus.pointer.setChecked(False)
+        self.menus.strip.setEnabled(on)
         self.look.set_presenting(on)
         self.controls.set_presenting(on)
-        for pane in self.panes.values():
-            pane.header.set_presenting(on)
+        self.control_strip.set_presenting(on, float(self.screen().size().height()))
+        self.slide.equation.set_screen(float(self.screen().size().height()))
+        self._body.setContentsMargins(*(NO_MARGINS if on else BODY_MARGINS))
+        self._body.setSpacing(0 if on else BODY_GAP_PX)
+        self.body.setAutoFillBackground(on)
         self.menus.fit_icons()
         if not on and self._before_presenting is not None:
             whole = self._before_presenting[1]
             self.slots.arrange(self.slots.layout_name, self.slots.large, whole)
         self.slots.set_presenting(on)
-        if on and self._is_narrow:  # the dock is folded, but a class must see what to try
-            self.menus.controls.setChecked(True)
+        if on:
+            self.menus.controls.setChecked(False)
         if not on and self._before_presenting is not None:
             dock, _, shared = self._before_presenting
             self.menus.controls.setChecked(dock)
             QTimer.singleShot(0, self, partial(self.split.setSizes, shared))
         self.show_beside()
 
+    def set_style(self, style: Style) -> None:
+        """Give a slide the colour of its pictures' paper."""
+        worn = QPalette()
+        if self.present.is_on:
+            worn.setColor(QPalette.ColorRole.Window, QColor(style.background))
+        self.body.setPalette(worn)
+
     def show_beside(self) -> None:
-        """Show or hide the dock, the lesson's card, the bottom row and the open panel."""
+        """Show or hide the dock, the lesson's card, the bottom row, the open panel and titles."""
         alone, presents = bool(self.slots.whole), self.present.is_on
         card = self.lesson_card.is_on and not alone and not self.talks.is_on
         # Below a lesson's card the controls take no extra width, so a narrow window shows them.
@@ -482,13 +505,18 @@ class MainWindow(QMainWindow):
         course = self.lessons.course if self.talks.is_on else None
         # While presenting, only the panel of the talk's step is open.
         asked = course is not None and course.shown(self.lessons.place).view.get("panel")
-        folds = alone or (presents and not asked)
+        is_slide = presents and "kinds" in self.slots.asked
+        folds = alone or (presents and not asked and not is_slide)
         if folds and self.panels.open_panel is not None:
             self._folded = self.panels.open_panel
             self.panels.open(None)
         elif not folds and self._folded is not None:
             self.panels.open(self._folded)
             self._folded = None
+        self.drawer.set_presenting(presents, alone=is_slide)
+        for pane in self.panes.values():
+            named = not presents or len(self.slots.slide) != 1
+            pane.set_presenting(presents and not pane.isWindow(), named=named)
 
     def focusNextPrevChild(self, forwards: bool) -> bool:
         return focus_next(self, forwards)

@@ -108,6 +108,7 @@ class SpeakerWindow(QWidget):
         self.clock = TalkClock()
         self._course: Course | None = None
         self._place = 0
+        self._left_out = ""
         self._pictures: OrderedDict[tuple[Course, int], QImage] = OrderedDict()
         self._make()
         self._tick = QTimer(self, interval=500)
@@ -170,8 +171,11 @@ class SpeakerWindow(QWidget):
 
     # -- the step
 
-    def show_step(self, course: Course, place: int) -> None:
-        """Show a step's notes and the title of the next one, whose picture `draw_next` draws."""
+    def show_step(self, course: Course, place: int, left_out: str = "") -> None:
+        """Show a step's notes and the title of the next one, whose picture `draw_next` draws.
+
+        `left_out` are the words of the step that are too long for the class's slide.
+        """
         steps = course.lesson.steps
         if course is not self._course:
             self._pictures.clear()
@@ -179,7 +183,7 @@ class SpeakerWindow(QWidget):
             self.steps.addItems(
                 [f"{number}  {plain_of(step.title)}" for number, step in enumerate(steps, 1)]
             )
-        self._course, self._place = course, place
+        self._course, self._place, self._left_out = course, place, left_out
         step = steps[place]
         self._title.setText(plain_of(step.title))
         self._number.setText(self.tr("step {0} of {1}").format(place + 1, len(steps)))
@@ -199,7 +203,8 @@ class SpeakerWindow(QWidget):
         font.setPixelSize(self._settings.notes_px)
         document = self.notes.document()
         document.setDefaultFont(font)
-        parts = [step.note.text] if step.note is not None else []
+        parts = [self._left_out] if self._left_out else []
+        parts += [step.note.text] if step.note is not None else []
         parts += [self._told(part) for part in step.asked]
         set_text(document, "\n\n".join(parts), palette=self.palette())
         document.setDocumentMargin(8.0)

@@ -24,6 +24,7 @@ from widgets.parts.message_bar import MessageBar
 from widgets.window.lessons import Lessons, named
 from widgets.window.look import Look
 from widgets.window.present import Present
+from widgets.window.question import Question
 from widgets.window.settings import Settings
 from widgets.window.speaker import NOTES_STEP_PX, SpeakerWindow
 from widgets.window.talk_ahead import Ahead
@@ -53,11 +54,13 @@ class Talks(QObject):
         messages: MessageBar,
         settings: Settings,
         band: TalkBand,
+        question: Question,
         look: Look,
     ) -> None:
         super().__init__(window)
         self._window, self._lessons, self._present = window, lessons, present
-        self._messages, self._settings, self._band = messages, settings, band
+        self._messages, self._settings = messages, settings
+        self._band, self._question = band, question
         self.writer = TalkWriter(window, lessons, store, messages)
         self._ahead = Ahead(lessons, look, self)
         self._keys = TalkKeys(window, lessons, present, self)
@@ -134,15 +137,19 @@ class Talks(QObject):
         self._forget_refusal()
         self._keys.forget()
         if course is None:
+            self._question.show_text("", 1.0)
             self._ahead.forget()
             self.close_speaker()
             return
         step, count = course.lesson.steps[place], len(course.lesson.steps)
+        screen_px = float(self._window.screen().size().height())
+        asked = self._asked(course, place) if self.is_on else ""
+        self._question.show_text(asked, screen_px)
         if self.is_on:
-            self._band.set_talk(course.lesson, float(self._window.screen().size().height()))
-            self._band.show_step(step, f"{place + 1} / {count}", self._asked(course, place))
+            self._band.set_screen(screen_px)
+            self._band.show_step(step, f"{place + 1} / {count}")
         if self.speaker is not None:
-            self.speaker.show_step(course, place)
+            self.speaker.show_step(course, place, self._band.left_out if self.is_on else "")
         if self.is_on or self.speaker is not None:
             self._ahead.begin_later()
         else:
