@@ -6,9 +6,10 @@ VTK is imported only when a scene is loaded.
 from __future__ import annotations
 
 import atexit
+import contextlib
 import functools
 import os
-from collections.abc import Callable, Container, Iterable, Sequence
+from collections.abc import Callable, Container, Iterable, Iterator, Sequence
 from typing import TYPE_CHECKING
 
 from app import bootstrap
@@ -122,11 +123,8 @@ def _open(file: str) -> Document:
 
 def load_scene(scene: str, mesh: str = "", file: str | None = None) -> Scene:
     """Load a scene once; raise a `CliError` that names `file`, if any, when that fails."""
-    try:
-        with bootstrap.for_good():
-            from app.scenes.scene import load
-    except ImportError as error:
-        raise cannot_import(error) from error
+    with importing():
+        from app.scenes.scene import load
     try:
         return _load_once(load, scene, mesh)
     except Refusal as error:
@@ -143,11 +141,24 @@ def _load_once(load: Callable[..., Scene], scene: str, mesh: str) -> Scene:
 atexit.register(_load_once.cache_clear)
 
 
-def cannot_import(error: ImportError) -> CliError:
-    """Say which library cannot be loaded, and how to find the cause."""
-    missing = bootstrap.missing_system("window")
-    if missing:
-        return CliError(f"{bootstrap.advice(missing)}.", CANNOT_DRAW)
-    return CliError(
-        f"A library cannot be loaded ({error}); {bootstrap.PROGRAM} doctor says more.", CANNOT_DRAW
-    )
+@contextlib.contextmanager
+def importing() -> Iterator[None]:
+    """Import libraries in this block, or raise a `CliError` with what is missing."""
+    try:
+        with bootstrap.for_good():
+            yield
+    except ImportError as error:
+        missing = bootstrap.missing_system("window")
+        text = f"A library cannot be loaded ({error}); {bootstrap.PROGRAM} doctor says more."
+        text = f"{bootstrap.advice(missing)}." if missing else text
+        raise CliError(text, CANNOT_DRAW) from error
+
+
+def check_drawing() -> None:
+    """Raise a `CliError` if VTK cannot draw without a window."""
+    with importing():
+        from app.drawings.off_screen import check_off_screen
+    try:
+        check_off_screen()
+    except RuntimeError as error:
+        raise CliError(str(error), CANNOT_DRAW) from error
