@@ -381,10 +381,13 @@ class WorldDrawing(Drawing):
             self._projection.lens.planes, self._unseen | unnamed,
         )  # fmt: skip
         self.labels.want(ground, pane, named)
+        written = set[str]()
         if self.own.fixed and self._dimensions is not None:
-            self._dimensions.want(ground, pane.seen, pane.size_px, self._in_fixed_view)
+            measured = self._in_fixed_view
+            self._dimensions.want(ground, pane.seen, pane.size_px, measured)
+            written = self._dimensions.written(measured)
         if self._marks is not None:
-            self._marks.want_texts(ground, pane.seen)
+            self._marks.want_texts(ground, pane.seen, written)
         return self._board.settle(ground, afresh=afresh)
 
     def _ink(self, ground: Ground) -> None:
