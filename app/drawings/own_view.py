@@ -16,7 +16,7 @@ eye     perspective, from the eye  u, v         -n (a lens with an eye)
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from itertools import product
 from typing import NamedTuple
 
@@ -70,8 +70,7 @@ class Framed(NamedTuple):
     objects: Array  # (8, 3), of the box round the objects
     has_eye: bool  # whether the lens' projectors meet
     below_em: float  # height of the text below a fixed view
-    seen_from: tuple[float, float] | None = None
-    """Degrees from the camera's side to its back, and upwards: the scene's own direction."""
+    side: tuple[float, float] | None = None  # of `Scene.side`
 
     def shared(self, share: float) -> Array:
         """The points in view if what is beside the core has this share of its distance, (n, 3)."""
@@ -401,15 +400,8 @@ def _stand_back(
     return position
 
 
-def _directions(frame: Array) -> Iterator[Array]:
-    """The directions to look from: beside the model's camera, and a little behind it."""
-    beside, behind = _beside_and_behind(frame)
-    for turn_deg, rise_deg in product(_TURNS_DEG, _RISES_DEG):
-        yield _from_there(beside, behind, turn_deg, rise_deg)
-
-
-def _beside_and_behind(frame: Array) -> tuple[Array, Array]:
-    """Level directions: beside the camera, where scenes show their fronts, and behind it."""
+def _directions(frame: Array, sides: Iterable[tuple[float, float]]) -> Iterator[Array]:
+    """The directions to look from: turned from beside the model's camera, and raised."""
     behind = np.array([frame[2, 0], 0.0, frame[2, 2]])
     beside = np.cross(behind, (0.0, 1.0, 0.0))
     if np.linalg.norm(beside) < 0.2:  # it looks straight down or up: stand at its right
@@ -419,15 +411,11 @@ def _beside_and_behind(frame: Array) -> tuple[Array, Array]:
     beside /= np.linalg.norm(beside)
     if beside @ (0.3, 0.0, 1.0) < 0.0:  # scenes show their fronts to +z
         beside = -beside
-    return beside, behind
-
-
-def _from_there(beside: Array, behind: Array, turn_deg: float, rise_deg: float) -> Array:
-    turn, rise = math.radians(turn_deg), math.radians(rise_deg)
-    level = math.cos(turn) * beside + math.sin(turn) * behind
-    level /= np.linalg.norm(level)
-    out: Array = math.cos(rise) * level + np.array([0.0, math.sin(rise), 0.0])
-    return out
+    for turn_deg, rise_deg in sides:
+        turn, rise = math.radians(turn_deg), math.radians(rise_deg)
+        level = math.cos(turn) * beside + math.sin(turn) * behind
+        level /= np.linalg.norm(level)
+        yield math.cos(rise) * level + np.array([0.0, math.sin(rise), 0.0])
 
 
 def _clearest(framed: Framed) -> Array:
@@ -436,13 +424,12 @@ def _clearest(framed: Framed) -> Array:
     It maximises the product of the parts of a square pane that each of the four takes alone, and
     that all of them take together. The result does not depend on the pane's proportions.
     """
-    if framed.seen_from is not None:
-        return _from_there(*_beside_and_behind(framed.camera.frame), *framed.seen_from)
     half = math.tan(math.radians(_VIEW_ANGLE_DEG / 2.0))
     eye = framed.eye[None]
     corners = np.tile(eye, (8, 1)) if framed.corners is None else framed.corners
     best, found = -math.inf, None
-    for out in _directions(framed.camera.frame):
+    sides = product(_TURNS_DEG, _RISES_DEG) if framed.side is None else (framed.side,)
+    for out in _directions(framed.camera.frame, sides):
         axes = _axes_from(out)
         position = _stand_back(axes, np.vstack([framed.shared(_NEARBY), eye]), (half, half))
         x, y, away = axes @ (np.vstack([eye, corners, framed.objects]) - position).T

@@ -192,7 +192,7 @@ class Files(QObject):
             # Keep what was prepared for a class; drop what concerned the previous scene.
             view = replace(
                 self._store.look(), large="", panel=None, probes=(), pinned=frozenset(), panes={},
-                slide=(), controls=(), equation="", names=None,
+                slide=(), controls=(), equation="", fixed=None,
                 compare=(), dividers=(),
             )  # fmt: skip
             if view.names != EVERYTHING:

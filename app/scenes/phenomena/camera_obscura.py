@@ -160,6 +160,7 @@ PHENOMENON = Phenomenon(
     follow=_follow,
     found=_found,
     own_mesh=True,
-    seen_from=(0.0, 12.0),
     names=("hole", "film", "h", "h'", "d", "z"),
+    side=(40.0, 14.0),
+    leaves_out=frozenset({"camera", "frustum", "near-picture"}),
 )

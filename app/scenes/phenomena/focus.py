@@ -327,6 +327,7 @@ PHENOMENON = Phenomenon(
     ),
     controls=("lens.fov_y_deg",),
     own_mesh=True,
-    seen_from=(0.0, 15.0),
     names=("sharp-from", "in-focus", "sharp-to"),
+    side=(0.0, 8.0),
+    leaves_out=frozenset({"frustum", "near-picture"}),
 )

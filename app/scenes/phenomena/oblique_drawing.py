@@ -261,6 +261,7 @@ PHENOMENON = Phenomenon(
     follow=_follow,
     found=_found,
     own_mesh=True,
-    seen_from=(20.0, 60.0),
     names=_SCALE_NAMES,
+    side=(20.0, 55.0),
+    leaves_out=frozenset({"near-picture"}),
 )

@@ -262,6 +262,7 @@ PHENOMENON = Phenomenon(
     follow=_follow,
     found=_found,
     own_mesh=True,
-    seen_from=(65.0, 30.0),
     names=("l", "r", "b", "t", "eye", "window"),
+    side=(50.0, 35.0),
+    leaves_out=frozenset({"frustum", "near-picture"}),
 )

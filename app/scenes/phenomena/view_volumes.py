@@ -192,6 +192,6 @@ PHENOMENON = Phenomenon(
     numbers=4,
     follow=_follow,
     found=_found,
-    seen_from=(30.0, 30.0),
     names=("A", "B", "C", "D", "E"),
+    side=(15.0, 30.0),
 )
