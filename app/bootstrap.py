@@ -536,7 +536,7 @@ class Environment:
         pip += ["--no-input", "--progress-bar", "off", "--only-binary", ":all:"]
         status, output = self._pip(held, [*pip, "-c", str(self.constraints), *wanted])
         if status != 0 and _shows(output, _UNOBTAINABLE) and not _shows(output, _NO_ANSWER):
-            held.say("this machine cannot have the tested versions: trying others")
+            held.say("the tested versions cannot be installed on this machine: trying others")
             status, output = self._pip(held, [*pip, *wanted])
         if status != 0:
             held_open = _shows(output, _HELD) and not _shows(output, _NO_ANSWER)

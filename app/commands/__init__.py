@@ -1,1 +1,1 @@
-"""The command line: one entry, and what its commands share."""
+"""The command line: its entry point and the commands."""

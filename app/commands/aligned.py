@@ -15,12 +15,12 @@ from app.model.refusal import format_value
 
 
 def plain(array: Array) -> list[Any]:
-    """An array as Python floats, whose repr is the shortest exact text; no minus zero."""
+    """Convert an array to Python floats, whose repr is the shortest exact text; no minus zero."""
     return (array + 0.0).tolist()  # type: ignore[no-any-return]
 
 
 def lens_line(projection: Projection) -> str:
-    """The lens and image as they are used, with the names of ``--set``."""
+    """Describe the lens and image in use, with the names of ``--set``."""
     lens = projection.lens
     parts = [f"lens {lens.kind}"]
     if lens.planes is not None:
@@ -38,7 +38,7 @@ def lens_line(projection: Projection) -> str:
 
 
 def lengths(texts: Sequence[str]) -> tuple[NDArray[np.int_], NDArray[np.int_]]:
-    """The length of each text, and of its part before the point or exponent."""
+    """Return the length of each text, and of its part before the point or exponent."""
     length = np.fromiter(map(len, texts), int, len(texts))
     point = np.fromiter(map(str.find, texts, itertools.repeat(".")), int, len(texts))
     for i in np.flatnonzero(point < 0).tolist():
@@ -47,14 +47,14 @@ def lengths(texts: Sequence[str]) -> tuple[NDArray[np.int_], NDArray[np.int_]]:
 
 
 def widths(length: NDArray[np.int_], before: NDArray[np.int_]) -> list[int]:
-    """The width to which each text is filled from the left to form columns.
+    """Return the width to which each text is padded on the left to form columns.
 
-    In each table the numbers of a column are under each other at their points.
+    In each table the numbers of a column are aligned at their decimal points.
 
     Parameters
     ----------
     length, before : (tables, rows, columns) array
-        As `lengths` counts them. A row may be short: its last lengths are 0, and get no room.
+        As `lengths` counts them. A short row ends with lengths 0, which get no padding.
     """
     after = length - before
     left, right = before.max(axis=1), after.max(axis=1)

@@ -1,4 +1,4 @@
-"""What the commands open: documents, the values that ``--set`` gives them, and scenes.
+"""Open the documents and scenes of commands, and apply the values of ``--set``.
 
 VTK is imported only when a scene is loaded.
 """
@@ -29,12 +29,12 @@ if TYPE_CHECKING:
 
 
 def document_of(file: str | None, assignments: Sequence[str]) -> Document:
-    """The document of a FILE, with the values of ``--set``."""
+    """Return the document of a FILE, with the values of ``--set``."""
     return with_values(document_before(file, assignments), assignments)
 
 
 def first_state(lesson: str) -> Document:
-    """The document that a lesson or a talk begins with."""
+    """Return the first state of a lesson or a talk."""
     from app.lessons.course import Course
     from app.lessons.lesson import read as read_lesson
 
@@ -42,7 +42,7 @@ def first_state(lesson: str) -> Document:
 
 
 def document_before(file: str | None, assignments: Sequence[str]) -> Document:
-    """The document of a FILE (a document, picture or mesh), before the values of ``--set``.
+    """Return the document of a FILE (a document, picture or mesh) before ``--set``.
 
     Without a FILE, ``scene=NAME`` opens that scene with its own camera, as the menu does.
     """
@@ -56,7 +56,7 @@ def document_before(file: str | None, assignments: Sequence[str]) -> Document:
 
 
 def with_values(document: Document, assignments: Sequence[str]) -> Document:
-    """A document with the values of ``--set``, or a refusal that names what was set."""
+    """Return a document with the values of ``--set``; a refusal names the value that was set."""
     texts = _texts(assignments)
     try:
         return set_values(document, assignments)
@@ -65,7 +65,7 @@ def with_values(document: Document, assignments: Sequence[str]) -> Document:
 
 
 def _seen_from(texts: Container[str], error: Refusal) -> Refusal:
-    """Let a refusal name what was set.
+    """Make a refusal name the value that was set.
 
     The model says "target must differ from the eye" whichever of the two was set.
     """
@@ -80,7 +80,7 @@ def _texts(assignments: Iterable[str]) -> dict[str, str]:
 
 
 def full_path(name: str) -> str:
-    """A file's absolute path; a `CliError` if the current folder was deleted."""
+    """Return a file's absolute path; raise a `CliError` if the current folder was deleted."""
     try:
         return os.path.abspath(name)
     except FileNotFoundError as error:
@@ -109,7 +109,7 @@ def _opened(scene: str) -> Document:
 
 
 def _start(scene: str) -> Projection:
-    """How a scene opens; only a scene that is no phenomenon must be loaded for that."""
+    """Return the initial projection of a scene; phenomena need not be loaded for that."""
     return PHENOMENA[scene].start if scene in PHENOMENA else load_scene(scene).start
 
 
@@ -121,7 +121,7 @@ def _open(file: str) -> Document:
 
 
 def load_scene(scene: str, mesh: str = "", file: str | None = None) -> Scene:
-    """Load a scene once; a `CliError` if that fails, which names the document in `file`, if any."""
+    """Load a scene once; raise a `CliError` that names `file`, if any, when that fails."""
     try:
         with bootstrap.for_good():
             from app.scenes.scene import load
@@ -144,7 +144,7 @@ atexit.register(_load_once.cache_clear)
 
 
 def cannot_import(error: ImportError) -> CliError:
-    """What is missing if a library cannot be loaded, and how to get it."""
+    """Say which library cannot be loaded, and how to find the cause."""
     missing = bootstrap.missing_system("window")
     if missing:
         return CliError(f"{bootstrap.advice(missing)}.", CANNOT_DRAW)

@@ -1,8 +1,8 @@
-"""The command line: the window, ``export``, and which module runs each other command.
+"""The command line: the window, ``export``, and the table of the other commands.
 
 Every wrong input ends in one sentence on standard error and exit status 2, and a machine that
 cannot draw in one sentence and status 3. Only the commands that draw import Qt, VTK and pyvista, so
-that numbers come at once and on any machine.
+that the others start fast and on any machine.
 """
 
 from __future__ import annotations
@@ -53,8 +53,7 @@ def main(argv: list[str] | None = None) -> int:
     Returns
     -------
     int
-        The exit status: 0 done, 1 a window that was not shown whole, 2 bad input, 3 no usable
-        display or OpenGL.
+        The exit status: 0 done, 1 an incomplete window, 2 bad input, 3 no usable display or OpenGL.
     """
     arguments = sys.argv[1:] if argv is None else argv
     return outcome(lambda: _run(arguments))
@@ -65,7 +64,9 @@ def _run(arguments: Sequence[str]) -> int:
         if arguments and arguments[0] in COMMANDS:
             return COMMANDS[arguments[0]](arguments[1:])
         if arguments:
-            check_file(arguments[0])  # first: what follows a mistyped command is not the window's
+            check_file(
+                arguments[0]
+            )  # first: the words after a misspelt command do not belong to the window
         return _window(arguments)
     except Refusal as error:
         raise CliError(str(error)) from error
@@ -163,7 +164,7 @@ def _export(arguments: Sequence[str]) -> int:
     if scene.phenomenon is not None:
         settings = scene.phenomenon.checked(document.settings)
         illustration = scene.phenomenon.illustration(document.projection, settings, scene.subject)
-        if illustration.warning is not None:  # the picture is written, but shows less than it could
+        if illustration.warning is not None:  # the picture is written, but incomplete
             complain(f"{document.scene}: {illustration.warning.sentence()}.", 0)
     return 0
 

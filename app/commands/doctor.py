@@ -1,4 +1,4 @@
-"""The command ``doctor``: what this machine has, what is missing, and how to get it.
+"""The command ``doctor``: what this machine has, what is missing, and how to install it.
 
 Drivers are tried in processes of their own, because a broken driver ends the process.
 """
@@ -18,11 +18,11 @@ from app import __version__, bootstrap
 from app.commands.options import CANNOT_DRAW, parser_of, write_out
 
 LONGEST_TRIAL_S = 60.0
-"""How long a driver may take to answer."""
+"""Longest time for a driver to answer."""
 
 
 class Finding(NamedTuple):
-    """One line of the report, with what to do about it; empty if nothing is wrong."""
+    """One line of the report, and its remedy; empty if nothing is wrong."""
 
     name: str
     text: str
@@ -46,7 +46,7 @@ def command(arguments: Sequence[str]) -> int:
 
 
 def examine() -> Iterator[Finding]:
-    """Look at everything in turn, the slow parts last, and download nothing."""
+    """Examine everything, the slow parts last, without downloading anything."""
     set_up = bootstrap.enter()
     yield Finding("Frustum Lab", f"{__version__} in {bootstrap.ROOT}")
     yield Finding("Python", f"{platform.python_version()} ({sys.executable})")
@@ -103,9 +103,9 @@ def _folders() -> Iterator[Finding]:
         yield Finding("Window", f"cannot be loaded: {error}", "see the system libraries above")
         return
     for name, folder in (
-        ("Settings in", settings_path().parent),
-        ("Recovery in", data_folder()),
-        ("Log in", log_path().parent),
+        ("Settings folder", settings_path().parent),
+        ("Recovery folder", data_folder()),
+        ("Log folder", log_path().parent),
     ):
         there = folder
         while not there.exists() and there != there.parent:
@@ -124,7 +124,7 @@ def _display() -> Iterator[Finding]:
         from widgets.program.display import display
         from widgets.program.opengl import DisplayError
     except ImportError:
-        return  # said already
+        return  # already reported
     try:
         with display():
             answer, problem = _try(
@@ -142,7 +142,7 @@ def _display() -> Iterator[Finding]:
     yield Finding("Display", f"{answer['platform']} {place}".rstrip())
     for name, width, height, scale in answer["screens"]:
         yield Finding("Screen", f"{name}: {width} x {height} at scale {scale:g}")
-    if "error" in answer:  # which keeps no window from opening, if pictures can be exported
+    if "error" in answer:  # windows still open, drawn as pixels, if export works
         yield Finding("OpenGL", f"none for windows: {answer['error']}")
     else:
         how = "software, without a graphics card" if answer["software"] else "graphics card"
@@ -167,7 +167,7 @@ def _off_screen() -> Finding:
 
 
 def _try(command: list[str], environment: dict[str, str]) -> tuple[dict[str, Any] | None, str]:
-    """Run a trial, which prints JSON in its last line; None and the reason if it fails."""
+    """Run a trial that prints JSON as its last line; return None and the reason if it fails."""
     try:
         done = subprocess.run(
             command, cwd=bootstrap.ROOT, env=environment, capture_output=True, text=True,

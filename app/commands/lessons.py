@@ -34,7 +34,7 @@ def _line(file: Path) -> str:
 
 
 def _checked(report: Report, files: Sequence[Path], own: bool) -> Iterator[str]:
-    """Yield a line for everything that is wrong, and a last line with the sum."""
+    """Yield a line for each mistake, and a summary line."""
     if own:
         ideas_report = Report()
         ideas_report.take(ideas().lesson)

@@ -23,13 +23,13 @@ def run(arguments: Sequence[str]) -> int:
 
 
 def _all_stages(projection: Projection) -> list[Stage]:
-    """Every stage; the products of those before the divide come just before the last one."""
+    """Return every stage, with the products of those before the divide just before the last one."""
     *stages, last = projection.stages
     return [*stages, *projection.direct_stages, last]
 
 
 def _factors(stage: Stage) -> tuple[tuple[str, Array], ...]:
-    """The factors of a stage that are no stages themselves."""
+    """Return those factors of a stage that are not stages themselves."""
     return tuple(factor for factor in stage.factors if "_from_" not in factor[0])
 
 

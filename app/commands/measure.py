@@ -1,4 +1,4 @@
-"""The command ``measure``: choose what to measure, report progress, write the results."""
+"""The command ``measure``: select the measurements, report progress, write the results."""
 
 from __future__ import annotations
 
@@ -31,11 +31,11 @@ from app.model.refusal import Cancelled
 
 
 def run(arguments: Sequence[str]) -> int:
-    """Measure, print and write the results; the exit status. A `CliError` for wrong input."""
+    """Measure, print and write the results; return the exit status, or raise a `CliError`."""
     found, words = parser_of("measure").read(arguments)
     swept = dict(_range(name, ends) for name, ends in found.sweep or ())
     if found.attended and sys.platform != "win32":
-        os.nice(10)  # the attending program draws meanwhile and comes first
+        os.nice(10)  # the program that started this one draws meanwhile and has priority
     options = {f"--{option}": getattr(found, option) for option in ("json", "csv", "chart")}
     outs = {option: out for option, out in options.items() if out is not None}
     if len(set(outs.values())) < len(outs):
@@ -81,7 +81,7 @@ def run(arguments: Sequence[str]) -> int:
     }
     try:
         write_out([texts["-"]] if "-" in texts else _measured(results))
-    finally:  # the files are written also for a reader of the tables who leaves early
+    finally:  # write the files even if the reader of the tables closes the pipe
         for out, text in texts.items():
             if out not in (None, "-"):
                 write_bytes_atomically(out, text.encode())
@@ -91,7 +91,7 @@ def run(arguments: Sequence[str]) -> int:
 
 
 def _range(name: str, ends: str) -> tuple[str, tuple[float | None, float | None]]:
-    """The ends of a sweep, ``1e-3:10``; if none are given, the sweep has its own."""
+    """Parse the ends of a sweep, ``1e-3:10``; without ends the sweep uses its own."""
     if not ends:
         return name, (None, None)
     try:
@@ -101,7 +101,7 @@ def _range(name: str, ends: str) -> tuple[str, tuple[float | None, float | None]
     whole = SWEEPS[name]
     if not whole.low <= low < high <= whole.high:
         raise CliError(
-            f"--sweep {name} = {ends!r}: must rise, and lie between {whole.low:g} and"
+            f"--sweep {name} = {ends!r}: must have LOW below HIGH, both from {whole.low:g} to"
             f" {whole.high:g}."
         )
     return name, (low, high)
@@ -134,7 +134,7 @@ def _watched(attended: bool) -> Iterator[Callable[[float], None]]:
                 going.set()
             else:
                 break
-        cancelled.set()  # also when whoever attended has gone
+        cancelled.set()  # also when the starting program has ended
         going.set()
 
     former = signal.signal(signal.SIGINT, lambda *_: cancelled.set())
@@ -149,7 +149,7 @@ def _watched(attended: bool) -> Iterator[Callable[[float], None]]:
 
 
 def _measured(results: Results) -> Iterator[str]:
-    """The results as tables, each trade with its meaning."""
+    """Yield the results as tables, each trade with its meaning."""
     for trade in results.trades:
         yield f"{trade.name}{'' if trade.complete else ' (cancelled)'}\n"
         yield from _lines_of(table(trade), str.ljust)
@@ -161,7 +161,7 @@ def _measured(results: Results) -> Iterator[str]:
 
 
 def _lines_of(rows: list[list[str]], align_names: Callable[[str, int], str]) -> Iterator[str]:
-    """A table's lines: aligned names, numbers flush right, notes at the end."""
+    """Return a table's lines: aligned names, numbers flush right, notes at the end."""
     widths = [max(map(len, column)) for column in zip(*rows, strict=True)]
     for name, *cells, note in rows:
         numbers = [cell.rjust(width) for cell, width in zip(cells, widths[1:-1], strict=True)]

@@ -1,7 +1,7 @@
-"""The command line's words: commands, their options, and how wrong ones are refused.
+"""The commands, their options, and the messages for wrong ones.
 
-Standard library only: help comes, and a mistyped option is refused, before anything is set up.
-Every wrong input becomes a `CliError` of one sentence.
+This module needs only the standard library: help and the refusal of misspelt options work before
+the set-up. Every wrong input becomes a `CliError` of one sentence.
 """
 
 from __future__ import annotations
@@ -33,7 +33,7 @@ SUMMARIES = {
     "talk": "draw every step of a talk, or print it with its notes",
     "doctor": "report what this machine has, what is missing and how to get it",
 }
-"""The commands, and what each is for."""
+"""The commands and their summaries."""
 
 THEMES = ("light", "dark")
 CANVASES = ("opengl", "raster")
@@ -51,11 +51,11 @@ SETTABLE = (
     "image.width", "image.height", "quality.rung", "quality.smoothing",
     "quality.detail", "quality.depth_format", "quality.depth_mapping", "view.layout", "view.large",
     "view.stage", "view.frame_step", "view.panel", "view.letters", "view.layers", "view.fixed",
-    "view.probes", "view.compare", "view.dividers",
+    "view.names", "view.probes", "view.compare", "view.dividers",
 )  # fmt: skip
 """Every path that ``--set`` knows, for all lenses; each scene adds its own ``settings.NAME``.
 
-These lists repeat names of modules that need more than Python; a test compares them.
+These lists repeat names from modules with dependencies; a test compares them.
 """
 
 
@@ -77,9 +77,9 @@ def complain(sentence: str, status: int) -> int:
 def standard_output() -> TextIO:
     """Standard output, set so that it takes every character.
 
-    Files and other programs get UTF-8 everywhere, as TeX and JSON are read; Python would use the
-    locale's encoding, which is cp1252 in Windows and has no minus sign. A terminal keeps its own
-    encoding, and shows the number of a character that it lacks.
+    Files and other programs always get UTF-8, which TeX and JSON expect; Python would use the
+    locale's encoding, which is cp1252 on Windows and lacks the minus sign. A terminal keeps its
+    encoding and shows the code of a character that it lacks.
 
     Raises
     ------
@@ -129,7 +129,7 @@ class Parser(argparse.ArgumentParser):
         self.add_argument("words", nargs="*", metavar=names, help=text)
 
     def _print_message(self, message: str, _file: object = None) -> None:
-        """Print the help or the version; argparse itself ignores errors of writing."""
+        """Print the help or the version; argparse would ignore write errors."""
         write_out([message])
 
     def error(self, message: str) -> NoReturn:
@@ -137,7 +137,7 @@ class Parser(argparse.ArgumentParser):
 
     def read(self, arguments: Sequence[str]) -> tuple[argparse.Namespace, list[str]]:
         """Parse options and words in any order; refuse too few words and too many."""
-        # After -- all words are names; argparse forgets that when options and names are mixed.
+        # After -- all words are names; argparse loses that when options and names are mixed.
         end = arguments.index("--") if "--" in arguments else len(arguments)
         found, extra = self.parse_known_intermixed_args(arguments[:end])
         for word in extra:
@@ -158,18 +158,18 @@ class Parser(argparse.ArgumentParser):
         return found, words
 
     def add_set(self) -> None:
-        """Take ``--set``."""
+        """Add ``--set``."""
         self.add_argument(
             "--set",
             action="append",
             default=[],
             metavar="NAME=VALUE",
             help="change a value of the document, such as lens.far=inf; may be repeated; "
-            f"the names are {', '.join(SETTABLE)} and settings.NAME of the scene's own",
+            f"the names are {', '.join(SETTABLE)} and settings.NAME for a setting of the scene",
         )
 
     def add_choice(self, option: str, values: Sequence[str], text: str, default: str = "") -> None:
-        """Take one of several values."""
+        """Add an option that takes one of several values."""
         self.add_argument(
             option,
             type=lambda value: one_of(option, value, values),
@@ -187,7 +187,7 @@ def _nearest(word: str, known: Iterable[str]) -> str:
 
 
 def one_of(option: str, value: str, values: Sequence[str]) -> str:
-    """An option's value, which must be one of several."""
+    """Return an option's value, which must be one of several."""
     # argparse does not catch a CliError, and so does not rephrase it.
     if value not in values:
         raise CliError(f"{option} = {value!r}: must be one of {', '.join(values)}.")
@@ -195,7 +195,7 @@ def one_of(option: str, value: str, values: Sequence[str]) -> str:
 
 
 def parse_number(text: str) -> float:
-    """A number in the C locale, without Python's own notation such as 1_000."""
+    """Parse a number in the C locale, without Python's own notation such as 1_000."""
     if "_" in text:
         raise ValueError(text)
     return float(text)
@@ -246,13 +246,15 @@ def _window() -> Parser:
     parser = Parser(
         "",
         "[FILE]",
-        "a document, an exported PNG picture, a mesh, a lesson or a talk (the letter F)",
+        "a document, an exported PNG picture, a mesh, a lesson or a talk (default: the letter F)",
         f"commands, each with its own --help:\n{lines}",
     )
     parser.add_set()
     parser.add_choice("--theme", THEMES, "colours, for this start only")
     parser.add_choice(
-        "--canvas", CANVASES, "how panes draw (opengl with a graphics card, raster without)"
+        "--canvas",
+        CANVASES,
+        "how panes draw (default: opengl with a graphics card, raster without)",
     )
     parser.add_argument(
         "--reset", action="store_true", help="delete the settings, then open the window"
@@ -266,73 +268,81 @@ def _window() -> Parser:
 
 
 def _export() -> Parser:
-    text = "the picture to write (.png), and the document, picture or mesh to draw (the letter F)"
+    text = (
+        "the picture to write (.png), and the document, picture or mesh to draw "
+        "(default: the letter F)"
+    )
     parser = Parser("export", "OUT [FILE]", text)
     parser.add_argument(
         "--panes",
         default="world,ndc,image",
         metavar="world,ndc,image",
-        help="the panes to draw, side by side (all)",
+        help="the panes to draw, side by side (default: all)",
     )
     parser.add_argument(
         "--size",
         type=_size,
         metavar="WIDTHxHEIGHT",
-        help="pixels at scale 1 (640x640 for each pane, or the image's own size for it alone)",
+        help="size in pixels at scale 1 (default: 640x640 for each pane, or its own size for the "
+        "image alone)",
     )
     parser.add_argument(
         "--scale",
         type=_number("--scale", "a finite number"),
         default=1.0,
         metavar="FACTOR",
-        help="the same figure, finer (1)",
+        help="draw the same figure with more pixels (default: 1)",
     )
     parser.add_argument(
         "--text-size", type=_number("--text-size", "a number of points"), metavar="PT",
-        help="height of the letters in points, 300 pixels to 72 of them at scale 1 (6 in a pane of"
-        " 640 pixels, and in others in proportion)",
+        help="height of the letters in points; 72 points are 300 pixels at scale 1 (default: 6 "
+             "in a pane of 640 pixels, in proportion in others)",
     )  # fmt: skip
-    parser.add_argument("--transparent", action="store_true", help="no background")
-    parser.add_choice("--theme", THEMES, "colours (light)", "light")
+    parser.add_argument(
+        "--transparent", action="store_true", help="leave the background transparent"
+    )
+    parser.add_choice("--theme", THEMES, "colours (default: light)", "light")
     parser.add_set()
     return parser
 
 
 def _project() -> Parser:
     text = (
-        "a document, picture or mesh whose camera is used (the letter F's), and the points: "
-        "CSV with the columns x,y,z, or - for standard input; a fourth one, w, may be 0 for a"
-        " point at infinity, and divides x, y and z where it is neither 0 nor 1"
+        "a document, picture or mesh whose camera is used (default: the letter F), and the "
+        "points: CSV with the columns x,y,z, or - for standard input; a fourth column, w, may be "
+        "0 for a point at infinity; any other w divides x, y and z"
     )
     parser = Parser("project", "[FILE] POINTS", text)
-    parser.add_choice("--format", PROJECT_FORMATS, "output format (table)", "table")
-    parser.add_choice("--rung", PRECISIONS, "arithmetic (float64, or exact where that is needed)")
-    parser.add_choice("--space", SPACES, "space of the coordinates (world)", "world")
+    parser.add_choice("--format", PROJECT_FORMATS, "output format (default: table)", "table")
+    parser.add_choice(
+        "--rung", PRECISIONS, "arithmetic (default: float64, or exact where that is needed)"
+    )
+    parser.add_choice("--space", SPACES, "space of the coordinates (default: world)", "world")
     parser.add_set()
     return parser
 
 
 def _matrices() -> Parser:
-    text = "a document, picture or mesh whose camera is used (the letter F's)"
+    text = "a document, picture or mesh whose camera is used (default: the letter F)"
     parser = Parser("matrices", "[FILE]", text)
-    parser.add_choice("--format", MATRIX_FORMATS, "output format (text)", "text")
+    parser.add_choice("--format", MATRIX_FORMATS, "output format (default: text)", "text")
     parser.add_set()
     return parser
 
 
 def _measure() -> Parser:
-    text = "a document, picture or mesh to measure (the letter F)"
+    text = "a document, picture or mesh to measure (default: the letter F)"
     parser = Parser("measure", "[FILE]", text)
     parser.add_argument(
         "--trade", action="append", metavar="|".join(TRADES),
         type=lambda value: one_of("--trade", value, TRADES),
-        help="measure this one; may be repeated (all, if neither --trade nor --sweep is given)",
+        help="measure this trade; may be repeated (default, without --sweep: all)",
     )  # fmt: skip
     parser.add_argument(
         "--sweep", action="append", metavar="NAME[=LOW:HIGH]", type=_sweep,
-        help=f"the errors over a parameter's range; NAME is one of {', '.join(SWEEPS)}",
+        help=f"measure the errors over a parameter's range; NAME is one of {', '.join(SWEEPS)}",
     )  # fmt: skip
-    parser.add_argument("--scene", metavar="NAME", help="as --set scene=NAME")
+    parser.add_argument("--scene", metavar="NAME", help="the same as --set scene=NAME")
     parser.add_argument(
         "--quick", action="store_true", help="measure for half a minute only, less exactly"
     )
@@ -341,12 +351,12 @@ def _measure() -> Parser:
         help="write all results; FILE is overwritten, - is standard output",
     )  # fmt: skip
     parser.add_argument(
-        "--csv", metavar="FILE", help="write the tables, one after the other, in the same way"
+        "--csv", metavar="FILE", help="write the tables, one after the other; FILE as for --json"
     )
     parser.add_argument(
         "--chart",
         metavar="FILE",
-        help="draw all results, in the same way: .png, or .pdf as vectors",
+        help="draw all results; FILE as for --json, ending in .png, or in .pdf for vectors",
     )
     parser.add_argument(
         "--attended", action="store_true",
@@ -359,8 +369,8 @@ def _measure() -> Parser:
 
 def _lesson() -> Parser:
     text = (
-        "check: try all states, keys and samples of lessons and talks (of those that come with"
-        " the program); list: list them"
+        "check: try every state, answer key and sample of lessons and talks (default: those that "
+        "come with the program); list: list them"
     )
     return Parser("lesson", "check|list [FILE...]", text)
 
@@ -369,13 +379,13 @@ def _talk() -> Parser:
     parser = Parser("talk", "FILE", "a talk, or a lesson")
     parser.add_argument(
         "--check", action="store_true",
-        help="draw every step without a display, try all that lesson check tries, and say what is"
-        " wrong with file and line",
+        help="draw every step without a display, run lesson check, and report each mistake with "
+             "file and line",
     )  # fmt: skip
     parser.add_argument(
         "--handout", metavar="OUT.pdf",
-        help="write figures, words and notes of every step on A4; a file that is there is"
-        " overwritten",
+        help="write the figures, text and notes of every step on A4 pages; an existing file is "
+             "overwritten",
     )  # fmt: skip
     return parser
 
@@ -397,17 +407,17 @@ _PARSERS: dict[str, Callable[[], Parser]] = {
 
 
 def parser_of(command: str) -> Parser:
-    """The options of a command; an empty name means the window."""
+    """Return the parser of a command; an empty name means the window."""
     return _PARSERS[command]()
 
 
 def answer(arguments: Sequence[str]) -> None:
-    """Print the help or the version, and end, if one of them is asked for; otherwise return.
+    """Print the help or the version and exit, if requested; otherwise return.
 
     Raises
     ------
     SystemExit, CliError
-        After the answer, or for another error on the command line.
+        After printing, or for an error on the command line.
     """
     end = arguments.index("--") if "--" in arguments else len(arguments)
     if {"-h", "--help", "--version"}.isdisjoint(arguments[:end]):
@@ -420,14 +430,14 @@ def answer(arguments: Sequence[str]) -> None:
 
 
 def outcome(run: Callable[[], _Status]) -> _Status | int:
-    """Run, print the sentence of an error, and return the exit status."""
+    """Run, print an error's sentence if there is one, and return the exit status."""
     try:
         return run()
     except CliError as error:
         return complain(str(error), error.status)
     except SystemExit as done:  # argparse, after --help and --version
         return int(done.code or 0)
-    except BrokenPipeError:  # “| head” has seen enough
+    except BrokenPipeError:  # the reader, such as “| head”, has closed the pipe
         return 0
     except KeyboardInterrupt:
         return INTERRUPTED

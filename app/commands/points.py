@@ -21,22 +21,22 @@ from app.model.projection import FINITE_NUMBER, LARGEST
 from app.model.refusal import Refusal
 
 LARGEST_INPUT = 2**30
-"""Most bytes of points that are read."""
+"""Most bytes read as points."""
 
 
 class Columns(NamedTuple):
-    """What a file has after the coordinates: names, and a row for each point."""
+    """The columns of a file after the coordinates: their names, and a row for each point."""
 
     names: list[str]
     rows: list[list[str]]
 
     def written(self, write: Callable[[list[str]], str]) -> Iterator[str]:
-        """A text for each point, empty if there are no such columns."""
+        """Return a text for each point; empty if there are no such columns."""
         return map(write, self.rows) if self.names else itertools.repeat("")
 
 
 _POINTS = re.compile(r"(?=.*\d)[-+.\deE\s,;()\[\]]+")
-"""Numbers and what separates them, which is no file's name."""
+"""Numbers and separators, which cannot be a file's name."""
 
 
 def check_typed(arguments: Sequence[str]) -> None:
@@ -53,10 +53,10 @@ def check_typed(arguments: Sequence[str]) -> None:
 
 
 class Read(NamedTuple):
-    """What a file of points holds."""
+    """The content of a file of points."""
 
     points: list[Row]
-    """With w: 1, or 0 at infinity."""
+    """Each point has w: 1, or 0 at infinity."""
     has_w: bool
     """Whether the file has a column for w."""
     columns: Columns
@@ -113,7 +113,7 @@ def read(source: str) -> Read:
 
 
 def _others(cells: list[str], head: list[str], has_w: bool, where: str) -> list[str]:
-    """The cells of a row after its coordinates; without names, a number there is w."""
+    """Return the cells of a row after its coordinates; without names, a number there is w."""
     if len(cells) > len(head) > 0:
         raise CliError(f"{where}: has {len(cells)} columns, but the first row names {len(head)}.")
     if head:

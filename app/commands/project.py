@@ -43,7 +43,7 @@ def run(arguments: Sequence[str]) -> int:
     else:
         traced = trace(projection, rows[:, :3], precision, space=found.space)
     beyond = ~np.isfinite(np.column_stack([traced.view, traced.clip])).all(axis=1)
-    if beyond.any():  # float32 ends at 3e38, a document and its points do not
+    if beyond.any():  # coordinates may exceed float32's 3e38
         number = int(beyond.argmax()) + 1
         raise CliError(
             f"--rung = {precision!r}: point {number} leads to numbers that it cannot hold."
@@ -56,7 +56,7 @@ def run(arguments: Sequence[str]) -> int:
 
 
 class _Answer(NamedTuple):
-    """What `project` prints."""
+    """The data that `project` prints."""
 
     projection: Projection
     trace: Trace
@@ -67,12 +67,12 @@ class _Answer(NamedTuple):
 
     @property
     def stages(self) -> tuple[tuple[str, tuple[str, ...]], ...]:
-        """Each stage and its columns; with w if the points have one."""
+        """Return each stage and its columns; with w if the points have one."""
         return _HOMOGENEOUS if self.trace.world.shape[1] == 4 else _STAGES
 
     @property
     def counts(self) -> tuple[int, int]:
-        """How many numbers a point has, and a point without a picture: those up to clip space."""
+        """The number of columns of a point, and of one without a picture (up to clip space)."""
         columns = [len(names) for _, names in self.stages]
         return sum(columns), sum(columns[:3])
 
@@ -94,7 +94,7 @@ class _Block(NamedTuple):
 
     @property
     def texts(self) -> list[str]:
-        """All numbers, row by row, each as the shortest text that gives the same number."""
+        """Return all numbers row by row, each as the shortest text that gives the same number."""
         return list(map(repr, self.numbers.ravel().tolist()))
 
 
@@ -110,7 +110,7 @@ _HOMOGENEOUS = tuple(
     (stage, (*names, f"{stage}_w") if stage in ("world", "view") else names)
     for stage, names in _STAGES
 )
-"""The same for points that may be at infinity."""
+"""The stages of points that may be at infinity."""
 _BLOCK = 4096
 
 
@@ -178,7 +178,7 @@ def _project_json(answer: _Answer) -> Iterator[str]:
 
 
 def _finite_or_text(error: float) -> float | str:
-    """Infinity as a document writes it, since JSON has none."""
+    """Write infinity as in a document, because JSON has none."""
     return error if math.isfinite(error) else "inf"
 
 
@@ -213,7 +213,7 @@ def _project_table(answer: _Answer) -> Iterator[str]:
     rows, line = len(labels) + 1, "%*s" * 4 + "\n"
     seen = "%-10s  " + line + "".join(f"{label:>10}  {line}" for label in labels)
     unseen = "%-10s  " + line + "".join(f"{label:>10}  {line}" for label in labels[:3])
-    # The place of each number in a table of four columns with a header row.
+    # The position of each number in a table of four columns with a header row.
     places = [
         4 * row + i for row, (_, names) in enumerate(answer.stages, 1) for i in range(len(names))
     ]
@@ -271,12 +271,12 @@ def _project_table(answer: _Answer) -> Iterator[str]:
 
 
 def _printable(text: str) -> str:
-    """A text without control characters, which a terminal would obey."""
+    """Remove control characters, which a terminal would obey."""
     return "".join(letter if letter.isprintable() else "\ufffd" for letter in text)
 
 
 def _why_none(numbers: list[float]) -> str:
-    """The reason why a point has no picture, from its numbers up to clip space."""
+    """Say why a point has no picture, from its numbers up to clip space."""
     at_infinity, w = len(numbers) > 10 and numbers[3] == 0.0, numbers[-1]
     if w > 0.0:
         return "the point is in front of the eye; its pixel is larger than float64 can hold"

@@ -16,7 +16,7 @@ from app.lessons.lesson import Lesson, Step, read
 from app.model.refusal import Refusal
 
 SMALL_PX = 120
-"""Side of the panes that are drawn for the check."""
+"""Size of the panes drawn for the check."""
 
 
 def talk(arguments: Sequence[str]) -> int:
@@ -67,7 +67,7 @@ def _draw() -> Callable[[Document], object]:
 
 
 def _tried(path: Path, draw: Callable[[Document], object]) -> tuple[list[Refusal], str]:
-    """Return everything that is wrong with a talk, and the line that sums it up."""
+    """Return the mistakes of a talk, and a summary line."""
     report, drawn = Report(), 0
     try:
         course = report.take(read(path))
@@ -81,13 +81,13 @@ def _tried(path: Path, draw: Callable[[Document], object]) -> tuple[list[Refusal
                 drawn += 1
             except Refusal as error:
                 error = _placed(error, course.lesson, step)
-                if str(error) not in map(str, report.wrong):  # the check may have found it, too
+                if str(error) not in map(str, report.wrong):  # the check may have found it too
                     report.wrong.append(error)
     return report.wrong, f"{path.name}: {counted(drawn, 'step')} drawn, {len(report.wrong)} wrong"
 
 
 def _shown(course: Course, place: int, step: Step) -> list[Document]:
-    """Return what a step shows, and then the states that its predictions show."""
+    """Return the step's state, then the states that its predictions show."""
     states = [part.show for part in step.parts if part.show is not None]
     here = course.at(place)
     return [here.document, *map(here.shown_by, states)]

@@ -1,8 +1,8 @@
 """Documents as JSON text: `parse` reads one, `to_json` writes one.
 
-Text from outside is checked here, and whatever is wrong with it is refused in one sentence. The
-table `app.document.fields` says which fields there are; the classes that hold the values check
-their bounds.
+Text from outside is checked here, and every fault is refused in one sentence. The table
+`app.document.fields` says which fields there are; the classes that hold the values check their
+bounds.
 """
 
 from __future__ import annotations
@@ -58,7 +58,7 @@ FORMAT = "frustum-lab"
 
 
 def _with_view(tree: Tree) -> Tree:
-    """Version 1 had the panes' cameras at the top, and gave no meaning to a key "view"."""
+    """Move the panes' cameras of version 1 under "view", a key that version 1 did not use."""
     strange = {"version 1": tree.pop("view")} if "view" in tree else {}
     panes = {"panes": tree.pop("views")} if "views" in tree else {}
     return tree | ({"view": panes | strange} if panes or strange else {})
@@ -70,7 +70,7 @@ VERSION = len(MIGRATIONS) + 1
 """Version of the documents that are written."""
 
 MOST_VALUES = 200_000
-"""Most values of a document, counted by its commas: reading takes microseconds for each."""
+"""Most values in a document, estimated from its commas: reading one takes microseconds."""
 SHORTEST = 1e-100
 """Shortest distance and shortest up vector of a pane's own camera: VTK squares them."""
 DEEPEST = 50
@@ -104,14 +104,14 @@ SOME_CHANGES = QT_TRANSLATE_NOOP("Refusal", "must be a list of texts NAME=VALUE"
 
 
 class _Literal(str):
-    """A number that no float can hold, as it was typed: shown without quotes."""
+    """A number that no float can hold, as it was typed; messages show it without quotes."""
 
     def __repr__(self) -> str:
         return str(self)
 
 
 class _Refused(NamedTuple):
-    """Stands in a tree for what must not be there, until its path is known."""
+    """Placeholder for an invalid value in a tree, until its path is known."""
 
     bound: Bound
     key: str = ""
@@ -136,7 +136,7 @@ def _not_finite(text: str) -> _Refused:
 
 
 def _check_tree(value: Any, path: str, depth: int) -> None:
-    """Refuse, by its path, what JSON's grammar lets through."""
+    """Refuse invalid values that JSON's grammar allows, naming their paths."""
     if isinstance(value, _Refused):
         path = _join(path, value.key) if value.key else path
         if not path:
@@ -154,7 +154,7 @@ def _check_tree(value: Any, path: str, depth: int) -> None:
 
 
 def _bound_of_far(kind: object) -> Bound:
-    """The bound of a lens' far, which may be infinite for some lenses only."""
+    """Return the bound on a lens's far, which only some lenses allow to be infinite."""
     lens = LENSES.get(kind) if isinstance(kind, str) else None
     return FINITE_OR_INF if lens is not None and lens.far_may_be_infinite else FINITE_NUMBER
 
@@ -172,14 +172,14 @@ def parse(text: str, folder: Path | None = None) -> Document:
     text : str
         JSON as `to_json` writes it.
     folder : path, optional
-        The folder of the text; a mesh's path starts there.
+        The folder of the text; relative mesh paths start there.
 
     Raises
     ------
     Refusal
         For anything but a valid document.
     """
-    text = text.removeprefix("\ufeff")  # some editors' mark that the text is UTF-8
+    text = text.removeprefix("\ufeff")  # the byte order mark that some editors write
     if not text.strip():
         raise Refusal.in_document(EMPTY)
     if text.count(",") >= MOST_VALUES:
@@ -210,7 +210,7 @@ def parse(text: str, folder: Path | None = None) -> Document:
     try:
         return from_tree(tree, folder)
     except Refusal as error:
-        if version == 1 and error.field.startswith("view.panes"):  # where the file has them
+        if version == 1 and error.field.startswith("view.panes"):  # in the order of the file
             error.field = error.field.replace("view.panes", "views", 1)
         raise
 
@@ -219,7 +219,7 @@ def parse(text: str, folder: Path | None = None) -> Document:
 
 
 def _whole(number: Any) -> Any:
-    """JSON knows one kind of number: 800.0 is 800."""
+    """Convert 800.0 to 800: JSON has only one kind of number."""
     return int(number) if isinstance(number, float) and number.is_integer() else number
 
 
@@ -236,7 +236,7 @@ def _mapping(value: Any, path: str) -> Tree:
 
 
 def _values(section: Any, known: Iterable[Field], path: str) -> Tree:
-    """The known fields of a section; refused without one that is required."""
+    """Return the known fields of a section; refuse a section that lacks a required one."""
     values, known = _mapping(section, path), tuple(known)
     for each in known:
         if each.required:
@@ -246,7 +246,7 @@ def _values(section: Any, known: Iterable[Field], path: str) -> Tree:
 
 @contextlib.contextmanager
 def document_paths(section: str = "") -> Iterator[None]:
-    """Give the model's refusals their paths in the document; in a section, if one is given."""
+    """Add document paths to the model's refusals, within `section` if it is given."""
     try:
         yield
     except Refusal as error:
@@ -272,7 +272,7 @@ def from_tree(tree: Tree, folder: Path | None = None) -> Document:
     Raises
     ------
     Refusal
-        For what is no document.
+        If the tree is not a valid document.
     """
     scene = _required(tree, "scene")
     if not isinstance(scene, str):
@@ -303,7 +303,7 @@ def from_tree(tree: Tree, folder: Path | None = None) -> Document:
 
 
 def _lens(section: Any, path: str) -> Lens:
-    """A lens; the lens that a free matrix replaced has a path of its own, and is no free matrix."""
+    """Read a lens. A lens that a free matrix replaced has its own path and is no free matrix."""
     kind = _required(_mapping(section, path), "kind", path)
     owners = LENSES | ({FreeMatrix.kind: FreeMatrix} if path == "lens" else {})
     if not isinstance(kind, str) or kind not in owners:
@@ -334,7 +334,7 @@ def _pane_camera(section: Any, path: str) -> Camera:
 
 
 def _pictures(value: Any, scene: str, mesh: Any) -> tuple[Picture, ...]:
-    """The pictures that a document is compared with, as `_picture_tree` writes them."""
+    """Read the compared pictures, as `_picture_tree` writes them."""
     path = "view.compare"
     if not isinstance(value, list) or len(value) > MOST_PICTURES:
         raise Refusal.in_document(SOME_PICTURES, MOST_PICTURES, field=path, value=value)
@@ -358,7 +358,7 @@ def _pictures(value: Any, scene: str, mesh: Any) -> tuple[Picture, ...]:
 
 
 def _held(values: Tree, path: str, scene: str, mesh: Any) -> Held:
-    """A held state, which must be of the document's own scene."""
+    """Read a held state, which must belong to the document's own scene."""
     for key, own in (("scene", scene), ("mesh", mesh)):
         if values.get(key, own) != own:
             field = f"{path}.{key}"
@@ -418,10 +418,10 @@ def to_json(document: Document, folder: Path | None = None) -> str:
 
 
 def picture_json(document: Document) -> str:
-    """Write a document as the text that a picture carries, which goes to strangers.
+    """Write a document as the text in a picture that may be given to strangers.
 
-    It names a mesh without its folders, which are private; the mesh is looked for beside the
-    picture.
+    A mesh is named without its folders, which are private; opening the picture looks for it beside
+    the picture.
     """
     scene = os.path.basename(document.scene) if is_mesh(document.scene) else document.scene
     return to_json(replace(document, scene=scene, mesh=os.path.basename(document.mesh)))
@@ -433,7 +433,7 @@ def _dump(tree: Tree, ensure_ascii: bool) -> str:
 
 
 def to_tree(document: Document) -> Tree:
-    """A document as JSON has it; `from_tree` reads it."""
+    """Convert a document to a JSON tree, which `from_tree` reads."""
     projection, quality = document.projection, document.quality
     width, height = projection.image_size
     moved = projection.placement != NOT_MOVED
@@ -464,9 +464,9 @@ def to_tree(document: Document) -> Tree:
 
 
 def _plain(value: Any) -> Any:
-    """A value, or a part of a document, as JSON has it.
+    """Convert a value, or a part of a document, to JSON.
 
-    A number is 6, not 6.0, and infinity, for which JSON has no word, is ``"inf"``.
+    6.0 is written as 6, and infinity, which JSON lacks, as ``"inf"``.
     """
     if is_dataclass(value):
         parts = {each.name: getattr(value, each.name) for each in fields(value)}
@@ -504,10 +504,10 @@ def _picture_tree(picture: Picture, scene: str) -> Tree:
 
 
 def _mesh_from(path: str, folder: Path) -> str:
-    """Name a mesh as seen from a folder, if it is below it or at most two levels beside it."""
+    """Return a mesh's path relative to a folder, if it lies below it or at most two levels up."""
     if not is_mesh(path):  # a built-in scene
         return path
-    # The mesh's own name may be a link to a far store of data, and that is how it is wanted.
+    # Do not resolve the mesh itself: it may deliberately be a link to a data store.
     place, name = os.path.split(os.path.abspath(path))
     mesh = os.path.join(os.path.realpath(place), name)
     with contextlib.suppress(ValueError):  # on another drive of Windows

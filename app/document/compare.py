@@ -1,7 +1,7 @@
 """Pictures compared with the document's own: what each shows, and where they differ.
 
-A held picture keeps the camera, lens, image and settings of one moment. Any other picture follows
-the document in everything but some values of its own (another interpolation, say).
+A held picture keeps the camera, lens, image and settings of one moment. Every other picture follows
+the document except for a few values of its own (another interpolation, for example).
 """
 
 from __future__ import annotations
@@ -17,29 +17,36 @@ from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
 from app.scenes.phenomena.settings import Setting, Settings
 
 MOST_PICTURES = 3
-"""As many as the lectures set side by side: stretch, keep x, keep y; naive, cut, clipped."""
+"""As many as the lectures show side by side: stretch, keep x, keep y; naive, cut, clipped."""
 
 SOME_PICTURES = QT_TRANSLATE_NOOP(
     "Refusal", "must be a list of 2 to {0} pictures, exactly one of them the document's own"
 )
 SOME_DIVIDERS = QT_TRANSLATE_NOOP(
     "Refusal",
-    "must be rising numbers from 0 to 1, one fewer than the compared pictures, or none for side by"
-    " side",
+    "must be increasing numbers from 0 to 1, one fewer than the compared pictures, or none for"
+    " side by side",
 )
 ONLY_OF_THE_PICTURE = QT_TRANSLATE_NOOP(
     "Refusal", "must be a value of settings, camera, lens, image, object or depth, as NAME=VALUE"
 )
 HELD_ELSEWHERE = QT_TRANSLATE_NOOP("Refusal", "must be the document's own, {0}")
+NAME_ENDS = ": "
+"""Separates the name of a picture from its values."""
 PARTS = ("settings", "camera", "lens", "image", "object", "depth")
-"""The parts of a document that a picture shows, and may have for itself."""
+"""The parts of a document that a picture shows and may override."""
 ON, OFF = QT_TRANSLATE_NOOP("phenomena", "on"), QT_TRANSLATE_NOOP("phenomena", "off")
-_ALONG = 1e-9  # sine between two camera axes that are one
+ARROW = " \u2192 "
+_NAMING = ("settings", "lens", "camera", "image", "object", "depth")
+"""The parts whose values name a picture, the most telling ones first."""
+_SAYS_ITSELF = ("lens.kind", "image", "depth")
+"""Fields whose values need no field name beside them."""
+_ALONG = 1e-9  # sine of the angle between two camera axes that count as equal
 
 
 @dataclass(frozen=True)
 class Held:
-    """A state that stays as it was; the settings are those of the scene's phenomenon."""
+    """A state that does not follow the document; `settings` belong to the scene's phenomenon."""
 
     projection: Projection
     settings: Settings = field(default_factory=lambda: MappingProxyType({}))
@@ -47,24 +54,24 @@ class Held:
 
 @dataclass(frozen=True)
 class Picture:
-    """One of the pictures that are compared.
+    """One of the compared pictures.
 
     Parameters
     ----------
     name : str
-        Translatable, if a phenomenon gives it.
+        Translatable if it comes from a phenomenon.
     changes : tuple of str
-        The values that differ from the document's, as ``--set`` has them: ``"lens.keep=x"``. For
-        the document's own picture, the values for which it has its name.
+        The values that differ from the document's, in the form of ``--set``: ``"lens.keep=x"``. For
+        the document's own picture, the values that its name describes.
     held : Held, optional
-        What it shows instead of following the document.
+        The state that it shows instead of following the document.
     live : bool
         Whether it is the document's own.
 
     Raises
     ------
     Refusal
-        For changes of what no picture shows.
+        For changes to values that no picture shows.
     """
 
     name: str = ""
@@ -99,11 +106,11 @@ def check_pictures(pictures: Sequence[Picture], dividers: Sequence[float]) -> No
         raise Refusal("dividers", list(dividers), SOME_DIVIDERS)
 
 
-# --------------------------------------------------------------------------- in what they differ
+# --------------------------------------------------------------------------- differences
 
 
 def differences(states: Sequence[Held]) -> list[tuple[str, tuple[Any, ...]]]:
-    """The paths at which states differ, each with every state's value.
+    """Return the paths at which states differ, each with every state's value.
 
     Settings come first. ``camera.distance`` stands for the eye if only that differs, and ``image``
     is (width, height). For lenses of several kinds only common fields are compared.
@@ -140,8 +147,8 @@ def differences(states: Sequence[Held]) -> list[tuple[str, tuple[Any, ...]]]:
 
 @dataclass(frozen=True)
 class Written:
-    """How to write a difference in some language: the name of a field of the model, a text of the
-    phenomena (a setting's name, unit or choice; ``on`` and ``off``), and a number.
+    """How to write a difference in a language: functions for the name of a model field, for a text
+    of the phenomena (a setting's name, unit or choice; ``on`` and ``off``), and for a number.
     """
 
     field: Callable[[str], str]
@@ -155,9 +162,9 @@ def in_words(
     settings: Sequence[Setting],
     written: Written,
 ) -> list[str]:
-    """The differences of pictures in words: ``near 4 \u2192 8``.
+    """Describe in words how pictures differ: ``near 4 \u2192 8``.
 
-    Values that name a picture are left out, unless nothing else differs.
+    Omit values that a picture's name already describes, unless nothing else differs.
     """
     found = differences(states)
     named = {change.partition("=")[0] for each in pictures for change in each.changes}
@@ -166,7 +173,40 @@ def in_words(
     return [_in_words(path, values, by_path.get(path), written) for path, values in found]
 
 
+def names_in(
+    own: Sequence[str], states: Sequence[Held], settings: Sequence[Setting], written: Written
+) -> list[str]:
+    """The name of each picture: its own one, or what differs: ``near 4``, ``near 8``.
+
+    A setting of the scene names a picture rather than the lens, and the lens rather than the
+    camera. A second value follows where the first one does not tell the pictures apart. Where
+    nothing differs, the name is empty.
+    """
+    by_path = {setting.path: setting for setting in settings}
+    found = sorted(differences(states), key=lambda each: _NAMING.index(each[0].partition(".")[0]))
+    values: list[tuple[str, ...]] = [() for _ in states]
+    for path, differing in found:
+        setting = by_path.get(path)
+        label, texts = _written(path, differing, setting, written)
+        if not all(texts) or all(own):
+            continue
+        says_itself = path in _SAYS_ITSELF or (setting is not None and setting.choices)
+        texts = texts if says_itself else [f"{label} {text}" for text in texts]
+        values = [(*before, text) for before, text in zip(values, texts, strict=True)]
+        if all(name or values.count(texts) == 1 for name, texts in zip(own, values, strict=True)):
+            break
+    return [name or ", ".join(texts) for name, texts in zip(own, values, strict=True)]
+
+
 def _in_words(path: str, values: Sequence[Any], setting: Setting | None, written: Written) -> str:
+    label, texts = _written(path, values, setting, written)
+    return f"{label} {ARROW.join(texts)}" if all(texts) else label
+
+
+def _written(
+    path: str, values: Sequence[Any], setting: Setting | None, written: Written
+) -> tuple[str, list[str]]:
+    """What a value is called, and the text of each, with its unit; no text for a matrix."""
     _, _, name = path.rpartition(".")
     label, unit = written.field(name), "\u00b0" if name.endswith("_deg") else ""
     texts = [_value(value, written) for value in values]
@@ -176,16 +216,15 @@ def _in_words(path: str, values: Sequence[Any], setting: Setting | None, written
         texts = [words.get(text, text) for text in texts]
     elif name == "image":
         texts = [f"{width} \u00d7 {height}" for width, height in values]
-    if "" in texts:  # a matrix
-        return label
+    if "" in texts:
+        return label, [""] * len(texts)
     if label[1:2].islower():  # in the middle of a sentence
         label = label[0].lower() + label[1:]
-    arrow = " \u2192 "
-    return f"{label} {arrow.join(f'{text}{unit}' for text in texts)}"
+    return label, [f"{text}{unit}" for text in texts]
 
 
 def _value(value: Any, written: Written) -> str:
-    """A number, a point or a word; empty for anything larger."""
+    """Write a number, a point or a word; return an empty text for anything larger."""
     if isinstance(value, bool):
         return written.text(ON if value else OFF)
     if isinstance(value, (int, float)):
@@ -196,7 +235,7 @@ def _value(value: Any, written: Written) -> str:
 
 
 def _same_axis(cameras: Sequence[Camera]) -> bool:
-    """Whether they look at the same target along the same line with the same up."""
+    """Whether the cameras have the same target, view direction and up."""
     first = cameras[0]
     if any((camera.target, camera.up) != (first.target, first.up) for camera in cameras):
         return False

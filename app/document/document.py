@@ -22,7 +22,7 @@ from app.scenes.phenomena.settings import Settings
 from app.scenes.shapes import LETTER_F
 
 MESH_ENDINGS = (".obj", ".stl", ".ply", ".gltf", ".glb")
-"""A scene whose name ends in one of these is a mesh file; any other is built in."""
+"""A scene name with one of these endings is a mesh file; every other scene is built in."""
 
 SCENE_NAME = QT_TRANSLATE_NOOP("Refusal", "must be the name of a scene or of a mesh file")
 MESH_NAME = QT_TRANSLATE_NOOP("Refusal", "must be the path of a mesh file ({0}), or empty for none")
@@ -39,7 +39,7 @@ def is_mesh(scene: str) -> bool:
 
 @dataclass(frozen=True)
 class Document:
-    """What a file holds.
+    """The content of a document file.
 
     Parameters
     ----------
@@ -47,17 +47,17 @@ class Document:
         Name of a built-in scene, or path of a mesh file.
     projection : Projection
     extra : dict
-        Keys that this program does not know, in the places where the file had them:
+        Keys that this program does not know, at their places in the file:
         ``{"author": "...", "lens": {"label": "..."}}``. Not to be changed in place.
     view : View
         How the document is looked at. It is saved, but not compared.
     settings : mapping
-        Of the scene's phenomenon; those not given get their defaults. Complete and read-only
-        afterwards, and empty for every other scene.
+        The settings of the scene's phenomenon; missing ones get their defaults. Complete and
+        read-only after construction, and empty for every other scene.
     mesh : str
         Path of the user's mesh that replaces a phenomenon's own objects; empty for none.
     quality : Quality
-        How exactly and how finely it is drawn.
+        The precision and detail of the drawing.
 
     Raises
     ------
@@ -88,7 +88,7 @@ class Document:
                 raise Refusal.in_document(*bound, field="mesh", value=self.mesh)
             if phenomenon is None or not phenomenon.own_mesh:
                 raise Refusal.in_document(NO_MESH_HERE, self.scene, field="mesh", value=self.mesh)
-        if self.extra:  # a key that the former lens did not know may be a field of the present one
+        if self.extra:  # a key unknown to the previous lens may be a field of the current one
             kind = self.projection.lens.kind
             left = unknown(self.extra, self.scene, kind, self.view.panes)
             object.__setattr__(self, "extra", left)
@@ -99,12 +99,12 @@ class Document:
         )
 
     def with_settings(self, settings: Mapping[str, Any]) -> Document:
-        """Change some of the settings, and the projection that goes with them.
+        """Return the document with other settings, and the projection that they require.
 
         Raises
         ------
         Refusal
-            If the scene cannot have them, or no projection goes with them.
+            If the scene cannot have them, or no projection fits them.
         """
         phenomenon = PHENOMENA.get(self.scene)
         if phenomenon is None:
@@ -114,5 +114,5 @@ class Document:
 
     @property
     def state(self) -> Held:
-        """The part of it that can be held, and compared with later states."""
+        """The part of the document that can be held and compared with later states."""
         return Held(self.projection, self.settings)

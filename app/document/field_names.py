@@ -1,4 +1,4 @@
-"""What the fields of a document are called where they are read."""
+"""The displayed names of a document's fields."""
 
 from __future__ import annotations
 
@@ -41,4 +41,4 @@ FIELDS = {
     "depth": QT_TRANSLATE_NOOP("Field", "Depth range"),
     "answer": QT_TRANSLATE_NOOP("Field", "Answer"),
 }
-"""The name by which window and figures call each field of the model."""
+"""The displayed name of each field of the model, in the window and in figures."""

@@ -1,8 +1,7 @@
 """The fields of a document: one table that reading, writing and ``--set`` follow.
 
-The table says where a field stands, how a person types it, and whether a file must have it. The
-bounds of the values themselves are checked by the classes that hold them, once for the whole
-program.
+The table gives each field's section, how a person types it, and whether a file must have it. The
+classes that hold the values check their bounds, once for the whole program.
 """
 
 from __future__ import annotations
@@ -26,7 +25,7 @@ Tree: TypeAlias = dict[str, Any]
 POINTS = QT_TRANSLATE_NOOP("Refusal", "must be the numbers x, y, z of each point in turn")
 SECTIONS = ("settings", "object", "camera", "lens", "image", "quality", "view")
 
-# What float() takes and no document would: 1_000, nan, infinity, digits of other scripts.
+# What float() accepts but a document does not: 1_000, nan, infinity, digits of other scripts.
 _NUMBER = re.compile(r"[+-]?([0-9]+(\.[0-9]*)?|\.[0-9]+)([eE][+-]?[0-9]+)?")
 
 
@@ -36,9 +35,9 @@ class Kind(NamedTuple):
     Attributes
     ----------
     read : callable
-        Turns the text into the value that JSON would have, or None if it cannot.
+        Converts the text to the JSON value; returns None if it cannot.
     bound : tuple
-        The bound that such a text breaks, and the bound's limits.
+        The bound that an invalid text violates, and the bound's limits.
     """
 
     read: Callable[[str], Any]
@@ -51,9 +50,9 @@ class Field(NamedTuple):
     Attributes
     ----------
     section, name : str
-        Where it stands; the top level is section ``""``.
+        The field's section and name; the top level is section ``""``.
     kind : Kind or None
-        None for what ``--set`` cannot set.
+        None if ``--set`` cannot set the field.
     required : bool
         Whether its section must have it.
     """
@@ -72,20 +71,20 @@ class Field(NamedTuple):
 
 
 def number(text: str) -> float | None:
-    """A number in the C locale; None for any other text, and for what float64 cannot hold."""
+    """Parse a number in the C locale; return None for any other text and beyond float64."""
     value = float(text) if _NUMBER.fullmatch(text) else math.inf
     return value if math.isfinite(value) else None
 
 
 def numbers(text: str) -> list[float] | None:
-    """Numbers with commas between them; None if one of them is not a number."""
+    """Parse numbers separated by commas; return None if one of them is not a number."""
     found = [number(part.strip()) for part in text.split(",")] if text else []
     values = [value for value in found if value is not None]
     return values if len(values) == len(found) else None
 
 
 def _rows(text: str, width: int, least: int, most: float) -> list[list[float]] | None:
-    """Numbers in rows of equal width; None unless they fill a number of rows that is allowed."""
+    """Parse rows of equal width; return None unless the numbers fill an allowed number of rows."""
     values = numbers(text)
     if values is None or len(values) % width or not least <= len(values) // width <= most:
         return None
@@ -115,7 +114,7 @@ _BY_DEFAULT = {bool: SWITCH, str: TEXT, tuple: VECTOR}
 
 
 def _fields(section: str, owner: type, required: bool, **kinds: Kind | None) -> tuple[Field, ...]:
-    """A section that is a dataclass, field by field; texts and options are never required."""
+    """Return the fields of a section that is a dataclass; texts and options are never required."""
     found = []
     for each in fields(owner):
         kind = _BY_TYPE.get(str(each.type).removesuffix(" | None"), TEXT)
@@ -131,12 +130,12 @@ IMAGE = tuple(Field("image", name, PIXELS, required=True) for name in ("width", 
 QUALITY = _fields("quality", Quality, required=False)
 VIEW = _fields(
     "view", View, required=False,
-    stage=NUMBER_OR_WORD, layers=NAMES, probes=PROBES, pinned=None, panes=None,
+    stage=NUMBER_OR_WORD, layers=NAMES, names=NAMES, probes=PROBES, pinned=None, panes=None,
 )  # fmt: skip
 
 
 def lens_fields(kind: object) -> tuple[Field, ...]:
-    """The fields of a kind of lens, without the kind itself; none of an unknown kind."""
+    """Return the fields of a kind of lens, without the kind itself; none for an unknown kind."""
     if not isinstance(kind, str) or kind not in kinds():
         return ()
     owner = LENSES.get(kind, FreeMatrix)
@@ -144,7 +143,7 @@ def lens_fields(kind: object) -> tuple[Field, ...]:
 
 
 def fields_of(scene: str, kind: object) -> tuple[Field, ...]:
-    """The fields of a document that shows this scene with this kind of lens."""
+    """Return the fields of a document with this scene and this kind of lens."""
     settings = PHENOMENA[scene].settings if scene in PHENOMENA else ()
     return (
         *TOP,
@@ -163,7 +162,7 @@ def fields_of(scene: str, kind: object) -> tuple[Field, ...]:
 
 
 def model_paths() -> dict[str, str]:
-    """The paths of the model's fields in the document, where they are not the same."""
+    """Return the document paths of those model fields whose path differs from their name."""
     model = ("camera", "object", "lens", "image")
     return {
         field.name: field.path
@@ -174,7 +173,7 @@ def model_paths() -> dict[str, str]:
 
 
 def unknown(tree: Tree, scene: str, kind: object, panes: Iterable[str]) -> Tree:
-    """The part of a document's tree whose keys this program does not know.
+    """Return the part of a document's tree whose keys this program does not know.
 
     Parameters
     ----------
@@ -183,7 +182,8 @@ def unknown(tree: Tree, scene: str, kind: object, panes: Iterable[str]) -> Tree:
     kind : object
         Of the lens.
     panes : iterable of str
-        The panes whose cameras the document has: labels of others go with their cameras.
+        The panes whose cameras the document has. Unknown keys of the other panes are dropped with
+        their cameras.
     """
     known: Tree = {"format": None, "version": None, **{section: {} for section in SECTIONS}}
     for field in fields_of(scene, kind):
@@ -199,7 +199,7 @@ def unknown(tree: Tree, scene: str, kind: object, panes: Iterable[str]) -> Tree:
 
 
 def _without(tree: Tree, known: Tree) -> Tree:
-    """A tree without the known keys; what is known of an inner tree is a tree, too."""
+    """Return a tree without the known keys; those of a nested tree form a nested tree too."""
     left = {key: value for key, value in tree.items() if key not in known}
     for key, inner in known.items():
         if inner is not None and isinstance(part := tree.get(key), dict):

@@ -1,4 +1,4 @@
-"""Documents in files: read with care, written whole or not at all.
+"""Document files: read defensively, and written completely or not at all.
 
 A document is a JSON file, or it travels in a PNG picture as an iTXt chunk.
 """
@@ -27,11 +27,11 @@ if sys.platform != "win32":
     import fcntl
 
 LARGEST_DOCUMENT = 16 * 2**20
-"""Most bytes read as a document; one of a thousand keys of its own has 100 000."""
+"""Most bytes read as a document; one with a thousand unknown keys has 100 000."""
 LARGEST_PICTURE = 2**30
 """Most bytes read as a PNG picture."""
 STALE_S = 60.0
-"""On Windows, the age at which an unfinished file is taken for that of a killed program."""
+"""On Windows, the age at which an unfinished file is considered left by a killed program."""
 
 NOT_TEXT = QT_TRANSLATE_NOOP("Refusal", "is not a Frustum Lab document: it is not UTF-8 text")
 TOO_LARGE = QT_TRANSLATE_NOOP("Refusal", "is larger than {0} MiB")
@@ -45,7 +45,7 @@ UNREADABLE = QT_TRANSLATE_NOOP("Refusal", "cannot be read: {0}")
 UNWRITABLE = QT_TRANSLATE_NOOP("Refusal", "cannot be written: {0}")
 BAD_NAME = QT_TRANSLATE_NOOP("Refusal", "is not a name that a file can have")
 BROKEN_PICTURE = QT_TRANSLATE_NOOP(
-    "Refusal", "is not a whole PNG picture: it is broken or cut short"
+    "Refusal", "is not a complete PNG picture: it is damaged or cut short"
 )
 NEITHER = QT_TRANSLATE_NOOP(
     "Refusal",
@@ -56,7 +56,7 @@ PLAIN_PICTURE = QT_TRANSLATE_NOOP("Refusal", "is a picture without a Frustum Lab
 
 @contextlib.contextmanager
 def blamed_on(path: Path, bound: Bound) -> Iterator[None]:
-    """Name the file in what is raised, and turn the system's complaints into a sentence."""
+    """Add the file's name to what is raised, and turn operating-system errors into refusals."""
     file = os.fspath(path)
     if "\0" in file:
         raise Refusal.in_document(BAD_NAME, file=file)
@@ -69,7 +69,7 @@ def blamed_on(path: Path, bound: Bound) -> Iterator[None]:
         if isinstance(error, FileNotFoundError) and bound == UNREADABLE:
             raise Refusal.in_document(NO_FILE, file=file) from error
         raise Refusal.in_document(bound, error.strerror or error, file=file) from error
-    except UnicodeEncodeError as error:  # a half of a surrogate pair
+    except UnicodeEncodeError as error:  # half of a surrogate pair
         raise Refusal.in_document(BAD_NAME, file=file) from error
 
 
@@ -79,12 +79,12 @@ def blamed_on(path: Path, bound: Bound) -> Iterator[None]:
 def read(path: Path) -> Document:
     """Read a document from its file, or from a PNG picture that carries one.
 
-    The content decides which of the two it is, not the name.
+    The content, not the name, decides which of the two it is.
 
     Raises
     ------
     Refusal
-        If there is no such file, it cannot be read, or it is not a valid document.
+        If the file does not exist, cannot be read, or is not a valid document.
     """
     with blamed_on(path, UNREADABLE):
         content = _read_bytes(path)
@@ -93,7 +93,8 @@ def read(path: Path) -> Document:
             text = extract(content)
             if text is None:
                 raise Refusal.in_document(PLAIN_PICTURE)
-            # A picture names its mesh without folders. It lies beside the link, or the picture.
+            # A picture names its mesh without folders: look beside the link, then beside the
+            # picture.
             document = parse(text, os.path.dirname(os.path.abspath(path)))
             if os.path.exists(document.scene if is_mesh(document.scene) else document.mesh):
                 return document
@@ -110,7 +111,7 @@ def read(path: Path) -> Document:
 
 
 def holds_document(path: Path) -> bool:
-    """Whether a file that was read can be saved in: it is no mesh, picture or device."""
+    """Whether a file that was read can be saved to: it is not a mesh, a picture or a device."""
     if is_mesh(os.fspath(path)) or not os.path.isfile(path):
         return False
     with open_regular(path) as file:
@@ -145,12 +146,12 @@ _KEYWORD = FORMAT.encode() + b"\0"
 
 
 def extract(png: bytes) -> str | None:
-    """The text of the document in a PNG picture, or None if there is none.
+    """Return the text of the document in a PNG picture, or None if there is none.
 
     Raises
     ------
     Refusal
-        If `png` is not a whole PNG picture, or the text in it is broken.
+        If `png` is not a complete PNG picture, or the text in it is damaged.
     """
     try:
         texts = [_text(body) for kind, body in _chunks(png) if kind == b"iTXt"]
@@ -160,7 +161,7 @@ def extract(png: bytes) -> str | None:
 
 
 def _chunks(png: bytes) -> Iterator[tuple[bytes, memoryview]]:
-    """Kind and content of each chunk; a `ValueError` or `struct.error` if one is damaged."""
+    """Yield kind and content of each chunk; `ValueError` or `struct.error` for a damaged one."""
     view, begin, kind = memoryview(png), len(_PNG), b""
     if not png.startswith(_PNG) or not png.startswith(b"IHDR", begin + 4):
         raise ValueError(png[:16])
@@ -174,7 +175,7 @@ def _chunks(png: bytes) -> Iterator[tuple[bytes, memoryview]]:
 
 
 def _text(body: memoryview) -> str | None:
-    """The text of an iTXt chunk of ours; other programs may have compressed it."""
+    """Return the text of our iTXt chunk; another program may have compressed it."""
     content = bytes(body)
     if not content.startswith(_KEYWORD):
         return None
@@ -199,16 +200,16 @@ def write(document: Document, path: Path) -> None:
 
 
 def write_bytes_atomically(path: Path, content: bytes) -> None:
-    """Write a file whole or not at all, even if the power fails.
+    """Write a file completely or not at all, even if the power fails.
 
-    The content goes to a new file in the same folder, which takes the old one's name when it is
-    safely on the disk. A link is followed; the permissions of an old file are kept. What a killed
-    program left unfinished is removed by the next one that writes there.
+    The content goes to a new file in the same folder, which replaces the old one once it is safely
+    on the disk. Links are followed, and the permissions of an old file are kept. The next program
+    that writes there removes unfinished files of a killed program.
 
     Raises
     ------
     Refusal
-        If it cannot be written; an old file is as it was.
+        If it cannot be written; an old file is unchanged.
     """
     with blamed_on(path, UNWRITABLE):
         target = os.path.realpath(path)
@@ -225,7 +226,7 @@ def write_bytes_atomically(path: Path, content: bytes) -> None:
                 os.fsync(unfinished.fileno())
                 if sys.platform != "win32":  # while the lock is held
                     os.replace(unfinished.name, target)
-            if sys.platform == "win32":  # which renames closed files only
+            if sys.platform == "win32":  # Windows renames closed files only
                 os.replace(unfinished.name, target)
         except BaseException:
             with contextlib.suppress(OSError):
@@ -235,7 +236,7 @@ def write_bytes_atomically(path: Path, content: bytes) -> None:
 
 
 def _mode_to_keep(target: str) -> int | None:
-    """The old file's mode; None if there is no old file."""
+    """Return the old file's mode; None if there is no old file."""
     try:
         mode = os.stat(target).st_mode
     except FileNotFoundError:
@@ -244,7 +245,7 @@ def _mode_to_keep(target: str) -> int | None:
         raise Refusal.in_document(FOLDER)
     if not stat.S_ISREG(mode):  # it would wait for a reader, or overwrite a disk
         raise Refusal.in_document(NOT_REGULAR)
-    if not os.access(target, os.W_OK):  # replacing it would get round its owner's wish
+    if not os.access(target, os.W_OK):  # replacing it would bypass its owner's write protection
         raise Refusal.in_document(WRITE_PROTECTED)
     return mode
 
@@ -258,25 +259,28 @@ def _create_unfinished(folder: str, mode: int) -> BinaryIO:
         file = open(path, "xb", opener=partial(os.open, mode=mode))  # noqa: SIM115 the caller closes it
         if not _lock(file, wait=True) or os.path.exists(path):
             return file
-        file.close()  # another program took it for a dead one's before it was locked
+        file.close()  # another program took it for an abandoned file before it was locked
 
 
 def _lock(file: BinaryIO, wait: bool) -> bool:
-    """Lock a file for as long as it is open; False where that cannot be done."""
+    """Lock a file for as long as it is open; return False if it cannot be locked."""
     if sys.platform != "win32":
-        with contextlib.suppress(OSError):  # held by another, or a file system without locks
+        with contextlib.suppress(
+            OSError
+        ):  # locked by another program, or a file system without locks
             fcntl.flock(file, fcntl.LOCK_EX | (0 if wait else fcntl.LOCK_NB))
             return True
     return False
 
 
 def _remove_unfinished(folder: str) -> None:
-    """Remove what killed programs left: files of ours that nobody holds locked."""
+    """Remove files that killed programs left: our own files without a lock."""
     with contextlib.suppress(OSError), os.scandir(folder) as entries:
         for entry in filter(lambda entry: _UNFINISHED.fullmatch(entry.name), entries):
             with contextlib.suppress(OSError):
                 if sys.platform == "win32":
-                    # There a file is closed, and so not locked, for a moment before its renaming.
+                    # On Windows a file is closed, and so not locked, for a moment before it is
+                    # renamed.
                     if time.time() - entry.stat().st_mtime > STALE_S:
                         os.unlink(entry.path)
                 else:
@@ -286,7 +290,7 @@ def _remove_unfinished(folder: str) -> None:
 
 
 def _sync_folder(folder: str) -> None:
-    """Put the new name on the disk, too, where a folder can be opened for that."""
+    """Flush the new name to the disk as well, where the system allows it."""
     if sys.platform != "win32":
         with contextlib.suppress(OSError):
             descriptor = os.open(folder, os.O_RDONLY)

@@ -1,4 +1,4 @@
-"""Values set by their paths, as ``--set`` and lessons do, and documents compared with others."""
+"""Set values by their paths, as ``--set`` and lessons do; resolve compared pictures."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from collections.abc import Iterable, Sequence
 from dataclasses import replace
 
 from app.document.codec import LONGEST_SHOWN, document_paths, from_tree, to_tree
-from app.document.compare import SOME_DIVIDERS, Picture
+from app.document.compare import NAME_ENDS, SOME_DIVIDERS, Picture
 from app.document.document import Document
 from app.document.fields import Field, fields_of, lens_fields, numbers
 from app.document.view import AS_EVER
@@ -23,8 +23,8 @@ OTHER_LENS = QT_TRANSLATE_NOOP("Refusal", "belongs to another lens: set lens.kin
 OTHER_SCENE = QT_TRANSLATE_NOOP("Refusal", "belongs to another scene: set scene as well ({0})")
 COMPARED = QT_TRANSLATE_NOOP(
     "Refusal",
-    "must be one of the scene's own comparisons ({0}), or NAME=VALUE, with ; between the values of"
-    " a picture and | between pictures",
+    "must be one of the scene's own comparisons ({0}), or PATH=VALUE, with ; between the values of"
+    " a picture, | between pictures, and NAME: before a picture that has a name",
 )
 NO_EQUALS = QT_TRANSLATE_NOOP("Refusal", "must be written as NAME=VALUE")
 
@@ -32,14 +32,13 @@ NO_EQUALS = QT_TRANSLATE_NOOP("Refusal", "must be written as NAME=VALUE")
 def set_values(document: Document, assignments: Iterable[str]) -> Document:
     """Set values by their paths in the document, all at once.
 
-    Only the outcome has to be valid, so that the order of the assignments does not matter. Of two
-    for the same path the last one holds.
+    Only the result has to be valid, so the order of the assignments does not matter. Of two
+    assignments to one path the last one counts.
 
-    - ``scene`` comes first, and brings its default settings.
-    - ``lens.kind`` comes next and keeps the picture alike. If sides of its window are given, they
-      are used as typed: ``lens.keep`` is ``stretch`` then, unless it is set, too.
-    - Settings come next. Camera and lens may follow them, but the lens stays of the kind that was
-      asked for.
+    - ``scene`` comes first and sets its default settings.
+    - ``lens.kind`` comes next and keeps the picture similar. If sides of its window are given, they
+    are used as typed: ``lens.keep`` is then ``stretch``, unless it is set too.
+    - Settings come next. Camera and lens may follow them, but the lens keeps the requested kind.
     - ``view.frame_step`` opens its panel, unless ``view.panel`` is set, too.
 
     Parameters
@@ -48,15 +47,18 @@ def set_values(document: Document, assignments: Iterable[str]) -> Document:
     assignments : iterable of str
         ``lens.far=inf``, ``camera.eye=3,2,4``, ``depth=reversed``, ``scene=cube``,
         ``settings.distance=2``, ``view.stage=pyramid``. A matrix is its 16 cells, row by row;
-        probes are the numbers x, y, z of each point in turn; hidden layers are names with commas.
+        probes are the numbers x, y, z of each point in turn; hidden layers, and the things that
+        the pictures name, are names separated by commas.
         ``view.compare=lens.near=2;lens.far=9|lens.near=3`` compares with two pictures, and
-        ``view.compare=NAME`` with those of a comparison that the scene has ready-made.
+        ``view.compare=NAME`` with those of one of the scene's own comparisons. A picture
+        may have a name, ``eye: settings.preset=eye|phone: settings.preset=phone``; of several
+        pictures one may be the document's own.
 
     Raises
     ------
     Refusal
-        For an unknown path (naming the nearest known one), a text that is no value, or an
-        outcome that is not valid.
+        For an unknown path (naming the nearest known one), a text that is not a value, or an
+        invalid result.
     """
     texts: dict[str, str] = {}
     for assignment in assignments:
@@ -68,7 +70,8 @@ def set_values(document: Document, assignments: Iterable[str]) -> Document:
     scene = texts.pop("scene", document.scene)
     if scene != document.scene:
         still = replace(document.projection, placement=NOT_MOVED)
-        document = replace(document, scene=scene, projection=still, settings={}, mesh="")
+        view = replace(document.view, names=None)
+        document = replace(document, scene=scene, projection=still, settings={}, mesh="", view=view)
     if "view.frame_step" in texts:
         texts.setdefault("view.panel", "frame")
     kind = texts.pop("lens.kind", "")
@@ -98,7 +101,7 @@ def set_values(document: Document, assignments: Iterable[str]) -> Document:
         side, bound = OTHER_SIDE.get(error.bound, ("", error.bound))
         if f"lens.{side}" not in texts or error.field in texts:
             raise
-        # What was set is the other of the two.
+        # The other one of the two was set.
         limit, value = format_value(error.value), tree["lens"][side]
         raise Refusal.in_document(bound, limit, field=f"lens.{side}", value=value) from error
 
@@ -112,7 +115,7 @@ def _read(field: Field, text: str) -> object:
 
 
 def _with_lens(document: Document, kind: str) -> Document:
-    """The document with another kind of lens; an empty name changes nothing."""
+    """Return the document with another kind of lens; an empty name changes nothing."""
     if kind in ("", document.projection.lens.kind):
         return document
     with document_paths():
@@ -147,20 +150,21 @@ def _unknown_path(path: str, paths: Sequence[str]) -> Refusal:
 
 
 def _beside(document: Document, pictures: str | None, dividers: str | None) -> Document:
-    """Compare with the pictures that a text names, or divide those that there are."""
+    """Compare with the pictures that a text names, or set the dividers of the present ones."""
     if pictures is not None and pictures and "=" not in pictures:
         document = compared(document, pictures)
     elif pictures is not None:
         with document_paths("view.compare"):
-            others = [
-                Picture(changes=tuple(change.strip() for change in part.split(";")))
-                for part in (pictures.split("|") if pictures else ())
-            ]
-        for other in others:
-            pictured(document, other)
-        compare = (*others, Picture(live=True)) if others else ()
+            found = [_picture(part) for part in (pictures.split("|") if pictures else ())]
+        states = [pictured(document, picture) for picture in found]
+        if len(found) > 1 and document in states:
+            own = states.index(document)
+            found[own] = replace(found[own], live=True)
+        elif found:
+            found.append(Picture(live=True))
         with document_paths("view"):
-            document = replace(document, view=replace(document.view, compare=compare, dividers=()))
+            view = replace(document.view, compare=tuple(found), dividers=())
+            document = replace(document, view=view)
     if dividers is not None:
         with document_paths("view"):
             if (places := numbers(dividers)) is None:
@@ -169,13 +173,27 @@ def _beside(document: Document, pictures: str | None, dividers: str | None) -> D
     return document
 
 
+def _picture(text: str) -> Picture:
+    """Read a picture as `picture_text` writes it: its values, perhaps after its name."""
+    name, ends, values = text.partition(NAME_ENDS)
+    if not ends or "=" in name:
+        name, values = "", text
+    return Picture(name.strip(), tuple(change.strip() for change in values.split(";")))
+
+
+def picture_text(picture: Picture) -> str:
+    """Write a picture's part of ``view.compare``: ``phone: settings.preset=phone``."""
+    values = ";".join(picture.changes)
+    return f"{picture.name}{NAME_ENDS}{values}" if picture.name else values
+
+
 def pictured(document: Document, picture: Picture) -> Document:
-    """The document as one of the compared pictures shows it.
+    """Return the document as one of the compared pictures shows it.
 
     Raises
     ------
     Refusal
-        If the document as it stands cannot have the picture's values.
+        If the current document cannot have the picture's values.
     """
     plain = replace(document, view=AS_EVER)
     if picture.live:
@@ -186,15 +204,15 @@ def pictured(document: Document, picture: Picture) -> Document:
 
 
 def compared(document: Document, name: str) -> Document:
-    """The document beside the other pictures of one of its scene's ready-made comparisons.
+    """Return the document with one of its scene's own comparisons.
 
-    The document's own picture is the one whose values it has; if there is none, it becomes the last
-    one.
+    The document's own picture is the one whose values the document has, else the last one.
 
     Raises
     ------
     Refusal
-        If the scene has no comparison of this name, or cannot have its pictures as it stands.
+        If the scene has no comparison of this name, or its pictures are impossible in the current
+        state.
     """
     phenomenon = PHENOMENA.get(document.scene)
     ready = {each.name: each for each in phenomenon.comparisons} if phenomenon else {}
@@ -210,14 +228,13 @@ def compared(document: Document, name: str) -> Document:
 
 
 def name_of(document: Document, picture: Picture) -> str:
-    """The name of a compared picture: its own, or ``held``, ``now`` or ``other``.
+    """Return the name that was given to a compared picture; empty if it has none now.
 
-    The document's own picture has its name only as long as the document has the values for it.
+    The document's own picture keeps its name only while the document has its values.
     """
-    if not picture.live:
-        return picture.name or ("other" if picture.held is None else "held")
-    if picture.name:
-        with contextlib.suppress(Refusal):  # then it has not these values
+    if picture.live and picture.name:
+        with contextlib.suppress(Refusal):  # then the document does not have these values
             if pictured(document, replace(picture, live=False)) == document:
                 return picture.name
-    return "now"
+        return ""
+    return picture.name

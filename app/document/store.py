@@ -15,21 +15,21 @@ from app.model.projection import Projection
 
 UNDO_LIMIT = 1000
 OPENED_LIMIT = 3
-"""How many openings undo can take back: their scenes stay in memory."""
+"""How many openings can be undone: their scenes stay in memory."""
 
 
 @dataclass(eq=False)
 class Origin:
-    """Where a document came from: one for each time that something is opened."""
+    """Where a document came from; opening anything creates a new origin."""
 
     saved: Document | None
-    """The document as its file has it, or as it was opened; None if no file has it."""
+    """The document as in its file, or as it was opened; None if it is in no file."""
     path: Path | None = None
-    """Where it is saved."""
+    """The path of its file."""
     written: object = None
     """The state of that file when it was last read or written here."""
     is_work: bool = True
-    """Whether it must not get lost: what a student tries out beside a lesson's step may."""
+    """Whether it must not get lost. A student's trials at a lesson's step may."""
 
 
 class _Step(NamedTuple):
@@ -38,23 +38,24 @@ class _Step(NamedTuple):
 
 
 class Store(QObject):
-    """Owns the document that the whole window shows; knows no widget.
+    """Owns the document that the whole window shows. It does not depend on widgets.
 
     Edits come in as whole values and go out as one `changed(document)`; an edit that changes
-    nothing is silent. A gesture (a drag, a play of the animation) is one undo step however many
-    edits it makes. A gesture inside another one (a drag while the animation plays) is a step of its
-    own, and what the outer one does afterwards belongs to that step: undo takes back what the user
-    did last. A change of the whole document is a step, and so is opening another one: undo brings
-    the former document back, with its file and its unsaved work.
+    nothing emits nothing. A gesture (a drag, a run of the animation) is one undo step, however many
+    edits it makes. A gesture inside another one (a drag while the animation plays) is a separate
+    step, and later edits of the outer gesture belong to that step: undo reverts what the user did
+    last. Changing the whole document is a step, and so is opening another one: undo restores the
+    previous document with its file and its unsaved work.
 
-    A change of the view is no step. The widgets know the view; the store asks them (`look`) when
-    another document comes, so that undo brings the view back, too.
+    Changing the view is not a step. The widgets hold the view; the store requests it (`look`)
+    before it shows another document, so that undo restores the view too.
 
     Parameters
     ----------
     document : Document
     saved : Document, optional
-        The document's file, if it differs; undo goes back to it if it has the same scene.
+        The content of the document's file, if it differs; undo returns to it if it has the same
+        scene.
     """
 
     changed = Signal(object)
@@ -62,7 +63,7 @@ class Store(QObject):
     history_changed = Signal()
     """Undo, redo or the unsaved mark may have changed."""
     view_changed = Signal(object)
-    """The `Document`, of which only the view has changed."""
+    """The `Document`; only its view has changed."""
     leaving = Signal()
     """A document of another origin is about to be shown."""
 
@@ -90,22 +91,22 @@ class Store(QObject):
 
     @property
     def document(self) -> Document:
-        """The document as it stands."""
+        """The current document."""
         return self._document
 
     @property
     def modified(self) -> bool:
-        """Whether it differs from what was last opened or saved, and can be lost."""
+        """Whether the document differs from the one last opened or saved, and would be lost."""
         return self.origin.is_work and self._document != self.origin.saved
 
     @property
     def seen(self) -> Document:
-        """The document, as it is looked at just now."""
+        """The document with the current view."""
         return replace(self._document, view=self.look())
 
     @property
     def documents(self) -> Iterator[Document]:
-        """The document, and all that undo and redo can bring back."""
+        """The document, and all documents that undo and redo can restore."""
         yield self._document
         for step in (*self._undo, *self._redo):
             yield step.document
@@ -122,7 +123,7 @@ class Store(QObject):
 
     @property
     def can_redo(self) -> bool:
-        """Whether an undone state can be taken up again."""
+        """Whether an undone step can be redone."""
         return bool(self._redo)
 
     @property
@@ -143,14 +144,14 @@ class Store(QObject):
         ----------
         document : Document
         saved : bool
-            False for a recovered document, which no file of the user's has.
+            False for a recovered document, which is in no file of the user's.
         path, is_work
             As for `Origin`.
 
         Returns
         -------
         bool
-            False if it is refused: everything is as before.
+            False if it is refused; then nothing changes.
         """
         origin = Origin(document if saved else None, path, is_work=is_work)
         self._put_aside(document, origin)
@@ -161,17 +162,18 @@ class Store(QObject):
         return self._show(document)
 
     def mark_saved(self) -> None:
-        """Note that the document as it stands is in its file."""
+        """Record that the current document is in its file."""
         self.origin.saved = self._document
         self.history_changed.emit()
 
     def set_view(self, **changes: Any) -> None:
-        """Change some fields of the `View`: no step, no unsaved work; an equal view is silent.
+        """Change fields of the `View`, without an undo step or unsaved work; an equal view emits
+        nothing.
 
         Raises
         ------
         Refusal
-            If no view can have them.
+            If the values are not valid.
         """
         before = self.look()
         view = replace(before, **changes)
@@ -180,7 +182,7 @@ class Store(QObject):
             self.view_changed.emit(self._document)
 
     def _keep_view(self, view: View) -> None:
-        """Give a view to this step, and to all others that have had the same one."""
+        """Store a view in this step and in all others that had the same one."""
         old = self._document.view
 
         def kept(document: Document) -> Document:
@@ -193,7 +195,7 @@ class Store(QObject):
             self._gesture_start = kept(self._gesture_start)
 
     def _leave(self, document: Document, origin: Origin) -> None:
-        """Keep the view, and the state to go back to, before another document comes."""
+        """Store the view, and the state to return to, before another document is shown."""
         if document.view is not self._document.view:
             self._keep_view(self.look())
         self._before = (
@@ -203,7 +205,7 @@ class Store(QObject):
             self.leaving.emit()
 
     def _put_aside(self, document: Document, origin: Origin) -> None:
-        """Make the change to another document a step."""
+        """Record the change to another document as a step."""
         self._close_gesture()
         self._gesture_start = None
         self._leave(document, origin)
@@ -212,18 +214,18 @@ class Store(QObject):
         self.origin = origin
 
     def refuse(self) -> None:
-        """Take back the change that `changed` announces just now: its scene cannot be drawn."""
+        """Revert the change that `changed` is announcing, because its scene cannot be drawn."""
         self._is_refused = True
 
     def set_document(self, document: Document) -> bool:
-        """Change the whole document as one step; False if it is refused, and all is as before."""
+        """Change the whole document as one step; return False, changing nothing, if refused."""
         if document == self._document:
             return True
         self._put_aside(document, self.origin)
         return self._show(document)
 
     def go_on(self, document: Document) -> None:
-        """Go on with the change that `set_document` or `open` began, in the same step."""
+        """Continue the change that `set_document` or `open` began, in the same step."""
         self._show(document)
 
     def set_projection(self, projection: Projection) -> None:
@@ -250,12 +252,12 @@ class Store(QObject):
         self._show(document)
 
     def show_again(self) -> bool:
-        """Announce the document because a file that it names has changed; False if refused."""
+        """Emit `changed` because a file of the document has changed; return False if refused."""
         self._leave(self._document, self.origin)
         return self._show(self._document)
 
     def begin_gesture(self) -> None:
-        """Take the edits until `end_gesture` as one undo step; gestures may overlap."""
+        """Combine the edits until `end_gesture` into one undo step; gestures may overlap."""
         self._close_gesture()
         self._gesture_start = self._document
         self._gestures += 1
@@ -270,7 +272,7 @@ class Store(QObject):
         self.history_changed.emit()
 
     def abandon_gesture(self) -> None:
-        """Take back what the only gesture has changed so far; with several, do nothing."""
+        """Revert the changes of the gesture in progress; do nothing if there are several."""
         if self._gestures == 1 and self._gesture_moved and self._gesture_start is not None:
             self._show(self._gesture_start)
 
@@ -280,7 +282,7 @@ class Store(QObject):
         self._go(self._undo, self._redo)
 
     def redo(self) -> None:
-        """Take the last undone step up again."""
+        """Redo the last undone step."""
         self._close_gesture()
         self._go(self._redo, self._undo)
 

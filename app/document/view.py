@@ -1,6 +1,6 @@
-"""How a document is looked at: what a lecturer prepares beside the model, and finds again.
+"""The view of a document: everything a lecturer arranges besides the model and finds again.
 
-The view is no part of the model: changing it is no undo step and no unsaved work.
+The view is not part of the model: changing it creates neither an undo step nor unsaved work.
 """
 
 from __future__ import annotations
@@ -36,11 +36,15 @@ STAGES = ("world", "view", "pyramid", "box", "ndc", "image")
 PANELS = ("matrices", "frame", "kinds", "probe", "scene", "measure")
 """The panels of the drawer."""
 LAYERS = ("labels", "handles", "grid", "frustum", "camera", "near-picture")
-"""What of the world can be hidden."""
+"""The layers of the world that can be hidden."""
 FIXED = ("side", "top", "axis", "eye")
-"""From where the world can be seen, beside freely."""
+"""The fixed viewpoints of the world."""
 MOST_PROBES = 6
-"""More cannot be compared at a glance."""
+"""Most probes: more cannot be compared at a glance."""
+MOST_NAMES = 7
+"""Most names of a view: a picture with more of them has no point."""
+EVERYTHING = ("*",)
+"""The names of a view that names everything."""
 
 A_STAGE = QT_TRANSLATE_NOOP("Refusal", "must be one of {0}, or a number from 0 to {1}")
 ONE_OR_NONE = QT_TRANSLATE_NOOP("Refusal", "must be one of {0}, or empty for none")
@@ -52,38 +56,44 @@ A_PROBE = QT_TRANSLATE_NOOP(
     " probe",
 )
 PROBE_NUMBERS = QT_TRANSLATE_NOOP("Refusal", "must be a list of the numbers of probes")
+SOME_NAMES = QT_TRANSLATE_NOOP(
+    "Refusal", "must be a list of at most {0} different names, or only *"
+)
 
 
 @dataclass(frozen=True)
 class View:
-    """How a document is looked at; a `Refusal` for what is none of this."""
+    """The view of a document; an invalid value raises a `Refusal`."""
 
     layout: str = "pictures"
     large: str = ""
-    """The pane in the large place; empty for the one that the scene names."""
+    """The pane in the large slot; empty for the one that the scene chooses."""
     stage: float = float(NDC)
-    """Position on the stage strip: whole at `STAGES`."""
+    """Position on the stage strip; a whole number at each of `STAGES`."""
     frame_step: str = STEPS[0]
-    """How far the camera's frame is built."""
+    """The step up to which the camera's frame is built."""
     panel: str | None = None
-    """The open panel of the drawer; empty for none, None for the one that the scene opens."""
+    """The open panel of the drawer; empty for none, None for the scene's default."""
     letters: Letters = LETTERS[0]
-    """The lecture whose letters formulas are written in."""
+    """The lecture whose letters the formulas use."""
     layers: frozenset[str] = frozenset()
     """The hidden `LAYERS`."""
     fixed: str = ""
-    """From where the world is seen; empty for freely."""
+    """The viewpoint of the world; empty for a free one."""
+    names: tuple[str, ...] | None = None
+    """The ids of the things that the pictures name, or `EVERYTHING`; None for the scene's own
+    list."""
     probes: tuple[Probe, ...] = ()
-    """Points that are followed, in the order of their numbers."""
+    """The probes, in the order of their numbers."""
     pinned: frozenset[int] = frozenset()
     """Numbers of the probes that the next click does not move."""
     compare: tuple[Picture, ...] = ()
     """The compared pictures from left to right, one of them the document's own; or none."""
     dividers: tuple[float, ...] = ()
-    """Where the pictures lie over each other and are divided, as fractions of the width; none
-    where they are side by side."""
+    """The dividers of overlaid pictures, as fractions of the width; none if they are side by
+    side."""
     panes: dict[str, Camera] = field(default_factory=dict)
-    """The camera of each pane that somebody turned, also of unknown panes. Do not change it."""
+    """The camera of each pane that the user turned, even of unknown panes. Do not modify it."""
 
     def __post_init__(self) -> None:
         _check_name("layout", self.layout, LAYOUTS, ONE_OF)
@@ -96,6 +106,7 @@ class View:
             raise Refusal("stage", self.stage, A_STAGE, ", ".join(STAGES), IMAGE)
         if not self.layers <= set(LAYERS):
             raise Refusal("layers", sorted(self.layers, key=str), SOME_OF, ", ".join(LAYERS))
+        _check_names(self.names)
         numbers = [probe.number for probe in self.probes]
         if numbers != sorted(set(numbers) & set(range(1, MOST_PROBES + 1))):
             raise Refusal("probes", numbers, SOME_PROBES, MOST_PROBES)
@@ -116,7 +127,7 @@ class View:
 
     @property
     def step(self) -> int | None:
-        """The step of the camera's frame that is drawn; None while its panel is closed."""
+        """The drawn step of the camera's frame; None while its panel is closed."""
         return STEPS.index(self.frame_step) if self.panel == "frame" else None
 
 
@@ -132,20 +143,28 @@ def _check_name(name: str, value: object, names: Sequence[str], bound: Bound) ->
         raise Refusal(name, value, bound, ", ".join(names))
 
 
+def _check_names(names: tuple[str, ...] | None) -> None:
+    if names is None or names == EVERYTHING:
+        return
+    texts = [name for name in names if isinstance(name, str) and name.strip() not in ("", "*")]
+    if len(texts) != len(names) or len(set(texts)) != len(texts) or len(texts) > MOST_NAMES:
+        raise Refusal("names", list(names), SOME_NAMES, MOST_NAMES)
+
+
 AS_EVER = View()
 """The default view."""
 
 
-# --------------------------------------------------------------------------- as JSON has it
+# --------------------------------------------------------------------------- as JSON
 
 
 def read_view(
     values: Mapping[str, Any], panes: dict[str, Camera], compare: tuple[Picture, ...] = ()
 ) -> View:
-    """A view from its part of a document, as `view_tree` writes it.
+    """Read a view from its part of a document, as `view_tree` writes it.
 
-    Missing fields get their defaults, and unknown ones are ignored. The cameras of panes and the
-    compared pictures are given ready-made. A `Refusal` for a value that no view has.
+    Missing fields get their defaults, and unknown ones are ignored. The panes' cameras and the
+    compared pictures are passed in, already read. An invalid value raises a `Refusal`.
     """
     found = {
         name: _AS_READ.get(name, _same)(values[name])
@@ -156,7 +175,7 @@ def read_view(
 
 
 def view_tree(view: View) -> dict[str, Any]:
-    """A document's part for a view: what differs from `AS_EVER`, but for cameras and pictures."""
+    """Write what differs from `AS_EVER`, except for cameras and pictures."""
     values = {name: getattr(view, name) for name in FIELDS if name not in ("panes", "compare")}
     return {
         name: _AS_WRITTEN.get(name, _same)(value)
@@ -174,7 +193,7 @@ def _stage(value: Any) -> Any:
 
 
 def _panel(value: Any) -> Any:
-    _check_name("panel", value, PANELS, ONE_OR_NONE)  # null is no panel
+    _check_name("panel", value, PANELS, ONE_OR_NONE)  # null stands for no panel
     return value
 
 
@@ -182,12 +201,18 @@ def _layers(value: Any) -> frozenset[Any]:
     return _set_of("layers", value, SOME_OF, ", ".join(LAYERS))
 
 
+def _names(value: Any) -> tuple[Any, ...]:
+    if not isinstance(value, list) or any(isinstance(part, (list, dict)) for part in value):
+        raise Refusal("names", value, SOME_NAMES, MOST_NAMES)
+    return tuple(value)
+
+
 def _pinned(value: Any) -> frozenset[Any]:
     return _set_of("pinned", value, PROBE_NUMBERS)
 
 
 def _set_of(name: str, value: Any, bound: Bound, *limits: object) -> frozenset[Any]:
-    """A list's names or numbers; the view checks them."""
+    """Return the names or numbers of a list; the view checks them."""
     if not isinstance(value, list) or any(isinstance(part, (list, dict)) for part in value):
         raise Refusal(name, value, bound, *limits)
     return frozenset(value)
@@ -218,7 +243,7 @@ def _probe(number: int, part: Any) -> Probe:
 
 
 def _finite_row(where: str, values: Sequence[Any]) -> Row:
-    """Homogeneous coordinates of a probe; what is wrong with them is said of the probe."""
+    """Read homogeneous coordinates of a probe; a refusal names the probe."""
     try:
         return homogeneous(*values)
     except Refusal as error:
@@ -226,7 +251,7 @@ def _finite_row(where: str, values: Sequence[Any]) -> Row:
 
 
 def _probe_places(probes: tuple[Probe, ...]) -> list[Any]:
-    """Each probe at the place of its number, with null between them."""
+    """Return each probe at the index of its number, with null in the gaps."""
     by_number = {probe.number: probe.point or probe.pixel or probe.row for probe in probes}
     return [by_number.get(number) for number in range(1, max(by_number) + 1)]
 
@@ -235,6 +260,7 @@ _AS_READ: dict[str, Callable[[Any], Any]] = {
     "stage": _stage,
     "panel": _panel,
     "layers": _layers,
+    "names": _names,
     "pinned": _pinned,
     "probes": _probes,
     "dividers": _dividers,
@@ -242,6 +268,7 @@ _AS_READ: dict[str, Callable[[Any], Any]] = {
 _AS_WRITTEN: dict[str, Callable[[Any], Any]] = {
     "stage": lambda stage: STAGES[int(stage)] if stage.is_integer() else stage,
     "layers": lambda layers: [name for name in LAYERS if name in layers],
+    "names": list,
     "pinned": sorted,
     "probes": _probe_places,
 }

@@ -14,7 +14,7 @@ _OWN: Mapping[str, str] = {
         word: word
         for word in (
             *("near", "far", "eye", "target", "look", "up", "u", "v", "n", "x", "y", "z", "d"),
-            *("held", "now", "other", "half width", "half height"),
+            *("half width", "half height"),
         )
     },
     **{f"object_{axis}": axis for axis in "xyz"},

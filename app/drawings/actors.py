@@ -13,19 +13,15 @@ actors give no bounds, the renderer has no cullers, and the drawings set the cli
 
 from __future__ import annotations
 
-import importlib.util
 import math
 import weakref
 from collections.abc import Callable, Iterable, Iterator, Sequence
-from functools import cache
-from pathlib import Path
 from typing import Any
 from weakref import WeakKeyDictionary
 
 import numpy as np
 import pyvista as pv
-import vtkmodules.vtkRenderingFreeType
-import vtkmodules.vtkRenderingOpenGL2  # noqa: F401  both register what renders, on import
+import vtkmodules.vtkRenderingOpenGL2  # noqa: F401  registers what renders, on import
 from numpy.typing import ArrayLike
 from vtkmodules.util.numpy_support import numpy_to_vtk
 from vtkmodules.vtkCommonCore import vtkPoints
@@ -38,9 +34,9 @@ from vtkmodules.vtkRenderingCore import (
     vtkPolyDataMapper,
     vtkPolyDataMapper2D,
     vtkProp,
-    vtkTextActor,
 )
 
+from app.drawings.label import Label
 from app.drawings.style import Style, rgb
 from app.model.projection import Array, Projection
 from app.scenes.scene import Scene
@@ -55,8 +51,6 @@ CUBE_EDGES = (
 """The cube's edges as polylines over `CUBE_CORNERS`: the face at -1, the one at +1, between."""
 
 _NO_LINES = vtkPolyData()
-_DPI = 72  # at which VTK's points are pixels
-_VTK_FONT_FILE = 4
 _KEEP_OFF_ZERO = """
   float least = 1e-9 * (abs(gl_Position.x) + abs(gl_Position.y));
   if (abs(gl_Position.w) < least) gl_Position.w = gl_Position.w < 0.0 ? -least : least;"""
@@ -121,7 +115,7 @@ class Canvas:
         """The layers that are switched off."""
         self._labels: list[Label] = []
         self._layout = weakref.WeakMethod(layout)
-        self._laid_out: tuple[int, int, int] | None = None
+        self._laid_out: tuple[int, int] | None = None
         self.make_ready(self.renderer)
         self.renderer.SetBackground(*rgb(style.background))
         itself = weakref.ref(self)  # or window and canvas would keep each other alive
@@ -189,129 +183,12 @@ class Canvas:
         self._labels.clear()
 
     def _before_render(self) -> None:
-        width_px, height_px = self.window.GetSize()
-        now = (width_px, height_px, self.window.GetDPI())
+        now = width_px, height_px = self.window.GetSize()
         layout = self._layout()
         if now == self._laid_out or layout is None or 0 in now:
             return
         self._laid_out = now
-        for label in self._labels:
-            label.set_dpi(now[2])
         layout(width_px, height_px)
-
-
-class Label:
-    """A text at a pixel of a renderer, of constant size.
-
-    `plate` is the colour of a plate behind the text, which is then black or white. `anchor` says
-    which part of the text is at the position: -1 left, 0 centre, 1 right; -1 bottom, 0 middle,
-    1 top.
-    """
-
-    def __init__(
-        self,
-        text: str,
-        style: Style,
-        *,
-        plate: str | None = None,
-        anchor: tuple[int, int] = (0, 0),
-        bold: bool = False,
-    ) -> None:
-        self.actor = vtkTextActor()
-        self.actor.SetTextScaleModeToNone()
-        self.actor.UseBoundsOff()
-        self._visible = self._shown = True
-        self._style, self._plate = style, ""
-        self._pad = " " if plate else ""
-        self._font_px = style.font_size
-        self._text: str | None = None
-        self._place = self.actor.GetPositionCoordinate()
-        self._place.SetCoordinateSystemToViewport()
-        self.property = self.actor.GetTextProperty()
-        self.property.SetFontFamily(_VTK_FONT_FILE)
-        self.property.SetFontFile(font_file(bold))
-        self.property.SetJustification(anchor[0] + 1)
-        self.property.SetVerticalJustification(anchor[1] + 1)
-        self.property.SetColor(*rgb(style.ink))
-        self.property.SetFrameColor(*rgb(style.ink))
-        self.property.SetFrameWidth(max(2, round(1.2 * style.line_width)))
-        if plate:
-            self.set_plate(plate)
-        self.set_dpi(_DPI)
-        self.set_text(text)
-        self.set_position(0.0, 0.0)
-
-    def set_text(self, text: str) -> None:
-        """Write another text; the same one costs nothing."""
-        if text != self._text:
-            self._text = text
-            self.actor.SetInput(self._pad + text + self._pad)
-
-    @property
-    def text(self) -> str:
-        return self._text or ""
-
-    @property
-    def is_visible(self) -> bool:
-        """What `set_visible` was told last."""
-        return self._visible
-
-    def set_plate(self, plate: str) -> None:
-        """Change the colour of the plate, and that of the text to fit."""
-        if plate == self._plate:
-            return
-        self._plate = plate
-        self.property.SetBackgroundColor(*rgb(plate))
-        self.property.SetBackgroundOpacity(1.0)
-        self.property.SetColor(*rgb(self._style.text_on(plate)))
-
-    def set_position(self, x_px: float, y_px: float) -> None:
-        """Move to a pixel, counted from the renderer's left and bottom."""
-        self._place.SetValue(x_px, y_px, 0.0)
-
-    def set_visible(self, visible: bool) -> None:
-        self._visible = visible
-        self.actor.SetVisibility(visible and self._shown)
-
-    def set_shown(self, shown: bool) -> None:
-        """Switch the label off, whatever `set_visible` says, or on again."""
-        self._shown = shown
-        self.actor.SetVisibility(self._visible and shown)
-
-    def set_framed(self, framed: bool) -> None:
-        self.property.SetFrame(framed)
-
-    def box_px(self, renderer: Any) -> tuple[float, float, float, float]:
-        """Return left, right, bottom and top, counted from the renderer's left and bottom."""
-        box = [0.0] * 4
-        self.actor.GetBoundingBox(renderer, box)
-        x, y = self.actor.GetPositionCoordinate().GetComputedDoubleViewportValue(renderer)
-        return x + box[0], x + box[1], y + box[2], y + box[3]
-
-    def covers(self, renderer: Any, x_px: float, y_px: float) -> bool:
-        """Return whether the label is visible at a pixel from the renderer's left and bottom."""
-        if not self.actor.GetVisibility():
-            return False
-        left, right, bottom, top = self.box_px(renderer)
-        return left <= x_px <= right and bottom <= y_px <= top
-
-    def set_dpi(self, dpi: int) -> None:
-        """Keep the size in pixels, whatever the window's dots per inch."""
-        self.property.SetFontSize(max(1, round(self._font_px * _DPI / dpi)))
-
-
-@cache
-def font_file(bold: bool) -> str:
-    """Return the path of DejaVu Sans, which comes with matplotlib, a dependency of pyvista.
-
-    VTK's built-in font has no Cyrillic, and a system font would make figures differ between
-    machines.
-    """
-    spec = importlib.util.find_spec("matplotlib")
-    if spec is None or not spec.submodule_search_locations:
-        raise ImportError("matplotlib, which brings the labels' font, is not installed")
-    folder = Path(spec.submodule_search_locations[0]) / "mpl-data" / "fonts" / "ttf"
-    return str(folder / ("DejaVuSans-Bold.ttf" if bold else "DejaVuSans.ttf"))
 
 
 def identity_camera() -> vtkCamera:

@@ -16,6 +16,7 @@ from app.drawings import actors
 from app.drawings.actors import Canvas, Space, applied
 from app.drawings.frame import LARGER, TIPS, FrameSteps, arrow, arrow_tips, is_built
 from app.drawings.labels import AXES
+from app.drawings.names import Names
 from app.drawings.pane_view import PaneView
 from app.drawings.pointing import FACES, FAR_FACE, NEAR_FACE
 from app.lecture.highlight import SIDES
@@ -96,8 +97,11 @@ class CameraDrawing:
             self._axes_space.add(shaft, head)
             self.shafts[axis], self._heads[axis] = shaft, head
             add(shaft, head)
+        self._target_parts = rim, target
         self.steps: FrameSteps | None = None
         self.step: int | None = None
+        self._named: frozenset[str] = frozenset()
+        self._show_parts()
 
     def show(self, standing: Standing) -> None:
         """Place the camera; `follow` then sets its size."""
@@ -120,16 +124,37 @@ class CameraDrawing:
         if self.steps is None:
             self.steps = FrameSteps(self._canvas)
         self.steps.show(step)
+        self._show_parts()
+
+    def show_names(self, names: Names) -> None:
+        """Show the axes and the target that are named."""
+        named = frozenset(name for name in (*AXES, "target") if name in names)
+        if named != self._named:
+            self._named = named
+            self._show_parts()
+
+    def _show_parts(self) -> None:
         for axis, shaft in self.shafts.items():
             for actor in (shaft, self._heads[axis]):
-                self._canvas.set_visible(actor, step is None or is_built(axis, step))
-        self._canvas.set_visible(self._sight, step is None or is_built("look", step))
+                self._canvas.set_visible(actor, self._shows(axis))
+        for actor in (*self._target_parts, self._sight):
+            self._canvas.set_visible(actor, self.shows_target)
+
+    def _shows(self, axis: str) -> bool:
+        return axis in self._named if self.step is None else is_built(axis, self.step)
+
+    @property
+    def shows_target(self) -> bool:
+        return "target" in self._named or is_built("look", self.step)
 
     @property
     def arrows(self) -> tuple[tuple[str, ...], Array]:
         """The names of the visible arrows, and the vectors from the eye to their tips."""
         camera = self._standing.camera
-        tips = {a: TIPS[a] for a in AXES} if self.step is None else arrow_tips(self.step, camera)
+        if self.step is None:
+            tips = {a: TIPS[a] for a in AXES if a in self._named}
+        else:
+            tips = arrow_tips(self.step, camera)
         directions = np.array(list(tips.values())).reshape(-1, 3)
         return tuple(tips), self.axes_size * directions @ camera.frame
 

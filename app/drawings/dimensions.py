@@ -24,6 +24,7 @@ import numpy as np
 
 from app.drawings.actors import Canvas, ScreenCells
 from app.drawings.labels import Layout, Leader, written_distance
+from app.drawings.names import Names
 from app.drawings.pane_view import Spot
 from app.drawings.style import rgb
 from app.model.projection import Array, Projection
@@ -65,6 +66,7 @@ class Measured(NamedTuple):
     lengths: tuple[
         tuple[str, float, Array, Array], ...
     ] = ()  # across the axis: letter, value, two ends
+    names: Names = Names(None)  # what is measured: the lengths that it has
 
 
 class Half(NamedTuple):
@@ -110,13 +112,9 @@ class Dimensions:
         actor.GetProperty().SetLineWidth(canvas.style.line_width / 2.0)
         canvas.add(actor, layer="labels")
         # Before the texts, whose plates hide the ends.
-        self._leaders = {
-            name: Leader(canvas, canvas.style.ink, canvas.style.line_width / 2.0)
-            for name in ("angle", "height")
-        }
-        plate = canvas.style.background
-        self._texts = {name: canvas.label("", plate=plate) for name in _NAMES}
-        self._sentence = canvas.label("", anchor=(-1, -1), plate=plate)
+        self._leaders = {name: Leader(canvas) for name in ("angle", "height")}
+        self._texts = {name: canvas.label("") for name in _NAMES}
+        self._sentence = canvas.label("", anchor=(-1, -1))
         self.hide()
 
     def hide(self) -> None:
@@ -140,9 +138,10 @@ class Dimensions:
     def _rows_em(self, size_px: tuple[int, int], measured: Measured) -> float | None:
         """The height of the lines below the drawing; None if they would leave it too little."""
         if measured.view == "axis":
-            rows_em = _ACROSS_EM
+            rows_em = _ACROSS_EM if "width" in measured.names else 0.0
         elif measured.view in ("side", "top"):
-            rows_em = _ROW_EM * (len(self._ways(measured)) + 0.5)
+            count = len(self._ways(measured))
+            rows_em = _ROW_EM * (count + 0.5) if count else 0.0
         else:
             return 0.0
         below_em = rows_em + self._said_em(self._said(size_px, measured, rows_em))
@@ -184,7 +183,8 @@ class Dimensions:
             all_spots = np.array(seen(drawn))[:, :2]
             spots = all_spots[len(measured.objects) :]
             for name, length, start, end in measured.lengths:
-                self._length(layout, name, length, *seen(np.array([start, end])))
+                if name in measured.names:
+                    self._length(layout, name, length, *seen(np.array([start, end])))
             if measured.view == "axis":
                 if corners is not None and rows_em is not None:
                     self._across(layout, spots, measured)
@@ -227,7 +227,8 @@ class Dimensions:
             ways = {"d": projection.camera.distance, **dict(measured.distances)}
         if projection.lens.planes is not None and measured.corners is not None:
             ways["near"], ways["far"] = projection.lens.planes
-        return sorted(ways.items(), key=lambda way: abs(way[1]))
+        named = [way for way in ways.items() if way[0] in measured.names]
+        return sorted(named, key=lambda way: abs(way[1]))
 
     def _length(self, layout: Layout, name: str, length: float, start: Spot, end: Spot) -> None:
         self._line(start[:2], end[:2])
@@ -248,13 +249,14 @@ class Dimensions:
         eye, far_edge = spots[0], spots[edge]
         reached = far_edge - eye
         keep_off(spots[6:10])
-        x = float(far_edge[0]) - 1.2 * self._em
-        start, end = float(eye[1]), float(far_edge[1])
-        middle = x, (start + end) / 2.0
-        self._put(layout, "height", self._half_text(axis, half), middle, _LEFT)
-        self._rule(layout, (x, start), (x, end))
+        if "height" in measured.names:
+            x = float(far_edge[0]) - 1.2 * self._em
+            start, end = float(eye[1]), float(far_edge[1])
+            middle = x, (start + end) / 2.0
+            self._put(layout, "height", self._half_text(axis, half), middle, _LEFT)
+            self._rule(layout, (x, start), (x, end))
         keep_off(spots[2:6])
-        if half.angle_deg is not None:
+        if half.angle_deg is not None and "angle" in measured.names:
             # The angle is true on the screen: both axes have one scale.
             radius = min(_ARC_EM * self._em, _ARC_PART * float(np.hypot(*reached)))
             end = math.copysign(1.0, reached[1]) * math.radians(half.angle_deg)
@@ -277,9 +279,12 @@ class Dimensions:
         eye, face = spots[0], spots[6:10] if upper.has_eye else spots[2:6]
         x, y = float(eye[0]), float(eye[1])
         right, top = face[2].tolist()
-        aside = right + 0.7 * self._em
-        self._put(layout, "height", self._half_text(1, upper), (aside, top), _ABOVE)
-        self._rule(layout, (aside, y), (aside, top))
+        if "height" in measured.names:
+            aside = right + 0.7 * self._em
+            self._put(layout, "height", self._half_text(1, upper), (aside, top), _ABOVE)
+            self._rule(layout, (aside, y), (aside, top))
+        if "width" not in measured.names:
+            return
         below = float(face[0, 1]) - 1.2 * self._em
         start, end = sorted((x, right))
         text = self._half_text(0, half_width)
@@ -317,7 +322,8 @@ class Dimensions:
     ) -> None:
         """Put a text on the middle of its level line, or beside a line that is too short."""
         room_px = end[0] - start[0]
-        if layout.half(text)[0] * 2.0 + self._em <= room_px:
+        self._texts[name].set_text(text)
+        if layout.half(self._texts[name])[0] * 2.0 + self._em <= room_px:
             middle = (start[0] + end[0]) / 2.0, start[1]
             if self._try(layout, name, text, middle, _ON, gaps=1):
                 return
@@ -366,6 +372,8 @@ class Dimensions:
 
     def _lacks(self, measured: Measured) -> str:
         """The key in `app.drawings.WORDS` for what the lens lacks; empty for nothing."""
+        if not any(name in measured.names for name in ("angle", "height", "width")):
+            return ""
         half = half_of(measured.projection, 1 if measured.view == "side" else 0)
         if half is None:
             return "no planes"

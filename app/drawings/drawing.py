@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import NamedTuple, Protocol
+from typing import ClassVar, NamedTuple, Protocol
 
 from app.lecture.highlight import Highlight
 from app.model.projection import Camera, Projection
@@ -31,7 +31,12 @@ class Drawing(Protocol):
     A drawing is made once per scene, ``Drawing(screen, scene, words, style)``, in a render window
     that it does not own. It never renders: the caller does, after any number of changes. A method
     with a body here is the answer of the drawings that have no such thing.
+
+    A new drawing names what its scene names (`app.document.naming`).
     """
+
+    pane: ClassVar[str]
+    """One of `app.document.view.PANES`."""
 
     # -- the model
 
@@ -45,6 +50,12 @@ class Drawing(Protocol):
 
     def show_layers(self, hidden: frozenset[str]) -> None:
         """Hide these of `app.document.view.LAYERS`, and no others. Then show a projection."""
+
+    def show_names(self, names: frozenset[str] | None) -> None:
+        """Name these things, and no others; None for everything.
+
+        What is highlighted or held is named, too.
+        """
 
     def show_probes(self, probes: Sequence[Probe]) -> None:
         """Mark these probes, and no others."""
@@ -160,6 +171,18 @@ class Drawing(Protocol):
     def image_shift(self, right_px: float, down_px: float) -> tuple[float, float]:
         """Convert a movement from the pane's pixels to the image's."""
         return right_px, down_px
+
+    @property
+    def is_coarse(self) -> bool:
+        """Whether `refine` would improve the picture."""
+        return False
+
+    def refine(self, *, whole: bool = False) -> None:
+        """Improve a coarse picture for some milliseconds, or fully if `whole`.
+
+        It draws, but not in the drawing's own window: that has to be rendered afterwards.
+        """
+        return
 
     @property
     def problem(self) -> Phrase | None:

@@ -18,18 +18,18 @@ from typing import Any
 
 import numpy as np
 from PIL import Image, ImageDraw, ImageFont, PngImagePlugin
-from vtkmodules.vtkRenderingCore import vtkTextActor
 
 from app.document.codec import FORMAT
-from app.document.compare import Written, in_words
+from app.document.compare import Written, in_words, names_in
 from app.document.document import Document
 from app.document.field_names import FIELDS
 from app.document.files import write_bytes_atomically
+from app.document.naming import named_in
 from app.document.settings import name_of, pictured
 from app.document.view import AS_EVER, PANES, View
 from app.drawings import AXES, WORDS, Words
-from app.drawings.actors import font_file
 from app.drawings.image import ImageDrawing
+from app.drawings.label import font_file
 from app.drawings.off_screen import Pixels, off_screen, pixels_of
 from app.drawings.side_by_side import BARE_EM, cells
 from app.drawings.stage import StageDrawing
@@ -269,18 +269,29 @@ def _compared(
     `draw` returns a pane's pixels, and where its picture begins and ends in them.
     """
     pictures, dividers = document.view.compare, document.view.dividers
+    phenomenon = scene.phenomenon
+    settings = () if phenomenon is None else phenomenon.settings
+    written = Written(
+        lambda name: words.get(FIELDS.get(name, name), FIELDS.get(name, name)),
+        lambda text: words.get(text, text),
+        lambda value: figure(value, 4),
+    )
+    given = [name_of(document, picture) for picture in pictures]
+    states = [pictured(document, picture).state for picture in pictures]
+    names = names_in([words.get(name, name) for name in given], states, settings, written)
     shown = []
-    for picture in pictures:
-        of = pictured(document, picture)
-        phenomenon, illustration = scene.phenomenon, None
+    for name, of in zip(names, states, strict=True):
+        illustration = None
         if phenomenon is not None:
             illustration = phenomenon.illustration(of.projection, of.settings, scene.subject)
-        name = name_of(document, picture)
-        shown.append((of.projection, illustration, words.get(name, name)))
+        shown.append((of.projection, illustration, name))
     aspects = [projection.aspect for projection, _, _ in shown]
     is_divided = bool(dividers) and len(set(aspects)) == 1
     # A divided picture without a frame has no names.
-    ink = _in_words(document, scene, words, size, style) if framed or not is_divided else None
+    ink = None
+    if framed or not is_divided:
+        differing = in_words(pictures, states, settings, written)
+        ink = _in_words(", ".join(differing), size, style)
     width, height = size[0], size[1] - (0 if ink is None else len(ink))
     if not is_divided:
         places = cells(width, height, aspects, style.font_size)
@@ -321,25 +332,16 @@ def _with_words(pixels: Pixels, ink: Array | None, style: Style) -> Pixels:
     return np.concatenate([pixels, words])
 
 
-def _in_words(
-    document: Document, scene: Scene, words: Mapping[str, str], size: tuple[int, int], style: Style
-) -> Array:
+def _in_words(text: str, size: tuple[int, int], style: Style) -> Array:
     """The differences of the pictures in words, as ink from 0 to 1, (n, width).
 
     Whole lines, at most a quarter of the height; the rest is dropped. Empty without a difference.
     """
-    phenomenon, (width, height) = scene.phenomenon, size
-    written = Written(
-        lambda name: words.get(FIELDS.get(name, name), FIELDS.get(name, name)),
-        lambda text: words.get(text, text),
-        lambda value: figure(value, 4),
-    )
-    states = [pictured(document, picture).state for picture in document.view.compare]
-    settings = () if phenomenon is None else phenomenon.settings
-    font = ImageFont.truetype(font_file(bold=False), style.font_size)
+    width, height = size
+    font = ImageFont.truetype(font_file("DejaVuSans"), style.font_size)
     room = width - 2.0 * BARE_EM * style.font_size
     lines: list[str] = []
-    for word in ", ".join(in_words(document.view.compare, states, settings, written)).split():
+    for word in text.split():
         if lines and font.getlength(f"{lines[-1]} {word}") <= room:
             lines[-1] += f" {word}"
         else:
@@ -379,12 +381,14 @@ def _render_pane(
         options["tolerance_px"] = quality.tolerance_px(DRAWING_TOLERANCE_PX)
     if pane == "image":
         options |= {
-            "framed": framed, "quality": quality, "caption": caption, "middle": middle
+            "framed": framed, "quality": quality, "caption": caption, "middle": middle,
+            "finer": factor,
         }  # fmt: skip
     with off_screen(width, height) as screen:
         window = screen.render_window
         drawing = _DRAWINGS[pane](screen, scene, words, style.enlarged(factor), **options)
         drawing.show_layers(view.layers | {AXES} if bare else view.layers)
+        drawing.show_names(named_in(pane, scene, view.names))
         drawing.show_projection(projection, illustration)
         if illustration is not None:  # as in the window, while nobody points at anything
             drawing.show_highlight(frozenset(illustration.about))
@@ -399,9 +403,9 @@ def _render_pane(
             drawing.show_fixed(view.fixed)
         if transparent:
             for renderer in window.GetRenderers():
-                _clear_plates(renderer)
                 renderer.SetBackground(0.0, 0.0, 0.0)
                 renderer.SetBackgroundAlpha(0.0)
+        drawing.refine(whole=True)
         window.Render()
         if isinstance(drawing, ImageDrawing) and drawing.problem is not None:  # known from now on
             window.Render()
@@ -412,15 +416,6 @@ def _render_pane(
             ends = place.left / factor, (place.left + place.width) / factor
         drawing.remove()
     return _averaged(drawn, factor, transparent), ends
-
-
-def _clear_plates(renderer: Any) -> None:
-    """Remove the plates in the background's colour, which is not drawn."""
-    for actor in renderer.GetViewProps():
-        if isinstance(actor, vtkTextActor):
-            text = actor.GetTextProperty()
-            if text.GetBackgroundColor() == renderer.GetBackground():
-                text.SetBackgroundOpacity(0.0)
 
 
 def _oversampling(size: tuple[int, int]) -> int:

@@ -21,8 +21,9 @@ from vtkmodules.vtkRenderingCore import vtkActor
 from app.drawings import actors
 from app.drawings.actors import Canvas, Space, applied
 from app.drawings.camera import Standing
+from app.drawings.names import QUIET, Names
 from app.drawings.pane_view import PaneView
-from app.drawings.pointing import FACES, FAR_FACE, NEAR_FACE
+from app.drawings.pointing import FACES, FAR_FACE, NEAR_FACE, Emphasis
 from app.lecture.highlight import SIDES
 from app.model.projection import Array, Lens, Projection
 
@@ -39,6 +40,9 @@ _FADE_FROM, _FADED = (
 )  # share of the pane under a plane; share of the tint if that is all of it
 _STEEPEST = 1e16  # edge of a frustum, sideways per distance: a plane, and its square is finite
 _WIDEST = 1e35  # edge of a box: larger than any scene, and a float32
+
+_VOLUME = ("near", "far", "fov")
+"""What the edges of the volume belong to."""
 
 # The eye is where the cube's z axis meets infinity: a pyramid with its apex at the origin and its
 # base at z = 1 becomes the eye's pyramid to the near face when z and w change places.
@@ -101,7 +105,8 @@ class FrustumDrawing:
         self._volume = far_face, walls, near_face, near_line, far_line
         self.space.add(*self._volume)
         self.outlines = {"near": near_line, "far": far_line}
-        self.tints = (near_face, _NEAR_TINT), (far_face, _FAR_TINT)
+        self.tints = {"near": (near_face, _NEAR_TINT), "far": (far_face, _FAR_TINT)}
+        self._quiet: frozenset[str] = frozenset()
         edges = [(i, i + 4) for i in range(4)]
         self._body = actors.line_actor(CUBE, edges, style.frustum, width)
         self._body_space.add(self._body)
@@ -210,11 +215,25 @@ class FrustumDrawing:
     def tint(self, pane: PaneView, light: float) -> None:
         """Tint the planes, less where they would flood the pane; `light` is at most 1."""
         parts = pane.parts_covered(self.corners, _FADE_FROM)
-        for (tint, opacity), part in zip(self.tints, parts, strict=True):
+        for (name, (tint, opacity)), part in zip(self.tints.items(), parts, strict=True):
             flood = (part - _FADE_FROM) / (1.0 - _FADE_FROM)
+            quiet = 1.0 - QUIET if name in self._quiet else 1.0
             tint.GetProperty().SetOpacity(
-                light * opacity * (1.0 - (1.0 - _FADED) * max(0.0, flood))
+                light * quiet * opacity * (1.0 - (1.0 - _FADED) * max(0.0, flood))
             )
+
+    def show_names(self, names: Names) -> None:
+        """Tint the planes that are not named more palely, from the next `tint` on."""
+        self._quiet = frozenset(name for name in self.tints if name not in names)
+
+    def make_emphasis(self, emphasis: Emphasis) -> None:
+        emphasis.volume(self.space, CUBE)
+        for name, line in self.outlines.items():
+            emphasis.line(line, name)
+        emphasis.line(self.apex, "fov", of=_VOLUME)
+        broken = [edge for edges in self.breaks.values() for _, edge in edges]
+        for line in (self._body, *broken):
+            emphasis.line(line, of=_VOLUME)
 
     def turn_breaks(self, pane: PaneView) -> None:
         """Turn the strokes of each broken edge into the plane of the screen."""

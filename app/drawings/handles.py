@@ -43,12 +43,14 @@ _AWAY_PX = -1e4
 class HandleMarks:
     """The marks of the handles in one pane.
 
-    `held` is the highlighted one, from the next `show` on. `shown` are the visible ones, in pixels
-    from the pane's top left.
+    Only the mark that is `held`, under the pointer or with the keyboard's focus, is drawn, unless
+    `draws_all`; both hold from the next `show` on. `shown` are the handles that can be taken, in
+    pixels from the pane's top left.
     """
 
     def __init__(self, canvas: Canvas) -> None:
         self.held: Handle | None = None
+        self.draws_all = False
         self.shown: list[tuple[Handle, Spot]] = []
         style = canvas.style
         fills = dict.fromkeys(("eye", "corner", "grip", "turn"), style.background)
@@ -76,9 +78,9 @@ class HandleMarks:
         self.shown = list(handles)[:_MOST]
         self._places[len(self.shown) :, ..., :2] = _AWAY_PX
         for i, (handle, (x, y)) in enumerate(self.shown):
-            if not (math.isfinite(x) and math.isfinite(y)):  # held, but not visible
-                x, y = _AWAY_PX, _AWAY_PX
             out = handle == self.held
+            if not (math.isfinite(x) and math.isfinite(y) and (out or self.draws_all)):
+                x, y = _AWAY_PX, _AWAY_PX
             kind = handle.setting if handle.name == "object" else handle.name
             self._places[i, ..., :2] = self._outlines[kind, out] + (x, height_px - y)
             fill = self._accent if out else self._fills[kind]

@@ -15,11 +15,14 @@ import numpy as np
 from numpy.typing import NDArray
 from vtkmodules.vtkRenderingCore import vtkRenderer
 
+from app.document.naming import named_in
 from app.drawings import AXES
 from app.drawings.actors import Canvas, Space, face_actor, identity_camera, lifted
+from app.drawings.blurring import Blurring
 from app.drawings.drawing import Drawing, Rectangle
 from app.drawings.labels import Layout
 from app.drawings.marks import MarksDrawing, Placing, spread_over
+from app.drawings.names import Names
 from app.drawings.pointing import Emphasis, Segment, Spot, pointed_at
 from app.drawings.precision import ModelActors, least_tolerance
 from app.drawings.probes import Probes
@@ -49,8 +52,11 @@ class ImageDrawing(Drawing):
     `tolerance_px` is the error up to which the GPU's own float32 may draw. The depth buffer is that
     of `quality`, unless the scene is about a buffer itself. Without `framed`, the picture has no
     frame, no axes and no margins. A framed picture can have a `caption` above it, at `middle` of
-    its width.
+    its width. It has its axes if they are named. `finer` is how many pixels of the window, along
+    each side, become one in the end.
     """
+
+    pane = "image"
 
     def __init__(
         self,
@@ -64,15 +70,21 @@ class ImageDrawing(Drawing):
         framed: bool = True,
         caption: str = "",
         middle: float = 0.5,
+        finer: int = 1,
     ) -> None:
         self._scene = scene
-        self._model = ModelActors(scene, style, least_tolerance(scene, tolerance_px))
+        self._tolerance_px = least_tolerance(scene, tolerance_px)
+        self._model = ModelActors(scene, style, self._tolerance_px)
+        self._blurring: Blurring | None = None
+        self._finer = finer
         self._style, self._words = style, words
         self._framed = framed
         self._canvas = Canvas(screen, style, self._layout)
         self._image_size = scene.start.image_size
         self._picture = vtkRenderer()
         self._projection = scene.start
+        self._hidden: frozenset[str] = frozenset()
+        self.names = Names(named_in(self.pane, scene))
         self._add_picture()
         self._probes = Probes(self._canvas, self._picture)
         self._marks: MarksDrawing | None = None
@@ -91,14 +103,28 @@ class ImageDrawing(Drawing):
         if framed:
             self._canvas.renderer.SetBackground(*rgb(style.margin))
             self._add_axes(words)
+            self.show_layers(frozenset())
             self._add_sides()
             self._caption: Any = None
             self._middle = middle
             if caption:
-                self._caption = self._canvas.label(caption, anchor=(0, -1), bold=True)
+                self._caption = self._canvas.label(caption, anchor=(0, -1))
 
     def show_highlight(self, highlighted: Highlight) -> bool:
+        before, self.names.pointed = self.names.pointed, highlighted
+        if before != highlighted and self._marks is not None and not self.names.all:
+            self._marks.show_names()
+            self._place_texts()
         return self._emphasis.show(highlighted)
+
+    def show_names(self, names: frozenset[str] | None) -> None:
+        if names == self.names.wanted:
+            return
+        self.names.wanted = names
+        self.show_layers(self._hidden)
+        if self._marks is not None:
+            self._marks.show_names()
+            self._place_texts()
 
     def highlight_at(self, x_px: float, y_px: float) -> Highlight:
         found = self._emphasis.label_at(x_px, y_px)
@@ -136,12 +162,19 @@ class ImageDrawing(Drawing):
         for space, matrix in zip(self._model.actors.spaces, matrices, strict=True):
             space.set_projective(matrix)
         self._show_illustration(illustration)
+        self._begin_blurring()
         if self._probes.probes:
             self._place_probes()
 
     def show_layers(self, hidden: frozenset[str]) -> None:
+        self._hidden = hidden
+        if "pixels" not in self.names:
+            hidden |= {AXES}
         if ("grid" in hidden) != ("grid" in self._canvas.hidden):
             self._model.show_grid("grid" not in hidden)
+            if self._blurring is not None:
+                self._blurring.model.show_grid("grid" not in hidden)
+                self._blurring.again()
         if self._framed and (AXES in hidden) != (AXES in self._canvas.hidden):
             for label in self._axis_labels:
                 label.set_visible(AXES not in hidden)
@@ -150,6 +183,9 @@ class ImageDrawing(Drawing):
 
     def show_detail(self, fewer: Scene | None) -> None:
         self._model.show_detail(fewer)
+        if self._blurring is not None:
+            self._blurring.model.show_detail(fewer)
+            self._blurring.again()
         if self._marks is not None:
             self._marks.show_detail(fewer)
 
@@ -179,6 +215,7 @@ class ImageDrawing(Drawing):
                 renderer=self._picture,
                 over=True,
                 leads=True,
+                names=self.names,
             )
         width, height = self._image_size
         placing = Placing(
@@ -230,6 +267,38 @@ class ImageDrawing(Drawing):
                 self._refused_depth = error
         self._rasteriser.show(rendering, self._seen)
 
+    # -- a lens with an opening
+
+    def _begin_blurring(self) -> None:
+        """Begin another blurred picture, if this one has an opening; it is sharp until `refine`."""
+        aperture, blurring = self._rendering.aperture, self._blurring
+        if blurring is None:
+            if aperture is None:
+                return
+            style = self._style.enlarged(1.0 / self._finer)
+            self._blurring = blurring = Blurring(self._scene, style, self._tolerance_px)
+            if "grid" in self._canvas.hidden:
+                blurring.model.show_grid(False)
+            self._canvas.add(blurring.actor, renderer=self._picture)
+        _, _, width, height = self.picture_rectangle_px
+        size = max(1, width // self._finer), max(1, height // self._finer)
+        blurring.begin(self._projection, aperture, size)
+        self._choose_picture(blurring)
+
+    def _choose_picture(self, blurring: Blurring) -> None:
+        for actor in self._model.actors:
+            actor.SetVisibility(not blurring.actor.GetVisibility())
+
+    @property
+    def is_coarse(self) -> bool:
+        return self._blurring is not None and self._blurring.is_coarse
+
+    def refine(self, *, whole: bool = False) -> None:
+        if self._blurring is not None:
+            transparent = self._picture.GetBackgroundAlpha() == 0.0
+            self._blurring.refine(transparent=transparent, whole=whole)
+            self._choose_picture(self._blurring)
+
     def _place_texts(self) -> None:
         if self._marks is None:
             return
@@ -278,6 +347,8 @@ class ImageDrawing(Drawing):
         self._probes.show(marks, (rectangle.width, rectangle.height))
 
     def remove(self) -> None:
+        if self._blurring is not None:
+            self._blurring.close()
         self._canvas.remove()
         self._canvas.window.RemoveRenderer(self._picture)
         self._canvas.window.SetNumberOfLayers(self._layers)
@@ -314,8 +385,8 @@ class ImageDrawing(Drawing):
         self._zero = label("0, 0", anchor=(-1, -1))
         self._width_label = label("", anchor=(1, -1))
         self._height_label = label("", anchor=(-1, 1))
-        self._x_label = label(words["x"], anchor=(-1, 1), plate=style.u)
-        self._y_label = label(words["y"], anchor=(1, 1), plate=style.v)
+        self._x_label = label(words["x"], anchor=(-1, 1), colour=style.u)
+        self._y_label = label(words["y"], anchor=(1, 1), colour=style.v)
         self._axis_labels = (
             self._zero, self._width_label, self._height_label, self._x_label, self._y_label
         )  # fmt: skip
@@ -376,6 +447,7 @@ class ImageDrawing(Drawing):
             right / pane_width_px,
             (pane_height_px - top) / pane_height_px,
         )
+        self._begin_blurring()
         self._place_probes()
         self._place_texts()
         if not self._framed:

@@ -16,7 +16,8 @@ from typing import Any, NamedTuple, TypeAlias
 
 import numpy as np
 
-from app.drawings.actors import Canvas, Label, ScreenCells
+from app.drawings.actors import Canvas, ScreenCells
+from app.drawings.label import HALO_EM, Label
 from app.drawings.label_placement import INK, LEADER, Box, Candidate, Placer
 from app.drawings.pane_view import PaneView, Spot
 from app.drawings.silhouette import Mask
@@ -70,7 +71,7 @@ class Named(NamedTuple):
     body: Array  # (n, 3): extent of the camera's body
     corners: Array | None  # (8, 3), of the frustum as drawn, near first
     planes: tuple[float, float] | None  # distances of near and far to be written
-    without: frozenset[str] = frozenset()  # "eye" or "target", if they are not to be named
+    without: frozenset[str] = frozenset()  # of eye, target, near and far: those without a name
 
 
 class Labels:
@@ -78,27 +79,23 @@ class Labels:
         self._canvas, self._words = canvas, words
         style, label = canvas.style, canvas.label
         # The leaders before all labels, whose plates hide the ends.
-        self._leaders = {
-            name: Leader(canvas, getattr(style, name), style.line_width)
-            for name in (*_THINGS, *AXES)
-        }
-        self._arrows = {a: label(words[a], plate=getattr(style, a), bold=True) for a in AXES}
+        self._leaders = {name: Leader(canvas) for name in (*_THINGS, *AXES)}
+        self._arrows = {a: label(words[a], colour=getattr(style, a)) for a in AXES}
         self._kept: Mapping[Label, Side] = {}
-        things = {name: label(words[name], plate=getattr(style, name)) for name in _THINGS}
+        things = {name: label(words[name], colour=getattr(style, name)) for name in _THINGS}
         self.named = {**self._arrows, **things}
         """The labels by the names of their subjects."""
 
     def add_arrow(self, name: str, colour: str) -> Label:
         """Create the label of one more arrow than `AXES`."""
-        label = self._canvas.label(self._words[name], plate=colour, bold=True)
+        label = self._canvas.label(self._words[name], colour=colour)
         self._arrows[name] = label
         return label
 
     def dim_planes(self, light: float) -> None:
         for name in ("near", "far"):
             label = self.named[name]
-            label.property.SetOpacity(light)
-            label.property.SetBackgroundOpacity(light)
+            label.set_opacity(light)
             self._leaders[name].actor.GetProperty().SetOpacity(light)
 
     def lay_out(
@@ -163,7 +160,7 @@ class Labels:
             others = planes[1 - i][:4]
             if len(planes[i]) == 1:  # outwards from its handle
                 sides = _ABOVE_PLANE if planes[i][0][1] >= planes[1 - i][0][1] else _BELOW_HANDLE
-            if named.corners is None:
+            if named.corners is None or name in named.without:
                 layout.place(label, [], sides, leader)  # nowhere
                 continue
             beside = partial(layout.place, label, planes[i], sides, leader, apart_from=others)
@@ -269,7 +266,7 @@ class Layout:
         at_worst : float
             The largest cost that is accepted.
         """
-        half_width, half_height = self.half(label.text)
+        half_width, half_height = self.half(label)
         em, has_leader = self.em, leader is not None
         usable = [
             i
@@ -326,16 +323,18 @@ class Layout:
         """
         if not len(subject):
             return []
-        half = np.array(self.half(label.text))
+        half = np.array(self.half(label))
         away = half + self.em * np.repeat(GAPS_EM[:gaps], len(sides))[:, None]
         centres = point[:2] + away * np.tile(sides, (gaps, 1))
         hidden = (np.abs(subject - centres[:, None]) < half).all(axis=2).mean(axis=1)
         order: list[int] = np.argsort(np.digitize(hidden, _HIDES), kind="stable").tolist()
         return order
 
-    def half(self, text: str) -> tuple[float, float]:
-        """Half the width and height of a label: as wide as DejaVu Sans, and a line high."""
-        return self.em * (0.26 * (len(text) + 2) + 0.15), self.em * 0.72
+    def half(self, label: Label) -> tuple[float, float]:
+        """Half the width and height of a label's letters with their halo."""
+        width, height = label.size_px
+        rim = HALO_EM * self.em
+        return width / 2.0 + rim, height / 2.0 + rim
 
     def _join(self, leader: Leader, anchor: tuple[float, float], box: Box) -> None:
         """Draw the leader if the label is far away, up to its plate, which is a little smaller."""
@@ -360,21 +359,18 @@ class Layout:
 
 
 class Leader:
-    """A thin line in the plane of the screen, from a label to its point; hidden at first."""
+    """A thin grey line in the plane of the screen, from a label to its point; hidden at first."""
 
-    def __init__(self, canvas: Canvas, colour: str, width: float, renderer: Any = None) -> None:
+    def __init__(self, canvas: Canvas, renderer: Any = None) -> None:
         self._line, self._canvas = ScreenCells(1, 2), weakref.proxy(canvas)
         self.actor = self._line.actor
-        self.set_colour(colour)
-        self.actor.GetProperty().SetLineWidth(width)
+        self.actor.GetProperty().SetColor(*rgb(canvas.style.leader))
+        self.actor.GetProperty().SetLineWidth(canvas.style.line_width / 2.0)
         canvas.add(self.actor, renderer=renderer, layer="labels")
         self.set_visible(False)
 
     def set_visible(self, visible: bool) -> None:
         self._canvas.set_visible(self.actor, visible)
-
-    def set_colour(self, colour: str) -> None:
-        self.actor.GetProperty().SetColor(*rgb(colour))
 
     def join(self, start_px: tuple[float, float], end_px: tuple[float, float]) -> None:
         """Draw it between two pixels, counted from the left and from the bottom."""

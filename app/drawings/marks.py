@@ -34,7 +34,6 @@ from vtkmodules.vtkRenderingCore import vtkActor
 from app.drawings.actors import (
     Canvas,
     Detail,
-    Label,
     SceneActors,
     Space,
     colour_by_points,
@@ -42,9 +41,11 @@ from app.drawings.actors import (
     put_in_front,
     unlit_actor,
 )
+from app.drawings.label import Label
 from app.drawings.labels import GAPS_EM, Layout, Leader
+from app.drawings.names import QUIET, QUIET_WIDTH, Names
 from app.drawings.pane_view import Spot
-from app.drawings.style import rgb
+from app.drawings.style import mixed, rgb
 from app.lecture.highlight import NOTHING, Highlight
 from app.model.clipping import LARGEST_CLIP, clip_polygon, clip_segments
 from app.model.projection import Array
@@ -87,9 +88,11 @@ class Placing(NamedTuple):
 class MarksDrawing:
     """An illustration in one pane.
 
-    `words` translates texts. `clip` are planes that cut copies. With `over`, marks lie in one plane
-    before everything else. With `leads`, leaders join texts to their points. With `lifts_copies`,
-    copies are brought forward here, and not by the matrices of `place_copies`.
+    `words` translates texts. Texts are shown, and lines, faces and dots are not quiet, if `names`
+    has them; call `show_names` when it has changed. `clip` are planes that cut copies. With `over`,
+    marks lie in one plane before everything else. With `leads`, leaders join texts to their points.
+    With `lifts_copies`, copies are brought forward here, and not by the matrices of
+    `place_copies`.
     """
 
     def __init__(
@@ -103,6 +106,7 @@ class MarksDrawing:
         over: bool = False,
         lifts_copies: bool = False,
         leads: bool = False,
+        names: Names,
     ) -> None:
         self._canvas, self._scene, self._renderer = canvas, scene, renderer
         self._style, self._words = canvas.style, words
@@ -115,12 +119,13 @@ class MarksDrawing:
         self._leads = leads
         self._best: dict[Label, Sequence[int]] = {}
         self._copies: list[_CopyActors] = []
-        self._colours: dict[tuple[str, int], NDArray[np.uint8]] = {}
+        self._colours: dict[tuple[str, int, bool], NDArray[np.uint8]] = {}
         self._text_abouts: list[tuple[str, ...]] = []
         self._text_points = self._dot_points = self._away_points = np.empty((0, 3))
         self._shown: list[tuple[_CopyActors, Array]] = []
         self._now: tuple[Marks, Placing] | None = None
-        self._highlighted = NOTHING
+        self._names = names
+        self._highlighted = names.pointed
         self.points = np.empty((0, 3))
         """The marked points, in the coordinates of the pane's actors, (n, 3)."""
 
@@ -134,8 +139,23 @@ class MarksDrawing:
         self._now = marks, placing
         drawn = [self._show_lines(marks.lines, placing), *self._show_faces(marks.faces, placing)]
         drawn.append(self._show_dots(marks.dots, placing))
-        self._show_texts(marks.texts, placing)
+        self._show_texts(self._named_texts, placing)
         self.points = np.concatenate(drawn)
+
+    @property
+    def _named_texts(self) -> Sequence[Text]:
+        if self._now is None:
+            return ()
+        texts, names = self._now[0].texts, self._names
+        return [t for t in texts if t.name in names or names.pointed.intersection(t.about)]
+
+    def show_names(self) -> None:
+        """Show what is named now; the texts wait for `place_texts`."""
+        if self._now is not None:
+            self.show(*self._now)
+
+    def _quiet(self, mark: Line | Face | Dot) -> bool:
+        return mark.name != "" and mark.name not in self._names
 
     def show_highlight(self, highlighted: Highlight) -> bool:
         before, self._highlighted = self._highlighted, highlighted
@@ -153,15 +173,14 @@ class MarksDrawing:
     def label_at(self, x_px: float, y_px: float) -> Highlight:
         """Return the subjects of the label at a pixel from the pane's top left."""
         height_px = self._canvas.window.GetSize()[1]
-        renderer = self._renderer or self._canvas.renderer
         for label, about in zip(self._labels, self._text_abouts, strict=False):
-            if about and label.covers(renderer, x_px, height_px - y_px):
+            if about and label.covers(x_px, height_px - y_px):
                 return frozenset(about)
         return NOTHING
 
     def _frame_texts(self) -> None:
         for label, about in zip(self._labels, self._text_abouts, strict=False):
-            label.set_framed(bool(self._highlighted.intersection(about)))
+            label.set_underlined(bool(self._highlighted.intersection(about)))
 
     def _show_lines(self, lines: Sequence[Line], placing: Placing) -> Array:
         lines = [line for line in lines if len(line.points) > 1]
@@ -177,9 +196,13 @@ class MarksDrawing:
         starts[np.cumsum(counts) - 1] = False
         first = np.flatnonzero(starts)
         segments = points[np.stack([first, first + 1], axis=1)]
-        wide = [_WIDER if self._highlighted.intersection(line.about) else 1.0 for line in lines]
-        widths = np.repeat([line.width for line in lines] * np.array(wide), counts - 1)
-        colours = np.repeat([self._rgba(line.colour) for line in lines], counts - 1, axis=0)
+        lit = [bool(self._highlighted.intersection(line.about)) for line in lines]
+        quiet = [self._quiet(line) and not on for line, on in zip(lines, lit, strict=True)]
+        wide = np.where(lit, _WIDER, np.where(quiet, QUIET_WIDTH, 1.0))
+        widths = np.repeat([line.width for line in lines] * wide, counts - 1)
+        each = zip(lines, quiet, strict=True)
+        rgba = [self._rgba(line.colour, quiet=is_quiet) for line, is_quiet in each]
+        colours = np.repeat(rgba, counts - 1, axis=0)
         if not np.abs(points).max() <= placing.limit:  # also NaN
             segments, kept = _cut_segments(segments, placing.limit)
             widths, colours = widths[kept], colours[kept]
@@ -211,7 +234,8 @@ class MarksDrawing:
                     points = _cut_polygon(points, placing.limit)
                 if len(points) > 2:
                     corners.append(points)
-                    colours.append(self._rgba(face.colour, face.opacity))
+                    opacity = face.opacity * (1.0 - QUIET if self._quiet(face) else 1.0)
+                    colours.append(self._rgba(face.colour, opacity))
         if corners:
             if self._faces is None:
                 self._faces = self._batch("Polys")
@@ -225,7 +249,7 @@ class MarksDrawing:
         points = _placed_each(dots, placing)
         near = _within(points, placing.limit)
         sizes = np.where(near, [dot.size for dot in dots], np.nan) if dots else np.empty(0)
-        colours = [self._rgba(dot.colour) for dot in dots]
+        colours = [self._rgba(dot.colour, quiet=self._quiet(dot)) for dot in dots]
         distinct = sorted(set(sizes[near].tolist()), reverse=True)  # small ones on large ones
         while len(self._dots) < len(distinct):
             self._dots.append(self._batch("Verts"))
@@ -248,19 +272,15 @@ class MarksDrawing:
         self._text_abouts = [texts[i].about for i in near]
         away = [texts[i] if texts[i].away_from is None else _away(texts[i]) for i in near]
         self._away_points = _placed_each(away, placing)
-        style = self._style
         while len(self._labels) < len(near):
-            label = self._canvas.label("", self._renderer, plate=style.ink, bold=True)
+            label = self._canvas.label("", self._renderer)
             self._labels.append(label)
             leader = None
             if self._leads:
-                leader = Leader(self._canvas, style.ink, style.line_width / 2.0, self._renderer)
+                leader = Leader(self._canvas, self._renderer)
             self._leaders.append(leader)
-        for label, leader, i, word in zip(self._labels, self._leaders, near, words, strict=False):
-            colour = texts[i].colour
-            label.set_plate(self._named(colour or "background"))
-            if leader is not None:
-                leader.set_colour(self._named(colour or "ink"))
+        for label, i, word in zip(self._labels, near, words, strict=False):
+            label.set_colour(self._named(texts[i].colour or "ink"))
             label.set_text(word)
         self._frame_texts()
         for label, leader in list(zip(self._labels, self._leaders, strict=True))[len(near) :]:
@@ -366,11 +386,14 @@ class MarksDrawing:
     def _named(self, colour: str) -> str:
         return colour if colour.startswith("#") else str(getattr(self._style, colour))
 
-    def _rgba(self, colour: str, opacity: float = 1.0) -> NDArray[np.uint8]:
-        key = colour, round(255.0 * opacity)
+    def _rgba(self, colour: str, opacity: float = 1.0, *, quiet: bool = False) -> NDArray[np.uint8]:
+        key = colour, round(255.0 * opacity), quiet
         found = self._colours.get(key)
         if found is None:
-            parts = [round(255.0 * part) for part in rgb(self._named(colour))]
+            shown = self._named(colour)
+            if quiet:
+                shown = mixed(shown, self._style.background, QUIET)
+            parts = [round(255.0 * part) for part in rgb(shown)]
             found = self._colours[key] = np.array([*parts, key[1]], dtype=np.uint8)
         return found
 

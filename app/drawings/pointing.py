@@ -16,12 +16,14 @@ from vtkmodules.vtkRenderingCore import vtkActor
 from app.drawings.actors import (
     CUBE_EDGES,
     Canvas,
-    Label,
     Space,
     face_actor,
     line_actor,
     point_actor,
 )
+from app.drawings.label import Label
+from app.drawings.names import QUIET, QUIET_WIDTH, Names
+from app.drawings.style import rgb
 from app.lecture.highlight import CORNERS, NOTHING, SIDES, Highlight
 from app.model.projection import Array
 
@@ -46,6 +48,7 @@ Segment: TypeAlias = tuple[Highlight, Spot, Spot]
 class Emphasis:
     def __init__(self, canvas: Canvas) -> None:
         self._canvas = canvas
+        self._marks: list[_Mark] = []
         self._told: list[tuple[Highlight, Callable[[bool], object]]] = []
         self._labels: list[tuple[str, Label]] = []
         self._shown = self._names = NOTHING
@@ -54,11 +57,20 @@ class Emphasis:
         self._told.append((frozenset(names), tell))
         self._names |= frozenset(names)
 
-    def line(self, actor: vtkActor, *names: str) -> None:
-        """Draw these lines wider while one of the names is highlighted."""
-        line = actor.GetProperty()
-        width = line.GetLineWidth()
-        self._tell(names, lambda on: line.SetLineWidth(width * (_WIDER if on else 1.0)))
+    def line(self, actor: vtkActor, *names: str, of: Sequence[str] = ()) -> None:
+        """Draw these lines wider while one of the names is highlighted.
+
+        They are drawn quietly while none of `of`, by default of the names, is named.
+        """
+        mark = _Mark(actor, self._canvas.style.background, frozenset(of or names))
+        self._marks.append(mark)
+        if names:
+            self._tell(names, mark.highlight)
+
+    def show_names(self, names: Names) -> None:
+        """Draw those lines quietly whose things are not named."""
+        for mark in self._marks:
+            mark.be_quiet(not any(name in names for name in mark.of))
 
     def point(self, actor: vtkActor, *names: str) -> None:
         """Draw these points larger."""
@@ -72,8 +84,8 @@ class Emphasis:
         self._tell(names, actor.SetVisibility)
 
     def label(self, label: Label, name: str) -> None:
-        """Put a frame round this label's plate; it can be pointed at, too."""
-        self._tell((name,), label.set_framed)
+        """Underline this label; it can be pointed at, too."""
+        self._tell((name,), label.set_underlined)
         self._labels.append((name, label))
 
     def volume(self, space: Space, corners: Array) -> list[Any]:
@@ -113,9 +125,36 @@ class Emphasis:
         """Return what the label at a pixel, counted from the pane's top left, is about."""
         height_px = self._canvas.window.GetSize()[1]
         for name, label in self._labels:
-            if label.covers(self._canvas.renderer, x_px, height_px - y_px):
+            if label.covers(x_px, height_px - y_px):
                 return frozenset((name,))
         return NOTHING
+
+
+class _Mark:
+    """Lines or faces that are highlighted, or quiet, or neither."""
+
+    def __init__(self, actor: vtkActor, paper: str, of: frozenset[str]) -> None:
+        self._property, self.of = actor.GetProperty(), of
+        self._width, self._colour = self._property.GetLineWidth(), self._property.GetColor()
+        self._paper = rgb(paper)
+        self._quiet = self._highlighted = False
+
+    def highlight(self, highlighted: bool) -> None:
+        self._highlighted = highlighted
+        self._dress()
+
+    def be_quiet(self, quiet: bool) -> None:
+        if quiet != self._quiet:
+            self._quiet = quiet
+            self._dress()
+
+    def _dress(self) -> None:
+        quiet = self._quiet and not self._highlighted
+        times = _WIDER if self._highlighted else QUIET_WIDTH if quiet else 1.0
+        self._property.SetLineWidth(times * self._width)
+        part = QUIET if quiet else 0.0
+        pairs = zip(self._colour, self._paper, strict=True)
+        self._property.SetColor(*((1.0 - part) * c + part * p for c, p in pairs))
 
 
 def volume_edges(spots: Sequence[Spot]) -> list[Segment]:

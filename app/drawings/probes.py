@@ -1,6 +1,6 @@
 """The marks of the probes, the same in all three panes.
 
-A probe is a disc with a rim and its number on a plate. The lecturer's pointer has no number, and a
+A probe is a disc with a rim, and its number beside it. The lecturer's pointer has no number, and a
 ring that can be seen from the back row. Both are always in front, where the pane shows the point,
 computed in float64. The projector, the line that one pixel's points share, is drawn in the scene:
 from the eye in the world, parallel to z in the NDC cube. A disc is hollow if the point is outside
@@ -22,7 +22,8 @@ from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 from vtkmodules.vtkRenderingCore import vtkActor2D
 
-from app.drawings.actors import Canvas, Label, Space, actor_2d, lift_lines, line_actor
+from app.drawings.actors import Canvas, Space, actor_2d, lift_lines, line_actor
+from app.drawings.label import Label
 from app.drawings.style import rgb
 from app.model.infinity import trace_at_infinity
 from app.model.projection import Array, Projection, Trace, Vector
@@ -175,7 +176,7 @@ class _Slot:
             _disc(outer * em, colour, 48, inner * em)
             for (inner, outer), colour in zip(_RING_EM, (style.ink, style.accent), strict=True)
         )
-        self._label = Label("", style, plate=style.accent, bold=True)
+        self._label = Label("", style, colour=style.accent)
         canvas.add(
             self._line, *self._crossing, *self._ring, self._rim, self._fill, self._label.actor,
             renderer=renderer,
@@ -195,13 +196,12 @@ class _Slot:
         is_named = mark is not None and mark.number > 0
         for actor in self._ring:
             actor.SetVisibility(spot is not None and not is_named)
-        self._label.actor.SetVisibility(spot is not None and is_named)
+        self._label.set_visible(spot is not None and is_named)
         if mark is not None and spot is not None:
             for disc in (self._rim, self._fill, *self._ring):
                 disc.SetPosition(*spot)
             colour = self._style.accent if mark.solid else self._style.background
             self._fill.GetProperty().SetColor(*rgb(colour))
-            self._label.set_dpi(self._canvas.window.GetDPI())
             self._label.set_text(str(mark.number))
             # Above and to the right, but not out of the picture.
             em, (x, y) = self._style.font_size, spot

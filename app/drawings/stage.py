@@ -24,11 +24,13 @@ from typing import Any
 import numpy as np
 from vtkmodules.vtkCommonDataModel import vtkPlane
 
+from app.document.naming import named_in
 from app.drawings.actors import Canvas, lift_lines
 from app.drawings.drawing import Drawing, Rectangle
 from app.drawings.frustum import CUBE
 from app.drawings.labels import Layout
 from app.drawings.marks import MarksDrawing, Placing
+from app.drawings.names import Names
 from app.drawings.pointing import Emphasis, Segment, Spot, pointed_at, volume_edges
 from app.drawings.precision import ModelActors, least_tolerance
 from app.drawings.probes import Mark, Probes
@@ -56,6 +58,8 @@ class StageDrawing(Drawing):
     `tolerance_px` is the error up to which the GPU's own float32 may draw.
     """
 
+    pane = "ndc"
+
     def __init__(
         self,
         screen: Any,
@@ -78,10 +82,10 @@ class StageDrawing(Drawing):
             if lines is not None:
                 lift_lines(lines)
         self._canvas.add(*drawn)
-        self.box = StageBox(self._canvas, words)
+        self.names = Names(named_in(self.pane, scene))
+        self.box = StageBox(self._canvas, words, self.names)
         self._emphasis = Emphasis(self._canvas)
         self.box.make_emphasis(self._emphasis)
-        self._highlighted = NOTHING
         self._probes = Probes(self._canvas)
         self._marks: MarksDrawing | None = None
         self._rasterisers = textured(scene, self._canvas, (drawn.surface, drawn.spaces[0]))
@@ -154,6 +158,7 @@ class StageDrawing(Drawing):
             for plane, (*normal, offset) in zip(self._planes, planes, strict=True):
                 plane.SetNormal(*normal)
                 plane.SetOrigin(*(-offset * part for part in normal))
+            self._emphasis.show_names(self.names)
             self._show_highlighted()
             self._place_texts()
         if at_ndc:  # only the volume's content is shown, in the precision that it needs
@@ -191,8 +196,9 @@ class StageDrawing(Drawing):
             if self._illustration is None:
                 return
             self._marks = MarksDrawing(
-                self._canvas, self._scene, self._words, clip=self._planes, lifts_copies=True
-            )
+                self._canvas, self._scene, self._words, clip=self._planes, lifts_copies=True,
+                names=self.names,
+            )  # fmt: skip
         marks, illustration = self._marks, self._illustration
         if illustration is None or self._position != NDC:
             marks.show(Marks(), Placing(np.ones(3), np.zeros(3), 1.0))
@@ -275,11 +281,25 @@ class StageDrawing(Drawing):
     # -- pointing
 
     def show_highlight(self, highlighted: Highlight) -> bool:
-        self._highlighted = highlighted
+        before, self.names.pointed = self.names.pointed, highlighted
+        if before != highlighted and not self.names.all:
+            self._name_anew()
         return self._show_highlighted()
 
+    def show_names(self, names: frozenset[str] | None) -> None:
+        if names != self.names.wanted:
+            self.names.wanted = names
+            self._name_anew()
+
+    def _name_anew(self) -> None:
+        self._placed = None
+        self._show_moment()
+        if self._marks is not None:
+            self._marks.show_names()
+            self._place_texts()
+
     def _show_highlighted(self) -> bool:
-        return self._emphasis.show(self._highlighted - self._strangers)
+        return self._emphasis.show(self.names.pointed - self._strangers)
 
     @property
     def _strangers(self) -> frozenset[str]:

@@ -17,7 +17,6 @@ from vtkmodules.vtkRenderingCore import vtkActor
 
 from app.drawings.actors import (
     Canvas,
-    Label,
     Space,
     face_actor,
     fitting,
@@ -27,7 +26,9 @@ from app.drawings.actors import (
     unlit_actor,
 )
 from app.drawings.frustum import CUBE
+from app.drawings.label import Label
 from app.drawings.labels import Layout, Leader
+from app.drawings.names import Names
 from app.drawings.pane_view import Spot
 from app.drawings.pointing import FACES, FAR_FACE, NEAR_FACE, Emphasis
 from app.drawings.stage_view import AXES_LENGTH, CANONICAL_AXES, OVERSHOOT
@@ -46,6 +47,8 @@ from app.model.projection import Array
 from app.scenes.phenomena.readout import figure
 
 _TINT = 0.16
+_AT_CORNER = [((-1, -1, 1), end) for end in ((1, -1, 1), (-1, 1, 1), (-1, -1, 0))]
+_SHORT = 0.28  # of an edge of the cube: its axes
 _NUMBERS_FROM_EM = 8.0  # of the volume's width in the pane: in a smaller one there is no room
 
 # On which sides of their points words can be, best first: right and up, in half labels.
@@ -78,8 +81,8 @@ class StageBox:
         Start, end along the volume, and tip of each axis, in display space; NaN for a hidden axis.
     """
 
-    def __init__(self, canvas: Canvas, words: Mapping[str, str]) -> None:
-        self._canvas, self._words = canvas, words
+    def __init__(self, canvas: Canvas, words: Mapping[str, str], names: Names) -> None:
+        self._canvas, self._words, self._names = canvas, words, names
         self._space = Space()
         self._at: dict[Label, Array] = {}
         self._is_pyramid = False
@@ -94,7 +97,7 @@ class StageBox:
         width = style.line_width
         between = [(i + 4, i) for i in NEAR_FACE]
         ends = {"far": FAR_FACE, "near": NEAR_FACE}
-        edges = line_actor(CUBE, between, style.frustum, width)
+        edges = self._edges = line_actor(CUBE, between, style.frustum, width)
         self._outlines = {
             name: line_actor(CUBE, [(*face, face[0])], getattr(style, name), 1.5 * width)
             for name, face in ends.items()
@@ -136,23 +139,21 @@ class StageBox:
 
         label = self._canvas.label
         # The leaders before all labels, whose plates hide the ends.
-        self._leaders = {
-            name: Leader(self._canvas, getattr(style, name), style.line_width)
-            for name in ("near", "far")
-        }
-        self.near = label(words["near"], plate=style.near)
-        self.far = label(words["far"], plate=style.far)
+        self._leaders = {name: Leader(self._canvas) for name in ("near", "far")}
+        self.near = label(words["near"], colour=style.near)
+        self.far = label(words["far"], colour=style.far)
         # Without plates: they lie over what is drawn, and hide nothing of it.
         self._numbers = {name: [label("") for _ in range(2)] for name in "xyz"}
-        self._letters = tuple(label("", plate=colour) for colour in (style.u, style.v, style.n))
+        self._letters = tuple(label("", colour=colour) for colour in (style.u, style.v, style.n))
 
     def make_emphasis(self, emphasis: Emphasis) -> None:
         for face in emphasis.volume(self._space, CUBE):
             put_behind(face)
         for name, line in self._outlines.items():
             emphasis.line(line, name)
+        emphasis.line(self._edges, of=("near", "far"))
         for name, (_, _, shaft, _) in zip(AXES, self._arrows, strict=True):
-            emphasis.line(shaft, name)
+            emphasis.line(shaft, name, of=(*"xyz", *AXES))  # visible only if it is named
         labels = self.near, self.far, *self._letters
         for name, label in zip(("near", "far", *AXES), labels, strict=True):
             emphasis.label(label, name)
@@ -168,14 +169,17 @@ class StageBox:
         self._space.set(box)
         for actor in self._volume:
             actor.SetVisibility(drawn)
-        self._cross.SetVisibility(stop in (CANONICAL_PARALLEL, NDC))
-        for label in (self.near, self.far):
-            label.set_visible(drawn and has_depth)
+        is_cube = stop in (CANONICAL_PARALLEL, NDC)
+        self._cross.SetVisibility(is_cube and "numbers" in self._names)
+        for name, label in (("near", self.near), ("far", self.far)):
+            label.set_visible(drawn and has_depth and name in self._names)
         self._place_axes(morph, position, stop)
         for name, numbers in zip("xyz", self._numbers.values(), strict=True):
             for number in numbers:
                 is_written = has_depth or name != "z"
-                number.set_visible(stop >= CANONICAL_PERSPECTIVE and is_written)
+                number.set_visible(
+                    stop >= CANONICAL_PERSPECTIVE and is_written and "numbers" in self._names
+                )
         if drawn:
             self._place_words(morph, stop)
         labels = self.near, self.far, *self._letters, *itertools.chain(*self._numbers.values())
@@ -183,13 +187,13 @@ class StageBox:
 
     def _place_axes(self, morph: Morph, position: float, stop: int) -> None:
         """Put axes and letters where the nearest stop has them."""
-        if stop == NDC:  # along the cube's edges, z the way it grows
-            corners = [((-1, -1, 1), (1, -1, 1)), ((-1, -1, 1), (-1, 1, 1))]
+        if stop == NDC:  # along the edges at a corner of near, z the way it grows
+            starts, ends = np.moveaxis(self._shown(_AT_CORNER), 1, 0)
+            tips = starts + _SHORT * (ends - starts)
             z_near, z_far = morph.projection.depth_range
-            ends = (1, 1, 0), (1, 1, 1)
-            corners.append(ends if z_near > z_far else ends[::-1])
-            starts, inner = np.moveaxis(self._shown(corners), 1, 0)
-            tips = inner + OVERSHOOT / 2.0 * (inner - starts)
+            if z_near > z_far:
+                tips[2] = 2.0 * starts[2] - tips[2]
+            inner = starts
         elif stop == IMAGE:  # along the picture's, y down
             start, corner = self._shown([(-1, 1, 1), (1, -1, 1)])
             axes = np.diag([1.0, -1.0, 1.0])
@@ -217,7 +221,13 @@ class StageBox:
             letter = self._letters[i]
             self._at[letter] = tips[i]
             letter.set_text(self._words[letters[i]])
-            is_shown = stop != IMAGE or i < 2
+            # A single x, y or z may be a length in another pane.
+            wanted = letters if stop != VIEW else letters[i]
+            if stop == IMAGE:
+                wanted = "xy"
+            is_named = all(name in self._names for name in wanted)
+            is_named |= AXES[i] in self._names.pointed
+            is_shown = is_named and (stop != IMAGE or i < 2)
             letter.set_visible(is_shown)
             for actor in arrow:
                 actor.SetVisibility(is_shown)
@@ -238,7 +248,7 @@ class StageBox:
         is_pyramid = lens.has_pyramid
         self._is_pyramid = stop <= CANONICAL_PERSPECTIVE and is_pyramid
         self._at |= {self.near: near, self.far: far}
-        near_text = words["near"]
+        near_text, far_text = words["near"], words["far"]
         x, y, z = ("−1", "1"), ("−1", "1"), ("0", "−1")
         end = 1.0
         if stop == CANONICAL_PERSPECTIVE and is_pyramid:
@@ -250,12 +260,14 @@ class StageBox:
             near_text = f"{near_text} {figure(at, 3)}"
             self._numbers["z"][0].set_visible(False)  # on the plate of near, which is small here
         elif stop == NDC:
-            z_near, z_far = morph.projection.depth_range
-            z = (figure(z_near, 3), figure(z_far, 3))
+            z_near, z_far = (_signed(z) for z in morph.projection.depth_range)
+            near_text, far_text = f"{near_text} {z_near}", f"{far_text} {z_far}"
+            z = ("", "")  # they stand beside near and far
         elif stop == IMAGE:
             width, height = morph.projection.image_size
             x, y = ("0", str(width)), (str(height), "0")
         self.near.set_text(near_text)
+        self.far.set_text(far_text)
         if stop <= VIEW:
             return
         for name, texts, corners in (
@@ -298,6 +310,11 @@ class StageBox:
                 elif number in self._written:
                     beside = _NUMBER_SIDES[name]
                     layout.place(number, [spots[number]], beside, gaps=2)
+
+
+def _signed(z: float) -> str:
+    """An end of the depth range: −1, 0 or +1."""
+    return f"+{figure(z, 3)}" if z > 0.0 else figure(z, 3)
 
 
 def _turn_to(axis: Array) -> Array:

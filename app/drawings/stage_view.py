@@ -97,9 +97,7 @@ class StageView(PaneCamera):
         elif stop in (CANONICAL_PERSPECTIVE, CANONICAL_PARALLEL):
             drawn = np.vstack([CUBE_CORNERS * (1.0, 1.0, 0.5), CANONICAL_AXES])
         else:
-            ends = [(1.0 + OVERSHOOT, -1.0, 1.0), (-1.0, 1.0 + OVERSHOOT, 1.0)]
-            ends += [(1.0, 1.0, sign * (1.0 + OVERSHOOT)) for sign in (-1.0, 1.0)]
-            drawn = np.vstack([CUBE_CORNERS, ends])
+            drawn = CUBE_CORNERS
         margins_px = 2.0 * _MARGIN_EM * self._em
         title_px = TITLE_EM * self._em
         centre = np.zeros(3)

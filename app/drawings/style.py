@@ -1,14 +1,14 @@
 """Colours and sizes of the drawings: one colour per concept in all panes.
 
 The hues are those of Okabe and Ito, which colour-blind readers can tell apart. On the light
-background the pale ones are darkened until a line of them is visible (3:1). Text has no colour of
-its own: it is ink on the background, or black or white on a plate of its concept's colour
-(`Style.text_on`). So its contrast is at least 4.5:1, and near and far never differ by colour alone.
+background the pale ones are darkened until a line of them is visible (3:1). Text has its concept's
+`tone`, with a contrast of at least 4.5:1; near and far never differ by colour alone.
 """
 
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
+from functools import cache
 
 TITLE_EM = 1.5
 """Height of a pane's title, which lies on the picture, in ems."""
@@ -32,11 +32,12 @@ class Style:
     target: str
     frustum: str
     accent: str  # highlights
+    leader: str  # from a label to its mark: no concept's colour, or it would seem to be an axis
     shadow: str  # on the background or on a ground that is tinted with `muted`
     line_width: float = 2.0
     """Of ordinary lines; thin ones have half of it and thick ones one and a half. At a whole scale
     all are whole pixels: OpenGL would round others differently in each way of drawing."""
-    font_size: float = 12.0  # height of an em
+    font_size: float = 15.0  # height of an em
 
     def enlarged(self, factor: float) -> Style:
         """Enlarge text and lines: for a projector's back row, or a finer screen."""
@@ -78,6 +79,7 @@ LIGHT = Style(
     target="#a1960d",
     frustum="#5a6068",
     accent="#c46f9d",
+    leader="#8b929a",
     shadow="#5a6068",
 )
 DARK = Style(
@@ -94,5 +96,39 @@ DARK = Style(
     target="#f0e442",
     frustum="#a4abb3",
     accent="#cc79a7",
+    leader="#8b929a",
     shadow="#7c838c",
 )
+
+_TONES = {
+    LIGHT.near: "#8a5a00",
+    LIGHT.far: "#0b6aa8",
+    LIGHT.u: "#b04a00",
+    LIGHT.v: "#00735a",
+    LIGHT.n: "#00609a",
+    LIGHT.accent: "#9a3a70",
+    DARK.near: "#f2b84a",
+    DARK.far: "#7cc7f2",
+    DARK.u: "#ff9a52",
+    DARK.v: "#3fd0a5",
+    DARK.n: "#6cb8ee",
+    DARK.accent: "#e6a3c8",
+}
+
+
+@cache
+def tone(colour: str, background: str) -> str:
+    """Return the tone in which a colour is written: at least 4.5:1 on the background."""
+    if colour in _TONES:
+        return _TONES[colour]
+    end = max(BLACK, WHITE, key=lambda limit: contrast(limit, background))
+    part = next(
+        i / 20.0 for i in range(21) if contrast(mixed(colour, end, i / 20.0), background) >= 4.5
+    )
+    return mixed(colour, end, part)
+
+
+def mixed(colour: str, other: str, part: float) -> str:
+    """Return a colour with a part of another one in it."""
+    parts = zip(rgb(colour), rgb(other), strict=True)
+    return "#" + "".join(f"{round(255.0 * ((1.0 - part) * a + part * b)):02x}" for a, b in parts)

@@ -15,16 +15,18 @@ from typing import Any
 
 import numpy as np
 
+from app.document.naming import named_in
 from app.drawings import actors
 from app.drawings.actors import Canvas
 from app.drawings.camera import CameraDrawing, Standing, view_matrices
 from app.drawings.dimensions import Dimensions, Measured
 from app.drawings.drawing import Drawing, Rectangle
 from app.drawings.frame import DIMMED, LARGER, ObjectAxes
-from app.drawings.frustum import CUBE, FrustumDrawing
+from app.drawings.frustum import FrustumDrawing
 from app.drawings.handles import APART_EM, HandleMarks
 from app.drawings.labels import Labels, Layout, Named
 from app.drawings.marks import MarksDrawing, Placing
+from app.drawings.names import Names
 from app.drawings.near_picture import NearPicture
 from app.drawings.own_view import Framed, OwnView
 from app.drawings.pane_view import PaneView
@@ -55,6 +57,8 @@ class WorldDrawing(Drawing):
 
     The own camera of `screen` looks at all this from outside. A `live` drawing has handles.
     """
+
+    pane = "world"
 
     def __init__(
         self,
@@ -91,10 +95,11 @@ class WorldDrawing(Drawing):
             for actor in (*self.frustum.dimmable, *self.picture.actors, *self.camera.solid)
         ]
         self._emphasis = emphasis = Emphasis(canvas)
-        emphasis.volume(self.frustum.space, CUBE)
-        for name, line in (*self.camera.shafts.items(), *self.frustum.outlines.items()):
+        self.frustum.make_emphasis(emphasis)
+        for name, line in self.camera.shafts.items():
             emphasis.line(line, name)
-        emphasis.line(self.frustum.apex, "fov")
+        for solid in self.camera.solid:
+            emphasis.line(solid, of=("eye",))
         for name, mark in self.camera.discs.items():
             emphasis.point(mark, name)
         self.labels = Labels(canvas, words)
@@ -103,7 +108,7 @@ class WorldDrawing(Drawing):
         self._dimensions: Dimensions | None = None
         self._probes = Probes(canvas)
         self.handles = HandleMarks(canvas) if live else None
-        self._highlighted: Highlight = frozenset()
+        self.names = Names(named_in(self.pane, scene))
         self._light = 1.0
         """How bright the frustum is."""
         self._marks: MarksDrawing | None = None
@@ -116,6 +121,7 @@ class WorldDrawing(Drawing):
         self._lengths: tuple[Length, ...] = ()
         self._standing = self._stand(scene.start.camera)
         self.camera.show(self._standing)
+        self._show_named()
         self.own = OwnView(canvas, self._origin, self._objects.mean(axis=0))
         self.show_projection(scene.start)
         self.reset_view()
@@ -166,9 +172,32 @@ class WorldDrawing(Drawing):
     # -- pointing
 
     def show_highlight(self, highlighted: Highlight) -> bool:
-        self._highlighted = highlighted
+        before, self.names.pointed = self.names.pointed, highlighted
         of_scene = self._marks is not None and self._marks.show_highlight(highlighted)
-        return self._emphasis.show(highlighted) or of_scene
+        is_new = self._emphasis.show(highlighted) or of_scene
+        if before != highlighted and not self.names.all:
+            self._show_named()
+            self._follow_pane(afresh=False)
+        return is_new
+
+    def show_names(self, names: frozenset[str] | None) -> None:
+        if names == self.names.wanted:
+            return
+        self.names.wanted = names
+        self._show_named()
+        if self.own.was_moved:
+            self._follow_pane(afresh=True)
+        else:
+            self.reset_view()
+
+    def _show_named(self) -> None:
+        """Draw the camera's parts that are named, and the other things quietly."""
+        names = self.names
+        self.camera.show_names(names)
+        self.frustum.show_names(names)
+        self._emphasis.show_names(names)
+        if self._marks is not None:
+            self._marks.show_names()
 
     def show_step(self, step: int | None) -> None:
         camera = self.camera
@@ -184,7 +213,7 @@ class WorldDrawing(Drawing):
             ):
                 self._emphasis.line(shaft, thing)
                 self._emphasis.label(self.labels.add_arrow(name, colour), thing)
-            self._emphasis.show(self._highlighted)
+            self._emphasis.show(self.names.pointed)
         self._light = 1.0 if step is None else DIMMED
         for line, opacity in self._dimmable:
             line.SetOpacity(opacity * self._light)
@@ -211,7 +240,9 @@ class WorldDrawing(Drawing):
         eye, target, *tip_spots = spots[:-8]
         corners = spots[-8:]
         points = [(frozenset((name,)), spot) for name, spot in zip(CORNERS, corners, strict=True)]
-        points += [(frozenset(("eye",)), eye), (frozenset(("target",)), target)]
+        points.append((frozenset(("eye",)), eye))
+        if self.camera.shows_target:
+            points.append((frozenset(("target",)), target))
         segments: list[Segment] = [
             (frozenset(("target" if name == "look" else name,)), eye, tip)
             for name, tip in zip(arrows, tip_spots, strict=True)
@@ -284,7 +315,7 @@ class WorldDrawing(Drawing):
                 self._emphasis.line(shaft, name)
                 label = self.labels.add_arrow(name, self._axes.colours[name])
                 self._emphasis.label(label, name)
-            self._emphasis.show(self._highlighted)
+            self._emphasis.show(self.names.pointed)
         if self._axes is not None:
             self._axes.show(self._local_from_object, self.has_object_axes)
 
@@ -319,8 +350,16 @@ class WorldDrawing(Drawing):
             beside = tips.reshape(len(axes.names), len(arrows), 3)
             tips = np.concatenate([beside, axes.names], axis=1).reshape(-1, 3)
             arrows += tuple(axes.shafts)
+        unnamed = {name for name in ("eye", "target", "near", "far") if name not in self.names}
         named = Named(
-            at.eye, at.target, arrows, tips, self.camera.box, self._corners_seen, planes, unseen
+            at.eye,
+            at.target,
+            arrows,
+            tips,
+            self.camera.box,
+            self._corners_seen,
+            planes,
+            unseen | unnamed,
         )
         first = None
         if "labels" in self._canvas.hidden:
@@ -362,7 +401,8 @@ class WorldDrawing(Drawing):
     def _place_first(self, layout: Layout, seen: Callable[[Array], Sequence[Spot]]) -> None:
         """Place handles and texts of a scene, which the labels keep off."""
         height_px = self.own.pane.size_px[1]
-        layout.keep_free([(x, height_px - y, 1.0) for _, (x, y) in self.handles_shown])
+        drawn = self.handles_shown if self.names.all else ()
+        layout.keep_free([(x, height_px - y, 1.0) for _, (x, y) in drawn])
         if self.own.fixed and self._dimensions is not None:
             own, corners = self.own, self._corners_seen
             self._dimensions.place(layout, seen, own.pane.size_px, self._in_fixed_view)
@@ -392,6 +432,7 @@ class WorldDrawing(Drawing):
             self._objects,
             self._measured,
             lengths,
+            self.names,
         )
 
     # -- the pane's own camera
@@ -477,8 +518,9 @@ class WorldDrawing(Drawing):
         if self._marks is None:
             if illustration is None:
                 return
-            self._marks = MarksDrawing(self._canvas, self._scene, self._words, leads=True)
-            self._marks.show_highlight(self._highlighted)
+            self._marks = MarksDrawing(
+                self._canvas, self._scene, self._words, leads=True, names=self.names
+            )
         marks, limit = self._marks, _FARTHEST_MARK * self._standing.extent
         shown = illustration or Illustration(())
         if shown.rendering is not None:
@@ -525,7 +567,12 @@ class WorldDrawing(Drawing):
     def hold(self, handle: Handle | None) -> None:
         if self.handles is not None:
             self.handles.held = handle
+            is_named = handle is None or handle.name in self.names
+            self.names.held = handle
             self._place_handles()
+            if not is_named or handle is None:
+                self._show_named()
+                self._place_labels(afresh=False)
 
     def handle_at(self, pixel: tuple[float, float], within_px: float) -> Handle | None:
         return nearest(self.handles_shown, pixel, within_px)
@@ -536,6 +583,7 @@ class WorldDrawing(Drawing):
             held, apart_px = self.handles.held, APART_EM * self._canvas.style.font_size
             size_px = self.own.pane.size_px
             none = "handles" in self._canvas.hidden
+            self.handles.draws_all = self.names.all
             self.handles.show(
                 [] if none else shown(
                     self._projection, self.planes_drawn, self.sight, size_px, apart_px, held,

@@ -129,19 +129,21 @@ KINDS: dict[str, Kind] = {
         ),
         Kind(
             "oblique", "parallel", QT_TRANSLATE_NOOP("Kind", "oblique"),
-            QT_TRANSLATE_NOOP("Kind", "projectors are aslant to the image plane"),
+            QT_TRANSLATE_NOOP("Kind", "projectors are oblique to the image plane"),
         ),
         Kind(
             "cavalier", "oblique", QT_TRANSLATE_NOOP("Kind", "cavalier"),
             QT_TRANSLATE_NOOP(
-                "Kind", "two axes are parallel to the image plane, the third is drawn in full"
+                "Kind",
+                "two axes are parallel to the image plane, the third is drawn at full length",
             ),
             Orbit(0.0, 0.0, 1.0), 1.0,
         ),
         Kind(
             "cabinet", "oblique", QT_TRANSLATE_NOOP("Kind", "cabinet"),
             QT_TRANSLATE_NOOP(
-                "Kind", "two axes are parallel to the image plane, the third is drawn in half"
+                "Kind",
+                "two axes are parallel to the image plane, the third is drawn at half its length",
             ),
             Orbit(0.0, 0.0, 1.0), 0.5,
         ),

@@ -1,1 +1,1 @@
-"""Lessons and talks: their files, what they ask of the model, and what is answered."""
+"""Lessons and talks: their files, their formulas over the model, and the marking of answers."""

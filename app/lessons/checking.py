@@ -1,7 +1,7 @@
-"""The check of a whole lesson: its states, keys, samples and formulas; every fault with its line.
+"""Check a whole lesson: its states, answer keys, samples and formulas; report faults by line.
 
-The right answers are held against what the file itself says. That they agree with the lecture is
-checked by the tests, which compute them independently.
+The right answers are compared with the file's own formulas. The tests check that they agree with
+the lecture, by computing them independently.
 """
 
 from __future__ import annotations
@@ -18,9 +18,9 @@ from app.lessons.text import formulas_in, outline
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
 
 MOST_STEPS = 7
-"""Of a lesson."""
+"""Most steps of a lesson."""
 MOST_WORDS = 150
-"""Of a step's text, and of a note: what is read while something is looked at."""
+"""Most words of a step's text or of a note, because the reader also looks at the pictures."""
 
 TOO_LONG = QT_TRANSLATE_NOOP("Refusal", "has {0} words in its step; the limit is {1}")
 LONG_NOTE = QT_TRANSLATE_NOOP("Refusal", "has a note of {0} words; the limit is {1}")
@@ -30,7 +30,7 @@ NOT_TEX = QT_TRANSLATE_NOOP("Refusal", "has a formula that cannot be typeset: {0
 
 @dataclass
 class Report:
-    """How many lessons, talks and blocks were checked, and what is wrong, with file and line."""
+    """The numbers of checked lessons, talks and blocks, and the faults with file and line."""
 
     lessons: int = 0
     talks: int = 0
@@ -44,7 +44,7 @@ class Report:
         )
 
     def read(self, path: Path) -> None:
-        """Read a lesson from its file and check it; add all that is wrong."""
+        """Read a lesson from its file, check it, and add its faults."""
         try:
             lesson = read(path, self.wrong.append)
         except Refusal as error:
@@ -76,7 +76,7 @@ def _check(course: Course, trial: Trial) -> None:
         with trial.kept():
             course.shown(place)
         _check_texts(step, trial)
-        if len(trial.wrong) == before:  # nothing can be computed over an impossible state
+        if len(trial.wrong) == before:  # nothing can be computed from an impossible state
             for block in step.blocks:
                 with trial.kept():
                     block.check(course.at(place), trial)
@@ -104,7 +104,7 @@ def _problem_of_tex(tex: str) -> str:
         outline(tex)
     except ValueError as error:
         said = str(error).strip().splitlines()[-1]
-        # Without a part of the program, a place of its own, and all that could have been there.
+        # Drop the exception's name, its position, and its list of expected tokens.
         said = re.sub(r"^\w+Exception: |\s*\(at char \d+\)|,? \(line:\d+, col:\d+\)", "", said)
         return re.sub(r"Expected \{.{80,}\}, found", "Expected something else, found", said)
     return ""

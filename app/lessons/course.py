@@ -1,7 +1,7 @@
-"""A lesson over the model: the document of each step, and the wrong ideas.
+"""A lesson applied to the model: the document of each step, and the wrong ideas.
 
-The documents are made from the file alone, in its order: a step is the same to the last bit
-whatever was done in the window meanwhile.
+The documents are made from the file alone, in its order: a step is the same to the last bit,
+whatever the user did in the window meanwhile.
 """
 
 from __future__ import annotations
@@ -28,7 +28,7 @@ from app.scenes.scene import BUILT_IN, Scene, load
 CONTENT = Path(__file__).with_name("content")
 """The lessons, talks and wrong ideas that come with the program."""
 _ALONG = {"frame_step": "panel", "probes": "pinned", "compare": "dividers"}
-"""Fields of the view that a lesson sets together with another one."""
+"""Fields of the view that are set together with another one."""
 
 
 @lru_cache(maxsize=32)
@@ -37,19 +37,19 @@ def _scene(name: str, mesh: str) -> Scene:
 
 
 def scene_of(document: Document) -> Scene:
-    """Return the scene of a document; the same object again while few others were asked for."""
+    """Return the scene of a document, from a small cache."""
     return _scene(document.scene, document.mesh)
 
 
 class Shown(NamedTuple):
-    """What a step shows: its document, and the fields of the view that any step sets."""
+    """A step's document, and the fields of the view that any step sets."""
 
     document: Document
     view: dict[str, Any]
 
 
 class Course:
-    """The steps of a lesson as states of the model, each made when it is asked for."""
+    """The steps of a lesson as states of the model, each made on demand."""
 
     def __init__(self, lesson: Lesson) -> None:
         self.lesson = lesson
@@ -61,7 +61,7 @@ class Course:
 
     @property
     def folder(self) -> Path:
-        """Return the folder of the lesson's file, links followed."""
+        """Return the folder of the lesson's file, with links resolved."""
         return Path(os.path.dirname(os.path.realpath(self.lesson.path)))
 
     @cached_property
@@ -97,7 +97,7 @@ class Course:
         return shown
 
     def _try_scene(self, document: Document, place: int) -> None:
-        """Refuse a scene that can no longer be read: a mesh may vanish during a talk."""
+        """Refuse a scene that can no longer be read: a mesh may be deleted during a talk."""
         while place > 0 and not self._anew(place):
             place -= 1
         state = self.lesson.steps[place].state
@@ -109,7 +109,7 @@ class Course:
         return place == 0 or (state is not None and state.begins_anew)
 
     def made(self, state: State | None, before: Document | None) -> Document:
-        """Make a state that goes on from the one before, or begins anew without one."""
+        """Make a state that continues the previous one, or begins anew without one."""
         letters = self.lesson.letters or AS_EVER.letters
         if state is not None and state.document:
             before = self._read(state)
@@ -133,7 +133,7 @@ class Course:
                 raise
 
     def _opened(self, name: str, mesh: str, line: int) -> Document:
-        """Return a scene as it opens: a built-in one, or a mesh beside the lesson."""
+        """Return the initial document of a built-in scene, or of a mesh beside the lesson."""
         scene = name if name in BUILT_IN or not is_mesh(name) else self._beside(name, line)
         own = self._beside(mesh, line) if mesh else ""
         opened = _scene(scene, own)
@@ -158,7 +158,7 @@ class Course:
         return path
 
     def _is_beside(self, path: str) -> bool:
-        """Whether a file is in the lesson's folder, links followed."""
+        """Whether a file is in the lesson's folder, with links resolved."""
         return Path(os.path.realpath(path)).is_relative_to(self.folder)
 
 
@@ -202,7 +202,7 @@ class AtStep:
 
 
 def _line_of(field: str, values: Iterable[tuple[int, str]]) -> int:
-    """Return the line that set a field that a refusal names; 0 if none did."""
+    """Return the line that set the field named by a refusal, or 0."""
     names = field.partition("[")[0], field
     lines = [line for line, text in values if path_of(text) in names or text.strip() == field]
     return lines[-1] if lines else 0
@@ -213,7 +213,7 @@ def _line_of(field: str, values: Iterable[tuple[int, str]]) -> int:
 
 @cache
 def ideas() -> Course:
-    """Return the wrong ideas that the program knows, a step each."""
+    """Return the wrong ideas that the program knows; each is a step of one file."""
     return Course(read(CONTENT / "ideas.md"))
 
 
@@ -227,5 +227,5 @@ def idea_named(name: str) -> Idea | None:
 
 
 def contained() -> tuple[Path, ...]:
-    """Return the files of the lessons and talks that come with the program, in their order."""
+    """Return the files of the lessons and talks that come with the program, in order."""
     return tuple(sorted(path for path in CONTENT.glob("*.md") if path.name != "ideas.md"))

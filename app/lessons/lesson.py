@@ -1,8 +1,8 @@
 """The file of a lesson or a talk: Markdown with blocks, checked while it is read.
 
-`docs/lessons.md` explains the format to a teacher. A file comes from a stranger: its size is
-bounded, and a refusal names the line and says what was expected there. `app.lessons.blocks` reads
-the blocks.
+`docs/lessons.md` explains the format to a teacher. A file may come from a stranger: its size is
+limited, and a refusal names the line and what was expected there. `app.lessons.blocks` reads the
+blocks.
 """
 
 from __future__ import annotations
@@ -34,13 +34,13 @@ if TYPE_CHECKING:
     from markdown_it.token import Token
 
 ENDINGS = (".md", ".markdown")
-"""Of files that are lessons."""
+"""Endings of lesson files."""
 VERSION = 1
-"""Of the format; a file may say which one it needs (``version: 1``)."""
+"""Version of the format; a file may state the one it needs (``version: 1``)."""
 LARGEST = 2 * 2**20
-"""Most bytes of a file."""
+"""Largest file in bytes."""
 MOST_STEPS = 500
-"""Of a talk."""
+"""Most steps of a talk."""
 
 TOP = QT_TRANSLATE_NOOP(
     "Refusal", "must begin the lesson: ---, then lines like “title: ...”, then --- again"
@@ -68,12 +68,12 @@ UNCLOSED_ABOVE = QT_TRANSLATE_NOOP(
 )
 CODE_UNCLOSED = QT_TRANSLATE_NOOP(
     "Refusal",
-    "begins code that is not closed: a line ``` is one too many, or lacks its kind",
+    "begins code that is not closed: there is one ``` line too many, or one without its kind",
 )
 BLOCK_IN_CODE = QT_TRANSLATE_NOOP(
     "Refusal",
-    "begins code, not a block, and the block of line {0} is in it: a line ``` is one too many, or"
-    " lacks its kind",
+    "begins code, not a block, and the block of line {0} is in it: there is one ``` line too "
+    "many, or one without its kind",
 )
 STEP_IN_STEP = QT_TRANSLATE_NOOP("Refusal", "has the title of a step, but no line --- above it")
 BLOCK_INDENTED = QT_TRANSLATE_NOOP(
@@ -86,7 +86,7 @@ Complain: TypeAlias = Callable[[Refusal], object]
 
 @dataclass(frozen=True)
 class Step:
-    """One step: its title, and its texts and blocks in their order."""
+    """One step: its title, and its texts and blocks in order."""
 
     name: str
     title: str
@@ -95,7 +95,7 @@ class Step:
 
     @cached_property
     def parts(self) -> tuple[Part, ...]:
-        """Return what the student reads and does."""
+        """Return the parts that the student reads and answers."""
         return of_kind(self.blocks, Part)
 
     @cached_property
@@ -108,7 +108,7 @@ class Step:
 
     @cached_property
     def state(self) -> State | None:
-        """Return what the step shows; None where it shows what the step before did."""
+        """Return the step's state; None if it shows the previous step's."""
         return next((block.state for block in of_kind(self.blocks, ShownState)), None)
 
     @cached_property
@@ -129,9 +129,9 @@ class Lesson:
     topics : tuple of str
         ``L1`` to ``L24``.
     letters : str, optional
-        The lecture whose letters the formulas have; None for those of the window.
+        The lecture whose letters the formulas use; None for the window's choice.
     minutes : float
-        Planned for all of it.
+        Planned duration of the talk.
     """
 
     path: Path
@@ -145,11 +145,11 @@ class Lesson:
 
     @property
     def is_talk(self) -> bool:
-        """Whether somebody speaks to it: it has notes."""
+        """Whether it is a talk: it has notes for a speaker."""
         return any(step.note is not None for step in self.steps)
 
     def place_of(self, step: str, otherwise: int = 0) -> int:
-        """Return the place of the step with a name, or another place if there is none."""
+        """Return the index of the step with a name, or `otherwise` if there is none."""
         return next((at for at, each in enumerate(self.steps) if each.name == step), otherwise)
 
 
@@ -167,7 +167,7 @@ def read(path: AnyPath, complain: Complain | None = None) -> Lesson:
     ----------
     path : path
     complain : callable, optional
-        Gets the refusal of every wrong step; the lesson is then without these steps.
+        Receives the refusal of every faulty step; the lesson then lacks these steps.
     """
     with blamed_on(path, UNREADABLE):
         with open_regular(path) as file:
@@ -182,7 +182,7 @@ def read(path: AnyPath, complain: Complain | None = None) -> Lesson:
 
 
 class Head(NamedTuple):
-    """What a list of lessons says of one: as topics a talk has its lecture."""
+    """A lesson's entry in a list of lessons; a talk has its lecture as its topic."""
 
     path: Path
     title: str
@@ -191,7 +191,7 @@ class Head(NamedTuple):
 
 
 def head_of(path: Path) -> Head:
-    """Read only what a list of lessons says of one."""
+    """Read only the data for a list of lessons."""
     with blamed_on(path, UNREADABLE):
         with open_regular(path) as file:
             text = file.read(LARGEST).decode("utf-8-sig", "replace")
@@ -241,7 +241,7 @@ def _top(lines: Sequence[str]) -> tuple[dict[str, Any], int]:
     title = found.get("title", "")
     if not title:
         raise refused(1, NO_TITLE)
-    if len(title) > 2 and title[0] == title[-1] and title[0] in "\"'":  # as YAML has it
+    if len(title) > 2 and title[0] == title[-1] and title[0] in "\"'":  # as in YAML
         title = title[1:-1]
     return {
         "title": title,
@@ -304,14 +304,14 @@ def _steps(
 
 
 def _claim(names: dict[str, int], name: str, line: int) -> None:
-    """Note the line of a name; refuse one that is noted already."""
+    """Record the line of a name; refuse a name that is already used."""
     if name in names:
         raise refused(line, TWICE, names[name], value=name)
     names[name] = line
 
 
 def _groups(lines: Sequence[str], first: int) -> list[tuple[list[Token], int]]:
-    """Split the file at its lines ``---``: the tokens of each step, and the line it ends at."""
+    """Split the file at its ``---`` lines; return the tokens and the last line of each step."""
     body = "\n".join(lines[first:])
     groups: list[tuple[list[Token], int]] = []
     group: list[Token] = []
@@ -329,7 +329,7 @@ def _groups(lines: Sequence[str], first: int) -> list[tuple[list[Token], int]]:
 
 
 def ends(text: str) -> list[int]:
-    """Return after how many lines each step of a lesson ends: there another can be put."""
+    """Return the line at which each step of a lesson ends, where another can be inserted."""
     lines = _lines(text)
     _, first = _top(lines)
     return [end for group, end in _groups(lines, first) if group]
@@ -372,7 +372,7 @@ class _StepReader:
         return name, found[1], line
 
     def _take(self, token: Token) -> None:
-        """Add a token to the words, or read it as a block."""
+        """Add a token to the text, or read it as a block."""
         kind, _, given = token.info.strip().partition(" ")
         line = _line(token, self._first)
         if token.type == "code_block" and _BLOCK.match(token.content):
@@ -404,7 +404,7 @@ class _StepReader:
             near = difflib.get_close_matches(kind, KINDS, n=1, cutoff=0.0)[0]
             raise refused(line, NO_BLOCK, kind, near)
         assert token.map is not None
-        for number, text in self._body(token):  # its end was forgotten, or it is itself one
+        for number, text in self._body(token):  # its end is missing, or it is itself an end
             begun = _BLOCK.match(text)
             if begun and begun[1].startswith(token.markup):
                 raise refused(line, UNCLOSED_ABOVE if kind else BLOCK_IN_CODE, number)
@@ -420,7 +420,7 @@ class _StepReader:
         return [(number + 1, self._lines[number]) for number in range(begin, end)]
 
     def _name(self, given: str, kind: str, line: int) -> str:
-        """Return a block's name: as given, or its kind, with a number if that is taken."""
+        """Return a block's name: the given one, or its kind, numbered if that is taken."""
         name, count = given or kind, 1
         while not given and name in self._names:
             count += 1

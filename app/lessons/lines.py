@@ -1,7 +1,7 @@
-"""The line format of block bodies, and refusals that name their line.
+"""The line format of block bodies, and refusals that name the line.
 
 A body is a text, then lines ``key: value``, or choices ``- [x] text``. An indented line continues
-the value above it; a choice or a wrong value may have keys of its own there.
+the value above it; such lines below a choice or a wrong value may have their own keys.
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ CANNOT_BE = QT_TRANSLATE_NOOP("Refusal", "cannot be shown: {0}")
 A_NUMBER = QT_TRANSLATE_NOOP("Refusal", "must be a number from {0} to {1}")
 
 Lines = Sequence[tuple[int, str]]
-"""Lines of a file, each with its number from 1."""
+"""Lines of a file with their numbers, from 1."""
 
 
 def refused(line: int, bound: Bound, *limits: object, value: object = ...) -> Refusal:
@@ -35,7 +35,7 @@ def refused(line: int, bound: Bound, *limits: object, value: object = ...) -> Re
 
 @contextlib.contextmanager
 def on_line(line: int, what: str = "") -> Iterator[None]:
-    """Add the line to a refusal that the model raises, and what stands there (``value``)."""
+    """Add to a refusal of the model the line, and the key there (``value``)."""
     try:
         yield
     except Refusal as error:
@@ -63,9 +63,9 @@ def number_in(text: str, line: int, low: float, high: float) -> float:
 
 
 class Item(NamedTuple):
-    """A line that begins with a key or is a choice, joined with the lines indented below it.
+    """A line that begins with a key or is a choice, joined with its indented lines.
 
-    The key of a choice is ``choice``. `about` is the word behind the key (``wrong ABOUT: ...``), or
+    The key of a choice is ``choice``. `about` is the word after the key (``wrong ABOUT: ...``), or
     ``x`` for a right choice.
     """
 
@@ -81,7 +81,7 @@ class Item(NamedTuple):
 
 
 class Items(tuple[Item, ...]):
-    """The items of a block, by their keys."""
+    """The items of a block, by key."""
 
     def single(self, key: str) -> Item | None:
         """Return the item of a key; refuse a second one."""
@@ -109,14 +109,14 @@ class Items(tuple[Item, ...]):
         return tuple(found)
 
     def sentences(self) -> tuple[tuple[int, str], ...]:
-        """Return everything said to the student that may hold formulas, each with its line."""
+        """Return every sentence for the student that may contain formulas, with its line."""
         own = [(item.line, item.text) for item in self if item.key in ("why", "hint", "done")]
         below = [each for item in self for each in item.below if each.key == "says"]
         return (*own, *((each.line, each.text) for each in below))
 
 
 class Body(NamedTuple):
-    """A block as its file has it; `line` is that of the kind, `lines` are those inside."""
+    """A block as in its file; `line` is that of the kind, `lines` are the ones inside."""
 
     kind: str
     name: str
@@ -124,7 +124,7 @@ class Body(NamedTuple):
     lines: Lines
 
     def items(self, *keys: str, choices: bool = False) -> tuple[str, Items]:
-        """Read the text that the body begins with, and the items, with these keys, that follow."""
+        """Read the text at the start of the body, and the items with these keys that follow."""
         question: list[str] = []
         items: list[Item] = []
         for number, text in self.lines:
@@ -159,7 +159,7 @@ _BELOW = ("says", "state")
 def _continued(
     last: Item, key: re.Match[str] | None, text: str, number: int, keys: Sequence[str]
 ) -> Item:
-    """Return the last item with an indented line more."""
+    """Return the last item, extended by an indented line."""
     has_own = last.key in _WITH_BELOW
     if has_own and key and key[1] in _BELOW:
         return last._replace(below=[*last.below, Item(key[1], "", key[3].strip(), number)])
@@ -174,10 +174,10 @@ def _continued(
 
 
 def _mistyped(text: str, keys: Sequence[str]) -> bool:
-    """Whether a line that need not begin with a key seems to be meant as one."""
+    """Whether a line of free text looks like a misspelt key."""
     found = re.match(r"([A-Za-z]+)(\s+[\w-]+)?\s*:", text)
     if found is None:
         return False
     near = difflib.get_close_matches(found[1].lower(), keys, n=1, cutoff=0.8)
-    # Only `wrong` has a word behind it: “Check this:” is a sentence.
+    # Only `wrong` is followed by a word: “Check this:” is a sentence.
     return bool(near) and near[0][0] == text[0].lower() and (not found[2] or near[0] == "wrong")

@@ -1,8 +1,8 @@
-"""What a student types, and whether it is right: numbers as people write them.
+"""Read numbers as students write them, and decide whether they are right.
 
-What is exactly the value counts however short it is (1/2, 0.5, -1, 0). Any other number needs three
-significant digits and may be one off in its last one: a value is read off a screen, and rounded by
-hand. A fraction stands for a number of three digits.
+The exact value counts however short it is (1/2, 0.5, -1, 0). Any other number needs three
+significant digits and may be off by one in the last: students read values off the screen and round
+by hand. A fraction counts as a number of three digits.
 """
 
 from __future__ import annotations
@@ -16,9 +16,9 @@ from typing import NamedTuple
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
 
 DIGITS = 3
-"""Significant digits that a number needs which is not exact."""
+"""Significant digits required of an inexact number."""
 _EXACT = 1e-9
-"""Of the value: nearer, it is the value, which was computed in float64."""
+"""Relative difference up to which a number is the exact value, which was computed in float64."""
 _LARGEST_EXPONENT = 300
 _LONGEST = 60
 
@@ -44,13 +44,13 @@ _UNITS = (
     ("°", "degrees", "degree", "deg"), ("units", "unit"), ("px", "pixels", "pixel"),
     ("%",), ("×",), ("mm",), ("m",),
 )  # fmt: skip
-"""Those of a row are one."""
+"""The spellings in a row are one unit."""
 _OF_ANY = "units", "unit", "×"
-"""What may stand behind a number that has no unit."""
+"""What may follow a number without a unit."""
 
 
 class Typed(NamedTuple):
-    """A number as it was typed; `unit` is the value of one in its last digit."""
+    """A typed number; `unit` is the value of one in its last digit."""
 
     value: Fraction
     digits: int
@@ -58,7 +58,7 @@ class Typed(NamedTuple):
 
 
 def read(text: str, unit: str = "") -> Typed:
-    """Read a number as people write it, with comma or point; its unit, or `unit`, may follow."""
+    """Read a number with a decimal comma or point, and perhaps its unit."""
     if len(text) > _LONGEST:
         raise Refusal("answer", text, TOO_LONG, _LONGEST)
     plain = "".join(text.split()).replace("−", "-").replace("\u2044", "/")
@@ -103,7 +103,7 @@ def _unit_of(value: Fraction) -> Fraction:
 
 
 def equals(typed: Typed, value: float) -> bool:
-    """Whether what was typed counts as a value, which is finite."""
+    """Whether a typed number counts as a finite value."""
     away = abs(typed.value - Fraction(value))
     if away <= Fraction(_EXACT) * abs(Fraction(value)) or (not typed.value and abs(value) < 1e-12):
         return True
@@ -111,6 +111,6 @@ def equals(typed: Typed, value: float) -> bool:
 
 
 def is_too_short(typed: Typed, value: float) -> bool:
-    """Whether it is the value rounded to too few digits; one digit alone says too little."""
+    """Whether it is the value rounded to too few digits, but more than one."""
     away = abs(typed.value - Fraction(value))
     return 1 < typed.digits < DIGITS and 2 * away <= typed.unit

@@ -1,4 +1,4 @@
-"""The names that formulas of a lesson have: every number of the model, by what it is called.
+"""The names in the formulas of lessons: every number of the model, by name.
 
 A formula of a lesson (`app.model.formula`, the program's one language) is over a document: the
 camera, the lens, the picture, the object, the scene's settings and readout, the probes at every
@@ -44,7 +44,7 @@ NO_CONDITION = QT_TRANSLATE_NOOP(
 )
 
 WITHIN = 0.01
-"""What counts as equal in a condition: of the larger of the two, or of 1 beside 0."""
+"""Tolerance of ``=`` in a condition, relative to the larger value, or to 1 if one is 0."""
 
 XYZ = ("x", "y", "z")
 _SPACES = {
@@ -55,11 +55,11 @@ _SPACES = {
     "ndc": XYZ,
     "image": ("x", "y", "depth"),
 }
-"""Where a probe is followed, and the coordinates that it has there."""
+"""The spaces of a probe, and its coordinates there."""
 
 
 class NotThere(LookupError):
-    """A quantity that is missing just now: the second probe, a parallel lens' angle."""
+    """A quantity that is missing at the moment: the second probe, a parallel lens's angle."""
 
 
 def _to_degrees(function: Callable[[float], float]) -> Callable[[float], float]:
@@ -67,9 +67,9 @@ def _to_degrees(function: Callable[[float], float]) -> Callable[[float], float]:
 
 
 def _sine(angle: float) -> float:
-    """Return the sine of degrees, exactly 0 and 1 where it is."""
+    """Return the sine of degrees, exact where it is 0, 1 or -1."""
     turned = math.remainder(angle, 360.0)
-    if abs(turned) > 90.0:  # to the quarter in which it keeps its digits
+    if abs(turned) > 90.0:  # reduced to the quarter in which it keeps its digits
         turned = math.copysign(180.0, turned) - turned
     return math.sin(math.radians(turned))
 
@@ -100,11 +100,11 @@ class Quantities:
     ----------
     document : Document
     scene : callable
-        Returns its scene, when the readout is needed.
+        Returns its scene; called only when the readout is needed.
     view : View, optional
-        By default that of the document.
+        The document's by default.
     before : Quantities, optional
-        Of another state: their names begin with ``was_``.
+        The quantities of an earlier state, whose names begin with ``was_``.
     """
 
     def __init__(
@@ -121,7 +121,7 @@ class Quantities:
         self._traces: dict[int, Trace] = {}
         self._readings: dict[str, Any] | None = None
 
-    # -- as a formula asks
+    # -- the interface of formulas
 
     def __contains__(self, _text: object) -> bool:
         return False  # no term is known as a whole
@@ -155,7 +155,7 @@ class Quantities:
         return found
 
     def word(self, path: str) -> str:
-        """Return the word that a path of ``--set`` has in the document; empty for none."""
+        """Return the word at a path of ``--set`` in the document; empty if there is none."""
         section, _, key = path.rpartition(".")
         document, projection = self.document, self.projection
         if section == "settings":
@@ -184,7 +184,7 @@ class Quantities:
         return _part(name, found, places)
 
     def _looked_up(self, name: str) -> Any:
-        """Return a number, several, or for a probe's coordinate a function; None if unknown."""
+        """Return a number, several, or a function for a probe's coordinate; None if unknown."""
         if name in _SIMPLE:
             return _SIMPLE[name](self)
         if name.startswith("reading_"):
@@ -200,7 +200,7 @@ class Quantities:
 
     @property
     def names(self) -> tuple[str, ...]:
-        """Return every name that this scene and lens have."""
+        """Return every name available with this scene and lens."""
         settings = [f"settings_{name}" for name in self.document.settings]
         probes = [f"{space}_{part}" for space, parts in _SPACES.items() for part in parts]
         readings = [f"reading_{name}" for name in self._all_readings]
@@ -271,7 +271,7 @@ class Quantities:
 
 
 def _part(name: str, value: Any, places: tuple[float, ...]) -> float:
-    """Return a value, or one of its row, its matrix's cell, or its coordinate of a probe."""
+    """Return a value, an element of a row, a cell of a matrix, or a probe's coordinate."""
     if any(place != int(place) or place < 0 for place in places):
         raise Refusal("formula", name, NO_CELL, name)
     indices = [int(place) for place in places]
@@ -304,12 +304,12 @@ _WORD = re.compile(r"[^\W_]+")
 
 
 def reading_name(label: str) -> str:
-    """Return the name of a reading: its label's words up to a formula or a remark."""
+    """Return the name of a reading: the words of its label before a formula or a remark."""
     head = re.split(r"[=:;]", label)[0]
     return "_".join(_WORD.findall(head))
 
 
-# --------------------------------------------------------------------------- the simple ones
+# --------------------------------------------------------------------------- simple quantities
 
 
 def _window(side: int) -> Callable[[Quantities], float]:
@@ -404,7 +404,7 @@ _COMPARED: dict[str, Callable[[float, float], bool]] = {
 
 @dataclass(frozen=True)
 class Condition:
-    """Two formulas and a sign, or a path of ``--set`` and its word."""
+    """Two formulas and a sign, or a path of ``--set`` and a word."""
 
     text: str
     sign: str
@@ -425,7 +425,7 @@ class Condition:
         return cls(text, sign, formula.parse(left), formula.parse(right))
 
     def holds(self, known: Quantities) -> bool:
-        """Whether it holds; it does not where a quantity is missing."""
+        """Whether the condition holds; it does not if a quantity is missing."""
         if self.left is None or self.right is None:
             return known.word(self.path) == self.word
         try:

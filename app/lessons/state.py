@@ -1,4 +1,4 @@
-"""What the window shows at a step: assignments of ``--set``, or a document's file."""
+"""The state of a step: assignments of ``--set``, or a document file."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ BESIDE = QT_TRANSLATE_NOOP("Refusal", "must be a file beside the lesson, or in a
 
 
 class State(NamedTuple):
-    """What the window shows: ``NAME=VALUE``, each with its line, or a document beside the file."""
+    """A state: ``NAME=VALUE`` lines with their numbers, or a document beside the file."""
 
     line: int
     values: tuple[tuple[int, str], ...] = ()
@@ -22,7 +22,7 @@ class State(NamedTuple):
 
     @property
     def begins_anew(self) -> bool:
-        """Whether it names a scene or a document, and so takes nothing from the step before."""
+        """Whether it names a scene or a document, and so ignores the previous step."""
         return bool(self.document) or any(path_of(text) == "scene" for _, text in self.values)
 
 
@@ -64,7 +64,7 @@ def state_in(item: Item | None) -> State | None:
 
 
 def _mesh_beside(text: str, line: int) -> str:
-    """Return an assignment; refuse one that names a file elsewhere than beside the lesson."""
+    """Return an assignment; refuse one that names a file outside the lesson's folder."""
     value = text.partition("=")[2].strip()
     is_file = bool(set(value) & set("/\\:")) or value.startswith("~")
     if path_of(text) in ("scene", "mesh") and is_file:

@@ -1,4 +1,4 @@
-"""A lesson's text, ready to be set: Markdown as HTML without links or scripts, TeX as outlines."""
+"""Prepare a lesson's text: Markdown as HTML without links or scripts, TeX as outlines."""
 
 from __future__ import annotations
 
@@ -16,13 +16,13 @@ if TYPE_CHECKING:
     from markdown_it.rules_inline import StateInline
 
 FORMULA = "\ue000"
-"""Stands in the HTML where a formula is."""
+"""Placeholder for a formula in the HTML."""
 FONT = "stix"
-"""Of mathtext's, whose letters go with any text."""
+"""A font of mathtext that goes with any text."""
 DEEPEST = 12
-"""Levels of braces in a formula: each takes many of Python's calls to read."""
+"""Most levels of braces in a formula: each needs many nested Python calls."""
 WIDEST = 400
-"""Of a formula, in em."""
+"""Largest width of a formula, in em."""
 _EM = 100.0
 _BREAK = re.compile(r"(\\q?quad(?![a-zA-Z])|[{}])")
 _ALONE = re.compile(rf"<p>((?:{FORMULA}\s*)+)</p>")
@@ -34,7 +34,7 @@ _MATH = re.compile(r"(\$\$?)(?=\S)([^$\n]{1,400}?)(?<=\S)\1")
 
 @cache
 def markdown() -> MarkdownIt:
-    """Return the reader of Markdown; what could reach outside (links, HTML) is plain text to it.
+    """Return the Markdown parser, which treats links and HTML as plain text.
 
     A line ``---`` is always a rule, never the line under a title. Formulas between dollars are
     tokens ``math`` (``markup`` is ``$`` or ``$$``) whose content is not read as Markdown.
@@ -109,7 +109,7 @@ def outline(tex: str) -> Outline:
 
 
 def _refuse(warning: logging.LogRecord) -> bool:
-    """Refuse a character that mathtext would only warn of and replace by another one."""
+    """Refuse a character that mathtext would replace with only a warning."""
     if warning.levelno >= logging.WARNING:
         raise ValueError("has a character that the formulas' font lacks")
     return True
@@ -149,7 +149,7 @@ def _pieces(tex: str, is_displayed: bool) -> list[str]:
 
 
 def plain_of(text: str) -> str:
-    """Return a text without its marks, formulas as TeX, for a screen reader."""
+    """Return a text without markup, with formulas as TeX, for a screen reader."""
     words = []
     for token in markdown().parse(text):
         inline = token.children or ()
@@ -164,5 +164,5 @@ def plain_of(text: str) -> str:
 
 
 def escaped(text: str) -> str:
-    """Return a text in which Markdown reads nothing."""
+    """Escape a text so that Markdown finds no markup in it."""
     return re.sub(r"([\\`*_{}\[\]<>#$|])", r"\\\1", text)

@@ -1,4 +1,4 @@
-"""Between two steps: the model moves from one state to the next, so that the change is seen."""
+"""Move the model from one step's state to the next, so that the change is visible."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ def can_move(start: Document, end: Document) -> bool:
 def between(start: Document, end: Document, part: float) -> Document | None:
     """Return a state between two for which `can_move` holds, or None if it is impossible.
 
-    `part` goes from 0 to 1; words, switches and the view are those of the end.
+    `part` goes from 0 to 1; words, switches and the view are the end's.
     """
     one, other = start.projection, end.projection
     try:
@@ -43,12 +43,12 @@ def between(start: Document, end: Document, part: float) -> Document | None:
             name: _mixed(before.get(name), value, part) for name, value in end.settings.items()
         }
         return replace(end, projection=projection, settings=settings)
-    except Refusal:  # the straight way leads through what cannot be
+    except Refusal:  # the straight path leads through an impossible state
         return None
 
 
 def _mixed(one: Any, other: Any, part: float) -> Any:
-    """Interpolate numbers and vectors; all else is that of the end."""
+    """Interpolate numbers and vectors; take everything else from the end."""
     if isinstance(one, float) and isinstance(other, float):
         return _number(one, other, part)
     if isinstance(one, tuple) and all(isinstance(each, float) for each in one):
@@ -57,7 +57,7 @@ def _mixed(one: Any, other: Any, part: float) -> Any:
 
 
 def _number(one: float, other: float, part: float) -> float:
-    """Interpolate a number; two positive ones in proportion."""
+    """Interpolate a number, geometrically if both ends are positive."""
     if one == other or not (math.isfinite(one) and math.isfinite(other)):
         return other
     if one > 0.0 and other > 0.0:
@@ -72,7 +72,7 @@ def _fields(one: Owner, other: Owner, part: float) -> Owner:
 
 
 def _camera(one: Camera, other: Camera, part: float) -> Camera:
-    """Move the eye around its target, the shorter way."""
+    """Move the eye around its target, along the shorter arc."""
     a, b = one.orbit, other.orbit
     turn, roll = (
         math.remainder(after - before, 360.0)

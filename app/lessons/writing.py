@@ -1,7 +1,7 @@
-"""A state written into a lesson's file: the shortest assignments that give it, as one more step.
+"""Write a state into a lesson's file as a new step, with as few assignments as possible.
 
-What a teacher wrote stays as it is, byte for byte: a step is put between two others, and only where
-all other steps go on showing what they showed.
+The teacher's text stays unchanged, byte for byte. The step is inserted only where all other steps
+still show the same.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ from app.document.codec import Path as AnyPath
 from app.document.codec import to_json
 from app.document.document import Document, is_mesh
 from app.document.files import UNREADABLE, blamed_on, write, write_bytes_atomically
-from app.document.settings import set_values
+from app.document.settings import picture_text, set_values
 from app.document.view import AS_EVER
 from app.lecture.notation import Letters
 from app.lessons.course import CONTENT, Course, scene_of
@@ -34,18 +34,18 @@ OURS = QT_TRANSLATE_NOOP(
 )
 A_TITLE = QT_TRANSLATE_NOOP("Refusal", "must be one line of text")
 NEW_TALK_MINUTES = 2
-"""Planned for the first step of a talk, until its teacher says otherwise."""
+"""Planned minutes for the first step of a talk, until the teacher changes them."""
 
 
-# --------------------------------------------------------------------------- a state in words
+# --------------------------------------------------------------------------- state to text
 
 
 def assignments(document: Document, letters: Letters | None = None) -> list[str]:
-    """Return the shortest list of ``NAME=VALUE`` that makes a document of its scene as it opens.
+    """Return the shortest list of ``NAME=VALUE`` that turns the scene as it opens into a document.
 
     ``scene=`` comes first, then ``mesh=``. Cameras of panes and pins are not part of a state, and
-    `letters`, those of the lesson, need not be said. A `Refusal` if no list gives the document back
-    to the last bit.
+    the lesson's own `letters` are omitted. A `Refusal` if no list reproduces the document to the
+    last bit.
     """
     wanted = _said(document)
     view = replace(AS_EVER, letters=letters or AS_EVER.letters)
@@ -59,15 +59,15 @@ def assignments(document: Document, letters: Letters | None = None) -> list[str]
 
 
 def _said(document: Document) -> Document:
-    """Return a document with only the parts of its view that belong to a state."""
+    """Return a document with only those parts of its view that belong to a state."""
     view = replace(document.view, panes={}, pinned=frozenset())
-    if view.panel != "frame":  # how far it is built is not seen
+    if view.panel != "frame":  # the step of the frame is not visible
         view = replace(view, frame_step=AS_EVER.frame_step)
     return replace(document, view=view)
 
 
 def _texts(document: Document) -> dict[str, str]:
-    """Return what ``--set`` can be given of a document, by path."""
+    """Return the values of a document that ``--set`` accepts, by path."""
     tree = json.loads(to_json(document))
     found = {"depth": str(tree["depth"])}
     for section in ("lens", "camera", "object", "image", "quality", "settings"):
@@ -86,13 +86,13 @@ def _texts(document: Document) -> dict[str, str]:
             for each in (phenomenon.comparisons if phenomenon else ())
             if [picture[0] for picture in each.pictures] == names
         ]
-        others = [";".join(each.changes) for each in pictures if not each.live]
+        others = [picture_text(each) for each in pictures if each.changes]
         found["view.compare"] = ready[0] if ready else "|".join(others)
     return found
 
 
 def _text(value: object) -> str:
-    """Return a value of JSON as ``--set`` has it; for some values it does not come back."""
+    """Write a JSON value for ``--set``; not every value can be read back."""
     if isinstance(value, bool):
         return str(value).lower()
     if isinstance(value, list):
@@ -101,9 +101,10 @@ def _text(value: object) -> str:
 
 
 def _lists(start: Document, wanted: Document) -> Iterator[dict[str, str]]:
-    """Yield lists that may give a document: what differs after its settings, and everything.
+    """Yield candidate lists: the values that differ after the settings are set, and all values.
 
-    Camera and lens may follow the settings, or a setting the lens: then only one of them works.
+    Camera and lens may follow the settings, or a setting may follow the lens; then only one list
+    works.
     """
     before, texts = _texts(start), _texts(wanted)
     settings = {
@@ -118,7 +119,7 @@ def _lists(start: Document, wanted: Document) -> Iterator[dict[str, str]]:
 
 
 def _needed(start: Document, texts: dict[str, str], wanted: Document) -> dict[str, str]:
-    """Drop from a list what the rest of it gives as well."""
+    """Drop the entries of a list without which the result is the same."""
     for path in [*texts]:
         fewer = {name: text for name, text in texts.items() if name != path}
         if _gives(start, fewer, wanted):
@@ -129,7 +130,7 @@ def _needed(start: Document, texts: dict[str, str], wanted: Document) -> dict[st
 def _gives(start: Document, texts: Mapping[str, str], wanted: Document) -> bool:
     try:
         made = set_values(start, (f"{path}={text}" for path, text in texts.items()))
-    except Refusal:  # among these values there is none for that state
+    except Refusal:  # these values do not produce that state
         return False
     return to_json(made) == to_json(wanted)  # as text: also a zero's sign
 
@@ -138,7 +139,7 @@ def _gives(start: Document, texts: Mapping[str, str], wanted: Document) -> bool:
 
 
 class Added(NamedTuple):
-    """The step that was written; its place counts from 0."""
+    """The new step; its place counts from 0."""
 
     name: str
     place: int
@@ -147,10 +148,10 @@ class Added(NamedTuple):
 def add_step(
     path: AnyPath, after: str, title: str, document: Document, *, panes: bool = False
 ) -> Added:
-    """Write a state into a lesson's file, as it is now, as one more step.
+    """Write a state as a new step into a lesson's file, as the file is now.
 
-    The step comes after the named one, or at the end if that is gone; but behind all steps that
-    would show something else because of it.
+    The step comes after the named one, or at the end if that is gone; but always after the steps
+    whose state it would change.
 
     Parameters
     ----------
@@ -164,7 +165,7 @@ def add_step(
     Raises
     ------
     Refusal
-        If that is impossible: then the file is unchanged.
+        If that is impossible; the file is then unchanged.
     """
     _check_own(path)
     before = read(path)
@@ -186,7 +187,7 @@ def add_step(
 
 
 def begin_talk(path: AnyPath, title: str, document: Document, *, panes: bool = False) -> None:
-    """Begin a talk in a new file, or over an old one, with a state; as `add_step` does."""
+    """Begin a talk with a state, in a new file or over an old one; see `add_step`."""
     _check_own(path)
     with blamed_on(path, UNREADABLE):
         letters = document.view.letters
@@ -208,7 +209,7 @@ def _check_own(path: AnyPath) -> None:
 
 
 class _Written(NamedTuple):
-    """The lines of a new step, and the file of the document that it needs."""
+    """The lines of a new step, and the document file that it needs."""
 
     lines: list[str]
     beside: Path | None
@@ -247,7 +248,7 @@ def _one_line(title: str) -> str:
 
 
 def _named(assignment: str, folder: Path) -> str:
-    """Return an assignment, with a mesh named from the folder of the lesson."""
+    """Return an assignment with a mesh path relative to the lesson's folder."""
     path, _, value = assignment.partition("=")
     if path in ("scene", "mesh") and is_mesh(value):
         return f"{path}={_beside(value, folder, path)}"
@@ -262,7 +263,7 @@ def _beside(file: str, folder: Path, field: str) -> str:
 
 
 def _free(name: str, is_taken: Callable[[str], bool], ending: str = "") -> str:
-    """Return a name, with a number behind it if it is taken."""
+    """Return a name, with a number appended if it is taken."""
     number, found = 1, name + ending
     while is_taken(found):
         number += 1
@@ -271,7 +272,7 @@ def _free(name: str, is_taken: Callable[[str], bool], ending: str = "") -> str:
 
 
 def _with_lines(text: str, end: int, step: Sequence[str]) -> str:
-    """Insert lines after line `end` of a text, all of whose bytes stay."""
+    """Insert lines after line `end` of a text; keep all its bytes."""
     line_end = next((each for each in ("\r\n", "\n", "\r") if each in text), "\n")
     lines = re.split(r"(?<=\n)|(?<=\r)(?!\n)", text)
     head, tail = "".join(lines[:end]), "".join(lines[end:])
@@ -283,7 +284,7 @@ def _with_lines(text: str, end: int, step: Sequence[str]) -> str:
 
 
 def _following(lesson: Lesson, place: int) -> list[Document | str]:
-    """Return what the steps show that go on from the one before a place."""
+    """Return the states of the steps that continue the one before a place."""
     course = Course(lesson)
     found: list[Document | str] = []
     for number, step in enumerate(lesson.steps[place:], place):
@@ -292,5 +293,5 @@ def _following(lesson: Lesson, place: int) -> list[Document | str]:
         try:
             found.append(course.shown(number).document)
         except Refusal as error:
-            found.append(str(error.bound))  # it is wrong before and after
+            found.append(str(error.bound))  # it is faulty before and after
     return found

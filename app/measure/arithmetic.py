@@ -43,10 +43,10 @@ _PRECISIONS: dict[str, Precision] = {
 """The ways that are precisions of the model, which predicts their errors."""
 
 NO_POINTS = QT_TRANSLATE_NOOP(
-    "Measure", "no vertex is in front of the eye, so that there is nothing to measure"
+    "Measure", "no vertex is in front of the eye, so there is nothing to measure"
 )
 NOT_INSTALLED = QT_TRANSLATE_NOOP("Measure", "not installed")
-NOT_A_NUMBER = QT_TRANSLATE_NOOP("Measure", "answers NaN")
+NOT_A_NUMBER = QT_TRANSLATE_NOOP("Measure", "returns NaN")
 INFINITE = QT_TRANSLATE_NOOP("Measure", "overflows")
 
 

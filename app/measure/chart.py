@@ -55,7 +55,7 @@ _ACROSS = {
     "far": QT_TRANSLATE_NOOP("Measure", "far"),
     "fov": QT_TRANSLATE_NOOP("Measure", "vertical fov, degrees"),
     "distance": QT_TRANSLATE_NOOP("Measure", "distance from the origin"),
-    "up": QT_TRANSLATE_NOOP("Measure", "angle of up and view direction, degrees"),
+    "up": QT_TRANSLATE_NOOP("Measure", "angle between up and view direction, degrees"),
     "aspect": QT_TRANSLATE_NOOP("Measure", "aspect of the window"),
 }
 FROM_180 = QT_TRANSLATE_NOOP("Measure", "180 − vertical fov, degrees")

@@ -33,7 +33,7 @@ SAMPLES_A_PIXEL = 16
 """Sampling density: the largest error may lie between the centres of pixels."""
 
 NOTHING = QT_TRANSLATE_NOOP("Measure", "no edge of the scene's box is in the picture")
-PARALLEL = QT_TRANSLATE_NOOP("Measure", "all of the edge is equally far away: nothing is wrong")
+PARALLEL = QT_TRANSLATE_NOOP("Measure", "the whole edge is equally far away, so there is no error")
 
 
 class Edge(NamedTuple):

@@ -31,8 +31,8 @@ NONE_GOOD = QT_TRANSLATE_NOOP(
 )
 DEPTH = QT_TRANSLATE_NOOP(
     "Measure",
-    "At the target, {0} tells surfaces apart from {1} world units on with {2}; the finest,"
-    " {3} with {4}, from {5} on.",
+    "At the target, {0} with {2} separates surfaces at least {1} world units apart; the finest, "
+    "{3} with {4}, surfaces at least {5} apart.",
 )
 NOTHING = QT_TRANSLATE_NOOP("Measure", "Nothing could be measured: {0}.")
 

@@ -47,7 +47,7 @@ NEWER_RESULTS = QT_TRANSLATE_NOOP(
 )
 DAMAGED = QT_TRANSLATE_NOOP("Refusal", "{0}: is damaged: {1}.")
 MEASURED_ONLY = QT_TRANSLATE_NOOP(
-    "Measure", "{0} is measured only: the panes are not drawn with it."
+    "Measure", "{0} is only measured: the panes are not drawn with it."
 )
 COLUMNS = {
     "error_depth": QT_TRANSLATE_NOOP("Measure", "depth error (of 1)"),
@@ -60,8 +60,8 @@ COLUMNS = {
 }
 """Headings of the further columns whose names are not words."""
 SWEEP_NOTES = {
-    "near": QT_TRANSLATE_NOOP("Measure", "far is 4 near at least"),
-    "far": QT_TRANSLATE_NOOP("Measure", "near is far / 4 at most"),
+    "near": QT_TRANSLATE_NOOP("Measure", "far is at least 4 near"),
+    "far": QT_TRANSLATE_NOOP("Measure", "near is at most far / 4"),
 }
 """What a sweep changes besides its parameter, because near must be less than far."""
 _JUDGED = QT_TRANSLATE_NOOP(

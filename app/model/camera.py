@@ -37,7 +37,7 @@ Whole: TypeAlias = tuple[int, int, int]
 
 
 def _whole(*vectors: Vector) -> list[Whole]:
-    """Float64 vectors, exactly, as whole multiples of one common unit."""
+    """Write float64 vectors exactly, as whole multiples of one common unit."""
     ratios = [[part.as_integer_ratio() for part in vector] for vector in vectors]
     unit = max(below for vector in ratios for _, below in vector)  # they are all powers of two
     return [
@@ -59,7 +59,7 @@ def _cross(a: Whole, b: Whole) -> Whole:
 
 
 def _unit(exact: Whole) -> tuple[Fraction, ...]:
-    """The unit vector of an exact vector, each component to `double_double.BITS` bits."""
+    """Normalise an exact vector; each component has `double_double.BITS` bits."""
     square = _dot(exact, exact)
     unit = []
     for part in exact:
@@ -70,7 +70,7 @@ def _unit(exact: Whole) -> tuple[Fraction, ...]:
 
 
 class Orbit(NamedTuple):
-    """The camera's place as seen from its target.
+    """The camera's position relative to its target.
 
     Attributes
     ----------
@@ -80,7 +80,7 @@ class Orbit(NamedTuple):
         Angle above the target's horizon, from -90 to 90.
     distance : float
     roll_deg : float
-        Turn about the view direction, clockwise as the photographer sees the camera.
+        Rotation about the view direction, clockwise as the photographer sees it.
     """
 
     azimuth_deg: float
@@ -166,7 +166,7 @@ class Camera:
     def exact_view(
         self, point_world: Sequence[float | Fraction]
     ) -> tuple[Fraction, Fraction, Fraction]:
-        """View coordinates of a point to `double_double.BITS` bits, zero where they are zero."""
+        """View coordinates of a point to `double_double.BITS` bits, with exact zeros."""
         pairs = zip(point_world, self.eye, strict=True)
         return self.exact_along([Fraction(part) - Fraction(eye) for part, eye in pairs])
 
@@ -239,14 +239,14 @@ class Camera:
         elevation_deg = math.degrees(math.atan2(backward[1], horizontal))
         if horizontal > 1e-9:
             azimuth_deg = math.degrees(math.atan2(backward[0], backward[2]))
-        else:  # straight above or below: the picture's vertical is all that tells the azimuth
+        else:  # straight above or below: only the picture's vertical gives the azimuth
             toward = -math.copysign(1.0, backward[1])
             azimuth_deg = math.degrees(math.atan2(toward * upward[0], toward * upward[2]))
         level_right, level_upward, _ = _orbit_axes(azimuth_deg, elevation_deg)
         roll_deg = math.degrees(
             math.atan2(float(np.dot(upward, level_right)), float(np.dot(upward, level_upward)))
         )
-        if abs(roll_deg) < 1e-9:  # what the frame's rounding leaves of a level camera
+        if abs(roll_deg) < 1e-9:  # rounding errors of the frame of a level camera
             roll_deg = 0.0
         return Orbit(azimuth_deg, elevation_deg, self.distance, roll_deg)
 

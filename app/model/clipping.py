@@ -60,10 +60,10 @@ class ClippedSegments(NamedTuple):
     points_clip : (..., 2, 4) float64
         Its ends; a cut end satisfies its plane's equation exactly. NaN where nothing is visible.
     planes : (..., 2) int
-        Index in `PLANES` of the plane that cut each end, or `NOT_CUT`; for a segment that misses
-        the volume past an edge (`outside` all false), the two planes between which it passes.
+        Index in `PLANES` of the plane that cut each end, or `NOT_CUT`. For a segment that passes an
+        edge of the volume outside (`outside` all false), the two planes that meet there.
     outside : (..., 6) bool
-        Which of `PLANES` the whole segment lies beyond.
+        Whether the whole segment lies beyond each of `PLANES`.
     """
 
     visible: NDArray[np.bool_]
@@ -74,7 +74,7 @@ class ClippedSegments(NamedTuple):
 
 
 class ClippedPolygon(NamedTuple):
-    """The rest of a convex polygon, in its own order.
+    """The visible part of a convex polygon, in the original order.
 
     Attributes
     ----------
@@ -107,7 +107,7 @@ class EyeCut(NamedTuple):
 
 
 def _points(field: str, value: ArrayLike, size: int) -> Array:
-    """Finite points in rows of `size`."""
+    """Return finite points in rows of `size`."""
     try:
         given = np.asarray(value)
     except ValueError:  # rows of different lengths
@@ -129,7 +129,7 @@ def _points(field: str, value: ArrayLike, size: int) -> Array:
 
 
 def _chosen(planes: Iterable[str], depth: str) -> NDArray[np.bool_]:
-    """Which of `PLANES` are chosen, after a check of all names."""
+    """Check the names, and return which of `PLANES` are chosen."""
     if not isinstance(depth, str) or depth not in DEPTH_RANGES:
         raise Refusal("depth", depth, ONE_OF, ", ".join(DEPTH_RANGES))
     names = [planes] if isinstance(planes, str) else list(planes)
@@ -140,7 +140,7 @@ def _chosen(planes: Iterable[str], depth: str) -> NDArray[np.bool_]:
 
 
 def _refuse_opposite(field: str, starts: Array, ends: Array) -> None:
-    """Refuse ends p and -k p, which are one point of space, with no line between them.
+    """Refuse ends p and -k p: they are the same point of space, with no line between them.
 
     Scaled to their largest coordinate such ends round to opposite numbers.
     """
@@ -157,7 +157,7 @@ def _refuse_opposite(field: str, starts: Array, ends: Array) -> None:
 
 
 def _boundaries(points_clip: Array, depth: str) -> Array:
-    """The six sums of the module's table, (..., 6): negative beyond the plane, 0 on it."""
+    """Return the six sums of the module's table, (..., 6): negative beyond the plane, 0 on it."""
     x, y, z, w = np.moveaxis(points_clip, -1, 0)
     z_near, z_far = DEPTH_RANGES[depth]
     sign = math.copysign(1.0, z_far - z_near)
@@ -168,9 +168,9 @@ def _boundaries(points_clip: Array, depth: str) -> Array:
 def _cut(
     inside: Array, outside: Array, b_inside: Array, b_outside: Array, plane: str, depth: str
 ) -> Array:
-    """The points where segments cross a plane, (..., 4).
+    """Return the points where segments cross a plane, (..., 4).
 
-    They lie exactly on the plane, and the reversed segment has the same ones.
+    They lie exactly on the plane, and the reversed segment gives the same points.
     """
     total = (b_inside - b_outside)[..., None]
     points = (b_inside[..., None] / total) * outside + (-b_outside[..., None] / total) * inside
@@ -276,7 +276,7 @@ def _meets_exactly(start: Array, end: Array, depth: str, chosen: NDArray[np.bool
     for b_start, b_end, asked in zip(*sums, chosen, strict=True):
         if not asked or (b_start >= 0 and b_end >= 0):
             continue
-        t = b_start / (b_start - b_end)  # both negative have been told apart before
+        t = b_start / (b_start - b_end)  # ends that are both negative are excluded before
         low, high = (max(low, t), high) if b_start < 0 else (low, min(high, t))
     return low <= high
 
@@ -311,7 +311,7 @@ def clip_polygon(
             here, there = boundary[i], boundary[j]
             if here >= 0.0:
                 kept.append(points[i])
-                # A corner on the plane is itself where the polygon leaves.
+                # If a corner lies on the plane, the polygon leaves there.
                 kept_edges.append(plane if here == 0.0 and there < 0.0 else edge)
             if here > 0.0 > there:
                 kept.append(_cut(points[i], points[j], here, there, plane, depth))
@@ -325,7 +325,7 @@ def clip_polygon(
     return ClippedPolygon(points, tuple(edges))
 
 
-# --------------------------------------------------------------------------- lecture 004's way
+# --------------------------------------------------------------------------- lecture 004's method
 
 
 def cut_at_eye(starts_view: ArrayLike, ends_view: ArrayLike) -> EyeCut:

@@ -75,8 +75,9 @@ MAPPINGS = (*DEPTH_RANGES, "logarithmic")
 class DepthBuffer:
     """A depth buffer and the lens in front of it.
 
-    Its methods take arrays of any shape, and keep it. Distances are measured from the eye plane in
-    world units. The lens clips them to near and far: a distance elsewhere raises a `Refusal`.
+    Its methods take arrays of any shape and return the same shape. Distances are measured from the
+    eye plane in world units. The lens clips them to near and far: any other distance raises a
+    `Refusal`.
 
     Parameters
     ----------
@@ -88,8 +89,8 @@ class DepthBuffer:
     Raises
     ------
     Refusal
-        For an unknown name, and for a typed matrix; for a logarithmic mapping if far is infinite
-        or if depth is even in the distance.
+        For an unknown name, and for a typed matrix; for a logarithmic mapping if far is infinite or
+        if depth is linear in the distance.
     """
 
     format: str = "fixed24"
@@ -103,7 +104,7 @@ class DepthBuffer:
         ):
             if not isinstance(value, str) or value not in known:
                 raise Refusal(field, value, ONE_OF, ", ".join(known))
-        far = self.far  # a typed matrix has none, and refuses
+        far = self.far  # raises a refusal for a typed matrix
         if self.mapping == "logarithmic":
             if not self.lens.depth_slope:
                 raise Refusal("mapping", self.mapping, ONE_OF, ", ".join(DEPTH_RANGES))
@@ -117,7 +118,7 @@ class DepthBuffer:
 
     @property
     def far(self) -> float:
-        """Distance of the far plane, perhaps infinite."""
+        """Distance of the far plane; may be infinite."""
         return self.lens.far
 
     # -- from distance to code
@@ -129,7 +130,7 @@ class DepthBuffer:
     def encode(self, distance: ArrayLike) -> Codes:
         """The code of a distance: ``round(depth (2^bits - 1))``, or the bits of the nearest float.
 
-        Codes are ordered like depths: they fall with the distance if the mapping is reversed.
+        Codes are ordered like depths: they decrease with the distance if the mapping is reversed.
         """
         kind = FORMATS[self.format]
         depth = self.depth(distance)
@@ -140,12 +141,12 @@ class DepthBuffer:
         return np.asarray(depth).astype(kind.float_type).view(kind.code_type)
 
     def decode(self, code: ArrayLike) -> Array:
-        """The distance whose depth a code stores, to some ulp; inf for an infinite far plane.
+        """The distance that a code stands for, to a few ulp; inf for an infinite far plane.
 
         Raises
         ------
         Refusal
-            For a number that is not a code of depths 0 to 1 in this format.
+            For a number that is not a code in this format.
         """
         kind = FORMATS[self.format]
         codes = np.asarray(code)
@@ -173,13 +174,13 @@ class DepthBuffer:
             nearness, farness = (depth, rest) if self._is_reversed else (rest, depth)
             with np.errstate(divide="ignore"):
                 distance = self.lens.distance(farness, nearness)
-        # The ends themselves come back one rounding off; a distance beyond far is none.
+        # The ends come back with one rounding error, which must not lie beyond far.
         return np.asarray(np.clip(distance, near, far))
 
-    # -- what is lost
+    # -- resolution
 
     def gap(self, distance: ArrayLike) -> Array:
-        """How far behind a surface another one must be to get another code for certain.
+        """How far behind a surface another one must be to be certain of a different code.
 
         Some pairs that are closer collapse. inf if even a surface on the far plane may collapse.
         Just below a power of two in the depth, where the steps of a float change, the gap is that
@@ -188,7 +189,7 @@ class DepthBuffer:
         Notes
         -----
         A step s of the depth is ``w x/(1 - x)`` with ``x = s w (1/n - 1/f)``: for 24 bits and
-        far >> near this is ``w^2/(n 2^24)`` and a little.
+        far >> near this is slightly more than ``w^2/(n 2^24)``.
         """
         w = self._distances(distance)
         depth = self._depth(w)
@@ -200,16 +201,16 @@ class DepthBuffer:
             gap = w * np.expm1(step * self._log_span)
         else:
             gap = self.lens.gap(w, step)
-        with np.errstate(invalid="ignore"):  # inf - inf: a surface at infinity has none behind
+        with np.errstate(invalid="ignore"):  # inf - inf: nothing lies behind a surface at infinity
             return np.asarray(np.where(gap <= self.far - w, gap, np.inf))
 
     def collapsed_share(self, first: ArrayLike, second: ArrayLike) -> float:
-        """The counted share of pairs of surfaces that get the same code; 0 for no pairs."""
+        """Count the share of pairs of surfaces that get the same code; 0 for no pairs."""
         same = self.encode(first) == self.encode(second)
         return float(np.mean(same)) if same.size else 0.0
 
     def predicted_collapsed_share(self, first: ArrayLike, second: ArrayLike) -> float:
-        """The expected share of pairs that get the same code, wherever they lie between codes.
+        """The expected share of pairs with the same code, averaged over positions between codes.
 
         If the depths are d apart and the codes a step s, the probability is ``1 - d/s``, and 0 for
         d > s.
@@ -228,7 +229,7 @@ class DepthBuffer:
 
     @property
     def _log_span(self) -> float:
-        """``log(f/n)``, which keeps its digits if near is close to far."""
+        """``log(f/n)``, accurate also if near is close to far."""
         return math.log1p((self.far - self.near) / self.near)
 
     def _distances(self, value: ArrayLike) -> Array:
@@ -248,14 +249,14 @@ class DepthBuffer:
         return distances
 
     def _depth(self, w: Array) -> Array:
-        """The depth by the module's table."""
+        """The depth according to the module's table."""
         near = self.near
         if self.mapping == "logarithmic":
             return np.asarray(np.minimum(np.log1p((w - near) / near) / self._log_span, 1.0))
         return self.lens.depth(w, reverse=self._is_reversed)
 
     def _cells(self, depth: Array) -> tuple[Any, Any]:
-        """The mean width of the codes' cells at a depth, and by how much widths alternate.
+        """The mean width of the codes' cells at a depth, and the alternation of the widths.
 
         The [-1, 1] range rounds twice in a float format: to the steps of NDC and to those of the
         format. Where the steps of NDC are finer, half of them lie midway between two codes and are

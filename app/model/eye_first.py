@@ -1,7 +1,7 @@
-"""The passage of points through a lens with an eye plane, in closed form.
+"""Project points through a lens with an eye plane, in closed form.
 
-The eye is subtracted first. The formulas start from view coordinates, and divide by the distance
-from the eye plane last. `app.model.typed_cells` has the same methods for a typed matrix.
+The eye is subtracted first. The formulas start from view coordinates; the division by the distance
+from the eye plane comes last. `app.model.typed_cells` has the same methods for a typed matrix.
 """
 
 from __future__ import annotations
@@ -20,13 +20,13 @@ from app.model.object_transform import Placed
 from app.model.pipeline import HalfSpaces, Pipeline, Trace
 from app.model.refusal import Refusal
 
-_CHUNK = 16384  # larger blocks wake OpenBLAS's second thread, which fights a software renderer
-_LARGE_STRETCH = 2.0**24  # `Pipeline.stretch` up to which dot products of 75 bits will do
-_ABOVE_OFFSETS = 2.0**27  # added and taken away again, leaves the upper 27 bits of the offsets
+_CHUNK = 16384  # larger blocks start a second OpenBLAS thread, which slows a software renderer
+_LARGE_STRETCH = 2.0**24  # `Pipeline.stretch` up to which dot products of 75 bits suffice
+_ABOVE_OFFSETS = 2.0**27  # adding and subtracting it leaves the upper 27 bits of the offsets
 
 
 class EyeFirst:
-    """The passage through a `Central` or a `Parallel` lens."""
+    """Projects points through a `Central` or a `Parallel` lens."""
 
     frustum_sign = 1  # see `Projection.frustum_sign`
 
@@ -43,7 +43,7 @@ class EyeFirst:
 
     @property
     def stated_in(self) -> tuple[Array, Array]:
-        """Clip from the axes in which the lens is stated, and these axes from the eye, (4, 4)."""
+        """Clip from the lens's own axes, and these axes from the eye, (4, 4) each."""
         return self._of.clip_from_view, self._of.view_rotation
 
     @property
@@ -53,16 +53,16 @@ class EyeFirst:
 
     @property
     def w_of_z(self) -> tuple[float, float]:
-        """Factor and constant of w in z of clip space; factor 0 if points are divided already."""
+        """Factor and constant of w as a function of clip z; factor 0 after the divide."""
         (a, b), (c, d) = self._of.clip_from_view[2:, 2:]
         return c / a + 0.0, d - c * b / a
 
     # -- points in float64
 
     def view(self, world: Array, rest: Array | None = None) -> tuple[Array, Array]:
-        """View coordinates of points (n, 3), rounded once, (3, n), and what that cut off z, (n,).
+        """View coordinates (3, n) of points (n, 3), rounded once, and z's rounding error, (n,).
 
-        `rest` is what the points' own rounding cut off.
+        `rest` is the rounding error of the points themselves.
 
         Notes
         -----
@@ -106,11 +106,11 @@ class EyeFirst:
         return tuple(rows)
 
     def trace(self, world: Array, rest: Array | None = None) -> Trace:
-        """See `Projection.trace`; `rest` is what rounding to float64 cut off the points."""
+        """See `Projection.trace`; `rest` is the points' error of rounding to float64."""
         flat = world.reshape(-1, 3)
         left_over = None if rest is None else rest.reshape(-1, 3)
         count = len(flat)
-        # In one piece: the system hands out a large one many times as fast as several.
+        # One large block: the system allocates it many times faster than several.
         numbers = np.empty(13 * count)
         view, clip, ndc, image = (
             numbers[first * count : last * count].reshape(count, last - first)
@@ -128,7 +128,7 @@ class EyeFirst:
         return Trace._make(part.reshape(shape + part.shape[1:]) for part in traced)
 
     def _trace_block(self, traced: Trace, cut_off: Array | None) -> None:
-        """Fill in everything that follows from `world`, row by row, which is fast in numpy."""
+        """Compute everything that follows from `world`, row by row, which is fast in numpy."""
         of, lens = self._of, self._lens
         rows, rest = self.view(traced.world, cut_off)
         x, y, z = rows
@@ -151,7 +151,7 @@ class EyeFirst:
                 array[:, i] = column
         traced.depth[...] = depth
         in_front = np.greater(w, 0.0, out=traced.in_front)
-        for row in (right, down, z_ndc):  # pixels are finite only where x and y of the cube are
+        for row in (right, down, z_ndc):  # pixels are finite only where NDC x and y are
             in_front &= np.isfinite(row)
         if not in_front.all():
             for array in (traced.ndc, traced.image, traced.depth):
@@ -161,24 +161,23 @@ class EyeFirst:
         np.greater(distance, lens.far, out=beyond[1])
         np.greater(x_clip, w, out=beyond[3])
         np.greater(y_clip, w, out=beyond[5])
-        minus_w = np.negative(w, out=w)  # in its place: w is not needed any more
+        minus_w = np.negative(w, out=w)  # in place: w is no longer needed
         np.less(x_clip, minus_w, out=beyond[2])
         np.less(y_clip, minus_w, out=beyond[4])
 
     def view_of(self, offsets: Any) -> Any:
-        """View coordinates of offsets from the eye, (n, 3), in their own precision."""
+        """View coordinates of offsets from the eye, (n, 3), in the offsets' precision."""
         return offsets @ self._of.view_rotation.astype(offsets.dtype)[:3, :3].T
 
     def beyond(self, view: Any, clip: Any) -> tuple[Any, Any]:
-        """Which points, (n, 3) and (n, 4), lie before the near plane, and beyond the far one."""
+        """Whether points, (n, 3) and (n, 4), lie before the near plane and beyond the far plane."""
         number, distance = view.dtype.type, -view[:, 2]
         return distance < number(self._lens.near), distance > number(self._lens.far)
 
     def world_from_image(self, points: Array) -> Array:
         """See `Projection.world_from_image`."""
         of, depth = self._of, points[..., 2]
-        # The way from near and the way left to far, without a difference where the format has
-        # its digits.
+        # The shares of the way from near and to far, without a difference that would lose digits.
         gone, left_over = (1.0 - depth, depth) if self._reverse else (depth, 1.0 - depth)
         with np.errstate(divide="ignore", over="ignore"):
             distance = self._lens.distance(gone, left_over)
@@ -191,7 +190,7 @@ class EyeFirst:
         nowhere = ~(np.abs(x) + np.abs(y) + np.abs(distance) < BEYOND)
         if nowhere.any():
             raise Refusal("depth", float(depth[nowhere][0]), NO_POINT)
-        # With twice the digits, so that there and back together stay within 1e-15 of w.
+        # With twice the digits, so that a round trip stays within 1e-15 of w.
         view = [DoubleDouble(part, np.zeros_like(part)) for part in (x, y, -distance)]
         world = np.empty_like(points)
         for column, eye in enumerate(of.camera.eye):
@@ -204,7 +203,7 @@ class EyeFirst:
     # -- points in other arithmetics
 
     def coordinates(self, points: Placed) -> tuple[Sequence[DoubleDouble], Array]:
-        """The arguments of `clipped` for points (n, 3), with twice the digits, and their error."""
+        """The arguments of `clipped` for points (n, 3), with twice the digits, and their errors."""
         size = np.abs(points.offset(self._of.camera.eye).hi).sum(axis=0)
         view = self.view_double_double(points.world, points.rest)
         return view, 3.0 * dd.RELATIVE_ERROR * size + points.lost + dd.UNDERFLOW
@@ -247,20 +246,20 @@ class EyeFirst:
     def view_error(self) -> float:
         """Error of `trace`'s view coordinates before their final rounding.
 
-        Relative to the sum of the sizes of the offset from the eye; z includes what was cut off.
+        Relative to the sum of the sizes of the offset from the eye; z includes its rounding error.
         """
         return 2.0**-74 if self._of.stretch <= _LARGE_STRETCH else 2.0**-96
 
     @property
     def depth_terms(self) -> tuple[Array, Array]:
-        """The depth times w from the axes of `stated_in`, and the sizes of its terms, (4,) each."""
+        """The row of depth times w in the axes of `stated_in`, and its terms' sizes, (4,) each."""
         lens, reverse, near, far = self._lens, self._reverse, self._lens.near, self._lens.far
         if far == np.inf:
             row = (0.0, near) if reverse else (-1.0, -near)
         else:
             per_unit = lens.depth_scale(near, far, reverse=reverse) * (1.0 if reverse else -1.0)
             row = per_unit, per_unit * (far if reverse else near)
-        # A difference of distances, which are rounded once: by its own size.
+        # A difference of distances, rounded once: its error is relative to itself.
         return np.array((0.0, 0.0, *row)), np.zeros(4)
 
     # -- lines, and what is drawn
@@ -291,7 +290,7 @@ class EyeFirst:
     def dragged(
         self, trace: Trace, shift_px: tuple[float, float], *, along_ray: bool
     ) -> Array | None:
-        """The point that a picture was dragged to; see `app.picking.picking.dragged`."""
+        """The point whose picture was dragged there; see `app.picking.picking.dragged`."""
         (x_px, y_px), (right_px, down_px) = trace.image.tolist(), shift_px
         distance = -float(trace.view[2])
         if along_ray:
@@ -306,13 +305,13 @@ class EyeFirst:
 
     @property
     def order(self) -> tuple[Array, Array]:
-        """From the axes of `stated_in`: the order of points, and the limits of the depth.
+        """The depth order of points and the limits of the depth, in the axes of `stated_in`.
 
-        The order, (4,), gives a number that is smaller in front, times w. The limits, (k, 4), are
+        The order, (4,), gives a number times w that is smaller in front. The limits, (k, 4), are
         half-spaces between near and far: ``limit . (x, y, z, 1) >= 0`` inside.
         """
-        # Without the digits that the depth loses far away: -1/w, or the distance. Of a row c z + d
-        # that makes w, (-d z + c)/(c z + d) only falls with z.
+        # The depth loses digits far away, so use -1/w, or the distance. If the row c z + d makes w,
+        # (-d z + c)/(c z + d) only decreases with z.
         c, d = self._of.clip_from_view[3, 2:]
         limits = [(0.0, 0.0, -1.0, -self._lens.near)]
         if self._lens.far != np.inf:
@@ -320,20 +319,20 @@ class EyeFirst:
         return np.array((0.0, 0.0, 0.0 - d, c)), np.array(limits)
 
     def half_spaces(self, least_w: float) -> HalfSpaces:
-        """Half-spaces of OpenGL's clip space: between near and far, and w at least positive."""
+        """Half-spaces of OpenGL's clip space: between near and far, and w positive."""
         if not self._lens.central:
             return [((0.0, 0.0, 1.0, 0.0), 1.0), ((0.0, 0.0, -1.0, 0.0), 1.0)]
-        # By w itself: z and w have not enough digits left to compare if far/near is large.
+        # Compare w itself: if far/near is large, z and w have too few digits left.
         found: HalfSpaces = [((0.0, 0.0, 0.0, 1.0), -self._lens.near)]
         if self._lens.far != np.inf:
             found.append(((0.0, 0.0, 0.0, -1.0), self._lens.far))
         return found
 
     def nearer(self, share: float, length: float, least: float) -> tuple[float, float]:
-        """Change of z in clip space when things come nearer: a constant, and a factor of w.
+        """Change of clip z when things come nearer: a constant, and a factor of w.
 
-        They come nearer by a `share` of the distance, by a `length` if the lens has no eye, and
-        for a typed matrix by the `least` part of the depth range.
+        The change is a `share` of the distance, a `length` if the lens has no eye, and the `least`
+        part of the depth range for a typed matrix.
         """
         a, b = self._of.clip_from_view[2, 2:]
         # z_clip = a z + b with -z = w, so that b / (1 - share) for b is the depth at w (1 - share).

@@ -51,12 +51,12 @@ LEFT_OVER = QT_TRANSLATE_NOOP(
 
 
 def _refused(text: str, position: int, bound: Bound, figure: object) -> Refusal:
-    """The refusal of a text that stops being a formula at a position, counted from 0."""
+    """Refuse a text that is not a formula from a position on, counted from 0."""
     return Refusal("formula", text, bound, figure, position + 1)
 
 
 class Arithmetic(NamedTuple):
-    """How numbers are made, and functions called by name; the signs are Python's own."""
+    """The constructors of numbers, and the functions by name; operators are Python's own."""
 
     number: Callable[[Fraction], Any]
     call: Callable[[str, Sequence[Any]], Any]
@@ -77,40 +77,40 @@ FLOAT64 = Arithmetic(float, _no_function)
 
 @dataclass(frozen=True)
 class Formula:
-    """A formula, or a part of one; two are equal if their trees are."""
+    """A formula, or a part of one; formulas are equal if their trees are."""
 
     @cached_property
     def text(self) -> str:
-        """In the language itself, without needless brackets: ``2*n/(r - l)``."""
+        """The formula as text, without needless brackets: ``2*n/(r - l)``."""
         return _SOURCE.write(self)
 
     @property
     def parts(self) -> tuple[Formula, ...]:
-        """The formulas that it consists of."""
+        """The direct parts of the formula."""
         return ()
 
     def __iter__(self) -> Iterator[Formula]:
-        """The formula and all its parts, from the outside in."""
+        """Iterate over the formula and all its parts, from the outside in."""
         yield self
         for part in self.parts:
             yield from part
 
     @property
     def letters(self) -> tuple[str, ...]:
-        """The letters in it, each once."""
+        """The distinct letters of the formula."""
         return tuple(dict.fromkeys(part.name for part in self if isinstance(part, Letter)))
 
     def value(self, known: Mapping[str, Any], arithmetic: Arithmetic = EXACT) -> Any:
         """The value of the formula, or a KeyError for an unknown letter.
 
-        `known` has the value of every letter, and perhaps of whole terms by their text: ``r - l``
+        `known` holds the value of every letter, and perhaps of whole terms by their text: ``r - l``
         where a width is not the difference of its rounded sides, ``cot(fov/2)``.
         """
         return self.evaluate(known, arithmetic)
 
     @cached_property
     def evaluate(self) -> Evaluator:
-        """`value` as a function, which walks the tree only once."""
+        """Return `value` as a function that walks the tree only once."""
         raise NotImplementedError
 
     def where(self, terms: Mapping[str, Formula]) -> Formula:
@@ -327,7 +327,7 @@ class _Reader:
         return self._tokens[self._next]
 
     def _taken(self, *signs: str) -> str:
-        """Read the next token if it is one of these signs; its text, or an empty one."""
+        """Read the next token if it is one of these signs; return its text, else an empty one."""
         token = self._token
         if token.kind != "sign" or token.text not in signs:
             return ""
@@ -404,12 +404,12 @@ class _Reader:
 def _degree(formula: Formula, text: str) -> int:
     """The number of factors of the largest product, with all powers multiplied out.
 
-    Raises a `Refusal` above `LARGEST_DEGREE`: to evaluate such a formula could take for ever.
+    Raises a `Refusal` above `LARGEST_DEGREE`: evaluating such a formula could take forever.
     """
     below = [_degree(part, text) for part in formula.parts]
     if isinstance(formula, Power):
         found = below[0] * max(1, abs(formula.exponent))
-    elif isinstance(formula, Pair):  # a sum of quotients is one quotient of their product
+    elif isinstance(formula, Pair):  # a sum of quotients becomes one quotient over their product
         found = sum(below)
     else:
         found = 1
@@ -427,7 +427,7 @@ _IN_SUM, _IN_PRODUCT, _FACTOR, _BASE = 1, 2, 3, 4
 ARROW = "\u20d7"
 """Follows the letter of a vector: n is near, and n\u20d7 an axis."""
 OPEN, OVER, CLOSE = "{", "\u2044", "}"
-"""Surround and separate the parts of a stacked fraction; no formula contains them."""
+"""Delimiters of the parts of a stacked fraction; no formula contains them."""
 
 
 def stacked_fraction(above: str, below: str) -> str:
@@ -436,7 +436,7 @@ def stacked_fraction(above: str, below: str) -> str:
 
 
 class _Source:
-    """Writes the language itself; the other writers override what looks different."""
+    """Writes formulas in their own language; the other writers override the differences."""
 
     minus, minus_between, plus, space = "-", " - ", " + ", "*"
 
@@ -504,7 +504,7 @@ class _Plain(_Source):
 
 
 class _Stacked(_Plain):
-    """Writes stacked fractions; inside a fraction or a function they stay in one line."""
+    """Writes stacked fractions; those inside a fraction or a function stay on one line."""
 
     def __init__(self, symbols: Mapping[str, str]) -> None:
         super().__init__(symbols)

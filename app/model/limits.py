@@ -36,7 +36,7 @@ PLANES = (
 """The six planes of the view volume, in the order of `Trace.outside`."""
 
 LARGEST = 1e100
-"""Largest coordinate or distance: with `SMALLEST` no matrix overflows (2e205 * 1e100)."""
+"""Largest coordinate or distance: together with `SMALLEST`, no matrix overflows (2e205 * 1e100)."""
 SMALLEST = 1e-205
 """Smallest near distance, and smallest depth range of a parallel lens."""
 SMALLEST_WINDOW = 1e-200
@@ -48,7 +48,7 @@ SMALLEST_FIELD = 1e-90
 SMALLEST_OPENING = 1e-98
 """Smallest side of a frustum's window in units of near; less than that of `SMALLEST_FIELD`."""
 SMALLEST_CELL = 1e-75
-"""Smallest cell of a typed matrix but 0: a product of two is far from underflow."""
+"""Smallest nonzero cell of a typed matrix: a product of two is far from underflow."""
 LARGEST_INVERSE = 10**150
 """Largest cell of the inverse of a typed matrix, for the same reason."""
 BEYOND = 1e250
@@ -82,23 +82,23 @@ ONE_OF = QT_TRANSLATE_NOOP("Refusal", "must be one of {0}")
 FAR_BEYOND_NEAR = QT_TRANSLATE_NOOP("Refusal", "must be greater than near, which is {0}")
 RIGHT_OF_LEFT = QT_TRANSLATE_NOOP("Refusal", "must be greater than left, which is {0}")
 TOP_ABOVE_BOTTOM = QT_TRANSLATE_NOOP("Refusal", "must be greater than bottom, which is {0}")
-DISTINCT = QT_TRANSLATE_NOOP("Refusal", "is too close to {0} for float64 to tell apart")
+DISTINCT = QT_TRANSLATE_NOOP("Refusal", "is too close to {0} for float64 to tell the two apart")
 WIDER = QT_TRANSLATE_NOOP(
     "Refusal", "is too close to {0} for a plane as far from the eye as near is"
 )
-NO_POINT = QT_TRANSLATE_NOOP("Refusal", "is at infinity, where there is no point but a direction")
+NO_POINT = QT_TRANSLATE_NOOP("Refusal", "is at infinity, so it is a direction and not a point")
 INVERTIBLE = QT_TRANSLATE_NOOP("Refusal", "must have an inverse, but its rank is {0}")
 FOUR_BY_FOUR = QT_TRANSLATE_NOOP("Refusal", "must be four rows of four finite numbers")
 ZERO_OR_AT_LEAST = QT_TRANSLATE_NOOP("Refusal", "must be 0 or at least {0} in size")
 SMALL_INVERSE = QT_TRANSLATE_NOOP(
-    "Refusal", "must have an inverse that float64 can hold, and multiply"
+    "Refusal", "must have an inverse whose numbers and products float64 can hold"
 )
 OTHER_SIDE = {
     NEAR_BEFORE_FAR: ("far", FAR_BEYOND_NEAR),
     LEFT_BEFORE_RIGHT: ("right", RIGHT_OF_LEFT),
     BOTTOM_BEFORE_TOP: ("top", TOP_ABOVE_BOTTOM),
 }
-"""By the bound of one field, the opposite field and its bound.
+"""For the bound of one field, the opposite field and its bound.
 
 A lens cannot know which of the two fields was changed; callers that know use these.
 """
@@ -156,7 +156,7 @@ def between(field: str, value: Any, low: int, high: int) -> float:
     except Refusal as error:
         if error.bound == FINITE_NUMBER:
             raise
-        # Beyond all numbers, and so beyond these.
+        # Infinity is beyond every number, and so beyond these bounds.
         raise Refusal(field, error.value, BETWEEN, low, high) from None
     if not low < number < high:
         raise Refusal(field, number, BETWEEN, low, high)
@@ -199,7 +199,7 @@ def _cell(field: str, value: Any, smallest: float) -> float:
     number = finite(field, value)
     if number != 0.0 and abs(number) < smallest:
         raise Refusal(field, number, ZERO_OR_AT_LEAST, smallest)
-    return number + 0.0  # minus zero is a zero here: 0 typed is what is kept
+    return number + 0.0  # store 0 for minus zero
 
 
 def cos_sin_deg(angle_deg: float) -> tuple[float, float]:

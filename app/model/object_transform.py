@@ -35,9 +35,9 @@ FLATTENED = QT_TRANSLATE_NOOP(
 )
 
 LARGEST_SCALE = 1e30
-"""Largest size of a scale: times a coordinate up to `LARGEST` it does not overflow."""
+"""Largest scale: its product with a coordinate up to `LARGEST` does not overflow."""
 _ROUNDINGS = 6.0
-"""Roundings of the double-double sum that makes a coordinate, at most."""
+"""Most roundings in the double-double sum of a coordinate."""
 
 
 class Placed(NamedTuple):
@@ -48,9 +48,9 @@ class Placed(NamedTuple):
     world : (n, 3) array
         The nearest float64.
     rest : (n, 3) array or None
-        What rounding cut off; None if nothing.
+        The rounding error; None if there is none.
     lost : (n,) array
-        Bound of the error of both together, summed over the three coordinates.
+        Bound on the error of their sum, added over the three coordinates.
     """
 
     world: Array
@@ -63,12 +63,12 @@ class Placed(NamedTuple):
         return cls(world, None, np.zeros(len(world)))
 
     def part(self, which: slice) -> Placed:
-        """Some of the points."""
+        """Return some of the points."""
         rest = None if self.rest is None else self.rest[which]
         return Placed(self.world[which], rest, self.lost[which])
 
     def offset(self, origin: Sequence[float] | Array) -> DoubleDouble:
-        """Their offset from a point of the world, (3, n), without cancellation."""
+        """The offset of the points from a world point, (3, n), without cancellation."""
         offset = dd.two_sum(np.ascontiguousarray(self.world.T), -np.reshape(origin, (3, 1)))
         return offset if self.rest is None else dd.two_sum(offset.hi, offset.lo + self.rest.T)
 
@@ -166,7 +166,7 @@ class ObjectTransform:
 
     @cached_property
     def letters(self) -> dict[str, Fraction]:
-        """The values of the letters, sines and cosines to `double_double.BITS` bits."""
+        """The values of the letters; sines and cosines have `double_double.BITS` bits."""
         known: dict[str, Fraction] = {}
         for letter, vector in (("move", self.translate), ("size", self.scale)):
             known |= {
@@ -208,8 +208,8 @@ class ObjectTransform:
     def placed(self, points_object: Array) -> Placed:
         """Points (n, 3) of the object in the world.
 
-        Each coordinate is a sum of four double-double terms, so that an object far away keeps the
-        digits in which its points differ.
+        Each coordinate is a sum of four double-double terms, so that the points of a distant object
+        keep the digits in which they differ.
         """
         if self.is_identity:
             return Placed.at(points_object)

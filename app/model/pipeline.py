@@ -1,4 +1,4 @@
-"""A camera, a lens, an image and an object, and all matrices between them that are to be read."""
+"""A camera, a lens, an image and an object, and all displayed matrices between them."""
 
 from __future__ import annotations
 
@@ -58,9 +58,9 @@ class Trace(NamedTuple):
     depth : (...) float64
         What a depth buffer in [0, 1] would hold before quantising; NaN where `ndc` is.
     in_front : (...) bool
-        Where there is a picture: w > 0.
+        Whether there is a picture: w > 0.
     outside : (..., 6) bool
-        Which of `PLANES` the point lies beyond.
+        Whether the point lies beyond each of `PLANES`.
     """
 
     world: Array
@@ -85,7 +85,7 @@ class Stage(NamedTuple):
     factors : tuple of (str, (4, 4) array)
         Named factors whose product, in this order, is the matrix; empty for the identity.
     note : str
-        What is special about it for this lens; empty if nothing is.
+        A remark about the stage for this lens, or empty.
     """
 
     name: str
@@ -175,7 +175,7 @@ class Pipeline:
 
     @property
     def has_camera(self) -> bool:
-        """Whether the view is a camera's, and not a view matrix that somebody typed."""
+        """Whether the view belongs to a camera, and was not typed as a matrix."""
         return self.lens.own_view is None
 
     @cached_property
@@ -185,13 +185,13 @@ class Pipeline:
 
     @cached_property
     def axes(self) -> tuple[Axis, Axis]:
-        """The picture's x and y range on the near plane, after `keep`, without its rounding."""
+        """The picture's x and y range on the near plane, after `keep`, before rounding."""
         exact = self.lens.exact_window(Fraction(*self.image_size))
         return Axis.between(*exact[:2]), Axis.between(*exact[2:])
 
     @cached_property
     def stretch(self) -> float:
-        """How much the lens enlarges the rounding of view coordinates, in NDC; usually about 4.
+        """How much the lens magnifies rounding errors of view coordinates in NDC; usually about 4.
 
         A view coordinate is off by some 1e-16 of the point's distance from the eye. The stretch is
         the largest ratio of this distance to half the width or height of the picture there, times
@@ -203,13 +203,13 @@ class Pipeline:
 
     @cached_property
     def _letters(self) -> dict[str, float]:
-        """What the letters of the lens's table stand for, in float64."""
+        """The values of the letters of the lens's table, in float64."""
         z_near, z_far = self.depth_range
         return {**self.lens.letters(Fraction(*self.image_size)), "z_n": z_near, "z_f": z_far}
 
     @cached_property
     def exact_letters(self) -> dict[str, Fraction]:
-        """What the letters of every step after the view matrix stand for, in rationals."""
+        """The values of the letters of every step after the view matrix, in rationals."""
         width, height = map(Fraction, self.image_size)
         z_near, z_far = map(Fraction, self.depth_range)
         return {
@@ -285,10 +285,10 @@ class Pipeline:
 
     @cached_property
     def exact_from_eye(self) -> tuple[Rationals, Rationals]:
-        """View and clip from ``(p - eye, 1)``, before they are rounded.
+        """The matrices to view and clip space from ``(p - eye, 1)``, before rounding.
 
-        A typed view matrix may look from elsewhere. The eye is then just a point nearby: what it
-        and a point have in common is subtracted before anything is multiplied.
+        A typed view matrix may look from elsewhere. The eye is then only a nearby point: the digits
+        that it shares with a point are subtracted before any product.
         """
         if self.lens.own_view is None:
             view = self._exact_rotation
@@ -342,7 +342,7 @@ class Pipeline:
         return (first, self._view_stage, *rest)
 
     def staged(self, step: Step) -> Stage:
-        """A step of a table in this projection's numbers."""
+        """Return a step of a table in this projection's numbers."""
         letters: Mapping[str, Fraction] = self.exact_letters | self.placement.letters
         factors = [(name, evaluated(table, letters)) for name, table in step.factors]
         return _product(step.name, factors, step.note)
@@ -356,7 +356,7 @@ class Pipeline:
             ("translation", _shift(*(Fraction(-part) for part in self.camera.eye))),
         ]
         view = _product("view_from_world", factors)
-        # The product's zeros cancel to the last of the frame's bits only.
+        # The product's zeros cancel only to the last bit of the frame.
         for row, part in zip(view.exact, self.camera.exact_view((0.0, 0.0, 0.0)), strict=False):
             row[3] = part
         return view
@@ -377,7 +377,7 @@ class Pipeline:
     # -- points
 
     def placed(self, points: ArrayLike, space: Space = "world") -> Placed:
-        """Points (..., 3) of a space in the world, (n, 3), with twice the digits of float64.
+        """World coordinates, (n, 3), of points (..., 3), with twice the digits of float64.
 
         Raises a `Refusal` for a coordinate that is not a finite number, and for another space.
         """

@@ -97,7 +97,7 @@ from app.model.refusal import Refusal
 from app.model.tables import evaluated
 from app.model.typed_cells import TypedCells
 
-__all__ = [  # the other rooms import everything of the model from here
+__all__ = [  # the other packages import the model from here
     "AT_LEAST", "AT_MOST", "BETWEEN", "DEPTH_RANGES", "FINITE_NUMBER", "LARGEST",
     "LARGEST_IMAGE_PX", "LARGEST_SHEAR", "LENSES", "NOT_THE_EYE", "OBLIQUE_PRESETS", "ONE_OF",
     "PLANES", "THREE_NUMBERS", "WHOLE_PIXELS", "Array", "Camera", "DepthRange", "FreeMatrix",
@@ -109,20 +109,20 @@ __all__ = [  # the other rooms import everything of the model from here
 ]  # fmt: skip
 
 Passage: TypeAlias = EyeFirst | TypedCells
-"""The passage of points through a lens; both classes have the same methods."""
+"""Projects points through a lens; both classes have the same methods."""
 
 
 @dataclass(frozen=True)
 class Projection(Pipeline):
     """A camera, a lens, an image, a depth range and an object: everything a picture depends on.
 
-    A value that exists is a value that works; edits are made with `dataclasses.replace`.
-    `Pipeline` has its fields and the matrices that are read.
+    Every instance is valid; edits use `dataclasses.replace`. `Pipeline` has the fields and the
+    displayed matrices.
     """
 
     @property
     def passage(self) -> Passage:
-        """The passage of points through the lens; made anew, to avoid a reference cycle."""
+        """The object that projects points; a new one each time, to avoid a reference cycle."""
         return EyeFirst(self) if self.lens.planes is not None else TypedCells(self)
 
     @property
@@ -132,7 +132,7 @@ class Projection(Pipeline):
 
     @property
     def shear(self) -> tuple[float, float]:
-        """``cot(alpha), cot(beta)`` of an oblique lens, 0 and 0 of the others."""
+        """``cot(alpha), cot(beta)`` of an oblique lens, else 0 and 0."""
         return self.lens.shear
 
     # -- matrices, with the eye subtracted first
@@ -140,13 +140,13 @@ class Projection(Pipeline):
     def clip_from_world_at(self, origin: ArrayLike) -> Array:
         """`clip_from_world` for points given relative to a world point `origin`, (4, 4).
 
-        The origin meets the eye in float64 before anything is multiplied, so that a scene at 1e9
-        loses no digit.
+        The eye is subtracted from the origin in float64 before any product, so that a scene at 1e9
+        loses no digits.
         """
         return self.clip_from_local(origin)
 
     def clip_from_local(self, origin: ArrayLike, space: Space = "world") -> Array:
-        """Clip from points relative to `origin`, in the world or of the object, (4, 4)."""
+        """The matrix to clip space from world or object points relative to `origin`, (4, 4)."""
         return read_only(self.clip_from_eye @ self.local_to_eye(origin, space))
 
     def local_to_eye(self, origin: ArrayLike, space: Space = "world") -> Array:
@@ -175,7 +175,8 @@ class Projection(Pipeline):
         """The sign of w at all eight un-projected corners of the cube; 0 for no frustum.
 
         A lens always has a frustum, perhaps with far corners at infinity. A typed matrix has none
-        if it has no inverse, if this is too large to be drawn, or if its volume reaches infinity.
+        if its inverse does not exist or is too large to be drawn, or if its volume reaches
+        infinity.
         """
         return self.passage.frustum_sign
 
@@ -219,7 +220,7 @@ class Projection(Pipeline):
     # -- the same picture with another lens
 
     def with_depth(self, depth: DepthRange) -> Projection:
-        """The same view volume and picture in another depth range."""
+        """Return the same view volume and picture in another depth range."""
         if depth == self.depth:
             return self
         changed = replace(self, depth=depth)
@@ -227,12 +228,12 @@ class Projection(Pipeline):
         return changed if lens is self.lens else replace(changed, lens=lens)
 
     def with_lens(self, kind: str) -> Projection:
-        """Change the kind of lens, which is one of `kinds`, with little change of the picture.
+        """Change the kind of lens to one of `kinds`, changing the picture as little as possible.
 
         Near, far and `keep` stay if the new lens can have them. Between perspective lenses the
         window on the near plane stays, and so does the whole picture; otherwise the picture of the
-        plane through the target stays. A typed matrix starts with the cells of the lens, and goes
-        back to that lens.
+        plane through the target stays. A typed matrix starts with the cells of the lens, and
+        returns to that lens.
         """
         if kind not in kinds():
             raise Refusal("kind", kind, ONE_OF, ", ".join(kinds()))
@@ -247,11 +248,11 @@ class Projection(Pipeline):
         return replace(self, lens=LENSES[kind].showing(seen))
 
     def with_eye(self) -> Projection:
-        """The same camera with a lens whose projectors meet in the eye: its own, if they do."""
+        """Return the same camera with a lens whose projectors meet in the eye: its own, if so."""
         return self if self.lens.central else self.with_lens("perspective")
 
     def between(self, near: float, far: float) -> Projection:
-        """The same view volume and picture between other near and far planes.
+        """Return the same view volume and picture between other near and far planes.
 
         Raises a `Refusal` for planes that the lens cannot have, and for a typed matrix.
         """
@@ -260,11 +261,11 @@ class Projection(Pipeline):
     def matrices_between(self, near: float, far: float) -> tuple[Array, Array]:
         """`clip_from_view` and `view_from_clip` of `between`, in the reversed depth range.
 
-        Only the rows of the depth change. So these matrices exist also for planes between which
-        the window of a lens would overflow or vanish, and for far = inf of a central lens. A typed
-        matrix, which has no planes, raises a `Refusal`.
+        Only the depth rows change, so these matrices also exist for planes between which the window
+        of a lens would overflow or vanish, and for far = inf of a central lens. A typed matrix,
+        which has no planes, raises a `Refusal`.
         """
-        left, right, bottom, top = self.window  # which a typed matrix does not have
+        left, right, bottom, top = self.window  # a typed matrix has no planes
         depth, back = _depth_rows(self.lens.table_to(far), near, far)
         clip_from_view, view_from_clip = self.clip_from_view.copy(), self.view_from_clip.copy()
         clip_from_view[2], view_from_clip[2:] = depth, back
@@ -276,7 +277,7 @@ class Projection(Pipeline):
         return clip_from_view, view_from_clip
 
     def with_intrinsics(self, intrinsics: Intrinsics) -> Projection:
-        """The same camera with the lens of a calibrated one, in pixels of this image.
+        """Return the same camera with the lens of a calibrated camera, in pixels of this image.
 
         It is a `Perspective` lens if the pixels are square and the axis is in the middle of the
         image, and a `Frustum` otherwise; near and far stay. Raises a `Refusal` for a focal length
@@ -301,7 +302,7 @@ class Projection(Pipeline):
         return replace(self, lens=Frustum(left, right, bottom, top, near, far))
 
 
-@lru_cache(maxsize=16)  # the parts that are drawn of one volume, which most edits leave alone
+@lru_cache(maxsize=16)  # the drawn parts of one volume, which most edits do not change
 def _depth_rows(table: LensTable, near: float, far: float) -> tuple[Array, Array]:
     """Row z of `clip_from_view`, (4,), and rows z and w of its inverse, (2, 4), reversed range."""
     assert table.view_from_clip is not None

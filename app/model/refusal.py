@@ -1,4 +1,4 @@
-"""Refusals: the one sentence, with field, value and bound, that tells why something is refused.
+"""Refusals: one sentence with field, value and bound that says why something is refused.
 
 The core knows no Qt. It marks its sentences with `QT_TRANSLATE_NOOP`, which lupdate finds; the
 widgets first translate a template and then fill it in.
@@ -29,14 +29,14 @@ def QT_TRANSLATE_NOOP(_context: str, text: str) -> str:
 
 THE_DOCUMENT = QT_TRANSLATE_NOOP("Refusal", "The document")
 SHOWN_DIGITS = 6
-"""Digits of a bound, and of a value that was dragged by hand."""
+"""Displayed digits of a bound, and of a dragged value."""
 _SHOWN = 100
 _LONGEST_WRITTEN = 60
 _LONGEST_FILE = 200
 
 
 class Refusal(ValueError):
-    """A value of the model, or a part of a document, a file or a scene, that cannot be used.
+    """An invalid value of the model, or an invalid part of a document, a file or a scene.
 
     Parameters
     ----------
@@ -63,7 +63,7 @@ class Refusal(ValueError):
     def in_document(
         cls, bound: Bound, *limits: object, field: str = "", value: object = ..., file: str = ""
     ) -> Refusal:
-        """Refuse a document or a file; the value is shown as the document writes it."""
+        """Refuse a document or a file; the value is written as in the document."""
         return cls(field, value, bound, *limits, file=file)
 
     @classmethod
@@ -129,9 +129,9 @@ def format_value(value: object) -> str:
 
 
 def shown_limits(limits: Iterable[object], value: object) -> tuple[object, ...]:
-    """Limits for a reader: with six digits, unless the refused value would satisfy these.
+    """Round limits to six digits, unless the refused value would satisfy the rounded ones.
 
-    Words stay as they are, and so do the texts of numbers if the refused value is not a number.
+    Words do not change, nor do the texts of numbers if the refused value is not a number.
     """
     return tuple(_shown_limit(limit, value) for limit in limits)
 
@@ -146,7 +146,7 @@ def _shown_limit(limit: object, value: object) -> object:
 
 
 def six_digits(error: Refusal) -> Refusal:
-    """A refusal of a dragged value, which is also shown with six digits.
+    """Return the refusal of a dragged value with the value, too, rounded to six digits.
 
     The value keeps all its digits if six would put it on the other side of a limit.
     """
@@ -163,7 +163,7 @@ def _six_digits(value: Any) -> Any:
 
 
 def _limit_number(limit: Any) -> Any:
-    """The number that a limit is, or whose text it is; a word stays."""
+    """Return the number that a limit is or writes; a word stays a word."""
     try:
         return float(limit) if isinstance(limit, (float, str)) else limit
     except ValueError:
@@ -180,12 +180,12 @@ def _sides(value: object, limit: Any) -> list[tuple[bool, bool]]:
 
 
 def _cut(text: str) -> str:
-    """A text, cut to the length that a sentence can hold."""
+    """Cut a text to a length that fits into a sentence."""
     return text if len(text) <= _SHOWN else text[: _SHOWN - 3] + "..."
 
 
 def _as_written(value: object) -> str:
-    """A refused value as a document writes it, cut to what a sentence can hold."""
+    """Write a refused value as in a document, cut to a length that fits into a sentence."""
     if value is None or isinstance(value, bool):
         return json.dumps(value)
     if isinstance(value, (list, tuple)):
@@ -201,5 +201,5 @@ def _as_written(value: object) -> str:
 
 
 def shown_name(name: str) -> str:
-    """A name as it is, or quoted if it has control characters."""
+    """Return a name, quoted if it has control characters."""
     return name if name.isprintable() else repr(name)

@@ -56,8 +56,8 @@ def inverse(field: str, matrix: Rationals) -> Rationals:
 class Step(NamedTuple):
     """One step of the pipeline as the lectures write it; compare `app.model.pipeline.Stage`.
 
-    The product of the named `factors`, in their order, is the step; without factors it is the
-    identity. The `note` is marked for translation.
+    The step is the product of the named `factors`, in order; without factors it is the identity.
+    The `note` is marked for translation.
     """
 
     name: str
@@ -71,7 +71,7 @@ SCALED_BY_NEAR = QT_TRANSLATE_NOOP(
 )
 
 TO_PYRAMID = "canonical_perspective_from_view"
-"""The first step of a lens whose projectors meet in an eye."""
+"""The name of the first step of a lens whose projectors meet in the eye."""
 
 DEPTH_RANGE = Step(
     "depth_range_from_canonical_parallel",  # lecture 001's M_z, for any range
@@ -96,7 +96,7 @@ DEPTH_RANGE = Step(
         ),
     ),
 )
-"""From z = 0 at near and -1 at far to the depth range's ends, z_n at near and z_f at far."""
+"""Maps z = 0 at near and -1 at far to the depth range's ends, z_n and z_f."""
 
 VIEWPORT = Step(
     "image_from_ndc",  # lecture 002's
@@ -121,4 +121,4 @@ VIEWPORT = Step(
         ),
     ),
 )
-"""To pixels of an image W wide and H high, and to a depth that is 0 at the lower of z's ends."""
+"""Maps to pixels of an image W wide and H high, and to a depth that is 0 at the lower end of z."""

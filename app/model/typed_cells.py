@@ -1,4 +1,4 @@
-"""The passage of points through a typed matrix: its cells, after the eye is subtracted."""
+"""Project points through a typed matrix: apply its cells after subtracting the eye."""
 
 from __future__ import annotations
 
@@ -17,11 +17,11 @@ from app.model.refusal import Refusal
 from app.model.tables import rounded
 
 RAY_REACH = 10.0
-"""Length of a drawn ray to infinity, in distances of the target."""
+"""Length of a drawn ray to infinity, in units of the target's distance."""
 
 
 class TypedCells:
-    """The passage through a `FreeMatrix`; `EyeFirst` documents the methods."""
+    """Projects points through a `FreeMatrix`; `EyeFirst` documents the methods."""
 
     view_error = 0.0
     w_of_z = 0.0, 1.0
@@ -222,4 +222,4 @@ class TypedCells:
         return [*depth, ((0.0, 0.0, 0.0, 1.0), -least_w)]
 
     def nearer(self, share: float, length: float, least: float) -> tuple[float, float]:
-        return 0.0, -least  # it has no eye: the same step of depth for all
+        return 0.0, -least  # a typed matrix has no eye: the same step of depth for all points

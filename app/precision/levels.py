@@ -1,11 +1,11 @@
-"""Arithmetic precisions: how exactly points are projected, and bounds of the errors.
+"""Arithmetic precisions for projecting points, and bounds on their errors.
 
 ==========  =================================================================================
 float32     as on a GPU: the concatenated matrix and the points rounded to 24 bits
 float64     `Projection.trace`: eye first, closed form
-exact       double-double with a running error bound, rounded once; rationals where the bound
-            does not decide the rounding. Every number is within 0.5001 ulp of the true value
-==========  =================================================================================
+exact       double-double with a running error bound, rounded once; rationals where the bound does
+not decide the rounding. Every number is within 0.5001 ulp of the true value ==========
+=================================================================================
 
 The error of a precision is bounded before anything is computed, from the roundings of its
 operations (Higham, Accuracy and Stability of Numerical Algorithms, 3.1) and the sizes of the
@@ -46,26 +46,26 @@ READING_TOLERANCE_DEPTH = 1e-12
 _UNIT_32, _UNIT_64 = 2.0**-24, 2.0**-53
 _LARGEST_32, _LEAST_32 = 2.0**127, 2.0**-126  # the largest with room for a sum
 _CHUNK = 8192
-_CERTAIN = 2.0**-16  # of an ulp: a bound below it leaves no doubt worth a rational
+_CERTAIN = 2.0**-16  # of an ulp: below this bound, computing with rationals is not worthwhile
 _ROUNDED_UP = 1.0 + 2.0**-10  # for products of roundings, and for those of the bounds themselves
 
 
 class Prediction(NamedTuple):
-    """Bounds of a precision's largest errors: of x or y in pixels, and of the depth in [0, 1]."""
+    """Bounds on a precision's largest errors: of x or y in pixels, and of the depth in [0, 1]."""
 
     px: float
     depth: float
 
 
 class Reference(NamedTuple):
-    """The true image and depth of points, with which other arithmetics are compared.
+    """The true image and depth of points, the reference for other arithmetics.
 
     Attributes
     ----------
     numbers : (n, 3) float64 array
         x and y in pixels and depth, by the exact precision; NaN where there is no picture.
     rests : (n, 3) float64 array
-        What its rounding cut off.
+        The rounding error of `numbers`.
     """
 
     numbers: Array
@@ -73,7 +73,7 @@ class Reference(NamedTuple):
 
     @classmethod
     def of(cls, projection: Projection, points: ArrayLike, space: Space = "world") -> Reference:
-        """The reference of points (n, 3) of a space."""
+        """Return the reference of points (n, 3) of a space."""
         with np.errstate(all="ignore"):
             numbers, rests, _ = _exact_numbers(projection, points, space)
         numbers[~(numbers[:, 6] > 0.0)] = np.nan
@@ -98,7 +98,7 @@ def predict(
     origin: Vector = (0.0, 0.0, 0.0),
     space: Space = "world",
 ) -> dict[Precision, Prediction] | None:
-    """Bound every precision's largest error over points, from the roundings of its operations.
+    """Bound the largest error of every precision over points, from the roundings of its operations.
 
     Parameters
     ----------
@@ -149,9 +149,9 @@ class _Bounds:
         roundings = np.array(lens.roundings)[:, None]
         cells = np.maximum(sizes, np.abs(self._rows))
         by_distance = np.column_stack([cells[:, :3].sum(axis=1), cells[:, 3]])
-        # Rows: the loss of float64 in each numerator, that of the product in `of`, and the least
-        # certain w. Columns: the view, the depth's numerator, the distance from the eye, 1, and
-        # the error of the points themselves.
+        # Rows: the error of float64 in each numerator, that of the product in `of`, and the least
+        # certain w. Columns: the view, the depth's numerator, the distance from the eye, 1, and the
+        # error of the points themselves.
         self._weights = np.zeros((8, 7))
         self._weights[:4, [0, 1, 2, 5]] = _UNIT_64 * roundings * sizes
         self._weights[2, 3] = _UNIT_64 * roundings[2, 0]
@@ -197,7 +197,7 @@ class _Bounds:
         largest = quotients.max(axis=1)
         lost = _lost_single(self._single, local)
         single = _divided(self._projection, quotients, w, lost, _UNIT_32) + _LEAST_32
-        if not largest.max() < 2.0**110:  # beyond what float32 holds once it is in pixels
+        if not largest.max() < 2.0**110:  # overflows float32 in pixels
             single = np.full(3, math.inf)
         double = _divided(self._projection, quotients, w, weighed[:4], _UNIT_64)
         width, height = self._projection.image_size
@@ -259,7 +259,7 @@ def _on_the_screen(projection: Projection, off: Array, unit: float) -> Array:
 def _single_sizes(projection: Projection, local_to_eye: Array) -> Array:
     """Sizes of the cells of a GPU's matrix, (4, 4): rows x, y, depth and w, for `_lost_single`.
 
-    They include the float64 errors of the cells, as 2^-27 of the terms of their sums.
+    They include the float64 errors of the cells: 2^-27 of the terms of their sums.
     """
     cells, axes = projection.passage.stated_in
     summed = projection.lens.cell_sizes(cells) @ np.abs(axes) @ np.abs(local_to_eye)
@@ -303,7 +303,7 @@ def drawing_bounds_px(
     ----------
     projection : Projection
     boxes : (n, 8, 3) array
-        Each must contain its things completely: an edge may be as wrong as either of its ends.
+        Each must contain its objects completely: an edge may be as wrong as either of its ends.
     origin : Vector
         Point from which the GPU's vertices are measured.
     space : {"world", "object"}
@@ -350,7 +350,7 @@ def _least_w_seen(clip: Array, sizes: Array) -> Array:
 
 
 def precision_for_reading(predictions: Mapping[Precision, Prediction] | None) -> Precision:
-    """The precision of displayed numbers: float64 if it is good enough, else exact."""
+    """Return the precision of displayed numbers: float64 if it is good enough, else exact."""
     if predictions is None:
         return "float64"
     px, depth = predictions["float64"]
@@ -376,7 +376,7 @@ def trace(
     Raises
     ------
     Refusal
-        For coordinates that are not finite numbers, or another precision.
+        For coordinates that are not finite numbers, or an unknown precision.
     """
     if precision not in PRECISIONS:
         raise Refusal("rung", precision, ONE_OF, ", ".join(PRECISIONS))
@@ -449,7 +449,7 @@ def _trace_float32(
 
 
 def _finish(*parts: Any) -> tuple[Any, ...]:
-    """View, clip, NDC, image, depth as float64; NaN where there is no picture."""
+    """Return view, clip, NDC, image, depth as float64; NaN where there is no picture."""
     *numbers, in_front, outside = parts
     view, clip, ndc, image, depth = (np.array(part, dtype=np.float64) for part in numbers)
     for array in (ndc, image, depth):
@@ -461,7 +461,7 @@ def _finish(*parts: Any) -> tuple[Any, ...]:
 
 
 def _divide(projection: Projection, clip: list[Any]) -> list[Any]:
-    """NDC, image and depth, 3 + 2 + 1, from clip coordinates that have a w."""
+    """Return NDC, image and depth, 3 + 2 + 1, from clip coordinates with w > 0."""
     x, y, z, w = clip
     x_ndc, y_ndc, z_ndc = x / w, y / w, z / w
     depth = z_ndc
@@ -473,7 +473,7 @@ def _divide(projection: Projection, clip: list[Any]) -> list[Any]:
 
 @dataclass(frozen=True)
 class _Bounded:
-    """A double-double array with a bound of its absolute error, usable like a number."""
+    """A double-double array with a bound on its absolute error, usable like a number."""
 
     value: DoubleDouble
     error: Array
@@ -511,7 +511,7 @@ class _Bounded:
 
 
 def _bounded(number: Any) -> _Bounded:
-    """An exact scalar as an array without dimensions."""
+    """Convert an exact scalar to an array without dimensions."""
     if isinstance(number, _Bounded):
         return number
     hi, lo = dd.from_exact(Fraction(number))
@@ -529,7 +529,7 @@ def _trace_exact(projection: Projection, points: ArrayLike, space: Space) -> tup
 def _exact_numbers(
     projection: Projection, points: ArrayLike, space: Space
 ) -> tuple[Array, Array, Any]:
-    """View 3, clip 4, NDC 3, image 2, depth; what rounding cut off the last 3; outside 6."""
+    """Columns: view 3, clip 4, NDC 3, image 2, depth; rounding errors of the last 3; outside 6."""
     placed = projection.placed(points, space)
     given = np.asarray(points, dtype=np.float64).reshape(-1, 3)
     numbers, rests = np.empty((len(given), 13)), np.empty((len(given), 3))
@@ -558,7 +558,7 @@ def _exact_numbers(
 def _trace_rational(
     projection: Projection, point: Sequence[float | Fraction]
 ) -> tuple[list[float], list[float], list[bool]]:
-    """One point of `_exact_numbers` in rationals, each number rounded once."""
+    """Compute one point of `_exact_numbers` in rationals, each number rounded once."""
     passage = projection.passage
     first = passage.clipped(*passage.exact_coordinates(point))
     w = first[6]

@@ -1,4 +1,4 @@
-"""The chosen quality of a document's panes.
+"""The drawing quality that the user chose for a document.
 
 By default everything is automatic: the cheapest arithmetic that is exact enough, smooth edges at
 rest, all triangles, and the depth buffer of the graphics card. A choice, usually a point in a chart
@@ -33,7 +33,7 @@ _CHOICES = {
 
 @dataclass(frozen=True)
 class Quality:
-    """The chosen quality; a default is automatic.
+    """The chosen quality; default values mean automatic.
 
     Parameters
     ----------
@@ -42,9 +42,9 @@ class Quality:
     smoothing : one of `SMOOTHINGS`
         Only for panes; figures are always averaged.
     detail : float
-        Share of the scene's triangles that is drawn, from `LEAST_DETAIL` to 1.
+        Drawn share of the scene's triangles, from `LEAST_DETAIL` to 1.
     depth_format : name in `app.model.depth.FORMATS`, or empty
-        Empty for the graphics card's own, or ``"fixed24"`` if there is a mapping.
+        Empty for the graphics card's own, or for ``"fixed24"`` if there is a mapping.
     depth_mapping : name in `app.model.depth.MAPPINGS`, or empty
         Empty for the projection's own depth range.
 
@@ -76,7 +76,7 @@ class Quality:
         return {name: value for name, (value, default) in values.items() if value != default}
 
     def tolerance_px(self, tolerance_px: float) -> float:
-        """The error up to which float32 draws: any, none, or the given one."""
+        """Return the error up to which float32 draws: infinite, 0, or the given one."""
         return {"float32": math.inf, "float64": 0.0}.get(self.rung, tolerance_px)
 
     @property
@@ -85,7 +85,7 @@ class Quality:
         return bool(self.depth_format or self.depth_mapping)
 
     def depth_buffer(self, projection: Projection) -> DepthBuffer:
-        """The chosen depth buffer of a projection's lens, or a `Refusal` if it cannot have it."""
+        """Return the chosen depth buffer; raise a `Refusal` if the lens cannot have it."""
         mapping = self.depth_mapping or projection.depth
         try:
             return DepthBuffer(self.depth_format or "fixed24", mapping, projection.lens)

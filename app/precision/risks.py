@@ -1,4 +1,4 @@
-"""The sentences of the health line: what the present numbers put at risk."""
+"""The sentences of the health line: risks of the present numbers."""
 
 from __future__ import annotations
 
@@ -38,18 +38,19 @@ LARGE_INVERSE = QT_TRANSLATE_NOOP(
     "Health", "The free matrix is too nearly singular: no frustum is drawn"
 )
 REACHES_INFINITY = QT_TRANSLATE_NOOP(
-    "Health", "The free matrix' view volume reaches infinity: no frustum is drawn"
+    "Health", "The free matrix's view volume reaches infinity: no frustum is drawn"
 )
 VTK_CLAMPS = QT_TRANSLATE_NOOP("Health", "VTK's own camera would clamp the field of view to {0}°")
 VTK_DROPS = QT_TRANSLATE_NOOP(
     "Health",
-    "The scene is {0} times as large as near: VTK by itself drops what is near from 1e7 on",
+    "The scene is {0} times as large as the near distance: from 1e7 on, VTK alone does not draw "
+    "what is near",
 )
 
-_GAP = 1e-3  # of the scene's size: surfaces nearer to each other than this are drawn
-_SEEN_PX = 0.5  # an error that lights another pixel
+_GAP = 1e-3  # of the scene's size: surfaces closer together than this are drawn
+_SEEN_PX = 0.5  # an error that changes another pixel
 _LARGEST_VTK_FOV_DEG, _SMALLEST_VTK_FOV_DEG = 179.0, 1e-8
-_VTK_DROPS_FROM = 1e6  # of extent over near: told before it happens
+_VTK_DROPS_FROM = 1e6  # ratio of extent to near: the warning comes before the effect
 
 
 class Risk(NamedTuple):
@@ -78,7 +79,7 @@ def risks(
     drawing_px: float,
     predictions: Mapping[Precision, Prediction] | None,
 ) -> list[Risk]:
-    """The risks of the present numbers, the worst first.
+    """Return the risks of the present numbers, worst first.
 
     Parameters
     ----------
@@ -122,7 +123,7 @@ def risks(
 
 
 def _decimals(error: float) -> str:
-    """The number of certain decimals of a number with this error."""
+    """Return the number of certain decimals of a number with this error."""
     if error == math.inf:
         return "0"
     return str(max(0, math.floor(-math.log10(2.0 * error))))

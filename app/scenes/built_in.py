@@ -33,6 +33,8 @@ from app.scenes.shapes import (
 
 Parts: TypeAlias = tuple[Coloured, Coloured, Projection]
 """Faces, lines, and the projection with which the scene opens."""
+NAMES = ("eye", "near", "far", "x", "y", "z")
+"""The things that the pictures of these scenes, and of the user's meshes, name."""
 TRIES = {
     "letter-f": (
         QT_TRANSLATE_NOOP("phenomena", "Drag the near plane towards the F."),

@@ -35,7 +35,7 @@ from app.model.projection import (
     Vector,
 )
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
-from app.scenes.built_in import BUILDERS, TRIES, TRIES_OF_A_MESH
+from app.scenes.built_in import BUILDERS, NAMES, TRIES, TRIES_OF_A_MESH
 from app.scenes.finishing import Finished, vector
 from app.scenes.mesh import Colours, Progress, open_mesh, report
 from app.scenes.mesh_files import ENDINGS as ENDINGS
@@ -173,6 +173,11 @@ class Scene:
     def leading(self) -> str:
         """The pane that shows the scene best."""
         return "world" if self.phenomenon is None else self.phenomenon.leading
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """The ids of the things that its pictures name, unless the document says others."""
+        return NAMES if self.phenomenon is None else self.phenomenon.names
 
     @property
     def tries(self) -> tuple[str, ...]:

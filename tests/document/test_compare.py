@@ -10,9 +10,10 @@ import numpy as np
 import pytest
 
 from app.document.codec import parse, to_json
-from app.document.compare import Held, Picture, differences
+from app.document.compare import Held, Picture, Written, differences, names_in
 from app.document.document import Document
-from app.document.settings import compared, name_of, pictured, set_values
+from app.document.field_names import FIELDS
+from app.document.settings import compared, name_of, picture_text, pictured, set_values
 from app.document.view import View
 from app.model.projection import FreeMatrix
 from app.model.refusal import Refusal
@@ -87,7 +88,7 @@ def test_a_following_picture_has_its_own_values_and_the_documents_others(held: D
          "view.compare[2].set = 'scene=cube': must be a value of settings, camera, lens, image,"
          " object or depth, as NAME=VALUE."),
         ("[0.25, 0.5]", "[0.5, 0.25]",
-         "view.dividers = [0.5, 0.25]: must be rising numbers from 0 to 1, one fewer than the"
+         "view.dividers = [0.5, 0.25]: must be increasing numbers from 0 to 1, one fewer than the"
          " compared pictures, or none for side by side."),
     ],
 )  # fmt: skip
@@ -117,13 +118,14 @@ def test_a_document_opens_even_if_it_cannot_have_a_compared_picture_now() -> Non
     ("texts", "sentence"),
     [
         (["view.compare=other"], "view.compare = 'other': must be one of the scene's own"
-         " comparisons (interpolation), or NAME=VALUE, with ; between the values of a picture and"
-         " | between pictures."),
+         " comparisons (interpolation), or PATH=VALUE, with ; between the values of a picture,"
+         " | between pictures, and NAME: before a picture that has a name."),
         (["view.compare=lens.near=-1"], "lens.near = -1: must be greater than 0."),
-        (["view.dividers=0.5"], "view.dividers = [0.5]: must be rising numbers from 0 to 1, one"
-         " fewer than the compared pictures, or none for side by side."),
-        (["view.compare=interpolation", "view.dividers=x"], "view.dividers = 'x': must be rising"
-         " numbers from 0 to 1, one fewer than the compared pictures, or none for side by side."),
+        (["view.dividers=0.5"], "view.dividers = [0.5]: must be increasing numbers from 0 to 1,"
+         " one fewer than the compared pictures, or none for side by side."),
+        (["view.compare=interpolation", "view.dividers=x"], "view.dividers = 'x': must be"
+         " increasing numbers from 0 to 1, one fewer than the compared pictures, or none for side"
+         " by side."),
     ],
 )  # fmt: skip
 def test_a_wrong_comparison_cannot_be_set(texts: list[str], sentence: str) -> None:
@@ -161,8 +163,57 @@ def test_the_live_picture_has_its_name_as_long_as_it_has_its_values() -> None:
     names = [name_of(document, picture) for picture in document.view.compare]
     assert names == ["affine", "correct"] and document.view.compare[0].live
     other = document.with_settings({"interpolation": "correct"})
-    assert [name_of(other, picture) for picture in document.view.compare] == ["now", "correct"]
-    assert name_of(document, Picture(held=document.state)) == "held"
+    assert [name_of(other, picture) for picture in document.view.compare] == ["", "correct"]
+
+
+PLAIN = Written(lambda name: FIELDS[name], str, "{:g}".format)
+
+
+def names(document: Document) -> list[str]:
+    """The names of the compared pictures as they are written above them."""
+    pictures = document.view.compare
+    phenomenon = PHENOMENA.get(document.scene)
+    return names_in(
+        [name_of(document, picture) for picture in pictures],
+        [pictured(document, picture).state for picture in pictures],
+        () if phenomenon is None else phenomenon.settings,
+        PLAIN,
+    )
+
+
+@pytest.mark.parametrize(
+    ("scene", "compared_with", "expected"),
+    [
+        ("letter-f", "lens.near=8", ["near 8", "near 4"]),
+        ("letter-f", "camera.eye=1,1,9;lens.fov_y_deg=95", ["field of view 95°",
+                                                           "field of view 45°"]),
+        ("letter-f", "lens.near=8|lens.near=8;lens.far=40", ["near 8, far 18", "near 8, far 40",
+                                                            "near 4, far 18"]),
+        ("letter-f", "lens.kind=orthographic", ["orthographic", "perspective"]),
+        ("letter-f", "image.width=720", ["720 × 720", "1280 × 720"]),
+        ("letter-f", "lens.near=4", ["", ""]),
+        ("field-of-view", "settings.preset=eye|settings.preset=monitor",
+         ["Human eye: 120° across", "Monitor: 30° across", "Photograph: 29 mm at 30 cm"]),
+        ("field-of-view", "eye 120°: settings.preset=eye|settings.preset=monitor",
+         ["eye 120°", "Monitor: 30° across", "Photograph: 29 mm at 30 cm"]),
+    ],
+)  # fmt: skip
+def test_a_picture_is_called_what_differs(
+    scene: str, compared_with: str, expected: list[str]
+) -> None:
+    document = set_values(of(scene), [f"view.compare={compared_with}"])
+    assert names(document) == expected
+
+
+def test_an_author_names_pictures_and_says_which_is_the_documents_own() -> None:
+    text = "wide: lens.fov_y_deg=60|d: lens.fov_y_deg=45|near 8: lens.near=8"
+    document = set_values(of("letter-f"), [f"view.compare={text}"])
+    assert [picture.live for picture in document.view.compare] == [False, True, False]
+    assert names(document) == ["wide", "d", "near 8"]
+    assert "|".join(map(picture_text, document.view.compare)) == text
+    assert parse(to_json(document)).view == document.view
+    turned = set_values(document, ["lens.fov_y_deg=30"])
+    assert names(turned) == ["wide", "field of view 30°, near 4", "near 8"], "it is no longer d"
 
 
 # -- in what they differ

@@ -579,7 +579,7 @@ def text_chunk(body: bytes) -> bytes:
 
 def test_a_broken_picture_is_refused_wherever_it_is_cut_or_changed() -> None:
     whole = carrier(WRITTEN)
-    broken = "The document is not a whole PNG picture: it is broken or cut short."
+    broken = "The document is not a complete PNG picture: it is damaged or cut short."
     for end in range(len(whole)):
         assert sentence(extract, whole[:end]) == broken
         changed = bytearray(whole)
@@ -619,7 +619,7 @@ def test_a_file_that_is_no_document_is_refused_by_its_name(
 ) -> None:
     monkeypatch.chdir(tmp_path)
     no_text = "is not a Frustum Lab document: it is not UTF-8 text."
-    no_picture = "is not a whole PNG picture: it is broken or cut short."
+    no_picture = "is not a complete PNG picture: it is damaged or cut short."
     negative, meshes = with_value("lens.near", -1), ", ".join(MESH_ENDINGS)
     contents: dict[str, tuple[bytes, str]] = {
         "empty.json": (b"", " is empty."),
@@ -1144,6 +1144,7 @@ def test_a_wrong_camera_of_a_pane_is_named_where_the_file_has_it(
 NO_PANE = f"must be one of {', '.join(PANES)}, or empty for none."
 NO_STAGE = f"must be one of {', '.join(STAGES)}, or a number from 0 to 5."
 NO_PANEL = f"must be one of {', '.join(PANELS)}, or empty for none."
+NO_NAMES = "must be a list of at most 7 different names, or only *."
 NO_LAYERS = f"must be a list of names from {', '.join(LAYERS)}."
 NO_PROBE = (
     "must be three numbers for a point, four with w, two for the ray of a pixel, or null for no"
@@ -1167,6 +1168,13 @@ WRONG_VIEWS: list[tuple[object, str]] = [
     ({"layers": "grid"}, f".layers = 'grid': {NO_LAYERS}"),
     ({"layers": ["sky"]}, f".layers = ['sky']: {NO_LAYERS}"),
     ({"layers": [["grid"]]}, f".layers = [['grid']]: {NO_LAYERS}"),
+    ({"names": "eye"}, f".names = 'eye': {NO_NAMES}"),
+    ({"names": None}, f".names = null: {NO_NAMES}"),
+    ({"names": ["eye", 3]}, f".names = ['eye', 3]: {NO_NAMES}"),
+    ({"names": ["eye", "eye"]}, f".names = ['eye', 'eye']: {NO_NAMES}"),
+    ({"names": ["eye", "*"]}, f".names = ['eye', '*']: {NO_NAMES}"),
+    ({"names": list("ABCDEFGH")},
+     f".names = ['A', 'B', 'C', 'D', 'E', 'F', 'G', 'H']: {NO_NAMES}"),
     ({"fixed": "left"}, f".fixed = 'left': must be one of {', '.join(FIXED)}, or empty for none."),
     ({"probes": {}}, ".probes = {}: must be a list of at most 6 probes."),
     ({"probes": [None] * 7}, f".probes = [{', '.join(['null'] * 7)}]: must be a list of at most 6"
@@ -1202,6 +1210,9 @@ SET_VIEWS = {
     "view.letters=002": View(letters="002"),
     "view.layers=grid, labels": View(layers=frozenset({"grid", "labels"})),
     "view.fixed=axis": View(fixed="axis"),
+    "view.names=y, y_p,P'": View(names=("y", "y_p", "P'")),
+    "view.names=*": View(names=("*",)),
+    "view.names=": View(names=()),
     "view.probes=1,2,3, 4,5,6": View(probes=(Probe(1, (1, 2, 3)), Probe(2, (4, 5, 6)))),
     "view.probes=": View(),
 }
@@ -1210,6 +1221,12 @@ SET_VIEWS = {
 def test_a_view_is_set_by_path() -> None:
     for assignment, view in SET_VIEWS.items():
         assert set_values(Document(), [assignment]).view == view, assignment
+
+
+def test_another_scene_names_its_own_things() -> None:
+    named = set_values(Document(), ["view.names=near"])
+    assert set_values(named, ["scene=cube"]).view.names is None
+    assert set_values(named, ["scene=cube", "view.names=far"]).view.names == ("far",)
 
 
 def test_a_step_of_the_frame_opens_its_panel_unless_another_is_set() -> None:
@@ -1222,6 +1239,7 @@ SET_WRONG_VIEWS = {
     "view.stage=nan": f"view.stage = 'nan': {NO_STAGE}",
     "view.stage=6": f"view.stage = 6: {NO_STAGE}",
     "view.layers=sky,grid": f"view.layers = ['grid', 'sky']: {NO_LAYERS}",
+    "view.names=A,A": f"view.names = ['A', 'A']: {NO_NAMES}",
     "view.probes=1,2,nan": "view.probes = '1,2,nan': must be the numbers x, y, z of each point",
     **{f"{path}=1": f"{path} {NEAREST}" for path in ("view.panes", "view.pinned", "view", "views")},
 }

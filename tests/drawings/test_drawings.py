@@ -17,6 +17,7 @@ from vtkmodules.vtkRenderingCore import vtkCamera
 
 from app.drawings import WORDS
 from app.drawings.image import ImageDrawing
+from app.drawings.label import LabelActor
 from app.drawings.stage import StageDrawing
 from app.drawings.style import DARK, LIGHT, Style, contrast, rgb
 from app.drawings.world import WorldDrawing
@@ -128,6 +129,7 @@ def test_a_face_has_the_same_colour_in_all_panes(name: str, off_screen: MakeScre
     for kind in (ImageDrawing, StageDrawing):
         screen = off_screen(500, 400)
         drawing = kind(screen, scene, WORDS, LIGHT)
+        drawing.show_names(None)
         drawing.show_projection(scene.start)
         if kind is StageDrawing:  # where the same faces are seen as in the picture
             drawing.show_view(Camera((0.0, 0.0, 1.8), (0.0, 0.0, 0.0)))
@@ -236,6 +238,7 @@ def test_ndc_clips_the_scene_at_the_cube(off_screen: MakeScreen) -> None:
         ):
             screen = off_screen(400, 400)
             drawing = StageDrawing(screen, scene, WORDS, LIGHT)
+            drawing.show_names(None)
             drawing.show_projection(Projection(Camera((0, 2, 5), (0, 0, 0)), lens, depth=depth))
             image = screen.pixels()
             z_half = (max(DEPTH_RANGES[depth]) - min(DEPTH_RANGES[depth])) / 2.0
@@ -278,6 +281,7 @@ def test_ndc_shows_the_near_face_to_the_reader_and_x_to_the_right(
     projection = replace(scene.start, depth=depth, image_size=(400, 400))
     front = off_screen(400, 400)
     drawing = StageDrawing(front, scene, WORDS, LIGHT)
+    drawing.show_names(None)
     drawing.show_projection(projection)
     drawing.show_layers(frozenset({"labels"}))
     camera = front.renderer.GetActiveCamera()
@@ -304,14 +308,15 @@ def test_ndc_writes_the_ends_of_its_depth_range(depth: Any, off_screen: MakeScre
     scene = load("cube")
     screen = off_screen(300, 300)
     drawing = StageDrawing(screen, scene, WORDS, LIGHT)
+    drawing.show_names(None)
     drawing.show_projection(replace(scene.start, depth=depth))
     texts = [
-        prop.GetInput().strip()
-        for prop in screen.renderer.GetViewProps()
-        if prop.IsA("vtkTextActor")
+        prop.label().text for prop in screen.renderer.GetViewProps() if isinstance(prop, LabelActor)
     ]
-    near, far = (f"{z:.0f}".replace("-", "−") for z in DEPTH_RANGES[depth])
-    assert sorted(texts) == sorted(["near", "far", "x", "y", "z", "−1", "1", "−1", "1", near, far])
+    signs = {-1.0: "−1", 0.0: "0", 1.0: "+1"}
+    near, far = (signs[z] for z in DEPTH_RANGES[depth])
+    everything = [f"near {near}", f"far {far}", "x", "y", "z", "−1", "1", "−1", "1"]
+    assert sorted(filter(None, texts)) == sorted(everything)
 
 
 @pytest.mark.parametrize("size", [(300, 400), (500, 560), (1280, 720), (900, 300), (200, 900)])
@@ -323,6 +328,7 @@ def test_ndc_is_wholly_in_view_at_any_pane_size(
     scene = without_lines(load("cube"))
     screen = off_screen(640, 480)
     drawing = StageDrawing(screen, scene, WORDS, style)
+    drawing.show_names(None)
     drawing.show_projection(scene.start)
     screen.pixels()
     screen.window.SetSize(*size)
@@ -348,6 +354,7 @@ def test_the_picture_lies_exactly_in_its_rectangle(
     scene = scene_of(wall, [(0, 1, 2, 3)], [red])
     screen = off_screen(640, 480)
     drawing = ImageDrawing(screen, scene, WORDS, LIGHT)
+    drawing.show_names(None)
     screen.pixels()
     screen.window.SetSize(*pane)
     projection = Projection(Camera((0, 0, 0), (0, 0, -1)), Perspective(60, 1, 30), (123, 45))
@@ -381,6 +388,7 @@ def test_the_frame_touches_the_picture_and_its_axes_are_coloured(off_screen: Mak
     scene = without_lines(load("cube"))
     screen = off_screen(500, 400)
     drawing = ImageDrawing(screen, scene, WORDS, LIGHT)
+    drawing.show_names(None)
     drawing.show_projection(scene.start)
     image = screen.pixels()
     left, top, width, height = drawing.picture_rectangle_px

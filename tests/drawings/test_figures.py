@@ -19,7 +19,7 @@ import pyvista as pv
 from PIL import Image
 from PySide6.QtGui import QOpenGLContext
 from PySide6.QtWidgets import QWidget
-from vtkmodules.vtkRenderingCore import vtkRenderWindow, vtkTextActor
+from vtkmodules.vtkRenderingCore import vtkRenderWindow
 
 from app.bootstrap import ROOT
 from app.document.codec import parse, to_json
@@ -35,7 +35,7 @@ from app.model.projection import Camera, Perspective
 from app.model.refusal import Refusal
 from app.scenes.scene import load
 from tests import PATIENCE_S
-from tests.support.drawings import colours_of
+from tests.support.drawings import colours_of, labels_of
 
 
 def hashes() -> list[str]:
@@ -87,6 +87,7 @@ def test_a_figure_beside_a_live_pane_is_the_same_and_leaves_the_pane_alone(
     qtbot.addWidget(canvas, before_close_func=lambda widget: widget.close())
     canvas.resize(200, 150)
     drawing = StageDrawing(canvas, scene, WORDS, LIGHT)
+    drawing.show_names(None)
     drawing.show_projection(scene.start)
     with qtbot.waitExposed(canvas):
         canvas.show()
@@ -324,10 +325,8 @@ def test_all_letters_of_a_figure_have_one_size(
     def noted(window: Any, *args: Any, **options: Any) -> Any:
         done = original(window, *args, **options)
         for renderer in window.GetRenderers():
-            for prop in renderer.GetViewProps():
-                if isinstance(prop, vtkTextActor) and prop.GetVisibility():
-                    points = prop.GetTextProperty().GetFontSize() * window.GetDPI() / 72.0
-                    sizes.setdefault(prop.GetInput(), set()).add(round(points))
+            for text, label in labels_of(renderer).items():
+                sizes.setdefault(text, set()).add(round(label.em))
         return done
 
     monkeypatch.setattr(figures, "pixels_of", noted)

@@ -41,6 +41,7 @@ def opened(screen: OffScreen, name: str, style: Style = LIGHT, *, live: bool = T
     """A scene's world, as it opens."""
     scene = load(name)
     drawing = WorldDrawing(screen, scene, WORDS, style, live=live)
+    drawing.show_names(None)
     drawing.show_projection(scene.start, illustrated(scene))
     drawing.reset_view()
     screen.pixels()
@@ -133,7 +134,7 @@ def test_eye_near_plane_object_and_far_plane_do_not_cover_one_another(
     """Object and far plane may overlap: the far plane is much larger."""
     screen = off_screen(*LARGE)
     drawing = opened(screen, name, live=False)
-    near_tint, far_tint = (tint for tint, _ in drawing.frustum.tints)
+    near_tint, far_tint = (tint for tint, _ in drawing.frustum.tints.values())
     near, far = mask_of(screen, near_tint), mask_of(screen, far_tint)
     eye, thing = mask_of(screen, drawing.camera.discs["eye"]), mask_of(screen, faces_of(screen))
     for one, other in itertools.combinations((eye, near, thing), 2):
@@ -167,6 +168,7 @@ def test_what_a_scene_is_held_at_is_not_beyond_a_break(off_screen: MakeScreen) -
     """The line's end Q is 12.8 from the eye plane, the letter 7.7, far is 14: nothing is broken."""
     scene = load("affine-depth")
     drawing = WorldDrawing(off_screen(*LARGE), scene, WORDS, LIGHT)
+    drawing.show_names(None)
     for far, is_broken in ((14.0, False), (20.0, True)):
         projection = replace(scene.start, lens=scene.start.lens.but(far=far))
         drawing.show_projection(projection, illustrated(scene, projection))

@@ -50,6 +50,7 @@ def with_lens(**values: Any) -> Projection:
 
 def made(screen: OffScreen, projection: Projection = START, name: str = "letter-f") -> WorldDrawing:
     drawing = WorldDrawing(screen, load(name), WORDS, LIGHT, live=True)
+    drawing.show_names(None)
     drawing.show_projection(projection)
     drawing.reset_view()
     return drawing
@@ -288,6 +289,7 @@ def test_large_letters_leave_the_drawing_in_the_pane_and_what_is_left_out_is_sai
     """Every text is shown without overlap, or a sentence says that some are missing."""
     screen = off_screen(*size_px)
     drawing = WorldDrawing(screen, load("letter-f"), WORDS, replace(LIGHT, font_size=em), live=True)
+    drawing.show_names(None)
     drawing.show_fixed(view)
     screen.pixels()
     boxes = boxes_of(screen)
@@ -372,6 +374,7 @@ def test_a_scenes_distances_stand_in_rows_of_their_own(
     """One below the other, the shortest on top; no other label and no leader is among them."""
     screen, scene = off_screen(*SIZE_PX), load(name)
     drawing = WorldDrawing(screen, scene, WORDS, LIGHT, live=True)
+    drawing.show_names(None)
     drawing.show_projection(scene.start, illustrated(scene))
     drawing.show_fixed("side")
     screen.pixels()
@@ -650,6 +653,7 @@ def test_labels_and_grid_are_switched_in_the_other_panes(
         screen = off_screen(*SIZE_PX)
         start = load(name).start
         drawing = kind(screen, load(name), WORDS, LIGHT, tolerance_px)
+        drawing.show_names(None)
         drawing.show_projection(start)
         before = screen.pixels()
         assert texts_of(screen) and drawn(before, GRID_RGB).any()
@@ -693,6 +697,7 @@ def test_l5_l21_both_triangles_are_measured_in_the_flat_views(
 ) -> None:
     screen, scene = off_screen(*SIZE_PX), load(name)
     drawing = WorldDrawing(screen, scene, WORDS, LIGHT)
+    drawing.show_names(None)
     drawing.show_projection(scene.start, illustrated(scene))
     drawing.show_fixed(view)
     screen.pixels()

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 from PIL import Image
 
-from app.document.view import FIXED, LETTERS, PANES, View
+from app.document.view import EVERYTHING, FIXED, LETTERS, PANES, View
 from app.drawings.figures import (
     DPI,
     USUAL_TEXT,
@@ -54,7 +54,9 @@ def usual() -> dict[str, np.ndarray]:
         (View(stage=5.0), {"ndc"}),
         (View(panel="frame", frame_step="n"), {"world"}),
         *[(View(fixed=fixed), {"world"}) for fixed in FIXED],
-        (View(layers=frozenset({"labels"})), {"world", "ndc", "image"}),
+        (View(layers=frozenset({"labels"})), {"world", "ndc"}),
+        (View(names=EVERYTHING), {"world", "ndc", "image"}),
+        (View(names=("pixels", "x", "y", "z", "near", "far")), {"world", "image"}),
         (View(layers=frozenset({"handles"})), set()),
         (View(layers=frozenset({"grid"})), {"world", "ndc", "image"}),
         *[

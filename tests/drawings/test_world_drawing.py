@@ -72,6 +72,7 @@ class View:
         self.camera = vtkCamera()
         plotter.renderer.SetActiveCamera(self.camera)
         self.drawing = WorldDrawing(plotter, scene, WORDS, style)
+        self.drawing.show_names(None)
         self.scene = scene
 
     def pixels(self) -> Pixels:
@@ -713,7 +714,7 @@ def test_a_plane_that_covers_the_pane_does_not_flood_it(make_view: MakeView, sty
         assert left >= 0 and bottom >= 0 and right <= 412 and top <= 670
     view.drawing.show_projection(with_lens(near=8.0, far=15.0))
     view.drawing.reset_view()
-    assert [tint.GetProperty().GetOpacity() for tint, _ in view.drawing.frustum.tints] == [
+    assert [tint.GetProperty().GetOpacity() for tint, _ in view.drawing.frustum.tints.values()] == [
         0.3,
         0.16,
     ]
@@ -732,7 +733,9 @@ def test_what_a_plane_covers_of_the_pane_is_what_is_painted(make_view: MakeView)
         for corners in np.split(view.drawing.frustum.corners, 2):
             assert turned_away.covered(corners) == []
         for tint, corners in zip(
-            view.drawing.frustum.tints, np.split(view.drawing.frustum.corners, 2), strict=True
+            view.drawing.frustum.tints.values(),
+            np.split(view.drawing.frustum.corners, 2),
+            strict=True,
         ):
             for actor in view.plotter.renderer.GetActors():
                 actor.SetVisibility(actor is tint[0])

@@ -247,6 +247,7 @@ def any_view(rng: random.Random, camera: Camera) -> View:
     return replace(
         a_view(rng), frame_step=rng.choice(STEPS), panel=rng.choice((None, "", *PANELS)),
         letters=rng.choice(LETTERS), probes=tuple(probes),
+        names=rng.choice((None, (), ("*",), ("eye", "P'"), tuple("ABCDEFG"))),
         pinned=frozenset(number for number in numbers if rng.random() < 0.3),
         panes=dict.fromkeys(rng.sample((*PANES, "second-screen", ""), rng.randrange(3)), camera),
     )  # fmt: skip

@@ -49,6 +49,7 @@ AT_ONCE: dict[str, tuple[str, ...]] = {
 }
 #: And late.
 LATE: dict[str, tuple[str, ...]] = {
+    "app.drawings": ("matplotlib",),
     "app.scenes": VTK,
     "app.lessons": ("markdown_it", "matplotlib"),
     "app.measure": ("matplotlib", "PIL", "mpmath"),

@@ -200,8 +200,8 @@ STEPS = [
     ("```state\nlens.near=2\n```note\nSay.\n```\n",
      "line 5 begins a block that is not closed: a line ``` must end it, above line 7"),
     ("Say.\n```\n---\n# Two\n```state\nlens.near=2\n```\n",
-     "line 6 begins code, not a block, and the block of line 9 is in it: a line ``` is one too"),
-    ("Say.\n```\n---\n# Two\n", "line 6 begins code that is not closed: a line"),
+     "line 6 begins code, not a block, and the block of line 9 is in it: there is one"),
+    ("Say.\n```\n---\n# Two\n", "line 6 begins code that is not closed: there is one"),
     ("```note\nA\n```\n```note\nB\n```\n", "line 8 has note twice"),
 ]  # fmt: skip
 #: In a block whose first line is line 5.

@@ -118,7 +118,7 @@ def test_a_sweep_breaks_where_there_is_no_answer_and_says_why() -> None:
     (bar,) = (c for c in diagram.curves if not c.label)
     assert bar.points[:, 0].tolist() == [0.01, 0.1] and bar.colour == by_label["float32"].colour
     found = spots(diagram)
-    nan, clamped = found["float32: answers NaN"], found["VTK: clamps"]
+    nan, clamped = found["float32: returns NaN"], found["VTK: clamps"]
     assert nan.broken and nan.x == 0.1, "beside what still works"
     assert clamped.broken and (clamped.x, clamped.y) == (10.0, 1e-2)
 
@@ -149,7 +149,7 @@ def test_a_table_has_a_note_for_each_missing_number() -> None:
     waiting = Trade("arithmetic", "ns", "px", (choice("late", None, 1.0),), 0, complete=False)
     assert table(waiting)[1][-1] == "cancelled"
     assert table(replace(waiting, complete=True))[1][-1] == ""
-    assert table(SWEEP)[1] == ["0.01", "-", "1e-09", "float32 answers NaN"]
+    assert table(SWEEP)[1] == ["0.01", "-", "1e-09", "float32 returns NaN"]
 
 
 def test_a_sweep_s_values_have_four_digits_or_all() -> None:
@@ -175,7 +175,7 @@ def test_the_table_names_the_other_parameter_that_a_sweep_changes(parameter: str
     low, high = SWEEPS[parameter].low, SWEEPS[parameter].high
     lenses = [SWEEPS[parameter].set(Projection(), value)[0].lens for value in (low, 1.0, high)]
     assert {lens.near * 4.0 for lens in lenses} & {lens.far for lens in lenses}, told
-    assert told == {"near": "far is 4 near at least", "far": "near is far / 4 at most"}[parameter]
+    assert told == {"near": "far is at least 4 near", "far": "near is at most far / 4"}[parameter]
 
 
 def test_table_headings_are_words_with_units() -> None:

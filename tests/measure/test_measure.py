@@ -427,7 +427,7 @@ TRADE = Trade(
         Choice("cheap", 1.0, 1.1, 1e-3, 2e-3, {"error_depth": 1e-6}, "", {"rung": "float32"}),
         Choice("dominated", 3.0, 3.5, 1e-2),
         Choice("good", 2.0, 2.1, 1e-9, values={"other": math.inf}),
-        Choice('odd, "quoted"', None, None, None, note="answers NaN"),
+        Choice('odd, "quoted"', None, None, None, note="returns NaN"),
     ),
     7,
 )
@@ -449,7 +449,7 @@ def test_a_spreadsheet_can_read_the_table() -> None:
     lines = to_csv(TRADE).splitlines()
     assert lines[0] == "choice,cost_ns,cost_p95_ns,error_px,predicted,error_depth,other,note"
     assert lines[1] == "cheap,1.0,1.1,0.001,0.002,1e-06,,"
-    assert lines[4] == '"odd, ""quoted""",,,,,,,answers NaN'
+    assert lines[4] == '"odd, ""quoted""",,,,,,,returns NaN'
     swept = sweep("near", START, POINTS, (1.0, 2.0))
     assert to_csv(swept).splitlines()[0].startswith("near,float32,")
 

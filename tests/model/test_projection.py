@@ -1365,12 +1365,12 @@ REFUSED: list[tuple[Callable[[], object], str]] = [
     (partial(Orthographic, left=4), "left = 4: must be less than right, which is 4."),
     (partial(Orthographic, bottom=5), "bottom = 5: must be less than top, which is 4."),
     (partial(Orthographic, left=0, right=1e-310),
-     "left = 0: is too close to 1e-310 for float64 to tell apart."),
+     "left = 0: is too close to 1e-310 for float64 to tell the two apart."),
     (partial(Orthographic, keep="z"), "keep = 'z': must be one of stretch, x, y."),
     (partial(Orthographic, keep=[]), "keep = (): must be one of stretch, x, y."),
     (partial(Projection, lens=Orthographic(0, 1e-3, 1e16, 1e16 + 100, keep="x")),
-     "bottom = 1.000000000000005e+16: is too close to 1.000000000000005e+16 for float64 to tell"
-     " apart."),
+     "bottom = 1.000000000000005e+16: is too close to 1.000000000000005e+16 for float64 to tell "
+     "the two apart."),
     # frusta
     (partial(Frustum, right=-0.7), "left = -0.7: must be less than right, which is -0.7."),
     (partial(Frustum, bottom=0, top=1e-111),
@@ -1378,7 +1378,7 @@ REFUSED: list[tuple[Callable[[], object], str]] = [
     (partial(Frustum, right=2e89, near=1e-2), "right = 2e+89: must be at most 1e+88."),
     (partial(Frustum, left=-2e89, near=1e-2), "left = -2e+89: must be at least -1e+88."),
     (lambda: Projection(lens=Frustum(1.0, 1.0 + 1e-15, 1.0, 2.0, keep="x"), image_size=(9, 1)),
-     "bottom = 1.5: is too close to 1.5 for float64 to tell apart."),
+     "bottom = 1.5: is too close to 1.5 for float64 to tell the two apart."),
     # oblique lenses
     (partial(Oblique, alpha_deg=0), "alpha_deg = 0: must lie between 0 and 180, both excluded."),
     (partial(Oblique, beta_deg=180), "beta_deg = 180: must lie between 0 and 180, both excluded."),
@@ -1386,7 +1386,7 @@ REFUSED: list[tuple[Callable[[], object], str]] = [
     (partial(Oblique, alpha_deg=179.99999),
      "alpha_deg = 179.99999: must be at most 179.99994270422047."),
     (partial(Oblique, left=0, right=1e-195),
-     "left = 0: is too close to 1e-195 for float64 to tell apart."),
+     "left = 0: is too close to 1e-195 for float64 to tell the two apart."),
     (lambda: oblique_angles(-1.0, 45.0), "receding = -1: must be at least 0."),
     (lambda: oblique_angles(2e6, 0.0), "receding = 2000000: must be at most 1000000."),
     (lambda: oblique_angles(1.0, INF), "receding_deg = inf: must be a finite number."),
@@ -1413,10 +1413,10 @@ REFUSED: list[tuple[Callable[[], object], str]] = [
     (orbit_with(elevation_deg=-91.0), "elevation_deg = -91: must be at least -90."),
     (orbit_with(azimuth_deg=INF), "azimuth_deg = inf: must be a finite number."),
     (lambda: Camera.from_orbit((1e9, 1, 1e9), Orbit(0, 0, 1e-9)),
-     "distance = 1e-09: is too close to 0 for float64 to tell apart."),
+     "distance = 1e-09: is too close to 0 for float64 to tell the two apart."),
     # x and z could hold it, y could not: it would be another elevation.
     (lambda: Camera.from_orbit((0, 2.2, 0), Orbit(30, 15, 1e-14)),
-     "distance = 1e-14: is too close to 0 for float64 to tell apart."),
+     "distance = 1e-14: is too close to 0 for float64 to tell the two apart."),
     # the image and the depth range
     (partial(Projection, image_size=(0, 0)),
      "width = 0: must be a whole number of pixels from 1 to 16384."),
@@ -1446,7 +1446,7 @@ REFUSED: list[tuple[Callable[[], object], str]] = [
     (unprojecting((1, 2, 1.5)), "depth = 1.5: must be at most 1."),
     (unprojecting((1, 2, -0.5)), "depth = -0.5: must be at least 0."),
     (unprojecting([(1, 2, 0.5), (1, 2, 1)], far=INF),
-     "depth = 1: is at infinity, where there is no point but a direction."),
+     "depth = 1: is at infinity, so it is a direction and not a point."),
     # free matrices
     (lambda: FreeMatrix([[1, 2]]),
      "clip_from_view = ((1, 2)): must be four rows of four finite numbers."),
@@ -1459,7 +1459,7 @@ REFUSED: list[tuple[Callable[[], object], str]] = [
         ((1e-60, 1, 0, 0), (0, 1e-60, 1, 0), (0, 0, 1e-60, 1), (0, 0, 0, 1e-60)))
     ).world_from_clip_at((0, 0, 0)),
      "clip_from_view = ((1e-60, 1, 0, 0), (0, 1e-60, 1, 0), (0, 0, 1e-60, 1), (0, 0, 0,"
-     " 1e-60)): must have an inverse that float64 can hold, and multiply."),
+     " 1e-60)): must have an inverse whose numbers and products float64 can hold."),
     # planes, focal lengths and intrinsics
     (lambda: Projection(lens=Frustum()).between(0, 5), "near = 0: must be greater than 0."),
     (lambda: Projection(lens=Oblique()).intrinsics,

@@ -20,6 +20,7 @@ from app.model.projection import (
 )
 from app.scenes.phenomena.focus import PHENOMENON, blur_mm, sharpness
 from app.scenes.phenomena.illustration import OwnMesh, Subject
+from app.scenes.phenomena.marks import Aperture
 from tests.oracles.illustrations import readings, showing
 
 mp.mp.dps = 40
@@ -202,18 +203,40 @@ def test_the_picture_outlines_the_posts_whose_numbers_are_in_the_range_and_no_ot
     assert outlined[1.0] == [5] and outlined[2.8] == [5, 6] and len(outlined[22.0]) > 5
 
 
-def test_a_post_that_is_not_sharp_bears_its_disc() -> None:
-    """The disc matches the traced one at its distance, in the picture's pixels."""
-    start, (focus, aperture) = PHENOMENON.start, (5.0, 1.4)
-    illustration = show(start, focus=focus, aperture=aperture)
-    lens = ThinLens(readings(illustration)["focal length f"], aperture, focus)
-    discs = [np.ptp(face.points[:, 0]) for face in illustration.image.faces]
-    tops = [(0.0, 1.4, -d + 0.15) for d in (2, 3, 4, 6, 8, 10, 12, 15, 20)]
-    away = -start.trace(np.array(tops)).view[:, 2]
-    per_mm = math.hypot(*start.image_size) / math.hypot(36, 24)
-    expected = [float(lens.disc(float(d))) * per_mm for d in away]
-    assert discs == pytest.approx(expected, rel=1e-6)
-    assert all(c > 0.03 * per_mm for c in discs)
+def test_pictures_from_the_opening_s_rim_differ_by_the_traced_disc() -> None:
+    """Right and left end of the opening, and its top and bottom, see a point a disc apart."""
+    rng = np.random.default_rng(13)
+    for _ in range(20):
+        projection, settings = draw(rng)
+        camera = Camera(tuple(rng.uniform(-5, 5, 3)), tuple(rng.uniform(-5, 5, 3)))
+        start = Projection(camera, projection.lens)
+        illustration = show(start, **settings)
+        assert illustration.rendering is not None
+        aperture = illustration.rendering.aperture
+        assert aperture is not None
+        lens = ThinLens(
+            readings(illustration)["focal length f"], settings["aperture"], settings["focus"]
+        )
+        per_mm = math.hypot(*start.image_size) / math.hypot(36, 24)
+        for away in (0.3, 1.0, 1.5, 20.0):
+            distance = away * settings["focus"]
+            view = np.array([0.1, -0.2, -1.0]) * distance
+            place = np.array(camera.eye) + view @ camera.frame
+            disc = float(lens.disc(distance)) * per_mm
+            for axis, ends in ((0, ((1, 0), (-1, 0))), (1, ((0, 1), (0, -1)))):
+                one, other = (aperture.seen_from(start, *end).trace(place).image for end in ends)
+                assert abs(one - other)[axis] == pytest.approx(disc, rel=1e-6, abs=1e-6)
+                assert abs(one - other)[1 - axis] == pytest.approx(0.0, abs=1e-6)
+
+
+def test_a_shift_moves_the_picture_by_parts_of_a_pixel() -> None:
+    start, place = PHENOMENON.start, (0.3, 1.0, -7.0)
+    still, moved = (
+        Aperture(0.0, 5.0).seen_from(start, 0.0, 0.0, shift).trace(place).image
+        for shift in ((0.0, 0.0), (0.25, 0.5))
+    )
+    np.testing.assert_allclose(still, start.trace(place).image, atol=1e-9)
+    np.testing.assert_allclose(moved - still, (0.25, -0.5), atol=1e-9)
 
 
 def test_the_cube_shows_the_limits_where_depth_puts_them() -> None:

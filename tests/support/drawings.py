@@ -14,11 +14,11 @@ import pyvista as pv
 from numpy.typing import NDArray
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkOutputWindow, vtkStringOutputWindow, vtkUnsignedCharArray
-from vtkmodules.vtkRenderingCore import vtkTextActor
 
 from app.drawings import WORDS
 from app.drawings import off_screen as app_off_screen
 from app.drawings.image import ImageDrawing
+from app.drawings.label import Label, LabelActor
 from app.drawings.style import LIGHT, rgb
 from app.model.projection import Projection
 from app.scenes.phenomena.illustration import Illustration
@@ -52,21 +52,26 @@ def rendered(window: Any) -> Pixels:
 MakeScreen = Callable[[int, int], OffScreen]
 
 
-def texts_of(screen: Any) -> dict[str, vtkTextActor]:
+def texts_of(screen: Any) -> dict[str, Label]:
     """The visible labels of a screen's own renderer, by their texts."""
-    props = [p for p in screen.renderer.GetViewProps() if isinstance(p, vtkTextActor)]
-    return {p.GetInput().replace("\n ", " ").strip(): p for p in props if p.GetVisibility()}
+    return labels_of(screen.renderer)
+
+
+def labels_of(*renderers: Any) -> dict[str, Label]:
+    """The visible labels of renderers, by their texts."""
+    labels = [
+        prop.label()
+        for renderer in renderers
+        for prop in renderer.GetViewProps()
+        if isinstance(prop, LabelActor) and prop.GetVisibility()
+    ]
+    return {label.text: label for label in labels if label is not None}
 
 
 def boxes_of(screen: Any) -> dict[str, Box]:
     """The boxes of the visible labels, by their texts."""
-    found = {}
-    for text, actor in texts_of(screen).items():
-        box = [0.0] * 4
-        actor.GetBoundingBox(screen.renderer, box)
-        x, y = actor.GetPositionCoordinate().GetComputedDoubleViewportValue(screen.renderer)
-        found[text] = (x + box[0], y + box[2], x + box[1], y + box[3])
-    return found
+    boxes = {text: label.box_px for text, label in texts_of(screen).items()}
+    return {text: (left, low, right, high) for text, (left, right, low, high) in boxes.items()}
 
 
 def overlapping(boxes: Mapping[str, Box]) -> list[tuple[str, str]]:

@@ -39,7 +39,7 @@ def curve(errors: tuple[float | None, ...], notes: tuple[str, ...]) -> Curve:
 SWEEP = sweep(
     "near", (0.01, 0.1, 1.0, 10.0),
     {
-        "float32": curve((None, None, 1e-3, 1e-4), ("answers NaN", "answers NaN", "", "")),
+        "float32": curve((None, None, 1e-3, 1e-4), ("returns NaN", "returns NaN", "", "")),
         "VTK": curve((1e-9, 1e-9, 1e-9, 1e-2), ("", "", "", "clamps")),
     },
 )  # fmt: skip

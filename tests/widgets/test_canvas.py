@@ -19,6 +19,7 @@ from PySide6.QtCore import QPoint, QPointF, Qt
 from PySide6.QtOpenGLWidgets import QOpenGLWidget
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QWidget
+from pytestqt.qtbot import QtBot
 
 from app.bootstrap import ROOT
 from app.document.document import Document
@@ -44,7 +45,7 @@ from tests.support.window import (
     settle,
 )
 from widgets.panes.canvas import CANVASES
-from widgets.panes.pane import SCALES
+from widgets.panes.pane import REST_MS, SCALES
 from widgets.window.main_window import MainWindow
 
 pytestmark = pytest.mark.smooth
@@ -298,3 +299,22 @@ def test_it_takes_no_drops_which_are_the_windows(opened: Opened) -> None:
     window = opened()
     canvases: list[QWidget] = [pane.canvas for pane in window.panes.values()]
     assert not any(canvas.acceptDrops() for canvas in canvases)
+
+
+def test_a_blurred_picture_is_refined_while_nothing_changes_and_then_rests(
+    opened: Opened, qtbot: QtBot
+) -> None:
+    window = opened()
+    window.store.open(document_of("focus"))
+    pane = window.panes["image"]
+    qtbot.waitUntil(lambda: pane.drawing is not None and not pane.drawing.is_coarse, timeout=60_000)
+    fine = pixels(window, "image")
+    settle()
+    with counted_repaints(window) as counts:
+        qtbot.wait(3 * REST_MS)
+    assert not any(counts.values())
+    window.store.open(replace(document_of("focus"), settings={"aperture": 0.5}))
+    assert pane.drawing is not None and pane.drawing.is_coarse
+    qtbot.waitUntil(lambda: not pane.drawing.is_coarse, timeout=60_000)
+    settle()
+    assert abs(pixels(window, "image").astype(int) - fine).max() > 60

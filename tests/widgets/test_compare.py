@@ -81,14 +81,17 @@ def test_the_held_picture_is_left_of_the_divider_and_the_live_one_right(window: 
     alone = rgb_of(picture(window.panes["image"].canvas))
     assert (both[rows, : x - 10] == alone[rows, : x - 10]).all()
     assert (alone[rows, : x - 10] != live_left).any(), "else it is seen by no pixel"
-    assert words(window).startswith("Held | Now:")
+    assert words(window).startswith("held:  no difference"), "it shows the same again"
 
 
 def test_what_differs_is_said_in_words(window: MainWindow) -> None:
     hold(window)
-    assert words(window) == "Held | Now:  no difference yet: change something"
+    assert words(window) == "held:  no difference yet: change something"
     change(window, near=8.0, fov_y_deg=60.0)
-    assert words(window) == "Held | Now:  field of view 45° → 60°, near 4 → 8"
+    named = "field of view 45° | field of view 60°"
+    assert words(window) == f"{named}:  field of view 45° → 60°, near 4 → 8"
+    captions = [caption.text() for caption in window.comparing.pictures.captions]
+    assert captions == named.split(" | ")
     window.store.set_projection(seen(window, image_size=(720, 720)))
     settle()
     assert "image 1280 × 720 → 720 × 720" in words(window)

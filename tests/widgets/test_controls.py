@@ -893,7 +893,7 @@ REFUSED = [
     ("far", "1e308", "Far = 1e+308: must be at most 1e+100."),
     # digits that float64 cannot keep
     ("near", "1e400", f"Near = “1e400”: must be at most {LARGEST}."),
-    ("near", "1e-400", "Near = “1e-400”: is too close to 0 for float64 to tell apart."),
+    ("near", "1e-400", "Near = “1e-400”: is too close to 0 for float64 to tell the two apart."),
     # a word: all bounds of the row, with an example that it accepts
     ("near", "nan", "Near = “nan”: must be a number, such as 0.5 or 2e-3; must be greater than 0;"
      " must be less than far, which is 30."),

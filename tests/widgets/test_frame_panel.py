@@ -324,7 +324,7 @@ def test_under_a_typed_view_matrix_the_panel_says_whose_frame_it_shows(window: M
     assert panel.nudge.isEnabled() and not panel.warning.text()  # the camera is still there
     window.store.set_projection(with_cell(start, "view_from_world", 0, 1, 0.5))
     assert not panel.nudge.isEnabled() and not panel.angle.isEnabled()
-    assert "no camera has it" in panel.warning.text()
+    assert "No camera has the typed view matrix" in panel.warning.text()
     window.store.undo()
     assert panel.nudge.isEnabled() and panel.angle.isEnabled() and not panel.warning.text()
 

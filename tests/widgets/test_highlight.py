@@ -279,7 +279,7 @@ def test_a_label_can_be_pointed_at(window: MainWindow, highlighted: Highlighted)
         drawing: Any = window.panes["world"].drawing
         label = drawing.labels.named[text]
         canvas = window.panes["world"].canvas
-        left, right, bottom, top = label.box_px(canvas.renderer)
+        left, right, bottom, top = label.box_px
         point_at(window, "world", (left + right) / 2, canvas.height() - (bottom + top) / 2)
         assert highlighted.now == {text} and text in marked(window)
 

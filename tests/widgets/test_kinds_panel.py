@@ -71,9 +71,9 @@ def test_l12_a_node_says_its_condition_and_why_a_scene_cannot_show_it(window: Ma
     before = window.kinds_panel.condition.text()
     assert before.startswith("2-point: one axis is parallel to the image plane")
     assert point_at(window, "cabinet") == (
-        "cabinet: two axes are parallel to the image plane, the third is drawn in half. A unit"
-        " would be drawn 1 long along x, 1 along y, 0.5 along z. This scene: with a parallel lens"
-        " parallel edges stay parallel in the image."
+        "cabinet: two axes are parallel to the image plane, the third is drawn at half its length."
+        " A unit would be drawn 1 long along x, 1 along y, 0.5 along z. This scene: with a parallel"
+        " lens parallel edges stay parallel in the image."
     )
     assert "This scene" not in point_at(window, "1-point")
     assert window.kinds_panel.condition.text() == before

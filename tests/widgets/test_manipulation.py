@@ -482,6 +482,7 @@ def test_a_step_adds_and_removes_nothing_and_a_figure_has_no_marks() -> None:
     for live in (False, True):
         plotter = OffScreen(400, 400)
         drawing = WorldDrawing(plotter, scene, WORDS, LIGHT, live=live)
+        drawing.show_names(None)
         props = plotter.renderer.GetViewProps()
         first = props.GetNumberOfItems()
         for near in (1e-6, 0.5, 2.0, 9.0):

@@ -287,7 +287,7 @@ def test_a_cell_says_what_it_does(panel: MatrixPanel) -> None:
         ("clip_from_view", 1, 0, "y does not depend on x."),
         ("image_from_ndc", 1, 1, "reverses its direction"),
         ("clip_from_depth_range", 3, 3, "It scales w, the divisor, by 40."),
-        ("view_from_world", 3, 3, "It keeps w."),
+        ("view_from_world", 3, 3, "It leaves w unchanged."),
         ("clip_from_view", 3, 3, "w does not depend on the incoming w."),
         ("clip_from_world", 3, 2, "times z to w, the divisor"),
         ("clip_from_world", 3, 3, " to w, the divisor"),

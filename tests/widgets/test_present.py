@@ -14,6 +14,7 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QLabel, QToolButton, QWidget
 
 from app.drawings.style import LIGHT
+from tests.support.drawings import labels_of
 from tests.support.layout import cut
 from tests.support.window import (
     MakeWindow,
@@ -146,11 +147,7 @@ def test_text_is_a_share_of_the_screens_height(window: MainWindow) -> None:
             if is_text and widget.isVisible():
                 assert QFontInfo(widget.font()).pixelSize() >= least, widget.text()
         assert QFontInfo(window.controls.rows["near"].field.font()).pixelSize() >= least
-        drawn = [
-            prop.GetTextProperty().GetFontSize()
-            for prop in window.panes["world"].canvas.renderer.GetViewProps()
-            if prop.IsA("vtkTextActor") and prop.GetVisibility()
-        ]
+        drawn = [label.em for label in labels_of(window.panes["world"].canvas.renderer).values()]
         assert drawn and min(drawn) >= least > before
 
 

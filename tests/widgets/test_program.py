@@ -95,7 +95,7 @@ def picture(path: Path) -> np.ndarray:
          ["DISPLAY = :9999 does not answer"]),
         ({"DISPLAY": None, "WAYLAND_DISPLAY": "wayland-9", "XDG_RUNTIME_DIR": "/tmp",
           "QT_QPA_PLATFORM": "wayland"},
-         ["WAYLAND_DISPLAY leads to none"]),
+         ["WAYLAND_DISPLAY names none"]),
         ({"QT_QPA_PLATFORM": "nonsense"},
          ["QT_QPA_PLATFORM = nonsense: must be one of xcb, wayland"]),
         ({"MESA_GL_VERSION_OVERRIDE": "2.1"},

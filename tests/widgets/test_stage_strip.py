@@ -14,7 +14,6 @@ from numpy.typing import NDArray
 from PySide6.QtCore import QPointF, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QLabel, QStyle, QStyleOptionSlider
-from vtkmodules.vtkRenderingCore import vtkTextActor
 
 import app.drawings.stage as stage_drawing
 from app.drawings import WORDS
@@ -24,7 +23,7 @@ from app.drawings.style import DARK, LIGHT, Style, rgb
 from app.lecture.stages import IMAGE, NDC, STOPS, VIEW, WORLD, Morph, morph_of
 from app.model.projection import DEPTH_RANGES, Lens, Perspective
 from app.scenes.scene import load
-from tests.support.drawings import rendered
+from tests.support.drawings import labels_of, rendered
 from tests.support.lenses import LENSES
 from tests.support.window import activate, counted_repaints, move_mouse, picture, present, settle
 from widgets.panes.stage_strip import CATCH, REST_S, STEP_S, STEPS, StageStrip
@@ -42,6 +41,7 @@ class Shown:
         self.plotter = OffScreen(*size)
         self.scene = load("letter-f")
         self.drawing = StageDrawing(self.plotter, self.scene, WORDS, style)
+        self.drawing.show_names(None)
         self.drawing.show_projection(self.scene.start)
 
     def pixels(self, position: float | None = None) -> Pixels:
@@ -191,11 +191,7 @@ def test_letters_and_limits_are_the_stops_own(shown: Callable[..., Shown]) -> No
     for start, stop in product(range(len(STOPS)), repeat=2):
         screen.drawing.show_stage(float(start))
         screen.drawing.show_stage(float(stop))
-        written = {
-            prop.GetInput().strip()
-            for prop in screen.plotter.renderer.GetViewProps()
-            if isinstance(prop, vtkTextActor) and prop.GetVisibility()
-        }
+        written = set(labels_of(screen.plotter.renderer))
         assert written == texts[stop], (start, stop)
 
 
@@ -539,8 +535,8 @@ def test_near_and_far_are_written_in_the_pane_all_the_way(window: MainWindow) ->
             for label in (drawing.box.near, drawing.box.far):
                 if label.actor.GetVisibility():
                     canvas = window.panes["ndc"].canvas
-                    left, right, bottom, top = label.box_px(canvas.renderer)
+                    left, right, bottom, top = label.box_px
                     width, height = canvas.render_window.GetSize()
                     if left < 0.0 or bottom < 0.0 or right > width or top > height:
-                        cut.append((near, far, quarter / 4, label.actor.GetInput()))
+                        cut.append((near, far, quarter / 4, label.text))
     assert not cut, cut

@@ -43,7 +43,6 @@ from PySide6.QtWidgets import (
     QTextEdit,
     QToolButton,
 )
-from vtkmodules.vtkRenderingCore import vtkTextActor
 
 import app.scenes.scene
 from app.bootstrap import ROOT
@@ -63,7 +62,7 @@ from app.scenes.scene import load
 from app.scenes.shapes import GRID_RGB
 from tests import PATIENCE_MS, PATIENCE_S
 from tests.support.controls import number
-from tests.support.drawings import colours_of
+from tests.support.drawings import colours_of, labels_of
 from tests.support.meshes import PYRAMID, obj_file
 from tests.support.phenomenon import EVERYTHING, make_known
 from tests.support.window import (
@@ -1572,12 +1571,10 @@ def text_boxes(window: MainWindow) -> dict[str, tuple[float, float, float, float
     """Left, bottom, right, top of the texts in the picture, in its pixels."""
     boxes = {}
     for renderer in window.panes["image"].canvas.render_window.GetRenderers():
-        for actor in renderer.GetViewProps():
-            if isinstance(actor, vtkTextActor) and actor.GetVisibility():
-                box = [0.0] * 4
-                actor.GetBoundingBox(renderer, box)
-                x, y = actor.GetPositionCoordinate().GetComputedDoubleDisplayValue(renderer)
-                boxes[actor.GetInput()] = (x + box[0], y + box[2], x + box[1], y + box[3])
+        x, y = renderer.GetOrigin()
+        for text, label in labels_of(renderer).items():
+            left, right, low, high = label.box_px
+            boxes[text] = x + left, y + low, x + right, y + high
     return boxes
 
 

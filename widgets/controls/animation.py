@@ -168,7 +168,7 @@ class AnimationBar(QWidget, Playing, Gestures):
         )  # fmt: skip
         self.height_mode = ChoiceRow(
             self.tr("Height"),
-            self.tr("What the y of the eye does during the walk (the exercise of lecture 004)."),
+            self.tr("How the eye's y changes during the walk (the exercise of lecture 004)."),
             (
                 Choice("fixed", self.tr("fixed"), self.tr("The eye keeps its y.")),
                 Choice("swing", self.tr("swinging smoothly"),
@@ -179,11 +179,11 @@ class AnimationBar(QWidget, Playing, Gestures):
         )  # fmt: skip
         unit, unit_tip = self.tr("units"), self.tr("world units")
         self.lowest = NumberRow(
-            self.tr("Lowest"), self.tr("The least y of the eye while its height changes."),
+            self.tr("Lowest"), self.tr("The lowest y of the eye while its height changes."),
             Linear(-10.0, 10.0, 0.1), unit, unit_tip,
         )  # fmt: skip
         self.highest = NumberRow(
-            self.tr("Highest"), self.tr("The greatest y of the eye while its height changes."),
+            self.tr("Highest"), self.tr("The highest y of the eye while its height changes."),
             Linear(-10.0, 10.0, 0.1), unit, unit_tip,
         )  # fmt: skip
         self.look = ChoiceRow(

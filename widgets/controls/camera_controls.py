@@ -129,7 +129,7 @@ class CameraControls(QObject):
         )  # fmt: skip
         image.add_choice(
             "depth", "depth",
-            self.tr("Which z the near and the far plane have in the NDC cube."),
+            self.tr("The z of the near and the far plane in the NDC cube."),
             ranges, lambda p: p.depth, lambda p, depth: p.with_depth(depth),
             name=self.tr("NDC z"),
         )  # fmt: skip

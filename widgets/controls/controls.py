@@ -189,7 +189,7 @@ class Controls(Dock, RowHolder):
 
     def _disable_camera(self, disabled: bool) -> None:
         """Disable or enable what moves the camera: a typed view matrix has no camera."""
-        why = self.tr("The view matrix was typed, and no camera has it: undo, or choose a lens.")
+        why = self.tr("No camera has the typed view matrix: undo, or choose a lens.")
         for part in (
             *(each.row for each in self._bindings.values() if each.part == "camera"),
             self.animation,

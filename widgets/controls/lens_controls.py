@@ -116,8 +116,8 @@ class LensControls(QObject):
     def _make_leaning(self) -> None:
         oblique = _with("alpha_deg")
         drawings = {
-            "cavalier": (self.tr("cavalier, {0}°"), self.tr("Depth is drawn in full length")),
-            "cabinet": (self.tr("cabinet, {0}°"), self.tr("Depth is drawn in half its length")),
+            "cavalier": (self.tr("cavalier, {0}°"), self.tr("Depth is drawn at full length")),
+            "cabinet": (self.tr("cabinet, {0}°"), self.tr("Depth is drawn at half its length")),
         }
         choices = []
         for key in OBLIQUE_PRESETS:
@@ -127,22 +127,23 @@ class LensControls(QObject):
             choices.append(Choice(key, text.format(angle), rising))
         self._front.add_choice(
             "preset", "lens",
-            self.tr("The textbooks' drawings. The target stays in its place in the picture."),
+            self.tr("The standard drawings of textbooks. The target stays in its place in the"
+                    " picture."),
             choices, _preset, _with_preset, none=self.tr("free"), lenses=oblique,
         )  # fmt: skip
         degrees = self.tr("degrees")
         receding = Typed(_angles, lambda p: Receding(*receding_of(p.lens)), _with_receding)
         self._front.add_number(
             "receding", "lens",
-            self.tr("Drawn length of a line straight into the picture, per true length: 1 is a"
-                    " cavalier, 0.5 a cabinet drawing, 0 orthographic. The target stays in its"
-                    " place in the picture."),
+            self.tr("Drawn length of a line perpendicular to the picture, relative to its true"
+                    " length: 1 is a cavalier, 0.5 a cabinet drawing, 0 orthographic. The target"
+                    " stays in its place in the picture."),
             Linear(0.0, 2.0, 0.01), self.tr("×"), self.tr("times the true length"),
             *receding.access("receding"), lenses=oblique,
         )  # fmt: skip
         self._front.add_number(
             "receding_deg", "lens",
-            self.tr("Direction in which depth is drawn, from the right anticlockwise. The target"
+            self.tr("Direction in which depth is drawn, anticlockwise from the right. The target"
                     " stays in its place in the picture."),
             Linear(-180.0, 180.0, 1.0), "°", degrees,
             *receding.access("receding_deg"), lenses=oblique,
@@ -231,10 +232,10 @@ class LensControls(QObject):
             "fx": self.tr("Focal length in pixel widths: K's first diagonal entry."),
             "fy": self.tr("Focal length in pixel heights: K's second diagonal entry. Equal to fx"
                           " if the pixels are square."),
-            "cx": self.tr("Principal point, from the centre of the first pixel to the right. In"
-                          " the image's middle the lens is symmetric, elsewhere off-axis."),
-            "cy": self.tr("Principal point, from the centre of the first pixel downwards. In the"
-                          " image's middle the lens is symmetric, elsewhere off-axis."),
+            "cx": self.tr("Principal point, to the right from the centre of the first pixel. At "
+            "the image's centre the lens is symmetric, elsewhere off-axis."),
+            "cy": self.tr("Principal point, downwards from the centre of the first pixel. At "
+            "the image's centre the lens is symmetric, elsewhere off-axis."),
         }  # fmt: skip
         typed = Typed(
             lambda p: (p.lens, p.image_size), lambda p: p.intrinsics, Projection.with_intrinsics

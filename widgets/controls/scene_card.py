@@ -100,7 +100,7 @@ class SceneCard(QWidget, RowHolder):
         self.readout.highlighted.connect(partial(self.highlighted.emit, "reading"))
         self.use_mesh = tool_button(
             self.tr("My mesh…"),
-            self.tr("Replace the scene's own objects by a mesh from a file"),
+            self.tr("Replace the scene's own objects with a mesh from a file"),
             self.mesh_wanted, name=self.tr("My mesh"), by_click=True,
         )  # fmt: skip
         self.remove_mesh = tool_button(
@@ -387,7 +387,9 @@ class SceneCard(QWidget, RowHolder):
                 if why:
                     without_effect.add(name)
                 elif found[name] is None and not isinstance(row, ChoiceRow):
-                    why = self.tr("The lens has none: choose one of the above first.")
+                    why = self.tr(
+                        "The lens does not have this value: choose one of the above first."
+                    )
             if why != self._why_not.get(row, ""):
                 for part in (row, *row.findChildren(QWidget)):
                     self._why_not[part] = why

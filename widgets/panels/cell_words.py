@@ -68,7 +68,7 @@ class CellWords(QObject):
         if into == of:
             text = self.tr("It scales {0} by {2}.")
             if value == 1.0:
-                text = self.tr("It leaves the scale of {0} as it is.")
+                text = self.tr("It leaves the scale of {0} unchanged.")
             elif value < 0.0:
                 text = self.tr("It scales {0} by {2}, which reverses its direction.")
         elif of < 3:
@@ -91,7 +91,7 @@ class CellWords(QObject):
         elif source == "w" and is_alone:
             text = self.tr("It scales w, the divisor, by {1}.")
             if value == 1.0:
-                text = self.tr("It keeps w.")
+                text = self.tr("It leaves w unchanged.")
         elif source == "z" and value == -1.0 and is_alone:
             text = self.tr("It makes w, the divisor, the distance −z: perspective.")
         elif source == "w" and matrix.name.endswith("_from_world"):  # where every w is 1

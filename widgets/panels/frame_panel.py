@@ -154,8 +154,9 @@ class FramePanel(Panel):
             ),
             _Step(
                 v, f"{_V} = {_N} × {_U}",
-                self.tr("Upwards in the picture: at right angles to {0} and {1}. It is the "
-                        "part of {2} across the view.").format(n, u, up),
+                self.tr("Upwards in the picture: at right angles to {0} and "
+                        "{1}. It is the part of {2} at right angles to the "
+                        "view.").format(n, u, up),
             ),
             _Step(
                 self.tr("view matrix"),
@@ -201,7 +202,7 @@ class FramePanel(Panel):
         in_column(*labels, FREE, on=step, margins=(2, 0, 2, 0), gap=4)
         of_up = (self.figures, self.angle, self.nudge, self.warning)
         in_column(*of_up, FREE, on=up, margins=(12, 0, 2, 0), gap=4)
-        aside = scrolled(up, self.tr("What up does"))
+        aside = scrolled(up, self.tr("The effect of up"))
         aside.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         bar = in_row(*buttons, 12, self.title, FREE)
         body = in_row((scrolled(step, self.tr("The step")), 3), (aside, 2))
@@ -260,7 +261,7 @@ class FramePanel(Panel):
         self.all.setEnabled(self.step < len(STEPS) - 1)
 
     def _show_playing(self) -> None:
-        text, tip = self.tr("Play"), self.tr("One step after the other")
+        text, tip = self.tr("Play"), self.tr("Show one step after the other")
         if self.playing:
             text, tip = self.tr("Pause"), self.tr("Stay at this step")
         self.play.setText(text)
@@ -313,8 +314,8 @@ class FramePanel(Panel):
         typed = not self._projection.has_camera
         if typed:
             text = self.tr(
-                "The view matrix was typed, and no camera has it: these are the numbers of the"
-                " camera before. Undo, or choose a lens."
+                "No camera has the typed view matrix: these are the numbers of the previous "
+                "camera. Undo, or choose a lens."
             )
         for control in (self.angle, self.nudge):
             control.setEnabled(not typed)  # nothing would turn

@@ -43,7 +43,7 @@ class MatrixBox(QWidget):
         self._note.setObjectName("paneNote")
         self._note.hide()
         fold = self._fold = tool_button(
-            "", self.tr("Show the factors that this matrix is the product of"),
+            "", self.tr("Show the factors of this matrix"),
             name=self.tr("Factors of {0}").format(stage_title(matrix.name)),
             flat=True, checkable=True,
         )  # fmt: skip

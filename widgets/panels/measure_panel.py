@@ -156,7 +156,7 @@ class MeasurePanel(DiagramPanel):
         self.progress.hide()
         tip = self.tr("Save what is shown: CSV, JSON, PNG or PDF")
         self.export_button = push_button(self.tr("Export…"), tip, self.export_dialog)
-        tip = self.tr("Draw the results of a file, perhaps of another machine, over these")
+        tip = self.tr("Draw the results from a file, perhaps from another machine, over these")
         self.load_button = push_button(self.tr("Compare…"), tip, self.load_dialog)
         tip = self.tr("Remove the results of the file")
         self.forget_button = push_button(self.tr("Forget"), tip, self.forget)
@@ -417,7 +417,7 @@ class MeasurePanel(DiagramPanel):
                 "and those in grey are worse than another one in both cost and error"
             )
             if choices
-            else self.tr("The results at each value; there is nothing to use in the panes"),
+            else self.tr("The results at each value; the panes cannot use them"),
         )
         self.table.setVisible(bool(rows))
         self.table.setRowCount(len(rows))

@@ -24,7 +24,7 @@ from PySide6.QtGui import (
 )
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
-from app.document.compare import Picture, Written, in_words
+from app.document.compare import Picture, Written, in_words, names_in
 from app.document.settings import name_of, pictured
 from app.drawings.side_by_side import cells
 from app.drawings.style import Style
@@ -350,22 +350,27 @@ class Compare(QObject):
     # -- in words
 
     def _say(self, shown: Shown) -> None:
-        words = {"held": self.tr("Held"), "now": self.tr("Now"), "other": self.tr("Other")}
-        found_names = [name_of(shown.document, picture) for picture in self.pictures]
-        names = [words.get(name) or of_phenomena(name) for name in found_names]
+        phenomenon = PHENOMENA.get(shown.document.scene)
+        settings = () if phenomenon is None else phenomenon.settings
+        written = Written(field_name, of_phenomena, read_text)
+        names = [of_phenomena(name_of(shown.document, picture)) for picture in self.pictures]
+        seen = [place for place, each in enumerate(self._seen) if each is not None]
         states = [each.document.state for each in self._seen if each is not None]
+        found = names_in([names[place] for place in seen], states, settings, written)
+        for place, name in zip(seen, found, strict=True):
+            # A held picture that shows the same is known by being held.
+            is_held = self.pictures[place].held is not None
+            names[place] = name or (self.tr("held") if is_held else "")
         if names != [caption.text() for caption in self.captions]:
             for caption, name in zip(self.captions, names, strict=True):
                 caption.setText(name)
             self._place_captions()
-        phenomenon = PHENOMENA.get(shown.document.scene)
-        settings = () if phenomenon is None else phenomenon.settings
-        written = Written(field_name, of_phenomena, read_text)
         texts = in_words(self.pictures, states, settings, written)
         texts = texts or [self.tr("no difference yet: change something")]
         if self.dividers and not self.is_divided:
             texts.append(self.tr("different shapes: side by side, at equal heights"))
-        parts = [f"{' | '.join(names)}:  ", *(f"{text}, " for text in texts[:-1]), texts[-1]]
+        named = " | ".join(name for name in names if name)
+        parts = [f"{named}:  " if named else "", *(f"{text}, " for text in texts[:-1]), texts[-1]]
         self.words.say([parts[0] + parts[1], *parts[2:]])
 
     # -- where they are

@@ -48,8 +48,8 @@ from widgets.parts.number_rows import QUIET_MS
 from widgets.parts.panel import PROJECTION, Changed, Shown
 from widgets.parts.plain import Label, set_tip
 
-HOLD_WITHIN_PX = 9.0
-"""Greatest distance from a mark at which a drag takes hold of it."""
+HOLD_WITHIN_PX = 12.0
+"""Greatest distance from a handle at which it appears, and a drag takes hold of it."""
 
 
 class Manipulation(Gestures, QObject):

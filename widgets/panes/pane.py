@@ -14,13 +14,14 @@ import time
 from collections.abc import Callable, Sequence
 from typing import Any
 
-from PySide6.QtCore import QEvent, QPoint, QPointF, QRect, Qt, Signal
+from PySide6.QtCore import QEvent, QPoint, QPointF, QRect, Qt, QTimer, Signal
 from PySide6.QtGui import (
     QCloseEvent,
     QColor,
     QKeyEvent,
     QMouseEvent,
     QMoveEvent,
+    QOpenGLContext,
     QPainter,
     QPaintEvent,
     QResizeEvent,
@@ -28,6 +29,7 @@ from PySide6.QtGui import (
 )
 from PySide6.QtWidgets import QFrame, QGridLayout, QWidget
 
+from app.document.naming import named_in
 from app.drawings import AXES
 from app.drawings.drawing import Drawing
 from app.lecture.highlight import NOTHING, Highlight
@@ -40,6 +42,8 @@ from widgets.parts.buttons import tool_button
 from widgets.parts.layouts import in_column
 from widgets.parts.panel import PROJECTION, Changed, Shown
 
+REST_MS = 80
+"""A coarse picture is refined when nothing has changed for so long."""
 SCALES = {"half resolution": 0.5, "supersampling 2 x 2": 2.0}
 """Drawn pixels for one pixel of the screen, along each side, where it is not one."""
 SMOOTHINGS = ("none", "FXAA", "MSAA 2", "MSAA 4", "MSAA 8", *SCALES)
@@ -55,6 +59,7 @@ def multisamples(smoothing: str) -> int:
 AS_BUILT: dict[str, Any] = {
     "detail": None,
     "layers": frozenset(),
+    "names": None,
     "projection": None,
     "stage": None,
     "view": None,
@@ -75,7 +80,7 @@ _SHOW: dict[str, Callable[[Drawing, Any], object]] = {
     "object_axes": lambda drawing, wanted: drawing.show_object_axes(wanted),
     "highlight": lambda drawing, highlighted: drawing.show_highlight(highlighted),
 }
-"""How a drawing is told; ``projection`` and ``view`` take more than one call."""
+"""How a drawing is told; ``projection``, ``names`` and ``view`` take more than one call."""
 
 
 class Surface(QWidget):
@@ -207,6 +212,10 @@ class Pane(QFrame):
         self.hand.clicked.connect(self.clicked)
         self.hand.hovered.connect(self._point_at)
         self.hand.left.connect(self._point_at)
+        self._rest = QTimer(self, singleShot=True)
+        self._rest.timeout.connect(self._refine)
+        self._has_changed = True
+        self.canvas.drawn.connect(self._plan_refining)
         self.canvas.painted.connect(lambda ms: self.timed.emit(self._matrices_ms, ms))
         self.surface = Surface(self.canvas)
         self._column = QGridLayout(self)
@@ -264,6 +273,7 @@ class Pane(QFrame):
         elif shown is not self.shown:
             self.take(shown, PROJECTION)
         self.show_layers(other._hidden)
+        self.ask("names", other._asked["names"])
         self.set_bare(other._is_bare)
         self.show_probes(tuple(probe for probe in other.probes if probe.number))
         self.set_smoothing(at_rest or other._smoothing)
@@ -299,7 +309,8 @@ class Pane(QFrame):
     def ask(self, what: str, wanted: object) -> bool:
         """Show one of `AS_BUILT`, now or on appearing; return whether it is new.
 
-        ``"detail"``: a scene with fewer triangles, or None. ``"stage"``: a position on the stage
+        ``"detail"``: a scene with fewer triangles, or None. ``"names"``: the names of a view, or
+        None for the scene's own. ``"stage"``: a position on the stage
         strip. ``"step"``: a step of the camera's frame, or None. ``"fixed"``: one of
         `app.document.view.FIXED`, or ``""``. ``"object_axes"``: whether they are always visible.
         """
@@ -366,6 +377,8 @@ class Pane(QFrame):
                 began = time.perf_counter()
                 drawing.show_projection(shown.projection, shown.illustration)
                 self._matrices_ms = 1e3 * (time.perf_counter() - began)
+            elif what == "names":
+                drawing.show_names(named_in(drawing.pane, shown.scene, wanted))
             elif what == "view":
                 drawing.reset_view()
                 if wanted is not None:
@@ -373,6 +386,7 @@ class Pane(QFrame):
             else:
                 _SHOW[what](drawing, wanted)
         self._due.clear()
+        self._has_changed = True
         self.request_repaint()
 
     def _build(self, shown: Shown, args: tuple[object, ...]) -> None:
@@ -434,6 +448,21 @@ class Pane(QFrame):
     def request_repaint(self) -> None:
         """Ask Qt for one repaint, however often it is asked before the next paint."""
         self.canvas.redraw()
+
+    def _plan_refining(self) -> None:
+        """Refine a picture that was drawn coarsely: soon after a change, at once after a step."""
+        if self.drawing is not None and self.drawing.is_coarse:
+            self._rest.start(REST_MS if self._has_changed else 0)
+
+    def _refine(self) -> None:
+        if self.drawing is None or not self.isVisible():
+            return
+        self._has_changed = False
+        current = QOpenGLContext.currentContext()
+        if current is not None:  # VTK might draw in Qt's context
+            current.doneCurrent()
+        self.drawing.refine()
+        self.request_repaint()
 
     # -- the pane's own camera
 

@@ -11,15 +11,15 @@ from widgets.parts.icons import show_icon
 from widgets.parts.plain import set_tip
 
 FRAME_MS = 16
-"""Least time between two frames."""
+"""Shortest time between two frames."""
 LONGEST_FRAME_S = 0.25
-"""A stalled window continues from where it was instead of jumping."""
+"""Longest time reported for a frame: after a stall, motion continues instead of jumping."""
 
 
 class Clock(QObject):
-    """Reports once a frame how much time has passed, while it runs.
+    """While it runs, reports the elapsed time once per frame.
 
-    The wait for a frame begins when the work of the frame before is done: slow frames do not pile
+    The wait for a frame begins when the previous frame's work is done, so slow frames do not pile
     up.
     """
 
@@ -58,7 +58,7 @@ class Playing:
     button: QToolButton
 
     def _name_button(self, name: str, tip: str, tip_playing: str) -> str:
-        """Name the button after what a click does; return that word, which replaces ``{0}``."""
+        """Name the button after the effect of a click; return that word, which replaces ``{0}``."""
         word = QCoreApplication.translate("Playing", "Play")
         if self.playing:
             word = QCoreApplication.translate("Playing", "Pause")

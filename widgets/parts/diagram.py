@@ -145,7 +145,7 @@ class _Axis:
 def segments(points: Floats) -> tuple[Floats, NDArray[np.intp]]:
     """Return the parts of a polyline (n, 2) inside the unit square; NaN breaks the line.
 
-    The results are the parts' ends (m, 2, 2), and the index of the point at which each segment
+    The results are the ends (m, 2, 2) of the parts, and the index of the point where each segment
     begins (m,). The method is Liang-Barsky for all segments at once. An end that is more than
     `_FAR` windows away is first moved along the segment towards the other end.
     """
@@ -205,7 +205,7 @@ def seen_parts(curves: Sequence[Curve], across: _Axis, up: _Axis) -> list[Floats
 
 
 class DiagramView(QWidget):
-    """Draw one diagram in the size of the widget."""
+    """Draws one diagram at the size of the widget."""
 
     spot_clicked = Signal(str)
     """Emits the key of a clicked `Spot`."""
@@ -254,7 +254,7 @@ class DiagramView(QWidget):
         self.update()
 
     def set_style(self, style: Style) -> None:
-        """Draw in other colours and widths; sizes are in device pixels, as for the panes."""
+        """Use other colours and widths; sizes are in device pixels, as for the panes."""
         self._style = style
         self.update()
 

@@ -1,7 +1,7 @@
-"""Esc during a drag: the dragged value goes back, and the mouse holds nothing any more.
+"""Esc during a drag restores the dragged value and releases it from the mouse.
 
-The drag gets Esc whatever has the focus, and before any shortcut. Moves of the mouse are ignored
-until the button is released.
+The drag receives Esc before any shortcut, whichever widget has the focus. Moves of the mouse are
+ignored until the button is released.
 """
 
 from __future__ import annotations
@@ -12,7 +12,7 @@ from PySide6.QtWidgets import QApplication, QSlider, QWidget
 
 
 class EscapeKey(QObject):
-    """Takes Esc from the window between `watch` and `leave`."""
+    """Intercepts Esc between `watch` and `leave`."""
 
     pressed = Signal()
 
@@ -26,13 +26,13 @@ class EscapeKey(QObject):
         return self._watched is not None
 
     def watch(self, window: QWidget) -> None:
-        """Begin to watch at the start of a drag in this window."""
+        """Start intercepting Esc, at the start of a drag in this window."""
         self.leave()
         self._watched = QApplication.focusWidget() or window
         self._watched.installEventFilter(self)
 
     def leave(self) -> None:
-        """Stop watching at the end of the drag."""
+        """Stop intercepting Esc, at the end of the drag."""
         if self._watched is not None:
             self._watched.removeEventFilter(self)
             self._watched = None

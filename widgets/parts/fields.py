@@ -1,14 +1,14 @@
-"""One row of the controls: a name, a way to choose a value, and an error line.
+"""One row of the controls: a name, an input for a value, and an error line.
 
-A row keeps what the user is doing to one value (dragging, typing, a refused text); it does not
-know the model. Its signals report the user's own actions only:
+A row holds the unfinished input of one value (a drag, a typed text, a refused text); it does not
+depend on the model. Its signals report the user's own actions only:
 
     user -> row.edited(value) -> owner accepts silently, or calls row.show_error(sentence)
     owner -> row.setValue(value)     no signal follows
 
 `gesture_started` and `gesture_finished` enclose edits that belong together: a drag, a burst of
-keys or wheel steps, one typed value, one reset. `gesture_abandoned` comes before
-`gesture_finished` if all of them must be put back.
+keys or wheel steps, one typed value, one reset. `gesture_abandoned` precedes `gesture_finished` if
+all these edits must be undone.
 """
 
 from __future__ import annotations
@@ -50,7 +50,7 @@ from widgets.parts.plain import set_tip, wrapped
 ROW_GAP_PX = 4
 """Between the parts of a row."""
 ONE_LINE_EM = 11
-"""A name and a choice that are wider together, in heights of a line, take two lines."""
+"""Largest width, in line heights, of a name and a choice that share a line."""
 _BY_KEYS = {
     Qt.FocusReason.TabFocusReason,
     Qt.FocusReason.BacktabFocusReason,
@@ -66,7 +66,7 @@ QToolButton:checked {
 }
 QToolButton:hover, QToolButton:focus { border-color: palette(text); }
 """
-"""Fusion hardly shows which of two dark buttons is down."""
+"""A style sheet, because Fusion hardly shows which of two dark buttons is down."""
 
 
 class _Name(Balanced):
@@ -78,7 +78,7 @@ class _Name(Balanced):
 
 
 class _Combo(Combo):
-    """A combo box that leaves the wheel to the column until it has the focus."""
+    """A combo box that ignores the wheel, so that the column scrolls, until it has the focus."""
 
     def __init__(self) -> None:
         super().__init__()
@@ -107,14 +107,14 @@ class Row(Marked, QWidget, Gestures):
     edited = Signal(object)
     """The user chose this value."""
     highlighted = Signal(bool)
-    """Whether the mouse is over the row, or the keyboard came into it."""
+    """Whether the mouse is over the row, or the focus came into it by the keyboard."""
 
     def __init__(self, name: str, tip: str) -> None:
         super().__init__()
         self.name, self.tip = name, tip
         self.error = ""
         """The sentence shown below the row, or nothing."""
-        self._attending: set[str] = set()  # of mouse and keyboard
+        self._attending: set[str] = set()  # by mouse and keyboard
         self._value: Any = None
         self._default: Any = None
         self._error: RefusalLabel | None = None
@@ -135,11 +135,11 @@ class Row(Marked, QWidget, Gestures):
         self._grid.setVerticalSpacing(1)
         self._grid.setColumnStretch(0, 1)
         self._grid.addWidget(self.name_label, 0, 0)
-        # Fixed would hold the row at its size hint, which does not know how often the error wraps.
+        # Fixed would keep the row at its size hint, which ignores how often the error wraps.
         self.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Preferred)
 
     def take_focus(self) -> None:
-        """Give the keyboard to the field or the box of the row."""
+        """Give the focus to the field or the box of the row."""
         buddy = self.name_label.buddy()
         if buddy is not None:
             buddy.setFocus(Qt.FocusReason.ShortcutFocusReason)
@@ -149,7 +149,7 @@ class Row(Marked, QWidget, Gestures):
         return self._value
 
     def setValue(self, value: Any) -> None:
-        """Show a value without a signal. A text that is being typed stays."""
+        """Show a value without a signal; keep a text that is being typed."""
         if value != self._value:
             self._value = value
             self.clear_error()
@@ -160,14 +160,14 @@ class Row(Marked, QWidget, Gestures):
         self._default = value
 
     def reset(self) -> None:
-        """Go back to the default, as an edit by the user."""
+        """Return to the default, as an edit by the user."""
         self.clear_error()
         if self._default is not None and self._default != self._value:
             self._make_edit(self._default)
 
     @property
     def at_rest(self) -> bool:
-        """Whether the row shows its value, and nothing refused or unfinished."""
+        """Whether the row shows its value, with nothing refused or unfinished."""
         return True
 
     @property
@@ -176,7 +176,7 @@ class Row(Marked, QWidget, Gestures):
         return False
 
     def show_error(self, sentence: str) -> None:
-        """Refuse what was just edited, and say why below the row."""
+        """Refuse the last edit, and say why below the row."""
         self._refused = True
         self._show_refusal(refusal(sentence))
 
@@ -199,7 +199,7 @@ class Row(Marked, QWidget, Gestures):
         """End the gesture in progress, if there is one."""
 
     def _attempt(self, value: Any) -> bool:
-        """Offer a value to the owner, and keep it if the owner does not refuse it."""
+        """Offer a value to the owner; keep it unless the owner refuses it."""
         before, self._value = self._value, value
         self._refused = False
         self.edited.emit(value)
@@ -219,7 +219,7 @@ class Row(Marked, QWidget, Gestures):
         """Write the value into the row's widgets."""
 
     def _tell(self, part: QWidget, tip: str) -> None:
-        """Describe a part by its tooltip, and to a screen reader without the markup."""
+        """Set a part's tooltip, and its description without markup for a screen reader."""
         set_tip(part, wrapped(tip))
         part.setAccessibleDescription(tip)
         self._told[part] = tip
@@ -252,15 +252,13 @@ class Row(Marked, QWidget, Gestures):
         self._attend("keyboard", False)
 
     def eventFilter(self, watched: Any, event: QEvent) -> bool:
-        if isinstance(
-            event, QFocusEvent
-        ):  # a focus by a click is the mouse's, which attends itself
+        if isinstance(event, QFocusEvent):  # focus by a click is covered by the mouse's own events
             self._attend("keyboard", event.gotFocus() and event.reason() in _BY_KEYS)
         return super().eventFilter(watched, event)
 
 
 class Choice(NamedTuple):
-    """A thing to choose: its key, its translated text and explanation."""
+    """One option: its key, translated text and explanation."""
 
     key: str
     text: str
@@ -268,7 +266,7 @@ class Choice(NamedTuple):
 
 
 class ChoiceRow(Row):
-    """One of a few named things: a combo box, or buttons side by side.
+    """A row to choose one of a few options: a combo box, or buttons side by side.
 
     Parameters
     ----------
@@ -277,7 +275,7 @@ class ChoiceRow(Row):
     buttons : bool
         Buttons instead of a combo box: one click instead of two.
     none : str
-        Text of a combo box while none of the choices is chosen.
+        Text of a combo box while no option is chosen.
     """
 
     def __init__(
@@ -357,7 +355,7 @@ class ChoiceRow(Row):
 
 
 class CheckRow(Row):
-    """A switch: a check box behind its name."""
+    """A switch: a check box after its name."""
 
     def __init__(self, name: str, tip: str) -> None:
         super().__init__(name, tip)
@@ -374,12 +372,12 @@ class CheckRow(Row):
 
 
 class RowHolder(Gestures):
-    """A widget with rows, one of which at a time is in a gesture; it passes that gesture on."""
+    """A widget with rows, of which one at a time has a gesture; it forwards that gesture."""
 
     rows: dict[str, Row]
 
     def _join(self, row: Row) -> None:
-        """Pass the row's gestures on."""
+        """Forward the row's gestures."""
         row.gesture_started.connect(partial(self._begin_with, row))
         row.gesture_finished.connect(self.gesture_finished)
         row.gesture_abandoned.connect(self.gesture_abandoned)
@@ -387,5 +385,5 @@ class RowHolder(Gestures):
     def _begin_with(self, row: Row) -> None:
         for other in self.rows.values():
             if other is not row:
-                other.finish_gesture()  # a burst of keys elsewhere that has not gone quiet yet
+                other.finish_gesture()  # a burst of keys in another row may not have ended yet
         self.gesture_started.emit()

@@ -14,7 +14,7 @@ from PySide6.QtGui import QPainter, QPaintEvent, QPen
 from PySide6.QtWidgets import QApplication, QLayout, QScrollArea, QSplitter, QWidget
 
 RING_PX = 2
-"""Wide enough to be seen from the back row."""
+"""Width of the frame, visible from the back row."""
 
 
 def focus_next(window: QWidget, forwards: bool) -> bool:
@@ -41,7 +41,7 @@ def focus_next(window: QWidget, forwards: bool) -> bool:
 
 
 def _is_stop(widget: QWidget) -> bool:
-    """Whether Tab stops here; at a scroll area only if it can scroll."""
+    """Whether Tab stops here; a scroll area is a stop only if it can scroll."""
     if not (widget.isEnabled() and widget.focusPolicy() & Qt.FocusPolicy.TabFocus):
         return False
     if isinstance(widget, QScrollArea):
@@ -67,7 +67,7 @@ def _in_order(widget: QWidget, focus: QWidget | None) -> Iterator[QWidget]:
 
 
 def _of_layout(layout: QLayout, widgets: list[QWidget]) -> list[QWidget]:
-    """Return those of these widgets that a layout holds, in its order.
+    """Return those of these widgets that are in a layout, in its order.
 
     `itemAt` is not used: an item is not a QObject. Once it is deleted, PySide would take whatever
     lies at its address for it.
@@ -83,12 +83,12 @@ def _of_layout(layout: QLayout, widgets: list[QWidget]) -> list[QWidget]:
 
 def lay_out() -> None:
     """Apply all pending layouts now, before something is scrolled into view."""
-    for _ in range(4):  # row, section, column, scroll area: each tells only the one around it
+    for _ in range(4):  # row, section, column, scroll area: each notifies only its parent
         QApplication.sendPostedEvents(None, QEvent.Type.LayoutRequest)
 
 
 class FocusRing(QWidget):
-    """A frame over a widget while it has the focus, where Qt shows none."""
+    """A frame over the focused widget if Qt draws none."""
 
     def __init__(self, ringed: QWidget) -> None:
         super().__init__(ringed)
@@ -99,7 +99,7 @@ class FocusRing(QWidget):
 
     def _follow(self, left: QWidget | None, entered: QWidget | None) -> None:
         if entered is self._ringed:
-            self._ringed.installEventFilter(self)  # only now: a pane is drawn at every step
+            self._ringed.installEventFilter(self)  # not earlier: a pane is drawn at every step
             self.setGeometry(self._ringed.rect())
             self.raise_()
             self.show()

@@ -13,15 +13,15 @@ else:
 
 
 class Gestures(Beside):
-    """Reports when a gesture begins and ends: a drag, a burst of keys, something that plays."""
+    """Reports when a gesture (a drag, a burst of keys, an animation) begins and ends."""
 
     gesture_started = Signal()
     gesture_finished = Signal()
     gesture_abandoned = Signal()
-    """Esc: undo what this gesture has changed; it ends now."""
+    """Esc was pressed: undo the changes of this gesture, which ends now."""
 
     def pass_on(self, source: Gestures) -> None:
-        """Report another object's gestures too."""
+        """Forward another object's gestures too."""
         source.gesture_started.connect(self.gesture_started)
         source.gesture_finished.connect(self.gesture_finished)
         source.gesture_abandoned.connect(self.gesture_abandoned)

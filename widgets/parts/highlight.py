@@ -1,11 +1,11 @@
-"""What the user points at: one value for the whole window.
+"""The highlight of what the user points at: one value for the whole window.
 
 ::
 
     row, cell, word or pane --mark(who, what)--> Highlighter --changed(what)--> all that show it
 
-A widget under the mouse or with the keyboard's focus marks what it is about, and marks `NOTHING`
-afterwards. The latest mark counts; when it is removed, the one before counts again.
+A widget under the mouse or with the focus marks its subject, and marks `NOTHING` afterwards. The
+latest mark counts; when it is removed, the previous one counts again.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""The window's icons: one family, drawn in the colour of its text at every scale.
+"""The window's icons: one family, drawn in the text colour at every scale.
 
 The shapes are those of Lucide (lucide.dev, ISC licence), on a grid of 24, as lines two units wide.
 """
@@ -24,7 +24,7 @@ from PySide6.QtWidgets import QAbstractButton, QApplication
 from widgets.parts.plain import Label
 
 SIGN = 1.25
-"""Room of a warning sign and the gap behind it, in heights of a line."""
+"""Width of a warning sign and the gap after it, in line heights."""
 REFUSAL_SHEET = "QLabel { border: 0px; border-left: 3px solid #d55e00; padding: 1px 0 2px 5px; }"
 
 _PATHS = {
@@ -84,7 +84,7 @@ def paint_icon(painter: QPainter, rect: QRect, name: str, *, enabled: bool = Tru
 
 
 class WarningLabel(Label):
-    """Plain text behind a warning sign; without text there is no sign."""
+    """Plain text after a warning sign; an empty text has no sign."""
 
     def __init__(self) -> None:
         super().__init__()
@@ -147,7 +147,7 @@ def _fit(button: QAbstractButton) -> None:
 
 
 class _Drawn(QIconEngine):
-    """A shape that is drawn when it becomes visible, in the palette's current colours."""
+    """An icon that is drawn when it becomes visible, in the palette's current colours."""
 
     def __init__(self, name: str) -> None:
         super().__init__()
@@ -192,4 +192,4 @@ def _draw(painter: QPainter, rect: QRect, name: str, colour: str, opacity: float
 
 
 _clones: list[_Drawn] = []
-"""Qt owns these, but PySide would delete those that Python drops."""
+"""Qt owns these, but PySide would delete them if Python dropped them."""

@@ -18,8 +18,8 @@ from PySide6.QtWidgets import (
 from widgets.parts.focus import FocusRing
 
 Part: TypeAlias = QWidget | QLayout | tuple[QWidget | QLayout, int | Qt.AlignmentFlag] | int | None
-"""A part of a line: a widget or a layout, alone or with its stretch or its alignment; pixels; or
-`FREE`."""
+"""A part of a line: a widget or a layout, alone or with its stretch or alignment; a gap in pixels;
+or `FREE`."""
 FREE = None
 """A stretch that takes the remaining room."""
 TOP = Qt.AlignmentFlag.AlignTop

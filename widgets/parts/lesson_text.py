@@ -37,11 +37,11 @@ from widgets.parts.plain import TextDocument
 _KIND = QTextFormat.ObjectTypes.UserObject + 1
 _TEX = QTextFormat.Property.UserProperty + 1
 LARGER = 1.12
-"""Size of a formula's letters against the text's, whose small letters are higher."""
+"""Size of a formula's letters relative to the text's, whose small letters are taller."""
 ROOM_EM = 0.06
-"""Free on both sides of a formula."""
+"""Space on both sides of a formula."""
 MAY_BREAK, NO_BREAK = "\u200b", "\u2060"
-"""Characters without width: a line may end at the first, and not at the second."""
+"""Characters without width: a line may break at the first, but not at the second."""
 LIST_EM = 0.55
 """Half the indent of a list: Qt indents by two units."""
 STYLE = """
@@ -69,7 +69,7 @@ def set_text(
     document.setIndentWidth(LIST_EM * 2.0 * _em(document, QTextCharFormat()))
     document.setHtml(html)
     layout = document.documentLayout()
-    layout.unregisterHandler(_KIND)  # or the handler would be connected once more
+    layout.unregisterHandler(_KIND)  # otherwise the handler would be connected again
     layout.registerHandler(_KIND, _formulas())
     cursor = QTextCursor(document)
     for tex in formulas:
@@ -139,7 +139,7 @@ class _Formulas(QPyTextObject):
     """Lays out and draws the formulas of documents, in the colour of the text around them."""
 
     def _set(self, document: QTextDocument, form: QTextFormat) -> tuple[str, Outline, float, float]:
-        """Return TeX, outline, em in pixels, and the height that Qt needs to centre the formula."""
+        """Return TeX, outline, em in pixels, and the height with which Qt centres the formula."""
         character = form.toCharFormat()
         tex = str(form.property(_TEX))
         found = outline(tex)
@@ -180,7 +180,7 @@ class _Formulas(QPyTextObject):
 
 @lru_cache(maxsize=1)
 def _formulas() -> _Formulas:
-    """Return the one handler of all documents.
+    """Return the single handler of all documents.
 
     A handler for each document, kept alive by nothing else, crashed now and then when its document
     was deleted: `Shiboken::Object::destroy` releases the wrapper and then uses it once more.
@@ -195,7 +195,7 @@ class LessonText(QTextEdit):
         super().__init__()
         self._text, self._is_title = "", title
         self._heights: dict[int, int] = {}
-        """By width: a layout asks often."""
+        """Cached by width: layouts request heights often."""
         self.setDocument(TextDocument(self))
         self.setReadOnly(True)
         self.setFrameShape(QFrame.Shape.NoFrame)
@@ -222,7 +222,9 @@ class LessonText(QTextEdit):
     def heightForWidth(self, width: int) -> int:
         if width not in self._heights:
             document = self.document()
-            blocker = QSignalBlocker(document.documentLayout())  # or Qt sets its own width again
+            blocker = QSignalBlocker(
+                document.documentLayout()
+            )  # otherwise Qt sets its own width again
             before = document.textWidth()
             document.setTextWidth(width)
             self._heights[width] = math.ceil(document.size().height())

@@ -20,10 +20,10 @@ Choice: TypeAlias = tuple[str, Callable[[], object]]
 
 
 class MessageBar(QFrame):
-    """Shows one sentence at a time without blocking the window; Esc inside it dismisses it.
+    """Shows one sentence at a time without blocking the window; Esc in the bar dismisses it.
 
-    An offer is a sentence with choices. Another sentence replaces it for a while; the offer comes
-    back until it is accepted or dismissed.
+    An offer is a sentence with choices. Another sentence may replace it for a while; the offer
+    returns until it is accepted or dismissed.
     """
 
     def __init__(self, parent: QWidget | None = None) -> None:
@@ -78,7 +78,7 @@ class MessageBar(QFrame):
         self._offer_again()
 
     def put_off(self, waits: bool) -> None:
-        """Hide an offer while a class looks on, or show it again."""
+        """Hide an offer from a class, or show it again."""
         self._waits = waits
         if waits and self._choices:
             self.hide()

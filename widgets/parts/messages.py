@@ -1,7 +1,7 @@
-"""Texts of the core in the language of the window: refusals, names, numbers.
+"""Translate the core's texts into the window's language: refusals, names, numbers.
 
-The core does not know Qt: a `Refusal` has data (bound, field, value, limits) and templates that are
-marked for translation. They are translated here.
+The core does not depend on Qt: a `Refusal` has data (bound, field, value, limits) and templates
+that are marked for translation. This module translates them.
 """
 
 from __future__ import annotations
@@ -52,18 +52,18 @@ FACTORS = {
 }
 """Names of the stages' factors, except for the lectures' own letters."""
 
-# Only a control can refuse these: a text that is not a number.
+# Refusals of controls only: the text is not a number.
 A_NUMBER = QT_TRANSLATE_NOOP("Refusal", "must be a number, such as 0.5 or 2e-3")
 A_NUMBER_LIKE = QT_TRANSLATE_NOOP("Refusal", "must be a number, such as {0}")
 A_NUMBER_OR_INFINITY = QT_TRANSLATE_NOOP("Refusal", "must be a number, or inf for ∞")
 
 
 FEW = 4
-"""Significant digits of a number to be read."""
+"""Significant digits of a displayed number."""
 
 
 def breakable(text: str, longest: int = 40) -> str:
-    """Let Qt break long words, which would widen the window, by zero-width spaces."""
+    """Insert zero-width spaces so that long words wrap instead of widening the window."""
     return re.sub(rf"(\S{{{longest}}})(?=\S)", "\\1\u200b", text)
 
 
@@ -73,12 +73,12 @@ def file_title(path: str) -> str:
 
 
 def field_name(field: str) -> str:
-    """Return the translated name of a field; other names are translated already."""
+    """Return the translated name of a field; any other name is already translated."""
     return QCoreApplication.translate("Field", FIELDS[field]) if field in FIELDS else field
 
 
 def plane_name(plane: str) -> str:
-    """Return the translated name of a plane of the view volume; any other text stays."""
+    """Return the translated name of a plane of the view volume; leave any other text unchanged."""
     return QCoreApplication.translate("Plane", plane)
 
 
@@ -120,7 +120,7 @@ def figure_text(value: float, digits: int = 6) -> str:
 
 
 def read_text(value: float) -> str:
-    """Write a number to be read: with four digits, or with all of them."""
+    """Write a number for display: with four digits, or with all of them."""
     return number_text(value) if all_digits.now else figure_text(value, FEW)
 
 
@@ -146,7 +146,7 @@ def translated(template: str, context: str = "Refusal") -> str:
 
 
 def limits_text(low: float, high: float) -> str:
-    """Say what holds for a number between two ends; an end at infinity is omitted."""
+    """State the limits of a number; an infinite limit is omitted."""
     return "; ".join(
         translated(bound).format(number_text(limit))
         for bound, limit in ((AT_LEAST, low), (AT_MOST, high))
@@ -160,7 +160,7 @@ def of_measurements(text: str) -> str:
 
 
 def sentence(error: Exception) -> str:
-    """Say in the window's language what was refused; an error of another kind is not translated."""
+    """Write a refusal in the window's language; other errors are not translated."""
     if isinstance(error, Refusal):
         return error.sentence(translated, field_name, _value_text)
     return str(error)

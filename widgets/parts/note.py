@@ -1,4 +1,4 @@
-"""Labels: one line that is elided, and several lines of about equal length."""
+"""Labels: an elided line, and lines of about equal length."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ class Note(Label):
         return self._whole
 
     def sizeHint(self) -> QSize:
-        """Ask for no width: the note takes what remains."""
+        """Request no width: the note takes the remaining space."""
         return QSize(0, super().sizeHint().height())
 
     def resizeEvent(self, event: QResizeEvent) -> None:
@@ -54,7 +54,7 @@ class Note(Label):
 
 
 class Title(Note):
-    """A note that asks for the room of its whole text."""
+    """A note that requests the width of its whole text."""
 
     def __init__(self, text: str, name: str = "paneTitle") -> None:
         super().__init__()
@@ -68,7 +68,7 @@ class Title(Note):
 
     def sizeHint(self) -> QSize:
         width = self.fontMetrics().horizontalAdvance(self.text())
-        return QSize(width + 2, super().sizeHint().height())  # a letter may jut out
+        return QSize(width + 2, super().sizeHint().height())  # a letter may overhang
 
     def minimumSizeHint(self) -> QSize:
         return QSize(0, super().minimumSizeHint().height())

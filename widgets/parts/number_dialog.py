@@ -1,4 +1,4 @@
-"""A dialog that asks for one number, and reads and refuses it like the rows of the controls.
+"""A dialog for one number, which it reads and refuses like the rows of the controls.
 
 Qt's own dialog uses the system's locale, where a decimal point may separate thousands: 33.5 would
 be read as 335.
@@ -18,7 +18,7 @@ from widgets.parts.plain import Label
 
 
 class NumberDialog(QDialog):
-    """Asks for one number between `low` and `high`; `name` is the title and the refusal's field."""
+    """A dialog for a number from `low` to `high`; `name` is the title and the refusal's field."""
 
     def __init__(
         self,

@@ -11,9 +11,9 @@ from widgets.parts.number_text import FIELD_CHARACTERS, parse_number, short_text
 from widgets.parts.writing import all_digits
 
 ALL_CHARACTERS = 18
-"""Longest number, without its sign, that has room where all digits are shown."""
+"""Longest number, without its sign, that fits where all digits are shown."""
 INSIDE_FIELD_PX = 2
-"""Room that Qt leaves on both sides of a field's text."""
+"""Space that Qt leaves on both sides of a field's text."""
 _LEAVE_TEXT = {
     Qt.Key.Key_Return, Qt.Key.Key_Enter, Qt.Key.Key_Tab, Qt.Key.Key_Backtab, Qt.Key.Key_Escape,
     Qt.Key.Key_Up, Qt.Key.Key_Down, Qt.Key.Key_PageUp, Qt.Key.Key_PageDown,
@@ -22,7 +22,7 @@ _LEAVE_TEXT = {
 
 
 def refusal(sentence: str) -> str:
-    """Mark a sentence that says why something was refused."""
+    """Format the sentence of a refusal with a mark."""
     refused = QCoreApplication.translate("Row", "Not possible.")  # lupdate reads no f-strings
     return f"{refused} {sentence}"
 
@@ -40,8 +40,8 @@ def _may_edit(event: QEvent) -> bool:
 class NumberField(QLineEdit):
     """One number as text, with all its digits.
 
-    A text that is being typed or was refused stays until it is read or taken back. The field
-    leaves Undo and Esc to the window where it has no use for them.
+    A text that is being typed or was refused stays until it is read or discarded. The field passes
+    Undo and Esc to the window when it does not need them.
 
     Parameters
     ----------
@@ -61,12 +61,12 @@ class NumberField(QLineEdit):
 
     @property
     def at_rest(self) -> bool:
-        """Whether the field shows its number, and not a text that is being typed or was refused."""
+        """Whether the field shows its number, not a text that is being typed or was refused."""
         return not (self.refused or self.isModified())
 
     @property
     def is_typed_in(self) -> bool:
-        """Whether keys go here, or will when the user comes back to the window."""
+        """Whether keys go here, now or when the window becomes active again."""
         return self.window().focusWidget() is self
 
     def show_number(self, number: float | None) -> None:
@@ -79,7 +79,7 @@ class NumberField(QLineEdit):
         return parse_number(self.name, self.text(), self.unit, infinite=infinite)
 
     def take_back(self) -> None:
-        """Show the number again instead of a text that was typed or refused."""
+        """Discard a typed or refused text, and show the number again."""
         self.setModified(False)
         self.refused = False
         self._write()
@@ -126,14 +126,14 @@ class NumberField(QLineEdit):
 
 
 class ShortField(NumberField):
-    """A narrow field that shows its number short until the user is at it."""
+    """A narrow field that abbreviates its number until it has the focus."""
 
     def __init__(self, name: str, unit: str = "") -> None:
         super().__init__(name, unit)
         self.below: float | None = None
-        """A bound that the number never reaches, and must not seem to; set by the owner."""
+        """A bound that the number never reaches, even rounded for display; set by the owner."""
         self.characters = FIELD_CHARACTERS
-        """Longest number that has room, without its sign; set by the owner."""
+        """Longest number that fits, without its sign; set by the owner."""
         self._whole = False
         all_digits.changed.connect(self._resize)
 

@@ -31,23 +31,23 @@ from widgets.parts.scales import Scale, Stops
 from widgets.parts.writing import all_digits
 
 QUIET_MS = 500
-"""Keys and wheel steps with less than this between them are one gesture."""
+"""Keys and wheel steps at shorter intervals are one gesture."""
 LEAST_SLIDER_PX = 150
-"""A shorter slider has more values than a hand can tell apart."""
+"""Least width of a slider; a shorter one has more values than the user can distinguish."""
 FINE = 0.1
-"""How far the slider follows the mouse with Shift, relative to a drag without."""
+"""Speed of a drag with Shift, relative to one without."""
 VECTOR_CHARACTERS = 6
-"""Longest number, without its sign, that has room where three stand side by side."""
+"""Longest number, without its sign, that fits where three are side by side."""
 EXAMPLES = (0.5, 2e-3)
 """The numbers that `A_NUMBER` names."""
 _NOTCH = 120
-"""Eighths of a degree, in which Qt measures the wheel; a finer wheel turns by less."""
+"""A notch of the wheel in Qt's unit, eighths of a degree; a finer wheel turns by less."""
 
 
 class _Slider(HeldSlider):
     """A slider that moves slowly with Shift.
 
-    It leaves the wheel to the column unless it has the focus or Ctrl is held.
+    It ignores the wheel, so that the column scrolls, unless it has the focus or Ctrl is held.
     """
 
     def __init__(self) -> None:
@@ -63,7 +63,7 @@ class _Slider(HeldSlider):
         self.setSliderPosition(round(position / step) * step)
 
     def _acted(self, action: int) -> None:
-        """Let keys stop where a drag does; Qt sets the value after this."""
+        """Make keys stop at the same values as a drag; Qt sets the value after this."""
         if action != QSlider.SliderAction.SliderMove.value:
             self._go_to(self.sliderPosition(), fine=False)
 
@@ -101,7 +101,7 @@ class _Slider(HeldSlider):
 
 
 class _TypedRow(Row):
-    """A row with number fields; each is typed, refused and taken back by itself."""
+    """A row with number fields, each of which is typed, refused and discarded independently."""
 
     def _add_fields(self, *fields: ShortField) -> None:
         self.fields = fields
@@ -111,7 +111,7 @@ class _TypedRow(Row):
 
     @abstractmethod
     def _read(self, field: ShortField) -> Any:
-        """Return the row's value with the number that is typed in a field, or raise `Refusal`."""
+        """Return the row's value with the number typed in a field, or raise `Refusal`."""
 
     @property
     @abstractmethod
@@ -184,8 +184,8 @@ class _TypedRow(Row):
 class NumberRow(_TypedRow):
     """A slider, a number field and a unit for one number.
 
-    The slider offers round numbers. The field takes any number exactly as it is typed, also beyond
-    the slider's ends.
+    The slider offers round numbers. The field accepts any number exactly as typed, even beyond the
+    slider's ends.
 
     Parameters
     ----------
@@ -203,9 +203,9 @@ class NumberRow(_TypedRow):
         super().__init__(name, tip)
         self._value: float = scale.value_at(0)
         self.limits: Callable[[], str] = str
-        """Returns the limits of the number, for a user who typed a word; set by the owner."""
+        """Returns the limits of the number, for a refused text; set by the owner."""
         self.accepts: Callable[[float], bool] = lambda _number: True
-        """Whether a number can be named as an example; set by the owner."""
+        """Returns whether a number is valid as an example; set by the owner."""
         self._open = False
         self._unit_said = unit_tip or unit
         self.slider = _Slider()
@@ -238,7 +238,7 @@ class NumberRow(_TypedRow):
     def setValue(self, value: float) -> None:
         """Show a value without a signal.
 
-        A slider in the user's hand and a text that is being typed stay until the user is done.
+        A slider that is being dragged and a text that is being typed stay until the user finishes.
         """
         value = float(value)
         if value == self._value:
@@ -249,7 +249,7 @@ class NumberRow(_TypedRow):
             self._show_value()
 
     def setScale(self, scale: Scale) -> None:
-        """Give the slider other ends and steps."""
+        """Change the slider's ends and steps."""
         self.scale = scale
         self.slider.stops = scale.stops
         with QSignalBlocker(self.slider):
@@ -262,7 +262,7 @@ class NumberRow(_TypedRow):
         """Put a widget between the name and the field."""
         self._grid.addWidget(widget, 0, 1)
 
-    # -- done by the user
+    # -- input by the user
 
     def _pressed(self) -> None:
         self._quiet.stop()
@@ -301,14 +301,14 @@ class NumberRow(_TypedRow):
             self._go_as_far_as_possible(position)
 
     def _go_as_far_as_possible(self, refused: int) -> None:
-        """Take the last value before a refused position, however fast the hand came there.
+        """Take the last valid value before a refused position, however fast the drag was.
 
-        The refusal stays: the hand is at the refused value.
+        The refusal stays, because the slider is held at the refused position.
         """
         said = self.error
         held = self.scale.position_of(self._value)
         step = 1 if refused > held else -1
-        trial = held + step  # first: a hand that stays beyond costs one trial at each move
+        trial = held + step  # first: while the mouse stays beyond, each move costs only one trial
         while abs(refused - held) > 1:
             if self._attempt(self.scale.value_at(trial)):
                 held = trial
@@ -375,7 +375,7 @@ class NumberRow(_TypedRow):
                 self._say_value()
 
     def _fit_unit(self) -> None:
-        """Give the unit the room of the usual one, so that the fields form a column."""
+        """Give the unit the width of the usual one, so that the fields form a column."""
         self.unit_label.setMinimumWidth(self.fontMetrics().horizontalAdvance(self.tr("units")))
 
     def changeEvent(self, event: QEvent) -> None:
@@ -384,7 +384,7 @@ class NumberRow(_TypedRow):
             self._fit_unit()
 
     def _say_value(self) -> None:
-        """Tell a screen reader the value: of the slider itself it reads the position only."""
+        """Give the value to screen readers, which would read only the slider's position."""
         value = f"{short_text(self._value, self.field.below)} {self._unit_said}".rstrip()
         self.slider.setAccessibleDescription(self.error or f"{value}. {self._tip}")
 
@@ -413,7 +413,7 @@ class VectorRow(_TypedRow):
         self._show_value()
 
     def _turn(self) -> None:
-        """Put the fields below each other where all digits are shown."""
+        """Put the fields below each other when all digits are shown."""
         ways = QBoxLayout.Direction
         self._line.setDirection(ways.TopToBottom if all_digits.now else ways.LeftToRight)
 

@@ -1,4 +1,4 @@
-"""Numbers as text: read as a person types them, written as short as a field shows them."""
+"""Read numbers as a person types them; write them as short as a field shows them."""
 
 from __future__ import annotations
 
@@ -11,9 +11,9 @@ from app.model.refusal import Refusal
 from widgets.parts.messages import A_NUMBER, A_NUMBER_OR_INFINITY, number_text
 
 FIELD_CHARACTERS = 8
-"""Longest number, without its sign, that a field shows while it is not being edited."""
+"""Longest number, without its sign, that a field shows when it is not being edited."""
 _MOST = 6
-"""Digits of a number that is short."""
+"""Most digits of a number that counts as short."""
 _NUMBER = re.compile(r"[+-]?(\d+([.,]\d*)?|[.,]\d+)(e[+-]?\d+)?", re.ASCII | re.IGNORECASE)
 _INFINITY = re.compile(r"([+-]?)(∞|inf|infinity)", re.IGNORECASE)
 
@@ -61,9 +61,9 @@ def parse_number(name: str, text: str, unit: str = "", *, infinite: bool = False
 
 
 def short_text(value: float, below: float | None = None, most: int = _MOST) -> str:
-    """Return the number as it stands if it is short, otherwise rounded to about `most` digits.
+    """Return the number unchanged if it is short, otherwise rounded to about `most` digits.
 
-    All digits before the point are shown if there is room: coordinates far from the origin differ
+    All digits before the point are shown if they fit: coordinates far from the origin differ
     in the last of them. An exponent is never cut off. A number that stays under a bound `below` is
     not rounded up to it: its distance is shown instead, as ``180-3e-12``.
     """

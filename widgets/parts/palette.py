@@ -31,7 +31,7 @@ _COLOURS = {  # role of the palette: light, dark
     "Dark": ("#a0a09c", "#17181a"),
     "Light": ("#ffffff", "#43474a"),
 }
-_OF_SHEET = {  # what the style sheet has besides: light, dark
+_OF_SHEET = {  # additional colours of the style sheet: light, dark
     "bar": ("#fff4d6", "#4a3c10"),
     "edge_of_bar": ("#d8b860", "#7a6420"),
     "frame": ("#888884", "#74777a"),
@@ -95,8 +95,8 @@ QLineEdit:focus, QComboBox:focus {{ border-color: {Highlight}; }}
 QComboBox::drop-down {{ border: 0px; width: {arrow:.0f}px; }}
 QComboBox::down-arrow {{ image: none; }}
 """
-"""Parts that Qt's own style draws small whatever the size of the letters, and frames that it draws
-darker than a dark window."""
+"""Parts that Qt's own style draws small at every text size, and frames that it draws darker than a
+dark window."""
 
 _FOR_A_CLASS = """
 QCheckBox::indicator {{ width: {box:.0f}px; height: {box:.0f}px; }}

@@ -1,4 +1,4 @@
-"""The frozen snapshot that the window shows, and the interfaces of those that show it."""
+"""The frozen snapshot that the window shows, and the interfaces of the objects that show it."""
 
 from __future__ import annotations
 
@@ -26,10 +26,10 @@ EVERYTHING: Changed = PROJECTION | {"scene", "illustration", "settings", "qualit
 
 @dataclass(frozen=True, eq=False)
 class Shown:
-    """What all panes and panels show, made once per change of the document.
+    """The data that all panes and panels show, made once per change of the document.
 
-    The scene is that of the document. There is an illustration for this projection if the scene is
-    a phenomenon.
+    The scene belongs to the document. The illustration is for this projection, or None if the scene
+    is not a phenomenon.
     """
 
     document: Document
@@ -72,11 +72,11 @@ class Shown:
 
 
 class Told(Protocol):
-    """An object that is told of changes: a pane, the controls, a panel, a room of the window."""
+    """An object that the window notifies of changes: a pane, the controls, a panel, a component."""
 
     @property
     def concerns(self) -> Changed:
-        """The parts of a `Shown` that this object needs."""
+        """The parts of a `Shown` whose changes this object needs."""
 
     def take(self, shown: Shown, changed: Changed) -> None:
         """Show another snapshot; `changed` has at least one of the parts that it `concerns`."""
@@ -85,8 +85,8 @@ class Told(Protocol):
 class Panel(QWidget, Gestures):
     """A panel of the drawer under the panes.
 
-    An open panel is told of each change; a folded one is told of all changes at once before it
-    opens. The window connects its signals.
+    An open panel is notified of each change; a folded one is notified of all changes at once before
+    it opens. The window connects its signals.
     """
 
     concerns = EVERYTHING
@@ -97,9 +97,9 @@ class Panel(QWidget, Gestures):
     highlighted = Signal(object)
     """The `Highlight` of the part under the mouse or the cursor."""
     told = Signal(str)
-    """One sentence about something that was done differently from what was asked."""
+    """A sentence about something that was done differently from the request."""
     refused = Signal(str)
-    """One sentence about something that was refused."""
+    """A sentence about something that was refused."""
     copy_wanted = Signal(QImage)
     export_wanted = Signal(QImage)
     """The user wants this picture of a diagram on the clipboard, or in a file."""

@@ -1,4 +1,4 @@
-"""Plain text in widgets: it is shown as it stands, and nothing in it is loaded.
+"""Plain text in widgets: it is shown literally, and nothing in it is loaded.
 
 Qt interprets a text that looks like HTML and loads its pictures, but titles, units and names come
 from files of strangers. These are the only labels, tooltips, message boxes and documents of this

@@ -13,15 +13,15 @@ from widgets.parts.plain import Label
 
 SHOWN_AFTER_MS = 100
 Tell: TypeAlias = Callable[[float], bool]
-"""Takes the fraction done; returns whether to continue."""
+"""Receives the fraction done; returns whether to continue."""
 
 
 @contextmanager
 def progress_dialog(window: QWidget, text: str, steps: int = 100) -> Iterator[QProgressDialog]:
     """Show progress while the work inside takes longer than `SHOWN_AFTER_MS`.
 
-    The window takes no input meanwhile. `text` says in the window's language what is done; `steps`
-    is the value of the dialog at the end.
+    The window accepts no input meanwhile. `text` describes the work in the window's language;
+    `steps` is the dialog's final value.
     """
     cancel = QCoreApplication.translate("Progress", "Cancel")
     dialog = QProgressDialog("", cancel, 0, steps, window)
@@ -37,7 +37,7 @@ def progress_dialog(window: QWidget, text: str, steps: int = 100) -> Iterator[QP
 
 @contextmanager
 def progress(window: QWidget, text: str) -> Iterator[Tell]:
-    """Show progress of work that reports it itself; see `progress_dialog`."""
+    """Show the progress of work that reports it itself; see `progress_dialog`."""
     with progress_dialog(window, text) as dialog:
 
         def tell(fraction: float) -> bool:

@@ -1,4 +1,4 @@
-"""Running numbers are shown only as often as they can be read, and when the hand rests.
+"""Show running numbers only as often as they can be read, and when the input stops.
 
 ::
 
@@ -7,8 +7,8 @@
             --in a gesture, every READ_MS and STEPS---> show, likewise
             --in a gesture, sooner--------------------> show, when it rests or ends
 
-Most steps of a drag then cost as little as without the numbers, on any machine, and the drag ends
-with its last value on display.
+Most steps of a drag then cost no more than without the numbers, on any machine, and the last value
+is always shown.
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ from widgets.parts.writing import all_digits
 READ_MS = 100
 """Digits that change more often cannot be read."""
 STEPS = 3
-"""Where steps are slow, one of so many shows the numbers."""
+"""If steps are slow, the numbers are shown once in so many steps."""
 
 
 class Readable(QObject):
@@ -54,7 +54,7 @@ class Readable(QObject):
 
     @property
     def in_gesture(self) -> bool:
-        """Whether values run: a control is dragged, or something plays."""
+        """Whether values are changing: a control is dragged, or something plays."""
         return self._gestures > 0
 
     def begin_gesture(self) -> None:
@@ -88,7 +88,7 @@ class Readable(QObject):
             try:
                 self._show()
             except BaseException:
-                self._pending = True  # the next appearance tries again
+                self._pending = True  # the next time the widget appears, it tries again
                 raise
 
     def _rested(self) -> None:

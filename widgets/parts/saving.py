@@ -1,6 +1,6 @@
-"""Ask for the file to save to, and ask before a file is overwritten.
+"""Ask for a file to save to, and confirm before overwriting one.
 
-Qt's own dialog does not know that a name without an ending gets one: it checks another file.
+Qt's own dialog does not know that a name without an ending gets one, so it checks another file.
 """
 
 from __future__ import annotations

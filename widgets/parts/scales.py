@@ -1,4 +1,4 @@
-"""Slider scales: which value stands at which of a slider's positions."""
+"""Slider scales: the mapping between a slider's positions and values."""
 
 from __future__ import annotations
 
@@ -12,11 +12,11 @@ from typing import NamedTuple
 PER_DECADE = 2000
 """Positions of a `Log` from 1 to 10."""
 _PARTS = ((2.0, 500), (4.0, 200), (math.inf, 100))
-"""A mantissa below the first number is rounded to a multiple of 1 over the second."""
+"""A mantissa below the first number is rounded to a multiple of the inverse of the second."""
 
 
 class Stops(NamedTuple):
-    """By how many positions an arrow key, a page key and a notch of the wheel move a slider.
+    """The numbers of positions by which an arrow key, a page key and a wheel notch move a slider.
 
     Without Shift a drag stops at multiples of `coarse`.
     """
@@ -34,7 +34,7 @@ class Scale(ABC):
     low: float
     high: float
     infinite = False
-    """Whether one more position at the top stands for infinity."""
+    """Whether an extra position at the top stands for infinity."""
 
     @property
     @abstractmethod
@@ -51,7 +51,7 @@ class Scale(ABC):
         """Return the value of a slider position."""
 
     def position_of(self, value: float) -> int:
-        """Return the nearest position; an end for a value beyond the ends."""
+        """Return the nearest position; values beyond an end give that end."""
         top = self.last - self.infinite
         if value <= self.low:
             return 0
@@ -73,7 +73,7 @@ class Linear(Scale):
     low, high : float
         The ends, rounded to multiples of the step.
     step : float
-        One arrow key; best 1, 2 or 5 times a power of ten.
+        Step of an arrow key; preferably 1, 2 or 5 times a power of ten.
     parts : int
         Positions in a step, which a drag with Shift reaches.
     """
@@ -114,7 +114,7 @@ class Linear(Scale):
 
 @dataclass(frozen=True)
 class Log(Scale):
-    """Even ratios with positions closer than a pixel; powers of ten are among the values.
+    """Logarithmic steps with positions closer than a pixel; powers of ten are among the values.
 
     The values have three digits, the smaller ones a fourth that is even or 5. `low` is above 0.
     """
@@ -145,7 +145,7 @@ class Log(Scale):
 
 @dataclass(frozen=True)
 class Doubling(Scale):
-    """Whole numbers in nearly even ratios: 1, 2, 3, 4, 6, 8, 12, 16, and so on."""
+    """Whole numbers in nearly logarithmic steps: 1, 2, 3, 4, 6, 8, 12, 16, and so on."""
 
     stops = Stops(1, 2, 1, 1)  # a page key doubles the value
 

@@ -1,4 +1,4 @@
-"""A part of the dock: rows with their bindings, perhaps below a title or a folding heading.
+"""A part of the dock: rows with their bindings, optionally below a title or a folding heading.
 
 A `Binding` connects a row with the model by two functions, `read` and `write`. Rows that show one
 value in several ways (fov and focal length, orbit and vectors) are several bindings.
@@ -39,7 +39,7 @@ def tidy(number: float) -> float:
 class Typed:
     """Keeps typed numbers that the model does not keep.
 
-    Computed back from the model they would carry rounding noise, and some would be lost: the
+    Computed from the model, they would contain rounding errors, and some would be lost: the
     azimuth of a camera straight above its target, the direction of depth that recedes by 0.
 
     Parameters
@@ -63,7 +63,7 @@ class Typed:
         self._computed: tuple[Hashable, Any] = (None, None)
 
     def numbers(self, projection: Projection) -> Any:
-        """Return the numbers; typed ones have all their digits."""
+        """Return the numbers; typed ones keep all their digits."""
         now = self._source(projection)
         for source, numbers in (self._kept, self._computed):
             if source == now:
@@ -183,7 +183,7 @@ class Rows(QWidget):
         self._rows.addWidget(widget)
 
     def bring_home(self) -> None:
-        """Put every row that was borrowed back into its place."""
+        """Return every borrowed row to its place."""
         for place, widget in enumerate(self._order):
             if widget.parent() is not self.body:
                 self._rows.insertWidget(place, widget)

@@ -1,4 +1,4 @@
-"""Formulas as they are printed: stacked fractions, matrices in brackets, bold vectors.
+"""Typeset formulas: stacked fractions, matrices in brackets, bold vectors.
 
 A formula is a text. Fractions come from `app.model.formula.stacked_fraction`, matrices from
 `matrix`; ``_`` begins a subscript, ``^`` a superscript, and `ARROW` follows the letter or word of a
@@ -32,7 +32,7 @@ from widgets.parts.highlight import MarkedLabel, paint_highlight
 SMALLER = 0.8
 """Size of the letters of a fraction, relative to its line."""
 SMALL = 0.75
-"""The same for subscripts and superscripts."""
+"""Size of subscripts and superscripts, relative to the line."""
 LOWER, HIGHER = 0.2, -0.35
 """Shift of subscripts and superscripts below the line, in heights of a line."""
 RULE_PX, ROOM_PX = 1.2, 2.0
@@ -52,7 +52,7 @@ _PIECE = re.compile(
 
 @dataclass(frozen=True)
 class Typeset:
-    """A formula that is laid out from the left end of its line, in pixels.
+    """A laid-out formula; coordinates are in pixels from the left end of its line.
 
     Attributes
     ----------
@@ -122,7 +122,7 @@ def _laid_out(text: str, described: str) -> Typeset:
 
 
 def _together(parts: Sequence[Typeset], width: float, *rules: QLineF) -> Typeset:
-    """Join parts that are in their places."""
+    """Join parts that are already placed."""
     return Typeset(
         width,
         max(part.ascent for part in parts),
@@ -187,7 +187,7 @@ class _Reader:
             yield _run(plain, font)
 
     def _taken(self, *signs: str) -> str:
-        """Read the next sign, which must be one of these."""
+        """Read the next sign, which must be one of `signs`."""
         sign = self._text[self._at : self._at + 1]
         if sign not in signs:
             raise ValueError(f"{self._text}: {' or '.join(signs)} at {self._at}")
@@ -263,7 +263,7 @@ def _piece(piece: re.Match[str], font: QFont) -> Typeset:
 
 
 def _tight(part: Typeset) -> Typeset:
-    """Remove the room that a font leaves above and below its letters."""
+    """Remove the space that a font leaves above and below its letters."""
     ascent = descent = 0.0
     for _, base, text, font in part.runs:
         metrics = QFontMetricsF(font)
@@ -299,7 +299,7 @@ def in_line(text: str) -> str:
 
 
 class TypesetLabel(MarkedLabel):
-    """Words or a formula; a copy of a short number has all digits.
+    """Words or a formula; copying an abbreviated number copies all digits.
 
     Attributes
     ----------

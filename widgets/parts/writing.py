@@ -1,7 +1,7 @@
-"""How formulas and numbers are written: with which letters, and with how many digits.
+"""The notation of formulas and numbers: which letters, and how many digits.
 
-The two choices hold for panes, panels and readouts. They round no number: numbers that are copied
-or typed have all their digits.
+The two choices apply to panes, panels and readouts. They do not round the numbers themselves:
+copied or typed numbers have all their digits.
 """
 
 from __future__ import annotations

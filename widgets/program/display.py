@@ -55,7 +55,7 @@ def _reach_display() -> Callable[[], object] | None:
     display = os.environ.get("DISPLAY", "")
     if not x11 or not display:
         name = "DISPLAY" if x11 else "WAYLAND_DISPLAY"
-        raise _unreachable(f"There is no screen to open a window on ({name} leads to none)")
+        raise _unreachable(f"There is no screen to open a window on ({name} names none)")
     return _reach_x11(display)
 
 
@@ -99,7 +99,7 @@ def _reach_x11(display: str) -> Callable[[], object]:
     except OSError as error:
         raise DisplayError(
             f"Qt cannot reach the X server, because a system library is missing ({error}); "
-            f"{bootstrap.PROGRAM} doctor says which package brings it."
+            f"{bootstrap.PROGRAM} doctor says which package provides it."
         ) from error
     xcb.xcb_connect.restype = ctypes.c_void_p
     xcb.xcb_connect.argtypes = [ctypes.c_char_p, ctypes.c_void_p]

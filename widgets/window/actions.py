@@ -129,7 +129,8 @@ class Actions(QObject):
         )  # fmt: skip
         self.compare = self._action(
             self.tr("Co&mpare with this picture"), None, "F6",
-            self.tr("Hold the current picture and compare it with later ones, or end that"),
+            self.tr("Hold the current picture and compare it with later ones, or end the"
+                    " comparison"),
             on=False,
         )  # fmt: skip
         self.compare_way = self._action(
@@ -239,7 +240,7 @@ class Actions(QObject):
 
     def _make_view_menu(self, theme: str) -> None:
         slots = self._slots
-        tip = self.tr("Bring the pane into the large slot; the second time, into the whole window")
+        tip = self.tr("Show the pane in the large slot; choose it again to fill the window")
         large = [
             self._action(
                 self.tr("{0} in large").format(pane.name),
@@ -279,6 +280,11 @@ class Actions(QObject):
         }
         self.layers = {name: self._action(text, on=True) for name, text in layers.items()}
         self._menu(self.tr("&Layers"), *self.layers.values(), inside=menu)
+        self.name_everything = self._action(
+            self.tr("&Name everything"), None, "N",
+            self.tr("Name everything in the pictures, not only what the scene is about"), on=False,
+        )  # fmt: skip
+        menu.addAction(self.name_everything)
         themes = {
             "system": self.tr("As the system"),
             "light": self.tr("Light"),

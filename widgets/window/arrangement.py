@@ -77,6 +77,7 @@ class Arrangement(QObject):
             letters=self._matrices.letters.currentData(),
             layers=self._world.hidden,
             fixed=self._world.fixed,
+            names=self._world.names,
             probes=self._probes.probes,
             pinned=self._probes.pinned,
             compare=self._compare.pictures,
@@ -95,6 +96,7 @@ class Arrangement(QObject):
         # After the panel: a rearranged window reopens a panel that presenting has folded.
         self._slots.arrange(view.layout, view.large, self._slots.whole)
         self._world.show(view.fixed, view.layers)
+        self._world.name(view.names)
         self._strip.go_to(view.stage)
         self._frame.go_to(STEPS.index(view.frame_step))
         letters = self._matrices.letters

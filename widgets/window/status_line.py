@@ -70,10 +70,10 @@ class StatusLine(QStatusBar):
         set_tip(
             self.precision,
             self.tr(
-                "The precision of the picture (drawn) and of its numbers (read), each with a bound"
-                " of its error. The bound of the picture holds for what is visible. The bounds of"
-                " the numbers and of the alternatives in the menu hold for every point in front of"
-                " the eye"
+                "The precision of the picture (drawn) and of its numbers (read), each with a "
+                "bound on its error. The bound of the picture holds for what is visible. The "
+                "bounds of the numbers and of the alternatives in the menu hold for every point "
+                "in front of the eye"
             ),
         )
         self.precision.menu().aboutToShow.connect(self._fill_menu)
@@ -214,7 +214,7 @@ class StatusLine(QStatusBar):
         menu.addSeparator()
         text = self.tr("Frames of at most {0} ms while dragging…").format(f"{self._frame_ms:g}")
         if not self._frame_ms:
-            text = self.tr("No limit of the frame time while dragging…")
+            text = self.tr("No limit on the frame time while dragging…")
         menu.addAction(text).triggered.connect(self._ask_frame)
         text = self.tr("Drawing tolerance {0} px…").format(f"{self.tolerance_px:g}")
         menu.addAction(text).triggered.connect(self._ask_tolerance)

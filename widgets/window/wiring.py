@@ -106,6 +106,7 @@ def _wire_lesson(window: Any) -> None:
         window.comparing.pictures.changed,
         *(pane.hand.moved for pane in window.panes.values()),
         *(each.triggered for each in (*menus.fixed.values(), *menus.layers.values())),
+        menus.name_everything.triggered,
     ):
         signal.connect(card.look_again)
 

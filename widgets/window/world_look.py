@@ -1,4 +1,4 @@
-"""Fixed viewpoints of the world pane, and the visible layers of all drawings.
+"""Fixed viewpoints of the world pane, and what all drawings show and name.
 
 ::
 
@@ -15,7 +15,7 @@ from functools import partial
 from PySide6.QtCore import QObject
 from PySide6.QtWidgets import QButtonGroup, QMenu, QToolButton, QWidget
 
-from app.document.view import FIXED, LAYERS
+from app.document.view import EVERYTHING, FIXED, LAYERS
 from widgets.panes.pane import Pane
 from widgets.parts.buttons import tool_button
 from widgets.parts.layouts import in_row
@@ -29,7 +29,7 @@ class FixedViews(QWidget):
         super().__init__()
         self.setObjectName("fixedViews")
         texts = {
-            "": (self.tr("Free"), self.tr("From where you have turned it")),
+            "": (self.tr("Free"), self.tr("As you turned it with the mouse")),
             "side": (self.tr("Side"),
                      self.tr("From the side, flat like a sketch on the blackboard, with its"
                              " lengths")),
@@ -59,15 +59,19 @@ class FixedViews(QWidget):
 
 
 class WorldLook(QObject):
-    """Shows the world from a fixed viewpoint, and hides layers.
+    """Shows the world from a fixed viewpoint, hides layers, and chooses what is named.
 
-    `fixed` is one of `FIXED`, or "" for a free view; `hidden` holds some of `LAYERS`.
+    `fixed` is one of `FIXED`, or "" for a free view; `hidden` holds some of `LAYERS`; `names` are
+    those of a `View`.
     """
 
     def __init__(self, panes: Mapping[str, Pane], menus: Actions) -> None:
         super().__init__(menus)
         self._panes, self._world, self._menus = panes, panes["world"], menus
         self.fixed, self.hidden = "", frozenset[str]()
+        self.names: tuple[str, ...] | None = None
+        self._chosen: tuple[str, ...] | None = None
+        """The names to return to from everything."""
         self._views = FixedViews()
         self._views.menu.menu().addActions(list(menus.fixed.values()))
         self._world.header.add(self._views, self._views.menu)
@@ -76,6 +80,9 @@ class WorldLook(QObject):
             menus.fixed[name].triggered.connect(partial(self.show, name))
         for action in menus.layers.values():
             action.triggered.connect(self._switch)
+        menus.name_everything.triggered.connect(
+            lambda on: self.name(EVERYTHING if on else self._chosen)
+        )
         self._world.fixed_left.connect(self._leave)
 
     def show(self, fixed: str, hidden: frozenset[str] | None = None) -> None:
@@ -87,6 +94,16 @@ class WorldLook(QObject):
         if fixed != self.fixed:
             self.fixed = fixed
             self._world.ask("fixed", fixed)
+        self._mark()
+
+    def name(self, names: tuple[str, ...] | None) -> None:
+        """Let the pictures name these things; None for those of the scene's own list."""
+        if names != EVERYTHING:
+            self._chosen = names
+        if names != self.names:
+            self.names = names
+            for pane in self._panes.values():
+                pane.ask("names", names)
         self._mark()
 
     def _switch(self) -> None:
@@ -103,3 +120,4 @@ class WorldLook(QObject):
         self._menus.fixed[self.fixed].setChecked(True)
         for name, action in self._menus.layers.items():
             action.setChecked(name not in self.hidden)
+        self._menus.name_everything.setChecked(self.names == EVERYTHING)

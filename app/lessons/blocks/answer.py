@@ -1,4 +1,4 @@
-"""``answer``: a number that is typed, or a choice that may be made again."""
+"""``answer``: a typed number, or a choice that may be repeated."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ EITHER = QT_TRANSLATE_NOOP("Refusal", "has both choices and a value: keep one of
 
 @dataclass(frozen=True, kw_only=True)
 class Answer(Question):
-    """A question whose answer is a number, that of a formula."""
+    """A question whose answer is the value of a formula."""
 
     kind = "answer"
     formula: Formula
@@ -55,7 +55,7 @@ class Answer(Question):
         return self.value(here, *self.key)
 
     def mark(self, here: Here, typed: str) -> Verdict:
-        """Return what is said to a typed text; a `Refusal` of ``answer`` if it is not a number."""
+        """Return the verdict on a typed text; a `Refusal` of ``answer`` if it is not a number."""
         number, value = marking.read(typed, self.unit), self.answer(here)
         if marking.equals(number, value):
             return Verdict(True, says=self.why)

@@ -1,7 +1,7 @@
-"""What every kind of block is to the rest of the program: read, checked, asked, answered, printed.
+"""The interface of all kinds of block: reading, checking, asking, answering, printing.
 
-A kind is a subclass of `Block`, or of `Asked` if the student answers it. Whoever shows or checks a
-lesson uses these methods and does not ask for the kind.
+A kind is a subclass of `Block`, or of `Asked` if the student answers it. Code that shows or checks
+a lesson uses these methods, whatever the kind.
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ from app.model.refusal import Refusal
 
 
 class Idea(NamedTuple):
-    """A wrong idea that students have: Markdown against it, and a state that shows it."""
+    """A common wrong idea: Markdown that refutes it, and a state that shows the refutation."""
 
     name: str
     title: str
@@ -30,7 +30,7 @@ class Idea(NamedTuple):
 
 
 class Here(Protocol):
-    """The step that a block stands in, as a state of the model."""
+    """The step that contains a block, as a state of the model."""
 
     @property
     def document(self) -> Document:
@@ -38,39 +38,39 @@ class Here(Protocol):
 
     @property
     def asked(self) -> Mapping[str, Asked]:
-        """Return what the step asks, by name."""
+        """Return the step's questions and tasks, by name."""
 
     @property
     def idea_names(self) -> Sequence[str]:
         """Return the names of the wrong ideas that the program knows."""
 
     def shown_by(self, state: State) -> Document:
-        """Return a state that goes on from the step's own, or begins anew."""
+        """Return the document of a state that continues the step's own state, or begins anew."""
 
     def quantities(self, now: Document | None = None, view: View | None = None) -> Quantities:
-        """Return the names of formulas over the step's own state, or over the window's now."""
+        """Return the quantities of the step's own state, or of the window's current state."""
 
     def idea(self, name: str) -> Idea | None:
-        """Return the wrong idea of a name, if the program knows it."""
+        """Return the wrong idea with this name, if the program knows it."""
 
 
 @dataclass
 class Trial:
-    """What was tried of a lesson, and what is wrong with it."""
+    """The progress of a check: what was tried, and the faults found."""
 
     path: Path
     checks: int = 0
     wrong: list[Refusal] = field(default_factory=list)
 
     def complain(self, error: Refusal) -> None:
-        """Add what is wrong; once, for all steps that go on from a wrong one."""
+        """Add a fault, but only once for all steps that continue a faulty one."""
         error.file = str(self.path)
         if str(error) not in map(str, self.wrong):
             self.wrong.append(error)
 
     @contextmanager
     def kept(self) -> Iterator[None]:
-        """Add what is refused, and go on."""
+        """Record a refusal, and continue."""
         try:
             yield
         except Refusal as error:
@@ -84,11 +84,11 @@ class Block:
     Attributes
     ----------
     kind : str
-        The word behind its three backticks.
+        The word after its three backticks.
     once : bool
-        Whether a step has at most one of the kind.
+        Whether a step may have only one block of this kind.
     asks : bool
-        Whether the student has to answer it: then the block has a name.
+        Whether the student has to answer it; such a block has a name.
     """
 
     kind: ClassVar[str] = ""
@@ -102,36 +102,36 @@ class Block:
         raise NotImplementedError
 
     def texts(self) -> Iterator[tuple[int, str]]:
-        """Yield every text that may hold formulas, with its line."""
+        """Yield every text that may contain formulas, with its line."""
         yield from ()
 
     def check_names(self, asked: Iterable[str]) -> None:
-        """Refuse what does not fit the names of what the step asks."""
+        """Refuse names that do not match the step's questions and tasks."""
 
     def check(self, here: Here, trial: Trial) -> None:
-        """Try everything in it over the model; a `Refusal` ends the check of this block."""
+        """Try the whole block on the model; a `Refusal` ends the check of this block."""
 
 
 AnyBlock = TypeVar("AnyBlock", bound=Block)
 
 
 def of_kind(blocks: Iterable[Block], kind: type[AnyBlock]) -> tuple[AnyBlock, ...]:
-    """Return the blocks of a kind, in their order."""
+    """Return the blocks of a kind, in order."""
     return tuple(block for block in blocks if isinstance(block, kind))
 
 
 @dataclass(frozen=True, kw_only=True)
 class Part(Block):
-    """A block that student and class read.
+    """A block that the student or the class reads.
 
     Attributes
     ----------
     reveals : bool
-        Whether a talk first puts it to the class and then tells what is right.
+        Whether a talk first asks the class and then shows the right answer.
     text, why : str
-        Markdown; the reason is read once the answer is known.
+        Markdown; `why` is shown once the answer is known.
     show : State, optional
-        The state that the model goes to then.
+        The state that the model then moves to.
     """
 
     reveals: ClassVar[bool] = False
@@ -145,19 +145,19 @@ class Part(Block):
         return "$$" in self.text or "\n|" in self.text
 
     def posed(self) -> str:
-        """Return what is asked, as Markdown for a class."""
+        """Return the question as Markdown for a class."""
         return self.text
 
     def told(self, answer: str, *, others: bool = True) -> str:
-        """Return it with what is right, as Markdown; `answer` is that of `answer_text`."""
+        """Return the question with its right answer as Markdown; `answer` is from `answer_text`."""
         return self.text
 
     def explained(self, answer: str, *, others: bool = True) -> str:
-        """Return what `told` does, and the reason."""
+        """Return the text of `told` and the reason."""
         return "\n\n".join(filter(None, (self.told(answer, others=others), self.why)))
 
     def answer_text(self, here: Here, write: Callable[[float], str]) -> str:
-        """Return what is right where the text does not say it; empty where it does."""
+        """Return the right answer if `told` does not already contain it, else an empty text."""
         return ""
 
 
@@ -175,11 +175,11 @@ class Asked(Part):
     Attributes
     ----------
     holds : bool
-        Whether the step goes on only when it is answered.
+        Whether the step continues only after an answer.
     name : str
-        For samples and the student's progress; a step has no two of a name.
+        Used by samples and the student's progress; unique within a step.
     said : tuple of (int, str)
-        Everything said to an answer, and the hints, each with its line.
+        All replies to answers, and the hints, each with its line.
     """
 
     asks: ClassVar[bool] = True
@@ -194,7 +194,7 @@ class Asked(Part):
 
     @staticmethod
     def fields(body: Body, text: str, items: Items) -> dict[str, Any]:
-        """Return what every block that asks takes from its body, by field."""
+        """Return the fields that all such blocks read from their body."""
         return {
             "name": body.name,
             "line": body.line,
@@ -204,5 +204,5 @@ class Asked(Part):
         }
 
     def verdict(self, here: Here, sample: str, line: int) -> str:
-        """Return the verdict on a sample answer, in the word that a ``test`` block expects."""
+        """Return the verdict on a sample answer, as the word in a ``test`` block."""
         raise NotImplementedError

@@ -22,9 +22,9 @@ OTHER_NUMBER = QT_TRANSLATE_NOOP("Refusal", "says another number than its formul
 A_NUMBER_OF = QT_TRANSLATE_NOOP("Refusal", "must be the number of a choice, from 1 to {0}")
 
 LETTERS = "ABCDEFGHIJ"
-"""By which a class calls the choices."""
+"""The letters by which a class names the choices."""
 MANY = 4
-"""Choices for which a talk's band needs many lines."""
+"""Number of choices from which a talk's band needs many lines."""
 _IDEA = re.compile(r"\s+\{([a-z][\w-]*)\}(?=\s*$|\s+:=\s)")
 _WRITTEN = re.compile(r"[-−]?\d+(?:\.\d+)?(?:/\d+)?")
 
@@ -65,7 +65,7 @@ class Choice(Reply):
 
 @dataclass(frozen=True, kw_only=True)
 class Choices(Question):
-    """A question with choices; `retries` tells whether one may choose again."""
+    """A question with choices; `retries` tells whether the student may choose again."""
 
     retries: ClassVar[bool] = True
     replies: tuple[Choice, ...]
@@ -79,7 +79,7 @@ class Choices(Question):
 
     @property
     def right(self) -> int:
-        """Return the place of the right choice, from 0."""
+        """Return the index of the right choice."""
         return next(place for place, each in enumerate(self.replies) if each.right)
 
     @property
@@ -96,7 +96,7 @@ class Choices(Question):
         yield from ((each.line, each.text) for each in self.replies)
 
     def chosen(self, here: Here, number: int) -> Verdict:
-        """Return what is said to a choice, counted from 0."""
+        """Return the verdict on a choice, counted from 0."""
         return self.replies[number].verdict(here, self.why)
 
     def verdict(self, here: Here, sample: str, line: int) -> str:

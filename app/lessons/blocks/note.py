@@ -1,4 +1,4 @@
-"""``note``: what only the speaker reads, and the planned minutes."""
+"""``note``: text for the speaker only, and the planned minutes."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from app.lessons.lines import ONLY_ONCE, UNEXPECTED, Body, number_in, refused
 
 @dataclass(frozen=True, kw_only=True)
 class Note(Block):
-    """What only the speaker reads; a lesson with a note is a talk."""
+    """Text for the speaker only; a lesson with a note is a talk."""
 
     kind = "note"
     once = True

@@ -1,4 +1,4 @@
-"""``predict``: a choice that must be made before the step goes on."""
+"""``predict``: a choice that must be made before the step continues."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from app.lessons.state import state_in
 
 @dataclass(frozen=True, kw_only=True)
 class Predict(Choices):
-    """A prediction: it is made once, and then the model shows what is right."""
+    """A prediction: it is made once, and then the model shows the right answer."""
 
     kind = "predict"
     holds = True

@@ -1,4 +1,4 @@
-"""What predictions and answers have in common: one right reply, and wrong ones with their ideas."""
+"""The common base of predictions and answers: one right reply, and wrong ones with their ideas."""
 
 from __future__ import annotations
 
@@ -26,13 +26,13 @@ SAME_WRONG = QT_TRANSLATE_NOOP("Refusal", "cannot be told from the wrong value o
 NOT_SO = QT_TRANSLATE_NOOP("Refusal", "does not hold")
 
 RIGHT = " **✓**"
-"""Marks what is right, in Markdown."""
+"""Marks the right answer, in Markdown."""
 CHECKS = ("check", "why", "hint")
-"""Keys of every question."""
+"""Keys that every question may have."""
 
 
 class Verdict(NamedTuple):
-    """What is said to an answer.
+    """The response to an answer.
 
     Attributes
     ----------
@@ -41,9 +41,9 @@ class Verdict(NamedTuple):
     says : str
         Markdown.
     state : Document, optional
-        Shows what is said.
+        A state that shows what `says` explains.
     too_short : bool
-        Whether it only lacks digits.
+        Whether the answer is right but has too few digits.
     """
 
     right: bool
@@ -54,13 +54,13 @@ class Verdict(NamedTuple):
 
     @property
     def word(self) -> str:
-        """Return what a ``test`` block expects: ``right``, the idea's name, or ``wrong``."""
+        """Return the word in a ``test`` block: ``right``, the idea's name, or ``wrong``."""
         return "right" if self.right else self.idea or "wrong"
 
 
 @dataclass(frozen=True, kw_only=True)
 class Reply:
-    """An answer that the lesson knows, where its number comes from, and what is said to it."""
+    """An answer that the lesson expects, the formula of its number, and the response to it."""
 
     line: int
     right: bool = False
@@ -70,7 +70,7 @@ class Reply:
     state: State | None = None
 
     def verdict(self, here: Here, why: str = "") -> Verdict:
-        """Return what is said to it; a known idea adds its sentences and state if it has none."""
+        """Return the verdict; a known idea supplies sentences and a state if the reply has none."""
         says = self.says
         state = here.shown_by(self.state) if self.state is not None else None
         if self.right:
@@ -82,7 +82,7 @@ class Reply:
         return Verdict(False, self.idea, says, state)
 
     def check(self, here: Here, trial: Trial) -> None:
-        """Complain about an unknown idea without a sentence, and a state that cannot be."""
+        """Report an unknown idea without a sentence, and an impossible state."""
         if self.idea and here.idea(self.idea) is None and not self.says:
             near = difflib.get_close_matches(self.idea, here.idea_names, n=1, cutoff=0.0)[0]
             trial.complain(refused(self.line, NO_IDEA, near, value=self.idea))
@@ -91,11 +91,11 @@ class Reply:
                 here.shown_by(self.state)
 
     def check_number(self, value: float) -> None:
-        """Refuse a number in its text that is not its formula's value."""
+        """Refuse a number in the text that differs from its formula's value."""
 
 
 def said_below(item: Item) -> dict[str, Any]:
-    """Read the sentence and the state that stand indented below a choice or a wrong value."""
+    """Read the sentence and the state indented below a choice or a wrong value."""
     below = Items(item.below)
     return {"says": below.text("says"), "state": state_in(below.single("state"))}
 
@@ -109,7 +109,7 @@ class Question(Asked):
     replies : tuple of Reply
         Choices, or the wrong values that have an idea.
     checks : tuple of (int, Condition)
-        Must hold if the right reply is right.
+        Conditions that hold if the right reply is correct.
     """
 
     reveals: ClassVar[bool] = True
@@ -123,15 +123,15 @@ class Question(Asked):
 
     @property
     def is_tall(self) -> bool:
-        return False  # it stands beside the words, in a column of its own
+        return False  # it is in its own column beside the text
 
     @property
     def key(self) -> tuple[Formula | None, int]:
-        """Return the formula of the right value, if there is one, and its line."""
+        """Return the formula of the right value and its line, if there is one."""
         raise NotImplementedError
 
     def known(self, here: Here) -> Quantities:
-        """Return the names of its formulas: those of the state that it shows, if it shows one."""
+        """Return the quantities for its formulas: of the state that it shows, if it shows one."""
         return here.quantities(here.shown_by(self.show) if self.show is not None else None)
 
     def value(self, here: Here, formula: Formula, line: int) -> float:
@@ -177,5 +177,5 @@ class Question(Asked):
 
 
 def _alike(one: float, other: float) -> bool:
-    """Whether three digits do not tell two values apart."""
+    """Whether two values agree to three significant digits."""
     return marking.equals(marking.read(f"{one:.{marking.DIGITS}g}"), other)

@@ -1,4 +1,4 @@
-"""``test``: sample answers of a step, and the verdicts that they must get."""
+"""``test``: sample answers of a step, and their expected verdicts."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ OTHER_VERDICT = QT_TRANSLATE_NOOP("Refusal", "gets “{0}” instead of “{1}�
 
 
 class Sample(NamedTuple):
-    """A trial answer to a block, or what is set in a task, and the verdict that it must get."""
+    """A sample answer to a block, or values to set in a task, and the expected verdict."""
 
     block: str
     text: str

@@ -11,7 +11,7 @@ from app.lessons.state import State, read_state
 
 @dataclass(frozen=True, kw_only=True)
 class ShownState(Block):
-    """The state of a step; a step without one goes on showing the state before."""
+    """The state of a step; a step without one keeps the previous state."""
 
     kind = "state"
     once = True

@@ -20,7 +20,7 @@ _PANES = "view.panes="
 
 @dataclass(frozen=True, kw_only=True)
 class Task(Asked):
-    """Something to do: done when all of `until` hold; then the student reads `done`."""
+    """A task: done when all of `until` hold; then the student reads `done`."""
 
     kind = "task"
     until: tuple[tuple[int, Condition], ...]
@@ -35,7 +35,7 @@ class Task(Asked):
         return cls(**cls.fields(body, text, items), until=until, done=items.text("done"))
 
     def is_done(self, here: Here, now: Document, view: View | None = None) -> bool:
-        """Whether the window as it stands fulfils it; a `Refusal` names the line."""
+        """Whether the window's current state fulfils the task; a `Refusal` names the line."""
         known = here.quantities(now, view)
         for line, condition in self.until:
             with on_line(line, "until"):
@@ -56,7 +56,7 @@ class Task(Asked):
 
 
 def _after(document: Document, assignments: Sequence[str]) -> Document:
-    """Set what a sample sets; ``view.panes=world`` is a pane turned by hand, in whatever way."""
+    """Apply the values of a sample; ``view.panes=world`` stands for any turn of a pane by hand."""
     document = set_values(document, (each for each in assignments if not each.startswith(_PANES)))
     turned = dict(document.view.panes)
     for each in assignments:

@@ -14,7 +14,7 @@ LENSES.update({lens.kind: lens for lens in (Perspective, Frustum, Orthographic, 
 
 
 def kinds() -> tuple[str, ...]:
-    """What a document's ``lens.kind`` can be."""
+    """The possible values of a document's ``lens.kind``."""
     return (*LENSES, FreeMatrix.kind)
 
 

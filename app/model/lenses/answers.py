@@ -1,4 +1,4 @@
-"""The values in which a lens answers: windows, axes, angles, intrinsics, exact numbers."""
+"""The types that lenses return: windows, axes, angles, intrinsics, exact numbers."""
 
 from __future__ import annotations
 
@@ -26,17 +26,17 @@ class Axis(NamedTuple):
 
     @property
     def skew(self) -> float:
-        """Distance of the middle from 0 in half extents: ``(r + l)/(r - l)``."""
+        """Distance of the middle from 0 in units of half the extent: ``(r + l)/(r - l)``."""
         return self.middle / (self.extent / 2.0)
 
     def across(self, value: Array) -> Array:
-        """Map the low end to -1 and the high end to 1; subtracts first, where little is lost."""
+        """Map the low end to -1 and the high end to 1; subtracting first loses little."""
         across: Array = (value - self.middle) / (self.extent / 2.0)
         return across
 
 
 Axes: TypeAlias = Callable[[], tuple[Axis, Axis]]
-"""Computes the picture's x and y range on the near plane, which some lenses do not need."""
+"""Computes the picture's x and y range on the near plane, on demand."""
 
 
 class ExactLens(NamedTuple):
@@ -50,7 +50,7 @@ class ExactLens(NamedTuple):
         ``cot(alpha), cot(beta)`` of an oblique lens.
     near : Fraction
     far : Fraction or None
-        None at infinity.
+        None for infinity.
     """
 
     scale: tuple[Fraction, Fraction]

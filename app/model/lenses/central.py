@@ -24,7 +24,7 @@ FULL_FRAME_DIAGONAL_MM = math.hypot(36.0, 24.0)
 
 @dataclass(frozen=True)
 class Central(EyeLens):
-    """A lens whose projectors meet in the eye: pictures are larger the nearer things are."""
+    """A lens whose projectors meet in the eye: nearer objects look larger."""
 
     central: ClassVar[bool] = True
     far_may_be_infinite: ClassVar[bool] = True
@@ -71,7 +71,7 @@ class Central(EyeLens):
 
     @cached_property
     def _near_ratio(self) -> tuple[float, float]:
-        """``n/(f - n)`` of a finite lens, rounded once, and the rest."""
+        """``n/(f - n)`` of a finite lens, rounded once, and its rounding error."""
         near, far = Fraction(self.near), Fraction(self.far)
         return dd.from_exact(near / (far - near))
 
@@ -88,7 +88,7 @@ class Central(EyeLens):
         if reverse:
             numerator = near + 0.0 * w
         else:
-            # Between planes that nearly touch, all that the depth has left is what was cut off.
+            # Between planes that nearly touch, the depth consists only of the rounding errors.
             from_plane = (distance - near) - rest
             scale = 1.0 if far == math.inf else self.depth_scale(near, far, reverse=False)
             numerator = scale * from_plane
@@ -108,12 +108,12 @@ class Central(EyeLens):
 
     @classmethod
     def showing(cls, seen: Seen) -> Lens:
-        """Keep the window on the near plane, or of a parallel lens the one at the target."""
+        """Keep the window on the near plane; from a parallel lens, keep the one at the target."""
         lens, distance = seen.lens, seen.distance
         near, far = lens.near, lens.far
         if near < SMALLEST:
             near = (min(distance, far) if far > 0.0 else distance) / 1000.0
-        if far <= near:  # the volume is behind the eye; the target shall be in the new one
+        if far <= near:  # the volume is behind the eye; the new one must contain the target
             far = 2.0 * distance
         window = seen.window
         if not lens.central:
@@ -124,7 +124,7 @@ class Central(EyeLens):
 
     @classmethod
     def with_window(cls, window: Window, near: float, far: float, keep: Keep) -> Lens:
-        """The lens with this window on its near plane, or as much of it as it can have."""
+        """Return the lens with this window on its near plane, or with as much of it as possible."""
         raise NotImplementedError
 
     @classmethod
@@ -135,7 +135,7 @@ class Central(EyeLens):
 
     @classmethod
     def solved(cls, cells: Rationals, near: float, far: float) -> Lens:
-        """The lens with these rows of x and y."""
+        """Return the lens with these rows of x and y."""
         (x_scale, _, x_skew, _), (_, y_scale, y_skew, _) = cells[:2]
         unit = Fraction(near)
         window = *ends(x_scale, x_skew, unit), *ends(y_scale, y_skew, unit)

@@ -1,6 +1,6 @@
 """A typed projection matrix, whose cells are its table.
 
-It has no eye plane: its near and far are those of the cube, and w may have any sign. The view
+It has no eye plane: near and far are faces of the NDC cube, and w may have any sign. The view
 matrix may be typed as well.
 """
 
@@ -29,7 +29,7 @@ TABLE = LensTable(
 
 @dataclass(frozen=True)
 class FreeMatrix(Lens):
-    """A projection matrix that no lens has.
+    """A projection matrix that belongs to no lens.
 
     Parameters
     ----------
@@ -38,7 +38,7 @@ class FreeMatrix(Lens):
     view_from_world : (4, 4) sequence of floats, optional
         Replaces the camera's view matrix, if it was edited and no camera has it.
     former : Lens
-        The lens before the edit, to which a choice of another lens goes back.
+        The lens before the edit, to which choosing another kind returns.
 
     Raises
     ------
@@ -51,8 +51,8 @@ class FreeMatrix(Lens):
     title: ClassVar[str] = QT_TRANSLATE_NOOP("Lens", "free matrix")
     tip: ClassVar[str] = QT_TRANSLATE_NOOP(
         "Lens",
-        "None of these: the cells of clip_from_view that you typed in the Matrices panel. If you"
-        " choose another kind, the lens from before comes back.",
+        "None of these: the cells of clip_from_view that you typed in the Matrices panel. If you "
+        "choose another kind, the previous lens comes back.",
     )
     # Offset, cell, product and three sums.
     roundings: ClassVar[tuple[float, float, float, float]] = (6.0, 6.0, 6.0, 6.0)

@@ -1,4 +1,4 @@
-"""The perspective lens with a window of its own: glFrustum, lecture 002's H before the scale."""
+"""The perspective lens with an arbitrary window: glFrustum, lecture 002's H before the scale."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ SCALE = """
     0                0                1/d  0
     0                0                0    1
 """
-"""To the canonical pyramid, as in `app.model.lenses.perspective`."""
+"""Scales to the canonical pyramid, as in `app.model.lenses.perspective`."""
 
 CLIP_FROM_VIEW = """
     2*n/(r - l)  0            (r + l)/(r - l)  0
@@ -55,7 +55,7 @@ class Frustum(Central, Windowed):
     title: ClassVar[str] = QT_TRANSLATE_NOOP("Lens", "frustum (off-axis)")
     tip: ClassVar[str] = QT_TRANSLATE_NOOP(
         "Lens",
-        "Rays meet in the eye, but the window is anywhere on the near plane: a shifted pyramid"
+        "Rays meet in the eye, but the window may be anywhere on the near plane: a shifted pyramid"
         " (glFrustum).",
     )
 
@@ -66,7 +66,7 @@ class Frustum(Central, Windowed):
 
     @property
     def least_window(self) -> float:
-        """The least width and height of the window, with room for near divided by it."""
+        """The least width and height of the window: near divided by them must not overflow."""
         return max(1e-290, SMALLEST_OPENING * self.near)
 
     def check_window(self, left: float, right: float, bottom: float, top: float) -> None:

@@ -52,7 +52,7 @@ class Geometry:
 
     @property
     def shear(self) -> tuple[float, float]:
-        """``cot(alpha), cot(beta)`` by which parallel projectors lean; 0 if they do not."""
+        """``cot(alpha), cot(beta)`` of slanted parallel projectors; 0 for other lenses."""
         return 0.0, 0.0
 
     def exact_window(self, aspect: Fraction) -> ExactWindow:
@@ -99,7 +99,7 @@ class Geometry:
     def rays(self, on_near: Array) -> tuple[Array, Array]:
         """x, y of projectors on the eye plane and their change per unit of distance, (n, 2) each.
 
-        `on_near`, (n, 2), are the points in which they meet the near plane.
+        `on_near`, (n, 2), are the points where they meet the near plane.
         """
         if self.central:
             return np.zeros_like(on_near), on_near / self.near
@@ -125,7 +125,7 @@ class Geometry:
     # -- depth
 
     def depth(self, distance: Array, *, reverse: bool) -> Array:
-        """The depth of a distance: 0 at near and 1 at far, or reversed."""
+        """The depth at a distance: 0 at near and 1 at far, or reversed."""
         near, far = self.near, self.far
         if far == math.inf:
             with np.errstate(invalid="ignore"):
@@ -148,7 +148,7 @@ class Geometry:
         return self.near * left_over + self.far * gone
 
     def gap(self, distance: Array, step: Array) -> Array:
-        """Growth of a distance with a step of its depth; infinite beyond the far plane."""
+        """Increase of the distance for a step of its depth; infinite beyond the far plane."""
         near, far = self.near, self.far
         if self.parallel:
             return step * (far - near)
@@ -158,7 +158,7 @@ class Geometry:
 
     @property
     def depth_slope(self) -> float:
-        """a of the depth's ``constant - a/w``; 0 for a lens whose depth is even."""
+        """The a in the depth ``constant - a/w``; 0 for a lens with linear depth."""
         if not self.central:
             return 0.0
         return (
@@ -169,12 +169,12 @@ class Geometry:
 
     @property
     def even_extent(self) -> float:
-        """``far - near`` of a lens whose depth is even in the distance; 0 for the others."""
+        """``far - near`` of a lens whose depth is linear in the distance; 0 for the others."""
         return self.far - self.near if self.parallel else 0.0
 
     @property
     def eye_room(self) -> float:
-        """Least distance from the eye that is drawn; infinite for a lens without an eye."""
+        """Least drawn distance from the eye; infinite for a lens without an eye."""
         return self.near if self.central else math.inf
 
     # -- the canonical volumes

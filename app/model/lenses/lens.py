@@ -1,9 +1,9 @@
-"""What every lens is: a table of formulas and the numbers that their letters stand for.
+"""The base of all lenses: a table of formulas and the numbers that their letters stand for.
 
 A lens is a frozen dataclass in a file of its own. It derives from `lenses.central.Central` or
 `lenses.parallel.Parallel`, and from `lenses.windowed.Windowed` if the sides of its window are
-given; a typed matrix derives from `Lens` alone. No other room asks which lens it has: where lenses
-differ, a number or a method here differs.
+given; a typed matrix derives from `Lens` alone. No other package tests the kind of a lens: lenses
+differ only in their numbers and methods here.
 """
 
 from __future__ import annotations
@@ -63,7 +63,7 @@ class LensTable:
 
 
 class Control(NamedTuple):
-    """How a field of a lens is set by hand: its tip, marked for translation, and its slider.
+    """The control of a lens's field: its tooltip, marked for translation, and its slider.
 
     The unit is ``"°"`` or ``"×"``. Numbers beyond the slider can be typed.
     """
@@ -76,7 +76,7 @@ class Control(NamedTuple):
 
 
 class Seen(NamedTuple):
-    """What another lens shows: its window on its near plane, and the distance of the target."""
+    """What another lens shows: the window on its near plane, and the distance of the target."""
 
     lens: Lens
     window: Window
@@ -85,20 +85,20 @@ class Seen(NamedTuple):
 
 @dataclass(frozen=True)
 class Lens(Geometry):
-    """What a projection asks of a lens.
+    """The interface that a projection needs of a lens.
 
     Attributes
     ----------
     far_may_be_infinite : bool
     window_stays : bool
-        Whether the window is given in numbers, which stay when near moves.
+        Whether the window is given in numbers that do not change when near moves.
     symmetric : bool
         Whether the window is symmetric, so that a field of view describes all of it.
     title, tip, shape : str
         The name of the lens, its description, and the shape of its view volume, marked for
         translation.
     controls : mapping from str to Control
-        How its fields are set by hand, except near, far and the sides of a window.
+        The controls of its fields, except near, far and the sides of a window.
     roundings : (float, float, float, float)
         Number of roundings of x, y, depth and w before the divide, as `Projection.trace` computes
         them.
@@ -139,7 +139,7 @@ class Lens(Geometry):
         raise NotImplementedError
 
     def letters(self, aspect: Fraction) -> dict[str, float]:
-        """The same in float64; a term that would lose digits, like ``r - l``, is a key itself."""
+        """The letters in float64; terms that would lose digits, such as ``r - l``, are keys too."""
         raise NotImplementedError
 
     @cached_property
@@ -201,7 +201,7 @@ class Lens(Geometry):
         return None
 
     def angles(self, aspect: Fraction) -> Angles | None:
-        """The fields of view; None for a lens without an eye."""
+        """Return the fields of view; None for a lens without an eye."""
         return None
 
     def intrinsics(self, image_size: tuple[int, int]) -> Intrinsics:
@@ -213,7 +213,7 @@ class Lens(Geometry):
         raise self._refusal()
 
     def cell_sizes(self, cells: Array) -> Array:
-        """The sizes of the terms that the cells of its matrix are sums of, (4, 4)."""
+        """The sizes of the terms whose sums are the cells of the matrix, (4, 4)."""
         sizes: Array = abs(cells)
         return sizes
 
@@ -221,25 +221,24 @@ class Lens(Geometry):
 
     @property
     def former(self) -> Lens:
-        """The lens from which another kind is chosen: a typed matrix goes back to its own."""
+        """The lens from which another kind is chosen; a typed matrix returns its previous lens."""
         return self
 
     def but(self, **fields: Any) -> Lens:
-        """The same lens with some fields changed."""
+        """Return the same lens with some fields changed."""
         return cast(Lens, replace(cast(Any, self), **fields))
 
     def cut(self, window: Window, near: float, far: float) -> Lens:
-        """The lens with the same view volume between other planes; `window` is on the present near
-        plane."""
+        """The same view volume between other planes; `window` is on the present near plane."""
         near, far = self.checked_planes(near, far)
         return self.but(near=near, far=far)
 
     def ridden(self, window: Window, factor: float) -> Lens:
-        """The lens that shows the target at the same size from `factor` times the distance."""
+        """Return the lens that shows the target equally large from `factor` times the distance."""
         return self
 
     def in_depth_range(self, old: tuple[float, float], new: tuple[float, float]) -> Lens:
-        """The lens with the same view volume for another z of near and far in NDC.
+        """Return the lens with the same view volume for another NDC z of near and far.
 
         Only a typed matrix changes: its cells are those of one depth range.
         """
@@ -247,25 +246,25 @@ class Lens(Geometry):
 
     @classmethod
     def showing(cls, seen: Seen) -> Lens:
-        """A lens of this kind that shows what another lens shows, as closely as it can."""
+        """Return the lens of this kind whose picture is most similar to that of another lens."""
         raise NotImplementedError
 
     @classmethod
     def having(cls, cells: Rationals, near: float, far: float, in_hand: Lens) -> Iterator[Lens]:
-        """Lenses of this kind that may have a matrix, those with the fields in hand first.
+        """Yield lenses of this kind that may have a matrix, those with the present fields first.
 
         Parameters
         ----------
         cells : 4 lists of 4 Fraction
             The last row is that of the kind's table.
         near, far : float
-            The planes that the third row stands for.
+            The planes that the third row corresponds to.
         in_hand : Lens
         """
         yield from ()
 
     def least_terms(self, row: Sequence[Fraction], number: int) -> tuple[Fraction, ...]:
-        """The least sizes of the terms that the cells of a row are sums of, for their rounding."""
+        """The least sizes of the terms whose sums are a row's cells, to judge their rounding."""
         raise self._refusal()
 
 
@@ -283,15 +282,15 @@ class EyeLens(Lens):
         raise NotImplementedError
 
     def depth_over_w(self, distance: Array, rest: Array, *, reverse: bool) -> tuple[Array, Array]:
-        """The depth times w, and the depth; `rest` is what rounding cut off z, -distance."""
+        """The depth times w, and the depth; `rest` is the rounding error of z = -distance."""
         raise NotImplementedError
 
     def nearer_by(self, distance: float, height: float, down_px: float, height_px: int) -> float:
-        """The distance after the mouse has moved down in a picture of this height."""
+        """The distance of a point after the mouse has moved down in a picture of this height."""
         raise NotImplementedError
 
 
 def plane_letters(near: float, far: float) -> dict[str, Fraction]:
-    """n and f of a lens without rounding; no f if far is infinite."""
+    """Exact n and f of a lens; no f if far is infinite."""
     planes = {"n": near, "f": far}
     return {letter: Fraction(plane) for letter, plane in planes.items() if plane != math.inf}

@@ -29,7 +29,7 @@ from app.model.limits import (
 from app.model.refusal import QT_TRANSLATE_NOOP
 
 COTS = ("cot(alpha)", "cot(beta)")
-"""The letters by which projectors lean."""
+"""The letters of the projectors' slant."""
 
 SHEAR = """
     1  0  cot(alpha)  n*cot(alpha)
@@ -62,24 +62,24 @@ class Oblique(Parallel, Windowed):
     """The oblique parallel lens of lecture 002: the orthographic one after its matrix H.
 
     ``x' = x + (z + near) cot(alpha)`` and ``y' = y + (z + near) cot(beta)`` in view space: the
-    projectors lean, and points on the near plane stay. ``0 < alpha_deg, beta_deg < 180`` are the
-    angles of the projectors with the x and the y axis; 90 and 90 is the orthographic lens.
-    `oblique_angles` has those of cavalier and cabinet drawings.
+    projectors are slanted, and points on the near plane do not move. ``0 < alpha_deg, beta_deg <
+    180`` are the angles of the projectors with the x and the y axis; 90 and 90 is the orthographic
+    lens. `oblique_angles` has those of cavalier and cabinet drawings.
     """
 
     kind: ClassVar[str] = "oblique"
     title: ClassVar[str] = QT_TRANSLATE_NOOP("Lens", "oblique")
     tip: ClassVar[str] = QT_TRANSLATE_NOOP(
         "Lens",
-        "Rays are parallel and meet the picture aslant: a slanted box, as in cavalier and cabinet"
-        " drawings (lecture 002: H, then orthographic).",
+        "Rays are parallel and meet the picture at a slant: a slanted box, as in cavalier and"
+        " cabinet drawings (lecture 002: H, then orthographic).",
     )
     controls: ClassVar[Mapping[str, Control]] = {
         "alpha_deg": Control(
             QT_TRANSLATE_NOOP(
                 "Lens",
                 "Angle of the projectors with the x axis: H of lecture 002 adds (z + near)"
-                " cot(alpha) to x. Points on the near plane stay.",
+                " cot(alpha) to x. Points on the near plane do not move.",
             ),
             *(1.0, 179.0, 0.5, "°"),
         ),
@@ -87,7 +87,7 @@ class Oblique(Parallel, Windowed):
             QT_TRANSLATE_NOOP(
                 "Lens",
                 "Angle of the projectors with the y axis: H of lecture 002 adds (z + near)"
-                " cot(beta) to y. Points on the near plane stay.",
+                " cot(beta) to y. Points on the near plane do not move.",
             ),
             *(1.0, 179.0, 0.5, "°"),
         ),
@@ -110,7 +110,7 @@ class Oblique(Parallel, Windowed):
 
     @property
     def least_window(self) -> float:
-        """The least width and height of the window, with room for the shear."""
+        """The least width and height of the window for which the shear does not overflow."""
         return SMALLEST_WINDOW * LARGEST_SHEAR
 
     @property

@@ -24,7 +24,7 @@ SCALE = """
     0          0          1/(f - n)  0
     0          0          0          1
 """
-"""To the box with x, y from -1 to 1 and z from 0 at near to -1 at far."""
+"""Scales to the box with x, y from -1 to 1 and z from 0 at near to -1 at far."""
 
 W_IS_ONE = """
     1  0  0  0
@@ -32,7 +32,7 @@ W_IS_ONE = """
     0  0  1  0
     0  0  0  1
 """
-"""The identity, where a perspective lens makes w the distance again."""
+"""The identity in place of the perspective lens's step that makes w the distance."""
 
 CLIP_FROM_VIEW = """
     2/(r - l)  0          0  -(r + l)/(r - l)

@@ -1,4 +1,4 @@
-"""Lenses whose projectors are parallel: w is 1, and depth is even in the distance."""
+"""Lenses whose projectors are parallel: w is 1, and depth is linear in the distance."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ from app.model.refusal import QT_TRANSLATE_NOOP
 
 @dataclass(frozen=True)
 class Parallel(EyeLens):
-    """A lens whose projectors are parallel: pictures have the same size at every distance."""
+    """A lens whose projectors are parallel: objects look equally large at every distance."""
 
     parallel: ClassVar[bool] = True
     shape: ClassVar[str] = QT_TRANSLATE_NOOP("phenomena", "box")
@@ -55,7 +55,7 @@ class Parallel(EyeLens):
 
     def depth_over_w(self, distance: Array, rest: Array, *, reverse: bool) -> tuple[Array, Array]:
         near, far = self.near, self.far
-        # Between planes that nearly touch, all that the depth has left is what was cut off.
+        # Between planes that nearly touch, the depth consists only of the rounding errors.
         from_plane = (far - distance) + rest if reverse else (distance - near) - rest
         depth = from_plane / (far - near)
         return depth, depth
@@ -77,7 +77,7 @@ class Parallel(EyeLens):
     def with_window_at(
         cls, distance: float, window: Window, near: float, far: float, keep: Keep
     ) -> Lens:
-        """The lens with this window at a distance."""
+        """Return the lens with this window at a distance."""
         lens = cast(Any, cls)(*window, near, far, keep)
         left, right, bottom, top = window
         x, y = (cot * (distance - near) for cot in lens.shear)
@@ -98,7 +98,7 @@ class Parallel(EyeLens):
     def _leaning(
         cls, cells: Rationals, in_hand: Lens
     ) -> tuple[dict[str, float], Sequence[Fraction]]:
-        """The fields by which projectors lean, and their `shear` in rationals."""
+        """The fields of the projectors' slant, and the `shear` in rationals."""
         return {}, (Fraction(0), Fraction(0))
 
     def least_terms(self, row: Sequence[Fraction], number: int) -> tuple[Fraction, ...]:

@@ -30,7 +30,7 @@ SCALE = """
     0                      0             1/d  0
     0                      0             0    1
 """
-"""To the pyramid with x, y from -1 to 1 at z = -1, which is the distance d."""
+"""Scales to the pyramid with x, y from -1 to 1 at z = -1, which is at the distance d."""
 
 M_PP = """
     1  0  0          0
@@ -52,7 +52,7 @@ W_IS_THE_DISTANCE = """
     0  0  d  0
     0  0  0  d
 """
-"""Changes no picture: w becomes the distance again, the last row 0 0 -1 0 as usual."""
+"""Makes w the distance again, with the usual last row 0 0 -1 0; the picture does not change."""
 
 CLIP_FROM_VIEW = """
     cot(fov/2)/aspect  0           0   0
@@ -80,8 +80,8 @@ DEPTH_AT_INFINITY = {
 }
 """Of ``z_clip = A z_view + B``, which is z_n w at near and z_f w at far (lecture 000, before (12)).
 
-OpenGL's z_n = -1 and z_f = 1 make ``-(f + n)/(f - n)`` and ``-2 f n/(f - n)`` of A and B. On the
-way back 1/w is affine in z: ``1/w = C z + D`` is 1/n at near, 1/f at far.
+OpenGL's z_n = -1 and z_f = 1 make ``-(f + n)/(f - n)`` and ``-2 f n/(f - n)`` of A and B. In the
+inverse, 1/w is affine in z: ``1/w = C z + D`` is 1/n at near, 1/f at far.
 """
 
 AS_002_WRITES = {"-1/(f - n)": "1/(n - f)", "2*f*n/(f - n)": "2*n*f/(f - n)"}
@@ -147,7 +147,7 @@ class Perspective(Central):
     title: ClassVar[str] = QT_TRANSLATE_NOOP("Lens", "perspective")
     tip: ClassVar[str] = QT_TRANSLATE_NOOP(
         "Lens",
-        "Rays meet in the eye: what is farther looks smaller. The view volume is a pyramid cut off"
+        "Rays meet in the eye: farther objects look smaller. The view volume is a pyramid cut off"
         " by near and far, symmetric about the view direction (gluPerspective).",
     )
     controls: ClassVar[Mapping[str, Control]] = {
@@ -253,7 +253,7 @@ def _fov_y_deg(cot: Fraction) -> float:
 def fov_x_from_fov_y(fov_y_deg: float, aspect: float) -> float:
     """Horizontal field of view of a symmetric lens: ``tan(fov_x/2) = aspect tan(fov_y/2)``.
 
-    The converse is this function with ``1/aspect``.
+    The inverse is this function with ``1/aspect``.
     """
     complement_deg = (180.0 - fov_y_deg) / 2.0
     sin_half = math.sin(math.radians(fov_y_deg / 2.0))
@@ -279,7 +279,7 @@ def focal_length_e(fov_y_deg: float, aspect: float) -> float:
 
 
 def fov_y_from_focal_length_e(e: float, aspect: float) -> float:
-    """The converse of `focal_length_e`, or a `Refusal` if e is not a finite number above 0."""
+    """The inverse of `focal_length_e`, or a `Refusal` if e is not a finite number above 0."""
     return math.degrees(2.0 * math.atan2(1.0, positive("e", e) * aspect))
 
 
@@ -294,7 +294,7 @@ def focal_length_35mm(fov_y_deg: float, aspect: float) -> float:
 
 
 def fov_y_from_focal_length_35mm(focal_length_mm: float, aspect: float) -> float:
-    """The converse of `focal_length_35mm`, or a `Refusal` for a length that is not above 0."""
+    """The inverse of `focal_length_35mm`, or a `Refusal` for a length that is not above 0."""
     focal_length_mm = positive("focal_length_mm", focal_length_mm)
     half_height = FULL_FRAME_DIAGONAL_MM / 2.0 / math.hypot(aspect, 1.0)
     return math.degrees(2.0 * math.atan2(half_height, focal_length_mm))

@@ -1,4 +1,4 @@
-"""Solving for the fields of a lens: the decimals with the fewest digits that give the typed cells.
+"""Solve for the fields of a lens: find the shortest decimals that give the typed cells.
 
 If you type the matrix of ``near = 1`` you get 1, not 0.9999999999999999.
 """
@@ -9,13 +9,13 @@ from collections.abc import Callable
 from fractions import Fraction
 
 ROUNDING = 2.0**-49
-"""Allowed difference of a cell, relative to the largest term of its sum: 8 roundings."""
+"""Tolerance of a cell relative to the largest term of its sum: 8 roundings."""
 OF_ITSELF = 2.0**-20
-"""Allowed difference relative to the cell itself: a typed 1e-20 is not taken for 0."""
+"""Tolerance relative to the cell itself: a typed 1e-20 does not count as 0."""
 DIGITS = 17
-"""Digits that are enough for every float64."""
+"""Digits that suffice for every float64."""
 MEANT = 12
-"""Digits up to which a decimal may miss a cell by a rounding; chance hits one in 500."""
+"""Digits up to which a decimal may differ from a cell by a rounding; 1 in 500 matches by chance."""
 
 
 def same(a: Fraction, b: Fraction, size: Fraction) -> bool:
@@ -45,7 +45,7 @@ def shortest(
             ]
             if all(near_enough):
                 return rounded
-        except (ZeroDivisionError, ValueError, OverflowError):  # two that so few digits make one
+        except (ZeroDivisionError, ValueError, OverflowError):  # two ends round to the same decimal
             continue
     return floats
 

@@ -1,4 +1,4 @@
-"""Lenses that are given by a window: left, right, bottom and top on the near plane."""
+"""Lenses that are defined by a window: left, right, bottom and top on the near plane."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ from app.model.limits import (
 from app.model.refusal import Refusal, format_value
 
 _ROUNDING = 1e-12
-"""Relative difference of proportions that counts as rounding."""
+"""Relative difference of aspects that counts as rounding."""
 
 
 @dataclass(frozen=True)
@@ -98,7 +98,7 @@ class Windowed(Lens):
         return super().window(aspect)
 
     def check_image(self, aspect: Fraction) -> None:
-        """Refuse an image for which `keep` shrinks a window far from the axis to nothing."""
+        """Refuse an image for which `keep` would shrink a window far from the axis to nothing."""
         left, right, bottom, top = self.exact_window(aspect)
         window = self.window(aspect)
         for name, exact, low, high in (

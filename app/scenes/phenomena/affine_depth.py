@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 from app.model.clipping import NOT_CUT, clip_segments
 from app.model.projection import Array, Camera, Perspective, Projection
 from app.scenes.phenomena.illustration import Illustration, OwnMesh, Phenomenon, Subject
-from app.scenes.phenomena.marks import Dot, Grip, Line, Mark, Marks, Text, named, segment
+from app.scenes.phenomena.marks import Dot, Grip, Line, Mark, Marks, Text, letter, named, segment
 from app.scenes.phenomena.picture import image_from_ndc
 from app.scenes.phenomena.readout import Phrase, Reading, figure
 from app.scenes.phenomena.settings import Setting, Settings, point
@@ -195,7 +195,7 @@ def _own_bow(projection: Projection, part: Inside, found: Deviation) -> Marks:
     beside = (1.0 - _STEPS[quarter]) * curve[0] + _STEPS[quarter] * curve[-1]
     text = []
     if math.isfinite(percent):
-        text = [Text(f"{figure(percent, 4)} %", on_bow, away_from=on_chord)]
+        text = [Text("deviation", on_bow, away_from=on_chord, text=f"{figure(percent, 4)} %")]
     return Marks.of(
         *text,
         Line(straight, "accent", 2.0),
@@ -203,8 +203,8 @@ def _own_bow(projection: Projection, part: Inside, found: Deviation) -> Marks:
         Line(curve, "u", 2.0),
         segment(on_chord, on_bow, "ink", 1.0),
         Dot(on_bow, "u", 1.2),
-        Text("A z + B", curve[quarter], "u", away_from=beside),
-        Text("A + B / z", straight[0], "accent", away_from=straight.mean(axis=0)),
+        Text("Az+B", curve[quarter], "u", away_from=beside, text=letter("A z + B")),
+        Text("A+B/z", straight[0], "accent", (), straight.mean(axis=0), letter("A + B / z")),
     )
 
 
@@ -247,4 +247,5 @@ PHENOMENON = Phenomenon(
     controls=("lens.near", "lens.far"),
     leading="ndc",
     own_mesh=True,
+    names=("P", "Q", "Az+B", "A+B/z", "deviation"),
 )

@@ -63,8 +63,9 @@ def _show(projection: Projection, _settings: Settings, subject: Subject) -> Illu
     wall = film + d * -camera.frame[2]  # the front of the box, with the hole in its middle
     world: list[Mark] = [plate(film, "v", 1.5, 0.2), plate(wall, "ink", 1.0, 0.16)]
     world += [Line(side, "ink", 1.0) for side in np.stack([wall, film], axis=1)]
-    world += [Text(WORDS["film"], film[1], "v"), Text(WORDS["front"], front[3], "near")]
-    world += [Dot(hole, "ink", 1.2), Text(WORDS["hole"], hole)]
+    world += [Text("film", film[1], "v", text=WORDS["film"])]
+    world += [Text("front", front[3], "near", text=WORDS["front"])]
+    world += [Dot(hole, "ink", 1.2), Text("hole", hole, text=WORDS["hole"])]
     behind = in_front = None
     diagrams: tuple[Diagram, ...] = ()
     image: list[Mark] = []
@@ -75,8 +76,8 @@ def _show(projection: Projection, _settings: Settings, subject: Subject) -> Illu
         on_film = world_from_view(projection, np.column_stack([-d * x, -d * y, [d, d]]))
         on_front = world_from_view(projection, np.column_stack([d * x, d * y, [-d, -d]]))
         world += [segment(*ends, "accent", 1.0) for ends in zip(arrow, on_film, strict=True)]
-        for name, each in (("h", arrow), ("−d·h/z", on_film), ("d·h/z", on_front)):
-            world += [Line(each, "accent", 3.0), named(name, each[1])]
+        world += [Line(each, "accent", 3.0) for each in (arrow, on_film, on_front)]
+        world += [Dot(on_front[1], "accent", 1.3), named("h", arrow[1]), named("h'", on_film[1])]
         diagrams = (_diagram(d, z, y * z),)
         slab *= z
         image += seen_lines(projection, trace.clip[None], ("accent",), 3.0)
@@ -159,4 +160,5 @@ PHENOMENON = Phenomenon(
     follow=_follow,
     found=_found,
     own_mesh=True,
+    names=("hole", "film", "h", "h'", "d", "z"),
 )

@@ -190,7 +190,8 @@ def _lit(box: Array, step: int) -> Marks:
         return Marks()
     face, colour = box[list(_FACES[step - 1])], _colour(step)
     with np.errstate(over="ignore", invalid="ignore"):
-        name = Text(WORDS[PLANES[step - 1]], (face[2] + face[3]) / 2.0, colour)
+        plane = PLANES[step - 1]
+        name = Text(plane, (face[2] + face[3]) / 2.0, colour, text=WORDS[plane])
     return Marks.of(plate(face, colour, 2.5, 0.2), *([] if step < 3 else [name]))
 
 
@@ -334,4 +335,5 @@ PHENOMENON = Phenomenon(
     controls=("lens.near", "lens.far", "camera.distance"),
     numbers=7,
     leading="ndc",
+    names=("A", "B", "C", "1", "2"),
 )

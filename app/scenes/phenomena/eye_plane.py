@@ -31,6 +31,7 @@ from app.scenes.phenomena.marks import (
     Mark,
     Marks,
     Text,
+    letter,
     named,
     plate,
     segment,
@@ -300,7 +301,11 @@ def _world_marks(
     reach = 0.4 * subject.size
     corners = eye + reach * np.array([-u - v, u - v, u + v, v - u])
     marks: list[Mark] = [plate(corners, "eye", 1.0, 0.15), Dot(eye, "eye")]
-    marks += [named("A", a, size=1.2), named("B", b, size=1.2), Text("w = 0", corners[2])]
+    marks += [
+        named("A", a, size=1.2),
+        named("B", b, size=1.2),
+        Text("w=0", corners[2], text=f"{letter('w')} = 0"),
+    ]
     start, end = depths.tolist()
     pieces = [(a, b, start > 0.0)]
     if (start > 0.0) != (end > 0.0):
@@ -337,7 +342,10 @@ def _image_marks(drawn: Pictures) -> Marks:
     marks: list[Mark] = []
     right, wrong = drawn.right[0], drawn.naive[0]
     if drawn.wrong_px[0] > 0.0:
-        marks += [Line(wrong, "u", 1.0), Text(WORDS["wrong"], wrong.mean(axis=0), "u")]
+        marks += [
+            Line(wrong, "u", 1.0),
+            Text("wrong", wrong.mean(axis=0), "u", text=WORDS["wrong"]),
+        ]
     if np.isfinite(right).all():
         marks.append(_ab(right, "accent", 2.0))
         marks += [Dot(end, "accent", 1.2) for end in right]
@@ -376,4 +384,5 @@ PHENOMENON = Phenomenon(
     leading="image",
     own_mesh=True,
     own_mesh_crosses=True,
+    names=("A", "B", "eye", "w=0", "A'", "B'"),
 )

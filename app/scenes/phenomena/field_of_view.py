@@ -27,7 +27,7 @@ from app.model.projection import (
     fov_y_from_focal_length_35mm,
 )
 from app.scenes.phenomena.illustration import Illustration, Phenomenon, Subject
-from app.scenes.phenomena.marks import Line, Marks, Text, segment
+from app.scenes.phenomena.marks import Line, Marks, Text, letter, segment
 from app.scenes.phenomena.picture import cut_in_picture, seen_lines, seen_texts
 from app.scenes.phenomena.readout import Phrase, Reading
 from app.scenes.phenomena.settings import CLOSE, Found, Setting, Settings, number
@@ -190,14 +190,14 @@ def _show(projection: Projection, _settings: Settings, subject: Subject) -> Illu
     texts: list[Text] = []
     if size is not None:
         lines += [Line(each, "accent", 1.5) for each in (bar, ticks[:2], ticks[2:])]
-        texts.append(Text(f"{size:.0f} px", bar[1], "accent"))
+        texts.append(Text("px", bar[1], "accent", text=f"{size:.0f} px"))
     at_squares = []
     if ratio is not None:
         # Two squares of one size at the subject's nearest and farthest depth.
         for depth, name, colour in ((w_near, "nearest", "near"), (w_far, "farthest", "far")):
             square = _square(camera, 0.45 * height, depth)
             lines.append(Line(square, colour, 1.5))
-            at_squares.append(Text(WORDS[name], square[2], colour))
+            at_squares.append(Text(name, square[2], colour, text=WORDS[name]))
     texts += at_squares
     segments = np.array([ends for line in lines for ends in pairwise(line.points)])
     colours = [line.colour for line in lines for _ in line.points[1:]]
@@ -214,7 +214,7 @@ def _show(projection: Projection, _settings: Settings, subject: Subject) -> Illu
         world=Marks.of(
             segment(camera.eye, camera.target, "accent", 1.0),
             *lines,
-            Text(f"d = {distance:.4g}", np.array(camera.target), "accent"),
+            Text("d", np.array(camera.target), "accent", text=f"{letter('d')} = {distance:.4g}"),
             *at_squares,
         ),
         image=Marks.of(
@@ -285,4 +285,5 @@ PHENOMENON = Phenomenon(
     follow=_follow,
     found=_found,
     own_mesh=True,
+    names=("nearest", "farthest", "d"),
 )

@@ -1,4 +1,4 @@
-"""Lens and focus: what a real camera's lens adds to the pinhole, computed and not simulated.
+"""Lens and focus: what a real camera's lens adds to the pinhole.
 
 Lecture 001 names the focal distance (what is in focus) and the depth of field (how far before and
 behind it things are acceptably sharp) among a camera's parameters. A thin lens of focal length f,
@@ -28,7 +28,16 @@ from app.model.lenses.central import FULL_FRAME_DIAGONAL_MM
 from app.model.projection import Array, Camera, Perspective, Projection
 from app.scenes.phenomena.diagram import Curve, Diagram
 from app.scenes.phenomena.illustration import Illustration, Phenomenon, Subject
-from app.scenes.phenomena.marks import Dot, Face, Mark, Marks, Text, plate, segment
+from app.scenes.phenomena.marks import (
+    Aperture,
+    Dot,
+    Mark,
+    Marks,
+    Rendering,
+    Text,
+    plate,
+    segment,
+)
 from app.scenes.phenomena.picture import section, seen, seen_lines
 from app.scenes.phenomena.readout import Phrase, Reading
 from app.scenes.phenomena.settings import Setting, Settings, number
@@ -126,6 +135,16 @@ class _Focused(NamedTuple):
     def blur_mm(self, distances: Array) -> Array:
         return blur_mm(self.f_mm, self.n, self.focus, distances)
 
+    @property
+    def aperture(self) -> Aperture:
+        """The opening, a little wider than f / N.
+
+        The film of a focused lens is farther away than f, where the pinhole's is. The wider opening
+        makes up for that: the discs in the picture are as large as `blur_mm` says.
+        """
+        f = self.f_mm * _MM
+        return Aperture(0.5 * (f / self.n) * (self.focus / (self.focus - f)), self.focus)
+
     def is_sharp(self, distances: Array) -> NDArray[np.bool_]:
         return (self.sharp.near <= distances) & (distances <= self.sharp.far)
 
@@ -151,6 +170,7 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Illus
         ndc=_planes_ndc(projection, lens),
         image=_sharp_in_picture(projection, lens, subject),
         diagrams=(_diagram(lens),),
+        rendering=Rendering(aperture=lens.aperture),
         measured=(("s", focus),) if projection.lens.near <= focus <= projection.lens.far else (),
     )
 
@@ -211,7 +231,7 @@ def _planes(projection: Projection, lens: _Focused, subject: Subject) -> Marks:
     for name, distance, colour, opacity in _crossing(projection, lens):
         corners = section(projection, distance)
         marks.append(plate(corners, colour, 1.0, opacity))
-        marks.append(Text(WORDS[name], corners[_NAMED_AT[name]], colour))
+        marks.append(Text(name, corners[_NAMED_AT[name]], colour, text=WORDS[name]))
     # The frustum's edges are thick where everything between them is sharp.
     low = max(near, lens.sharp.near)
     high = min(far, lens.sharp.far, 4.0 * (lens.focus + subject.size))
@@ -247,10 +267,7 @@ def _planes_ndc(projection: Projection, lens: _Focused) -> Marks:
 
 
 def _sharp_in_picture(projection: Projection, lens: _Focused, subject: Subject) -> Marks:
-    """Outlines of the sharp posts, and on each other post the disc of a point of it.
-
-    Of the user's mesh, the sharp vertices.
-    """
+    """Outlines of the sharp posts; of the user's mesh, the sharp vertices."""
     if subject.mesh is not None:
         step = -(-len(subject.points) // _MOST_VERTICES)
         trace = projection.trace(subject.points[::step])
@@ -262,19 +279,10 @@ def _sharp_in_picture(projection: Projection, lens: _Focused, subject: Subject) 
     sides = np.stack([corners, np.roll(corners, -1, axis=1)], axis=2).reshape(-1, 2, 4)
     lines = seen_lines(projection, sides, ["v"] * len(sides), 2.0)
     tops = projection.trace(_FRONTS[:, 2:].mean(axis=1))  # the middle of each front's upper edge
-    names = [Text(WORDS["sharp"], top, "v") for top in tops.image[is_sharp & seen(tops)]][:1]
-    with np.errstate(all="ignore"):
-        discs_mm = lens.blur_mm(-tops.view[:, 2])
-    half = np.outer(discs_mm / 2.0, _px_per_mm(projection))
-    rim = np.linspace(0.0, 2.0 * math.pi, 24, endpoint=False)
-    circle = np.stack([np.cos(rim), np.sin(rim)], axis=1)
-    small = (np.isfinite(half) & (half < max(projection.image_size))).all(axis=1)
-    shown = seen(tops) & ~is_sharp & small
-    faces = [
-        Face(place + size * circle, "accent", 0.9)
-        for place, size in zip(tops.image[shown], half[shown], strict=True)
-    ]
-    return Marks.of(*lines, *faces, *names)
+    names = [
+        Text("sharp", top, "v", text=WORDS["sharp"]) for top in tops.image[is_sharp & seen(tops)]
+    ][:1]
+    return Marks.of(*lines, *names)
 
 
 def _diagram(lens: _Focused) -> Diagram:
@@ -314,9 +322,10 @@ PHENOMENON = Phenomenon(
     show=_show,
     adjustable=(
         Setting("focus", 5.0, 1e-6, 1e6, span=(0.3, 30.0), unit="m", logarithmic=True),
-        Setting("aperture", 2.8, 0.5, 1e6, span=(1.0, 64.0), logarithmic=True),
+        Setting("aperture", 1.0, 0.5, 1e6, span=(0.5, 64.0), logarithmic=True),
         Setting("confusion", 0.03, 1e-6, 10.0, span=(0.005, 0.2), unit="mm", logarithmic=True),
     ),
     controls=("lens.fov_y_deg",),
     own_mesh=True,
+    names=("sharp-from", "in-focus", "sharp-to"),
 )

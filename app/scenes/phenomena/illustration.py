@@ -168,6 +168,8 @@ class Phenomenon:
         What drawings build for this scene beyond faces, lines and marks.
     leading : str
         The pane that shows it best: ``"world"``, ``"ndc"`` or ``"image"``.
+    names : tuple of str
+        The ids of the things that its pictures name, unless the document has a list of its own.
     own_mesh : bool
         Whether a user's mesh, scaled and moved into its bounds, can replace the built-in subject.
     own_mesh_crosses : bool
@@ -189,6 +191,7 @@ class Phenomenon:
     check: Callable[[Settings], None] = _any
     requires: frozenset[str] = frozenset()
     leading: str = "world"
+    names: tuple[str, ...] = ()
     own_mesh: bool = False
     own_mesh_crosses: bool = False
 

@@ -148,13 +148,13 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Illus
     world: list[Mark] = [Line(ends, "ink", 1.5)]
     image: list[Mark] = [*seen_lines(projection, trace.clip[None], ("ink",), 1.5)]
     in_image = (middles.image[0], trace.image.mean(axis=0))
-    names = (WORDS["half-in-world"], "target"), (WORDS["half-on-screen"], "accent")
-    for (word, colour), place, pixel, shown in zip(
+    names = ("half-in-world", "target"), ("half-on-screen", "accent")
+    for (name, colour), place, pixel, shown in zip(
         names, in_world, in_image, seen(middles), strict=True
     ):
-        world.append(named(word, place, colour, 1.4))
+        world.append(named(name, place, colour, 1.4, WORDS[name]))
         if shown:
-            image.append(named(word, pixel, colour, 1.4))
+            image.append(named(name, pixel, colour, 1.4, WORDS[name]))
     parallel = WORDS.of_parallel(projection)
     return Illustration(
         _readings(errors, part, note, said),
@@ -229,4 +229,5 @@ PHENOMENON = Phenomenon(
     leading="image",
     requires=frozenset({"texture"}),
     own_mesh=True,
+    names=("half-on-screen", "half-in-world"),
 )

@@ -3,6 +3,9 @@
 Also how the scene itself is rasterised. Whatever follows every vertex is a matrix (`Copy`) or the
 rasteriser's own work (`Rendering`); marks are few.
 
+A mark with a `name` belongs to the thing of that name: where the picture does not name it, the
+mark is drawn more quietly. A line, face or dot without a name is always drawn as it is.
+
 Colours are names of `app.drawings.style.Style`, such as ``"near"``, or ``"#rrggbb"``. Points are
 world coordinates in the world pane, NDC in the NDC pane and pixels in the image pane.
 """
@@ -10,14 +13,14 @@ world coordinates in the world pane, NDC in the NDC pane and pixels in the image
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any, TypeAlias
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from app.model.depth import DepthBuffer
-from app.model.projection import Array, Vector
+from app.model.projection import Array, Camera, Frustum, Projection, Vector
 from app.scenes.shapes import Coloured
 
 
@@ -29,6 +32,7 @@ class Line:
     colour: str = "ink"
     width: float = 1.0
     about: tuple[str, ...] = ()
+    name: str = ""
 
 
 @dataclass(frozen=True, eq=False)
@@ -38,6 +42,7 @@ class Face:
     points: Array
     colour: str = "accent"
     opacity: float = 0.3
+    name: str = ""
 
 
 @dataclass(frozen=True, eq=False)
@@ -47,21 +52,41 @@ class Dot:
     point: Array
     colour: str = "accent"
     size: float = 1.0
+    name: str = ""
 
 
 @dataclass(frozen=True, eq=False)
 class Text:
     """A few letters beside a point (2 or 3,).
 
-    `colour` is that of its plate, if it has one. In the world and in NDC the letters are placed
-    away from the point `away_from`: the middle of a figure with an edge here, for example.
+    Attributes
+    ----------
+    name : str
+        Its plain name in ``view.names``: ``y_p``, ``film``.
+    colour : str
+        Of its concept; empty for ink.
+    away_from : (2 or 3,) array, optional
+        In the world and in NDC the letters are placed away from this point: the middle of a figure
+        with an edge here, for example.
+    text : str
+        What is written: words, with mathtext between dollars. By default the name as a letter.
     """
 
-    text: str
+    name: str
     point: Array
     colour: str = ""
     about: tuple[str, ...] = ()
     away_from: Array | None = None
+    text: str = ""
+
+    def __post_init__(self) -> None:
+        if not self.text:
+            object.__setattr__(self, "text", letter(self.name))
+
+
+def letter(name: str) -> str:
+    """A plain name or formula as it is typeset."""
+    return name
 
 
 @dataclass(frozen=True, eq=False)
@@ -99,9 +124,11 @@ def segment(
     return Line(np.array([start, end]), colour, width, about)
 
 
-def named(name: str, point: Array, colour: str = "accent", size: float = 1.3) -> Marks:
+def named(
+    name: str, point: Array, colour: str = "accent", size: float = 1.3, text: str = ""
+) -> Marks:
     """A dot and its letter."""
-    return Marks.of(Dot(point, colour, size), Text(name, point, colour))
+    return Marks.of(Dot(point, colour, size, name), Text(name, point, colour, text=text))
 
 
 def outline(corners: Array) -> Array:
@@ -110,10 +137,16 @@ def outline(corners: Array) -> Array:
 
 
 def plate(
-    corners: Array, colour: str, width: float, opacity: float, about: tuple[str, ...] = ()
+    corners: Array,
+    colour: str,
+    width: float,
+    opacity: float,
+    about: tuple[str, ...] = (),
+    name: str = "",
 ) -> Marks:
     """A flat convex polygon (k, 2 or 3): its face, and its outline in the same colour."""
-    return Marks.of(Line(outline(corners), colour, width, about), Face(corners, colour, opacity))
+    edge = Line(outline(corners), colour, width, about, name)
+    return Marks.of(edge, Face(corners, colour, opacity, name))
 
 
 @dataclass(frozen=True, eq=False)
@@ -199,6 +232,37 @@ class Fog:
         return min(max((self.end - distance) / (self.end - self.start), 0.0), 1.0)
 
 
+@dataclass(frozen=True)
+class Aperture:
+    """The round opening of a lens, in world units, and the distance that it is focused at."""
+
+    radius: float
+    focus: float
+
+    def seen_from(
+        self, projection: Projection, right: float, up: float, shift: tuple[float, float] = (0, 0)
+    ) -> Projection:
+        """The projection from a point of the opening, at these parts of its radius.
+
+        The focused plane is the common window: a point of it has the same pixel from everywhere.
+        `shift` moves the picture right and up, in pixels.
+        """
+        camera, lens = projection.camera, projection.lens
+        x, y = self.radius * right, self.radius * up
+        way = x * camera.frame[0] + y * camera.frame[1]
+        eye, target = ((np.array(point) + way).tolist() for point in (camera.eye, camera.target))
+        low_x, high_x, low_y, high_y = projection.window
+        width, height = projection.image_size
+        x = x * lens.near / self.focus + shift[0] * (high_x - low_x) / width
+        y = y * lens.near / self.focus + shift[1] * (high_y - low_y) / height
+        window = low_x - x, high_x - x, low_y - y, high_y - y
+        return replace(
+            projection,
+            camera=Camera(tuple(eye), tuple(target), camera.up),
+            lens=Frustum(*window, lens.near, lens.far, "stretch"),
+        )
+
+
 @dataclass(frozen=True, eq=False)
 class Level:
     """One level of detail of the scene's objects.
@@ -217,10 +281,12 @@ class Rendering:
     """How the image pane rasterises the scene, where that is not the ordinary way.
 
     The depths are rounded to the codes of `buffer`. The `levels`, nearest first, are none or three,
-    and replace the scene's faces; their faces must never change.
+    and replace the scene's faces; their faces must never change. With an `aperture`, what is not in
+    focus is blurred.
     """
 
     buffer: DepthBuffer | None = None
     texture: Texture | None = None
     fog: Fog | None = None
     levels: tuple[Level, ...] = ()
+    aperture: Aperture | None = None

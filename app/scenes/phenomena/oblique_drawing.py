@@ -44,6 +44,7 @@ WORDS = Words("oblique-drawing")
 _SQUARE = 1e-6  # by how much v may be drawn longer than u, relative to 1
 _SCALES = {"cavalier": 1.0, "cabinet": 0.5}
 _COLOURS = ("u", "v", "n")
+_SCALE_NAMES = ("scale_u", "scale_v", "scale_n")  # the names of their texts
 
 # Cells of a cube of two by two by two; the upper left one in front is missing.
 _CELLS = tuple(
@@ -181,7 +182,8 @@ def _show(projection: Projection, _settings: Settings, subject: Subject) -> Illu
         labels = tuple(map("{}: {}".format, labels, scales))
 
     def texts(places: Array) -> list[Text]:
-        return list(map(Text, labels, places, _COLOURS))
+        each = zip(_SCALE_NAMES, places, _COLOURS, labels, strict=True)
+        return [Text(name, at, colour, text=text) for name, at, colour, text in each]
 
     world: list[Mark] = [*edges, *texts(segments.mean(axis=1))]
     if warning is None:
@@ -259,4 +261,5 @@ PHENOMENON = Phenomenon(
     follow=_follow,
     found=_found,
     own_mesh=True,
+    names=_SCALE_NAMES,
 )

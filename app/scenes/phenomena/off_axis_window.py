@@ -160,7 +160,7 @@ def _world_marks(projection: Projection, screens: dict[str, Projection]) -> Mark
             starts = np.broadcast_to(np.array(screen.camera.eye), (4, 3))
         marks.append(plate(corners, colour, 2.0, 0.16))
         marks += [segment(*ends, colour, 1.0) for ends in zip(starts, corners, strict=True)]
-        marks.append(Text(WORDS[name], (corners[2] + corners[3]) / 2.0, colour))
+        marks.append(Text(name, (corners[2] + corners[3]) / 2.0, colour, text=WORDS[name]))
     if (right := screens.get("right")) is not None:
         marks.append(Line(section(right, right.camera.distance)[[0, 3]], "accent", 2.0))
     return Marks.of(*marks)
@@ -180,7 +180,7 @@ def _near_rectangle(projection: Projection) -> list[Mark]:
     for (side, (start, end)), value in zip(ends.items(), projection.window, strict=True):
         marks.append(segment(start, end, "near", 1.5, (side,)))
         text = f"{{{side[0]}}} = {figure(value, 4)}"
-        marks.append(Text(text, (start + end) / 2.0, "near", (side,), middle))
+        marks.append(Text(side[0], (start + end) / 2.0, "near", (side,), middle, text))
     return marks
 
 
@@ -191,7 +191,9 @@ def _ndc_marks(projection: Projection, screens: dict[str, Projection]) -> Marks:
     x = 2.0 * left.image_size[0] / projection.image_size[0] - 1.0
     z_near, z_far = projection.depth_range
     corners = np.array([(x, -1.0, z_near), (x, 1.0, z_near), (x, 1.0, z_far), (x, -1.0, z_far)])
-    return Marks.of(plate(corners, "accent", 1.5, 0.2), Text(WORDS["join"], corners[1], "accent"))
+    return Marks.of(
+        plate(corners, "accent", 1.5, 0.2), Text("join", corners[1], "accent", text=WORDS["join"])
+    )
 
 
 def _image_marks(projection: Projection, screens: dict[str, Projection]) -> Marks:
@@ -206,12 +208,13 @@ def _image_marks(projection: Projection, screens: dict[str, Projection]) -> Mark
         elif name == "window":
             corners.append(corners[0])
         marks.append(Line(np.array(corners, dtype=float), colour, 2.0))
-        marks.append(Text(WORDS[name], np.array([x + 0.03 * width, 0.06 * height]), colour))
+        at = np.array([x + 0.03 * width, 0.06 * height])
+        marks.append(Text(name, at, colour, text=WORDS[name]))
         x = end
     if (left := screens.get("left")) is not None:
         column = float(left.image_size[0])
         marks.append(segment((column, 0.0), (column, height), "accent", 1.5))
-        marks.append(Text(WORDS["join"], np.array([column, 0.94 * height]), "accent"))
+        marks.append(Text("join", np.array([column, 0.94 * height]), "accent", text=WORDS["join"]))
     return Marks.of(*marks)
 
 
@@ -259,4 +262,5 @@ PHENOMENON = Phenomenon(
     follow=_follow,
     found=_found,
     own_mesh=True,
+    names=("l", "r", "b", "t", "eye", "window"),
 )

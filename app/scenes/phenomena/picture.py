@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Sequence
+from dataclasses import replace
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -117,7 +118,7 @@ def seen_texts(trace: Trace, texts: Sequence[Text]) -> tuple[Text, ...]:
     """The letters of the last traced points in the image, if their points are in the volume."""
     last = slice(len(trace.image) - len(texts), None)
     return tuple(
-        Text(text.text, place, text.colour)
+        replace(text, point=place)
         for text, place, here in zip(texts, trace.image[last], seen(trace)[last], strict=True)
         if here
     )

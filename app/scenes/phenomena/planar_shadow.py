@@ -34,6 +34,7 @@ from app.scenes.phenomena.marks import (
     Mark,
     Marks,
     Text,
+    letter,
     named,
     plate,
     segment,
@@ -48,11 +49,11 @@ WORDS = Words("planar-shadow")
 
 ABOVE_THE_PLANE = QT_TRANSLATE_NOOP(
     "Refusal",
-    "must lie above the plane y = {0}: on the plane or under it, it casts no shadow on it",
+    "must lie above the plane y = {0}: a light on the plane or under it casts no shadow there",
 )
 FROM_ABOVE = QT_TRANSLATE_NOOP(
     "Refusal",
-    "must point upward, to the sun: parallel to the plane or from under it, its rays never meet it",
+    "must point upward, to the sun: otherwise its rays never meet the plane",
 )
 
 
@@ -217,7 +218,7 @@ def _world_marks(settings: Settings, subject: Subject, light: Array, marked: lis
         """From the light through a point to its end."""
         return segment(place + reach * way if sun else light[:3], end, *drawn)
 
-    y = Text(f"y = {figure(height, 4)}", corners[3])
+    y = Text("ground", corners[3], text=f"{letter('y')} = {figure(height, 4)}")
     world: list[Mark] = [plate(corners, "muted", 1.0, 0.2), y]
     which = np.array([(x, 1, z) for x in (0, 1) for z in (0, 1)], dtype=bool)
     tops = np.where(which, subject.upper, subject.lower)
@@ -231,14 +232,17 @@ def _world_marks(settings: Settings, subject: Subject, light: Array, marked: lis
         head = middle + reach * way
         tail = head - 0.3 * reach * way
         world.append(segment(head, tail, "accent", 2.0))
+        name = "height"
         text = f"{figure(math.degrees(math.asin(min(float(way[1]), 1.0))), 4)}°"
     else:
         head = light[:3]
         tail = np.array([head[0], height, head[2]])
         world.append(segment(head, tail, "ink", 1.0))
-        text = f"{'L_y − h' if height else 'L_y'} = {figure(head[1] - height, 4)}"
-    world.append(Text(text, (head + tail) / 2.0))
-    world.append(named(WORDS["sun" if sun else "lamp"], head, size=1.6))
+        name = "L_y"
+        above = f"{letter('L_y')} − {letter('h')}" if height else letter("L_y")
+        text = f"{above} = {figure(head[1] - height, 4)}"
+    world.append(Text(name, (head + tail) / 2.0, text=text))
+    world.append(named("light", head, size=1.6, text=WORDS["sun" if sun else "lamp"]))
     world += [named(name, at, size=1.2) for name, at in zip(("P", "P'"), marked, strict=False)]
     if len(marked) == 2:
         world.append(ray(*marked, "accent", 1.5))
@@ -262,4 +266,5 @@ PHENOMENON = Phenomenon(
     numbers=3,
     check=_check,
     own_mesh=True,
+    names=("light", "P", "P'", "ground"),
 )

@@ -288,4 +288,5 @@ PHENOMENON = Phenomenon(
     found=_found,
     check=_check,
     requires=frozenset({"fog", "levels"}),
+    names=("far", "next tree"),
 )

@@ -25,6 +25,7 @@ from app.scenes.phenomena.marks import (
     Mark,
     Marks,
     Text,
+    letter,
     named,
     plate,
     segment,
@@ -107,7 +108,8 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Illus
     plane = section(projection, distance)
     nearest = math.inf
     world: list[Mark] = [plate(plane, "v", 1.0, 0.14, _OF_D)]
-    world.append(Text(f"d = {figure(distance, 4)}", plane[2], "v", _OF_D))
+    d = f"{letter('d')} = {figure(distance, 4)}"
+    world.append(Text("d", plane[2], "v", _OF_D, text=d))
     for x, y, z in projection.trace(_outermost(subject)).view.tolist():
         if z < 0.0:
             hit = at(distance * x / -z, distance * y / -z, -distance)
@@ -201,4 +203,5 @@ PHENOMENON = Phenomenon(
     numbers=6,
     check=_check,
     own_mesh=True,
+    names=("y", "y_p", "d", "w", "eye", "P", "P'"),
 )

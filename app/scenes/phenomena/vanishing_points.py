@@ -320,7 +320,7 @@ def _image_marks(
     held = line_in_rectangle(horizon(projection), (0.0, 0.0), size)
     if held is not None:
         place = held[0] + 0.25 * (held[1] - held[0])
-        marks += [Line(held, "ink", 1.0), Text(WORDS["horizon"], place)]
+        marks += [Line(held, "ink", 1.0), Text("horizon", place, text=WORDS["horizon"])]
     return Marks.of(*marks)
 
 
@@ -428,4 +428,5 @@ PHENOMENON = Phenomenon(
     follow=_follow,
     found=_found,
     own_mesh=True,
+    names=("V_x", "V_y", "V_z", "P", "horizon"),
 )

@@ -147,7 +147,7 @@ def _show(projection: Projection, settings: Settings, _subject: Subject) -> Illu
     dots, texts = [], []
     for name, place, at, here in zip(POINTS, _PLACES, _LETTERS, inside, strict=True):
         dots.append(Dot(place, "accent", 1.4) if here else Dot(place, "muted", 0.7))
-        texts.append(Text(name, at, "accent") if here else Text(f"({name})", at))
+        texts.append(Text(name, at, "accent" if here else "muted"))
     world, ndc, image = _cone_marks(projection) if cone else (Marks(),) * 3
     kind = WORDS["truncated-cone"] if cone else projection.lens.shape
     return Illustration(
@@ -192,4 +192,5 @@ PHENOMENON = Phenomenon(
     numbers=4,
     follow=_follow,
     found=_found,
+    names=("A", "B", "C", "D", "E"),
 )

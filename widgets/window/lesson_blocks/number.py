@@ -88,7 +88,7 @@ class Types(BlockView):
         else:
             text = self.tr("That is not it.")
             if self.hints:
-                text += " " + self.tr("Hint (Alt+I) says how to begin.")
+                text += " " + self.tr("The hint (Alt+I) says how to begin.")
             self._say("close", self.tr("Wrong"), text)
             self._announce(text)
         if self._tries >= TRIES:

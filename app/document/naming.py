@@ -1,0 +1,70 @@
+"""The things that a picture names: which a view asks for, and which a scene can show.
+
+A name is a plain id: ``eye``, ``near``, ``P'``, ``y_p``. A view has a list of its own
+(`View.names`) or uses the list of its scene.
+"""
+
+from __future__ import annotations
+
+from app.document.document import Document
+from app.document.view import EVERYTHING
+from app.lecture.camera_frame import STEPS
+from app.lecture.highlight import AXES
+from app.lecture.stages import IMAGE, NDC, VIEW
+from app.scenes.phenomena.illustration import Illustration
+from app.scenes.scene import Scene
+
+_CUBE = frozenset({"near", "far"})
+"""What the cube beside a scene's own picture is named by."""
+
+
+def named_in(
+    pane: str, scene: Scene, names: tuple[str, ...] | None = None
+) -> frozenset[str] | None:
+    """Return the ids that a pane names under a view's `names`; None for everything."""
+    if names == EVERYTHING:
+        return None
+    if names is not None:
+        return frozenset(names)
+    own = frozenset(scene.names)
+    return own | _CUBE if pane == "ndc" and scene.leading != "ndc" else own
+
+
+def nameable(pane: str, document: Document, scene: Scene) -> frozenset[str]:
+    """Return the ids of everything that a pane of a document can name."""
+    view, projection = document.view, document.projection
+    shown = Illustration(())
+    if scene.phenomenon is not None:
+        settings = scene.phenomenon.checked(document.settings)
+        shown = scene.phenomenon.illustration(projection, settings, scene.subject)
+    planes = frozenset(("near", "far") if projection.lens.planes is not None else ())
+    if pane == "image":
+        return frozenset({"pixels"}).union(text.name for text in shown.image.texts)
+    if pane == "ndc":
+        axes = AXES if view.stage == VIEW else ("x", "y", "z")
+        stop = planes if view.stage != IMAGE else frozenset[str]()
+        numbers = ("numbers",) if view.stage > VIEW else ()
+        texts = shown.ndc.texts if view.stage == NDC else ()
+        return stop.union(axes, numbers, (text.name for text in texts))
+    found = planes.union(AXES, ("eye", "target"), (text.name for text in shown.world.texts))
+    if view.step is not None:
+        found |= frozenset(STEPS) & {"look", "up"}
+    if not projection.placement.is_identity:
+        found |= {"x", "y", "z"}
+    if view.fixed in ("side", "top"):
+        found |= {"d", "height", "angle", *(name for name, _ in shown.measured)}
+        found |= {length.name for length in shown.lengths if length.view == view.fixed}
+    if view.fixed == "axis":
+        found |= {"height", "width"}
+    return found
+
+
+def unknown_names(document: Document, scene: Scene) -> tuple[str, ...]:
+    """Return those names of a document's view that no pane can show."""
+    names = document.view.names
+    if names is None or names == EVERYTHING:
+        return ()
+    known = frozenset[str]().union(
+        *(nameable(pane, document, scene) for pane in ("world", "ndc", "image"))
+    )
+    return tuple(name for name in names if name not in known)

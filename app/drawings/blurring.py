@@ -1,0 +1,172 @@
+"""The picture through a lens with an opening: the average of pinhole pictures.
+
+Every point of the opening sees a picture of its own. All have the focused plane as their common
+window, and so their average is sharp there and blurred elsewhere, as on the film of a camera. The
+pictures are drawn one by one in a window of their own, which is on no screen. After any of them
+the average can be shown: it becomes finer with each.
+"""
+
+from __future__ import annotations
+
+import math
+import time
+from typing import Any
+
+import numpy as np
+import pyvista as pv
+from numpy.typing import NDArray
+from vtkmodules.util.numpy_support import numpy_to_vtk
+from vtkmodules.vtkCommonDataModel import vtkImageData
+from vtkmodules.vtkRenderingCore import vtkActor, vtkTexture
+
+from app.drawings.actors import Canvas, identity_camera, lifted, unlit_actor
+from app.drawings.off_screen import OffScreen, pixels_of
+from app.drawings.precision import ModelActors
+from app.drawings.style import Style, rgb
+from app.model.projection import Array, Projection
+from app.model.refusal import Refusal
+from app.scenes.phenomena.marks import Aperture
+from app.scenes.scene import Scene
+
+MOST = 64
+"""Pictures that are averaged."""
+FIRST = 4
+"""Fewer are not shown: they look like so many ghosts."""
+_STEP_S = 0.03  # of one call of `refine`; one picture of a large mesh may take longer
+_ROOT = 1.1673039782614187  # of x^5 = x + 1: its powers fill four dimensions evenly
+
+
+def spread(count: int) -> Array:
+    """Points of the opening, and of a pixel, (count, 4): each beginning of them is spread evenly.
+
+    Right and up in the unit disc, then -1/2 to 1/2 each.
+    """
+    steps = (np.arange(count)[:, None] + 0.5) * _ROOT ** -np.arange(1.0, 5.0) % 1.0
+    radius, turn = np.sqrt(steps[:, 0]), 2.0 * math.pi * steps[:, 1]
+    disc = np.stack([radius * np.cos(turn), radius * np.sin(turn)], axis=1)
+    return np.concatenate([disc, steps[:, 2:] - 0.5], axis=1)
+
+
+_SPREAD = spread(MOST)
+
+
+class Blurring:
+    """Averages the pictures of one scene, and shows the average as an actor.
+
+    `actor` fills the picture behind all marks; it is visible once there is something to see.
+    """
+
+    def __init__(self, scene: Scene, style: Style, tolerance_px: float) -> None:
+        self._scene, self._style = scene, style
+        self._model = ModelActors(scene, style, tolerance_px)
+        self._screen: OffScreen | None = None
+        self._shown: tuple[Projection, Aperture] | None = None
+        self._size = 0, 0
+        self._count = 0
+        self._sum: NDArray[np.uint16] = np.empty((0, 0, 4), np.uint16)
+        self._image, self._texture = vtkImageData(), vtkTexture()
+        self._texture.SetInputData(self._image)
+        self._texture.SetColorModeToDirectScalars()
+        self.actor = _screen_filling(self._texture)
+        self.actor.SetVisibility(False)
+
+    def begin(
+        self, projection: Projection, aperture: Aperture | None, size: tuple[int, int]
+    ) -> None:
+        """Average another picture from now on, so many pixels wide and high; None for none."""
+        shown = None if aperture is None else (projection, aperture)
+        if shown == self._shown and size == self._size:
+            return
+        self._shown, self._size, self._count = shown, size, 0
+        self.actor.SetVisibility(False)
+
+    def again(self) -> None:
+        """Average the same picture again, because the faces or lines of the scene have changed."""
+        self._count = 0
+        self.actor.SetVisibility(False)
+
+    @property
+    def model(self) -> ModelActors:
+        return self._model
+
+    @property
+    def is_coarse(self) -> bool:
+        """Whether more pictures would improve the average."""
+        return self._shown is not None and self._count < MOST
+
+    def refine(self, *, transparent: bool = False, whole: bool = False) -> None:
+        """Add pictures for some milliseconds, or all that are missing, and show the average."""
+        if self._shown is None:
+            return
+        began = time.perf_counter()
+        while self._count < MOST:
+            late = time.perf_counter() - began > _STEP_S
+            if late and not whole and self._count >= FIRST:
+                break
+            try:
+                self._add(*self._shown, transparent)
+            except Refusal:  # so far out that the opening has no digits: the picture stays sharp
+                self._shown = None
+                return
+        self._show()
+
+    def close(self) -> None:
+        if self._screen is not None:
+            self._screen.close()
+            self._screen = None
+
+    def _add(self, projection: Projection, aperture: Aperture, transparent: bool) -> None:
+        right, up, *shift = _SPREAD[self._count].tolist()
+        seen = aperture.seen_from(projection, right, up, (shift[0], shift[1]))
+        seen = seen.with_depth("opengl")
+        window = self._ready(transparent)
+        surface, *lines = self._model.show_projection(seen)
+        matrices = surface, *(lifted(matrix, seen, self._scene) for matrix in lines)
+        for space, matrix in zip(self._model.actors.spaces, matrices, strict=True):
+            space.set_projective(matrix)
+        window.Render()
+        pixels = pixels_of(window)
+        if self._count == 0:
+            self._sum = pixels.astype(np.uint16)
+        else:
+            self._sum += pixels
+        self._count += 1
+
+    def _ready(self, transparent: bool) -> Any:
+        if self._screen is None:
+            self._screen = OffScreen(*self._size)
+            self._screen.render_window.SetAlphaBitPlanes(1)
+            renderer = self._screen.renderer
+            Canvas.make_ready(renderer)
+            renderer.SetActiveCamera(identity_camera())
+            for actor in self._model.actors:
+                renderer.AddViewProp(actor)
+        renderer, window = self._screen.renderer, self._screen.render_window
+        renderer.SetBackground(*((0.0,) * 3 if transparent else rgb(self._style.background)))
+        renderer.SetBackgroundAlpha(0.0 if transparent else 1.0)
+        if window.GetSize() != self._size:
+            window.SetSize(*self._size)
+        return window
+
+    def _show(self) -> None:
+        count = np.uint16(self._count)
+        pixels = ((self._sum + count // 2) // count).astype(np.uint8)
+        if pixels[..., 3].min() < 255:  # a texture's colours are not multiplied by their alpha
+            alpha = np.maximum(pixels[..., 3:], 1).astype(np.uint16)
+            pixels[..., :3] = np.minimum(255, (pixels[..., :3] * np.uint16(255)) // alpha)
+        height, width = pixels.shape[:2]
+        values = numpy_to_vtk(pixels[::-1].reshape(-1, 4), deep=True)  # type: ignore[no-untyped-call]
+        self._image.SetDimensions(width, height, 1)
+        self._image.GetPointData().SetScalars(values)
+        self._image.Modified()
+        self.actor.SetVisibility(True)
+
+
+def _screen_filling(texture: vtkTexture) -> vtkActor:
+    """A rectangle behind everything, from edge to edge under an identity camera."""
+    corners = np.array([(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)])
+    mesh = pv.PolyData(np.column_stack([corners, [0.9999] * 4]), [4, 0, 1, 2, 3])
+    mesh.active_texture_coordinates = (corners + 1.0) / 2.0
+    actor = unlit_actor(mesh)
+    actor.SetTexture(texture)
+    return actor

@@ -1,0 +1,335 @@
+"""Labels as they are printed: words upright, letters of formulas in italics.
+
+A label is written as formulas are elsewhere: ``y_p`` has a subscript, `ARROW` follows
+the letter of a vector, ``'`` is a prime. A word of several letters is upright. What stands between
+dollar signs is TeX. matplotlib sets the letters in STIX, and Agg draws them into a texture.
+"""
+
+from __future__ import annotations
+
+import importlib.util
+import math
+import pathlib
+import re
+import weakref
+from functools import cache, lru_cache
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+from vtkmodules.util.numpy_support import numpy_to_vtk
+from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkImageData, vtkPolyData
+from vtkmodules.vtkRenderingCore import vtkPolyDataMapper2D, vtkTexture, vtkTexturedActor2D
+
+from app.drawings.style import Style, rgb, tone
+from app.lessons.text import outline
+from app.model.formula import ARROW
+from app.model.projection import Array
+
+Pixels = NDArray[np.uint8]
+
+LARGER = 1.3
+"""Size of a label that is only a letter, relative to a word."""
+_AMONG_WORDS = 1.12
+"""Size of a letter beside words: STIX looks smaller than DejaVu Sans."""
+HALO_EM = 0.14
+_UNDER_EM = 0.2
+_FUNCTIONS = frozenset(("tan", "sin", "cos", "log"))
+_SIZE = 100.0
+_GREEK = dict(zip("αβγδεθλμπρσφω", (
+    "alpha", "beta", "gamma", "delta", "epsilon", "theta", "lambda", "mu", "pi", "rho", "sigma",
+    "phi", "omega",
+), strict=True))  # fmt: skip
+_TOKEN = re.compile(
+    r"\$(?P<tex>[^$]+)\$"
+    rf"|(?P<letter>(?<![^\W_])[^\W\d_](?![^\W\d_]){ARROW}?|[^\W\d_]+(?=_))"
+    r"(?P<sub>(?:_(?:\{[^}]*\}|[^\W_]+))?)(?P<prime>['\u2032]*)"
+    r"|(?P<word>[^\W\d_]{2,})"
+    r"|(?P<sign>.)",
+    re.DOTALL,
+)
+
+
+class _Piece(NamedTuple):
+    vertices: Array  # (n, 2), in em from its place on the line
+    codes: NDArray[Any]
+    width: float
+
+
+class Laid(NamedTuple):
+    """A label's outlines in words' em, y upwards from the line; `box` is where there is ink."""
+
+    vertices: Array  # (n, 2)
+    codes: NDArray[Any]
+    box: tuple[float, float, float, float]  # left, low, right, high
+
+
+def pieces_of(text: str) -> list[tuple[str, bool]]:
+    """Split a label into words and formulas, each with whether it is TeX."""
+    found: list[tuple[str, bool]] = []
+    for token in _TOKEN.finditer(text):
+        if token["tex"]:
+            found.append((token["tex"], True))
+        elif token["letter"]:
+            found.append((_tex(token["letter"], token["sub"]) + token["prime"], True))
+        elif token["word"] in _FUNCTIONS:
+            found.append((rf"\{token['word']} ", True))
+        else:
+            found.append((token["word"] or token["sign"], False))
+    return found
+
+
+def _tex(letter: str, sub: str) -> str:
+    name = letter.removesuffix(ARROW)
+    base = (
+        rf"\mathrm{{{name}}}" if len(name) > 1 else rf"\{_GREEK[name]} " if name in _GREEK else name
+    )
+    if name != letter:
+        base = rf"\vec{{{base}}}"
+    below = sub[1:].strip("{}")
+    if len(below) > 1 and not below.isdigit():
+        below = rf"\mathrm{{{below}}}"
+    return f"{base}_{{{below}}}" if below else base
+
+
+@lru_cache(maxsize=256)
+def laid(text: str) -> Laid:
+    """Set a label in one line. TeX that cannot be drawn is shown as it is typed."""
+    pieces = pieces_of(text)
+    has_words = any(len(piece) > 1 and not is_tex for piece, is_tex in pieces)
+    larger = _AMONG_WORDS if has_words else LARGER
+    vertices, codes, x = [np.empty((0, 2))], [np.empty(0, np.uint8)], 0.0
+    for piece, is_tex in pieces:
+        size = 1.0 if len(piece) > 1 and not is_tex else larger
+        drawn = _piece(piece, is_tex)
+        vertices.append(drawn.vertices * size + (x, 0.0))
+        codes.append(drawn.codes)
+        x += drawn.width * size
+    points = np.concatenate(vertices)
+    low, high = (
+        (points.min(axis=0), points.max(axis=0)) if len(points) else (np.zeros(2), np.zeros(2))
+    )
+    return Laid(points, np.concatenate(codes), (*low.tolist(), *high.tolist()))
+
+
+@lru_cache(maxsize=1024)
+def _piece(text: str, is_tex: bool) -> _Piece:
+    if is_tex:
+        try:
+            drawn = outline(text)
+        except ValueError:
+            return _piece(f"${text}$", False)
+        return _Piece(drawn.vertices, drawn.codes, drawn.width)
+    from matplotlib.font_manager import FontProperties
+    from matplotlib.textpath import TextToPath
+
+    reader: Any = TextToPath()
+    name = "DejaVuSans" if any(map(str.isalpha, text)) else "STIXGeneral"
+    font: Any = FontProperties(fname=font_file(name), size=_SIZE)
+    width, _, _ = reader.get_text_width_height_descent(text, font, ismath=False)
+    vertices, codes = reader.get_text_path(font, text, ismath=False)
+    points = np.reshape(np.asarray(vertices, dtype=np.float64), (-1, 2)) / _SIZE
+    return _Piece(points, np.asarray(codes, dtype=np.uint8), width / _SIZE)
+
+
+def drawn(text: str, em: float, colour: str, halo: str, underlined: bool = False) -> Pixels:
+    """Draw a label with a halo round its letters.
+
+    Parameters
+    ----------
+    em : float
+        The height of a word's em in pixels.
+    colour, halo : str
+        As ``"#rrggbb"``.
+
+    Returns
+    -------
+    (h, w, 4) array of uint8
+        Red, green, blue and opacity, from the top; the halo's `rim` on every side.
+    """
+    from matplotlib.backends.backend_agg import RendererAgg
+    from matplotlib.path import Path
+    from matplotlib.transforms import Affine2D
+
+    label, rim = laid(text), rim_px(em)
+    left, low, right, high = (side * em for side in label.box)
+    under = max(2, round(_UNDER_EM * em)) if underlined else 0
+    width, height = math.ceil(right - left) + 2 * rim, math.ceil(high - low) + 2 * rim + under
+    make: Any = RendererAgg
+    renderer = make(width, height, 72)
+    letters: Any = Affine2D().scale(em).translate(rim - left, rim + under - low)
+    path = Path(label.vertices, label.codes)
+    pen = renderer.new_gc()
+    pen.set_joinstyle("round")
+    pen.set_foreground(halo)
+    pen.set_linewidth(2.0 * HALO_EM * em)
+    renderer.draw_path(pen, path, letters, rgb(halo))
+    pen.set_linewidth(0.0)
+    renderer.draw_path(pen, path, letters, rgb(colour))
+    pixels: Pixels = np.array(renderer.buffer_rgba())
+    if underlined:
+        row = slice(height - rim - under // 2, height - rim)
+        pixels[row, rim:-rim] = [*(round(255 * part) for part in rgb(colour)), 255]
+    return pixels
+
+
+def rim_px(em: float) -> int:
+    """The width of a label's halo in whole pixels."""
+    return math.ceil(HALO_EM * em)
+
+
+def size_px(text: str, em: float) -> tuple[int, int]:
+    """Return the width and the height of a label's letters, without its halo."""
+    left, low, right, high = laid(text).box
+    return math.ceil((right - left) * em), math.ceil((high - low) * em)
+
+
+class LabelActor(vtkTexturedActor2D):
+    """The actor of a label, by which a window's labels are found."""
+
+    label: weakref.ref[Label]
+
+
+class Label:
+    """A text at a pixel of a renderer, of constant size, in the dark tone of a colour.
+
+    `anchor` says which part of the letters is at the position: -1 left, 0 centre, 1 right; -1
+    bottom, 0 middle, 1 top.
+    """
+
+    def __init__(
+        self, text: str, style: Style, *, colour: str = "", anchor: tuple[int, int] = (0, 0)
+    ) -> None:
+        self.em = style.font_size
+        self._style, self._anchor = style, anchor
+        self._visible = self._shown = True
+        self._underlined = False
+        self._turn, self._place = 0.0, (0.0, 0.0)
+        self._text, self._tone = text, tone(colour or style.ink, style.background)
+        self._drawn: tuple[str, str, bool] | None = None
+        self._size = (0, 0)
+        self._image, self._texture = vtkImageData(), vtkTexture()
+        self._texture.SetInputData(self._image)
+        self._texture.SetColorModeToDirectScalars()
+        self._corners = vtkPoints()
+        self._corners.SetNumberOfPoints(4)
+        quad, cells = vtkPolyData(), vtkCellArray()
+        cells.InsertNextCell(4, (0, 1, 2, 3))
+        quad.SetPoints(self._corners)
+        quad.SetPolys(cells)
+        on_image = np.array([(0, 0), (1, 0), (1, 1), (0, 1)], dtype=np.float32)
+        quad.GetPointData().SetTCoords(numpy_to_vtk(on_image, deep=1))  # type: ignore[no-untyped-call]
+        mapper = vtkPolyDataMapper2D()
+        mapper.SetInputData(quad)
+        self.actor = LabelActor()
+        self.actor.label = weakref.ref(self)
+        self.actor.SetMapper(mapper)
+        self.actor.SetTexture(self._texture)
+        self._show()
+
+    @property
+    def text(self) -> str:
+        return self._text
+
+    @property
+    def is_visible(self) -> bool:
+        """What `set_visible` was told last."""
+        return self._visible
+
+    @property
+    def size_px(self) -> tuple[int, int]:
+        """Width and height of the letters, without the halo."""
+        return size_px(self._text, self.em)
+
+    def set_text(self, text: str) -> None:
+        """Write another text; the same one costs nothing."""
+        if text != self._text:
+            self._text = text
+            self._show()
+
+    def set_colour(self, colour: str) -> None:
+        self._tone = tone(colour, self._style.background)
+        self._show()
+
+    def set_opacity(self, opacity: float) -> None:
+        self.actor.GetProperty().SetOpacity(opacity)
+
+    def set_position(self, x_px: float, y_px: float, turn: float = 0.0) -> None:
+        """Move to a pixel, counted from the renderer's left and bottom; turn, in radians."""
+        self._place, self._turn = (x_px, y_px), turn
+        self._show()
+
+    def set_visible(self, visible: bool) -> None:
+        self._visible = visible
+        self._show()
+
+    def set_shown(self, shown: bool) -> None:
+        """Switch the label off, whatever `set_visible` says, or on again."""
+        self._shown = shown
+        self._show()
+
+    def set_underlined(self, underlined: bool) -> None:
+        """Underline the label while what it names is highlighted."""
+        self._underlined = underlined
+        self._show()
+
+    def _show(self) -> None:
+        seen = self._visible and self._shown and bool(self._text)
+        self.actor.SetVisibility(seen)
+        if not seen:
+            return
+        wanted = self._text, self._tone, self._underlined
+        if wanted != self._drawn:
+            self._drawn = wanted
+            pixels = drawn(
+                self._text, self.em, self._tone, self._style.background, self._underlined
+            )
+            height, width = pixels.shape[:2]
+            self._size = width, height
+            rows = np.ascontiguousarray(pixels[::-1]).reshape(-1, 4)
+            self._image.SetDimensions(width, height, 1)
+            self._image.GetPointData().SetScalars(numpy_to_vtk(rows, deep=1))  # type: ignore[no-untyped-call]
+        self._texture.SetInterpolate(bool(self._turn))
+        (x, y), (width, height) = self._place, self._size
+        (wide, high), rim, (to_right, to_top) = self.size_px, rim_px(self.em), self._anchor
+        below = height - high - rim  # with the underline
+        left, low = -(to_right + 1) / 2.0 * wide - rim, -(to_top + 1) / 2.0 * high - below
+        cos, sin = math.cos(self._turn), math.sin(self._turn)
+        if not self._turn:  # on whole pixels, as it was drawn
+            x, y, left, low = round(x + left), round(y + low), 0.0, 0.0
+        self.actor.SetPosition(x, y)
+        for i, (right, up) in enumerate(
+            ((left, low), (left + width, low), (left + width, low + height), (left, low + height))
+        ):
+            self._corners.SetPoint(i, cos * right - sin * up, sin * right + cos * up, 0.0)
+        self._corners.Modified()
+
+    @property
+    def box_px(self) -> tuple[float, float, float, float]:
+        """Left, right, bottom and top of the letters, from the renderer's left and bottom."""
+        (x, y), (wide, high), (to_right, to_top) = self._place, self.size_px, self._anchor
+        cos, sin = abs(math.cos(self._turn)), abs(math.sin(self._turn))
+        wide, high = cos * wide + sin * high, sin * wide + cos * high  # type: ignore[assignment]
+        left, low = x - (to_right + 1) / 2.0 * wide, y - (to_top + 1) / 2.0 * high
+        return left, left + wide, low, low + high
+
+    def covers(self, x_px: float, y_px: float) -> bool:
+        """Return whether the label is visible at a pixel from the renderer's left and bottom."""
+        left, right, bottom, top = self.box_px
+        inside = left <= x_px <= right and bottom <= y_px <= top
+        return inside and bool(self.actor.GetVisibility())
+
+
+@cache
+def font_file(name: str) -> str:
+    """Return the path of a font that comes with matplotlib, a dependency of pyvista.
+
+    VTK's built-in font has no Cyrillic, and a system font would make figures differ between
+    machines.
+    """
+    spec = importlib.util.find_spec("matplotlib")
+    if spec is None or not spec.submodule_search_locations:
+        raise ImportError("matplotlib, which brings the labels' fonts, is not installed")
+    folder = pathlib.Path(spec.submodule_search_locations[0]) / "mpl-data" / "fonts" / "ttf"
+    return str(folder / f"{name}.ttf")

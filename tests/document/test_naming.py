@@ -1,0 +1,60 @@
+"""What a picture names, and what a scene can name."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import pytest
+
+from app.document.document import Document
+from app.document.naming import nameable, named_in, unknown_names
+from app.document.settings import set_values
+from app.document.view import EVERYTHING, MOST_NAMES, PANES
+from app.scenes.scene import BUILT_IN, Scene, load
+
+STATES = ("view.fixed=", "view.fixed=side", "view.fixed=top")
+
+
+def opened(name: str, *values: str) -> tuple[Document, Scene]:
+    scene = load(name)
+    return set_values(Document(name, scene.start), values), scene
+
+
+@pytest.mark.parametrize("name", BUILT_IN)
+def test_a_pane_names_at_most_seven_things_of_its_own(name: str) -> None:
+    for state in STATES:
+        document, scene = opened(name, state)
+        for pane in PANES:
+            names = named_in(pane, scene)
+            assert names is not None
+            assert len(names & nameable(pane, document, scene)) <= MOST_NAMES, (state, pane)
+
+
+@pytest.mark.parametrize("name", sorted(set(BUILT_IN) - {"far-plane-popping"}))
+def test_a_scene_can_show_something_that_it_names(name: str) -> None:
+    document, scene = opened(name)
+    shown = [nameable(pane, document, scene) & set(scene.names) for pane in PANES]
+    assert any(shown)
+
+
+def test_a_views_own_names_replace_those_of_the_scene() -> None:
+    scene = load("letter-f")
+    assert named_in("world", scene, ("u",)) == {"u"}
+    assert named_in("world", scene, ()) == frozenset()
+    assert named_in("world", scene, EVERYTHING) is None
+
+
+def test_the_cube_beside_a_scene_names_its_ends() -> None:
+    names: Any = named_in("ndc", load("similar-triangles"))
+    assert {"near", "far"} <= names
+    names = named_in("ndc", load("clipping"))  # the cube itself is the picture, of one plane
+    assert not {"near", "far"} & names
+
+
+def test_a_name_that_no_pane_can_show_is_found() -> None:
+    document, scene = opened("similar-triangles", "view.fixed=side", "view.names=y_p,eye,Q,u")
+    assert unknown_names(document, scene) == ("Q",)
+    free, scene = opened("similar-triangles", "view.names=y_p,P'")
+    assert unknown_names(free, scene) == ("y_p",)  # measured in the flat view alone
+    everything, scene = opened("cube", "view.names=*")
+    assert unknown_names(everything, scene) == ()
