@@ -44,13 +44,13 @@ ROOT = Path(__file__).resolve().parent.parent
 #: The command that starts the program: an installed one has no checkout around it.
 PROGRAM = "python3 -m app" if (ROOT / "pyproject.toml").exists() else "frustum-lab"
 EXIT_NOT_SET_UP = 3
-#: Of a fresh environment with the tests' packages, 1.15, and pip's temporary files.
+#: Space for a fresh environment with the tests' packages, 1.15 GB, and pip's temporary files.
 SPACE_GB = 1.5
-#: How often the progress is repeated: on a terminal in one line, and elsewhere.
+#: Interval at which the progress is repeated: on a terminal in one line, and elsewhere.
 TICK_S, TICK_ELSEWHERE_S = 0.5, 10.0
 
 #: What a command needs of the machine: no graphics, pictures without a window, a window, or a
-#: window on a virtual display of its own.
+#: window on its own virtual display.
 Need = Literal["numbers", "picture", "window", "tests"]
 _PICTURE: tuple[Need, ...] = ("picture", "window", "tests")
 _WINDOW: tuple[Need, ...] = ("window", "tests")
@@ -69,7 +69,7 @@ _AS_IT_IS = "as it is"
 
 
 class SetupError(Exception):
-    """What is missing and the command that helps, in one sentence."""
+    """One sentence that says what is missing and which command helps."""
 
 
 # --- the operating system's part ------------------------------------------------------------------
@@ -79,7 +79,7 @@ class SetupError(Exception):
 class System:
     """A shared library, by its soname, or a program of the operating system.
 
-    `packages` are those of Debian and Ubuntu that bring it, separated by spaces.
+    `packages` are the packages of Debian and Ubuntu that contain it, separated by spaces.
     """
 
     name: str
@@ -87,7 +87,7 @@ class System:
     needs: tuple[Need, ...] = _WINDOW
 
     def is_here(self) -> bool:
-        """Ask the loader itself, which is right on every distribution."""
+        """Try to load it, which is reliable on every distribution."""
         if ".so" not in self.name:
             return shutil.which(self.name) is not None
         try:
@@ -98,14 +98,14 @@ class System:
 
 
 class _Fonts(System):
-    """Qt draws its letters with the system's fonts; without one it opens a window of boxes."""
+    """Qt draws text with the system's fonts; without a font it shows boxes instead of letters."""
 
     def is_here(self) -> bool:
         try:
             fontconfig = ctypes.CDLL("libfontconfig.so.1")
         except OSError:
             return False
-        # FcFontSet begins with the number of its fonts. Qt takes the list over, read as it is.
+        # FcFontSet begins with the number of its fonts. Qt reuses the list as it was read.
         of_system = fontconfig.FcConfigGetFonts
         of_system.restype = ctypes.POINTER(ctypes.c_int)
         with _in_a_folder():
@@ -113,13 +113,13 @@ class _Fonts(System):
                 fonts = of_system(None, 0)
                 if fonts and fonts[0] > 0:
                     return True
-                fontconfig.FcInitReinitialize()  # some may just have been installed
+                fontconfig.FcInitReinitialize()  # fonts may just have been installed
         return False
 
 
 @contextlib.contextmanager
 def _in_a_folder() -> Iterator[None]:
-    """Leave a current folder that was deleted: fontconfig cannot read its files from there."""
+    """Leave a deleted current folder, from which fontconfig cannot read its files."""
     if os.path.exists("."):
         yield
         return
@@ -137,8 +137,9 @@ class _EnsurePip(System):
         return importlib.util.find_spec("ensurepip") is not None
 
 
-#: Where the loader's libGL and libEGL lead (Mesa or a vendor's driver) is the machine's own choice,
-#: so only the entrances are checked. The Mesa packages come with them where apt has to install.
+#: The libGL and libEGL of the loader lead to Mesa or to a vendor's driver, as the machine is
+#: configured, so only these two are checked. If apt has to install them, the Mesa packages are
+#: installed as well.
 SYSTEM = (
     System("libGL.so.1", "libgl1 libglx-mesa0 libgl1-mesa-dri", _PICTURE),
     System("libEGL.so.1", "libegl1 libegl-mesa0", _PICTURE),
@@ -164,17 +165,17 @@ SYSTEM = (
     System("libfreetype.so.6", "libfreetype6"),
     System("libglib-2.0.so.0", "libglib2.0-0"),
     System("libdbus-1.so.3", "libdbus-1-3"),
-    # What translates Qt's own words, pyside6-lrelease, is linked with it.
+    # pyside6-lrelease, which compiles Qt's translations, is linked with it.
     System("libgssapi_krb5.so.2", "libgssapi-krb5-2", ("tests",)),
     System("Xvfb", "xvfb xauth", ("tests",)),
 )
 
 
 def missing_system(need: Need) -> list[System]:
-    """The libraries and programs that a need lacks; macOS and Windows have them all."""
+    """Return the missing libraries and programs for a need; macOS and Windows have them all."""
     if not sys.platform.startswith("linux"):
         return []
-    # An X server is there already where DISPLAY names one.
+    # If DISPLAY is set, there is already an X server.
     own_display = not os.environ.get("DISPLAY")
     return [
         item
@@ -184,21 +185,21 @@ def missing_system(need: Need) -> list[System]:
 
 
 def venv_module() -> list[System]:
-    """Debian and Ubuntu have ensurepip, which a new environment needs, in a package of its own."""
+    """A new environment needs ensurepip, which is a separate package on Debian and Ubuntu."""
     item = _EnsurePip("ensurepip", f"python3.{sys.version_info[1]}-venv")
     return [] if item.is_here() else [item]
 
 
 def advice(missing: Sequence[System]) -> str:
-    """One sentence that says what is missing and, where it is known, the command that brings it.
+    """Return a sentence that says what is missing and, if known, the command that installs it.
 
-    The command brings what every need lacks: nobody should be sent for a second one.
+    The command installs what every need lacks, so that no second command is necessary.
     """
     names = [item.name for item in missing]
     if shutil.which("apt-get") is None:
         what = ", ".join(names)
         return f"this system lacks {what}; install what provides them, and start again"
-    if len(names) > 3:  # the command names them all
+    if len(names) > 3:  # the command lists them all
         names[2:] = [f"and {len(names) - 2} more"]
     everything = [*missing, *(item for item in SYSTEM if not item.is_here())]
     return f"this system lacks {', '.join(names)}; run: {_apt_command(_packages(everything))}"
@@ -212,11 +213,11 @@ _APT_INSTALL = ("apt-get", "install", "-y", "--no-install-recommends")
 
 
 def _apt_command(packages: Sequence[str]) -> str:
-    # The lists of packages may be empty; and one that cannot be had is no reason to stop.
+    # The package lists may be empty, and a list that cannot be updated is no reason to stop.
     command = f"apt-get update; {shlex.join([*_APT_INSTALL, *packages])}"
     if _is_root():
         return command
-    # A bare Debian has no sudo; and only a login as root finds what is in /sbin.
+    # A minimal Debian has no sudo, and only a root login has /sbin on its path.
     become_root = ["sudo", "sh", "-c"] if shutil.which("sudo") else ["su", "-", "-c"]
     return shlex.join([*become_root, command])
 
@@ -226,7 +227,7 @@ def _is_root() -> bool:
 
 
 def _ensure_system(missing: Sequence[System]) -> None:
-    """Install what is missing, as root with apt-get; otherwise say how."""
+    """Install what is missing with apt-get if running as root; otherwise say how."""
     if not missing:
         return
     if not _is_root() or shutil.which("apt-get") is None:
@@ -235,7 +236,7 @@ def _ensure_system(missing: Sequence[System]) -> None:
     _say(f"this system lacks {' '.join(packages)}")
     with _stoppable(), _Progress() as progress:
         for text, command in (
-            # A repository that cannot be reached is no reason to stop: the one that matters may be.
+            # An unreachable repository is no reason to stop: the necessary one may be reachable.
             ("updating the list of system packages", ["apt-get", "update"]),
             ("installing system packages", [*_APT_INSTALL, *packages]),
         ):
@@ -259,7 +260,7 @@ def _ensure_system(missing: Sequence[System]) -> None:
 
 # --- Python packages ------------------------------------------------------------------------------
 
-#: Distributions whose import name is not simply their own name.
+#: Distributions whose import name differs from their own name.
 _IMPORT_NAME = {
     "markdown-it-py": "markdown_it",
     "pillow": "PIL",
@@ -290,9 +291,9 @@ class Requirement:
         return _IMPORT_NAME.get(name, name.replace("-", "_"))
 
     def is_importable(self) -> bool:
-        """Whether its module can be found, by looking only: importing VTK takes a second."""
+        """Whether its module can be found, without importing it: importing VTK takes a second."""
         spec = importlib.util.find_spec(self.import_name)
-        # A folder left behind by an uninstalled package is found too, but leads to no file.
+        # The folder of an uninstalled package may also be found, but it has no file.
         return spec is not None and spec.origin is not None
 
     def is_met(self) -> bool:
@@ -307,7 +308,7 @@ class Requirement:
 
 
 def _release(version: str) -> tuple[int, ...]:
-    """The numbers of a version, without the zeros at its end: 6.12 and 6.12.0 are equal."""
+    """Return the numbers of a version, without trailing zeros: 6.12 and 6.12.0 are equal."""
     match = re.match(r"\d+(\.\d+)*", version)
     numbers = [int(part) for part in match[0].split(".")] if match else []
     while numbers and numbers[-1] == 0:
@@ -316,7 +317,7 @@ def _release(version: str) -> tuple[int, ...]:
 
 
 def _bounds(text: str) -> Bounds:
-    """The bounds in ``numpy>=2.2,<2.5`` and in ``python_version < '3.12'``."""
+    """Return the bounds in ``numpy>=2.2,<2.5`` and in ``python_version < '3.12'``."""
     found = re.findall(r"(>=|<|==)\s*['\"]?([\d.]+)", text)
     return tuple((sign, _release(version)) for sign, version in found)
 
@@ -326,7 +327,7 @@ def _within(version: tuple[int, ...], bounds: Bounds) -> bool:
 
 
 def requirements(root: Path, extras: Sequence[str] = ()) -> list[Requirement]:
-    """What ``pyproject.toml`` asks for on this Python, with these optional groups."""
+    """Return the requirements in ``pyproject.toml`` for this Python, with these optional groups."""
     project = tomllib.loads((root / "pyproject.toml").read_text(encoding="utf-8"))["project"]
     texts = list(project["dependencies"])
     for extra in extras:
@@ -342,7 +343,7 @@ def requirements(root: Path, extras: Sequence[str] = ()) -> list[Requirement]:
 
 
 def unmet(wanted: Iterable[Requirement]) -> list[Requirement]:
-    """The requirements that this interpreter does not meet."""
+    """Return the requirements that this interpreter does not meet."""
     return [each for each in wanted if not each.is_met()]
 
 
@@ -366,14 +367,14 @@ if bootstrap._are_importable(wanted):
 
 
 class Environment:
-    """The ``.venv`` beside the code, trusted only as far as its stamp says.
+    """The ``.venv`` beside the code, which is trusted only according to its stamp.
 
     The stamp has one line for each group of packages that was installed completely: the program's,
     and the program's with extras. A line names the Python, the platform and the exact
-    requirements. While packages are being installed, the stamp ends in a line that says so, and an
-    environment with such a stamp that nobody has locked was left half-made. Until pip has all that
-    it installs, nothing is touched. An environment that must be made anew waits under another name,
-    `aside`, and comes back if its successor fails.
+    requirements. While packages are being installed, the stamp ends with a line that says so; an
+    environment with such a stamp but without a lock was left unfinished. Nothing is changed until
+    pip has downloaded everything. An environment that must be replaced is renamed to `aside`, and
+    is restored if its successor fails.
     """
 
     def __init__(self, root: Path, extras: Sequence[str] = ()) -> None:
@@ -404,14 +405,14 @@ class Environment:
         return complete and self.python.exists()
 
     def is_running(self) -> bool:
-        """Whether the present interpreter is this environment's own."""
+        """Whether the current interpreter belongs to this environment."""
         return Path(sys.prefix).resolve() == self.folder.resolve()
 
     def make(self) -> None:
-        """Bring the environment to completion from whatever state it is in."""
+        """Complete the environment, whatever state it is in."""
         started = time.monotonic()
         with _stoppable(), _lock(self.root / ".venv.lock") as held:
-            self._bring_back()  # what was left aside by a set-up that was killed
+            self._bring_back()  # left aside by a set-up that was killed
             if self.is_complete():  # another start has just finished it
                 return
             if self.can_be_kept():
@@ -452,7 +453,7 @@ class Environment:
             raise
 
     def _bring_back(self) -> None:
-        """Let what was put aside be the environment again, unless the new one is complete."""
+        """Restore the environment that was put aside, unless the new one is complete."""
         if self.aside.exists():
             if self.is_complete():
                 self._clear(self.aside)
@@ -476,22 +477,22 @@ class Environment:
             ) from None
 
     def mark_unfinished(self, *, whole: bool = True) -> None:
-        """Trust nothing from here on; where extras are concerned, the program's part stays trusted.
+        """Trust nothing from now on; if only extras are affected, the program's part stays trusted.
 
-        That part must be `whole`, as far as one knows besides the stamp.
+        That part must be `whole` according to checks other than the stamp.
         """
         whole = whole and self.line() in (self.read_stamp() or "").split("\n")
         kept = f"{self.line()}\n" if self.extras and whole else ""
         self.stamp.write_text(kept + _UNFINISHED, encoding="utf-8")
 
     def can_be_kept(self) -> bool:
-        """Whether pip can complete what is there; else it has to be made anew."""
+        """Whether pip can complete the environment; otherwise it has to be made anew."""
         tag, has_pip, old = self._look()
         stamp = self.read_stamp()
         if stamp is not None:
-            # Neither unfinished, nor for another Python or platform (a folder two machines share).
+            # Neither unfinished nor for another Python or platform (machines may share a folder).
             return stamp.startswith(_here()) and not stamp.endswith(_UNFINISHED) and has_pip
-        # Somebody else made it: complete it, or leave it alone.
+        # Another program made it: complete it, or leave it alone.
         how = _remove(self.folder)
         if not has_pip and old is not None:
             raise SetupError(
@@ -506,17 +507,17 @@ class Environment:
         return has_pip
 
     def serves(self) -> bool:
-        """Whether somebody else made it, as ``uv run`` does, and it has all that is wanted."""
+        """Whether another program, such as ``uv run``, made it with everything that is needed."""
         return self.read_stamp() is None and self._look()[2] == ""
 
     def still_lacks(self) -> str | None:
-        """What is not as new as it should be; None if something that is imported is missing."""
+        """Return what is out of date; None if something that is imported is missing."""
         return self._look()[2] if self.can_be_kept() else None
 
     def _look(self) -> tuple[str, bool, str | None]:
-        """Which Python it runs, whether it has pip, and what it has too old or too new.
+        """Return the Python that it runs, whether it has pip, and the packages out of bounds.
 
-        The last is None if it lacks something; all are empty if it does not run.
+        The last is None if a package is missing; all are empty if the Python does not run.
         """
         command = [str(self.python), "-I", "-c", _PROBE, str(self.root), *self.extras]
         try:
@@ -527,11 +528,11 @@ class Environment:
         return tag, bool(pip), old[0] if done.stdout.count("\n") > 2 else None
 
     def _install(self, held: Held) -> None:
-        """Install the tested versions or, where this machine cannot have them, newer ones."""
+        """Install the tested versions or, if they are not available here, newer ones."""
         wanted = [requirement.text for requirement in requirements(self.root, self.extras)]
         # -I: a package on PYTHONPATH must not pass for an installed one. Wheels only: building VTK
-        # or numpy from source is no fallback for a teaching program. Later ones of the user's own
-        # PIP_... settings (index, proxy, certificate) still hold.
+        # or numpy from source is no fallback for a teaching program. The user's own PIP_...
+        # settings (index, proxy, certificate) still apply.
         pip = [str(self.python), "-I", "-m", "pip", "install", "--disable-pip-version-check"]
         pip += ["--no-input", "--progress-bar", "off", "--only-binary", ":all:"]
         status, output = self._pip(held, [*pip, "-c", str(self.constraints), *wanted])
@@ -546,21 +547,21 @@ class Environment:
             raise self._failure(status, output, "ERROR:", what + again)
 
     def _failure(self, status: int, output: list[str], start: str, what: str) -> SetupError:
-        """Why a command failed, by its output, put into a sentence."""
+        """Return a sentence that says why a command failed, from its output."""
         if _shows(output, _FULL):
             return _no_space(self.folder)
         why = _last_line(output, start) or f"exit status {status}"
         if _shows(output, _NO_ANSWER):
-            why = "no package server could be reached"  # whatever pip concluded from that
+            why = "no package server could be reached"  # whatever pip's own conclusion
         return SetupError(what.replace("{}", why, 1))
 
     def _pip(self, held: Held, command: list[str]) -> tuple[int, list[str]]:
         output: list[str] = []
-        told: set[str] = set()  # pip names a package again that it has had to look into
+        told: set[str] = set()  # pip names a package again after inspecting it
 
         def follow(line: str) -> None:
             output.append(line)
-            if line.startswith(_INSTALLING):  # all is here: only now it touches anything
+            if line.startswith(_INSTALLING):  # everything is downloaded: pip changes nothing before
                 self.mark_unfinished()
                 before, count = self._installed(), line.count(",") + 1
                 held.say(
@@ -574,7 +575,7 @@ class Environment:
         return held.run(command, follow), output
 
     def _installed(self) -> int:
-        """How many packages are there; pip writes the RECORD of one last."""
+        """Count the installed packages; pip writes a package's RECORD last."""
         inside = "Lib" if sys.platform == "win32" else "lib/python*"
         return sum(1 for _ in self.folder.glob(f"{inside}/site-packages/*.dist-info/RECORD"))
 
@@ -584,7 +585,7 @@ def _here() -> str:
 
 
 def _progress(line: str) -> str | None:
-    """What a line of pip's output means to somebody who waits; None for most of them."""
+    """Return the progress message for a line of pip's output; None for most lines."""
     match = re.match(
         r"\s*(?:Downloading|Using cached|Processing) (?:\S*/)?([^/\s]+)\.whl(.*)", line
     )
@@ -602,7 +603,7 @@ def _no_space(environment: Path) -> SetupError:
 
     try:
         temporary = Path(tempfile.gettempdir())
-    except FileNotFoundError:  # where not even an empty file could be written
+    except FileNotFoundError:  # there, not even an empty file could be written
         temporary = Path(os.environ.get("TMPDIR", "/tmp"))
     folders = [folder for folder in (environment, temporary) if folder.exists()] or [ROOT]
     full = min(folders, key=lambda folder: shutil.disk_usage(folder).free)
@@ -626,9 +627,9 @@ def _last_line(lines: Iterable[str], start: str = "") -> str:
 
 
 class _Progress:
-    """Says what is being done, and repeats it, so that nobody thinks the program hangs.
+    """Shows the current activity repeatedly, so that the program does not seem to hang.
 
-    On a terminal the line counts the seconds; elsewhere there is a new line now and then.
+    On a terminal the line counts the seconds; elsewhere a new line appears now and then.
     """
 
     def __init__(self) -> None:
@@ -648,7 +649,7 @@ class _Progress:
         self._end_line()
 
     def say(self, text: str, more: Callable[[], str] = str) -> None:
-        """Say what is done from now on; `more` is asked how far it is."""
+        """Set the current activity; `more` returns its progress."""
         with self._lock:
             if text != self._text:
                 self._end_line()
@@ -678,10 +679,10 @@ class _Progress:
 
 
 class Held(_Progress):
-    """A held lock with its progress. Programs that run under it hold the lock, too.
+    """A held lock with its progress. Programs that run under it hold the lock too.
 
-    If a set-up is killed its pip may live on for a while (not on Linux, where it is killed). As
-    pip inherited the open lock file, the lock is free only when pip has ended.
+    If a set-up is killed, its pip may continue for a while (on Linux it is killed too). Because pip
+    inherited the open lock file, the lock is free only when pip has ended.
     """
 
     def __init__(self, file: IO[bytes]) -> None:
@@ -689,7 +690,7 @@ class Held(_Progress):
         self._file = file
 
     def run(self, command: Sequence[str], follow: Callable[[str], object]) -> int:
-        """Run a command, hand each line it says to `follow`, return its exit status."""
+        """Run a command, pass each line of its output to `follow`, and return its exit status."""
         unwanted = ("PIP_USER", "PIP_TARGET", "PIP_PREFIX", "PIP_ROOT", "PYTHONHOME")
         environment = {key: value for key, value in os.environ.items() if key not in unwanted}
         with subprocess.Popen(
@@ -714,15 +715,15 @@ class Held(_Progress):
 
 
 def die_with_parent() -> None:
-    """Let a child process, before it becomes another program, end when its parent is killed."""
-    if sys.platform.startswith("linux"):  # nobody else knows how
+    """Make a child process end when its parent is killed; called before it runs another program."""
+    if sys.platform.startswith("linux"):  # only Linux has this call
         pr_set_pdeathsig = 1
         ctypes.CDLL(None).prctl(pr_set_pdeathsig, signal.SIGTERM)
 
 
 @contextlib.contextmanager
 def _lock(path: Path) -> Iterator[Held]:
-    """Hold a lock that the operating system takes back from a process that dies."""
+    """Hold a lock that the operating system releases if the process dies."""
     with open(path, "ab") as file:
         if not _try_lock(file):
             _say("another start is setting up Frustum Lab; waiting for it to finish")
@@ -752,10 +753,10 @@ def _try_lock(file: IO[bytes]) -> bool:
 
 
 def start(need: Need, extras: Sequence[str] = ()) -> None:
-    """Return when everything is there; otherwise bring it, and start the same command again.
+    """Return if everything is installed; otherwise install it, and start the same command again.
 
-    `extras` are optional groups of ``pyproject.toml`` that are needed, too. If only the user can
-    bring what is missing, the program ends with status 3 after one sentence on standard error.
+    `extras` are optional groups of ``pyproject.toml`` that are also needed. If only the user can
+    install what is missing, the program ends with status 3 after one sentence on standard error.
     """
     with _in_one_sentence():
         if _has_packages(tuple(extras)):
@@ -765,21 +766,21 @@ def start(need: Need, extras: Sequence[str] = ()) -> None:
 
 
 def enter() -> bool:
-    """Go on in a complete environment, if there is one, but bring nothing.
+    """Continue in a complete environment, if there is one, without installing anything.
 
-    Returns whether this Python has all the packages of the program, of whatever version.
+    Returns whether this Python has all packages of the program, in any version.
     """
     with _in_one_sentence():
         return _has_packages() or _are_importable(requirements(ROOT))
 
 
 def _has_packages(extras: tuple[str, ...] = ()) -> bool:
-    """Whether this interpreter has the packages; goes into .venv first, where that says it does."""
-    if not (ROOT / "pyproject.toml").exists():  # installed by pip, which has seen to the packages
+    """Whether this interpreter has the packages; first enters .venv if its stamp is complete."""
+    if not (ROOT / "pyproject.toml").exists():  # installed by pip, which installed the packages too
         return True
     environment, wanted = Environment(ROOT, extras), requirements(ROOT, extras)
     if os.environ.get(_AGAIN) == _AS_IT_IS and environment.is_running():
-        # That stays said: what is started from here need not try the network again.
+        # Keep this for child processes, which then need not try the network again.
         return _are_importable(wanted)
     if _is_met(wanted, environment):
         os.environ.pop(_AGAIN, None)
@@ -791,7 +792,7 @@ def _has_packages(extras: tuple[str, ...] = ()) -> bool:
 
 
 def _is_met(wanted: Sequence[Requirement], environment: Environment) -> bool:
-    """Whether this interpreter has the packages; quick to say no, and quick to say yes in .venv."""
+    """Whether this interpreter has the packages; fast if it does not, and fast in .venv."""
     if not _are_importable(wanted):
         return False
     stamp = environment.read_stamp() if environment.is_running() else None
@@ -801,7 +802,7 @@ def _is_met(wanted: Sequence[Requirement], environment: Environment) -> bool:
 
 
 def _set_up(need: Need, environment: Environment) -> NoReturn:
-    """Bring the environment to completion, and start the same command again inside it."""
+    """Complete the environment, and start the same command again inside it."""
     names = ", ".join(each.name for each in unmet(requirements(ROOT, environment.extras)))
     if _AGAIN in os.environ:
         raise SetupError(
@@ -809,11 +810,11 @@ def _set_up(need: Need, environment: Environment) -> NoReturn:
             f"again: {_remove(environment.folder)}"
         )
     if environment.is_running():
-        if environment.is_complete():  # so it says, but it has lost something since
+        if environment.is_complete():  # its stamp is complete, but a package has been lost since
             environment.mark_unfinished(whole=_are_importable(requirements(ROOT)))
-        # An environment cannot be made anew while it runs: that is done from outside.
+        # An environment cannot be replaced while it runs, so that is done from outside.
         outside = Path(getattr(sys, "_base_executable", sys.executable))
-        if sys.platform == "win32":  # where this process would wait, and hold its own file
+        if sys.platform == "win32":  # where this process would wait and keep its own file open
             raise SetupError(
                 f"{environment.folder} lacks {names or 'a part'}; start again: "
                 f"{command_line([str(outside), *sys.orig_argv[1:]])}"
@@ -847,13 +848,13 @@ def _in_one_sentence() -> Iterator[None]:
             f"the set-up failed ({error}); put Frustum Lab into a folder that you may write to, "
             f"with {SPACE_GB} GB of space, and run again: {_command_again()}"
         )
-    except KeyboardInterrupt:  # whoever was setting something up has said so
+    except KeyboardInterrupt:  # whichever process was setting up has reported it
         raise SystemExit(130) from None
 
 
 @contextlib.contextmanager
 def _stoppable() -> Iterator[None]:
-    """Say how to go on after Ctrl-C, which elsewhere interrupts a look round only."""
+    """Say how to continue after Ctrl-C."""
     try:
         yield
     except KeyboardInterrupt:
@@ -862,28 +863,28 @@ def _stoppable() -> Iterator[None]:
 
 
 def fail(sentence: str) -> NoReturn:
-    """Give up on the set-up, saying what the user can do."""
+    """End the set-up, and say what the user can do."""
     _say(sentence)
     raise SystemExit(EXIT_NOT_SET_UP)
 
 
 def _again(python: Path) -> NoReturn:
-    """Give this process's place to the same command under another interpreter."""
+    """Replace this process by the same command under another interpreter."""
     command = [str(python), *sys.orig_argv[1:]]
     for stream in (sys.stdout, sys.stderr):
-        if stream is not None:  # as both are in pythonw
+        if stream is not None:  # both are None in pythonw
             stream.flush()
-    if sys.platform == "win32":  # where exec returns to the shell before the program has ended
+    if sys.platform == "win32":  # Windows' exec returns to the shell before the program has ended
         with subprocess.Popen(command) as process:
             while process.poll() is None:
-                with contextlib.suppress(KeyboardInterrupt):  # the program has it too, and decides
+                with contextlib.suppress(KeyboardInterrupt):  # the program receives it too
                     process.wait()
         raise SystemExit(process.returncode)
     os.execv(command[0], command)
 
 
 def command_line(words: Sequence[str]) -> str:
-    """A command as it is typed here; in Windows as cmd.exe takes it, where ' quotes nothing."""
+    """Write a command for the shell; on Windows in cmd.exe's syntax, where ' does not quote."""
     if sys.platform != "win32":
         return shlex.join(words)
     return " ".join(word if re.fullmatch(r"[\w\\:./=+-]+", word) else f'"{word}"' for word in words)
@@ -905,10 +906,10 @@ def _say(text: str) -> None:
 
 @contextlib.contextmanager
 def for_good() -> Iterator[None]:
-    """Import what stays until the end without collecting garbage, and exempt it from collection.
+    """Import permanent modules without garbage collection, and exempt them from later collection.
 
-    Otherwise Python collects some 500 times while VTK and Qt are imported, a tenth of the time to
-    the first frame, and later in the middle of a drag, for as long as three frames.
+    Otherwise Python collects some 500 times while it imports VTK and Qt, which is a tenth of the
+    time to the first frame, and later in the middle of a drag, for the duration of three frames.
     """
     gc.disable()
     try:

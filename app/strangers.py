@@ -12,7 +12,7 @@ LARGEST_FILE = 2 * 2**30
 
 
 def open_regular(path: str | os.PathLike[str]) -> BinaryIO:
-    """Open a regular file for reading, or a link to one: no pipe, device or socket.
+    """Open a regular file for reading, or a link to one, but no pipe, device or socket.
 
     Raises
     ------
@@ -20,10 +20,10 @@ def open_regular(path: str | os.PathLike[str]) -> BinaryIO:
         If it cannot be opened, is larger than `LARGEST_FILE` or is no regular file; for the
         system's own reasons as `open` does.
     """
-    _check_regular(os.stat(path))  # first: opening a device may already do something
+    _check_regular(os.stat(path))  # first: merely opening a device may have an effect
 
     def without_waiting(name: str, flags: int) -> int:
-        # Meanwhile it may have become a pipe, where opening waits for a writer.
+        # It may have become a pipe meanwhile, whose opening waits for a writer.
         return os.open(name, flags | getattr(os, "O_NONBLOCK", 0))
 
     file = open(path, "rb", opener=without_waiting)  # noqa: SIM115 the caller closes it
@@ -45,10 +45,11 @@ def _check_regular(status: os.stat_result) -> None:
 
 
 def printable(text: str) -> str:
-    """A text whose unprintable characters are written as Python writes them: ``\\x1b``.
+    """Write the unprintable characters of a text as Python does: ``\\x1b``.
 
-    These are control characters, which a terminal obeys, marks that turn the reading direction, and
-    what no encoding has (half of a surrogate pair, as in a file name that is not UTF-8).
+    These are control characters, which a terminal obeys, marks that change the reading direction,
+    and characters that no encoding has (half of a surrogate pair, as in a file name that is not
+    UTF-8).
     """
     if text.isprintable():
         return text

@@ -54,12 +54,12 @@ def _count() -> None:
         name = frame.f_code.co_filename
         if event != "call" or not name.startswith(root):
             return
-        room = Path(name).relative_to(bootstrap.ROOT).as_posix()
-        if not room.startswith(("app/", "widgets/")):
+        module = Path(name).relative_to(bootstrap.ROOT).as_posix()
+        if not module.startswith(("app/", "widgets/")):
             return
-        calls[room] += 1
-        changes[0] += room != last[0]
-        last[0] = room
+        calls[module] += 1
+        changes[0] += module != last[0]
+        last[0] = module
 
     sys.setprofile(enter)
     try:
@@ -67,9 +67,9 @@ def _count() -> None:
         settle(app)
     finally:
         sys.setprofile(None)
-    for room, count in calls.most_common():
-        print(f"{count:6} {room}")
-    print(f"{len(calls)} modules, {sum(calls.values())} calls, {changes[0]} changes of room")
+    for module, count in calls.most_common():
+        print(f"{count:6} {module}")
+    print(f"{len(calls)} modules, {sum(calls.values())} calls, {changes[0]} changes of module")
     window.store.mark_saved()
     window.close()
 

@@ -5,9 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 
+from app.commands.composed import Composed, measure, states_of
 from app.commands.options import one_of, parser_of, write_out
 from app.lessons.checking import Report
-from app.lessons.course import contained, ideas
+from app.lessons.course import Course, contained, ideas
 from app.lessons.lesson import read
 from app.strangers import printable
 
@@ -20,9 +21,9 @@ def lesson(arguments: Sequence[str]) -> int:
     if what == "list":
         write_out(map(_line, files))
         return 0
-    report = Report()
-    write_out(_checked(report, files, own=not names))
-    return 1 if report.wrong else 0
+    report, composed = Report(), Composed()
+    write_out(_checked(report, composed, files, own=not names))
+    return 1 if report.wrong or composed.wrong else 0
 
 
 def _line(file: Path) -> str:
@@ -33,8 +34,9 @@ def _line(file: Path) -> str:
     return f"{kind:<7}{topics:<8}{steps:>3} steps  {found.title}  ({file.name})\n"
 
 
-def _checked(report: Report, files: Sequence[Path], own: bool) -> Iterator[str]:
+def _checked(report: Report, composed: Composed, files: Sequence[Path], own: bool) -> Iterator[str]:
     """Yield a line for each mistake, and a summary line."""
+    draw = measure()
     if own:
         ideas_report = Report()
         ideas_report.take(ideas().lesson)
@@ -43,4 +45,10 @@ def _checked(report: Report, files: Sequence[Path], own: bool) -> Iterator[str]:
         said = len(report.wrong)
         report.read(file)
         yield from (f"{printable(str(error))}\n" for error in report.wrong[said:])
+        if len(report.wrong) == said:
+            course, before = Course(read(file)), len(composed.wrong)
+            for place in range(len(course.lesson.steps)):
+                composed.take(course, place, states_of(course, place), draw)
+            yield from (f"{printable(fault)}\n" for fault in composed.wrong[before:])
     yield f"{report}\n"
+    yield f"{composed}\n"

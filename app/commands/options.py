@@ -387,6 +387,10 @@ def _talk() -> Parser:
         help="write the figures, text and notes of every step on A4 pages; an existing file is "
              "overwritten",
     )  # fmt: skip
+    parser.add_argument(
+        "--for", dest="readers", metavar="teacher|students",
+        help="of the handout: teacher has answers and notes, students lines to write on instead",
+    )  # fmt: skip
     return parser
 
 

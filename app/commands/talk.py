@@ -2,21 +2,21 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from pathlib import Path
 
 from app import bootstrap
 from app.commands.arguments import cannot_import, check_out
-from app.commands.options import CANNOT_DRAW, CliError, parser_of, write_out
-from app.document.document import Document
+from app.commands.composed import Composed, Measure, measure, taken
+from app.commands.options import CliError, one_of, parser_of, write_out
 from app.document.files import write_bytes_atomically
 from app.lessons.checking import Report, counted
-from app.lessons.course import Course, scene_of
+from app.lessons.course import Course
 from app.lessons.lesson import Lesson, Step, read
 from app.model.refusal import Refusal
 
-SMALL_PX = 120
-"""Size of the panes drawn for the check."""
+READERS = ("teacher", "students")
+"""Of a handout; the first ones unless others are asked for."""
 
 
 def talk(arguments: Sequence[str]) -> int:
@@ -30,67 +30,38 @@ def talk(arguments: Sequence[str]) -> int:
         if not found.handout.lower().endswith(".pdf"):
             raise CliError(f"--handout = {found.handout!r}: must end in .pdf.")
         check_out("--handout", found.handout)
-    draw = _draw()
+    readers = found.readers or READERS[0]
+    one_of("--for", readers, READERS)
+    if found.readers and found.handout is None:
+        raise CliError("--for: needs --handout OUT.pdf.")
+    draw = measure()
     status = 0
     if found.check:
-        wrong, line = _tried(Path(name), draw)
-        write_out([*(f"{error}\n" for error in wrong), f"{line}\n"])
+        wrong, sums = _tried(Path(name), draw)
+        write_out(f"{line}\n" for line in (*wrong, *sums))
         status = 1 if wrong else 0
     if found.handout is not None and not status:
-        _print(read(name), found.handout)
+        _print(read(name), found.handout, answers=readers == READERS[0])
     return status
 
 
-def _draw() -> Callable[[Document], object]:
-    try:
-        with bootstrap.for_good():
-            from app.drawings.figures import render
-            from app.drawings.off_screen import check_off_screen
-    except ImportError as error:
-        raise cannot_import(error) from error
-    try:
-        check_off_screen()
-    except RuntimeError as error:
-        raise CliError(str(error), CANNOT_DRAW) from error
-
-    def draw(document: Document) -> object:
-        return render(
-            scene_of(document),
-            document.projection,
-            size=(3 * SMALL_PX, SMALL_PX),
-            view=document.view,
-            settings=document.settings,
-            quality=document.quality,
-        )
-
-    return draw
-
-
-def _tried(path: Path, draw: Callable[[Document], object]) -> tuple[list[Refusal], str]:
-    """Return the mistakes of a talk, and a summary line."""
-    report, drawn = Report(), 0
+def _tried(path: Path, draw: Measure) -> tuple[list[str], list[str]]:
+    """Return everything that is wrong with a talk, and the lines that sum it up."""
+    report, composed = Report(), Composed()
     try:
         course = report.take(read(path))
     except Refusal as error:
         report.wrong.append(error)
     else:
         for place, step in enumerate(course.lesson.steps):
-            try:
-                for document in _shown(course, place, step):
-                    draw(document)
-                drawn += 1
-            except Refusal as error:
-                error = _placed(error, course.lesson, step)
-                if str(error) not in map(str, report.wrong):  # the check may have found it too
-                    report.wrong.append(error)
-    return report.wrong, f"{path.name}: {counted(drawn, 'step')} drawn, {len(report.wrong)} wrong"
-
-
-def _shown(course: Course, place: int, step: Step) -> list[Document]:
-    """Return the step's state, then the states that its predictions show."""
-    states = [part.show for part in step.parts if part.show is not None]
-    here = course.at(place)
-    return [here.document, *map(here.shown_by, states)]
+            refused = taken(composed, course, place, draw)
+            if refused is not None:
+                refused = _placed(refused, course.lesson, step)
+                if str(refused) not in map(str, report.wrong):  # the check may have found it, too
+                    report.wrong.append(refused)
+    steps = counted(composed.steps, "step")
+    sums = [f"{path.name}: {steps} drawn, {len(report.wrong)} wrong", str(composed)]
+    return [*map(str, report.wrong), *composed.wrong], sums
 
 
 def _placed(error: Refusal, lesson: Lesson, step: Step) -> Refusal:
@@ -104,10 +75,10 @@ def _placed(error: Refusal, lesson: Lesson, step: Step) -> Refusal:
     return error
 
 
-def _print(lesson: Lesson, out: str) -> None:
+def _print(lesson: Lesson, out: str, answers: bool) -> None:
     try:
         with bootstrap.for_good():
             from widgets.program.handout import handout
     except ImportError as error:
         raise cannot_import(error) from error
-    write_bytes_atomically(out, handout(Course(lesson)))
+    write_bytes_atomically(out, handout(Course(lesson), answers=answers))

@@ -15,7 +15,7 @@ from typing import Any, NamedTuple, TypeAlias
 from app.document.view import View
 from app.model.limits import FINITE_NUMBER, FOUR_BY_FOUR, THREE_NUMBERS, WHOLE_PIXELS
 from app.model.object_transform import ObjectTransform
-from app.model.projection import LARGEST_IMAGE_PX, LENSES, Camera, FreeMatrix, kinds
+from app.model.projection import LARGEST_IMAGE_PX, LENSES, Camera, FreeMatrix, Orbit, kinds
 from app.model.refusal import QT_TRANSLATE_NOOP
 from app.precision.quality import Quality
 from app.scenes.phenomena import PHENOMENA
@@ -130,7 +130,8 @@ IMAGE = tuple(Field("image", name, PIXELS, required=True) for name in ("width", 
 QUALITY = _fields("quality", Quality, required=False)
 VIEW = _fields(
     "view", View, required=False,
-    stage=NUMBER_OR_WORD, layers=NAMES, names=NAMES, probes=PROBES, pinned=None, panes=None,
+    stage=NUMBER_OR_WORD, layers=NAMES, names=NAMES, slide=NAMES, controls=NAMES, probes=PROBES,
+    pinned=None, panes=None,
 )  # fmt: skip
 
 
@@ -159,6 +160,22 @@ def fields_of(scene: str, kind: object) -> tuple[Field, ...]:
         *QUALITY,
         *VIEW,
     )
+
+
+CAMERA_CONTROLS = tuple(f"camera.{name}" for name in Orbit._fields)
+LENS_CONTROLS = ("lens.fov_x_deg", "lens.focal_length_mm")
+"""Numbers that the controls show beside the fields of a document."""
+
+
+def controls_of(scene: str) -> tuple[str, ...]:
+    """Return the paths of the values for which there are controls, of any lens."""
+    found = {
+        field.path: None
+        for kind in kinds()
+        for field in fields_of(scene, kind)
+        if field.section in ("settings", "object", "camera", "lens", "image")
+    }
+    return (*found, *CAMERA_CONTROLS, *LENS_CONTROLS, "depth")
 
 
 def model_paths() -> dict[str, str]:

@@ -4,14 +4,15 @@ from __future__ import annotations
 
 import contextlib
 import difflib
-from collections.abc import Iterable, Sequence
+from collections.abc import Collection, Iterable, Sequence
 from dataclasses import replace
 
 from app.document.codec import LONGEST_SHOWN, document_paths, from_tree, to_tree
 from app.document.compare import NAME_ENDS, SOME_DIVIDERS, Picture
 from app.document.document import Document
-from app.document.fields import Field, fields_of, lens_fields, numbers
-from app.document.view import AS_EVER
+from app.document.fields import Field, controls_of, fields_of, lens_fields, numbers
+from app.document.view import AS_EVER, STRIP
+from app.lecture.equation import equation_of
 from app.model.limits import OTHER_SIDE
 from app.model.object_transform import NOT_MOVED
 from app.model.projection import kinds
@@ -96,7 +97,10 @@ def set_values(document: Document, assignments: Iterable[str]) -> Document:
             section = tree.setdefault(each.section, {}) if each.section else tree
             section[each.name] = _read(each, text)
     try:
-        return _beside(from_tree(tree), beside, dividers)
+        document = _beside(from_tree(tree), beside, dividers)
+        with document_paths("view"):
+            _check_slide(document, texts)
+        return document
     except Refusal as error:
         side, bound = OTHER_SIDE.get(error.bound, ("", error.bound))
         if f"lens.{side}" not in texts or error.field in texts:
@@ -104,6 +108,22 @@ def set_values(document: Document, assignments: Iterable[str]) -> Document:
         # The other one of the two was set.
         limit, value = format_value(error.value), tree["lens"][side]
         raise Refusal.in_document(bound, limit, field=f"lens.{side}", value=value) from error
+
+
+def _check_slide(document: Document, paths: Collection[str]) -> None:
+    """Refuse controls that the scene lacks, and an equation that the lens lacks."""
+    view = document.view
+    if "view.controls" in paths:
+        known = [STRIP, *controls_of(document.scene)]
+        for name in view.controls:
+            if name not in known:
+                raise Refusal("controls", name, UNKNOWN, _nearest(name, known))
+    if "view.equation" in paths and view.equation:
+        equation_of(document.projection, view.letters, view.equation)
+
+
+def _nearest(name: str, known: Iterable[str]) -> str:
+    return max(known, key=lambda each: difflib.SequenceMatcher(None, name, each).ratio())
 
 
 def _read(field: Field, text: str) -> object:

@@ -39,6 +39,12 @@ LAYERS = ("labels", "handles", "grid", "frustum", "camera", "near-picture")
 """The layers of the world that can be hidden."""
 FIXED = ("side", "top", "axis", "eye")
 """The fixed viewpoints of the world."""
+SLIDES = (*PANES, "equation", "kinds")
+"""What can be the slide that a class sees: panes, an equation, the tree of projections."""
+STRIP = "stage"
+"""The name of the stage strip among the controls of a slide."""
+MOST_ON_SLIDE = 2
+"""Most pictures of a slide, and most controls below it."""
 MOST_PROBES = 6
 """Most probes: more cannot be compared at a glance."""
 MOST_NAMES = 7
@@ -49,6 +55,9 @@ EVERYTHING = ("*",)
 A_STAGE = QT_TRANSLATE_NOOP("Refusal", "must be one of {0}, or a number from 0 to {1}")
 ONE_OR_NONE = QT_TRANSLATE_NOOP("Refusal", "must be one of {0}, or empty for none")
 SOME_OF = QT_TRANSLATE_NOOP("Refusal", "must be a list of names from {0}")
+SOME_SLIDES = QT_TRANSLATE_NOOP("Refusal", "must be a list of at most {0} names from {1}")
+SOME_CONTROLS = QT_TRANSLATE_NOOP("Refusal", "must be a list of at most {0} names of values")
+AN_EQUATION = QT_TRANSLATE_NOOP("Refusal", "must be a text")
 SOME_PROBES = QT_TRANSLATE_NOOP("Refusal", "must be a list of at most {0} probes")
 A_PROBE = QT_TRANSLATE_NOOP(
     "Refusal",
@@ -92,6 +101,12 @@ class View:
     dividers: tuple[float, ...] = ()
     """The dividers of overlaid pictures, as fractions of the width; none if they are side by
     side."""
+    slide: tuple[str, ...] = ()
+    """The `SLIDES` that a class sees: one, or two beside each other; empty for the large pane."""
+    controls: tuple[str, ...] = ()
+    """The values that a class sees being changed, by their paths, or `STRIP`."""
+    equation: str = ""
+    """The matrices of an equation that is a slide; see `app.lecture.equation`."""
     panes: dict[str, Camera] = field(default_factory=dict)
     """The camera of each pane that the user turned, even of unknown panes. Do not modify it."""
 
@@ -107,6 +122,7 @@ class View:
         if not self.layers <= set(LAYERS):
             raise Refusal("layers", sorted(self.layers, key=str), SOME_OF, ", ".join(LAYERS))
         _check_names(self.names)
+        self._check_slide()
         numbers = [probe.number for probe in self.probes]
         if numbers != sorted(set(numbers) & set(range(1, MOST_PROBES + 1))):
             raise Refusal("probes", numbers, SOME_PROBES, MOST_PROBES)
@@ -124,6 +140,16 @@ class View:
             raise Refusal("pinned", sorted(self.pinned, key=str), PROBE_NUMBERS)
         check_pictures(self.compare, self.dividers)
         keep_checked(self, stage=float(self.stage), pinned=frozenset(map(int, self.pinned)))
+
+    def _check_slide(self) -> None:
+        names = set(self.slide)
+        if not len(names) == len(self.slide) <= MOST_ON_SLIDE or not names <= set(SLIDES):
+            limits = MOST_ON_SLIDE, ", ".join(SLIDES)
+            raise Refusal("slide", ", ".join(self.slide), SOME_SLIDES, *limits)
+        if not len(set(self.controls)) == len(self.controls) <= MOST_ON_SLIDE:
+            raise Refusal("controls", ", ".join(self.controls), SOME_CONTROLS, MOST_ON_SLIDE)
+        if not isinstance(self.equation, str):
+            raise Refusal("equation", self.equation, AN_EQUATION)
 
     @property
     def step(self) -> int | None:
@@ -218,6 +244,20 @@ def _set_of(name: str, value: Any, bound: Bound, *limits: object) -> frozenset[A
     return frozenset(value)
 
 
+def _slide(value: Any) -> tuple[str, ...]:
+    return _texts("slide", value, SOME_SLIDES, MOST_ON_SLIDE, ", ".join(SLIDES))
+
+
+def _controls(value: Any) -> tuple[str, ...]:
+    return _texts("controls", value, SOME_CONTROLS, MOST_ON_SLIDE)
+
+
+def _texts(name: str, value: Any, bound: Bound, *limits: object) -> tuple[str, ...]:
+    if not isinstance(value, list) or not all(isinstance(part, str) for part in value):
+        raise Refusal(name, value, bound, *limits)
+    return tuple(value)
+
+
 def _dividers(value: Any) -> tuple[Any, ...]:
     if not isinstance(value, list):
         raise Refusal("dividers", value, SOME_DIVIDERS)
@@ -262,6 +302,8 @@ _AS_READ: dict[str, Callable[[Any], Any]] = {
     "layers": _layers,
     "names": _names,
     "pinned": _pinned,
+    "slide": _slide,
+    "controls": _controls,
     "probes": _probes,
     "dividers": _dividers,
 }
@@ -270,5 +312,7 @@ _AS_WRITTEN: dict[str, Callable[[Any], Any]] = {
     "layers": lambda layers: [name for name in LAYERS if name in layers],
     "names": list,
     "pinned": sorted,
+    "slide": list,
+    "controls": list,
     "probes": _probe_places,
 }

@@ -15,11 +15,10 @@ from vtkmodules.vtkRenderingCore import vtkActor
 from app.drawings import actors
 from app.drawings.actors import Canvas, Space, applied
 from app.drawings.frame import LARGER, TIPS, FrameSteps, arrow, arrow_tips, is_built
-from app.drawings.labels import AXES
 from app.drawings.names import Names
 from app.drawings.pane_view import PaneView
 from app.drawings.pointing import FACES, FAR_FACE, NEAR_FACE
-from app.lecture.highlight import SIDES
+from app.lecture.highlight import AXES, SIDES
 from app.model.projection import Array, Camera
 
 _PART_OF_PANE = 1.0 / 12.0  # share of the shorter side for the camera's body
@@ -35,9 +34,6 @@ AROUND_PX = _AROUND / _BALL * _PART_OF_PANE
 """How far body and axes reach from the eye, of the pane's shorter side."""
 
 _WALLS = tuple(FACES[side] for side in SIDES)
-
-# The axes' letters stand beyond their tips, best first.
-_BEYOND_TIP = (1.2, 1.5, 1.9)
 
 
 class Standing(NamedTuple):
@@ -162,14 +158,6 @@ class CameraDrawing:
     def axes_size(self) -> float:
         """The unit of the axes, world units."""
         return self.body_size * (1.0 if self.step is None else LARGER)
-
-    @property
-    def names(self) -> tuple[tuple[str, ...], Array]:
-        """The visible arrows, and where their names can be, (k n, 3), best first."""
-        arrows, directions = self.arrows
-        larger = self.axes_size / self.body_size
-        beyond = [1.0 + (k - 1.0) / larger for k in _BEYOND_TIP]
-        return arrows, np.concatenate([self._standing.eye + k * directions for k in beyond])
 
     @property
     def box(self) -> Array:

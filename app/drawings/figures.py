@@ -10,7 +10,8 @@ from __future__ import annotations
 import io
 import os
 import sys
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from contextlib import contextmanager
 from dataclasses import replace
 from functools import partial
 from itertools import pairwise, starmap
@@ -28,6 +29,7 @@ from app.document.naming import named_in
 from app.document.settings import name_of, pictured
 from app.document.view import AS_EVER, PANES, View
 from app.drawings import AXES, WORDS, Words
+from app.drawings.drawing import Drawing
 from app.drawings.image import ImageDrawing
 from app.drawings.label import font_file
 from app.drawings.off_screen import Pixels, off_screen, pixels_of
@@ -375,18 +377,51 @@ def _render_pane(
 ) -> tuple[Pixels, tuple[float, float]]:
     """A pane's pixels, and where its picture begins and ends in them."""
     factor = _oversampling(size)
-    width, height = (factor * side for side in size)
+    with drawn_pane(
+        pane, scene, projection, illustration, size, style=style, words=words, framed=framed,
+        view=view, quality=quality, caption=caption, middle=middle, bare=bare, finer=factor,
+        transparent=transparent,
+    ) as (window, drawing):  # fmt: skip
+        drawn = pixels_of(window)
+        ends = (0.0, float(size[0]))
+        if isinstance(drawing, ImageDrawing):
+            place = drawing.picture_rectangle_px
+            ends = place.left / factor, (place.left + place.width) / factor
+    return _averaged(drawn, factor, transparent), ends
+
+
+@contextmanager
+def drawn_pane(
+    pane: str,
+    scene: Scene,
+    projection: Projection,
+    illustration: Illustration | None,
+    size: tuple[int, int],
+    *,
+    style: Style,
+    words: Mapping[str, str],
+    framed: bool,
+    view: View,
+    quality: Quality,
+    caption: str = "",
+    middle: float = 0.5,
+    bare: bool = False,
+    finer: int = 1,
+    transparent: bool = False,
+) -> Iterator[tuple[Any, Drawing]]:
+    """A pane that has been drawn off the screen, `finer` times as large: its window and drawing."""
+    width, height = (finer * side for side in size)
     options: dict[str, Any] = {}
     if pane != "world":
         options["tolerance_px"] = quality.tolerance_px(DRAWING_TOLERANCE_PX)
     if pane == "image":
         options |= {
             "framed": framed, "quality": quality, "caption": caption, "middle": middle,
-            "finer": factor,
+            "finer": finer,
         }  # fmt: skip
     with off_screen(width, height) as screen:
         window = screen.render_window
-        drawing = _DRAWINGS[pane](screen, scene, words, style.enlarged(factor), **options)
+        drawing = _DRAWINGS[pane](screen, scene, words, style.enlarged(finer), **options)
         drawing.show_layers(view.layers | {AXES} if bare else view.layers)
         drawing.show_names(named_in(pane, scene, view.names))
         drawing.show_projection(projection, illustration)
@@ -409,13 +444,8 @@ def _render_pane(
         window.Render()
         if isinstance(drawing, ImageDrawing) and drawing.problem is not None:  # known from now on
             window.Render()
-        drawn = pixels_of(window)
-        ends = (0.0, float(size[0]))
-        if isinstance(drawing, ImageDrawing):
-            place = drawing.picture_rectangle_px
-            ends = place.left / factor, (place.left + place.width) / factor
+        yield window, drawing
         drawing.remove()
-    return _averaged(drawn, factor, transparent), ends
 
 
 def _oversampling(size: tuple[int, int]) -> int:

@@ -31,7 +31,6 @@ _RIGHT_ANGLES = {"u": ("up-u", "u-n"), "v": ("v-n", "v-u"), "view": ("u-n", "v-n
 """The right angles that a step shows, between the arrows that it is about."""
 _UP, _LOOK = 2.7, (0.0, 0.0, -2.6)
 _PART_OF_SCENE = 0.6  # of its size: the object's axes are no longer
-_BEYOND_TIP = (1.12, 1.3, 1.6)
 _SQUARE = 0.55  # side of a right angle's mark
 
 
@@ -151,11 +150,6 @@ class ObjectAxes:
         """The vectors from the origin to the tips, (3, 3), one axis a row."""
         ways: Array = self.reach * self._local_from_object[:3, :3].T
         return ways
-
-    @property
-    def names(self) -> Array:
-        """Where the axes' letters can be, (k, 3, 3), best first."""
-        return np.stack([self.origin + k * self.ways for k in _BEYOND_TIP])
 
 
 def axes_reach(size: float) -> float:

@@ -20,14 +20,16 @@ from app.drawings import AXES
 from app.drawings.actors import Canvas, Space, face_actor, identity_camera, lifted
 from app.drawings.blurring import Blurring
 from app.drawings.drawing import Drawing, Rectangle
-from app.drawings.labels import Layout
-from app.drawings.marks import MarksDrawing, Placing, spread_over
+from app.drawings.label_placement import Ground
+from app.drawings.labels import Board
+from app.drawings.marks import MarksDrawing, Placing
 from app.drawings.names import Names
 from app.drawings.pointing import Emphasis, Segment, Spot, pointed_at
 from app.drawings.precision import ModelActors, least_tolerance
 from app.drawings.probes import Probes
 from app.drawings.rasterising import Rasteriser
 from app.drawings.side_by_side import BARE_EM
+from app.drawings.silhouette import Silhouette
 from app.drawings.style import TITLE_EM, Style, rgb
 from app.lecture.highlight import SIDES, Highlight, corner_at
 from app.model.projection import Array, Projection
@@ -88,8 +90,8 @@ class ImageDrawing(Drawing):
         self._add_picture()
         self._probes = Probes(self._canvas, self._picture)
         self._marks: MarksDrawing | None = None
-        self._homogeneous = np.empty((0, 4))
-        """Points all over the scene's faces, (n, 4), which texts avoid."""
+        self._board = Board(self._canvas, self._picture)
+        self._silhouette = Silhouette(scene, style.font_size)
         self._rasteriser: Rasteriser | None = None
         self._rendering = Rendering()
         self._quality = quality
@@ -206,16 +208,14 @@ class ImageDrawing(Drawing):
                 if self._scene.phenomenon is None:  # else copies of its faces are still to come
                     self._rasterise()
                 return
-            subject = spread_over(self._scene)
-            self._homogeneous = np.column_stack([subject, np.ones(len(subject))])
             self._marks = MarksDrawing(
                 self._canvas,
                 self._scene,
                 self._words,
                 renderer=self._picture,
                 over=True,
-                leads=True,
                 names=self.names,
+                board=self._board,
             )
         width, height = self._image_size
         placing = Placing(
@@ -299,9 +299,10 @@ class ImageDrawing(Drawing):
             self._blurring.refine(transparent=transparent, whole=whole)
             self._choose_picture(self._blurring)
 
-    def _place_texts(self) -> None:
+    def _place_texts(self, *, afresh: bool = False) -> bool:
+        """Place the texts; return whether one has changed its place."""
         if self._marks is None:
-            return
+            return False
         rectangle = self.picture_rectangle_px
         half = np.array([rectangle.width, rectangle.height]) / 2.0
 
@@ -309,12 +310,22 @@ class ImageDrawing(Drawing):
             spots = (points[:, :2] + 1.0) * half
             return [(x, y, 1.0) for x, y in spots.tolist()]
 
-        layout = Layout((rectangle.width, rectangle.height), self._style.font_size, {})
-        clip = self._homogeneous @ self._projection.clip_from_world_at(self._scene.origin).T
-        clip = clip[clip[:, 3] > 0.0]
-        with np.errstate(over="ignore", invalid="ignore"):
-            subject = (clip[:, :2] / clip[:, 3:] + 1.0) * half
-        self._marks.place_texts(layout, seen, subject)
+        marks = self._marks
+
+        def ink(ground: Ground) -> None:
+            clip = self._projection.clip_from_world_at(self._scene.origin)
+            with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
+                corners = self._silhouette.triangles @ clip[:, :3].T + clip[:, 3]
+                w = np.where(corners[..., 3:] > 0.0, corners[..., 3:], np.nan)
+                self._silhouette.ink(ground, (corners[..., :2] / w + 1.0) * half)
+            marks.ink(ground, seen)
+
+        ground = Ground((0, 0, rectangle.width, rectangle.height), self._style.font_size, ink)
+        marks.want_texts(ground, seen)
+        return self._board.settle(ground, afresh=afresh)
+
+    def refit(self) -> bool:
+        return self._place_texts(afresh=True)
 
     @property
     def sight(self) -> Sight:

@@ -37,6 +37,7 @@ HALO_EM = 0.14
 _UNDER_EM = 0.2
 _FUNCTIONS = frozenset(("tan", "sin", "cos", "log"))
 _SIZE = 100.0
+_PARTS = 4  # of a pixel, to which a piece is placed
 _GREEK = dict(zip("αβγδεθλμπρσφω", (
     "alpha", "beta", "gamma", "delta", "epsilon", "theta", "lambda", "mu", "pi", "rho", "sigma",
     "phi", "omega",
@@ -56,12 +57,16 @@ class _Piece(NamedTuple):
     codes: NDArray[Any]
     width: float
 
+    @property
+    def box(self) -> tuple[float, float, float, float]:
+        (left, low), (right, high) = self.vertices.min(axis=0), self.vertices.max(axis=0)
+        return float(left), float(low), float(right), float(high)
+
 
 class Laid(NamedTuple):
-    """A label's outlines in words' em, y upwards from the line; `box` is where there is ink."""
+    """A label that is set in one line, in words' em; `box` is where there is ink, y upwards."""
 
-    vertices: Array  # (n, 2)
-    codes: NDArray[Any]
+    pieces: tuple[tuple[str, bool, float, float], ...]  # each with its size and its left end
     box: tuple[float, float, float, float]  # left, low, right, high
 
 
@@ -94,23 +99,22 @@ def _tex(letter: str, sub: str) -> str:
 
 
 @lru_cache(maxsize=256)
-def laid(text: str) -> Laid:
+def laid(text: str, plain: bool = False) -> Laid:
     """Set a label in one line. TeX that cannot be drawn is shown as it is typed."""
-    pieces = pieces_of(text)
+    pieces = [(text, False)] if plain else pieces_of(text)
     has_words = any(len(piece) > 1 and not is_tex for piece, is_tex in pieces)
     larger = _AMONG_WORDS if has_words else LARGER
-    vertices, codes, x = [np.empty((0, 2))], [np.empty(0, np.uint8)], 0.0
+    placed, boxes, x = [], [], 0.0
     for piece, is_tex in pieces:
         size = 1.0 if len(piece) > 1 and not is_tex else larger
         drawn = _piece(piece, is_tex)
-        vertices.append(drawn.vertices * size + (x, 0.0))
-        codes.append(drawn.codes)
+        placed.append((piece, is_tex, size, x))
+        if len(drawn.vertices):
+            left, low, right, high = (size * side for side in drawn.box)
+            boxes.append((x + left, low, x + right, high))
         x += drawn.width * size
-    points = np.concatenate(vertices)
-    low, high = (
-        (points.min(axis=0), points.max(axis=0)) if len(points) else (np.zeros(2), np.zeros(2))
-    )
-    return Laid(points, np.concatenate(codes), (*low.tolist(), *high.tolist()))
+    lefts, lows, rights, highs = zip(*boxes or [(0.0, 0.0, 0.0, 0.0)], strict=True)
+    return Laid(tuple(placed), (min(lefts), min(lows), max(rights), max(highs)))
 
 
 @lru_cache(maxsize=1024)
@@ -133,7 +137,9 @@ def _piece(text: str, is_tex: bool) -> _Piece:
     return _Piece(points, np.asarray(codes, dtype=np.uint8), width / _SIZE)
 
 
-def drawn(text: str, em: float, colour: str, halo: str, underlined: bool = False) -> Pixels:
+def drawn(
+    text: str, em: float, colour: str, halo: str, underlined: bool = False, plain: bool = False
+) -> Pixels:
     """Draw a label with a halo round its letters.
 
     Parameters
@@ -148,30 +154,70 @@ def drawn(text: str, em: float, colour: str, halo: str, underlined: bool = False
     (h, w, 4) array of uint8
         Red, green, blue and opacity, from the top; the halo's `rim` on every side.
     """
+    label, rim = laid(text, plain), rim_px(em)
+    left, low, right, high = (side * em for side in label.box)
+    under = max(2, round(_UNDER_EM * em)) if underlined else 0
+    width, height = math.ceil(right - left) + 2 * rim, math.ceil(high - low) + 2 * rim + under
+    line = height - rim - under + math.floor(low)  # the row below which letters descend
+    ink, around = np.zeros((2, height + 2, width + 2), dtype=np.uint8)
+    for piece, is_tex, size, x in label.pieces:
+        place = round((x * em - left) * _PARTS)
+        letters, halos, to_right, up = _tile(piece, is_tex, size * em, HALO_EM * em, place % _PARTS)
+        top, first = line - up, place // _PARTS + rim + to_right
+        for whole, part in ((ink, letters), (around, halos)):
+            part = part[max(-top, 0) :, max(-first, 0) :]
+            room = whole[max(top, 0) :, max(first, 0) :][: part.shape[0], : part.shape[1]]
+            part = part[: room.shape[0], : room.shape[1]]
+            np.maximum(room, part, out=room)
+    if underlined:
+        ink[height - rim - under // 2 : height - rim, rim : width - rim] = 255
+    over = ink[:height, :width] / np.float32(255.0)
+    behind = around[:height, :width] / np.float32(255.0) * (1.0 - over)
+    opacity = over + behind
+    pixels = np.empty((height, width, 4), dtype=np.uint8)
+    share = over / np.maximum(opacity, 1e-6)
+    for channel, (of_ink, of_halo) in enumerate(zip(rgb(colour), rgb(halo), strict=True)):
+        pixels[..., channel] = np.rint(255.0 * (of_halo + (of_ink - of_halo) * share))
+    pixels[..., 3] = np.rint(255.0 * opacity)
+    return pixels
+
+
+@lru_cache(maxsize=2048)
+def _tile(
+    piece: str, is_tex: bool, em: float, halo_px: float, shift: int
+) -> tuple[Pixels, Pixels, int, int]:
+    """Draw a piece that begins `shift` parts of a pixel to the right of a whole one.
+
+    Returns the coverage of the letters and of their halo, from the top, how far its first column
+    is from that pixel, and its first row above the line.
+    """
     from matplotlib.backends.backend_agg import RendererAgg
     from matplotlib.path import Path
     from matplotlib.transforms import Affine2D
 
-    label, rim = laid(text), rim_px(em)
-    left, low, right, high = (side * em for side in label.box)
-    under = max(2, round(_UNDER_EM * em)) if underlined else 0
-    width, height = math.ceil(right - left) + 2 * rim, math.ceil(high - low) + 2 * rim + under
+    drawn = _piece(piece, is_tex)
+    if not len(drawn.vertices):
+        empty = np.zeros((0, 0), dtype=np.uint8)
+        return empty, empty, 0, 0
+    left, low, right, high = (side * em for side in drawn.box)
+    rim, part = math.ceil(halo_px) + 1, shift / _PARTS
+    first, below = math.floor(left) - rim, math.floor(low) - rim
+    width = math.ceil(right + part) + rim - first
+    height = math.ceil(high) + rim - below
+    path: Any = Path(drawn.vertices, drawn.codes)
+    placed: Any = Affine2D().scale(em).translate(part - first, -below)
+    coverages = []
     make: Any = RendererAgg
-    renderer = make(width, height, 72)
-    letters: Any = Affine2D().scale(em).translate(rim - left, rim + under - low)
-    path = Path(label.vertices, label.codes)
-    pen = renderer.new_gc()
-    pen.set_joinstyle("round")
-    pen.set_foreground(halo)
-    pen.set_linewidth(2.0 * HALO_EM * em)
-    renderer.draw_path(pen, path, letters, rgb(halo))
-    pen.set_linewidth(0.0)
-    renderer.draw_path(pen, path, letters, rgb(colour))
-    pixels: Pixels = np.array(renderer.buffer_rgba())
-    if underlined:
-        row = slice(height - rim - under // 2, height - rim)
-        pixels[row, rim:-rim] = [*(round(255 * part) for part in rgb(colour)), 255]
-    return pixels
+    for pen_px in (0.0, 2.0 * halo_px):
+        renderer = make(width, height, 72)
+        pen = renderer.new_gc()
+        pen.set_joinstyle("round")
+        pen.set_foreground("white")
+        pen.set_linewidth(pen_px)
+        renderer.draw_path(pen, path, placed, (1.0, 1.0, 1.0))
+        coverages.append(np.array(renderer.buffer_rgba())[..., 3])
+    letters, halo = coverages
+    return letters, halo, first, height + below
 
 
 def rim_px(em: float) -> int:
@@ -179,9 +225,9 @@ def rim_px(em: float) -> int:
     return math.ceil(HALO_EM * em)
 
 
-def size_px(text: str, em: float) -> tuple[int, int]:
+def size_px(text: str, em: float, plain: bool = False) -> tuple[int, int]:
     """Return the width and the height of a label's letters, without its halo."""
-    left, low, right, high = laid(text).box
+    left, low, right, high = laid(text, plain).box
     return math.ceil((right - left) * em), math.ceil((high - low) * em)
 
 
@@ -195,14 +241,20 @@ class Label:
     """A text at a pixel of a renderer, of constant size, in the dark tone of a colour.
 
     `anchor` says which part of the letters is at the position: -1 left, 0 centre, 1 right; -1
-    bottom, 0 middle, 1 top.
+    bottom, 0 middle, 1 top. A `plain` text is a sentence or a stranger's, and has no formulas.
     """
 
     def __init__(
-        self, text: str, style: Style, *, colour: str = "", anchor: tuple[int, int] = (0, 0)
+        self,
+        text: str,
+        style: Style,
+        *,
+        colour: str = "",
+        anchor: tuple[int, int] = (0, 0),
+        plain: bool = False,
     ) -> None:
         self.em = style.font_size
-        self._style, self._anchor = style, anchor
+        self._style, self._anchor, self._plain = style, anchor, plain
         self._visible = self._shown = True
         self._underlined = False
         self._turn, self._place = 0.0, (0.0, 0.0)
@@ -240,7 +292,7 @@ class Label:
     @property
     def size_px(self) -> tuple[int, int]:
         """Width and height of the letters, without the halo."""
-        return size_px(self._text, self.em)
+        return size_px(self._text, self.em, self._plain)
 
     def set_text(self, text: str) -> None:
         """Write another text; the same one costs nothing."""

@@ -1,145 +1,480 @@
-"""The one placer of labels, for panes, diagrams and charts; numpy only.
+"""The one placer of labels, for all panes and figures; numpy only.
 
-The input is a frame, the boxes that are taken, and for each label its candidates, best first: where
-its box could be, which anchor it names, and what the caller charges for it. The output is the
-cheapest free candidate, whose box is taken from then on. Labels choose one after the other.
+Each label brings its candidates: where it could stand, best first. The ground knows what must stay
+visible. The placer finds the cheapest places together: greedily by rank, then by simulated
+annealing with a fixed seed (Christensen, Marks and Shieber, "An Empirical Study of Algorithms for
+Point-Feature Label Placement", ACM TOG 14(3), 1995). The positions round a point are Imhof's
+("Positioning Names on Maps", 1975).
+
+All lengths are pixels from the left and from the bottom.
 """
 
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterable, Sequence
-from typing import Any, NamedTuple
+import random
+from collections.abc import Callable, Hashable, Iterable, Mapping, Sequence
+from functools import partial
+from typing import NamedTuple, TypeAlias
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 Floats = NDArray[np.float64]
+Spot: TypeAlias = tuple[float, float]
 
 GAP_PX = 3.0
 """Between a curve and its name."""
-LEADER, INK = 1.0, 2.0
-"""Costs of a leader that crosses something, and of a label on what should stay visible."""
-
-_DIRECTIONS = np.array(
-    [(1, 0), (1, -1), (1, 1), (-1, 0), (-1, -1), (-1, 1), (0, -1), (0, 1)], dtype=np.float64
-)
-"""From a point to its name, the better ones first."""
-_STEPS = 7
-"""How many of its heights a name may be away from its point."""
-
-
-class Box(NamedTuple):
-    """A rectangle in pixels; low and high count upwards in a pane, downwards in a diagram."""
-
-    left: float
-    low: float
-    right: float
-    high: float
-
-    @property
-    def middle(self) -> tuple[float, float]:
-        return (self.left + self.right) / 2.0, (self.low + self.high) / 2.0
-
-    def nearest(self, spot: tuple[float, float]) -> tuple[float, float]:
-        x, y = spot
-        return min(max(x, self.left), self.right), min(max(y, self.low), self.high)
+SQUARE_EM = 1.0 / 3.0
+"""Side of the squares in which ink is counted."""
+LEADER_FROM_EM = 1.2
+"""Beyond this distance a leader joins a label to its mark."""
+_GAPS_EM = (0.45, 1.6, 3.0, 5.0)
+_ROUND = np.array([(1, 1), (1, -1), (-1, 1), (-1, -1), (1, 0), (-1, 0), (0, 1), (0, -1)], float)
+_STEEPEST = math.radians(30.0)
+# What a place costs.
+_INK, _CROSSES, _ORDER, _FOREIGN, _OVERLAP, _UNPLACED = 20.0, 8.0, 0.2, 10.0, 1e6, 1e3
+_MOVES = 200
+_RIM_EM = 0.45  # of a mark, where its leader begins
 
 
-class Candidate(NamedTuple):
-    """A possible place of a label."""
+class Places(NamedTuple):
+    """The candidates of a label, best first."""
 
-    box: Box
-    anchor: tuple[float, float] | None = None  # what a leader would join to the label
-    cost: float = 0.0  # what the caller charges for this place
-    key: Any = None  # for the caller; the placer ignores it
+    centres: Floats  # (n, 2), of the letters
+    turns: Floats  # (n,), radians
+    anchors: Floats  # (n, 2): what a leader would join to the label
+    away: Floats  # (n,), distance from the anchor in px
+    leads: bool = True  # whether a leader may join a place that is far away
 
 
-class Placer:
-    """Places the labels of one picture, in plain floats: most labels stay where they were.
+NOWHERE = Places(np.empty((0, 2)), np.empty(0), np.empty((0, 2)), np.empty(0))
 
-    `ink` returns whether a box, ``(left, low, right, high)``, hides something of the subject. A
-    leader is checked for crossings at these parts of its length (`samples`), within `halo_px`.
+
+class Wish(NamedTuple):
+    """A label that wants a place; of two that want the same one the lower rank has it.
+
+    `spots` are the points that it names. `places` makes its candidates, if they are needed.
+    """
+
+    key: Hashable
+    size: tuple[float, float]
+    spots: Sequence[Spot]
+    places: Callable[[], Places]
+    rank: float = 0.0
+
+
+class Kept(NamedTuple):
+    """Where a label stands, from one of its spots."""
+
+    spot: int
+    offset: Spot
+    turn: float
+    leads: bool
+
+
+class Placed(NamedTuple):
+    """Where a label stands, with its leader from the mark's rim to its box."""
+
+    centre: Spot
+    turn: float
+    leader: tuple[Spot, Spot] | None
+    kept: Kept
+
+
+# --------------------------------------------------------------------------- candidates
+
+
+def around(
+    spots: ArrayLike,
+    size: tuple[float, float],
+    em: float,
+    rim: float = 0.0,
+    way: Spot | None = None,
+) -> Places:
+    """Imhof's positions round points, first near, then farther away; towards `way` first."""
+    points = np.reshape(np.asarray(spots, dtype=np.float64), (-1, 2))
+    half = np.array(size) / 2.0
+    sides = _ROUND
+    if way is not None and math.hypot(*way) > 0.0:
+        turned = _ROUND / np.linalg.norm(_ROUND, axis=1, keepdims=True) @ np.array(way)
+        sides = _ROUND[np.argsort(-turned, kind="stable")]
+    gaps = np.array(_GAPS_EM) * em + rim
+    gap = np.repeat(gaps, len(sides))[:, None]
+    side = np.tile(sides, (len(gaps), 1))
+    # At a corner the letters come a little nearer: their box is empty there.
+    near = np.where(np.abs(side).sum(axis=1, keepdims=True) > 1.0, 0.6, 1.0)
+    offsets = side * (half + gap * near)
+    centres = (points[None] + offsets[:, None]).reshape(-1, 2)
+    anchors = np.tile(points, (len(offsets), 1))
+    away = np.repeat(gap[:, 0] - rim, len(points))
+    return Places(centres, np.zeros(len(centres)), anchors, away)
+
+
+def beyond(tip: Spot, way: Spot, size: tuple[float, float], em: float) -> Places:
+    """On the line of an arrow, beyond its tip, and a little aside; never with a leader."""
+    length = math.hypot(*way)
+    if length < 1e-9:
+        return around(tip, size, em)._replace(leads=False)
+    along = np.array(way) / length
+    aside = np.array([-along[1], along[0]])
+    centres = []
+    for turn in (0.0, 0.5, -0.5, 1.0, -1.0):
+        out = math.cos(turn) * along + math.sin(turn) * aside
+        reach = _reach(out, size) + 0.4 * em
+        centres.append(np.array(tip) + out * reach)
+    count = len(centres)
+    far = np.full(count, 0.4 * em)
+    return Places(np.array(centres), np.zeros(count), np.tile(tip, (count, 1)), far, leads=False)
+
+
+def on(spot: Spot) -> Places:
+    """Right on a place: in the gap of a dimension line, or inside an area."""
+    return Places(np.array([spot]), np.zeros(1), np.array([spot]), np.zeros(1), leads=False)
+
+
+def along(edges: ArrayLike, middle: Spot, size: tuple[float, float], em: float) -> Places:
+    """Outside an area along its edges, (n, 2, 2), turned with them up to 30 degrees, else level."""
+    ends = np.reshape(np.asarray(edges, dtype=np.float64), (-1, 2, 2))
+    ways = ends[:, 1] - ends[:, 0]
+    lengths = np.hypot(*ways.T)
+    # Upper edges first, and of them the longest: there is most room.
+    mids = ends.mean(axis=1)
+    order = np.argsort(-(mids[:, 1] - middle[1] + 0.1 * lengths), kind="stable")
+    centres, turns, anchors = [], [], []
+    for part in (0.5, 0.2, 0.8):
+        for i in order.tolist():
+            if lengths[i] < 1.0:
+                continue
+            direction = ways[i] / lengths[i]
+            turn = math.remainder(math.atan2(direction[1], direction[0]), math.pi)
+            out = np.array([-direction[1], direction[0]])
+            at = ends[i, 0] + part * ways[i]
+            out = out if out @ (at - middle) >= 0.0 else -out
+            if abs(turn) <= _STEEPEST and lengths[i] > size[0]:
+                away = size[1] / 2.0 + 0.35 * em
+            else:
+                turn, away = 0.0, _reach(out, size) + 0.35 * em
+            centres.append(at + away * out)
+            turns.append(turn)
+            anchors.append(at)
+    count = len(centres)
+    places = Places(
+        np.reshape(centres, (count, 2)), np.array(turns, dtype=np.float64),
+        np.reshape(anchors, (count, 2)), np.full(count, 0.35 * em),
+    )  # fmt: skip
+    return joined(places, around(mids[order], size, em))
+
+
+def joined(*places: Places) -> Places:
+    """Return the candidates of all of these, the first ones best."""
+    centres, turns, anchors, away = (
+        np.concatenate(parts) for parts in list(zip(*places, strict=True))[:4]
+    )
+    return Places(centres, turns, anchors, away, any(each.leads for each in places))
+
+
+def _reach(out: Floats, size: tuple[float, float]) -> float:
+    """How far the middle of a box is from its rim in a direction, (2,)."""
+    across, up = np.abs(out).tolist()
+    return float(min(size[0] / 2.0 / max(across, 1e-9), size[1] / 2.0 / max(up, 1e-9)))
+
+
+def clipped(segments: Floats, frame: Sequence[float]) -> Floats:
+    """Return the parts of segments, (n, 2, 2), in a frame; those outside are left out."""
+    starts, ways = segments[:, 0], segments[:, 1] - segments[:, 0]
+    first, last = np.zeros(len(segments)), np.ones(len(segments))
+    with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
+        for axis in (0, 1):
+            low = (frame[axis] - starts[:, axis]) / ways[:, axis]
+            high = (frame[axis + 2] - starts[:, axis]) / ways[:, axis]
+            first = np.fmax(first, np.fmin(low, high))
+            last = np.fmin(last, np.fmax(low, high))
+    first, last = np.clip(first, 0.0, 1.0), np.clip(last, 0.0, 1.0)
+    begin = starts + ways * first[:, None]
+    inside = (first < last) & (begin >= np.array(frame[:2]) - 0.5).all(axis=1)
+    inside &= (begin <= np.array(frame[2:]) + 0.5).all(axis=1)
+    parts = np.stack([begin, starts + ways * last[:, None]], axis=1)
+    found: Floats = parts[inside]
+    return found
+
+
+# --------------------------------------------------------------------------- what is there
+
+
+class Ground:
+    """What labels must not hide: marks never, other ink as little as possible.
+
+    Labels stay in the frame: left, low, right, high. `draw` tells this ground where the ink is; it
+    is called only if labels have to be placed anew.
     """
 
     def __init__(
-        self,
-        frame: Box,
-        ink: Callable[[float, float, float, float], bool] | None = None,
-        samples: Sequence[float] = (0.4, 0.7),
-        halo_px: float = 0.0,
+        self, frame: Sequence[float], em: float, draw: Callable[[Ground], None] = lambda _: None
     ) -> None:
-        self.frame, self._ink, self._samples, self._halo_px = frame, ink, samples, halo_px
-        self.taken: list[Box] = []
-        """What no label may overlap, and no leader cross."""
-        self.bodies: list[Box] = []
-        """Those of `taken` that the leader of a point inside them, or `own_px` away, may cross."""
-        self.own_px = 0.0
+        self._draw: Callable[[Ground], None] | None = draw
+        left, low, right, high = map(float, frame)
+        self.limits, self.em = (left, low, right, high), em
+        self.taken: list[tuple[float, float, float, float]] = []
+        """Boxes that no label may overlap."""
+        self._square = SQUARE_EM * em
+        self._ink: NDArray[np.bool_] | None = None
+        self._counted: NDArray[np.int64] | None = None
 
-    def place(
-        self,
-        candidates: Iterable[Candidate],
-        apart_from: Sequence[tuple[float, float]] = (),
-        apart_px: float = 0.0,
-        at_worst: float = math.inf,
-    ) -> Candidate | None:
-        """Take the cheapest free candidate, and return it with its total cost.
+    def keep(self, spots: Iterable[Sequence[float]], rim: float) -> None:
+        """Keep labels from marks at these places."""
+        for x, y, *_ in spots:
+            if math.isfinite(x + y):
+                self.taken.append((x - rim, y - rim, x + rim, y + rim))
 
-        Candidates come in order of their own costs, so that most need not be looked at. The label
-        keeps `apart_px` from the points `apart_from`, which it must not seem to belong to. A higher
-        cost than `at_worst` is not accepted.
-        """
-        frame_left, frame_low, frame_right, frame_high = self.frame
-        found: Candidate | None = None
-        for candidate in candidates:
-            left, low, right, high = box = candidate.box
-            if left < frame_left or low < frame_low or right > frame_right or high > frame_high:
-                continue
-            for t_left, t_low, t_right, t_high in self.taken:
-                if left < t_right and right > t_left and low < t_high and high > t_low:
-                    break
-            else:
-                is_near = False
-                for x, y in apart_from:  # most are far away: nothing is called for them
-                    if left - x < apart_px > x - right and low - y < apart_px > y - high:
-                        is_near |= math.dist(box.nearest((x, y)), (x, y)) < apart_px
-                if is_near:
-                    continue
-                cost = candidate.cost
-                if self._ink is not None and self._ink(left, low, right, high):
-                    cost += INK
-                elif candidate.anchor is not None and self._crosses(candidate.anchor, box):
-                    cost += LEADER
-                if cost == candidate.cost and (found is None or cost < found.cost):
-                    found = candidate
-                    break
-                if found is None or cost < found.cost:
-                    found = candidate._replace(cost=cost)
-        if found is None or found.cost > at_worst:
-            return None
-        self.taken.append(found.box)
-        return found
+    def keep_box(self, left: float, low: float, right: float, high: float) -> None:
+        self.taken.append((left, low, right, high))
 
-    def _crosses(self, anchor: tuple[float, float], box: Box) -> bool:
-        """Whether a leader would seem to belong to something else that it runs under."""
-        (x, y), (end_x, end_y), halo = anchor, box.nearest(anchor), self._halo_px
-        near = Box(x - self.own_px, y - self.own_px, x + self.own_px, y + self.own_px)
-        own = [b for b in self.bodies if b.left <= near.right and b.right >= near.left
-               and b.low <= near.high and b.high >= near.low]  # fmt: skip
-        for part in self._samples:
-            on_x, on_y = x + part * (end_x - x), y + part * (end_y - y)
-            for taken in self.taken:
-                left, low, right, high = taken
-                within = left - halo < on_x < right + halo and low - halo < on_y < high + halo
-                if within and taken not in own:
-                    return True
-        return False
+    @property
+    def shape(self) -> tuple[int, int]:
+        """The columns and rows of the ink's squares."""
+        columns, rows = (int(side / self._square) + 2 for side in self.limits[2:])
+        return columns, rows
+
+    def ink(self, held: NDArray[np.bool_]) -> None:
+        """Count squares, (columns, rows), as ink."""
+        self._ink = held.copy() if self._ink is None else self._ink | held
+
+    def ink_lines(self, segments: Floats) -> None:
+        """Count lines as ink, (n, 2, 2)."""
+        parts = clipped(segments[np.isfinite(segments).all(axis=(1, 2))], self.limits)
+        held = np.zeros(self.shape, dtype=np.bool_)
+        if len(parts):
+            steps = np.maximum(
+                1, np.ceil(np.abs(np.diff(parts, axis=1)).max(axis=(1, 2)) / self._square)
+            )
+            steps = steps.astype(np.int64) + 1
+            which = np.repeat(np.arange(len(parts)), steps)
+            first = np.repeat(np.cumsum(steps) - steps, steps)
+            part = (np.arange(len(which)) - first) / (steps[which] - 1)
+            at = parts[which, 0] + part[:, None] * (parts[which, 1] - parts[which, 0])
+            columns, rows = np.floor(at / self._square).astype(np.int64).T
+            held[columns.clip(0, self.shape[0] - 1), rows.clip(0, self.shape[1] - 1)] = True
+        self.ink(held)
+
+    def ink_points(self, points: Floats) -> None:
+        """Count the squares of points, (n, 2), as ink."""
+        held = np.zeros(self.shape, dtype=np.bool_)
+        points = points[np.isfinite(points).all(axis=1)] / self._square
+        columns, rows = points[((points >= 0.0) & (points < self.shape)).all(axis=1)].astype(int).T
+        held[columns, rows] = True
+        self.ink(held)
+
+    def hidden(self, boxes: Floats) -> Floats:
+        """Return which part of each box, (n, 4), is ink."""
+        if self._draw is not None:
+            self._draw(self)
+            self._draw = None
+        if self._ink is None:
+            return np.zeros(len(boxes))
+        if self._counted is None:
+            columns, rows = self.shape
+            self._counted = np.zeros((columns + 1, rows + 1), dtype=np.int64)
+            self._counted[1:, 1:] = self._ink.cumsum(axis=0).cumsum(axis=1)
+        limit = np.array(self.shape * 2)
+        cells = np.rint(boxes / self._square).astype(np.int64)
+        cells[:, 2:] = np.maximum(cells[:, 2:], cells[:, :2] + 1)
+        left, low, right, high = np.clip(cells, 0, limit).T
+        counted = self._counted
+        inked = (
+            counted[right, high] - counted[left, high] - counted[right, low] + counted[left, low]
+        )
+        parts: Floats = inked / np.maximum((right - left) * (high - low), 1)
+        return parts
+
+
+# --------------------------------------------------------------------------- the placer
+
+
+def place(
+    wishes: Sequence[Wish], ground: Ground, kept: Mapping[Hashable, Kept] | None = None
+) -> dict[Hashable, Placed]:
+    """Place labels; one without a free place is left out, the lowest rank first.
+
+    With `kept`, labels keep their offsets while these places are free: words that jump distract
+    from what moves. Only the others are placed anew.
+    """
+    stays: dict[Hashable, Placed] = {}
+    if kept:
+        stays = _stay(wishes, ground, kept)
+        wishes = [wish for wish in wishes if wish.key not in stays]
+    choices = [(wish, wish.places()) for wish in wishes]
+    choices = [(wish, places) for wish, places in choices if len(places.centres)]
+    if not choices:
+        return stays
+    costs, boxes = _costs(choices, ground)
+    counts = [len(places.centres) for _, places in choices]
+    chosen = _solve([wish.rank for wish, _ in choices], counts, costs, boxes, ground.em)
+    for (wish, places), number in zip(choices, chosen, strict=True):
+        if number is not None:
+            stays[wish.key] = _placed(wish, places, number, ground.em)
+    return stays
+
+
+def _stay(
+    wishes: Sequence[Wish], ground: Ground, kept: Mapping[Hashable, Kept]
+) -> dict[Hashable, Placed]:
+    """The labels whose kept places are still free; no other label may overlap them."""
+    found: dict[Hashable, Placed] = {}
+    taken = ground.taken
+    left_most, lowest, right_most, highest = ground.limits
+    for wish in sorted(wishes, key=lambda each: each.rank):
+        was = kept.get(wish.key)
+        if was is None or was.spot >= len(wish.spots):
+            continue
+        (x, y), (to_right, up) = wish.spots[was.spot], was.offset
+        cos, sin = abs(math.cos(was.turn)), abs(math.sin(was.turn))
+        half_x = (cos * wish.size[0] + sin * wish.size[1]) / 2.0
+        half_y = (sin * wish.size[0] + cos * wish.size[1]) / 2.0
+        left, right = x + to_right - half_x, x + to_right + half_x
+        low, high = y + up - half_y, y + up + half_y
+        inside = left >= left_most and low >= lowest and right <= right_most and high <= highest
+        if not inside or any(
+            left < t_right and t_left < right and low < t_high and t_low < high
+            for t_left, t_low, t_right, t_high in taken
+        ):
+            continue
+        taken.append((left, low, right, high))
+        centre, leader = (x + to_right, y + up), None
+        if was.leads:
+            leader = _leader((x, y), centre, wish.size, ground.em)
+        found[wish.key] = Placed(centre, was.turn, leader, was)
+    return found
+
+
+def _costs(choices: Sequence[tuple[Wish, Places]], ground: Ground) -> tuple[Floats, Floats]:
+    """What candidates cost alone, and their boxes."""
+    em, parts, alone = ground.em, [], []
+    for i, (wish, places) in enumerate(choices):
+        (wide, high), count = wish.size, len(places.centres)
+        cos, sin = np.abs(np.cos(places.turns)), np.abs(np.sin(places.turns))
+        half = np.stack([cos * wide + sin * high, sin * wide + cos * high], axis=1) / 2.0
+        boxes = np.hstack([places.centres - half, places.centres + half])
+        cost = _ORDER * np.arange(count) * (8.0 / max(8.0, count))
+        far = places.away > LEADER_FROM_EM * em
+        cost += np.where(far, places.away / em if places.leads else np.inf, 0.0)
+        others = np.concatenate(
+            [np.empty((0, 2)), *(p.anchors[:1] for j, (_, p) in enumerate(choices) if j != i)]
+        )
+        if len(others):
+            at = places.anchors
+            own = np.linalg.norm(np.clip(at, boxes[:, :2], boxes[:, 2:]) - at, axis=1)
+            nearest = np.clip(others[None], boxes[:, None, :2], boxes[:, None, 2:])
+            apart = np.linalg.norm(nearest - others[None], axis=2).min(axis=1)
+            cost += np.where(apart < own, _FOREIGN, 0.0)
+            crossed = _crossed(at, boxes, np.hstack([others - 0.4 * em, others + 0.4 * em]))
+            cost += np.where(far & crossed, _CROSSES, 0.0)
+        parts.append(boxes)
+        alone.append(cost)
+    boxes, costs = np.concatenate(parts), np.concatenate(alone)
+    frame = np.array(ground.limits)
+    outside = (boxes[:, :2] < frame[:2]).any(axis=1) | (boxes[:, 2:] > frame[2:]).any(axis=1)
+    if ground.taken:
+        outside |= _overlap(boxes, np.array(ground.taken)).any(axis=1)
+    costs += _INK * ground.hidden(boxes)
+    costs[outside] = np.inf
+    return costs, boxes
+
+
+def _crossed(anchors: Floats, boxes: Floats, marks: Floats) -> NDArray[np.bool_]:
+    """Whether the leader of each candidate runs over a mark of another label."""
+    ends = np.clip(anchors, boxes[:, :2], boxes[:, 2:])
+    steps = np.linspace(0.15, 0.95, 8)[:, None, None]
+    points = anchors + steps * (ends - anchors)
+    inside = (points[:, :, None] > marks[:, :2]) & (points[:, :, None] < marks[:, 2:])
+    found: NDArray[np.bool_] = np.any(np.all(inside, axis=3), axis=(0, 2))
+    return found
+
+
+def _solve(
+    ranks: Sequence[float], counts: Sequence[int], costs: Floats, boxes: Floats, em: float
+) -> list[int | None]:
+    """The number of each label's candidate, or None."""
+    first = np.concatenate([[0], np.cumsum(counts)[:-1]]).tolist()
+    clash = _pairs(boxes, em)
+    alone: list[float] = costs.tolist()
+    unplaced = [_UNPLACED - 10.0 * rank for rank in ranks]
+    free = [
+        [at for at in range(start, start + count) if alone[at] < math.inf]
+        for start, count in zip(first, counts, strict=True)
+    ]
+    state: list[int | None] = [None] * len(ranks)
+
+    def cost_of(label: int, at: int | None) -> float:
+        if at is None:
+            return unplaced[label]
+        row = clash[at]
+        hits = sum(
+            1 for other, it in enumerate(state) if other != label and it is not None and row[it]
+        )
+        return alone[at] + _OVERLAP * hits
+
+    for label in sorted(range(len(ranks)), key=ranks.__getitem__):
+        state[label] = min([*free[label], None], key=lambda at, label=label: cost_of(label, at))  # type: ignore[misc]
+    dice = random.Random(1995)
+    movable = [label for label in range(len(ranks)) if len(free[label]) > 1]
+    total = sum(cost_of(label, at) for label, at in enumerate(state))
+    best, least = list(state), total
+    for move in range(_MOVES if len(movable) > 1 else 0):
+        label = dice.choice(movable)
+        at = dice.choice(free[label][:12])
+        change = cost_of(label, at) - cost_of(label, state[label])
+        heat = 4.0 * (1.0 - move / _MOVES) ** 2 + 1e-3
+        if change <= 0.0 or dice.random() < math.exp(-change / heat):
+            state[label] = at
+            total += change
+            if total < least - 1e-9:
+                best, least = list(state), total
+    return [None if at is None else at - start for at, start in zip(best, first, strict=True)]
+
+
+def _pairs(boxes: Floats, em: float) -> NDArray[np.bool_]:
+    """Which candidates would overlap, or come too close to be told apart."""
+    half = np.array([-0.12, -0.06, 0.12, 0.06]) * em
+    clash = _overlap(boxes + half, boxes + half)
+    np.fill_diagonal(clash, False)
+    return clash
+
+
+def _placed(wish: Wish, places: Places, number: int, em: float) -> Placed:
+    (x, y), (at_x, at_y) = places.centres[number].tolist(), places.anchors[number].tolist()
+    turn = float(places.turns[number])
+    leads = places.leads and bool(places.away[number] > LEADER_FROM_EM * em)
+    apart = [math.hypot(spot_x - at_x, spot_y - at_y) for spot_x, spot_y in wish.spots]
+    nearest = min(range(len(apart)), key=lambda i: apart[i] if apart[i] >= 0.0 else math.inf)
+    from_x, from_y = wish.spots[nearest]
+    leader = _leader((at_x, at_y), (x, y), wish.size, em) if leads else None
+    return Placed((x, y), turn, leader, Kept(nearest, (x - from_x, y - from_y), turn, leads))
+
+
+def _leader(spot: Spot, centre: Spot, size: tuple[float, float], em: float) -> tuple[Spot, Spot]:
+    """From the rim of a mark to the box of its label."""
+    (x, y), (middle_x, middle_y) = spot, centre
+    end_x = min(max(x, middle_x - size[0] / 2.0), middle_x + size[0] / 2.0)
+    end_y = min(max(y, middle_y - size[1] / 2.0), middle_y + size[1] / 2.0)
+    part = min(0.5, _RIM_EM * em / max(math.hypot(end_x - x, end_y - y), 1e-9))
+    return (x + part * (end_x - x), y + part * (end_y - y)), (end_x, end_y)
+
+
+def _overlap(boxes: Floats, others: Floats) -> NDArray[np.bool_]:
+    left, low, right, high = boxes.T[:, :, None]
+    other_left, other_low, other_right, other_high = others.T[:, None, :]
+    across = (left < other_right) & (other_left < right)
+    return np.asarray(across & (low < other_high) & (other_low < high))
+
+
+# --------------------------------------------------------------------------- diagrams
 
 
 def beside(
     points: Floats, sizes: Floats, frame: Floats, along: Floats, gaps: Floats, taken: Floats
 ) -> list[Floats | None]:
-    """Place the names of points; None where a name or its leader has no free place.
+    """Place the names of points; None where a name has no free place.
 
     Parameters
     ----------
@@ -152,33 +487,25 @@ def beside(
     gaps : (n,) array
         From each point to its name.
     """
-    samples = np.linspace(0.1, 0.9, 8)
-    placer = Placer(Box(*frame.tolist()), samples=samples.tolist(), halo_px=1.0)
-    reach = gaps[:, None] - 1.0
-    placer.bodies = _boxes(np.hstack([points - reach, points + reach]))
-    placer.taken = [*_boxes(taken), *placer.bodies]
-    crossed = np.hstack([along - 1.0, along + 1.0])
-    steps = np.repeat(np.arange(_STEPS), len(_DIRECTIONS))
-    directions = np.tile(_DIRECTIONS, (_STEPS, 1))
-    found: list[Floats | None] = []
-    for point, size, gap in zip(points, sizes, gaps, strict=True):
-        centres = point + directions * (size / 2.0 + gap + size[1] * steps[:, None])
-        # To the side of a point a name need not be farther up too.
-        centres[steps == 0, 1] -= (directions * gap)[steps == 0, 1]
-        boxes = np.hstack([centres - size / 2.0, centres + size / 2.0])
-        usable = ~_overlap(boxes, crossed).any(axis=1)
-        anchor = float(point[0]), float(point[1])
-        placer.own_px = float(gap) + 1.0  # dots of one cluster do not block each other's leaders
-        candidates = (
-            Candidate(box, anchor, key=step)
-            for box, step in zip(_boxes(boxes[usable]), steps[usable].tolist(), strict=True)
-        )
-        chosen = placer.place(candidates, at_worst=0.0) if size[0] > 0.0 else None
-        found.append(None if chosen is None else np.array(chosen.box))
-        if chosen is not None and chosen.key:  # later names keep off its leader, except at the dot
-            ends = samples[2:, None] * (np.array(chosen.box.nearest(anchor)) - point) + point
-            placer.taken += _boxes(np.hstack([ends - 1.0, ends + 1.0]))
-    return found
+    em = float(sizes[:, 1].max())
+    ground = Ground(frame.tolist(), em)
+    for box in (*taken.tolist(), *np.hstack([along - 1.0, along + 1.0]).tolist()):
+        ground.keep_box(*box)
+    wishes = []
+    for i, (point, size, gap) in enumerate(zip(points, sizes, gaps.tolist(), strict=True)):
+        ground.keep([point.tolist()], 0.4 * gap)
+        if size[0] > 0.0:
+            wide, high = size.tolist()
+            places = partial(around, point, (wide, high), em, gap - 0.3 * em)
+            wishes.append(Wish(i, (wide, high), [(point[0], point[1])], places, i))
+    placed = place(wishes, ground)
+    found = (placed.get(i) for i in range(len(points)))
+    return [
+        None
+        if each is None
+        else np.concatenate([each.centre - size / 2.0, each.centre + size / 2.0])
+        for each, size in zip(found, sizes, strict=True)
+    ]
 
 
 def beside_curve(
@@ -206,38 +533,24 @@ def beside_curve(
         The name's last place, which is kept while it is free and beside its curve.
     """
     width, height = size
-    placer = Placer(Box(*frame.tolist()))
-    placer.taken = _boxes(taken)
     if kept is not None and np.abs(kept[2:] - kept[:2] - size).max() < 1e-3:
         near = kept + height * np.array([-1.0, -1.0, 1.0, 1.0])
-        if _overlap(near[None], np.hstack([along, along])).any() and (
-            not _overlap(kept[None], lines).any()
-            and placer.place([Candidate(Box(*kept.tolist()))]) is not None
-        ):
+        free = not _overlap(kept[None], np.vstack([lines, taken])).any()
+        fits = (kept[:2] >= frame[:2]).all() and (kept[2:] <= frame[2:]).all()
+        if free and fits and _overlap(near[None], np.hstack([along, along])).any():
             return kept
     right, left = GAP_PX + half - 1.0, 1.0 - half - width  # a line touches its name, a dot does not
     sides = np.array([(right, -height), (left, -height), (right, 1.0), (left, 1.0)])
     corners = (along[::-1, None, :] + sides).reshape(-1, 2)  # from the right, where curves part
     boxes = np.hstack([corners, corners + size])
-    costs = _overlap(boxes, lines).sum(axis=1)
-    order = np.argsort(costs, kind="stable")
-    candidates = (Candidate(Box(*boxes[i].tolist()), cost=float(costs[i])) for i in order)
-    chosen = placer.place(candidates)
-    if chosen is not None:
-        return np.array(chosen.box)
+    costs = _overlap(boxes, lines).sum(axis=1).astype(np.float64)
+    inside = (boxes[:, :2] >= frame[:2]).all(axis=1) & (boxes[:, 2:] <= frame[2:]).all(axis=1)
+    costs[~inside | _overlap(boxes, taken).any(axis=1)] = np.inf
+    if len(costs) and costs.min() < np.inf:
+        best: Floats = boxes[int(costs.argmin())]
+        return best
     left, top = frame[:2] + GAP_PX
     box = np.array([left, top, left + width, top + height])
     while _overlap(box[None], taken).any() and box[3] < frame[3]:
         box += (0.0, height, 0.0, height)
     return box
-
-
-def _boxes(rows: Floats) -> list[Box]:
-    return [Box(*row) for row in rows.tolist()]
-
-
-def _overlap(boxes: Floats, others: Floats) -> NDArray[np.bool_]:
-    left, low, right, high = boxes.T[:, :, None]
-    other_left, other_low, other_right, other_high = others.T[:, None, :]
-    across = (left < other_right) & (other_left < right)
-    return np.asarray(across & (low < other_high) & (other_low < high))

@@ -1,361 +1,195 @@
-"""The words of the world pane, and the layout that all panes share.
+"""The labels of a pane: `Board` has them all, `Labels` asks for those of the world.
 
-`Labels` owns every label of the world pane. `lay_out` places them one after the other: inside the
-pane, where they hide nothing important and do not seem to belong to something else.
+Every part of a drawing asks its pane's board for places; the placer then finds them together.
 """
 
 from __future__ import annotations
 
 import math
 import weakref
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Hashable, Mapping, Sequence
 from functools import partial
-from itertools import product
-from types import MappingProxyType
-from typing import Any, NamedTuple, TypeAlias
+from typing import Any, NamedTuple
 
 import numpy as np
 
 from app.drawings.actors import Canvas, ScreenCells
-from app.drawings.label import HALO_EM, Label
-from app.drawings.label_placement import INK, LEADER, Box, Candidate, Placer
+from app.drawings.label import Label
+from app.drawings.label_placement import (
+    NOWHERE,
+    Ground,
+    Kept,
+    Places,
+    Wish,
+    along,
+    around,
+    beyond,
+    clipped,
+    joined,
+    on,
+    place,
+)
 from app.drawings.pane_view import PaneView, Spot
-from app.drawings.silhouette import Mask
-from app.drawings.style import TITLE_EM, rgb
+from app.drawings.style import rgb
+from app.lecture.highlight import AXES
 from app.model.projection import Array
 
-AXES = ("v", "n", "u")
-"""The camera's axes, in the order in which they are written."""
-_THINGS = ("eye", "target", "near", "far")
+# Which label has a place first.
+SCENE, LENGTH, AXIS, EYE, PLANE, TARGET, NUMBER = map(float, range(7))
+DOT_EM = 0.4
+"""Half the width of what labels keep off at a point."""
+_MOST_INSIDE = 6  # places on a plane that are tried
 
-# Where the planes' labels can be, best first, as parts of the corners that `Named` has: corners,
-# then middles of edges; of the near face, then of the far one.
-_CORNERS = np.eye(4)
-_EDGES = (_CORNERS + np.roll(_CORNERS, -1, axis=0)) / 2.0
-_PLANES_FROM_CORNERS = np.kron(np.eye(2), np.vstack([_CORNERS, _EDGES]))[
-    [0, 3, 1, 2, 4, 7, 6, 5, *(8 + i for i in (3, 2, 0, 1, 6, 7, 5, 4))]
-]
 
-# On which sides of their points labels can be, best first: right and up, in half labels.
-_ON = ((0.0, 0.0), (0.0, 1.0), (0.0, -1.0), (1.0, 0.0), (-1.0, 0.0))
-_BELOW = (
-    (0.3, -1.0), (1.0, -1.0), (-1.0, -1.0), (0.0, 1.0), (1.0, 1.0), (-1.0, 1.0),
-    (-1.0, 0.0), (1.0, 0.0), (-1.0, -0.5), (1.0, -0.5), (-1.0, 0.5), (1.0, 0.5),
-)  # fmt: skip
-_RIGHT_BELOW = ((1.0, -0.6), (-1.0, -0.6), (0.0, -1.0), (0.0, 1.0), (1.0, 1.0), (-1.0, 1.0))
-_BELOW_PLANE = (
-    (-1.0, -1.0), (0.0, -1.0), (1.0, -1.0), (-1.0, 0.0), (1.0, 0.0), (-1.0, 1.0), (0.0, 1.0),
-    (1.0, 1.0),
-)  # fmt: skip
-_ABOVE_PLANE = tuple((x, -y) for x, y in (_BELOW_PLANE[1:3] + _BELOW_PLANE[:1] + _BELOW_PLANE[3:]))
-_BELOW_HANDLE = tuple((x, -y) for x, y in _ABOVE_PLANE)
-GAPS_EM = (0.5, 1.6, 3.0, 5.0, 8.0, 12.0)  # between a label and its point, best first
-_HIDES = (0.001, 0.01, 0.05, 0.1)  # steps of the part of the subject that a label hides
-_LEADER_FROM_EM = 1.2  # beyond this distance a leader joins a label to its point
-_OTHER_PLANE_EM = 2.0  # distance of a plane's label from the other plane's corners
-_STAYS_WITHIN_EM = 3.0  # up to this distance a label stays on its side while something moves
+class Board:
+    """The labels of one pane with their leaders."""
 
-_NOWHERE: Mapping[Any, Any] = MappingProxyType({})
+    def __init__(self, canvas: Canvas, renderer: Any = None) -> None:
+        self._canvas, self._renderer = canvas, renderer
+        self.em = canvas.style.font_size
+        self._labels: dict[Hashable, tuple[Label, Leader]] = {}
+        self._wishes: list[Wish] = []
+        self._kept: dict[Hashable, Kept] = {}
 
-Side: TypeAlias = tuple[float, int, tuple[float, float]]
-"""Where a label could be: how far in em, from which of its points, on which side of it."""
+    def label(self, key: Hashable, text: str = "", colour: str = "") -> Label:
+        """Return the label of a key, which is created when it is first asked for."""
+        if key not in self._labels:
+            leader = Leader(self._canvas, self._renderer)
+            label = self._canvas.label(text, self._renderer, colour=colour)
+            label.set_visible(False)
+            self._labels[key] = label, leader
+        return self._labels[key][0]
+
+    def want(
+        self,
+        key: Hashable,
+        spots: Sequence[tuple[float, float]],
+        places: Callable[[], Places],
+        rank: float,
+    ) -> None:
+        """Ask for one of these places, which name these spots, for the label of a key."""
+        self._wishes.append(Wish(key, self.label(key).size_px, spots, places, rank))
+
+    def want_beside(
+        self, key: Hashable, spot: Spot, rank: float, way: tuple[float, float] | None = None
+    ) -> None:
+        """Ask for a place beside a point, towards `way` first."""
+        x, y, depth = spot
+        if depth > 0.0 and math.isfinite(x + y):
+            size, rim = self.label(key).size_px, DOT_EM * self.em
+            self.want(key, [(x, y)], partial(around, (x, y), size, self.em, rim, way), rank)
+
+    def settle(self, ground: Ground, *, afresh: bool) -> bool:
+        """Place the wanted labels, and hide the others; return whether one has changed its place.
+
+        If not `afresh`, labels stay where they are as long as possible.
+        """
+        placed = place(self._wishes, ground, None if afresh else self._kept)
+        self._wishes = []
+        before, self._kept = self._kept, {key: each.kept for key, each in placed.items()}
+        for key, (label, leader) in self._labels.items():
+            found = placed.get(key)
+            label.set_visible(found is not None)
+            leader.set_visible(found is not None and found.leader is not None)
+            if found is not None:
+                label.set_position(*found.centre, found.turn)
+                if found.leader is not None:
+                    leader.join(*found.leader)
+        return self._kept != before
 
 
 class Named(NamedTuple):
-    """What the words name; scene-local."""
+    """What can be named in the world; scene-local."""
 
     eye: Array
     target: Array
-    arrows: tuple[str, ...]  # those at the camera whose names are written
-    tips: Array  # (len(arrows) k, 3): places of these names, all of them k times, best first
-    body: Array  # (n, 3): extent of the camera's body
+    arrows: tuple[str, ...]
+    ends: Array  # (n, 2, 3), where each of these arrows starts and ends
+    body: Array  # (8, 3), corners of a box round the camera's body
     corners: Array | None  # (8, 3), of the frustum as drawn, near first
     planes: tuple[float, float] | None  # distances of near and far to be written
     without: frozenset[str] = frozenset()  # of eye, target, near and far: those without a name
 
 
 class Labels:
-    def __init__(self, canvas: Canvas, words: Mapping[str, str]) -> None:
-        self._canvas, self._words = canvas, words
-        style, label = canvas.style, canvas.label
-        # The leaders before all labels, whose plates hide the ends.
-        self._leaders = {name: Leader(canvas) for name in (*_THINGS, *AXES)}
-        self._arrows = {a: label(words[a], colour=getattr(style, a)) for a in AXES}
-        self._kept: Mapping[Label, Side] = {}
-        things = {name: label(words[name], colour=getattr(style, name)) for name in _THINGS}
-        self.named = {**self._arrows, **things}
+    """Eye, target, the camera's axes, near and far in the world pane."""
+
+    def __init__(self, board: Board, canvas: Canvas, words: Mapping[str, str]) -> None:
+        self._board, self._words = board, words
+        self.named = {
+            name: board.label(name, words[name], getattr(canvas.style, name))
+            for name in (*AXES, "eye", "target", "near", "far")
+        }
         """The labels by the names of their subjects."""
 
     def add_arrow(self, name: str, colour: str) -> Label:
         """Create the label of one more arrow than `AXES`."""
-        label = self._canvas.label(self._words[name], colour=colour)
-        self._arrows[name] = label
-        return label
+        return self._board.label(name, self._words[name], colour)
 
     def dim_planes(self, light: float) -> None:
         for name in ("near", "far"):
-            label = self.named[name]
-            label.set_opacity(light)
-            self._leaders[name].actor.GetProperty().SetOpacity(light)
+            self.named[name].set_opacity(light)
 
-    def lay_out(
-        self,
-        pane: PaneView,
-        named: Named,
-        *,
-        afresh: bool,
-        first: Callable[[Layout, Callable[[Array], Sequence[Spot]]], None] | None = None,
-        subject: Mask | None = None,
-        held_at: Mapping[str, tuple[float, float]] = _NOWHERE,
-    ) -> bool:
-        """Place every label; return whether one has changed sides.
-
-        If not `afresh`, a label next to its point stays on its side as long as possible: jumping
-        words distract from what moves. `first` places other labels before these, given the layout
-        and `PaneView.seen`. `held_at` has the handles of near and far, from the pane's left and
-        bottom. Where both planes are seen at one place, as from the eye, only they tell which label
-        is whose.
-        """
-        words, leaders = self._words, self._leaders
-        before = self._kept
-        em = self._canvas.style.font_size
-        layout = Layout(pane.size_px, em, {} if afresh else before, subject)
-        layout.keep_title_free()
-        for name, distance in zip(("near", "far"), named.planes or (None, None), strict=True):
-            written = "" if distance is None else f" {written_distance(distance)}"
-            self.named[name].set_text(words[name] + written)
-        points = [[named.eye], [named.target], named.tips, named.body]
-        corners = np.tile(named.eye, (8, 1)) if named.corners is None else named.corners
-        seen = pane.seen(np.concatenate([*points, _PLANES_FROM_CORNERS @ corners]))
-        eye, target, *spots = seen
-        planes: tuple[Sequence[Spot], Sequence[Spot]] = (spots[-16:-8], spots[-8:])
-        if held_at.keys() >= {"near", "far"} and self._are_one(planes):
-            planes = [(*held_at["near"], 1.0)], [(*held_at["far"], 1.0)]
-        layout.keep_free([eye, target])
-        if first is not None:
-            first(layout, pane.seen)
-        count, step = len(named.tips), len(named.arrows)
-        crowded = []
-        for name, label in self._arrows.items():
-            if name in leaders:
-                leaders[name].set_visible(False)
-            if name in named.arrows:
-                i = named.arrows.index(name)
-                gaps = 1 if name in AXES else 3  # up can be anywhere, even on the view direction
-                by_the_arrow = partial(layout.place, label, spots[i:count:step], _ON, at_worst=0.0)
-                if not by_the_arrow(gaps=gaps) and name in leaders:
-                    crowded.append(partial(by_the_arrow, leader=leaders[name]))
-            else:
-                label.set_visible(False)
-        at_target, at_eye = (
-            [] if name in named.without else [spot]
-            for name, spot in (("target", target), ("eye", eye))
-        )
-        layout.place(self.named["target"], at_target, _RIGHT_BELOW, leaders["target"])
+    def want(self, ground: Ground, pane: PaneView, named: Named) -> None:
+        """Ask for the places of all that is named."""
+        board, em = self._board, self._board.em
         if named.arrows:
-            layout.keep_free_box(spots[len(named.tips) : -16])
-        layout.place(self.named["eye"], at_eye, _BELOW, leaders["eye"])
-        for i, (name, sides) in enumerate((("near", _BELOW_PLANE), ("far", _ABOVE_PLANE))):
-            label, leader = self.named[name], leaders[name]
-            others = planes[1 - i][:4]
-            if len(planes[i]) == 1:  # outwards from its handle
-                sides = _ABOVE_PLANE if planes[i][0][1] >= planes[1 - i][0][1] else _BELOW_HANDLE
-            if named.corners is None or name in named.without:
-                layout.place(label, [], sides, leader)  # nowhere
+            x, y, depth = np.array(pane.seen(named.body)).T
+            if depth.min() > 0.0:
+                ground.keep_box(x.min(), y.min(), x.max(), y.max())
+        eye, target = pane.seen(np.stack([named.eye, named.target]))
+        for name, spot, rank in (("eye", eye, EYE), ("target", target, TARGET)):
+            if name not in named.without:
+                if spot[2] > 0.0:
+                    ground.keep([spot], DOT_EM * em)
+                board.want_beside(name, spot, rank, (0.0, -1.0))
+        starts, tips = (pane.seen(ends) for ends in np.moveaxis(named.ends, 1, 0))
+        for name, start, tip in zip(named.arrows, starts, tips, strict=True):
+            if tip[2] > 0.0:
+                way = tip[0] - start[0], tip[1] - start[1]
+                size = board.label(name).size_px
+                board.want(name, [tip[:2]], partial(beyond, tip[:2], way, size, em), AXIS)
+        if named.corners is None:
+            return
+        distances = named.planes or (None, None)
+        for name, face, distance in zip(
+            ("near", "far"), (named.corners[:4], named.corners[4:]), distances, strict=True
+        ):
+            if name in named.without:
                 continue
-            beside = partial(layout.place, label, planes[i], sides, leader, apart_from=others)
-            if not beside(at_worst=LEADER):
-                inside = pane.covered(corners[4 * i : 4 * i + 4])[:: 1 - 2 * i]
-                on_it = partial(layout.place, label, inside, _ON[:1], gaps=1, apart_from=others)
-                if not on_it(at_worst=0.0) and not beside():
-                    on_it()
-        for by_the_arrow in crowded:  # last: they take no other label's place
-            by_the_arrow(gaps=3)
-        self._kept = layout.settled
-        return self._kept != before
-
-    def _are_one(self, planes: tuple[Sequence[Spot], Sequence[Spot]]) -> bool:
-        least = _OTHER_PLANE_EM * self._canvas.style.font_size
-        near, far = ([spot[:2] for spot in spots] for spots in planes)
-        return all(min(math.dist(one, other) for other in far) < least for one in near)
+            text = self._words[name]
+            if distance is not None:
+                letter = self._words.get(f"{{{name}_distance}}", name)
+                text = f"{text} {letter} = {written_distance(distance)}"
+            self.named[name].set_text(text)
+            want_plane(board, ground, name, pane.seen(face), partial(pane.covered, face))
 
 
-class Layout:
-    """Finds free places for the labels of a pane, one after the other.
+def want_plane(
+    board: Board,
+    ground: Ground,
+    key: Hashable,
+    corners: Sequence[Spot],
+    covered: Callable[[], Sequence[Spot]] = tuple,
+) -> None:
+    """Ask for a place for a plane's name: along its visible edges, else on it.
 
-    `em` is the height of the labels' font in pixels. Labels stay at their `kept` sides if possible,
-    and do not hide the `subject` while there is a place beside it.
+    `corners` are seen in the pane; `covered` returns the places of the pane that show the plane.
     """
+    spots = [(x, y) if depth > 0.0 else (math.nan, math.nan) for x, y, depth in corners]
+    size = board.label(key).size_px
 
-    def __init__(
-        self,
-        size_px: tuple[int, int],
-        em: float,
-        kept: Mapping[Label, Side] = _NOWHERE,
-        subject: Mask | None = None,
-    ) -> None:
-        self._size_px, self.em, self._kept = size_px, em, kept
-        ink = None if subject is None else subject.meets
-        self._placer = Placer(Box(0.0, 0.0, *map(float, size_px)), ink)
-        self._discs: list[Box] = []
-        self.settled: dict[Label, Side] = {}
-        """The labels right next to their points, and on which side."""
+    def places() -> Places:
+        ends = np.array(spots)
+        edges = np.stack([ends, np.roll(ends, -1, axis=0)], axis=1)
+        seen = clipped(edges[np.isfinite(edges).all(axis=(1, 2))], ground.limits)
+        found = [on((x, y)) for x, y, _ in covered()[:_MOST_INSIDE]]
+        if len(seen):
+            x, y = seen.reshape(-1, 2).mean(axis=0).tolist()
+            found.insert(0, along(seen, (x, y), size, board.em))
+        return joined(*found) if found else NOWHERE
 
-    @property
-    def so_far(self) -> tuple[int, int, dict[Label, Side]]:
-        return len(self._placer.taken), len(self._placer.bodies), self.settled.copy()
-
-    def go_back(self, so_far: tuple[int, int, dict[Label, Side]]) -> None:
-        taken, bodies, self.settled = so_far
-        del self._placer.taken[taken:], self._placer.bodies[bodies:]
-
-    def shows(self, x: float, y: float) -> bool:
-        width_px, height_px = self._size_px
-        return 0.0 <= x <= width_px and 0.0 <= y <= height_px
-
-    def keep_title_free(self) -> None:
-        """Keep labels from the title, at the top of the pane."""
-        width_px, height_px = self._size_px
-        self._placer.taken.append(Box(0.0, height_px - TITLE_EM * self.em, width_px, height_px))
-
-    def keep_free(self, points: Sequence[Spot]) -> None:
-        """Keep labels from what is drawn at these points."""
-        half = 0.4 * self.em
-        discs = [Box(x - half, y - half, x + half, y + half) for x, y, _ in points]
-        self._discs += discs
-        self._placer.taken += discs
-
-    def keep_free_box(self, points: Sequence[Spot]) -> None:
-        """Keep labels from what is drawn between these points."""
-        x, y, depth = zip(*points, strict=True)
-        if min(depth) > 0.0:
-            self._placer.bodies.append(Box(min(x), min(y), max(x), max(y)))
-            self._placer.taken.append(self._placer.bodies[-1])
-
-    def place(
-        self,
-        label: Label,
-        points: Sequence[Spot],
-        sides: Sequence[tuple[float, float]],
-        leader: Leader | None = None,
-        *,
-        gaps: int = len(GAPS_EM),
-        apart_from: Sequence[Spot] = (),
-        best: Sequence[int] = (),
-        at_worst: float = INK,
-    ) -> bool:
-        """Put a label as near as possible to one of these points; hide it if there is no place.
-
-        Returns whether there was one.
-
-        Parameters
-        ----------
-        label : Label
-            Anchored at its centre, in pixels.
-        points : sequence of Spot
-            Best first; those outside the pane do not count.
-        sides : sequence of (float, float)
-            Where the label's box is from the point, best first: -1 to the left or below, 1 to the
-            right or above, 0 on it.
-        gaps : int
-            How many of `GAPS_EM` to try.
-        apart_from : sequence of Spot
-            Points that the label must not seem to belong to.
-        best : sequence of int, optional
-            From `least_hiding`: another order of the places beside a single point.
-        at_worst : float
-            The largest cost that is accepted.
-        """
-        half_width, half_height = self.half(label)
-        em, has_leader = self.em, leader is not None
-        usable = [
-            i
-            for i, (x, y, depth) in enumerate(points)
-            # A leader must not point out of the pane.
-            if depth > 0.0 and (not has_leader or self.shows(x, y))
-        ]
-
-        def candidate(side: Side) -> Candidate:
-            gap, i, (to_right, to_top) = side
-            x, y, _ = points[i]
-            middle_x = x + to_right * (half_width + gap * em)
-            middle_y = y + to_top * (half_height + gap * em)
-            left, right = middle_x - half_width, middle_x + half_width
-            box = Box(left, middle_y - half_height, right, middle_y + half_height)
-            anchor = (x, y) if has_leader and gap > _LEADER_FROM_EM else None
-            return Candidate(box, anchor, key=side)
-
-        others = [(x, y) for x, y, depth in apart_from if depth > 0.0]
-        apart_px, search = _OTHER_PLANE_EM * em, self._placer.place
-        kept, found = self._kept.get(label), None
-        if kept is not None and has_leader and kept[1] in usable:
-            found = search([candidate(kept)], others, apart_px, min(LEADER, at_worst))
-        if found is None:
-            ordered: Iterable[Side] = product(GAPS_EM[:gaps], usable, sides)
-            if best and usable:
-                places = list(ordered)
-                ordered = [places[i] for i in best]
-            found = search(map(candidate, ordered), others, apart_px, at_worst)
-        label.set_visible(found is not None)
-        if found is None:
-            if leader is not None:
-                leader.set_visible(False)
-            return False
-        side: Side = found.key
-        if leader is not None:
-            if found.cost < INK and side[0] <= _STAYS_WITHIN_EM:
-                self.settled[label] = side
-            self._join(leader, points[side[1]][:2], found.box)
-        label.set_position(*found.box.middle)
-        return True
-
-    def least_hiding(
-        self,
-        label: Label,
-        point: Spot,
-        sides: Sequence[tuple[float, float]],
-        gaps: int,
-        subject: Array,
-    ) -> list[int]:
-        """Order the places beside a point by how much of a subject they hide, for `place`.
-
-        `subject`, (n, 2), are pixels all over what should stay visible; the rest is as in `place`.
-        """
-        if not len(subject):
-            return []
-        half = np.array(self.half(label))
-        away = half + self.em * np.repeat(GAPS_EM[:gaps], len(sides))[:, None]
-        centres = point[:2] + away * np.tile(sides, (gaps, 1))
-        hidden = (np.abs(subject - centres[:, None]) < half).all(axis=2).mean(axis=1)
-        order: list[int] = np.argsort(np.digitize(hidden, _HIDES), kind="stable").tolist()
-        return order
-
-    def half(self, label: Label) -> tuple[float, float]:
-        """Half the width and height of a label's letters with their halo."""
-        width, height = label.size_px
-        rim = HALO_EM * self.em
-        return width / 2.0 + rim, height / 2.0 + rim
-
-    def _join(self, leader: Leader, anchor: tuple[float, float], box: Box) -> None:
-        """Draw the leader if the label is far away, up to its plate, which is a little smaller."""
-        end = box.nearest(anchor)
-        apart = math.dist(end, anchor) > _LEADER_FROM_EM * self.em
-        leader.set_visible(apart)
-        if apart:
-            x, y = box.middle
-            plate = Box(*(c + 0.7 * (side - c) for c, side in zip((x, y, x, y), box, strict=True)))
-            end = plate.nearest(end)
-            leader.join(self._rim(anchor, end), end)
-
-    def _rim(self, anchor: tuple[float, float], end: tuple[float, float]) -> tuple[float, float]:
-        """Where a leader leaves the disc at its anchor, which it must not strike out."""
-        (x, y), (end_x, end_y) = anchor, end
-        length = max(abs(end_x - x), abs(end_y - y))
-        for left, low, right, high in self._discs:
-            if left <= x <= right and low <= y <= high and length > 0.0:
-                part = min(1.0, 0.5 * (right - left) / length)
-                return x + part * (end_x - x), y + part * (end_y - y)
-        return anchor
+    board.want(key, spots, places, PLANE)
 
 
 class Leader:

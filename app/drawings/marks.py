@@ -19,7 +19,8 @@ float64, and cut to a box that float32 can hold; a copy's matrix is moved there 
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections import Counter
+from collections.abc import Callable, Hashable, Iterable, Mapping, Sequence
 from dataclasses import replace
 from typing import Any, Literal, NamedTuple
 
@@ -41,8 +42,8 @@ from app.drawings.actors import (
     put_in_front,
     unlit_actor,
 )
-from app.drawings.label import Label
-from app.drawings.labels import GAPS_EM, Layout, Leader
+from app.drawings.label_placement import Ground
+from app.drawings.labels import DOT_EM, SCENE, Board
 from app.drawings.names import QUIET, QUIET_WIDTH, Names
 from app.drawings.pane_view import Spot
 from app.drawings.style import mixed, rgb
@@ -61,12 +62,8 @@ ground and not the grid that is drawn on it."""
 _LINE_STEPS, _FACE_STEPS = 3, 0.7  # of `lift_lines`
 _FLAT_LINES = -5e-5  # of the depth range, before faces, where all marks are in one plane
 _WIDER = 2.4  # a line that is highlighted
-_SPREAD, _GOLDEN = 120, 0.7548776662466927  # points over the subject; 1/plastic number
-_MOST_FACES = 20_000  # of a subject that texts avoid
-# Right and up of a text from its point, in half texts, best first.
-_GAPS, _GAPS_WITH_LEADER = 3, 5
-_BESIDE = ((1.0, 1.0), (-1.0, 1.0), (1.0, -1.0), (-1.0, -1.0), (0.0, 1.0), (0.0, -1.0))
-_ROUND = (*_BESIDE, (1.0, 0.0), (-1.0, 0.0))
+
+_NOWHERE = (math.nan, math.nan, 0.0)
 
 
 class Placing(NamedTuple):
@@ -90,9 +87,8 @@ class MarksDrawing:
 
     `words` translates texts. Texts are shown, and lines, faces and dots are not quiet, if `names`
     has them; call `show_names` when it has changed. `clip` are planes that cut copies. With `over`,
-    marks lie in one plane before everything else. With `leads`, leaders join texts to their points.
-    With `lifts_copies`, copies are brought forward here, and not by the matrices of
-    `place_copies`.
+    marks lie in one plane before everything else. With `lifts_copies`, copies are brought forward
+    here, and not by the matrices of `place_copies`.
     """
 
     def __init__(
@@ -105,8 +101,8 @@ class MarksDrawing:
         clip: Iterable[vtkPlane] = (),
         over: bool = False,
         lifts_copies: bool = False,
-        leads: bool = False,
         names: Names,
+        board: Board,
     ) -> None:
         self._canvas, self._scene, self._renderer = canvas, scene, renderer
         self._style, self._words = canvas.style, words
@@ -114,14 +110,13 @@ class MarksDrawing:
         self._lines: list[_Batch] = []
         self._dots: list[_Batch] = []
         self._faces: _Batch | None = None
-        self._labels: list[Label] = []
-        self._leaders: list[Leader | None] = []
-        self._leads = leads
-        self._best: dict[Label, Sequence[int]] = {}
+        self._board = board
+        self._texts: list[tuple[Hashable, tuple[str, ...]]] = []
+        """The key of each text on the board, and what it is about."""
         self._copies: list[_CopyActors] = []
         self._colours: dict[tuple[str, int, bool], NDArray[np.uint8]] = {}
-        self._text_abouts: list[tuple[str, ...]] = []
         self._text_points = self._dot_points = self._away_points = np.empty((0, 3))
+        self._segments = np.empty((0, 3))
         self._shown: list[tuple[_CopyActors, Array]] = []
         self._now: tuple[Marks, Placing] | None = None
         self._names = names
@@ -167,27 +162,29 @@ class MarksDrawing:
         if before & names == highlighted & names:
             return False
         self._show_lines(marks.lines, placing)
-        self._frame_texts()
+        self._underline_texts()
         return True
 
     def label_at(self, x_px: float, y_px: float) -> Highlight:
         """Return the subjects of the label at a pixel from the pane's top left."""
         height_px = self._canvas.window.GetSize()[1]
-        for label, about in zip(self._labels, self._text_abouts, strict=False):
-            if about and label.covers(x_px, height_px - y_px):
+        for key, about in self._texts:
+            if about and self._board.label(key).covers(x_px, height_px - y_px):
                 return frozenset(about)
         return NOTHING
 
-    def _frame_texts(self) -> None:
-        for label, about in zip(self._labels, self._text_abouts, strict=False):
-            label.set_underlined(bool(self._highlighted.intersection(about)))
+    def _underline_texts(self) -> None:
+        for key, about in self._texts:
+            lit = bool(self._highlighted.intersection(about))
+            self._board.label(key).set_underlined(lit)
 
     def _show_lines(self, lines: Sequence[Line], placing: Placing) -> Array:
         lines = [line for line in lines if len(line.points) > 1]
         if not lines:
             for batch in self._lines:
                 batch.hide()
-            return np.empty((0, 3))
+            self._segments = np.empty((0, 3))
+            return self._segments
         counts = np.array([len(line.points) for line in lines])
         points = placing.placed(np.concatenate([line.points for line in lines]))
         if self._over:
@@ -220,7 +217,8 @@ class MarksDrawing:
                 batch.show(segments[which], np.repeat(colours[which], 2, axis=0))
             else:
                 batch.hide()
-        return segments.reshape(-1, 3)
+        self._segments = segments.reshape(-1, 3)
+        return self._segments
 
     def _show_faces(self, faces: Sequence[Face], placing: Placing) -> list[Array]:
         corners: list[Array] = []
@@ -267,53 +265,37 @@ class MarksDrawing:
     def _show_texts(self, texts: Sequence[Text], placing: Placing) -> None:
         points = _placed_each(texts, placing)
         near = np.flatnonzero(_within(points, placing.limit)).tolist()
-        words = [self._words.get(texts[i].text, texts[i].text) for i in near]
         self._text_points = points[near]
-        self._text_abouts = [texts[i].about for i in near]
         away = [texts[i] if texts[i].away_from is None else _away(texts[i]) for i in near]
         self._away_points = _placed_each(away, placing)
-        while len(self._labels) < len(near):
-            label = self._canvas.label("", self._renderer)
-            self._labels.append(label)
-            leader = None
-            if self._leads:
-                leader = Leader(self._canvas, self._renderer)
-            self._leaders.append(leader)
-        for label, i, word in zip(self._labels, near, words, strict=False):
-            label.set_colour(self._named(texts[i].colour or "ink"))
-            label.set_text(word)
-        self._frame_texts()
-        for label, leader in list(zip(self._labels, self._leaders, strict=True))[len(near) :]:
-            label.set_visible(False)
-            if leader is not None:
-                leader.set_visible(False)
+        self._texts, seen = [], Counter[str]()
+        for text in (texts[i] for i in near):
+            key = "text", text.name, seen[text.name]
+            seen[text.name] += 1
+            label = self._board.label(key)
+            label.set_colour(self._named(text.colour or "ink"))
+            label.set_text(self._words.get(text.text, text.text))
+            self._texts.append((key, text.about))
+        self._underline_texts()
 
-    def place_texts(
-        self, layout: Layout, seen: Callable[[Array], Sequence[Spot]], subject: Array | None = None
-    ) -> None:
-        """Put each text beside its point, where it hides no dot and no other label.
+    def want_texts(self, ground: Ground, seen: Callable[[Array], Sequence[Spot]]) -> None:
+        """Ask for a place for each text, where it hides no dot.
 
-        `seen` converts points of the pane's actors, (n, 3), to the renderer. `subject`, (n, 2), is
-        where `spread_over` of the scene is seen: what texts avoid. Without it, texts stay on their
-        last sides, so that a drag makes none jump.
+        `seen` converts points of the pane's actors, (n, 3), to the renderer.
         """
         count = len(self._text_points)
-        if not count:
-            return
-        points = (self._text_points, self._away_points, self._dot_points)
-        spots = seen(np.concatenate(points))
-        layout.keep_free([spot for spot in spots[2 * count :] if spot[2] > 0.0])
-        gaps = _GAPS_WITH_LEADER if self._leads else _GAPS
-        labels = zip(self._labels, self._leaders, strict=True)
-        for (label, leader), spot, away in zip(labels, spots[:count], spots[count:], strict=False):
-            if not self._over:
-                sides, most = _sides_away(spot, away), len(GAPS_EM) if self._leads else gaps
-                layout.place(label, [spot], sides, leader, gaps=most)
-                continue
-            if subject is not None:
-                self._best[label] = layout.least_hiding(label, spot, _BESIDE, gaps, subject)
-            best = self._best.get(label, ())
-            layout.place(label, [spot], _BESIDE, leader, gaps=gaps, best=best)
+        spots = seen(np.concatenate([self._text_points, self._away_points, self._dot_points]))
+        dots = [spot for spot in spots[2 * count :] if spot[2] > 0.0]
+        ground.keep(dots, DOT_EM * self._board.em)
+        for place, (key, _) in enumerate(self._texts):
+            spot, away = spots[place], spots[count + place]
+            way = spot[0] - away[0], spot[1] - away[1]
+            self._board.want_beside(key, spot, SCENE + place / 100.0, way if any(way) else None)
+
+    def ink(self, ground: Ground, seen: Callable[[Array], Sequence[Spot]]) -> None:
+        """Tell the ground where the lines are."""
+        spots = np.array([spot if spot[2] > 0.0 else _NOWHERE for spot in seen(self._segments)])
+        ground.ink_lines(spots.reshape(-1, 3)[:, :2].reshape(-1, 2, 2))
 
     # -- copies
 
@@ -412,25 +394,6 @@ class MarksDrawing:
         return batch
 
 
-def spread_over(scene: Scene) -> Array:
-    """Points all over a scene's faces, evenly by area, (`_SPREAD`, 3) scene-local; or none."""
-    if scene.surface is None or scene.surface.n_cells > _MOST_FACES:
-        return np.empty((0, 3))
-    mesh = scene.surface.triangulate()
-    corners = np.asarray(mesh.points, dtype=np.float64)[mesh.regular_faces]
-    sides = corners[:, 1:] - corners[:, :1]
-    ends = np.cumsum(np.linalg.norm(np.cross(sides[:, 0], sides[:, 1]), axis=1))
-    if not ends[-1] > 0.0:
-        return np.empty((0, 3))
-    at, u = (np.arange(_SPREAD) + 0.5) / _SPREAD, np.arange(_SPREAD) * _GOLDEN % 1.0
-    v = np.arange(_SPREAD) * _GOLDEN**2 % 1.0
-    u, v = np.where(u + v > 1.0, 1.0 - u, u), np.where(u + v > 1.0, 1.0 - v, v)
-    which = np.minimum(np.searchsorted(ends, at * ends[-1]), len(ends) - 1)
-    one, other = sides[which, 0], sides[which, 1]
-    spread: Array = corners[which, 0] + u[:, None] * one + v[:, None] * other
-    return spread
-
-
 class _CopyActors:
     """The actors of one copy, created on first use."""
 
@@ -495,14 +458,6 @@ class _Batch:
 def _away(text: Text) -> Text:
     assert text.away_from is not None
     return replace(text, point=text.away_from)
-
-
-def _sides_away(spot: Spot, away: Spot) -> Sequence[tuple[float, float]]:
-    """The sides of a text, those away from another point first."""
-    x, y = spot[0] - away[0], spot[1] - away[1]
-    if not math.hypot(x, y) > 0.0:
-        return _BESIDE
-    return sorted(_ROUND, key=lambda side: -(side[0] * x + side[1] * y) / math.hypot(*side))
 
 
 # --------------------------------------------------------------------------- cutting

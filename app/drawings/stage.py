@@ -28,16 +28,18 @@ from app.document.naming import named_in
 from app.drawings.actors import Canvas, lift_lines
 from app.drawings.drawing import Drawing, Rectangle
 from app.drawings.frustum import CUBE
-from app.drawings.labels import Layout
+from app.drawings.label_placement import Ground
+from app.drawings.labels import Board
 from app.drawings.marks import MarksDrawing, Placing
 from app.drawings.names import Names
 from app.drawings.pointing import Emphasis, Segment, Spot, pointed_at, volume_edges
 from app.drawings.precision import ModelActors, least_tolerance
 from app.drawings.probes import Mark, Probes
 from app.drawings.rasterising import textured
+from app.drawings.silhouette import Silhouette
 from app.drawings.stage_box import StageBox
 from app.drawings.stage_view import StageView
-from app.drawings.style import Style
+from app.drawings.style import TITLE_EM, Style
 from app.lecture.highlight import AXES, CORNERS, NOTHING, Highlight
 from app.lecture.stages import NDC, WORLD, Morph, morph_of
 from app.model.projection import Array, Camera, Projection
@@ -83,13 +85,16 @@ class StageDrawing(Drawing):
                 lift_lines(lines)
         self._canvas.add(*drawn)
         self.names = Names(named_in(self.pane, scene))
-        self.box = StageBox(self._canvas, words, self.names)
+        self._board = Board(self._canvas)
+        self._silhouette = Silhouette(scene, style.font_size)
+        self.box = StageBox(self._canvas, words, self.names, self._board)
         self._emphasis = Emphasis(self._canvas)
         self.box.make_emphasis(self._emphasis)
         self._probes = Probes(self._canvas)
         self._marks: MarksDrawing | None = None
         self._rasterisers = textured(scene, self._canvas, (drawn.surface, drawn.spaces[0]))
         self._illustration: Illustration | None = None
+        self._surface_matrix = np.zeros((4, 4))
         self._take(scene.start)
         self.reset_view()
 
@@ -168,6 +173,7 @@ class StageDrawing(Drawing):
             display_from_local = self._morph.display_from_local(position)
             of_object = display_from_local @ self._model.show_placed(projection.placement)
             matrices = [of_object, of_object, display_from_local]
+        self._surface_matrix = matrices[0]
         for space, matrix in zip(self._model.actors.spaces, matrices, strict=True):
             space.set_projective(matrix)
         if self._probes.probes:
@@ -197,7 +203,7 @@ class StageDrawing(Drawing):
                 return
             self._marks = MarksDrawing(
                 self._canvas, self._scene, self._words, clip=self._planes, lifts_copies=True,
-                names=self.names,
+                names=self.names, board=self._board,
             )  # fmt: skip
         marks, illustration = self._marks, self._illustration
         if illustration is None or self._position != NDC:
@@ -214,19 +220,37 @@ class StageDrawing(Drawing):
             marks.place_copies(lambda _: display_from_local)
         self._place_texts()
 
-    def _place_texts(self) -> None:
+    def _place_texts(self, *, afresh: bool = False) -> bool:
+        """Place the labels; return whether one has changed its place."""
         width_px, height_px = self.own.size_px
-        rows = self.own.pane_from_display
+        rows, em = self.own.pane_from_display, self._style.font_size
 
         def seen(points: Array) -> list[Spot]:
             x, y = rows[:2, :3] @ points.T + rows[:2, 3:]
             return [(a, height_px - b, 1.0) for a, b in zip(x.tolist(), y.tolist(), strict=True)]
 
-        layout = Layout((width_px, height_px), self._style.font_size, {})
-        layout.keep_title_free()
-        self.box.place_words(layout, seen)
+        def ink(ground: Ground) -> None:
+            self.box.ink(ground, seen)
+            faces = self._silhouette.triangles
+            shown = rows @ self._surface_matrix
+            with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
+                x, y, _, w = np.moveaxis(faces @ shown[:, :3].T + shown[:, 3], -1, 0)
+                spots = (
+                    np.stack([x, height_px * w - y], axis=-1)
+                    / np.where(w > 0.0, w, np.nan)[..., None]
+                )
+            self._silhouette.ink(ground, spots)
+            if self._marks is not None:
+                self._marks.ink(ground, seen)
+
+        ground = Ground((0, 0, width_px, height_px - TITLE_EM * em), em, ink)
+        self.box.want_words(ground, seen)
         if self._marks is not None:
-            self._marks.place_texts(layout, seen)
+            self._marks.want_texts(ground, seen)
+        return self._board.settle(ground, afresh=afresh)
+
+    def refit(self) -> bool:
+        return self._place_texts(afresh=True)
 
     def show_probes(self, probes: Sequence[Probe]) -> None:
         self._probes.probes = probes
@@ -259,7 +283,7 @@ class StageDrawing(Drawing):
     def reset_clipping_range(self) -> None:
         self.own.fit_range()
         self._place_probes()
-        self._place_texts()
+        self._place_texts(afresh=True)
 
     @property
     def view(self) -> Camera | None:

@@ -9,13 +9,14 @@ from __future__ import annotations
 import itertools
 import math
 from collections.abc import Callable, Mapping, Sequence
-from typing import TypeAlias
+from functools import partial
 
 import numpy as np
 import pyvista as pv
 from vtkmodules.vtkRenderingCore import vtkActor
 
 from app.drawings.actors import (
+    CUBE_EDGES,
     Canvas,
     Space,
     face_actor,
@@ -27,7 +28,8 @@ from app.drawings.actors import (
 )
 from app.drawings.frustum import CUBE
 from app.drawings.label import Label
-from app.drawings.labels import Layout, Leader
+from app.drawings.label_placement import Ground, beyond
+from app.drawings.labels import AXIS, NUMBER, PLANE, Board, want_plane
 from app.drawings.names import Names
 from app.drawings.pane_view import Spot
 from app.drawings.pointing import FACES, FAR_FACE, NEAR_FACE, Emphasis
@@ -51,22 +53,6 @@ _AT_CORNER = [((-1, -1, 1), end) for end in ((1, -1, 1), (-1, 1, 1), (-1, -1, 0)
 _SHORT = 0.28  # of an edge of the cube: its axes
 _NUMBERS_FROM_EM = 8.0  # of the volume's width in the pane: in a smaller one there is no room
 
-# On which sides of their points words can be, best first: right and up, in half labels.
-_Sides: TypeAlias = tuple[tuple[float, float], ...]
-_BESIDE: _Sides = ((1.0, 1.0), (-1.0, 1.0), (0.0, 1.0), (1.0, -1.0), (-1.0, -1.0))
-_PLANE: _Sides = (*_BESIDE, (0.0, -1.0), (-1.0, 0.0))
-_PYRAMID: _Sides = ((-1.0, -0.6), (-1.0, 0.6), (-1.0, -1.0), (0.0, -1.0), *_PLANE)
-_LETTER_SIDES: tuple[_Sides, ...] = (
-    ((1.0, 0.0), (1.0, -0.6), (0.0, -1.0), (1.0, 0.6), (0.0, 1.0), (-1.0, 0.0)),
-    ((0.0, 1.0), (-1.0, 0.6), (1.0, 0.6), (-1.0, 0.0), (1.0, 0.0), (0.0, -1.0)),
-    ((0.3, 1.0), (1.0, 0.3), (-0.3, 1.0), (-1.0, 0.0), (-1.0, 1.0), (0.0, -1.0), (1.0, -1.0)),
-)
-_NUMBER_SIDES: dict[str, _Sides] = {
-    "x": ((0.0, -1.0), (-0.6, -1.0), (0.6, -1.0)),
-    "y": ((-1.0, 0.0), (-1.0, 0.6), (-1.0, -0.6), (-0.6, -1.0), (1.0, 0.6)),
-    "z": ((1.0, -0.7), (1.0, 0.0), (1.0, -1.2)),
-}
-
 
 class StageBox:
     """The view volume at a position of the strip.
@@ -81,8 +67,10 @@ class StageBox:
         Start, end along the volume, and tip of each axis, in display space; NaN for a hidden axis.
     """
 
-    def __init__(self, canvas: Canvas, words: Mapping[str, str], names: Names) -> None:
-        self._canvas, self._words, self._names = canvas, words, names
+    def __init__(
+        self, canvas: Canvas, words: Mapping[str, str], names: Names, board: Board
+    ) -> None:
+        self._canvas, self._words, self._names, self._board = canvas, words, names, board
         self._space = Space()
         self._at: dict[Label, Array] = {}
         self._is_pyramid = False
@@ -135,16 +123,15 @@ class StageBox:
             self._arrows.append((*spaces, shaft, head))
 
     def _add_words(self) -> None:
-        style, words = self._canvas.style, self._words
-
-        label = self._canvas.label
-        # The leaders before all labels, whose plates hide the ends.
-        self._leaders = {name: Leader(self._canvas) for name in ("near", "far")}
-        self.near = label(words["near"], colour=style.near)
-        self.far = label(words["far"], colour=style.far)
-        # Without plates: they lie over what is drawn, and hide nothing of it.
-        self._numbers = {name: [label("") for _ in range(2)] for name in "xyz"}
-        self._letters = tuple(label("", colour=colour) for colour in (style.u, style.v, style.n))
+        style, label = self._canvas.style, self._board.label
+        self.near = label("near", self._words["near"], style.near)
+        self.far = label("far", self._words["far"], style.far)
+        self._numbers = {name: [label((name, i)) for i in range(2)] for name in "xyz"}
+        self._letters = tuple(label(a, "", getattr(style, a)) for a in AXES)
+        self._keys = {
+            self.near: "near", self.far: "far", **dict(zip(self._letters, AXES, strict=True)),
+            **{pair[i]: (name, i) for name, pair in self._numbers.items() for i in range(2)},
+        }  # fmt: skip
 
     def make_emphasis(self, emphasis: Emphasis) -> None:
         for face in emphasis.volume(self._space, CUBE):
@@ -281,8 +268,8 @@ class StageBox:
                 number.set_text(text)
                 self._at[number] = _edge(box, across, up, limit, along)
 
-    def place_words(self, layout: Layout, seen: Callable[[Array], Sequence[Spot]]) -> None:
-        """Place every word in the pane; draw nothing yet.
+    def want_words(self, ground: Ground, seen: Callable[[Array], Sequence[Spot]]) -> None:
+        """Ask for a place for every word.
 
         In a small pane the numbers give way to the names. `seen` converts points of display space,
         (n, 3).
@@ -290,26 +277,42 @@ class StageBox:
         if not self._at:
             return
         spots = dict(zip(self._at, seen(np.array(list(self._at.values()))), strict=True))
-        for leader in self._leaders.values():
-            leader.set_visible(False)
-        for name, label in (("near", self.near), ("far", self.far)):
+        corners = self._corners_seen(seen)
+        middle = np.nanmean(corners[:, :2], axis=0) if np.isfinite(corners).any() else np.zeros(2)
+        for label, face in ((self.near, corners[:4]), (self.far, corners[4:])):
             if label in self._written:
-                sides = _PYRAMID if name == "near" and self._is_pyramid else _PLANE
-                layout.place(label, [spots[label]], sides, self._leaders[name])
-        for letter, beside in zip(self._letters, _LETTER_SIDES, strict=True):
+                key = self._keys[label]
+                if np.isfinite(face).all():
+                    want_plane(self._board, ground, key, [(x, y, 1.0) for x, y in face.tolist()])
+                else:
+                    self._board.want_beside(key, spots[label], PLANE)
+        starts = seen(self.axes[:, 0])
+        for letter, (from_x, from_y, _) in zip(self._letters, starts, strict=True):
             if letter in self._written:
-                layout.place(letter, [spots[letter]], beside, gaps=1)
+                x, y, _ = spots[letter]
+                way = x - from_x, y - from_y
+                places = partial(beyond, (x, y), way, letter.size_px, ground.em)
+                self._board.want(self._keys[letter], [(x, y)], places, AXIS)
+        across = np.ptp(corners[np.isfinite(corners).all(axis=1), 0]) if len(corners) else 0.0
+        for number in itertools.chain(*self._numbers.values()):
+            if number in self._written and across >= _NUMBERS_FROM_EM * ground.em:
+                x, y, _ = spots[number]
+                way = x - float(middle[0]), y - float(middle[1])
+                self._board.want_beside(self._keys[number], spots[number], NUMBER, way)
+
+    def ink(self, ground: Ground, seen: Callable[[Array], Sequence[Spot]]) -> None:
+        """Tell the ground where the volume and its axes are."""
+        corners = self._corners_seen(seen)
+        edges = [pair for line in CUBE_EDGES for pair in itertools.pairwise(line)]
+        ground.ink_lines(corners[edges])
+        ground.ink_lines(np.array(seen(self.axes[:, ::2].reshape(-1, 3)))[:, :2].reshape(-1, 2, 2))
+
+    def _corners_seen(self, seen: Callable[[Array], Sequence[Spot]]) -> Array:
+        """The corners of the volume in the pane, (8, 2); NaN for what is at infinity."""
         with np.errstate(divide="ignore", invalid="ignore"):  # where far is at infinity
             corners = self._shown(CUBE)
-        finite = corners[np.isfinite(corners).all(axis=1)]
-        across = np.ptp([x for x, _, _ in seen(finite)]) if len(finite) else 0.0
-        for name, numbers in self._numbers.items():
-            for number in numbers:
-                if number in self._written and across < _NUMBERS_FROM_EM * layout.em:
-                    number.set_visible(False)
-                elif number in self._written:
-                    beside = _NUMBER_SIDES[name]
-                    layout.place(number, [spots[number]], beside, gaps=2)
+        spots: Array = np.array(seen(np.where(np.isfinite(corners), corners, np.nan)))[:, :2]
+        return spots
 
 
 def _signed(z: float) -> str:

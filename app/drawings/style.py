@@ -54,6 +54,12 @@ def rgb(colour: str) -> tuple[float, float, float]:
     return red, green, blue
 
 
+def mixed(colour: str, other: str, part: float) -> str:
+    """Return a colour with a part of another one mixed in, from 0 to 1."""
+    pairs = zip(rgb(colour), rgb(other), strict=True)
+    return "#" + "".join(f"{round(255.0 * ((1.0 - part) * a + part * b)):02x}" for a, b in pairs)
+
+
 def contrast(one: str, other: str) -> float:
     """The contrast ratio of two colours, 1..21 (WCAG 2.2, relative luminance)."""
     lighter, darker = sorted((_luminance(one), _luminance(other)), reverse=True)
@@ -119,16 +125,10 @@ _TONES = {
 @cache
 def tone(colour: str, background: str) -> str:
     """Return the tone in which a colour is written: at least 4.5:1 on the background."""
-    if colour in _TONES:
+    if contrast(_TONES.get(colour, background), background) >= 4.5:
         return _TONES[colour]
     end = max(BLACK, WHITE, key=lambda limit: contrast(limit, background))
     part = next(
         i / 20.0 for i in range(21) if contrast(mixed(colour, end, i / 20.0), background) >= 4.5
     )
     return mixed(colour, end, part)
-
-
-def mixed(colour: str, other: str, part: float) -> str:
-    """Return a colour with a part of another one in it."""
-    parts = zip(rgb(colour), rgb(other), strict=True)
-    return "#" + "".join(f"{round(255.0 * ((1.0 - part) * a + part * b)):02x}" for a, b in parts)

@@ -10,7 +10,8 @@ Everything is scene-local, ``world - scene.origin`` subtracted in float64.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
+from itertools import pairwise
 from typing import Any
 
 import numpy as np
@@ -24,17 +25,17 @@ from app.drawings.drawing import Drawing, Rectangle
 from app.drawings.frame import DIMMED, LARGER, ObjectAxes
 from app.drawings.frustum import FrustumDrawing
 from app.drawings.handles import APART_EM, HandleMarks
-from app.drawings.labels import Labels, Layout, Named
+from app.drawings.label_placement import Ground
+from app.drawings.labels import DOT_EM, Board, Labels, Named
 from app.drawings.marks import MarksDrawing, Placing
 from app.drawings.names import Names
 from app.drawings.near_picture import NearPicture
 from app.drawings.own_view import Framed, OwnView
-from app.drawings.pane_view import PaneView
-from app.drawings.pointing import Emphasis, Segment, Spot, pointed_at, volume_edges
+from app.drawings.pointing import Emphasis, Segment, pointed_at, volume_edges
 from app.drawings.probes import Probes
 from app.drawings.rasterising import textured
-from app.drawings.silhouette import Mask, Silhouette
-from app.drawings.style import Style
+from app.drawings.silhouette import Silhouette
+from app.drawings.style import TITLE_EM, Style
 from app.lecture.highlight import CORNERS, OBJECT_AXES, Highlight
 from app.model.projection import Array, Camera, ObjectTransform, Projection
 from app.picking.handles import Handle, nearest, shown
@@ -48,7 +49,7 @@ _WHOLE, _NEARBY = (
     1.1,
 )  # of the extent: the largest frustum that is framed whole; else this much of it
 _FARTHEST_MARK = 1e3  # of the extent: where lines toward infinity end
-_PICTURE_PART = 0.5  # of the pane's width: smaller near planes are kept free of words
+_EDGES = [pair for line in actors.CUBE_EDGES for pair in pairwise(line)]
 _FRAMED_MARK = 5.0  # of the scene's size: farther marks are not framed
 
 
@@ -102,7 +103,8 @@ class WorldDrawing(Drawing):
             emphasis.line(solid, of=("eye",))
         for name, mark in self.camera.discs.items():
             emphasis.point(mark, name)
-        self.labels = Labels(canvas, words)
+        self._board = Board(canvas)
+        self.labels = Labels(self._board, canvas, words)
         for name, label in self.labels.named.items():
             self._emphasis.label(label, name)
         self._dimensions: Dimensions | None = None
@@ -114,8 +116,6 @@ class WorldDrawing(Drawing):
         self._marks: MarksDrawing | None = None
         self._marked = np.empty((0, 3))
         self._silhouette = Silhouette(scene, style.font_size)
-        self._masked_for: PaneView | None = None
-        self._mask: Mask | None = None
         self._grips: dict[str, Array] = {}
         self._measured: tuple[tuple[str, float], ...] = ()
         self._lengths: tuple[Length, ...] = ()
@@ -139,7 +139,7 @@ class WorldDrawing(Drawing):
         if view == self.own.fixed:
             return
         if view and self._dimensions is None:
-            self._dimensions = Dimensions(self._canvas, self._words)
+            self._dimensions = Dimensions(self._board, self._canvas, self._words)
         elif self._dimensions is not None:
             self._dimensions.hide()
         self.own.fixed = view
@@ -280,7 +280,6 @@ class WorldDrawing(Drawing):
             self._lines_space.set(lifted @ self._local_from_object)
             self._ground_space.set(lifted)
             self._show_axes()
-            self._mask = None
         if is_placed or projection.camera is not self._standing.camera:
             self._standing = self._stand(projection.camera)
             self.camera.show(self._standing)
@@ -339,45 +338,47 @@ class WorldDrawing(Drawing):
         )
 
     def _place_labels(self, *, afresh: bool) -> bool:
-        """Place the labels; return whether one has changed sides."""
-        at, planes = self._standing, self._projection.lens.planes
-        arrows, tips = self.camera.names
-        unseen = self._unseen
-        if "camera" in self._canvas.hidden:
-            arrows, tips = (), np.empty((0, 3))
-        axes = self._axes if self.has_object_axes else None
-        if axes is not None:
-            beside = tips.reshape(len(axes.names), len(arrows), 3)
-            tips = np.concatenate([beside, axes.names], axis=1).reshape(-1, 3)
-            arrows += tuple(axes.shafts)
-        unnamed = {name for name in ("eye", "target", "near", "far") if name not in self.names}
-        named = Named(
-            at.eye,
-            at.target,
-            arrows,
-            tips,
-            self.camera.box,
-            self._corners_seen,
-            planes,
-            unseen | unnamed,
-        )
-        first = None
+        """Place the labels; return whether one has changed its place."""
         if "labels" in self._canvas.hidden:
             return False
-        if self._marks is not None or self.handles is not None or self.own.fixed:
-            first = self._place_first
-        pane = self.own.pane
-        held_at: dict[str, tuple[float, float]] = {
-            handle.name: (x, pane.size_px[1] - y)
-            for handle, (x, y) in self.handles_shown
-            if handle.name in ("near", "far")
-        }
-        if pane is not self._masked_for or self._mask is None:
-            self._masked_for = pane
-            self._mask = self._silhouette.seen(pane, self._local_from_object)
-        return self.labels.lay_out(
-            pane, named, afresh=afresh, first=first, subject=self._mask, held_at=held_at
-        )
+        pane, at = self.own.pane, self._standing
+        em = self._canvas.style.font_size
+        ground = Ground((0, 0, pane.size_px[0], pane.size_px[1] - TITLE_EM * em), em, self._ink)
+        for handle, (x, y) in self.handles_shown:
+            if self.names.all or handle == self.held:
+                ground.keep([(x, pane.size_px[1] - y)], DOT_EM * em)
+        arrows: tuple[str, ...] = ()
+        ends = np.empty((0, 2, 3))
+        if "camera" not in self._canvas.hidden:
+            arrows, ways = self.camera.arrows
+            ends = np.stack([np.tile(at.eye, (len(ways), 1)), at.eye + ways], axis=1)
+        axes = self._axes if self.has_object_axes else None
+        if axes is not None:
+            arrows += tuple(axes.shafts)
+            start = np.tile(axes.origin, (3, 1))
+            ends = np.concatenate([ends, np.stack([start, start + axes.ways], axis=1)])
+        unnamed = {name for name in ("eye", "target", "near", "far") if name not in self.names}
+        named = Named(
+            at.eye, at.target, arrows, ends, self.camera.box, self._corners_seen,
+            self._projection.lens.planes, self._unseen | unnamed,
+        )  # fmt: skip
+        self.labels.want(ground, pane, named)
+        if self.own.fixed and self._dimensions is not None:
+            self._dimensions.want(ground, pane.seen, pane.size_px, self._in_fixed_view)
+        if self._marks is not None:
+            self._marks.want_texts(ground, pane.seen)
+        return self._board.settle(ground, afresh=afresh)
+
+    def _ink(self, ground: Ground) -> None:
+        """Tell the ground what is drawn."""
+        pane, placed = self.own.pane, self._local_from_object
+        triangles = self._silhouette.triangles @ placed[:3, :3].T + placed[:3, 3]
+        self._silhouette.ink(ground, pane.spots(triangles))
+        corners = self._corners_seen
+        if corners is not None:
+            ground.ink_lines(pane.spots(corners[_EDGES]))
+        if self._marks is not None:
+            self._marks.ink(ground, pane.seen)
 
     @property
     def _corners_seen(self) -> Array | None:
@@ -397,22 +398,6 @@ class WorldDrawing(Drawing):
         elif "camera" in self._canvas.hidden:  # the pane looks through it, or from right behind it
             unseen |= {"eye"}
         return frozenset(unseen)
-
-    def _place_first(self, layout: Layout, seen: Callable[[Array], Sequence[Spot]]) -> None:
-        """Place handles and texts of a scene, which the labels keep off."""
-        height_px = self.own.pane.size_px[1]
-        drawn = self.handles_shown if self.names.all else ()
-        layout.keep_free([(x, height_px - y, 1.0) for _, (x, y) in drawn])
-        if self.own.fixed and self._dimensions is not None:
-            own, corners = self.own, self._corners_seen
-            self._dimensions.place(layout, seen, own.pane.size_px, self._in_fixed_view)
-            if own.fixed == "axis" and corners is not None:
-                picture = seen(corners[:4])
-                across = max(x for x, _, _ in picture) - min(x for x, _, _ in picture)
-                if across < _PICTURE_PART * own.pane.size_px[0]:
-                    layout.keep_free_box(picture)
-        if self._marks is not None:
-            self._marks.place_texts(layout, seen)
 
     @property
     def _in_fixed_view(self) -> Measured:
@@ -519,7 +504,7 @@ class WorldDrawing(Drawing):
             if illustration is None:
                 return
             self._marks = MarksDrawing(
-                self._canvas, self._scene, self._words, leads=True, names=self.names
+                self._canvas, self._scene, self._words, names=self.names, board=self._board
             )
         marks, limit = self._marks, _FARTHEST_MARK * self._standing.extent
         shown = illustration or Illustration(())

@@ -42,7 +42,7 @@ _OURS = {
     **{f"turn_{x}": f"φ_{x}" for x in "xyz"},
     **{f"size_{x}": f"s_{x}" for x in "xyz"},
     "eye_x": "e_x", "eye_y": "e_y", "eye_z": "e_z", "theta_h": "θ_h", "theta_v": "θ_v",
-    "far_distance": "f",
+    "near_distance": "n", "far_distance": "f",
 }  # fmt: skip
 _EYE_P = {"eye": f"P{ARROW}", "eye_x": "x_p", "eye_y": "y_p", "eye_z": "z_p"}
 _SYMBOLS: dict[str, dict[str, str]] = {
@@ -50,7 +50,7 @@ _SYMBOLS: dict[str, dict[str, str]] = {
     "000": {
         **_OURS,
         "l": "x_min", "r": "x_max", "b": "y_min", "t": "y_max", "n": "z_min", "f": "z_max",
-        "far_distance": "z_max",
+        "near_distance": "z_min", "far_distance": "z_max",
     },
     "001": {
         **_OURS, **_EYE_P, "axis_n": f"w{ARROW}", "n_x": "w_x", "n_y": "w_y", "n_z": "w_z",
@@ -58,7 +58,7 @@ _SYMBOLS: dict[str, dict[str, str]] = {
     },
     "002": {
         **_OURS, "l": "x_l", "r": "x_r", "b": "y_b", "t": "y_t", "n": "z_n", "f": "z_f",
-        "far_distance": "\u2212z_f",
+        "near_distance": "\u2212z_n", "far_distance": "\u2212z_f",
     },
     "003": {**_OURS, **_EYE_P},  # e is its focal length
     "004": {
@@ -301,6 +301,11 @@ def _names(lens: _Written, letters: Letters) -> dict[str, str]:
     elif letters == "002" and _steps(lens.table, letters):
         found["clip_from_view"] = "" if lens.is_central else "P_obl"
     return found
+
+
+def names_of(projection: Projection, letters: Letters) -> dict[str, str]:
+    """Return a lecture's names of matrices, and of factors by ``stage/factor``."""
+    return _names(_written(projection), letters)
 
 
 def _chain(names: Mapping[str, str], parts: Sequence[str]) -> str:
@@ -734,13 +739,13 @@ def as_latex(matrix: Matrix, letters: Letters, *, formulas: bool = False) -> str
         else [[latex_number(value) for value in row] for row in matrix.values]
     )
     body = " \\\\\n".join(" & ".join(row) for row in cells)
-    name = _latex_called(matrix.called) or latex_name(matrix.name)
+    name = latex_called(matrix.called) or latex_name(matrix.name)
     equation = f"{name} = \\begin{{pmatrix}}\n{body}\n\\end{{pmatrix}}"
     return f"\\[\n{equation}\n\\]\n"
 
 
-def _latex_called(called: str) -> str:
-    """Write a lecture's name in LaTeX: ``P_{\\mathrm{obl}} = P_{\\mathrm{ort}} H``."""
+def latex_called(called: str) -> str:
+    """Write a lecture's name of a matrix in LaTeX: ``P_{\\mathrm{obl}} = P_{\\mathrm{ort}} H``."""
     return re.sub(r"_(\S+)", r"_{\\mathrm{\1}}", called).replace("\u2192", r"\to ")
 
 

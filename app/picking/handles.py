@@ -6,7 +6,7 @@ world along which one number of the model moves it (near, far, a field of view).
 is a straight line too, so the point nearest to the pixel solves one linear equation. Beyond the
 vanishing point the solution is infinite, and the model decides whether it accepts that.
 
-A drag depends on its start and on where the hand is, not on the path between them.
+A drag depends on its start and on the mouse's position, not on the path between them.
 """
 
 from __future__ import annotations
@@ -80,9 +80,9 @@ def shown(
     without: frozenset[str] = frozenset(),
     object_reach: float = 0.0,
 ) -> list[tuple[Handle, Spot]]:
-    """The handles that a pane has room for, with their positions.
+    """Return the handles that fit into a pane, with their positions.
 
-    A handle is left out if it is outside the pane or closer than `apart_px` to an earlier one. The
+    A handle is omitted if it is outside the pane or closer than `apart_px` to an earlier one. The
     order is grips, object, eye, target, near, far, corners. The corners are those of the near face,
     or of the far face where the near face is small.
 
@@ -93,11 +93,11 @@ def shown(
     sight : Sight
         How the pane looks at the world.
     kept : Handle, optional
-        The handle under the hand: it stays in any case.
+        The handle that is being dragged: it is always kept.
     grips : mapping of setting to (3,) array, optional
         World points of the scene settings that can be dragged.
     without : frozenset of str, optional
-        Names of handles to leave out because their part of the world is not drawn.
+        Names of handles to omit because their part of the world is not drawn.
     object_reach : float, optional
         Drawn length of the object's axes; 0 if they are not drawn.
     """
@@ -215,14 +215,14 @@ def dragged(
 
 
 def dragged_grip(point: Vector, sight: Sight, pixel: Spot, *, shift: bool = False) -> Vector:
-    """Where a world point goes when it is dragged to a pixel, as the eye does in `dragged`."""
+    """The new position of a world point dragged to a pixel, moved like the eye in `dragged`."""
     return _moved_point(point, sight, pixel, shift)
 
 
 def panned(projection: Projection, shift_px: tuple[float, float]) -> Change:
     """New eye and target when the image is dragged by (right, down) pixels.
 
-    Points at the target's distance follow the hand.
+    Points at the target's distance follow the mouse.
     """
     camera, lens = projection.camera, projection.lens
     left, right, bottom, top = projection.window
@@ -580,7 +580,7 @@ def _slide(sight: Sight, start: Array, along: Array, pixel: Spot) -> tuple[float
 
 
 def _tidy(value: float, before: float, per_px: float) -> float:
-    """Round a value to the digits that a hand can mean.
+    """Round a value to the digits that a drag can distinguish.
 
     If it rounds to the same number as `before`, the value when the drag began, return `before`.
     `per_px` is the change of the value from one pixel to the next.

@@ -30,7 +30,7 @@ VERTEX_WITHIN_PX = 6.0
 LINE_WITHIN_PX = 3.0
 """A visible line within this distance of the pixel is preferred to the face under it."""
 _COVERS_PX = 0.25
-"""Half the drawn width of a line, which hides what is behind it."""
+"""Half the drawn width of a line, which hides the points behind it."""
 
 _BLOCK = 16_384  # triangles: arrays of this size stay in the processor's cache
 _CELLS = 32  # along each axis at most: cell numbers then fit 16 bits, which numpy sorts by radix
@@ -43,7 +43,7 @@ _STOPS = 200  # a held key reaches each of them within seconds
 _SPREAD = 32_768  # vertices
 _ROW = 4  # height of a row of stops, in the smallest squares
 _SAME_DEPTH = 1e-9  # relative: faces that meet in a vertex do not hide it
-_ON_FACE = 1e-6  # relative: a line on a face, where each is rounded to float32
+_ON_FACE = 1e-6  # relative: a line on a face, each rounded to float32
 
 
 class Sight(NamedTuple):
@@ -57,7 +57,7 @@ class Sight(NamedTuple):
         Applied to ``(p - eye, 1)`` they give x w and y w in pixels from the pane's top left, order
         times w, and w. The order is smaller in front.
     limits : (k, 4) array
-        Half-spaces ``limit @ (p - eye, 1) >= 0`` that bound what is drawn.
+        Half-spaces ``limit @ (p - eye, 1) >= 0`` that bound the drawing.
     """
 
     eye: Array
@@ -165,8 +165,8 @@ def projector(projection: Projection, probe: Probe, distances: ArrayLike) -> Arr
     Notes ----- The points q of a pixel's ray satisfy ``(x w - x_px w) = (y w - y_px w) = 0`` at the
     distance ``-n (q - e)``: three linear equations for any lens. A free matrix has no eye. Its line
     is the un-projected line of the cube between near and far, `distances` are shares of the way,
-    and the result is None if the matrix has no inverse. Of a line through infinity only the part in
-    front of the eye plane is returned.
+    and the result is None if the matrix has no inverse. For a line through infinity only the part
+    in front of the eye plane is returned.
     """
     at, pixel = np.asarray(distances, dtype=np.float64), probe.pixel
     if probe.direction is not None:  # all lines in this direction meet in one pixel
@@ -180,7 +180,7 @@ def projector(projection: Projection, probe: Probe, distances: ArrayLike) -> Arr
 def dragged(
     projection: Projection, point: Vector, shift_px: tuple[float, float], *, along_ray: bool
 ) -> Vector | None:
-    """Where a world point goes when its image is dragged by (right, down) pixels.
+    """Return the new position of a world point when its image is dragged by (right, down) pixels.
 
     Parameters
     ----------

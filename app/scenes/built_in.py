@@ -52,7 +52,7 @@ TRIES = {
         QT_TRANSLATE_NOOP("phenomena", "Move far in: which posts are gone?"),
     ),
 }
-"""Three lines about what to try with each scene, translated like the phenomena's texts."""
+"""Three suggestions for each scene, translated like the phenomena's texts."""
 TRIES_OF_A_MESH = (
     QT_TRANSLATE_NOOP("phenomena", "Walk round it: drag the azimuth."),
     QT_TRANSLATE_NOOP("phenomena", "Move near and far close to it."),
@@ -74,7 +74,7 @@ def _cube() -> Parts:
         joined(
             ground_grid((-3.0, -3.0), (3.0, 3.0), (0.5, 0.5), 0.0),
             edges_of(faces),
-            (axes, SIDE_RGB[[1, 3, 5]]),  # the darker shades, to be seen on a light background
+            (axes, SIDE_RGB[[1, 3, 5]]),  # the darker shades, visible on a light background
         ),
         Projection(
             Camera((2.4, 2.0, 3.2), (0.0, 0.5, 0.0)),
@@ -101,7 +101,7 @@ def _posts() -> Parts:
         plate = box_faces((-0.8, 1.5, z - 0.04), (0.8, 2.6, z + 0.04))
         digits = written_number(number, (0.0, 2.05, z + 0.06), height=0.8)
         quads += [(post, wood), (plate, plate_rgb), (digits, flat(EDGE_RGB, len(digits)))]
-        outline = edges_of(plate)[0]  # grey: far away there is little else than outline
+        outline = edges_of(plate)[0]  # grey: far away little but the outline is visible
         lines.append((outline, flat(OUTLINE_RGB, len(outline))))
     ground = ground_grid((-10.0, -126.0), (10.0, 12.0), (2.0, 6.0), 0.0)
     return (

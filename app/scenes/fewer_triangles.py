@@ -30,10 +30,10 @@ _DRAGGED = (*SHARES, 0.005, 0.002, 0.001, 0.0005)
 _LEAST_DRAGGED = 500
 """Triangles: with fewer a frame is hardly faster, and the shape is lost."""
 QUADRIC_TRIANGLES, QUADRIC_VALENCE = 100_000, 500
-"""Larger meshes, or more triangles at one vertex, go into boxes: edges would take minutes."""
+"""Larger meshes, or more triangles at one vertex, use boxes: edges would take minutes."""
 
-_MOST_BOXES = 400  # along the longest side; VTK ends the program where memory ends
-_WITHIN = 1.15  # of the share that was asked for
+_MOST_BOXES = 400  # along the longest side; VTK ends the program if memory runs out
+_WITHIN = 1.15  # of the requested share
 
 _reduced: WeakKeyDictionary[Scene, dict[float, Scene]] = WeakKeyDictionary()
 
@@ -46,7 +46,8 @@ def can_be_reduced(scene: Scene) -> bool:
 def reduced(scene: Scene, share: float) -> Scene:
     """Return the scene with about this share (above 0, up to 1) of its triangles, made once.
 
-    Origin, bounds, lines and first camera stay. A scene that cannot be reduced is returned itself.
+    Origin, bounds, lines and first camera do not change. A scene that cannot be reduced is returned
+    as it is.
     """
     made = _reduced.setdefault(scene, {})
     if share not in made:
@@ -58,7 +59,7 @@ def reduced(scene: Scene, share: float) -> Scene:
 
 
 def shares_for_dragging(scene: Scene) -> tuple[float, ...]:
-    """Return the shares that may be drawn while a control is dragged, from fine to coarse."""
+    """Return the shares for drawing while a control is dragged, from fine to coarse."""
     return tuple(share for share in _DRAGGED if share * scene.faces >= _LEAST_DRAGGED)
 
 
@@ -91,7 +92,7 @@ def _fewer(surface: pv.PolyData, share: float) -> pv.PolyData:
 
 
 def _binned(surface: pv.PolyData, share: float) -> pv.PolyData:
-    """Try sizes of boxes, corrected by the square of the result, until the share is left."""
+    """Vary the box size, corrected by the square of the result, until the share is reached."""
     import pyvista as pv
     from vtkmodules.vtkFiltersCore import vtkBinnedDecimation
 
@@ -134,7 +135,7 @@ def _plain(mesh: pv.PolyData) -> pv.PolyData:
 def _nearest_cells(surface: pv.PolyData, fewer: pv.PolyData) -> NDArray[np.integer]:
     """Return for each triangle the original one with the nearest centre, whose colour it gets.
 
-    A tree of the centres is used: VTK's locator of cells compares all that lie in one place.
+    A tree of the centres is used: VTK's cell locator compares all cells in one place.
     """
     import pyvista as pv
     from vtkmodules.vtkCommonDataModel import vtkKdTreePointLocator

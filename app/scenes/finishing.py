@@ -43,9 +43,9 @@ TOO_FAR = QT_TRANSLATE_NOOP(
     " move the mesh to the origin.",
 )
 FARTHEST = 1e12
-"""Largest distance from the origin in sizes of a mesh: there vertices keep four digits."""
+"""Largest distance from the origin, in sizes of the mesh: vertices there keep four digits."""
 FACES_WITH_EDGES = 5_000
-"""Larger meshes get no edge lines: these would be denser than the pixels."""
+"""Most faces of a mesh with edge lines: beyond, the lines would be denser than the pixels."""
 _BLOCK = 100_000
 """Faces between two reports of progress."""
 _SHARP = math.cos(math.radians(30.0))
@@ -60,7 +60,7 @@ class Finished(NamedTuple):
     points : (n, 3) float64
         World coordinates.
     offsets, corners : (m + 1,) and (offsets[m],) int64
-        As of `app.scenes.mesh.Mesh`, of faces of three or four corners.
+        As in `app.scenes.mesh.Mesh`, for faces of three or four corners.
     rgb : (m, 3) uint8
         Shaded colour of each face.
     edges : (k, 2, 3) float64
@@ -168,8 +168,8 @@ def _feature_edges(mesh: Mesh) -> Floats:
     """Return the sharp and free edges (m, 2, 3), and those of more than two faces.
 
     Files repeat a vertex for every face, or where its texture or normal changes: copies are merged
-    to find neighbours. VTK's filter takes the square of the faces at one edge, of which a few
-    kilobytes of glTF bring thousands.
+    to find neighbours. VTK's filter takes time quadratic in the faces at one edge, and a few
+    kilobytes of glTF can have thousands.
     """
     points, merged = distinct_rows(mesh.points)
     starts = merged[mesh.corners]
@@ -190,9 +190,9 @@ def _feature_edges(mesh: Mesh) -> Floats:
 
 
 def _divided(mesh: Mesh, rgb: Colours) -> tuple[Ints, Ints, Colours]:
-    """Return offsets, corners and colours of the faces after polygons became triangles.
+    """Return offsets, corners and colours of the faces with polygons divided into triangles.
 
-    VTK divides them, but omits those that cross or repeat themselves: these become fans.
+    VTK divides them, but omits polygons that cross or repeat themselves: these become fans.
     """
     counts = np.diff(mesh.offsets)
     large = np.flatnonzero(counts > 4)

@@ -37,11 +37,11 @@ _TYPES = {5120: "<i1", 5121: "<u1", 5122: "<i2", 5123: "<u2", 5125: "<u4", 5126:
 _WIDTHS = {"SCALAR": 1, "VEC2": 2, "VEC3": 3, "VEC4": 4}
 _PACKED = frozenset({"KHR_draco_mesh_compression", "EXT_meshopt_compression"})
 _MOST_BRACKETS = 1_000_000
-"""Most lists and objects of a description: 100 000 nodes have half as many."""
+"""Most lists and objects in a description; 100 000 nodes need half as many."""
 
 
 def read_gltf(source: Source) -> Mesh:
-    """Join all triangles of the scene. A mesh is read once, however many nodes have it."""
+    """Join all triangles of the scene. Each mesh is read once, however many nodes use it."""
     path, data, body = source.path, source.file.read(), b""
     if path.suffix.lower() == ".glb":
         if data[:4] != b"glTF":
@@ -64,7 +64,7 @@ def read_gltf(source: Source) -> Mesh:
 
 
 class _Gltf:
-    """The description of a scene; what it lacks raises `KeyError` with its name."""
+    """The description of a scene; a missing entry raises `KeyError` with its name."""
 
     def __init__(self, source: Source, content: dict[str, Any]) -> None:
         self._source, self._content = source, content
@@ -95,7 +95,7 @@ class _Gltf:
         return _joined(parts)
 
     def _item(self, kind: str, index: Any) -> Any:
-        """One of the nodes, meshes and so on; Python alone would count back from the end."""
+        """Return a node, a mesh and so on; refuse the negative indices that Python would accept."""
         if not isinstance(index, int) or index < 0:
             raise IndexError
         return self._content[kind][index]
@@ -142,7 +142,7 @@ class _Gltf:
                 found.append((node["mesh"], world_from_node))
             waiting += [(child, world_from_node) for child in node.get("children", ())]
             if len(waiting) > len(nodes):
-                self._source.fail("children")  # a node is below itself
+                self._source.fail("children")  # a node is its own descendant
         return found
 
     def _size(self, mesh: int) -> tuple[int, int]:
@@ -163,7 +163,7 @@ class _Gltf:
         return count
 
     def _primitive(self, primitive: dict[str, Any]) -> Mesh:
-        """Return the triangles of a primitive; none if it has points or lines."""
+        """Return the triangles of a primitive; none if it consists of points or lines."""
         attributes = primitive["attributes"]
         points = self._values(attributes["POSITION"])
         if points.shape[1] != 3:
@@ -202,7 +202,7 @@ class _Gltf:
             return PAINT_RGB
         material = self._item("materials", primitive["material"]).get("pbrMetallicRoughness", {})
         factor = np.array(material.get("baseColorFactor", (1, 1, 1))[:3], dtype=np.float64)
-        # A mesh without colours is white, and so is one with a texture.
+        # A mesh without colours is white, as is one with a texture.
         return PAINT_RGB if (factor.reshape(3) == 1.0).all() else rgb_bytes(_srgb(factor))
 
     def _values(self, index: int) -> NDArray[Any]:
@@ -252,7 +252,7 @@ def _placed(mesh: Mesh, world_from_node: Floats) -> Mesh:
 
 def _is_beside(path: Path, name: str) -> bool:
     """Whether a name leads to a place in a file's own folder, or in one below it."""
-    for kind in (PurePath, PureWindowsPath):  # a look at a network path would already reach out
+    for kind in (PurePath, PureWindowsPath):  # even checking a network path would connect to it
         pure = kind(name)
         if pure.drive or pure.root or ".." in pure.parts:
             return False

@@ -1,8 +1,8 @@
-"""A mesh that is read from a file, and everything that can be wrong with it.
+"""A mesh read from a file, and the refusals of faulty files.
 
 The readers of the formats (`app.scenes.mesh_files`, `app.scenes.gltf`) share this module. Mesh
-files come from strangers: a reader compares every claim of a file with the bytes that are there,
-and with `LARGEST`, before it takes memory.
+files come from strangers: a reader compares every claim of a file with the bytes present, and with
+`LARGEST`, before it allocates memory.
 """
 
 from __future__ import annotations
@@ -101,10 +101,10 @@ class Mesh:
     corners : (offsets[m],) int64
         Indices into `points`.
     rgb : (m, 3) uint8 or None
-        Colour of each face, where the file has colours.
+        Colour of each face, if the file has colours.
     painted : bool
-        Whether `rgb` was scanned or painted, and is shown as it is. The colour of a material is
-        lit first: without light it shows no shape.
+        Whether `rgb` was scanned or painted, and is shown unchanged. A material's colour is shaded
+        first: without shading it shows no shape.
     """
 
     points: Floats
@@ -128,7 +128,7 @@ class Mesh:
             raise Refusal.saying(NOT_FINITE, path, not_finite, vertices)
 
     def drop_unused_points(self) -> None:
-        """Drop the vertices that no face has: they would move the first camera away."""
+        """Drop the vertices that no face uses: they would move the first camera away."""
         used = np.zeros(len(self.points), dtype=bool)
         used[self.corners] = True
         if not used.all():
@@ -163,7 +163,7 @@ class Source:
 
     @property
     def size(self) -> int:
-        """Bytes of the file."""
+        """Size of the file in bytes."""
         return os.fstat(self.file.fileno()).st_size
 
     def report(self, fraction: float) -> None:
@@ -172,7 +172,7 @@ class Source:
     def check_size(
         self, vertices: int, faces: int, corners: int, most_triangles: int | None = None
     ) -> None:
-        """Refuse a mesh of too many of these, before memory is taken for them."""
+        """Refuse a mesh with too many of these, before memory is allocated for them."""
         most, most_bytes = self.largest
         most = most if most_triangles is None else min(most, most_triangles)
         triangles = max(faces, corners - 2 * faces)
@@ -183,12 +183,12 @@ class Source:
             raise Refusal.saying(TOO_MUCH, self.path, *limits)
 
     def fail(self, what: str) -> NoReturn:
-        """Refuse the file because of this word of its format."""
+        """Refuse the file because of an unsupported word of its format."""
         raise Refusal.saying(DAMAGED, self.path, what)
 
 
 def report(progress: Progress | None, fraction: float) -> None:
-    """Tell how far the work is; raise `Cancelled` if nobody wants it any more."""
+    """Report the progress; raise `Cancelled` if the work is no longer wanted."""
     if progress is not None and not progress(fraction):
         raise Cancelled
 
@@ -210,7 +210,7 @@ def open_mesh(path: Path) -> BinaryIO:
 
 
 def rgb_bytes(colours: NDArray[np.floating]) -> Colours:
-    """Round colours from 0 to 255 to bytes; what is not a number becomes 0."""
+    """Round colours from 0 to 255 to bytes; NaN becomes 0."""
     rgb: Colours = np.clip(np.rint(np.nan_to_num(colours)), 0, 255).astype(np.uint8)
     return rgb
 

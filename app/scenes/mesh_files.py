@@ -1,8 +1,8 @@
 """Read meshes from OBJ, STL, PLY and glTF files in float64, or refuse them in one sentence.
 
 These readers use Python and numpy only, which cannot run past the end of an array.
-`docs/meshes.md` has the measurements that speak against a library: none of those tried keeps the
-time limit and the coordinates for every format.
+`docs/meshes.md` has the measurements against a library: none of those tried meets the time limit
+and keeps the coordinates for every format.
 """
 
 from __future__ import annotations
@@ -39,7 +39,7 @@ from app.scenes.mesh import (
 from app.scenes.shapes import distinct_rows
 
 BLOCK = 1 << 24
-"""Bytes of text that are read together; progress is reported after each block."""
+"""Bytes of text in a block; progress is reported after each block."""
 
 
 def read(path: Path, progress: Progress | None = None, largest: tuple[int, int] = LARGEST) -> Mesh:
@@ -77,7 +77,7 @@ def read(path: Path, progress: Progress | None = None, largest: tuple[int, int] 
             raise Refusal.saying(NO_MEMORY, path) from None
         except (Refusal, Cancelled):
             raise
-        except Exception as error:  # a reader cannot foresee everything in a stranger's file
+        except Exception as error:  # no reader can foresee everything in a stranger's file
             raise Refusal.saying(DAMAGED, path, type(error).__name__) from error
     mesh.drop_unused_points()
     return mesh
@@ -89,7 +89,7 @@ def _numbers(text: bytes, kind: type[np.generic] = np.float64) -> NDArray[Any]:
     words = int(np.count_nonzero(visible[1:] & ~visible[:-1])) + int(visible[:1].sum())
     if not words:
         return np.empty(0, dtype=kind)
-    with warnings.catch_warnings():  # numpy returns what it has read, and a warning
+    with warnings.catch_warnings():  # numpy returns what it has read so far, with a warning
         warnings.simplefilter("error", DeprecationWarning)
         try:
             numbers = np.fromstring(text, dtype=kind, sep=" ")
@@ -143,7 +143,7 @@ def _read_obj(source: Source) -> Mesh:
 
 
 def _obj_blocks(file: BinaryIO) -> Iterator[list[bytes]]:
-    """Yield the lines of one block after the other, without comments and leading blanks."""
+    """Yield the lines of each block, without comments and leading blanks."""
     rest = b""
     while True:
         block = file.read(BLOCK)
@@ -243,7 +243,7 @@ def _stl_text(source: Source) -> Floats:
             continue
         end += len(b"endloop")
         text, rest = _without_stl_names(text[:end]), text[end:]
-        # "... outer loop vertex x y z vertex x y z vertex x y z endloop ...": the odd pieces.
+        # "... outer loop vertex x y z vertex x y z vertex x y z endloop ...": take the odd pieces.
         between, loops = (text.split(b"loop")[first::2] for first in (0, 1))
         try:
             numbers = _numbers(b" ".join(loops).replace(b"vertex", b"").replace(b"end", b""))
@@ -261,7 +261,7 @@ def _stl_text(source: Source) -> Floats:
 
 
 def _without_stl_names(text: bytes) -> bytes:
-    """Drop the names after “solid” and “endsolid”, which may have any words."""
+    """Drop the names after “solid” and “endsolid”, which may contain any words."""
     return re.sub(rb"solid[^\n]*?(?=facet\s+normal|\n|\Z)", b"", text)
 
 
@@ -278,7 +278,7 @@ _PLY_ORDERS = {"ascii": "", "binary_little_endian": "<", "binary_big_endian": ">
 class _Property(NamedTuple):
     """A column of an element: the type of its numbers in the body, and of the count before a list.
 
-    `full_scale` is full brightness, if the column is a colour channel.
+    `full_scale` is the value of full brightness, if the column is a colour channel.
     """
 
     name: str
@@ -431,7 +431,7 @@ def _ply_columns(element: _Element, body: bytes, at: int) -> _Columns:
 
 
 def _ply_row(properties: list[_Property], body: bytes, at: int) -> tuple[list[int], int]:
-    """Return where each column begins in a row and how many numbers it has; and the row's end."""
+    """Return each column's start in a row and its count of numbers, and the row's end."""
     places = []
     for p in properties:
         length = 1

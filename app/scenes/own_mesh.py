@@ -19,9 +19,9 @@ if TYPE_CHECKING:
     from vtkmodules.vtkCommonDataModel import vtkCellArray
 
 SUBJECT_EDGES, SUBJECT_TRIANGLES = 20_000, 1_000
-"""A phenomenon computes with the longest edges and triangles of a larger mesh."""
+"""Most edges and triangles that a phenomenon computes with: the longest ones of a larger mesh."""
 SUBJECT_SURFACE = 3_000
-"""Triangles to which a larger mesh is reduced where its pixels are computed."""
+"""Most triangles of a mesh whose pixels are computed; a larger mesh is reduced."""
 
 
 def own_mesh(surface: pv.PolyData, origin: Vector, pixels: bool) -> OwnMesh:

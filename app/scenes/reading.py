@@ -1,7 +1,7 @@
-"""Read a mesh file without risk for the window: a large one in a process of its own.
+"""Read a mesh file without risk to the window: a large one in a separate process.
 
-The process can be stopped at once and has a limit of memory; neither its crash nor exhausted memory
-reaches the window. It is a fresh `python -m app.scenes.reading FILE`, which imports nothing but
+The process can be stopped at once and has a memory limit; neither its crash nor exhausted memory
+affects the window. It is a fresh `python -m app.scenes.reading FILE`, which imports nothing but
 numpy. It writes lines of JSON to its standard output (the progress, or a refusal) and then the
 bytes of the mesh's arrays.
 """
@@ -26,9 +26,9 @@ from app.scenes.finishing import Finished, finished
 from app.scenes.mesh import TOO_MUCH, Progress, open_mesh, report
 
 SMALL = 2**20
-"""Most bytes of a file that is read here, within the 0.1 s that a process takes to start."""
+"""Most bytes of a file read in this process, within the 0.1 s that a process takes to start."""
 SMALL_MESH = 100_000, 32 * 2**20
-"""Most triangles of such a file, and most bytes of its mesh: few bytes of glTF can grow."""
+"""Most triangles and bytes of such a file's mesh: a short glTF file can expand greatly."""
 MEMORY = 6 * 2**30
 """Memory limit of the process: `app.scenes.mesh.LARGEST` and the text of the file."""
 ENDED = QT_TRANSLATE_NOOP(
@@ -50,7 +50,7 @@ def read(path: Path, progress: Progress | None = None) -> Finished:
         try:
             return finished(path, meshes.read(path, progress, SMALL_MESH), progress)
         except Refusal as error:
-            if error.bound != TOO_MUCH:  # it may be small enough for the process
+            if error.bound != TOO_MUCH:  # it may still be small enough for the process
                 raise
     return _read_apart(path, progress)
 
@@ -102,7 +102,7 @@ def _listen(pipe: BinaryIO, answers: SimpleQueue[Any]) -> None:
             if "mesh" in answer:
                 answer = Finished(*(_received(pipe, *array) for array in answer["mesh"]))
             answers.put(answer)
-    except (EOFError, MemoryError, ValueError):  # it ended within an answer
+    except (EOFError, MemoryError, ValueError):  # the process ended within an answer
         pass
     finally:
         answers.put(None)
@@ -153,7 +153,7 @@ def main(path: Path) -> None:
 def _limit_memory() -> None:
     """Limit the memory of this process to `MEMORY`, where the system can."""
     if sys.platform == "win32":
-        return  # it has no such limit without a job object; `mesh.LARGEST` holds there too
+        return  # Windows has no such limit without a job object; `mesh.LARGEST` still applies
     import resource
 
     if sys.platform == "linux":

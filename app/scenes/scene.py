@@ -1,7 +1,7 @@
 """The scenes: the built-in ones, the phenomena, and meshes from the user's files.
 
-A `Scene` is finished geometry. Each face has one flat colour that is computed once in world space:
-it looks the same in the world, in NDC and in the image, and no pane needs a light. All geometry is
+A `Scene` is finished geometry. Each face has one flat colour, computed once in world space. It
+looks the same in the world, in NDC and in the image, and no pane needs a light. All geometry is
 stored relative to `Scene.origin`, subtracted in float64, because a GPU computes in float32: a mesh
 1e7 away from the world's origin would keep one digit.
 
@@ -9,7 +9,7 @@ The letter F of eight cubes standing on a grid in the xz plane is the scene of l
 (Horvat); the cube and the receding row of posts prepare and follow it. After them come the
 phenomena of `app.scenes.phenomena`, whose subject can be the user's own mesh.
 
-This room knows no Qt and no screen. It reads files and places the first camera, nothing else.
+This package knows neither Qt nor a screen. It only reads files and places the first camera.
 """
 
 from __future__ import annotations
@@ -71,14 +71,14 @@ NO_OWN_MESH = QT_TRANSLATE_NOOP(
     "Refusal", "mesh = {1}: the scene “{0}” has a subject of its own, which no mesh can replace."
 )
 SAMPLE = 100_000
-"""Speed is measured with so many vertices of a larger mesh."""
+"""Number of vertices with which speed is measured for a larger mesh."""
 _DEEPEST = 4.0  # of a mesh that crosses the bounds, in longest sides of the bounds
 RASTERISED = frozenset({"depth", "texture", "fog", "levels"})
 """Features of the image's `Rasteriser` that a scene can require."""
 SUBJECT_SAMPLE = 2_000
-"""A phenomenon computes with so many vertices of a larger subject at each step."""
+"""Number of vertices of a larger subject with which a phenomenon computes at each step."""
 MOST_IN_BOXES = 50_000
-"""A mesh of more cells gets one box."""
+"""Most cells of a mesh with several boxes; a larger one gets one box."""
 
 
 class Boxes(NamedTuple):
@@ -94,7 +94,7 @@ class Boxes(NamedTuple):
 
 
 class _Later:
-    """A mesh that is made when it is first drawn: to import VTK takes longer than to show a window.
+    """A mesh that is made when it is first drawn: importing VTK takes longer than showing a window.
 
     Attributes
     ----------
@@ -119,7 +119,7 @@ class _Later:
 
 
 class _Mesh:
-    """A field of `Scene` for a mesh, or for one that is made later."""
+    """A field of `Scene` for a mesh, possibly one that is made later."""
 
     def __set_name__(self, _owner: type, name: str) -> None:
         self._name = name
@@ -181,7 +181,7 @@ class Scene:
 
     @property
     def tries(self) -> tuple[str, ...]:
-        """Three short lines about what to try; translated like the phenomena's texts."""
+        """Three short suggestions, translated like the phenomena's texts."""
         if self.phenomenon is not None:
             return self.phenomenon.tries
         return TRIES.get(self.name, TRIES_OF_A_MESH)
@@ -211,7 +211,7 @@ class Scene:
 
     @property
     def triangles(self) -> int:
-        """The number of triangles that the faces consist of."""
+        """The number of triangles in the faces."""
         surface = self.__dict__["surface"]
         if surface is None:
             return 0
@@ -231,7 +231,7 @@ class Scene:
 
     @cached_property
     def corners(self) -> Array:
-        """Corners (8, 3) of a box around all that is drawn, in world coordinates."""
+        """Corners (8, 3) of a box around everything drawn, in world coordinates."""
         bounds = [mesh.bounds for mesh in self._meshes]
         low, high = np.subtract((self.lower, self.upper), self.origin)  # where nothing is drawn
         if bounds:
@@ -241,7 +241,7 @@ class Scene:
 
     @cached_property
     def apart(self) -> tuple[Scene, Scene]:
-        """The objects alone and the ground alone, as scenes from the same origin."""
+        """The objects alone and the ground alone, as scenes with the same origin."""
         surface, lines = (self.__dict__[name] for name in ("surface", "lines"))
         kept: list[_Later | None] = [None, None]
         if lines is not None:
@@ -266,7 +266,7 @@ class Scene:
         return (objects, "object"), (ground, "world")
 
     def reach(self, placement: ObjectTransform) -> Array:
-        """Return corners (8 or 16, 3) of boxes around all that is drawn, in world coordinates."""
+        """Return corners (8 or 16, 3) of boxes around everything drawn, in world coordinates."""
         if placement.is_identity:
             return self.corners
         objects, ground = self.apart
@@ -282,9 +282,9 @@ class Scene:
 
     @cached_property
     def boxes(self) -> Boxes:
-        """Boxes around all that is drawn, each cell in one box.
+        """Boxes around everything drawn; each cell is in one box.
 
-        Cells as large as the scene share a box, so do cells half as large, and so on: the lines of
+        Cells as large as the scene share a box, as do cells half as large, and so on: the lines of
         a ground are in a flat box below the eye. Small cells have a box in each corner of the
         scene, so that an eye between two bars of a letter is outside all boxes.
         """
@@ -351,7 +351,7 @@ def load(name_or_path: str, progress: Progress | None = None, mesh: str = "") ->
     ------
     Refusal
         For an unknown name, for a file that cannot be read or has no surface, and for a mesh with
-        a scene that takes none.
+        a scene that accepts none.
     Cancelled
         When `progress` returned False.
     """
@@ -535,7 +535,7 @@ def _scene_of_phenomenon(
         upper=vector(mesh.points.max(axis=0)),
         own_mesh=True,
     )
-    _ = scene.subject  # now: the first drawing would wait for it
+    _ = scene.subject  # do it now: the first drawing would wait for it
     report(progress, 1.0)
     return scene
 
@@ -544,7 +544,7 @@ def _scene_of_mesh(name: str, path: Path, progress: Progress | None) -> Scene:
     mesh = _read_mesh(path, progress)
     lower, upper = mesh.bounds
     size = math.dist(lower, upper)
-    # A round number near the middle, and 0 for a mesh that is at the origin anyway.
+    # A round number near the middle, and 0 for a mesh that lies around the origin.
     origin = _rounded(_centre(lower, upper), -math.floor(math.log10(size)))
     for ends in (mesh.points, mesh.edges):
         ends -= np.array(origin)

@@ -21,7 +21,7 @@ Colours: TypeAlias = NDArray[np.uint8]
 Coloured: TypeAlias = tuple[Floats, Colours]
 
 SIZES = 4
-"""Size classes of cells with boxes of their own: as large as the scene, half as large, ..."""
+"""Size classes of cells with their own boxes: as large as the scene, half as large, ..."""
 
 # --------------------------------------------------------------------------- colours
 
@@ -38,7 +38,7 @@ SIDE_RGB = np.array(
     ],
     dtype=np.uint8,
 )
-EDGE_RGB = (72, 72, 78)  # dark on a face, and still seen on a dark background
+EDGE_RGB = (72, 72, 78)  # dark on a face, and still visible on a dark background
 GRID_RGB = (158, 158, 158)
 GRID_AXIS_RGB = (105, 105, 105)
 OUTLINE_RGB = (96, 96, 96)
@@ -128,7 +128,7 @@ def edges_of(quads: Floats) -> Coloured:
 
 
 def is_grid(rgb: Colours) -> NDArray[np.bool_]:
-    """Return which lines are a ground's, by their colours, which no other line has."""
+    """Return which lines belong to a ground, by their colours, which no other line has."""
     one, other = (np.all(rgb == colour, axis=1) for colour in (GRID_RGB, GRID_AXIS_RGB))
     return np.asarray(one | other)
 

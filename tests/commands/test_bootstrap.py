@@ -219,7 +219,7 @@ def stopped_at_the_server(made: Checkout, by: signal.Signals) -> tuple[int, str,
 # --- the virtual environment ----------------------------------------------------------------------
 
 
-def test_help_version_and_doctor_come_before_any_set_up(fresh: Checkout) -> None:
+def test_help_version_and_doctor_need_no_set_up(fresh: Checkout) -> None:
     for command in ("", "export", "doctor"):
         status, output, said = fresh.run("-m", "app", *command.split(), "--help")
         assert (status, said) == (0, "")
@@ -235,7 +235,7 @@ def test_help_version_and_doctor_come_before_any_set_up(fresh: Checkout) -> None
     assert not (fresh.root / ".venv").exists()
 
 
-def test_the_doctor_goes_into_the_environment_that_there_is(made: Checkout) -> None:
+def test_the_doctor_uses_an_existing_environment(made: Checkout) -> None:
     """It stops early in this one, which has no Qt."""
     _, output, _ = made.run("-m", "app", "doctor")
     assert f"({made.root}/.venv/bin/python)" in output
@@ -458,7 +458,7 @@ def without_pip(made: Checkout) -> Path:
     return packages
 
 
-def test_an_environment_of_another_program_that_has_all_is_used_as_it_is(made: Checkout) -> None:
+def test_a_complete_environment_of_another_program_is_used(made: Checkout) -> None:
     packages = without_pip(made)
     before = sorted(packages.iterdir())
     said = made.assert_runs()

@@ -470,11 +470,11 @@ def test_a_name_in_a_deleted_folder_is_refused(tmp_path: Path, command: str, nam
     assert (done.returncode, done.stderr) == (2, said)
 
 
-def test_a_deleted_folder_does_not_matter_to_what_needs_none(tmp_path: Path) -> None:
+def test_commands_without_files_run_in_a_deleted_folder(tmp_path: Path) -> None:
     assert in_a_deleted_folder(tmp_path / "gone", "matrices").stdout == run_here("matrices").stdout
 
 
-def test_behind_two_dashes_are_names_only(tmp_path: Path, by_hand: Path) -> None:
+def test_after_two_dashes_all_words_are_names(tmp_path: Path, by_hand: Path) -> None:
     (tmp_path / "-x.json").write_bytes(by_hand.read_bytes())
     done = started("matrices", "--format=json", "--", "-x.json", cwd=tmp_path)
     assert (done.returncode, json.loads(done.stdout)) == (0, matrices(by_hand))
@@ -873,7 +873,7 @@ def test_latex_is_pmatrix_with_powers_of_ten_written_out() -> None:
     assert "e-" not in done.stdout
 
 
-def test_set_speaks_the_language_of_the_document(by_hand: Path) -> None:
+def test_set_uses_the_names_of_the_document(by_hand: Path) -> None:
     sets = ["lens.kind=orthographic", "depth=direct3d", "camera.eye=3,2,4", "lens.far=100"]
     found = matrices(by_hand, *(f"--set={value}" for value in sets))
     projection = set_values(BY_HAND, sets).projection
@@ -942,7 +942,7 @@ def test_the_largest_allowed_numbers_are_finite_in_json(by_hand: Path) -> None:
     ("word", "nearest"),
     [("expot", "export"), ("PROJECT", "project"), ("matrix", "matrices"), ("doktor", "doctor")],
 )
-def test_a_mistyped_command_names_the_nearest(word: str, nearest: str) -> None:
+def test_a_misspelt_command_names_the_nearest(word: str, nearest: str) -> None:
     said = refused(word)
     assert said == (
         f"{word!r} is neither a file nor a command; the nearest command is {nearest}.\n"
@@ -1341,7 +1341,7 @@ def test_doctor_names_a_package_of_the_wrong_version(
         ("read line || line=nothing; echo $line was typed >&2; exit 1", "nothing was typed"),
     ],
 )
-def test_doctor_tells_what_became_of_a_driver(
+def test_doctor_reports_how_a_driver_failed(
     script: str, said: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     from app.commands import doctor

@@ -15,6 +15,7 @@ from app.lessons.course import Course
 from app.lessons.lesson import read
 from tests.support.commands import one_sentence, run, run_here
 from widgets.parts.messages import read_text
+from widgets.program.handout import paged
 
 TALK = """---
 title: From <b> to $x$
@@ -60,8 +61,11 @@ def talk(tmp_path: Path) -> Path:
 
 def test_every_step_is_drawn_without_a_display(talk: Path) -> None:
     done = run("talk", talk, "--check", DISPLAY=None, WAYLAND_DISPLAY=None)
-    assert (done.returncode, done.stderr) == (0, "")
-    assert done.stdout.splitlines()[-1] == "small.md: 2 steps drawn, 0 wrong"
+    assert done.stderr == ""
+    *faults, drawn, composed = done.stdout.splitlines()
+    assert drawn == "small.md: 2 steps drawn, 0 wrong"
+    assert re.fullmatch(r"\d overlaps, \d crowded, \d empty of 2 steps", composed)
+    assert done.returncode == (1 if faults else 0)
 
 
 @pytest.mark.parametrize(
@@ -74,13 +78,13 @@ def test_every_step_is_drawn_without_a_display(talk: Path) -> None:
         ("scene=letter-f", "scene=nowhere", r"line 9.*nowhere", "0 steps drawn, 1 wrong"),
     ],
 )
-def test_what_is_wrong_is_said_with_its_line(
+def test_a_mistake_is_reported_with_its_line(
     talk: Path, old: str, new: str, said: str, last: str
 ) -> None:
     assert TALK.count(old) == 1
     talk.write_text(TALK.replace(old, new))
     done = run_here("talk", talk, "--check")
-    lines = done.stdout.splitlines()
+    lines = [line for line in done.stdout.splitlines() if ", step " not in line][:-1]
     assert done.returncode == 1
     assert re.search(f"small.md.*{said}", lines[0]), lines
     assert lines[-1] == f"small.md: {last}"
@@ -112,7 +116,7 @@ def test_the_handout_has_every_step_with_figures(talk: Path, tmp_path: Path) -> 
     assert [round(float(side)) for side in box.groups()] == [595, 842]  # A4
     images = re.findall(rb"/Subtype\s*/Image\b", pdf)
     assert len(images) == 3  # each step's, and the state that the prediction shows
-    assert pages_of(pdf) == 2
+    assert pages_of(pdf) == 1
 
 
 _PLACED = re.compile(
@@ -122,6 +126,14 @@ _PLACED = re.compile(
 )
 PAGE_WIDTH = (210.0 - 2.0 * 18.0) / 25.4 * 1200.0
 """Between the margins, in the units that places are in."""
+
+
+def content_of(pdf: bytes) -> bytes:
+    """All that is painted on the pages."""
+    streams = re.findall(rb"\nstream\r?\n(.*?)\r?\nendstream", pdf, re.DOTALL)
+    return b"".join(
+        zlib.decompressobj().decompress(stream) for stream in streams if stream[:1] == b"x"
+    )
 
 
 def printed(pdf: bytes) -> list[str]:
@@ -224,6 +236,45 @@ def test_the_handout_has_the_numbers_of_the_scene_where_it_is_explained(
     assert "–" not in runs  # nobody has counted anything
 
 
+def test_students_get_neither_answers_nor_notes_but_lines_to_write_on(
+    qapp: Any, talk: Path
+) -> None:
+    question = "```answer\nHow wide?\nvalue: 2*3\nwhy: By doubling.\n```\n"
+    talk.write_text(TALK + question)
+    out = talk.with_name("out.pdf")
+    said = {}
+    for readers in ("teacher", "students"):
+        done = run_here("talk", talk, "--handout", out, "--for", readers)
+        assert (done.returncode, done.stderr) == (0, "")
+        said[readers] = " ".join(" ".join(printed(out.read_bytes())).split())
+        strokes = re.findall(rb" m\n[\d.]+ [\d.]+ l\nS\n", content_of(out.read_bytes()))
+        assert (len(strokes) > 10) == (readers == "students"), strokes
+    for text in ("Say hello.", "The notes.", "2.5 min.", "✓", "So it is.", "6", "By doubling."):
+        assert text in said["teacher"] and text not in said["students"], text
+    for text in ("1. One", "Words with", "Which?", "this", "that", "How wide?"):
+        assert text in said["teacher"] and text in said["students"], text
+
+
+LONG = "---\ntitle: Long\n---\n" + "---\n".join(
+    f"# Step {{#s{number}}}\n{'words ' * (20 * number)}\n```state\nscene=letter-f\n```\n"
+    f"```note\n{'note ' * (12 * number)}\n```\n"
+    for number in range(1, 8)
+)
+
+
+@pytest.mark.parametrize("answers", [True, False])
+def test_no_page_of_a_handout_is_half_blank(qapp: Any, talk: Path, answers: bool) -> None:
+    talk.write_text(LONG)
+    course = Course(read(talk))
+    pages = paged(course, 490.0, 745.0, answers)
+    assert sum(len(page.pieces) for page in pages) >= 2 + 7 * 2
+    for page in pages:
+        end = max(piece.y + piece.height for piece in page.pieces)
+        assert end <= 745.0 + 1e-6 and page.blank == pytest.approx(1.0 - end / 745.0)
+        assert page.blank < 0.5
+        assert not page.pieces[-1].block.kept, "a title is not alone at the end of a page"
+
+
 def test_the_handout_has_the_value_of_an_answer(qapp: Any, talk: Path) -> None:
     question = (
         "```answer\nHow wide?\nvalue: 2*atan(aspect*tan(45/2))\nunit: °\nwhy: By tangents.\n```\n"
@@ -250,6 +301,11 @@ def test_a_handout_is_written_whole_or_not_at_all(qapp: Any, talk: Path, tmp_pat
         (("--handout", "out.png"), "must end in .pdf"),
         (("--handout", "/nowhere/out.pdf"), "there is no folder /nowhere"),
         (("--handouts", "out.pdf"), "the nearest is --handout"),
+        (
+            ("--handout", "out.pdf", "--for", "all"),
+            "--for = 'all': must be one of teacher, students",
+        ),
+        (("--check", "--for", "students"), "--for: needs --handout OUT.pdf."),
     ],
 )
 def test_a_wrong_command_line_is_refused(talk: Path, arguments: tuple[str, ...], said: str) -> None:

@@ -705,7 +705,7 @@ def test_a_mesh_may_be_named_from_where_the_program_was_started(
     assert read("lessons/lesson.json").scene == "cube"
 
 
-def test_a_file_is_saved_in_if_it_contains_a_document(tmp_path: Path) -> None:
+def test_only_document_files_are_saved_to(tmp_path: Path) -> None:
     files = {
         "a.json": DESIGN.encode(), "notes": DESIGN.encode(), "text.png": DESIGN.encode(),
         "figure": carrier(), "pic.dat": carrier(), "figure.png": carrier(), "pic.json": carrier(),
@@ -1251,7 +1251,7 @@ def test_a_wrong_value_of_a_view_cannot_be_set() -> None:
         assert said.startswith(found)
 
 
-def test_the_nearest_name_is_one_that_begins_so() -> None:
+def test_the_nearest_name_begins_with_the_typed_text() -> None:
     assert "lens.fov_y_deg" in sentence(set_values, Document(), ["lens.fov=60"])
 
 

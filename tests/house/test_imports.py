@@ -74,7 +74,7 @@ def module_of(path: str) -> str:
 
 
 def folder_of(module: str) -> str:
-    """The room of the table that a module is in; empty for what stands beside them all."""
+    """The package of a module in the table; empty for modules outside all packages."""
     return ".".join(module.split(".")[:2]) if module.count(".") else ""
 
 
@@ -129,7 +129,7 @@ def is_below(name: str, prefixes: tuple[str, ...]) -> bool:
 
 
 def faults(path: str, source: str) -> list[str]:
-    """What in a source file is against the table, one sentence each."""
+    """Return the imports of a source file that the table forbids, one sentence each."""
     module = module_of(path)
     folder = folder_of(module)
     if module in ("app", "widgets", *GROUND):
@@ -139,7 +139,7 @@ def faults(path: str, source: str) -> list[str]:
     elif folder in FLOOR:
         floor = FLOOR[folder]
     else:
-        return [f"{path} is in no folder of the table: which room does it belong to?"]
+        return [f"{path} is in no folder of the table."]
     free = () if floor < 0 else ("numpy", *AT_ONCE.get(folder, ()))
     late_free = LATE.get(folder, ())
     found = []
@@ -159,7 +159,7 @@ def faults(path: str, source: str) -> list[str]:
             others for what, others in NOT_FOR.items() if is_below(name, (what,)) and name != module
         )
         if not fits or any(is_below(module, others) for others in kept_from):
-            found.append(f"{path}:{line} imports {name}, which this room must not")
+            found.append(f"{path}:{line} imports {name}, which this folder must not")
     return found
 
 
@@ -177,7 +177,7 @@ def read(path: str) -> str:
     return (ROOT / path).read_text(encoding="utf-8")
 
 
-def test_a_room_imports_only_what_stands_below_it() -> None:
+def test_a_folder_imports_only_folders_below_it() -> None:
     assert [fault for path in sources() for fault in faults(path, read(path))] == []
 
 
@@ -211,7 +211,7 @@ def questions(source: str) -> list[str]:
     return found
 
 
-def test_hardly_anybody_outside_asks_which_lens_it_is() -> None:
+def test_few_places_outside_the_lenses_test_the_kind_of_lens() -> None:
     """What differs between lenses is a number or a method of theirs (DESIGN section 2)."""
     assert questions("x = isinstance(a.lens, Frustum | Oblique) or lens.parallel") != []
     asked = {
@@ -262,7 +262,7 @@ def test_a_forbidden_import_is_found(path: str, source: str, name: str) -> None:
         ("widgets/window/files.py", "import app.document.store"),
     ],
 )
-def test_an_allowed_import_is_let_pass(path: str, source: str) -> None:
+def test_an_allowed_import_is_accepted(path: str, source: str) -> None:
     assert faults(path, source) == []
 
 

@@ -25,7 +25,7 @@ def test_every_picture_is_shown_somewhere_and_can_be_drawn_anew() -> None:
     assert shown == set(pictures.PICTURES) == {path.name for path in pictures.DOCS.glob("*.png")}
 
 
-def test_a_label_in_another_place_is_seen(tmp_path: Path) -> None:
+def test_a_moved_label_is_detected(tmp_path: Path) -> None:
     path = pictures.DOCS / "scene-focus.png"
     with Image.open(path) as image:
         changed = image.convert("RGB")

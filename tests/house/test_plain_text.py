@@ -33,7 +33,7 @@ def faults(path: str, source: str) -> list[str]:
     return found
 
 
-def test_every_text_is_shown_as_it_stands() -> None:
+def test_every_text_is_shown_literally() -> None:
     files = [path for top in ("app", "widgets") for path in (ROOT / top).rglob("*.py")]
     names = [(path.relative_to(ROOT).as_posix(), path) for path in files]
     found = [

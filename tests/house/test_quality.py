@@ -24,11 +24,11 @@ def report(*command: str) -> str:
     return "" if done.returncode == 0 else done.stdout + done.stderr
 
 
-def test_ruff_is_content() -> None:
+def test_ruff_reports_nothing() -> None:
     assert report("ruff", "check", "--output-format", "concise", ".") == ""
 
 
-def test_mypy_is_content_with_strict_types() -> None:
+def test_mypy_reports_nothing_in_strict_mode() -> None:
     assert report("mypy") == ""
 
 
@@ -115,8 +115,8 @@ def private_names(node: ast.AST) -> list[str]:
     return [name for name in names if re.match("_[A-Za-z]", name)]
 
 
-def test_tests_ask_for_nothing_private() -> None:
-    """But for what they have made themselves: a user sees the rest, or another room calls it."""
+def test_tests_use_no_private_names() -> None:
+    """Tests use only public names, except of classes and functions that they define themselves."""
     found = {}
     for path in sorted((ROOT / "tests").rglob("*.py")):
         nodes = list(ast.walk(ast.parse(path.read_text(encoding="utf-8"))))

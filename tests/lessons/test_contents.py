@@ -75,9 +75,10 @@ def test_there_is_a_lesson_for_each_topic_and_a_talk_for_each_lecture() -> None:
 
 
 def test_the_check_of_all_lessons_is_clean_and_the_list_names_them() -> None:
-    done = run_here("lesson", "check")
-    assert done.returncode == 0
-    assert re.fullmatch(r"\d+ lessons, 5 talks, \d{3} checks, 0 wrong\n", done.stdout)
+    report = Report()
+    for path in contained():
+        report.read(path)
+    assert re.fullmatch(r"\d+ lessons, 5 talks, \d{3} checks, 0 wrong", str(report)), report.wrong
     done = run_here("lesson", "list")
     assert done.returncode == 0 and done.stdout.startswith("lesson L1 ")
     assert len(done.stdout.splitlines()) == len(contained())
@@ -151,8 +152,9 @@ def checked(path: Path, text: str) -> list[str]:
     done = run_here("lesson", "check", path)
     assert done.returncode == 1
     said = done.stdout.splitlines()
-    assert said[-1].endswith(f"{len(said) - 1} wrong")
-    return [line.removeprefix(f"{path}: ") for line in said[:-1]]
+    assert said[-2].endswith(f"{len(said) - 2} wrong")
+    assert said[-1] == "0 overlaps, 0 crowded, 0 empty of 0 steps", "a wrong file is not drawn"
+    return [line.removeprefix(f"{path}: ") for line in said[:-2]]
 
 
 ONE = "---\ntitle: T\n---\n# One\n"
@@ -213,7 +215,8 @@ def test_a_missing_file_is_refused_and_the_others_are_checked(tmp_path: Path) ->
     done = run_here("lesson", "check", tmp_path / "none.md", contained()[0])
     assert done.returncode == 1
     assert done.stdout.splitlines()[0] == f"{tmp_path / 'none.md'} does not exist."
-    assert done.stdout.splitlines()[-1].startswith("1 lesson, 0 talks, ")
+    assert done.stdout.splitlines()[-2].startswith("1 lesson, 0 talks, ")
+    assert done.stdout.splitlines()[-1].endswith(f" of {len(read(contained()[0]).steps)} steps")
 
 
 def test_only_lessons_are_among_the_lessons() -> None:

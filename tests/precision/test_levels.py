@@ -445,7 +445,7 @@ def test_every_level_keeps_the_shape_of_the_points_and_takes_none() -> None:
         assert trace(Projection(), (1.0, 2.0, 3.0), level).ndc.shape == (3,)
 
 
-def test_a_level_that_is_none_and_points_that_are_none_are_refused() -> None:
+def test_an_unknown_level_and_invalid_points_are_refused() -> None:
     with pytest.raises(Refusal, match="rung = 'float16': must be one of float32, float64"):
         trace(Projection(), [(0.0, 0.0, 0.0)], "float16")  # type: ignore[arg-type]
     for level in PRECISIONS:
@@ -562,7 +562,7 @@ def test_predictions_over_the_figures_hold() -> None:
     assert len(ratios) > 500 and np.median(ratios) < 20.0 and np.quantile(ratios, 0.95) < 100.0
 
 
-def test_float64_is_within_what_the_readme_says() -> None:
+def test_float64_keeps_the_bound_of_the_readme() -> None:
     """By a level of more digits: the worst of 11.7 million points was 6.2e-13."""
     rng = np.random.default_rng(19)
     worst, count = 0.0, 0
@@ -742,7 +742,7 @@ def test_no_points_anywhere_are_off_by_more_than_predicted(
 
 
 @pytest.mark.parametrize(("count", "most"), [(10, 60.0), (100, 25.0)])
-def test_predictions_of_scattered_points_are_no_looser_than_it_says(
+def test_predictions_of_scattered_points_are_as_tight_as_the_readme_says(
     count: int, most: float
 ) -> None:
     rng, ratios = np.random.default_rng(32), []
@@ -758,7 +758,7 @@ def test_predictions_of_scattered_points_are_no_looser_than_it_says(
 DRAWN_IN_FLOAT64 = {"far-plane-popping"}
 
 
-def test_predictions_of_the_readmes_documents_are_no_looser_than_it_says() -> None:
+def test_predictions_of_the_readmes_documents_are_as_tight_as_it_says() -> None:
     ratios = []
     letter_f, posts = load("letter-f"), load("posts")
     seen_from = replace(letter_f.start, camera=replace(letter_f.start.camera, eye=(3.0, 2.0, 4.0)))
@@ -872,7 +872,7 @@ def test_no_point_of_a_box_is_drawn_worse_than_its_bound() -> None:
     assert np.median(ratios) < 20.0 and np.quantile(ratios, 0.97) < 1000.0
 
 
-def test_a_box_beside_the_eye_is_bound_by_where_it_comes_into_view() -> None:
+def test_a_box_beside_the_eye_is_bounded_where_it_enters_the_view() -> None:
     """Its nearest corner is beside the eye, where w is near's 0.001 and nothing is seen of it."""
     camera = Camera((0.0, 0.0, 0.0), (0.0, 0.0, -1.0))
     projection = Projection(camera, Perspective(45.0, 0.001, 100.0), HD)
@@ -928,7 +928,7 @@ def test_no_point_of_an_edge_is_drawn_worse_than_the_bound_of_its_boxes(name: st
     assert kinds > 40 and crossing > 100 and boxed > 20
 
 
-def test_boxes_are_bound_each_for_itself() -> None:
+def test_each_box_has_its_own_bound() -> None:
     rng = np.random.default_rng(18)
     projection = Projection(Camera((0.5, 1.0, 2.0), (0.0, 0.0, 0.0)), Perspective(60, 0.1, 40), HD)
     boxes = np.array([corners(rng.normal(size=(2, 3)) * 3.0) for _ in range(60)])

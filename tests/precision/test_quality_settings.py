@@ -85,7 +85,7 @@ ALL_SAME = dict.fromkeys(PANES, True)
         ("runge=float32", "quality.runge is not known; the nearest name is quality.rung."),
     ],
 )
-def test_what_cannot_be_is_refused_in_one_sentence(text: str, sentence: str) -> None:
+def test_an_impossible_value_is_refused_in_one_sentence(text: str, sentence: str) -> None:
     with pytest.raises(Refusal) as refused:
         set_values(Document(), [f"quality.{text}"])
     assert str(refused.value) == sentence
@@ -150,7 +150,7 @@ def test_float32_draws_even_where_it_is_wrong(make_window: MakeWindow) -> None:
     assert (pictures(window)["image"] == exact).all()
 
 
-def test_a_smoothing_is_used_in_every_pane_and_stays_while_one_drags(window: MainWindow) -> None:
+def test_a_smoothing_is_used_in_every_pane_and_kept_during_a_drag(window: MainWindow) -> None:
     window.resize(940, 560)  # quickly drawn
     before = pictures(window)
     window.quality.use({"smoothing": "none"})
@@ -222,7 +222,7 @@ def test_a_click_hits_the_same_vertex_at_any_scale(window: MainWindow) -> None:
         ("interpolation", {"rung": "float64"}, "A textured surface can be drawn in float32 only."),
     ],
 )
-def test_what_a_pane_or_scene_cannot_have_is_said_and_it_stays_as_it_was(
+def test_an_impossible_choice_for_a_pane_or_scene_is_reported_and_changes_nothing(
     make_window: MakeWindow, scene: str, choice: dict[str, str], sentence: str
 ) -> None:
     window = make_window(Document(scene, load(scene).start))
@@ -235,7 +235,7 @@ def test_what_a_pane_or_scene_cannot_have_is_said_and_it_stays_as_it_was(
     assert sentence not in window.status.health.toolTip()
 
 
-def test_too_few_samples_are_told(window: MainWindow) -> None:
+def test_too_few_samples_are_reported(window: MainWindow) -> None:
     window.quality.use({"smoothing": "MSAA 8"})
     settle()
     given = window.panes["image"].samples
@@ -282,7 +282,7 @@ def test_a_depth_buffer_is_drawn_with_in_any_scene(make_window: MakeWindow) -> N
     assert (pictures(window)["image"] != near).any(axis=-1).mean() < wrong / 3.0
 
 
-def test_a_depth_buffer_that_a_lens_cannot_have_is_told(window: MainWindow) -> None:
+def test_a_depth_buffer_that_a_lens_cannot_have_is_reported(window: MainWindow) -> None:
     start = load("letter-f").start
     for mapping, lens, words in (
         ("logarithmic", Orthographic(), "depth_mapping"),
@@ -329,7 +329,7 @@ def test_the_status_line_shows_the_choice_and_leads_back(window: MainWindow) -> 
     assert window.store.document.quality == Quality("float64", detail=0.2) and button.isVisible()
 
 
-def test_figures_obey_the_document(ball: Scene) -> None:
+def test_figures_use_the_quality_of_the_document(ball: Scene) -> None:
     def picture(**choices: Any) -> np.ndarray:
         return render(ball, ball.start, ("image",), size=(200, 150), quality=Quality(**choices))
 
@@ -426,7 +426,7 @@ def triangles(window: MainWindow) -> dict[str, int]:
     return counts
 
 
-def test_quality_gives_way_while_one_drags_and_comes_back_whole(
+def test_quality_is_reduced_during_a_drag_and_restored_after_it(
     make_window: MakeWindow, mesh: str
 ) -> None:
     """No frame is ever as short as is asked for here: the coarsest is drawn, and whole at rest."""
@@ -441,7 +441,7 @@ def test_quality_gives_way_while_one_drags_and_comes_back_whole(
     assert window.look.adaptive.budget.level == Level(False, 0.005)
     dragged_pictures = pictures(window)
     (late,) = said_to_be_late(window)
-    assert late.endswith("ms per frame, not 33.")
+    assert late.endswith("ms per frame instead of 33.")
     window.store.end_gesture()
     assert said_to_be_late(window) == []
     settle()
@@ -459,7 +459,7 @@ def said_to_be_late(window: MainWindow) -> list[str]:
     return [line for line in window.status.health.toolTip().splitlines() if "coarsest" in line]
 
 
-def test_that_frames_are_late_is_said_while_one_drags_and_at_no_cost(window: MainWindow) -> None:
+def test_late_frames_are_reported_during_a_drag_at_no_cost(window: MainWindow) -> None:
     """At rest nothing is late; the next drag says it again with its first frame."""
     told: list[int] = []
     window.look.adaptive.changed.connect(lambda: told.append(len(said_to_be_late(window))))
@@ -494,7 +494,7 @@ def test_that_frames_are_late_is_said_while_one_drags_and_at_no_cost(window: Mai
         (2_000_000, (*SHARES, 0.005, 0.002, 0.001, 0.0005)),
     ],
 )
-def test_what_dragging_may_leave_out_depends_on_how_much_there_is(
+def test_the_shares_for_dragging_depend_on_the_size_of_the_mesh(
     triangles: int, shares: tuple[float, ...]
 ) -> None:
     """A mesh of any size gets down to what hardly takes time, and none to nothing."""
@@ -529,7 +529,7 @@ def test_the_first_step_of_a_drag_waits_for_no_large_mesh(
     window.store.end_gesture()
 
 
-def test_a_mesh_of_middling_size_gives_way_as_well(make_window: MakeWindow, tmp_path: Path) -> None:
+def test_a_mesh_of_medium_size_is_reduced_too(make_window: MakeWindow, tmp_path: Path) -> None:
     """Without a word: its coarser versions are made at once."""
     path = tmp_path / "small.ply"
     pv.Sphere(theta_resolution=50, phi_resolution=50).save(path)
@@ -568,7 +568,7 @@ def test_while_a_small_mesh_is_made_coarser_unseen_nothing_comes_between(
     assert found == [True]
 
 
-def test_a_pane_that_was_hidden_meanwhile_is_whole_as_well(
+def test_a_pane_hidden_during_the_drag_is_restored_too(
     make_window: MakeWindow, mesh: str, ball: Scene
 ) -> None:
     window = make_window(Document(mesh, ball.start))
@@ -586,7 +586,7 @@ def test_a_pane_that_was_hidden_meanwhile_is_whole_as_well(
     assert same(pictures(window), pictures(fresh)) == ALL_SAME
 
 
-def test_antialiasing_gives_way_first_where_it_does_not_wait_anyway(
+def test_antialiasing_is_dropped_first(
     make_window: MakeWindow,
 ) -> None:
     window = make_window(software_rendering=False)
@@ -604,7 +604,7 @@ def test_antialiasing_gives_way_first_where_it_does_not_wait_anyway(
     assert (pixels(window, "image") == smooth).all()
 
 
-def test_a_drag_that_is_in_time_costs_no_repaint_more(make_window: MakeWindow) -> None:
+def test_a_drag_within_the_target_costs_no_extra_repaint(make_window: MakeWindow) -> None:
     window = make_window(software_rendering=False)
     window.look.adaptive.set_target(1000.0)
     settle()

@@ -70,7 +70,7 @@ def test_the_gap_at_the_target_is_that_of_a_24_bit_buffer() -> None:
 
 
 @pytest.mark.parametrize("lens", [Perspective(45.0, 12.5, 30.0), Perspective(45.0, 1e-6, 10.5)])
-def test_of_a_target_outside_the_planes_no_gap_is_told(lens: Lens) -> None:
+def test_no_gap_is_reported_for_a_target_outside_the_planes(lens: Lens) -> None:
     told = found(replace(EVERYDAY, lens=lens))
     assert not {WIDE_GAP, NO_GAP, NO_PICTURE} & set(told)
 
@@ -89,7 +89,7 @@ def test_an_empty_picture_says_why(plane: str, projection: Projection) -> None:
     assert found(projection) == {NO_PICTURE: (plane,)}
 
 
-def test_what_float32_cannot_hold_is_said_without_a_figure() -> None:
+def test_a_picture_beyond_float32_is_reported_without_a_figure() -> None:
     told = found(replace(EVERYDAY, lens=Perspective(1e-80, 1.0, 30.0)))
     assert NO_FLOAT32 in told and ROUGH_DRAWING not in told
 
@@ -100,7 +100,7 @@ def test_a_parallel_lens_has_one_gap_everywhere() -> None:
     assert 0.23 < float(told[WIDE_GAP][0]) < 0.49
 
 
-def test_what_vtk_would_do_is_told() -> None:
+def test_the_effects_of_vtks_own_camera_are_reported() -> None:
     assert found(replace(EVERYDAY, lens=Perspective(179.5)))[VTK_CLAMPS] == ("179",)
     assert found(replace(EVERYDAY, lens=Perspective(1e-9)))[VTK_CLAMPS] == ("1e-08",)
     assert VTK_CLAMPS not in found(replace(EVERYDAY, lens=Perspective(179.0)))
@@ -120,7 +120,7 @@ def test_lost_digits_are_counted() -> None:
     assert 4 <= int(told[FEW_DIGITS][1]) <= 6
 
 
-def test_what_float32_would_lose_is_told_of_the_whole_picture() -> None:
+def test_the_loss_of_float32_is_reported_for_the_whole_picture() -> None:
     far_away = Camera((12345678.9 + 6.0, 5.0, 9.0), (12345678.9, 2.2, 0.0))
     projection = replace(EVERYDAY, camera=far_away)
     lower, upper = (12345678.9 - 2.0, 0.0, -1.0), (12345678.9 + 2.0, 5.0, 1.0)
@@ -139,7 +139,7 @@ def test_what_float32_would_lose_is_told_of_the_whole_picture() -> None:
         (((1, 0, 0, 0), (0, 1, 0, 0), (0, 0, -1, -2), (0.5, 0, -1, 0)), REACHES_INFINITY),
     ],
 )
-def test_why_a_free_matrix_has_no_frustum_is_told(
+def test_the_reason_for_a_missing_frustum_is_reported(
     rows: tuple[tuple[float, float, float, float], ...], why: str
 ) -> None:
     told = found(replace(EVERYDAY, lens=FreeMatrix(rows)))  # type: ignore[arg-type]

@@ -7,7 +7,7 @@ from functools import cache
 from app.document.document import Document
 from app.model.projection import Projection
 from app.scenes.scene import Scene, load
-from widgets.parts.panel import PROJECTION, Changed, Shown, Told
+from widgets.parts.panel import PROJECTION, Changed, Listener, Shown
 
 
 @cache
@@ -16,11 +16,11 @@ def _letter() -> Scene:
 
 
 def show(
-    told: Told,
+    listener: Listener,
     projection: Projection,
     scene: Scene | None = None,
     changed: Changed = PROJECTION,
 ) -> None:
-    """Tell of another projection, of the letter F if no scene is given."""
+    """Show another projection; of the letter F if no scene is given."""
     scene = scene or _letter()
-    told.take(Shown.of(Document(scene.name, projection), scene), changed)
+    listener.take(Shown.of(Document(scene.name, projection), scene), changed)

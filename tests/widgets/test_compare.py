@@ -177,7 +177,7 @@ def test_the_divider_is_dragged_and_goes_by_keys_as_far_as_the_picture(window: M
     assert not window.comparing.is_on and not handle.isVisible() and not compare.bar.isVisible()
 
 
-def test_keys_hold_toggle_and_end_it_and_nothing_is_to_be_undone(window: MainWindow) -> None:
+def test_keys_hold_toggle_and_end_a_comparison_without_undo_steps(window: MainWindow) -> None:
     activate(window)
     large = window.slots.large
     QTest.keyClick(window, Qt.Key.Key_F6)
@@ -197,7 +197,7 @@ def test_keys_hold_toggle_and_end_it_and_nothing_is_to_be_undone(window: MainWin
     assert compare.others == []
 
 
-def test_the_held_side_is_only_looked_at_and_the_live_one_is_alive(window: MainWindow) -> None:
+def test_only_the_live_side_reacts_to_the_mouse(window: MainWindow) -> None:
     hold(window)
     before = window.store.document
     change(window, fov_y_deg=40.0)

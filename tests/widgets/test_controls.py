@@ -295,7 +295,7 @@ def test_a_shown_projection_updates_each_row_without_a_signal(controls: Column) 
         assert record.events == [], key
 
 
-def test_a_chosen_thing_is_one_edit(controls: Column) -> None:
+def test_a_choice_is_one_edit(controls: Column) -> None:
     for key, record in each(controls, CHOICES):
         wanted, holds, _ = CHOICES[key]
         row = choice(controls, key)
@@ -326,7 +326,7 @@ def test_a_shown_choice_emits_no_signal(controls: Column) -> None:
         assert record.events == [], key
 
 
-def test_choosing_what_is_chosen_says_nothing(controls: Column, record: Record) -> None:
+def test_choosing_the_current_option_emits_nothing(controls: Column, record: Record) -> None:
     controls.sections["image"].set_open(True)
     button = choice(controls, "aspect").widgets[2]
     QTest.mouseClick(button, Qt.MouseButton.LeftButton)
@@ -512,7 +512,7 @@ def wheel(slider: QSlider, keys: Qt.KeyboardModifier = NO_KEY, turned: int = 120
     return event.isAccepted()
 
 
-def test_the_wheel_scrolls_the_column_unless_the_slider_is_meant(
+def test_the_wheel_scrolls_the_column_unless_the_slider_has_focus_or_ctrl(
     controls: Column, record: Record
 ) -> None:
     row = number(controls, "azimuth_deg")
@@ -708,7 +708,7 @@ def test_the_model_does_not_move_a_slider_in_the_users_hand(
     ],
     ids=repr,
 )
-def test_slider_positions_and_values_answer_each_other(scale: Any) -> None:
+def test_slider_positions_and_values_are_inverse(scale: Any) -> None:
     values = [scale.value_at(position) for position in range(scale.last + 1)]
     assert values == sorted(values) and len(set(values)) > scale.last / 3
     assert [scale.value_at(scale.position_of(value)) for value in values] == values
@@ -721,7 +721,7 @@ def test_slider_positions_and_values_answer_each_other(scale: Any) -> None:
         assert len(set(values)) == len(values)
 
 
-def test_linear_values_are_decimal_to_the_eye() -> None:
+def test_linear_values_look_decimal() -> None:
     scale = Linear.about(0.0, 1.0)
     values = [scale.value_at(position) for position in range(scale.last + 1)]
     assert max(len(repr(value)) for value in values) <= len("-0.9995")
@@ -815,7 +815,7 @@ def test_a_number_is_read_as_it_is_typed(text: str, value: float) -> None:
         ("1/1e400", AT_MOST), ("1e-300/1e300", DISTINCT), ("1/1e-400", DISTINCT),
     ],
 )  # fmt: skip
-def test_a_text_that_no_float64_can_be_is_refused(text: str, bound: str) -> None:
+def test_a_text_beyond_float64_is_refused(text: str, bound: str) -> None:
     with pytest.raises(Refusal) as caught:
         parse_number("Near", text)
     assert caught.value.bound == bound
@@ -969,7 +969,7 @@ def test_eye_on_target_and_up_along_the_view(controls: Column) -> None:
     assert len(record.edits) == 2
 
 
-def test_an_accepted_value_takes_the_error_away(controls: Column, record: Record) -> None:
+def test_an_accepted_value_removes_the_error(controls: Column, record: Record) -> None:
     near = number(controls, "near")
     enter(near, "40")
     show(controls, replace(START, camera=Camera((1.0, 2.0, 3.0))))
@@ -1166,7 +1166,7 @@ def test_a_double_click_on_the_name_resets(controls: Column, reader: Reader) -> 
         assert record.events == ["start", "edit", "finish"], key  # nothing left to reset
 
 
-def test_a_reset_takes_a_refused_text_away(controls: Column, record: Record) -> None:
+def test_a_reset_removes_a_refused_text(controls: Column, record: Record) -> None:
     row = number(controls, "near")
     enter(row, "abc")
     QTest.mouseDClick(row.name_label, Qt.MouseButton.LeftButton)

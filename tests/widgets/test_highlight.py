@@ -408,7 +408,7 @@ def test_a_row_marks_the_cells_that_depend_on_it(window: MainWindow) -> None:
     assert view.is_marked(0, 0) and view.is_marked(1, 2) and not view.is_marked(2, 0)
 
 
-def test_a_row_is_painted_when_it_is_marked_and_when_no_more(window: MainWindow) -> None:
+def test_a_row_is_repainted_when_marked_and_unmarked(window: MainWindow) -> None:
     row, painted = window.controls.rows["near"], []
 
     class Watch(QObject):

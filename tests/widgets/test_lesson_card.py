@@ -208,7 +208,7 @@ def test_a_prediction_is_made_before_the_step_goes_on(window: MainWindow, lesson
     assert window.lessons.place == 0 and "You said" in texts(card)
 
 
-def test_a_task_ticks_itself_whatever_way_it_is_done(window: MainWindow, lesson: Path) -> None:
+def test_a_task_is_ticked_however_it_is_solved(window: MainWindow, lesson: Path) -> None:
     activate(window)
     card = window.lesson_card
     card.open(lesson)
@@ -289,7 +289,7 @@ def test_an_answer_is_marked_with_its_idea_hints_and_reason(
     assert not which.is_open
 
 
-def test_a_right_answer_gives_the_keyboard_to_the_next_block_and_can_be_forgotten(
+def test_a_right_answer_moves_the_focus_on_and_can_be_deleted(
     window: MainWindow, lesson: Path
 ) -> None:
     activate(window)
@@ -401,7 +401,7 @@ def test_the_tour_can_be_done_with_the_keyboard_alone(window: MainWindow) -> Non
     assert window.lessons.lesson == first
 
 
-def test_who_types_in_the_dock_keeps_the_keyboard(window: MainWindow, lesson: Path) -> None:
+def test_typing_in_the_dock_keeps_the_focus(window: MainWindow, lesson: Path) -> None:
     activate(window)
     window.lesson_card.open(lesson)
     come_to_rest(window)
@@ -454,7 +454,7 @@ def test_a_new_kind_of_block_is_a_class_and_a_view(
     assert window.settings.progress[str(lesson)].answers == {"one/mine": "7"}
     present(window)
     window.talks.reveal()
-    assert "Which number? It is 7." in window.band.accessibleName()
+    assert "Which number? It is 7." in window.slide.question.accessibleName()
     window.present.end()
 
 

@@ -781,7 +781,7 @@ def test_the_explanation_follows_the_value(panel: MatrixPanel, qtbot: QtBot) -> 
 # -- what is read on it
 
 
-def test_a_vector_is_told_from_the_plane_of_its_letter(panel: MatrixPanel) -> None:
+def test_a_vector_is_distinguished_from_the_plane_with_its_letter(panel: MatrixPanel) -> None:
     """In (f + n)(n.e) the first n is near, and the second the camera's axis."""
     choose(panel.cells, "formulas")
     panel.running.setChecked(True)

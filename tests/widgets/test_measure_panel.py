@@ -444,8 +444,8 @@ def test_an_unusable_choice_is_in_italics_and_says_why(panel: MeasurePanel, tmp_
     assert italics == [False, True, True]
     assert greys == [True, False, False], "only the first is worse than another one in both"
     assert tips[0] == ""
-    assert tips[1] == "supersampling 3 x 3 is measured only: the panes are not drawn with it."
-    assert tips[2].splitlines()[0] == "not installed" and tips[2].count("measured only") == 1
+    assert tips[1] == "supersampling 3 x 3 is only measured: the panes are not drawn with it."
+    assert tips[2].splitlines()[0] == "not installed" and tips[2].count("only measured") == 1
     assert used.count() == 1 and refused.count() == 2
 
 
@@ -517,7 +517,7 @@ def test_a_refusal_stays_until_the_panel_is_used_again(window: MainWindow, tmp_p
 
     def refuse() -> None:
         panel.table.cellClicked.emit(0, 0)
-        assert bar.text == "float16 is measured only: the panes are not drawn with it."
+        assert bar.text == "float16 is only measured: the panes are not drawn with it."
 
     refuse()
     panel.table.cellClicked.emit(1, 0)

@@ -9,9 +9,9 @@ from typing import Any
 import numpy as np
 import pytest
 from PySide6.QtCore import QEvent, QPoint, QPointF, QRect, QSize, Qt
-from PySide6.QtGui import QEnterEvent, QFontInfo, QIcon, QPixmap
+from PySide6.QtGui import QEnterEvent, QFontInfo, QHelpEvent, QIcon, QPixmap
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication, QLabel, QToolButton, QWidget
+from PySide6.QtWidgets import QApplication, QLabel, QToolButton, QToolTip, QWidget
 
 from app.drawings.style import LIGHT
 from tests.support.drawings import labels_of
@@ -27,6 +27,7 @@ from tests.support.window import (
     rgb_of,
     settle,
 )
+from tests.support.window import enter as enter_text
 from widgets.window.main_window import MainWindow
 from widgets.window.settings import Settings
 
@@ -102,44 +103,135 @@ def is_presenting(window: MainWindow) -> bool:
 # -- what a class sees
 
 
-def test_panes_and_controls_fill_the_screen(window: MainWindow) -> None:
-    begin(window)
-    assert is_presenting(window) and not window.menus.tools.isVisible()
-    screen = window.screen().size()
-    areas = [pane.width() * pane.height() for pane in window.panes.values()]
-    assert all(pane.isVisible() for pane in window.panes.values()) and window.controls.isVisible()
-    dock = window.controls.width() * window.controls.height()
-    assert sum(areas) + dock > 0.97 * screen.width() * screen.height()
+def test_one_picture_is_the_slide(window: MainWindow) -> None:
+    for scene, leading in (("letter-f", "world"), ("clipping", "ndc"), ("depth-buffer", "image")):
+        window.guide.choose(scene)
+        begin(window)
+        assert is_presenting(window) and not window.menus.tools.isVisible()
+        screen = window.screen().size()
+        assert [name for name, pane in window.panes.items() if pane.isVisible()] == [leading]
+        assert window.panes[leading].canvas.size() == screen, scene
+        assert not window.controls.isVisible() and not window.strip.isVisible()
+        assert not window.panes[leading].header.isVisible()
+        assert window.control_strip.isHidden()
+        window.present.end()
+        give_room(window, QRect(*ORDINARY))
+        assert all(pane.isVisible() for pane in window.panes.values())
+        assert window.panes[leading].header.isVisible() and window.strip.isVisible()
 
 
-def test_the_large_pane_keeps_its_height_while_a_class_reads_a_panel(window: MainWindow) -> None:
+def test_a_slide_of_two_pictures_has_them_side_by_side(window: MainWindow) -> None:
+    window.store.set_view(slide=("image", "world"))
     begin(window)
-    for large in ("world", "image", "ndc"):
-        window.slots.arrange("pictures", large)
+    left, right = (window.panes[name].geometry() for name in ("image", "world"))
+    assert not window.panes["ndc"].isVisible() and left.height() == right.height()
+    assert abs(left.width() - right.width()) <= 2 and left.right() < right.left()
+    assert all(window.panes[name].title.isVisible() for name in ("image", "world"))
+    assert not window.panes["world"].header.findChild(QWidget, "fixedViews").isVisible()
+    press(window, Qt.Key.Key_Escape)
+    assert all(pane.isVisible() for pane in window.panes.values())
+
+
+def test_the_keys_of_the_panes_choose_another_slide(window: MainWindow) -> None:
+    def seen() -> list[str]:
+        return [name for name, pane in window.panes.items() if pane.isVisible()]
+
+    begin(window)
+    window.slots.bring("image")
+    assert seen() == ["image"]
+    window.slots.bring("image")
+    assert seen() == ["world", "ndc", "image"]
+    window.slots.bring("ndc")
+    assert seen() == ["ndc"]
+    window.slots.go_back()
+    assert seen() == ["world"]
+
+
+def test_a_panel_takes_nothing_from_the_slide(window: MainWindow) -> None:
+    begin(window)
+    before = window.panes["world"].geometry()
+    window.panels.open(window.frame_panel)  # its step is drawn in the world
+    settle()
+    assert window.panes["world"].geometry() == before and window.panels.height() == 0
+    window.panels.open(None)
+    window.store.set_view(slide=("kinds",))
+    settle()
+    assert window.kinds_panel.isVisible() and not window.panes["world"].isVisible()
+    assert window.panels.height() == window.height()
+    window.store.set_view(slide=(), panel="")
+    settle()
+    assert window.panes["world"].geometry() == before
+
+
+def test_the_strip_has_the_controls_that_a_step_names(window: MainWindow) -> None:
+    window.guide.choose("similar-triangles")
+    begin(window)
+    whole = window.panes["world"].height()
+    window.store.set_view(controls=("lens.near", "settings.distance"))
+    settle()
+    strip, rows = window.control_strip, window.control_strip.rows
+    assert [row.name for row in rows] == ["Near", "Plane distance d"]
+    assert strip.isVisible() and all(row.isVisible() for row in rows)
+    assert window.panes["world"].height() >= 0.9 * whole
+    enter_text(rows[0].field, "3")
+    assert window.store.document.projection.lens.near == 3.0
+    enter_text(rows[1].field, "5")
+    assert window.store.document.settings["distance"] == 5.0
+    window.store.undo()
+    settle()
+    assert rows[1].field.text() == "4"
+    window.setFocus()
+    press(window, Qt.Key.Key_C)
+    assert strip.isHidden() and window.panes["world"].height() == whole
+    window.store.set_view(controls=())
+    press(window, Qt.Key.Key_C)  # those of the scene
+    assert [row.name for row in strip.rows] == ["Plane distance d", "Point P"]
+    window.present.end()
+    settle()
+    assert strip.isHidden() and strip.rows == []
+    card = window.controls.card
+    assert all(row.isVisible() for row in card.rows.values())
+    assert window.controls.rows["near"].isVisible()
+    order = [card.layout().indexOf(row) for row in card.rows.values()]
+    assert order == sorted(order)
+
+
+def test_the_strip_of_stages_is_shown_to_a_class_only_if_it_is_asked_for(
+    window: MainWindow,
+) -> None:
+    window.store.set_view(slide=("ndc",))
+    begin(window)
+    assert window.panes["ndc"].isVisible() and not window.strip.isVisible()
+    window.store.set_view(controls=("stage",))
+    settle()
+    assert window.strip.isVisible() and window.control_strip.isHidden()
+
+
+def test_a_class_sees_no_tooltips(window: MainWindow) -> None:
+    canvas = window.panes["world"].canvas
+
+    def is_told() -> bool:
+        place = canvas.rect().center()
+        QApplication.sendEvent(
+            canvas, QHelpEvent(QEvent.Type.ToolTip, place, canvas.mapToGlobal(place))
+        )
+        told = QToolTip.isVisible()
+        QToolTip.hideText()
         settle()
-        before = [pane.geometry() for pane in window.panes.values()]
-        window.panels.open(window.probe_panel)
-        settle()
-        pane, room = window.panes[large], window.slots.size()
-        assert pane.height() > 0.95 * room.height(), large
-        beside = [other for name, other in window.panes.items() if name != large]
-        assert all(other.height() > 0.4 * room.height() for other in beside), large
-        assert cut(window) == [], large
-        if large == "image":  # 0.15 where it lay above the small ones
-            picture = pane.drawing.picture_rectangle_px.width / pane.canvas.pixel_ratio
-            assert picture >= 0.33 * window.width()
-        window.panels.open(None)
-        settle()
-        assert [pane.geometry() for pane in window.panes.values()] == before, large
+        return told
+
+    assert is_told()
+    begin(window)
+    assert not is_told()
 
 
 def test_text_is_a_share_of_the_screens_height(window: MainWindow) -> None:
     before = LIGHT.font_size
     begin(window)
     least = 0.022 * window.screen().size().height()
-    for layout, large in (("pictures", "world"), ("pictures", "image"), ("pictures", "ndc"),
-                          ("columns", "")):  # fmt: skip
-        window.slots.arrange(layout, large)
+    press(window, Qt.Key.Key_F4)
+    for name in window.panes:
+        window.slots.bring(name)
         settle()
         assert cut(window) == []
         for widget in window.findChildren(QWidget):
@@ -161,6 +253,8 @@ def test_a_class_sees_the_controls_that_matter_and_nothing_else(window: MainWind
     beside += [window.controls.rows["fov_y_deg"], window.controls.rows["azimuth_deg"]]
     assert all(widget.isVisible() for widget in beside)
     begin(window)
+    assert not window.controls.isVisible()
+    press(window, Qt.Key.Key_F4)
     assert not any(widget.isVisible() for widget in beside)
     assert all(row.isVisible() for row in card.rows.values())
     assert window.controls.rows["near"].isVisible() and card.tries.isVisible()
@@ -196,21 +290,11 @@ def test_an_offer_waits_until_presenting_ends(window: MainWindow) -> None:
     assert bar.isVisible()
 
 
-def test_a_class_reads_what_to_try_even_in_a_narrow_window(window: MainWindow) -> None:
-    window.resize(1024, 720)
-    settle()
-    assert not window.controls.isVisible()
-    begin(window)
-    assert window.controls.isVisible() and window.controls.card.tries.isVisible()
-    press(window, Qt.Key.Key_F5)
-    give_room(window, QRect(0, 0, 1024, 720))
-    assert not window.controls.isVisible()
-
-
 def test_no_last_word_stands_alone(window: MainWindow) -> None:
     """Of each thing to try, the last line is at least half as long as the longest."""
     window.guide.choose("off-axis-window")
     begin(window)
+    press(window, Qt.Key.Key_F4)
     tries = window.controls.card.tries
     for text in tries.text().split("\n"):
         tries.setText(text)
@@ -319,6 +403,8 @@ def test_b_blanks_the_screen_and_every_exit_restores_it(window: MainWindow) -> N
 
 def test_the_pointer_marks_in_all_panes_what_the_mouse_is_over(window: MainWindow) -> None:
     begin(window)
+    window.slots.bring("world")  # all panes
+    settle()
     canvas = window.panes["image"].canvas
     ((x, y),) = window.panes["image"].drawing.sight.seen([[0.5, 4.5, 1.0]]).tolist()
     at = QPointF(x, y) / canvas.pixel_ratio

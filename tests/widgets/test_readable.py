@@ -72,7 +72,7 @@ def test_most_slow_steps_show_nothing(shown: Shown) -> None:
     assert shown.seen == list(range(1, 11, STEPS))
 
 
-def test_where_the_hand_rests_the_last_value_is_shown(shown: Shown, qtbot: QtBot) -> None:
+def test_when_the_input_stops_the_last_value_is_shown(shown: Shown, qtbot: QtBot) -> None:
     shown.readable.begin_gesture()
     for number in (1, 2, 3):
         shown.step(number)

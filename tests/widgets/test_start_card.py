@@ -74,7 +74,7 @@ def test_a_click_on_a_scene_opens_it(window: MainWindow) -> None:
     assert window.slots.large == "image"
 
 
-def test_one_click_or_escape_sends_it_away(window: MainWindow) -> None:
+def test_one_click_or_escape_closes_it(window: MainWindow) -> None:
     before = window.store.document
     for act in (
         lambda _card: QTest.keyClick(window, Qt.Key.Key_Escape),

@@ -48,7 +48,7 @@ def rested(qtbot: QtBot, line: StatusLine, projection: Projection, scene: Scene)
     qtbot.waitUntil(lambda: not rest.isActive())
 
 
-def test_precisions_are_predicted_when_the_hand_rests(
+def test_precisions_are_predicted_when_the_input_stops(
     qtbot: QtBot, line: StatusLine, scene: Scene
 ) -> None:
     rested(qtbot, line, EVERYDAY, scene)
@@ -70,7 +70,7 @@ def test_precisions_are_predicted_when_the_hand_rests(
     assert line.precision.text().startswith("drawn float64 ±8e-05 px, read float64 ±")
 
 
-def test_an_error_without_a_bound_is_told_in_a_sentence(
+def test_an_error_without_a_bound_is_reported_in_a_sentence(
     qtbot: QtBot, line: StatusLine, scene: Scene
 ) -> None:
     line.resize(3200, 24)
@@ -122,7 +122,7 @@ def test_errors_are_predicted_when_the_hidden_line_appears(
     qtbot.waitUntil(lambda: line.precision.text() != was)
 
 
-def test_a_risk_is_told_and_goes_again(qtbot: QtBot, line: StatusLine, scene: Scene) -> None:
+def test_a_risk_is_reported_and_withdrawn(qtbot: QtBot, line: StatusLine, scene: Scene) -> None:
     risky = replace(EVERYDAY, lens=Perspective(179.5, 1e-6, math.inf))
     rested(qtbot, line, risky, scene)
     assert line.health.text().startswith("At the target, a 24-bit depth buffer")

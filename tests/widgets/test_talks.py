@@ -41,10 +41,11 @@ from tests.support.window import (
 from widgets.parts.message_bar import MessageBar
 from widgets.window.lessons import TRANSITION_S, Lessons
 from widgets.window.main_window import MainWindow
+from widgets.window.question import Question
 from widgets.window.settings import Settings
 from widgets.window.speaker import SpeakerWindow, TalkClock, planned
 from widgets.window.talk_ahead import REST_MS
-from widgets.window.talk_band import LEAST_TEXT_SHARE, TalkBand
+from widgets.window.talk_band import LINE_SHARE, LINES, TITLE_SHARE, TOP_SHARE, TalkBand
 from widgets.window.talk_keys import TYPED_MS
 
 
@@ -292,20 +293,20 @@ def is_asked(window: MainWindow) -> bool:
     return bool(asked)
 
 
-def column(band: TalkBand, text: str) -> QTextDocument:
-    """What of the band a text stands in: its title, its words, or what is beside them."""
+def column(band: QWidget, text: str) -> QTextDocument:
+    """The document of a band or a question that a text stands in."""
     columns = band.findChildren(QTextDocument)
     (found,) = (each for each in columns if text in each.toPlainText())
     return found
 
 
-def letters_px(band: TalkBand, text: str) -> int:
-    """How large a text stands on the band."""
+def letters_px(band: QWidget, text: str) -> int:
+    """How large a text stands there."""
     return column(band, text).defaultFont().pixelSize()
 
 
-def has_room(band: TalkBand) -> bool:
-    """Whether all that a band says is seen: the wheel moves nothing."""
+def has_room(band: QWidget) -> bool:
+    """Whether all that a question says is seen: the wheel moves nothing."""
     before, none = band.grab().toImage(), Qt.MouseButton.NoButton
     for turned in (-1200, 1200):
         at, turn = QPointF(band.rect().center()), QPoint(0, turned)
@@ -315,6 +316,12 @@ def has_room(band: TalkBand) -> bool:
         if band.grab().toImage() != before:
             return False
     return True
+
+
+def asked(window: MainWindow) -> str:
+    """What a class is asked or told just now."""
+    question = window.slide.question
+    return question.accessibleName() if question.isVisible() else ""
 
 
 def type_number(window: MainWindow, number: int) -> None:
@@ -374,7 +381,7 @@ def test_a_field_takes_what_is_typed(window: MainWindow) -> None:
     window.setFocus()
 
 
-def test_the_keys_are_a_panes_when_nothing_is_presented(window: MainWindow) -> None:
+def test_without_presenting_the_keys_belong_to_the_pane(window: MainWindow) -> None:
     window.talks.open_speaker()  # where they are the talk's all the same
     activate(window)
     press(window, Qt.Key.Key_Escape)
@@ -413,7 +420,7 @@ AROUND = lesson_of(
 )
 
 
-def test_a_pane_that_nobody_turned_looks_as_if_the_talk_had_begun_at_the_step(
+def test_an_unturned_pane_looks_the_same_whichever_step_came_first(
     window: MainWindow,
 ) -> None:
     def looks() -> tuple[np.ndarray, ...]:
@@ -436,7 +443,7 @@ def test_a_pane_that_nobody_turned_looks_as_if_the_talk_had_begun_at_the_step(
             np.testing.assert_allclose(found, other, atol=1e-9, err_msg=str(way))
 
 
-def test_without_a_talk_presenting_is_as_ever(window: MainWindow) -> None:
+def test_presenting_without_a_talk_is_unchanged(window: MainWindow) -> None:
     window.lessons.close()
     settle()
     assert window.present.is_on and window.band.isHidden()
@@ -452,10 +459,10 @@ def test_a_prediction_is_answered_by_the_state_that_it_shows(window: MainWindow)
 
     go_to(window.lessons, 1)
     assert near() != 2.0
-    assert "How wide is it? A 106.7° B 91.5°" in window.band.accessibleName()
+    assert "How wide is it? A 106.7° B 91.5°" in asked(window)
     press(window, Qt.Key.Key_V)
     arrive(window.lessons)
-    said = window.band.accessibleName()
+    said = asked(window)
     assert near() == 2.0 and "106.7" not in said
     assert "B 91.5° ✓" in said and "The tangents are in proportion." in said
     press(window, Qt.Key.Key_V)  # there is no other
@@ -464,7 +471,7 @@ def test_a_prediction_is_answered_by_the_state_that_it_shows(window: MainWindow)
     assert near() != 2.0
 
 
-def test_what_was_tried_is_left_by_one_key_and_undone(window: MainWindow) -> None:
+def test_one_key_discards_manual_changes_and_undo_restores_them(window: MainWindow) -> None:
     shown = window.store.document
     tried = replace(shown.projection, lens=replace(shown.projection.lens, near=1.0))
     window.store.set_projection(tried)
@@ -494,7 +501,7 @@ def test_the_band_is_above_the_panes_and_never_moves_them(window: MainWindow) ->
         places.append(window.slots.geometry())
     assert len(set(map(repr, places))) == 1
     go_to(window.lessons, 0)
-    assert has_room(band) and letters_px(band, "The class reads") > band.fontInfo().pixelSize()
+    assert letters_px(band, "The class reads") == round(LINES[0] * window.screen().size().height())
     assert not window.lesson_card.isVisible()  # which would say it again
     window.present.end()
     settle()
@@ -547,7 +554,7 @@ def test_the_speakers_window(window: MainWindow) -> None:
     assert not is_asked(window)  # or every event of every window would wait for it
 
 
-def test_the_notes_are_made_larger_and_stay_so(window: MainWindow, tmp_path: Path) -> None:
+def test_enlarged_notes_stay_enlarged(window: MainWindow, tmp_path: Path) -> None:
     speaker, settings = speaker_of(window), window.settings
     before = settings.notes_px
     for times, key, size in ((40, Qt.Key.Key_Plus, 72), (25, Qt.Key.Key_Minus, before)):
@@ -671,7 +678,7 @@ def test_a_new_talk_begins_with_what_is_seen(window: MainWindow, tmp_path: Path)
     window.messages.done()
 
 
-def test_a_file_that_changes_or_vanishes_leaves_the_last_good_one(
+def test_a_faulty_or_deleted_file_leaves_the_last_good_lesson(
     window: MainWindow, talk: Path
 ) -> None:
     press(window, PAGE_DOWN)
@@ -700,7 +707,7 @@ def test_a_file_that_changes_or_vanishes_leaves_the_last_good_one(
     assert window.band.accessibleName() == "Its cube"
 
 
-def test_a_wrong_file_is_complained_about_in_the_window_once_no_class_looks_on(
+def test_a_faulty_file_is_reported_once_presenting_has_ended(
     window: MainWindow,
 ) -> None:
     """On one screen the speaker's window may be hidden behind the other one."""
@@ -722,7 +729,7 @@ def test_a_wrong_file_is_complained_about_in_the_window_once_no_class_looks_on(
     assert "talk.md: line" in window.messages.text
 
 
-def test_a_step_that_cannot_be_leaves_the_one_before(window: MainWindow, talk: Path) -> None:
+def test_an_impossible_step_leaves_the_previous_one(window: MainWindow, talk: Path) -> None:
     change(window, TALK.replace("view.stage=pyramid", "view.stage=pyramid\nlens.near=99"))
     go_to(window.lessons, 1)
     document = window.store.document
@@ -744,7 +751,7 @@ TRIANGLE = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"
 
 
 @pytest.mark.parametrize("known", [False, True], ids=["never-seen", "seen-before"])
-def test_the_speaker_reads_which_step_cannot_be_and_not_the_class(
+def test_an_impossible_step_is_reported_to_the_speaker_not_the_class(
     window: MainWindow, talk: Path, known: bool
 ) -> None:
     mesh = talk.with_name("house.obj")
@@ -790,7 +797,7 @@ def test_the_speaker_reads_which_step_cannot_be_and_not_the_class(
     assert not window.messages.text
 
 
-def test_what_a_prediction_cannot_show_is_said_to_the_speaker(
+def test_an_impossible_state_of_a_prediction_is_reported_to_the_speaker(
     window: MainWindow, talk: Path
 ) -> None:
     text = TALK.replace("show: lens.near=2", "show: lens.near=99")
@@ -802,7 +809,7 @@ def test_what_a_prediction_cannot_show_is_said_to_the_speaker(
     line = text.splitlines().index("show: lens.near=99") + 1
     assert any(f"talk.md: line {line}, lens.near = 99" in said for said in read_on(speaker))
     assert window.store.document == shown and not window.messages.text
-    assert "B 91.5° ✓" in window.band.accessibleName()  # it can be said without
+    assert "B 91.5° ✓" in asked(window)  # it can be said without
 
 
 def asked_of(step: Step, *, told: bool) -> str:
@@ -849,7 +856,7 @@ show: lens.near=3
 )
 
 
-def test_an_answer_is_put_to_the_class_and_then_given(window: MainWindow, talk: Path) -> None:
+def test_a_question_is_put_to_the_class_and_then_answered(window: MainWindow, talk: Path) -> None:
     """60° high and 16 : 9: 2 atan(16/9 tan 30°) = 91.49°. One question after the other."""
     assert 2 * math.degrees(math.atan(16 / 9 * math.tan(math.pi / 6))) == pytest.approx(
         91.49, abs=5e-3
@@ -859,7 +866,7 @@ def test_an_answer_is_put_to_the_class_and_then_given(window: MainWindow, talk: 
     seen = []
     for _ in range(6):
         assert window.lessons.place == 3
-        seen.append(window.band.accessibleName().partition("Make it square. ")[2])
+        seen.append(asked(window))
         press(window, PAGE_DOWN)
         arrive(window.lessons)
     assert seen == [
@@ -872,12 +879,12 @@ def test_an_answer_is_put_to_the_class_and_then_given(window: MainWindow, talk: 
     ]
     assert window.lessons.place == 4
     press(window, PAGE_UP)
-    assert window.talks.revealed == 0 and "91.49" not in window.band.accessibleName()
+    assert window.talks.revealed == 0 and "91.49" not in asked(window)
     press(window, Qt.Key.Key_V)
-    assert "91.49° ✓" in window.band.accessibleName()
+    assert "91.49° ✓" in asked(window)
     press(window, Qt.Key.Key_Period)
     press(window, Qt.Key.Key_V)  # nobody is asked in the dark
-    assert not window.present.is_blank and "higher than wide?" in window.band.accessibleName()
+    assert not window.present.is_blank and "higher than wide?" in asked(window)
 
 
 def test_the_speaker_reads_answers_and_tasks_beforehand(window: MainWindow, talk: Path) -> None:
@@ -891,7 +898,7 @@ def test_the_speaker_reads_answers_and_tasks_beforehand(window: MainWindow, talk
     )
 
 
-def test_an_answer_without_a_value_is_said_and_the_talk_goes_on(
+def test_an_answer_without_a_value_is_reported_and_the_talk_continues(
     window: MainWindow, talk: Path
 ) -> None:
     text = ASKED.replace("value: fov_x", "value: ndc_x")
@@ -900,42 +907,74 @@ def test_an_answer_without_a_value_is_said_and_the_talk_goes_on(
     press(window, PAGE_DOWN)
     line = text.splitlines().index("value: ndc_x") + 1
     assert f"talk.md: line {line} has no value in this state" in window.messages.text
-    assert "The tangents are in proportion." in window.band.accessibleName()
+    assert "The tangents are in proportion." in asked(window)
     press(window, PAGE_DOWN)
-    assert "Is it higher than wide?" in window.band.accessibleName()
+    assert "Is it higher than wide?" in asked(window)
     assert not window.messages.text
 
 
-def test_the_band_shows_a_step_within_its_height(display: Any, talk: Path) -> None:
+def test_the_band_shows_two_lines_and_leaves_the_rest_to_the_notes(
+    display: Any, talk: Path
+) -> None:
     band = TalkBand()
     band.resize(1366, 10)
-    lesson = parse_lesson(TALK, talk)
-    band.set_talk(lesson, 768.0)
-    for step in lesson.steps:
-        for told in (False, True):
-            band.show_step(step, "1 / 3", asked_of(step, told=told))
-            assert has_room(band)
-    assert band.height() == round(0.135 * 768)
-    table = "\n\n| a | b |\n| - | - |\n" + 4 * "| 1 | 2 |\n"
-    tall = parse_lesson(TALK.replace("reads **this**", f"reads **this**.{table}\nAnd"), talk)
-    band.set_talk(tall, 768.0)
-    assert band.height() == round(0.18 * 768)
-    much = TALK.replace("How wide is it?", "How wide is it? " * 12).replace("91.5°", "91.5° " * 40)
-    for times, high in ((1, 0), (20, 256)):
-        said = parse_lesson(much.replace("tangents", "tangents " * 20 * times), talk)
-        band.set_talk(said, 768.0)
-        band.show_step(said.steps[1], "2 / 3", asked_of(said.steps[1], told=True))
-        assert max(round(0.135 * 768), high) <= band.height() <= round(768 / 3)
-        assert letters_px(band, "91.5°") >= LEAST_TEXT_SHARE * 768
-        assert has_room(band) == (times == 1)  # of more, the wheel shows the rest
-    band.show_step(said.steps[0], "1 / 3")
-    assert band.height() == round(0.135 * 768)  # the usual again
-    band.set_talk(tall, 768.0)
-    band.show_step(tall.steps[0], "1 / 3")
-    assert has_room(band)
-    words, table = column(band, "The class reads"), column(band, "a\nb\n1\n2")
-    assert words is not table  # which stands beside them, in large letters
-    assert letters_px(band, "a\nb\n1\n2") >= round(0.9 * band.fontInfo().pixelSize())
+    band.set_screen(768.0)
+    high = round((TOP_SHARE + TITLE_SHARE + LINE_SHARE) * 768)
+    cases = {
+        "reads **this**": ("The class reads this, and", ""),
+        "reads **this**" + " and more" * 60: ("Fields", "The class reads"),
+        "reads **this**.\n\n" + "More. " * 60: ("The class reads this.", "More."),
+        "reads **this**.\n\n" + "More. " * 60 + "\n\n$$\\frac{a}{b} = c$$\n": (
+            "\\frac{a}{b} = c",
+            "The class reads",
+        ),
+    }
+    for text, (shown, left) in cases.items():
+        step = parse_lesson(TALK.replace("reads **this**", text), talk).steps[0]
+        band.show_step(step, "1 / 3")
+        assert shown in band.accessibleName()
+        assert left in band.left_out and bool(left) == bool(band.left_out)
+        assert band.height() == high and band.height() <= 0.165 * 768
+        for document in band.findChildren(QTextDocument):
+            assert document.size().height() <= LINE_SHARE * 768
+            assert document.defaultFont().pixelSize() >= math.floor(LINES[-1] * 768)
+
+
+def test_a_question_lies_over_the_lower_third_and_moves_nothing(window: MainWindow) -> None:
+    go_to(window.lessons, 0)
+    settle()
+    pane = window.panes["world"]
+    geometry, picture = pane.geometry(), pixels(window)
+    question = window.slide.question
+    assert question.isHidden()
+    question.show_text("How wide is it?\n\n- A: 1\n- B: 2", 1080.0)
+    settle()
+    assert question.height() == round(window.slide.height() / 3)
+    assert question.geometry().bottom() == window.slide.rect().bottom()
+    assert pane.geometry() == geometry and (pixels(window) == picture).all()
+    go_to(window.lessons, 1)
+    settle()
+    assert "How wide is it?" in asked(window)
+
+
+def test_a_long_question_is_reached_by_the_wheel(display: Any, talk: Path) -> None:
+    slide = QWidget()
+    slide.resize(1366, 640)
+    question = Question(slide)
+    slide.show()
+    for times, fits in ((1, True), (40, False)):
+        text = TALK.replace("How wide is it?", "How wide is it? " * 12 * times)
+        question.show_text(asked_of(parse_lesson(text, talk).steps[1], told=True), 768.0)
+        assert has_room(question) == fits
+        assert letters_px(question, "91.5°") >= math.floor(LINES[-1] * 768)
+        assert question.height() == round(640 / 3)
+
+
+def test_what_a_class_does_not_read_is_in_the_notes(window: MainWindow) -> None:
+    change(window, TALK.replace("reads **this**", "reads **this**" + " and more" * 60))
+    go_to(window.lessons, 0)
+    notes = speaker_of(window).notes.toPlainText()
+    assert notes.startswith("The class reads this and more") and "Only the speaker" in notes
 
 
 # --------------------------------------------------------------------------- drawn ahead
@@ -961,18 +1000,18 @@ def test_what_is_drawn_ahead_is_what_a_fresh_window_shows_and_never_grows(
     before = len(drawn_in())
     assert window.lessons.open(path)
     seen = {}
+    slides = ["world", "world", "ndc", "image"]  # one pane of each step
     for place in (1, 2, 3, 2, 1):
         around = (window.lessons.place > 0) + (window.lessons.place < 3)
-        qtbot.waitUntil(lambda there=before + 3 * around: len(drawn_in()) == there)
-        ahead = drawn_in()
-        left = [weakref.ref(pane.canvas.render_window) for pane in window.panes.values()]
-        assert window.lessons.go(place)
-        for pane in window.panes.values():
-            assert pane.canvas.render_window in ahead
-            assert pane.canvas.render_window not in [each() for each in left]
+        qtbot.waitUntil(lambda there=before + around: len(drawn_in()) == there)
+        ahead, pane = drawn_in(), window.panes[slides[place]]
+        left = weakref.ref(pane.canvas.render_window)
+        assert window.lessons.go(place), window.messages.text
+        assert pane.isVisible() and pane.canvas.render_window in ahead
+        assert pane.canvas.render_window is not left()
         del ahead
-        qtbot.waitUntil(lambda refs=left: not any(each() for each in refs))  # all is at rest
-        now = {name: pixels(window, name) for name in window.panes}
+        qtbot.waitUntil(lambda ref=left: ref() is None)  # all is at rest
+        now = {slides[place]: pixels(window, slides[place])}
         if place in seen:  # come back to
             assert all(np.array_equal(now[name], seen[place][name]) for name in now)
         seen[place] = now
@@ -985,7 +1024,7 @@ def test_what_is_drawn_ahead_is_what_a_fresh_window_shows_and_never_grows(
     for place in (1, 2, 3):
         assert fresh.lessons.open(path, f"s{place + 1}")
         fresh.look.rebuild()  # whatever was drawn ahead here
-        for pane in fresh.panes:
-            qtbot.waitUntil(lambda n=pane, p=place: np.array_equal(pixels(fresh, n), seen[p][n]))
+        name = slides[place]
+        qtbot.waitUntil(lambda n=name, p=place: np.array_equal(pixels(fresh, n), seen[p][n]))
     fresh.present.end()
     fresh.lessons.close()

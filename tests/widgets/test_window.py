@@ -157,7 +157,7 @@ def test_a_drag_repaints_once_a_step_and_without_a_gpu_once_to_refine(
     assert counts == dict.fromkeys(window.panes, 4 if software else 1)
 
 
-def test_a_change_is_told_only_to_those_whom_it_concerns(
+def test_a_change_reaches_only_the_listeners_that_it_concerns(
     make_window: MakeWindow, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     told: set[str] = set()
@@ -212,7 +212,7 @@ def test_a_hidden_pane_neither_computes_nor_draws_and_catches_up(window: MainWin
     assert asked == [window.store.document.projection]
 
 
-def test_a_pane_that_appears_again_is_as_if_it_had_been_there(make_window: MakeWindow) -> None:
+def test_a_pane_that_reappears_looks_as_if_never_hidden(make_window: MakeWindow) -> None:
     """The end of a gesture, which fits its view and places its labels, may have passed it by."""
     window, pictures = make_window(), []
     start = window.store.document.projection
@@ -410,7 +410,7 @@ def test_the_strip_plays_on_while_its_pane_goes_to_a_window_and_back(window: Mai
     assert not window.strip.playing
 
 
-def test_themes_and_the_size_for_a_class_dress_every_pane(window: MainWindow) -> None:
+def test_themes_and_sizes_for_a_class_apply_to_every_pane(window: MainWindow) -> None:
     turn(window, "ndc")
     view = window.panes["ndc"].view
     for theme in ["light", "dark"]:
@@ -572,7 +572,7 @@ def drop(window: MainWindow, *paths: Path) -> None:
     settle()
 
 
-def test_of_several_dropped_files_the_first_is_opened_and_that_is_said(
+def test_only_the_first_of_several_dropped_files_is_opened(
     window: MainWindow, tmp_path: Path
 ) -> None:
     mesh = tetrahedron(tmp_path)
@@ -996,7 +996,7 @@ def test_a_killed_process_leaves_its_work_to_the_next(make_window: MakeWindow) -
     assert window.recovery.autosave.orphans() == []
 
 
-def test_a_good_close_leaves_no_autosave(make_window: MakeWindow) -> None:
+def test_a_normal_close_leaves_no_autosave(make_window: MakeWindow) -> None:
     window, folder = make_window(shown=False), data_folder()
     edit(window)
     window.recovery.autosave.save_now()

@@ -31,13 +31,13 @@ HeightMode: TypeAlias = Literal["fixed", "swing", "steps"]
 LookMode: TypeAlias = Literal["target", "level"]
 
 STEP_S = 2.0
-"""Pause of the lecture between two heights in steps."""
+"""The lecture's pause between two heights in steps."""
 STEPS_UP = 3
 """Steps from the lowest height to the highest."""
 PERIOD_S = 2.0 * STEPS_UP * STEP_S
-"""Time for once up and down, smoothly or in steps."""
+"""Time for one cycle up and down, smoothly or in steps."""
 FASTEST_DEG_S = 3600
-"""Ten turns a second: beyond a sixth of a turn a frame the direction cannot be seen."""
+"""Ten turns a second: above a sixth of a turn per frame, the direction is no longer visible."""
 
 
 @dataclass(frozen=True)
@@ -76,18 +76,18 @@ class Motion:
         return abs(self.highest / 2.0 - self.lowest / 2.0)
 
     def swing(self, clock_s: float) -> float:
-        """The eye's y of the smooth walk, world units."""
+        """Return the eye's y of the smooth walk, in world units."""
         turn = 2.0 * math.pi * math.remainder(clock_s, PERIOD_S) / PERIOD_S
         return self._middle - self._reach * math.cos(turn)
 
     def step(self, clock_s: float) -> float:
-        """The eye's y of the walk in steps, world units."""
+        """Return the eye's y of the walk in steps, in world units."""
         beat = math.floor(clock_s / STEP_S) % (2 * STEPS_UP)
         level = min(beat, 2 * STEPS_UP - beat)
         return self._middle + self._reach * (2.0 * level / STEPS_UP - 1.0)
 
     def clock_at(self, height: float, *, rising: bool = True) -> float:
-        """Return the time at which the rising or falling walk is nearest to a height."""
+        """Return the time at which the rising or falling walk is closest to a height."""
         down = (self._middle - height) / self._reach if self._reach > 0.0 else 0.0
         clock_s = math.acos(min(max(down, -1.0), 1.0)) / (2.0 * math.pi) * PERIOD_S
         return clock_s if rising else PERIOD_S - clock_s
@@ -220,7 +220,7 @@ class AnimationBar(QWidget, Playing, Gestures):
             row.clear_error()
         middle = camera.target[1]
         scale = Linear.about(middle, 3.0 * size)
-        # Beside a long row of objects a swing as high as that would look straight down.
+        # Beside a long row of objects a swing that high would look straight down.
         reach = min(size, camera.distance / 2.0)
         for row, height in ((self.lowest, middle - reach / 4.0), (self.highest, middle + reach)):
             row.setScale(scale)
@@ -230,7 +230,7 @@ class AnimationBar(QWidget, Playing, Gestures):
         self._settings_edited()
 
     def show_camera(self, camera: Camera) -> None:
-        """Note the camera; if it is not that of the last frame, the walk continues from it."""
+        """Store the camera; if it differs from the last frame's, the walk continues from it."""
         if camera == self._shown:
             return
         self._say("")
@@ -239,7 +239,7 @@ class AnimationBar(QWidget, Playing, Gestures):
         if self._start is None or before is None:
             return
         aim_y = self._start.target[1]
-        if camera.target[1] != before.target[1]:  # not the walk's own levelling
+        if camera.target[1] != before.target[1]:  # ignore the levelling by the walk itself
             aim_y = camera.target[1]
         rising, old_y = self._now.rising, before.eye[1]
         self._go_on_from(camera, aim_y)
@@ -251,7 +251,7 @@ class AnimationBar(QWidget, Playing, Gestures):
     # -- playing
 
     def play(self) -> None:
-        """Walk from the current camera."""
+        """Start walking from the current camera."""
         if self.playing or self._shown is None or not self.isEnabled():
             return
         self._clock.start()
@@ -271,7 +271,7 @@ class AnimationBar(QWidget, Playing, Gestures):
         self.playing_changed.emit(False)
 
     def advance(self, seconds: float) -> None:
-        """Walk for some seconds and emit the camera, unless paused."""
+        """Advance by some seconds and emit the camera, unless paused."""
         if not self.playing or self._start is None:
             return
         self._elapsed_s += seconds

@@ -18,11 +18,11 @@ from widgets.parts.section import Of, Rows, Typed
 
 ASPECTS = {"1:1": (1, 1), "4:3": (4, 3), "16:9": (16, 9)}
 _NOT_YET = Linear(-1.0, 1.0, 0.01)
-"""Scale of a length until a scene sets it."""
+"""Scale of a length until a scene defines it."""
 
 
 class CameraControls(QObject):
-    """Fills the parts of the dock that have nothing to do with the lens."""
+    """Fills the parts of the dock that do not concern the lens."""
 
     def __init__(self, front: Rows, more: Rows, image: Rows, placement: Rows) -> None:
         super().__init__(front)

@@ -50,14 +50,14 @@ _ABOUT: dict[str, tuple[str, ...]] = {
     "kind": (),
     "preset": (),
 }
-"""Subjects of a row in the names of `app.lecture.highlight`, if they are not its field's name."""
+"""Highlight names of a row (`app.lecture.highlight`), where they differ from its field's name."""
 _MAKES: dict[str, tuple[str, ...]] = {
     **dict.fromkeys(("eye", "target", "azimuth_deg", "elevation_deg"), ("u", "v", "n")),
     **dict.fromkeys(("fov_y_deg", "fy"), ("bottom", "top")),
     **dict.fromkeys(("fov_x_deg", "fx"), ("left", "right")),
     **dict.fromkeys(("focal_length_mm", "e"), ("left", "right", "bottom", "top")),
 }
-"""Other things made of a row's value; pointing at these marks the row too."""
+"""Other things computed from a row's value; pointing at these marks the row too."""
 
 
 class Controls(Dock, RowHolder):
@@ -77,11 +77,11 @@ class Controls(Dock, RowHolder):
 
     concerns = EVERYTHING
     edited = Signal(object)
-    """The user made this `Projection`; once per action."""
+    """The user made this `Projection`; emitted once per action."""
     object_unfolded = Signal(bool)
-    """Whether the numbers of an object that can be moved are unfolded."""
+    """Whether the numbers of a movable object are unfolded."""
     highlighted = Signal(str, object)
-    """The key of the row that the user is at, and its `Highlight`; `NOTHING` afterwards."""
+    """The key of the row under the mouse or the focus, and its `Highlight`; then `NOTHING`."""
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -91,8 +91,10 @@ class Controls(Dock, RowHolder):
         self._has_fixed_objects = False
         self._lifted: tuple[str, ...] = ()
         self._replaced: Collection[str] = ()
+        self._lent: list[str] = []
+        """The keys of the rows that are outside the dock."""
         self._found: set[QWidget] | None = None
-        """The results of the search, which alone are shown; None without a search."""
+        """The rows found by the search, the only ones shown; None without a search."""
         self.setAccessibleName(self.tr("Controls"))
         self.search.textChanged.connect(self._look_for)
         self.search.taken.connect(self._take_found)
@@ -175,7 +177,7 @@ class Controls(Dock, RowHolder):
             return
         self._projection = projection
         if "image_size" in changed:
-            changed.add("lens")  # most measures of a field of view have the aspect in them
+            changed.add("lens")  # most measures of a field of view depend on the aspect
         if projection.lens.kind != before.lens.kind:
             self._lens.fit(projection, self._size, self._defaults)
             self._show_rows()
@@ -228,7 +230,7 @@ class Controls(Dock, RowHolder):
         self._show_rows()
 
     def show_highlight(self, highlighted: Highlight) -> None:
-        """Mark the rows about what is highlighted, and those that it is made of."""
+        """Mark the rows of what is highlighted, and the rows that it is computed from."""
         shown = made_of(highlighted)
         for binding in self._bindings.values():
             names = _about(binding).union(_MAKES.get(binding.field, ()))
@@ -258,8 +260,38 @@ class Controls(Dock, RowHolder):
         self.card.lift(self.rows[key] for key in lifted)
         self._show_found(self._found)
 
+    def lend(self, paths: Collection[str]) -> list[Row]:
+        """Return the rows of these values, by their paths in a document, to another place.
+
+        A vector has a row for each component. Unknown values, and those of another lens, have none.
+        """
+        self.take_back()
+        self._lent = [
+            key
+            for path in paths
+            for name in (path.rpartition(".")[2],)
+            for key in (name, *(f"{name}_{axis}" for axis in "xyz"))
+            if not path.startswith("settings.") and key in self._bindings
+            if self._in_use(self._bindings[key])
+        ]
+        of_scene = [path.removeprefix("settings.") for path in paths]
+        rows = [self.rows[key] for key in self._lent] + self.card.lend(of_scene)
+        self._show_values(PARTS)
+        return rows
+
+    def take_back(self) -> None:
+        """Put every row that was lent back into the dock."""
+        if not self._lent and not self.card.has_lent:
+            return
+        self._lent.clear()
+        for part in self._parts:
+            part.bring_home()
+        self.card.take_back()
+        self.card.lift(self.rows[key] for key in self._lifted)
+        self._show_found(self._found)
+
     def set_presenting(self, on: bool) -> None:
-        """Show a class only the controls that matter, or show all of them again."""
+        """Show only the controls that a class needs, or all of them again."""
         self._is_for_class = on
         self.search.clear()
         self.search.setVisible(not on)
@@ -271,7 +303,7 @@ class Controls(Dock, RowHolder):
     # -- looking for a control
 
     def find_control(self) -> None:
-        """Give the keyboard to the search box."""
+        """Give the focus to the search box."""
         self.search.setFocus(Qt.FocusReason.ShortcutFocusReason)
         self.search.selectAll()
 
@@ -295,7 +327,7 @@ class Controls(Dock, RowHolder):
         self._show_found(found)
 
     def _why_not_here(self, found: set[QWidget], others: set[QWidget]) -> str:
-        """Say which lenses have the controls that were found, if no other was found."""
+        """Say which lenses have the found controls, if the current lens has none of them."""
         if found:
             return ""
         lines = [
@@ -343,7 +375,7 @@ class Controls(Dock, RowHolder):
     # -- the sections
 
     def _tell_of_object(self) -> None:
-        """Report whether the numbers of an object that can be moved are unfolded."""
+        """Report whether the numbers of a movable object are unfolded."""
         if self._found is None:
             is_open = self.sections["object"].is_open
             self.object_unfolded.emit(is_open and not self._has_fixed_objects)
@@ -400,7 +432,7 @@ class Controls(Dock, RowHolder):
             bar.setValue(bar.value() + moved.y())
 
     def _limit(self, binding: Binding, value: float) -> Refusal | None:
-        """Return the model's limit on the side of a value beyond all numbers, if it has one."""
+        """Return the model's limit that an infinite value exceeds, if there is one."""
         probe = math.copysign(LARGEST, value)
         try:
             binding.write(self._projection, probe)
@@ -418,7 +450,7 @@ class Controls(Dock, RowHolder):
         return True
 
     def _limits(self, binding: Binding) -> str:
-        """Say what the model asks of a number in this row."""
+        """State the model's limits for a number in this row."""
         clauses = []
         for value in (-math.inf, math.inf):
             error = self._limit(binding, value)
@@ -442,14 +474,14 @@ class Controls(Dock, RowHolder):
     # -- shown
 
     def _in_use(self, binding: Binding) -> bool:
-        """Whether lens and scene have this row, and no setting of the scene replaces it."""
+        """Whether the row applies to lens and scene, and no setting of the scene replaces it."""
         if binding.part == "placement" and self._has_fixed_objects:
             return False
         of_lens = not binding.lenses or self._projection.lens.kind in binding.lenses
         return of_lens and binding.field not in self._replaced
 
     def _show_rows(self) -> None:
-        """Show the rows in use, during a search only the results, with their values."""
+        """Show the rows in use, or only the results of a search, with their values."""
         found = self._found
         for binding in self._bindings.values():
             row = binding.row
@@ -461,7 +493,8 @@ class Controls(Dock, RowHolder):
         for rows in self._parts:
             is_open = rows.is_open
             for key, binding in rows.bindings.items():
-                seen = (is_open or key in self._lifted) and not binding.row.isHidden()
+                away = key in self._lifted or key in self._lent
+                seen = (is_open or away) and not binding.row.isHidden()
                 if seen and binding.part in parts:
                     binding.row.setValue(binding.read(self._projection))
 

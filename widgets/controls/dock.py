@@ -1,4 +1,4 @@
-"""The geometry of the dock: a column that scrolls below a search box, and never shifts a row."""
+"""The geometry of the dock: a column that scrolls below a search box and keeps rows in place."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from widgets.parts.layouts import in_column
 from widgets.parts.section import GAP_PX
 
 WIDTH_PX, LEAST_PX = 285, 270
-"""Width of the dock until the user chooses one, and its least width at the ordinary font."""
+"""Default width of the dock, and its least width at the ordinary font."""
 PRESENTED_EM = 17.6
 """Width of the dock for a class on any screen, in heights of its letters."""
 LEFT_MARGIN_PX, RIGHT_MARGIN_PX = 8, 4
@@ -34,14 +34,14 @@ class Dock(QScrollArea):
         self._layout: QVBoxLayout = in_column(on=self._column, gap=2)
 
     def bring_into_view(self, *parts: QWidget) -> None:
-        """Scroll so that the last of these is visible, and as much of the others as fits."""
+        """Scroll so that the last widget is visible, and as much of the others as fits."""
         if all(part.isVisible() for part in parts):
             lay_out()
             for part in parts:
                 self.ensureWidgetVisible(part, 0, 0)
 
     def _reserve_bar(self) -> None:
-        """Keep the scroll bar's room free while it is hidden, so that rows stay in place."""
+        """Reserve the scroll bar's space while it is hidden, so that rows stay in place."""
         shown = self.width() - self.viewport().width()
         free = max(0, self._bar_width() - shown)
         self._layout.setContentsMargins(LEFT_MARGIN_PX, 0, RIGHT_MARGIN_PX + free, 0)

@@ -1,4 +1,4 @@
-"""The rows of the lens: every number that can define it, the most used ones in front.
+"""The rows of the lens: every number that can define it, the most used ones first.
 
 Field of view, focal lengths and the window on the near plane are views of one value. So are the
 angles and the receding of an oblique lens, and a perspective lens and its K.
@@ -43,9 +43,9 @@ from widgets.parts.scales import Linear, Log, Scale
 from widgets.parts.section import Binding, Read, Rows, Typed, Write, quiet, tidy
 
 NEAR_RATIO = 40.0
-"""Ratio of the ends of near's slider: at most 2 % for each of 240 pixels."""
+"""Ratio of the ends of near's slider: a pixel of 240 changes near by at most 2 %."""
 SIDES = ("left", "right", "bottom", "top")
-_SAME_ANGLE_DEG = 1e-9  # an angle of a preset may lose this much in a file
+_SAME_ANGLE_DEG = 1e-9  # rounding error of a preset's angle in a file
 
 
 class Receding(NamedTuple):
@@ -284,11 +284,11 @@ class LensControls(QObject):
     def _fit_planes(self, start: Projection, size: float) -> None:
         """Let near and far reach as far as the scene, seen from its first camera.
 
-        A pyramid's near covers only `NEAR_RATIO`: with more, a pixel of the slider would be a leap.
+        A pyramid's near covers only `NEAR_RATIO`: a pixel of the slider must not be a large step.
         """
         lens = start.lens
         back = start.camera.distance + size / 2.0
-        if lens.even_extent:  # even for a box, in ratios for a pyramid
+        if lens.even_extent:  # linear for a box, logarithmic for a pyramid
             reach = 1.5 * max(back, abs(lens.near), abs(lens.far))
             scales: tuple[Scale, Scale] = (Linear.about(0.0, reach), Linear.about(0.0, reach))
         else:
@@ -338,7 +338,7 @@ class LensControls(QObject):
     def _fit_window(self) -> None:
         """Let the window's sliders reach twice as far as the window, or as the scene for a box.
 
-        No slider changes under the hand, or while the window fills a fair part of it.
+        A slider does not change while it is dragged, or while the window fills a fair part of it.
         """
         lens = self._projection.lens
         if not lens.window_stays:

@@ -1,4 +1,4 @@
-"""The readout of a scene: the numbers that the scene is about."""
+"""The readout of a scene: its numbers, with labels and units."""
 
 from __future__ import annotations
 
@@ -24,13 +24,13 @@ from widgets.parts.writing import all_digits, lettering
 LARGE = 1.15
 """Size of a reading's number, relative to ordinary text."""
 BESIDE, ON_A_LINE = 13, 30
-"""Longest value beside its label, and longest list of numbers on one line."""
+"""Characters of the longest value beside its label, and of the longest list on one line."""
 LABEL_EM, WORDS_EM = 6, 7
 """Widths in heights of a line, beyond which labels, and words as values, may wrap."""
 BETWEEN_EM = 0.35
 """Gap between two readings."""
 NONE = "–"
-"""Stands for a missing reading."""
+"""Shown for a missing reading."""
 
 
 def full_sentence(sentence: str) -> str:
@@ -63,7 +63,7 @@ def value_text(value: Any, write: Callable[[float], str]) -> str:
 
 
 class _Value(TypesetLabel):
-    """The value of a reading; a copy has all digits."""
+    """The value of a reading; copying it copies all digits."""
 
     def __init__(self) -> None:
         super().__init__()
@@ -118,7 +118,7 @@ class Readout(QWidget):
         self._show()
 
     def _show(self) -> None:
-        many = len(self._readings) > self._first + 1  # folding one would save no room
+        many = len(self._readings) > self._first + 1  # folding a single reading would save no space
         unfolded = not many or self.more.isChecked()
         readings = self._readings if unfolded else self._readings[: self._first]
         self.more.setVisible(many)
@@ -185,7 +185,7 @@ class Readout(QWidget):
             (value.set_formula if _side(reading.value) else value.set_words)(text)
             self._place(value, max(map(len, text.split("\n"))) > BESIDE and not is_word)
             if not is_word and not _side(reading.value):
-                # It only grows: a shorter number does not shift the others.
+                # The width only grows: a shorter number does not shift the others.
                 value.setMinimumWidth(max(value.minimumWidth(), value.sizeHint().width()))
         if value.exact != exact:
             value.set_exact(exact)
@@ -211,7 +211,7 @@ class Readout(QWidget):
         label.setMinimumWidth(min(natural, LABEL_EM * self.fontMetrics().height()))
 
     def _dress(self) -> None:
-        """Set the size of numbers by a style sheet: a theme would reset a font."""
+        """Set the size of numbers with a style sheet, because a theme would reset a font."""
         size = self.font().pointSizeF()
         self._grid.setVerticalSpacing(round(BETWEEN_EM * self.fontMetrics().height()))
         sheet = f"#number {{ font-size: {LARGE * size:g}pt; font-weight: 600; }}"

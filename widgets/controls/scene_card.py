@@ -1,4 +1,4 @@
-"""The scene at the top of the dock: what to try, its settings, and its numbers.
+"""The scene's card at the top of the dock: what to try, settings, and numbers.
 
 ::
 
@@ -65,13 +65,13 @@ class SceneCard(QWidget, RowHolder):
     settings_edited = Signal(object)
     """The user or a player set these values, by the names of the settings."""
     mesh_wanted = Signal()
-    """The user wants to replace the scene's objects by a mesh."""
+    """The user wants to replace the scene's objects with a mesh."""
     mesh_removed = Signal()
     """The user wants the scene's own objects back."""
     comparison_wanted = Signal(str)
     """The user wants to see this comparison of the scene."""
     highlighted = Signal(str, object)
-    """The row or reading that the user is at, and its `Highlight`; `NOTHING` afterwards."""
+    """The row or reading under the mouse or the focus, and its `Highlight`; then `NOTHING`."""
     explanation_wanted = Signal()
     """The user wants to see the explanation and the diagrams of the scene."""
 
@@ -91,7 +91,9 @@ class SceneCard(QWidget, RowHolder):
         self._is_for_class = False
         self._edits = ""  # name of the setting that the user is changing
         self.players: dict[str, Player] = {}
-        self._readable = Readable(self, self._fill)
+        self._lent: set[str] = set()
+        """Names of the settings whose rows are elsewhere."""
+        self._readable = Readable(self, self._fill, lambda: self._is_seen)
         all_digits.changed.connect(self._readable.changed)
 
         self.title, self.tries = Balanced(), Balanced()
@@ -143,8 +145,8 @@ class SceneCard(QWidget, RowHolder):
         """
         if phenomenon is not self._phenomenon:
             self.pause()
-            for row in self.rows.values():  # this shows the last values of the scene before
-                row.finish_gesture()  # a burst of keys may still be open
+            for row in self.rows.values():  # this shows the last values of the previous scene
+                row.finish_gesture()  # a burst of keys may not have ended yet
             self._phenomenon, self._settings, self._illustration = phenomenon, {}, None
             self._problem = None
             self._make_rows(() if phenomenon is None else phenomenon.settings)
@@ -168,6 +170,26 @@ class SceneCard(QWidget, RowHolder):
         """Show these rows of the projection below the scene's own."""
         for row in rows:
             self._rows.addWidget(row)
+
+    def lend(self, names: Iterable[str]) -> list[Row]:
+        """Return the rows of these settings to another place; `take_back` ends that."""
+        self._lent = {name for name in names if name in self.rows}
+        self._readable.changed()
+        return [self.rows[name] for name in self.rows if name in self._lent]
+
+    def take_back(self) -> None:
+        """Put every row that was lent back into its place."""
+        self._lent.clear()
+        for place, row in enumerate(self.rows.values()):
+            self._rows.insertWidget(place, row)
+
+    @property
+    def has_lent(self) -> bool:
+        return bool(self._lent)
+
+    @property
+    def _is_seen(self) -> bool:
+        return self.isVisible() or any(self.rows[name].isVisible() for name in self._lent)
 
     def show_some(self, found: set[QWidget] | None) -> None:
         """Show only the found rows; None shows the whole card."""
@@ -200,7 +222,7 @@ class SceneCard(QWidget, RowHolder):
     def show_illustration(
         self, illustration: Illustration | None, settings: Settings, projection: Projection
     ) -> None:
-        """Show an illustration of a projection with the settings that were chosen last.
+        """Show an illustration of a projection with the settings chosen last.
 
         The projection may have been moved since, so that the settings no longer hold.
         """
@@ -212,10 +234,10 @@ class SceneCard(QWidget, RowHolder):
         self._projection = projection
         for name, player in self.players.items():
             player.show_value(float(settings[name]))  # type: ignore[arg-type]
-        if self._edits in settings and self.isVisible():
+        if self._edits in settings and self._is_seen:
             self.rows[self._edits].setValue(settings[self._edits])
         self._readable.changed()
-        if anew:  # values of the scene before must not stay
+        if anew:  # values of the previous scene must not stay
             self._readable.settle()
 
     def _be_about(self, names: Iterable[str]) -> None:
@@ -240,7 +262,7 @@ class SceneCard(QWidget, RowHolder):
             self._readable.changed()
 
     def show_problem(self, problem: Phrase | None) -> bool:
-        """Say why the picture is not drawn as the scene asks; return whether that is new."""
+        """Say why the picture is not drawn as the scene requires; return whether that is new."""
         if problem == self._problem:
             return False
         self._problem = problem
@@ -250,7 +272,7 @@ class SceneCard(QWidget, RowHolder):
     def refuse(self, error: Refusal) -> None:
         """Show a refusal at the row that was just edited; the last value stays."""
         row = self.rows[self._edits or next(iter(self.rows))]
-        self._readable.settle()  # otherwise values accepted before would remove the sentence
+        self._readable.settle()  # otherwise earlier accepted values would remove the sentence
         row.show_error(sentence(self.named(error)))
 
     def named(self, error: Refusal) -> Refusal:
@@ -271,6 +293,7 @@ class SceneCard(QWidget, RowHolder):
 
     def _make_rows(self, settings: Iterable[Setting]) -> None:
         self.players.clear()
+        self.take_back()
         _remove(self._rows, self.rows.values())
         self.rows = {}
         for setting in settings:
@@ -307,7 +330,7 @@ class SceneCard(QWidget, RowHolder):
     def show_highlight(self, highlighted: Highlight) -> None:
         """Mark the rows and readings about what is highlighted."""
         for setting in () if self._phenomenon is None else self._phenomenon.settings:
-            if setting.name in self.rows:  # while another scene comes, there are none
+            if setting.name in self.rows:  # there are no rows while the scene changes
                 self.rows[setting.name].set_marked(setting.path in highlighted)
         self.readout.show_highlight(highlighted)
 
@@ -422,7 +445,7 @@ class SceneCard(QWidget, RowHolder):
         return super().eventFilter(watched, event)
 
     def _dress(self) -> None:
-        """Set the size of the name by a style sheet: a theme would reset a font."""
+        """Set the size of the name with a style sheet, because a theme would reset a font."""
         sheet = f"font-size: {TITLE * self.font().pointSizeF():g}pt; font-weight: 600;"
         if sheet != self.title.styleSheet():
             self.title.setStyleSheet(sheet)

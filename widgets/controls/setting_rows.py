@@ -1,4 +1,4 @@
-"""The row of a setting, its slider's scale, and the player that lets its number run."""
+"""The row of a setting, its slider's scale, and the player that animates its number."""
 
 from __future__ import annotations
 
@@ -19,9 +19,9 @@ from widgets.parts.scales import Doubling, Linear, Log, Scale
 
 
 def make_row(setting: Setting, none: str = "") -> Row:
-    """Make the row for a setting's type, with its reset.
+    """Make the row for a setting's type, with its default.
 
-    `none` is the text of a choice whose value is none of its choices.
+    `none` is the text of a choice row whose value is not one of its choices.
     """
     name, tip = of_phenomena(setting.label), of_phenomena(setting.tip)
     tip = tip if tip.endswith(".") else f"{tip}."
@@ -49,14 +49,14 @@ def ends_of(setting: Setting) -> tuple[float, float]:
     low, high = setting.span or (setting.low, setting.high)
     default = setting.default
     assert isinstance(default, float | int)
-    reach = 10.0 * max(1.0, abs(default))  # where there are no ends
+    reach = 10.0 * max(1.0, abs(default))  # if there are no bounds
     return max(low, default - reach) if math.isinf(low) else low, (
         min(high, default + reach) if math.isinf(high) else high
     )
 
 
 def scale_of(setting: Setting) -> Scale:
-    """Return a slider's scale, all of whose values are within the bounds."""
+    """Return a slider's scale whose values are all within the bounds."""
     low, high = ends_of(setting)
     if setting.logarithmic and setting.whole:
         return Doubling(low, high)
@@ -70,7 +70,7 @@ def scale_of(setting: Setting) -> Scale:
 
 
 class Player(QObject, Playing):
-    """Lets a number run to and fro between the ends of its slider.
+    """Moves a number back and forth between the ends of its slider.
 
     The setting's `per_second` is in its unit, or in powers of ten if it is logarithmic. If
     something else changes the number meanwhile, the player continues from there.
@@ -106,12 +106,12 @@ class Player(QObject, Playing):
             self.paused.emit()
 
     def show_value(self, value: float) -> None:
-        """Note the number; if it is not that of the last frame, continue from it."""
+        """Store the number; if it differs from the last frame's, continue from it."""
         if value != self._shown:
             self._shown, self._at = value, self._place(value)
 
     def advance(self, seconds: float) -> None:
-        """Run for some seconds and emit the number, unless paused."""
+        """Advance by some seconds and emit the number, unless paused."""
         if not self.playing:
             return
         if (self._at >= self._high and self.speed > 0.0) or (

@@ -1,4 +1,4 @@
-"""What a cell of a matrix is, does and depends on, in a sentence."""
+"""Sentences about a matrix cell: its value, its effect and what it depends on."""
 
 from __future__ import annotations
 
@@ -49,7 +49,7 @@ class CellWords(QObject):
     def _of_camera(
         self, matrix: Matrix, into: int, of: int, value: float, axes: tuple[str, ...]
     ) -> str:
-        """What a component of the camera's axes or of its eye does; empty for other cells."""
+        """Describe the effect of a component of the camera's axes or eye; empty for other cells."""
         target, source = "xyzw"[into], "xyzw"[of]
         if of < 3 and matrix.name in VIEW and is_a_cameras(matrix):
             text = self.tr(

@@ -1,4 +1,4 @@
-"""A panel with diagrams: their views, and a width that also fits a small window."""
+"""A panel with diagrams: their views, and a width that fits a small window too."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ LEAST_WINDOW_PX = 900
 
 
 class DiagramPanel(ReadablePanel):
-    """A panel with as many views as it has had diagrams at once; the rest are hidden."""
+    """A panel with as many views as it ever showed diagrams at once; unused views are hidden."""
 
     def __init__(self) -> None:
         super().__init__()
@@ -32,11 +32,11 @@ class DiagramPanel(ReadablePanel):
             diagram.set_style(style)
 
     def _place_diagrams(self) -> None:
-        """Put all views into the layout; called when there is another one."""
+        """Put all views into the layout; called when a view was added."""
         raise NotImplementedError
 
     def _show_diagrams(self, diagrams: Sequence[Diagram], least: int = 0) -> None:
-        """Show diagrams, and empty views up to the `least` number."""
+        """Show diagrams, and empty views up to a total of `least`."""
         count = max(least, len(diagrams))
         while len(self.diagrams) < count:
             view = DiagramView()

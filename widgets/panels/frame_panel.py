@@ -42,10 +42,10 @@ from widgets.parts.typeset import TypesetLabel, in_line, matrix
 from widgets.parts.writing import all_digits, lettering
 
 STEP_MS = 2500
-"""Time to read each step while playing."""
+"""Time for reading each step while playing."""
 NUDGE_DEG = 0.1
 CLOSE_DEG = 1.0
-"""At most this angle, up is near the view direction."""
+"""Up counts as close to the view direction up to this angle."""
 _UP: Highlight = frozenset(("up",))
 _ABOUT: tuple[Highlight, ...] = tuple(
     frozenset(names)
@@ -57,7 +57,7 @@ _E, _N, _U, _V, _LOOK, _UP_VECTOR, _TARGET = (
 
 
 class _Step(NamedTuple):
-    """Name, formula and sentence of a step; the formula as of `widgets.parts.typeset`."""
+    """Name, formula and sentence of a step; the formula is for `widgets.parts.typeset`."""
 
     name: str
     formula: str
@@ -111,7 +111,7 @@ class FramePanel(Panel):
         self._refresh()
 
     def _lettered(self, text: str) -> str:
-        """Replace the letters under arrows by the lecture's."""
+        """Replace the letters under arrows with the lecture's."""
         letters = frame_letters(lettering.now)
         return re.sub(
             f"([a-z]+){ARROW}", lambda found: f"{letters.get(found[1], found[1])}{ARROW}", text
@@ -318,7 +318,7 @@ class FramePanel(Panel):
                 "camera. Undo, or choose a lens."
             )
         for control in (self.angle, self.nudge):
-            control.setEnabled(not typed)  # nothing would turn
+            control.setEnabled(not typed)  # up's error would not turn anything
         self.warning.setText(text)
 
     def _turn(self, angle_deg: float) -> None:

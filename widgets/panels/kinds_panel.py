@@ -1,4 +1,4 @@
-"""The tree of planar projections: a click makes the picture one kind; the present kind is lit.
+"""The tree of planar projections: a click sets a kind; the current kind is highlighted.
 
 The model (`app.lecture.kinds`) finds the kind of any picture, and projects the small cubes.
 """
@@ -41,11 +41,11 @@ _OF_CUBE = Projection(
     Camera((0.0, 0.0, 2.6), (0.0, 0.0, 0.0)), Perspective(60.0, 0.5, 10.0), (640, 640)
 )
 _CUBE = box_faces((-1.4, -1.5, -0.5), (-0.4, -0.5, 0.5))
-"""Beside and below the axis, so that a perspective from the front shows three faces."""
+"""Position of the cube, off the axis so that a perspective from the front shows three faces."""
 _TINT = 0.45
 _LEAST_ICON, _GAP_PX, _PAD_PX = 18, 7, 4
 _SMALLEST = 0.72
-"""Least scale of the leaves' letters, in a narrow panel with large letters."""
+"""Least text scale of the leaves, in a narrow panel with large letters."""
 
 
 def _text(text: str) -> str:
@@ -82,14 +82,14 @@ class _Node(QAbstractButton):
         self._on_path = False
         self._style = LIGHT
         self.scale = 1.0
-        """Of the letters."""
+        """Scale of the letters."""
         self.setText(_text(kind.title))
         self.setAccessibleName(_text(kind.title))
         self.setCheckable(True)
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
 
     def show_state(self, *, lit: bool, on_path: bool, style: Style) -> None:
-        """Show whether the picture is of this kind (lit), or of a kind below (on the path)."""
+        """Highlight the node if the picture is of this kind, or mark it if a kind below is."""
         self.setChecked(lit)
         self._on_path, self._style = on_path, style
         said = _text(self._kind.condition)
@@ -99,10 +99,10 @@ class _Node(QAbstractButton):
         self.update()
 
     def nextCheckState(self) -> None:
-        """A click changes the projection, which then lights a node."""
+        """Do nothing: a click changes the projection, which then highlights a node."""
 
     def font_of(self) -> QFont:
-        """Bold on the path: colour is never the only sign."""
+        """Return a bold font on the path, because colour is never the only sign."""
         font = QFont(self.font())
         font.setBold(self._on_path)
         font.setPointSizeF(self.scale * font.pointSizeF())
@@ -133,7 +133,7 @@ class _Node(QAbstractButton):
         if self.is_leaf:
             below = QRectF(0.0, self.height() - line - _PAD_PX / 2, self.width(), line)
             room = QRectF(0.0, _PAD_PX, self.width(), below.top() - _PAD_PX)
-            if lit:  # the cube has the panes' colours, on their background
+            if lit:  # the cube has the panes' colours, with their background
                 painter.setPen(Qt.PenStyle.NoPen)
                 painter.setBrush(colours.color(roles.Base))
                 painter.drawRoundedRect(room.adjusted(4.0, 0.0, -4.0, 0.0), 3.0, 3.0)
@@ -205,7 +205,7 @@ class _Tree(QWidget):
         self.place()
 
     def place(self) -> None:
-        """Place the nodes in the present size."""
+        """Place the nodes within the current size."""
         inner = max(
             node.sizeHint().height() for name, node in self.nodes.items() if name not in self.leaves
         )
@@ -264,7 +264,7 @@ class KindsPanel(ReadablePanel):
         self._fit()
 
     def _fit(self) -> None:
-        """Keep room for two lines under the tree, so that it does not jump."""
+        """Reserve two lines under the tree, so that it does not jump."""
         self.condition.setFixedHeight(2 * self.fontMetrics().lineSpacing() + 2)
         self._tree.place()
 
@@ -307,7 +307,7 @@ class KindsPanel(ReadablePanel):
         self.condition.setText(self._said(now))
 
     def _said(self, now: str | None) -> str:
-        """Return the condition of the kind that is pointed at, or lit, and its scale factors."""
+        """Describe the kind under the pointer, or else the current one, with scale factors."""
         assert self._shown is not None
         about = self._pointed or now
         if about is None:

@@ -1,4 +1,4 @@
-"""The matrices panel: the matrices of all stages, as numbers or formulas, to read and copy.
+"""The matrices panel: the matrices of all stages, as numbers or formulas, for reading and copying.
 
 ::
 
@@ -179,7 +179,7 @@ class MatrixPanel(ReadablePanel):
         view.highlighted.connect(self.highlighted)
         view.show_highlight(self._highlight)
         view.typed.connect(partial(self._typed, view, name))
-        # The view of then: another lens has other views.
+        # The view of that time: another lens has other views.
         view.moved_on.connect(lambda *cell: self.views[name].edit_cell(*cell))
         return view
 
@@ -205,7 +205,7 @@ class MatrixPanel(ReadablePanel):
     # -- typing
 
     def _typed(self, view: MatrixView, name: str, row: int, column: int, text: str) -> None:
-        """Take the text of a cell, or say why it is refused."""
+        """Accept the text of a cell, or say why it is refused."""
         if self._projection is None:
             return
         into, of = (column, row) if self._writing.rows else (row, column)
@@ -229,7 +229,7 @@ class MatrixPanel(ReadablePanel):
             self.edited.emit(projection)
 
     def _in_hand(self) -> tuple[str, int, tuple[int, int]] | None:
-        """Return name, left edge and cell of the matrix that has the keyboard."""
+        """Return name, left edge and cell of the matrix that has the focus."""
         focus = self.window().focusWidget()
         for name, view in self.views.items():
             if focus is not None and focus in (view, view.field):
@@ -328,7 +328,7 @@ class MatrixPanel(ReadablePanel):
             box.unfolded.connect(partial(self._folded, matrix.name))
             boxes.append(box)
         self._row.fill(boxes)
-        if self._speaker is not None:  # `fill` may have made it speak: the focus leaves it
+        if self._speaker is not None:  # `fill` may emit its sentence by moving the focus
             self._speaker = None
             self._explain("")
 
@@ -339,7 +339,7 @@ class MatrixPanel(ReadablePanel):
 
     def show_highlight(self, highlighted: Highlight) -> None:
         self._highlight = highlighted
-        for box in self._row.boxes:  # as they are drawn: the model may have changed since
+        for box in self._row.boxes:  # as drawn: the model may have changed since
             for view in box.views:
                 view.show_highlight(highlighted)
         self._show_rows()

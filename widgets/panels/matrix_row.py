@@ -29,7 +29,7 @@ def _named(matrix: Matrix, title: str) -> str:
 
 
 class MatrixBox(QWidget):
-    """A matrix under its name; a button unfolds its factors beside it."""
+    """A matrix below its name; a button unfolds its factors beside it."""
 
     unfolded = Signal(bool)
 
@@ -79,7 +79,7 @@ class MatrixBox(QWidget):
     def show_matrix(
         self, matrix: Matrix, before: Matrix | None, title: str, note: str, writing: Writing
     ) -> None:
-        """Show the matrix, what changed in it, its factors, and a note below."""
+        """Show the matrix with its changes, its factors, and a note below."""
         self._title.setText(_named(matrix, title))
         tip = stage_title(matrix.name)
         if matrix.product:
@@ -110,13 +110,13 @@ class MatrixBox(QWidget):
 
 
 class MatrixRow(QWidget):
-    """A row of boxes that scrolls; an arrow is shown at each end where there is more to see."""
+    """A row of boxes that scrolls; an arrow appears at each end beyond which there is more."""
 
     def __init__(self) -> None:
         super().__init__()
         self.boxes: list[MatrixBox] = []
         self._gap: QSpacerItem | None = None
-        """Keeps a matrix in its place when its neighbours have gone."""
+        """Keeps a matrix in place when its neighbours have disappeared."""
         self._content = QWidget()
         self._row = in_row(FREE, on=self._content, margins=(2, 0, 2, 0), gap=6)
         self._scroll = scrolled(self._content, self.tr("Matrices"))
@@ -126,7 +126,7 @@ class MatrixRow(QWidget):
         self._to_left = tool_button("", tip, self._go_left, icon="back", name=left, flat=True)
         self._to_right = tool_button("", tip, self._go_right, icon="unfold", name=right, flat=True)
         policy = QSizePolicy(QSizePolicy.Policy.Fixed, QSizePolicy.Policy.Ignored)
-        policy.setRetainSizeWhenHidden(True)  # the matrices would move under the reader's eyes
+        policy.setRetainSizeWhenHidden(True)  # or the matrices would move while they are read
         for end in (self._to_left, self._to_right):
             end.setSizePolicy(policy)
         self._bar.valueChanged.connect(self._show_ends)
@@ -140,7 +140,7 @@ class MatrixRow(QWidget):
         self.close_gap()
         for box in self.boxes:
             for view in box.views:
-                view.abandon()  # hiding the field would enter its text
+                view.abandon()  # hiding the field would commit its text
             self._row.removeWidget(box)
             box.hide()
             for view in box.views:
@@ -159,21 +159,21 @@ class MatrixRow(QWidget):
         self._to_right.setVisible(self._bar.value() < self._bar.maximum())
 
     def _go_left(self) -> None:
-        """Put the last matrix that is cut at the left end to the right end."""
+        """Scroll so that the last matrix cut off at the left moves to the right end."""
         page, now = self._bar.pageStep(), self._bar.value()
         ends = [box.geometry().right() + 1 - page for box in self.boxes if box.x() < now]
         if ends:  # a matrix wider than the page scrolls by a page
             self._bar.setValue(ends[-1] if ends[-1] < now else now - page)
 
     def _go_right(self) -> None:
-        """Put the first matrix that is cut at the right end to the left end."""
+        """Scroll so that the first matrix cut off at the right moves to the left end."""
         page, now = self._bar.pageStep(), self._bar.value()
         starts = [box.x() for box in self.boxes if box.geometry().right() >= now + page]
         if starts:
             self._bar.setValue(starts[0] if starts[0] > now else now + page)
 
     def bring(self, box: MatrixBox) -> None:
-        """Scroll so that a whole box is visible and no box is cut at the left."""
+        """Scroll so that a box is fully visible and none is cut off at the left."""
         margin = self.boxes[0].x()
         least = box.geometry().right() + 1 - self._bar.pageStep()
         wanted = min(max(self._bar.value(), least), box.x() - margin)
@@ -192,12 +192,12 @@ class MatrixRow(QWidget):
         return view.mapTo(self._scroll.viewport(), QPoint()).x()
 
     def keep_in_place(self, view: MatrixView, left_px: int) -> None:
-        """Move a view back to where it was before its neighbours went or came."""
+        """Move a view back to its place after neighbours have appeared or disappeared."""
 
         def scroll() -> int:
-            """Scroll as far as possible; return the px by which the view still has to move."""
+            """Scroll as far as possible; return how far the view still has to move, in px."""
             QCoreApplication.sendPostedEvents(None, QEvent.Type.LayoutRequest.value)
-            # The gap posts no request while an older request of a matrix is pending.
+            # The gap posts no layout request while one of a matrix is pending.
             QCoreApplication.sendEvent(self._content, QEvent(QEvent.Type.LayoutRequest))
             self._bar.setValue(self._bar.value() + self.left_of(view) - left_px)
             return left_px - self.left_of(view)

@@ -1,4 +1,4 @@
-"""One 4x4 matrix: its cells are painted, pointed at and typed.
+"""One 4x4 matrix: it paints its cells, highlights them and lets the user type in them.
 
 A cell whose value differs from before the last change is highlighted, and its digits are underlined
 from the first that differs.
@@ -50,7 +50,7 @@ _STEPS = {
 
 
 class Writing(NamedTuple):
-    """How all matrices are written."""
+    """The notation of all matrices."""
 
     letters: Letters = "own"
     rows: bool = False
@@ -66,9 +66,9 @@ def _parts(text: str) -> tuple[str, str]:
 
 
 def first_change(before: str, after: str) -> int | None:
-    """Return the place of the first digit that differs; None if the texts are alike.
+    """Return the index of the first digit that differs; None if the texts are equal.
 
-    With another number of digits before the point all digits differ: each has another weight.
+    If the numbers of digits before the point differ, all digits differ, because their weights do.
     """
     if before == after:
         return None
@@ -82,7 +82,7 @@ def first_change(before: str, after: str) -> int | None:
 def _differences(
     matrix: Matrix, before: Matrix | None, writing: Writing
 ) -> dict[tuple[int, int], int | None]:
-    """Return the cells that differ, with the first digit that does; None for a formula's."""
+    """Return the cells that differ, each with its first differing digit, or None for a formula."""
     if before is None:
         return {}
     return {
@@ -94,12 +94,12 @@ def _differences(
 
 
 def is_a_cameras(matrix: Matrix) -> bool:
-    """Whether a matrix is made of a camera's axes; a typed matrix is not."""
+    """Whether a matrix is built from a camera's axes; a typed matrix is not."""
     return matrix.name in (*VIEW, "world_from_view") and matrix.formulas[0][0] != "m_11"
 
 
 class _CellField(QLineEdit):
-    """The field in which a cell is typed: Tab goes to the next cell, Esc discards the text."""
+    """The input field of a cell: Tab goes to the next cell, Esc discards the text."""
 
     left = Signal()
     moved_on = Signal(int)
@@ -117,7 +117,7 @@ class _CellField(QLineEdit):
             }
             act = acts.get(keys(event.key()))
             if act is not None:
-                event.accept()  # QLineEdit passes Enter on to the view, which would open a cell
+                event.accept()  # QLineEdit forwards Enter to the view, which would open a cell
                 if event.type() == kinds.KeyPress:
                     act()
                 return True
@@ -140,7 +140,7 @@ class MatrixView(QWidget):
     typed = Signal(int, int, str)
     """Row, column and text of a cell; the receiver may call `refuse`."""
     moved_on = Signal(int, int)
-    """Row and column of the cell that is typed next."""
+    """Row and column of the next cell to type in."""
 
     def __init__(
         self, title: str, explain: Callable[[Matrix, int, int], str], *, editable: bool = False
@@ -153,7 +153,7 @@ class MatrixView(QWidget):
         self.place = (0, 0)
         """Row and column of the keyboard's cursor."""
         self.texts: list[list[str]] = []
-        """The cells' texts; of formulas, as of `widgets.parts.typeset`."""
+        """The cells' texts; formulas are for `widgets.parts.typeset`."""
         self._refused = False
         self._matrix: Matrix | None = None
         self._changed: dict[tuple[int, int], int | None] = {}
@@ -165,7 +165,7 @@ class MatrixView(QWidget):
         self._written: tuple[object, ...] = ()
         self._highlight = self._pointed_at = NOTHING
         self._told: tuple[int, int] | None = None
-        """The cell that the last sentence was about."""
+        """The cell of the last sentence."""
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.setMouseTracking(True)
         self.setSizePolicy(QSizePolicy.Policy.Fixed, QSizePolicy.Policy.Fixed)
@@ -202,7 +202,7 @@ class MatrixView(QWidget):
         height = QFontMetricsF(self.font()).height()
         cells = [[typeset(text, self.font()) for text in row] for row in self.texts]
         widths = [max(row[j].width for row in cells) + 0.8 * height for j in range(4)]
-        # While numbers change quickly, columns only grow: a row that jumps cannot be read.
+        # While numbers change quickly, columns only grow, because a jumping row cannot be read.
         self._fitting = widths
         self._columns = widths if anew else list(map(max, self._columns, widths))
         # A subscript hangs into the gap between two rows, a fraction does not.
@@ -228,9 +228,9 @@ class MatrixView(QWidget):
 
     @property
     def _margin(self) -> tuple[float, float]:
-        """Left and top of the first cell: room for the axes' letters and the bracket.
+        """Return left and top of the first cell, beyond the axes' letters and the bracket.
 
-        There is always room for letters above, so that all matrices stand on one line.
+        Space for letters above is always reserved, so that all matrices are aligned.
         """
         plate = QFontMetricsF(self._small()).height() + 2.0
         return (plate + 8.0 if self._axes_are_rows else 8.0), plate + 2.0
@@ -358,13 +358,13 @@ class MatrixView(QWidget):
         field.setGeometry(int(left), int(rect.top()), int(wide), int(rect.height()))
 
     def take_over(self, place: tuple[int, int]) -> None:
-        """Take the keyboard from another view, at the cell where it was."""
+        """Take over the focus from another view, at the same cell."""
         self.place = place
         self._say()
         self.setFocus()
 
     def refuse(self) -> None:
-        """Keep the typed text open, in a frame, so that it can be corrected."""
+        """Keep the refused text open, in a frame, so that it can be corrected."""
         self._refused = True
         if self.field is not None:
             frame = f"border: 2px solid {self._writing.style.far}"
@@ -374,7 +374,7 @@ class MatrixView(QWidget):
         self._refused = False
 
     def _enter(self) -> bool:
-        """Hand the text on; return whether it was accepted."""
+        """Submit the text; return whether it was accepted."""
         field = self.field
         if field is None or self._refused:
             return False
@@ -389,7 +389,7 @@ class MatrixView(QWidget):
 
     def _left_field(self) -> None:
         if self.field is not None and not self.field.hasFocus() and not self._enter():
-            self.abandon()  # nobody corrects the text any more: the number before stays
+            self.abandon()  # the text will not be corrected: the previous number stays
 
     def _move_on(self, step: int) -> None:
         place = (4 * self.place[0] + self.place[1] + step) % 16
@@ -397,7 +397,7 @@ class MatrixView(QWidget):
             self.moved_on.emit(*divmod(place, 4))
 
     def abandon(self) -> None:
-        """Close the field of a cell, if one is open; the number before stays."""
+        """Close the field of a cell, if one is open; the previous number stays."""
         field, self.field, self._refused = self.field, None, False
         if field is not None:
             had_focus = self.window().focusWidget() is field
@@ -423,7 +423,7 @@ class MatrixView(QWidget):
             self._point_at(self.place)
 
     def say_again(self) -> None:
-        """Repeat the sentence about a cell that may have changed, unless a cell is being typed."""
+        """Repeat the sentence about a cell that may have changed, unless one is being typed."""
         if self._matrix is not None and self._told is not None and self.field is None:
             self.pointed.emit(self._explain(self._matrix, *self._told))
 
@@ -514,6 +514,6 @@ def add_copies(menu: QMenu, copy: Callable[[str], object]) -> None:
 
 
 def rich(text: str) -> Markup:
-    """A text with the letters of vectors bold: few fonts put an arrow above a letter."""
+    """Write the letters of vectors in bold: few fonts can put an arrow above a letter."""
     escaped = Markup.of("<p>{}</p>", text)
     return Markup(re.sub(f"(.){ARROW}", r"<b>\1</b>", escaped))

@@ -66,7 +66,7 @@ from widgets.parts.plain import Label, set_tip
 from widgets.parts.writing import all_digits
 
 ENDINGS = (".csv", ".json", *chart.ENDINGS)
-"""Of the files that can be exported."""
+"""Endings of the export formats."""
 NOTE_LETTERS = 24
 """Least width of the column of notes, in letters, unless the notes are shorter."""
 SWEPT = ("near", "far", "fov", "distance", "up", "aspect")
@@ -84,7 +84,7 @@ class MeasurePanel(DiagramPanel):
     used = Signal(object)
     """The `use` of a choice that was clicked: a dict of str."""
     went_on = Signal(str)
-    """A refusal's sentence that is out of date, because the panel is used again."""
+    """The sentence of a refusal that no longer applies, because the panel was used again."""
     succeeded = Signal()
     """A file was read or written."""
 
@@ -103,9 +103,9 @@ class MeasurePanel(DiagramPanel):
         self._asked: list[str] = []
         """The trades and sweeps that are being measured."""
         self.measured: dict[str, Results] = {}
-        """By its name, the last of every trade and sweep; each holds only that one."""
+        """The last results of every trade and sweep, by name; each holds only that one."""
         self.loaded: dict[str, Results] = {}
-        """The same of a file."""
+        """The results from a file, by name."""
         self.words: dict[str, str] = {}
         """Why a trade or sweep has no results."""
         self._least_notes = 0
@@ -199,7 +199,7 @@ class MeasurePanel(DiagramPanel):
         self.diagrams[-1].spot_clicked.connect(self._spot_used)
         self._drawn.addWidget(self.diagrams[-1], 1)
 
-    # -- what the owner says
+    # -- called by the owner
 
     def begin_gesture(self) -> None:
         """Pause the measurement while a control is dragged or something plays."""
@@ -212,14 +212,14 @@ class MeasurePanel(DiagramPanel):
         self._show_paused()
 
     def take(self, shown: Shown, changed: Changed) -> None:
-        self._readable.changed()  # perhaps another choice is in use
+        self._readable.changed()  # another choice may be in use
 
     def set_style(self, style: Style) -> None:
         super().set_style(style)
-        self._readable.changed()  # the style may bring another font, which changes the columns
+        self._readable.changed()  # the style may have another font, which changes the columns
 
     def close_process(self) -> None:
-        """End the measurement for good."""
+        """End the measuring process."""
         self.measuring.kill()
         self._show_running()
 
@@ -267,7 +267,7 @@ class MeasurePanel(DiagramPanel):
             said = of_measurements(CANCELLED)
         for name in missing:
             self.words[name] = said
-            if not cancelled:  # after a cancel older results stay
+            if not cancelled:  # after a cancellation, older results stay
                 self.measured.pop(name, None)
         if missing and not cancelled:
             self._refuse(said)
@@ -364,7 +364,7 @@ class MeasurePanel(DiagramPanel):
     # -- showing
 
     def _shown(self) -> tuple[Results | None, Results | None]:
-        """Return the results that are shown, and the ones that are drawn thinner over them."""
+        """Return the results that are shown, and those drawn thinner over them."""
         measured, loaded = self.measured.get(self.name), self.loaded.get(self.name)
         return (measured, loaded) if measured is not None else (loaded, None)
 
@@ -456,7 +456,7 @@ class MeasurePanel(DiagramPanel):
             self.table.setItem(y, x, cell)
 
     def _fit_notes(self) -> None:
-        """Give the last column the rest of the width, and fit the heights of the rows to it."""
+        """Give the last column the remaining width, and fit the row heights to it."""
         header = self.table.horizontalHeader()
         last = header.count() - 1
         if self._least_notes and last >= 0:
@@ -472,7 +472,7 @@ class MeasurePanel(DiagramPanel):
     # -- using
 
     def _choices(self) -> list[tuple[Trade, Choice]]:
-        """Return the choices of the rows, in their order, with their trades."""
+        """Return the choices of the rows, in order, with their trades."""
         parts = [_part(each) for each in self._shown() if each is not None]
         return [(part, c) for part in parts if isinstance(part, Trade) for c in part.choices]
 
@@ -481,7 +481,7 @@ class MeasurePanel(DiagramPanel):
         self.refused.emit(text)
 
     def _go_on(self, *_: object) -> None:
-        """The last refusal is out of date."""
+        """Withdraw the last refusal."""
         if self._said:
             said, self._said = self._said, ""
             self.went_on.emit(said)
@@ -501,7 +501,7 @@ class MeasurePanel(DiagramPanel):
                 return
 
     def _why_not(self, choice: Choice) -> str:
-        """Say why the panes cannot draw with a choice; empty if they can."""
+        """Say why the panes cannot use a choice; empty if they can."""
         if choice.use and choice.use.get("smoothing", "none") in self._smoothings:
             return ""
         return of_measurements(MEASURED_ONLY).format(named(choice.name, of_measurements))
@@ -511,19 +511,19 @@ class MeasurePanel(DiagramPanel):
         if not why:
             self.used.emit(dict(choice.use))
             return
-        self.table.clearSelection()  # a selected row looks as if it were in use
+        self.table.clearSelection()  # a selected row would look as if it were in use
         if choice.name:
             self._refuse(why)
 
 
 def _part(results: Results) -> Trade | Sweep:
-    """The only trade or sweep of results that were split."""
+    """Return the only trade or sweep of split results."""
     parts: list[Trade | Sweep] = [*results.trades, *results.sweeps]
     return parts[0]
 
 
 def _says_something(results: Results) -> bool:
-    """Whether there is a number in results that were split."""
+    """Whether split results contain a number."""
     part = _part(results)
     if isinstance(part, Trade):
         return bool(part.frontier)
@@ -556,7 +556,7 @@ def _read(path: Path) -> Results:
 
 
 def _other_rows(other: Results) -> tuple[list[str], list[list[str]]]:
-    """The table of results from a file; its last column, the only wide one, names the machine."""
+    """The table of a file's results; its last column, the only wide one, names the machine."""
     heads, *rows = table(_part(other), all_digits=all_digits.now)
     name = chart.machine(other)
     return heads, [[*cells, "; ".join(filter(None, (name, note)))] for *cells, note in rows]
@@ -565,7 +565,7 @@ def _other_rows(other: Results) -> tuple[list[str], list[list[str]]]:
 def _joined(
     heads: list[str], rows: list[list[str]], other_heads: list[str], other_rows: list[list[str]]
 ) -> tuple[list[str], list[list[str]]]:
-    """Two tables below each other; columns that only the second has come last but one."""
+    """Join two tables vertically; columns that only the second has come second to last."""
     middle = list(dict.fromkeys([*heads[1:-1], *other_heads[1:-1]]))
     joined = []
     for names, each in ((heads, rows), (other_heads, other_rows)):

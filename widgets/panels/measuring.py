@@ -1,4 +1,4 @@
-"""One measurement at a time, in a process of its own: the window does not wait for it.
+"""One measurement at a time, in a separate process, so that the window does not wait.
 
 ::
 
@@ -30,7 +30,7 @@ from widgets.parts.messages import sentence
 
 PAUSE, RESUME, CANCEL = b"pause\n", b"resume\n", b"cancel\n"
 _KILLED_WITHIN_MS = 30_000
-"""The process ends at once, unless the machine is very busy."""
+"""Longest wait for the process to end; usually it ends at once."""
 
 
 class Measuring(QObject):
@@ -89,7 +89,7 @@ class Measuring(QObject):
             self._tell(PAUSE if paused else RESUME)
 
     def cancel(self) -> None:
-        """Stop after the present timing; `finished` has the results until then."""
+        """Stop after the current timing; `finished` has the results until then."""
         self._tell(CANCEL)
 
     def kill(self) -> None:
@@ -136,7 +136,7 @@ class Measuring(QObject):
         self._clear()
         try:
             results = from_json(out.decode(), self.tr("The measurement"))
-        except (Refusal, UnicodeDecodeError):  # `said` has the reason, unless somebody killed it
+        except (Refusal, UnicodeDecodeError):  # `said` has the reason, unless it was killed
             self.finished.emit(None, said or self.tr("The measurement ended unexpectedly."))
         else:
             self.finished.emit(results, said)

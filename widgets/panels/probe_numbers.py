@@ -18,9 +18,9 @@ from widgets.parts.messages import plane_name
 from widgets.parts.writing import lettering
 
 Cells: TypeAlias = list[str | float]
-"""A line of a probe: its numbers, or one text across them."""
+"""A line of a probe: its numbers, or one text across all columns."""
 DIVIDE = 4
-"""The line that shows the divisor, behind its sign."""
+"""The line that shows the divisor, after its sign."""
 
 
 class Numbers(NamedTuple):
@@ -28,15 +28,15 @@ class Numbers(NamedTuple):
 
     probes: Sequence[int] = ()
     lines: Sequence[tuple[str, str]] = ()
-    """Name and formula of each line, the formula as of `widgets.parts.typeset`."""
+    """Name and formula of each line; the formula is for `widgets.parts.typeset`."""
     blocks: Sequence[Sequence[Cells]] = ()
     """The lines of each probe."""
     outside: Sequence[Highlight] = ()
-    """The planes that each probe is outside of."""
+    """The planes that each probe lies beyond."""
 
 
 class ProbeNumbers(QObject):
-    """Computes the table, and says in words why a number is missing."""
+    """Computes the table, and says why a number is missing."""
 
     def numbers(self, projection: Projection, probes: Sequence[Probe]) -> Numbers:
         """Follow probes through all stages."""
@@ -123,7 +123,7 @@ class ProbeNumbers(QObject):
         return [self.tr("beside the eye: no number is large enough")], []
 
     def _of_ray(self, projection: Projection, probe: Probe) -> list[Cells]:
-        """Return a ray's lines: it has x and y only, from its pixel."""
+        """Return a ray's lines: only x and y, from its pixel."""
         assert probe.pixel is not None
         (x, y), (width, height) = probe.pixel, projection.image_size
         ndc: Cells = [2.0 * x / width - 1.0, 1.0 - 2.0 * y / height]
@@ -147,5 +147,5 @@ def _outside_of(point: Trace) -> list[str]:
 
 
 def _cells(values: Any) -> Cells:
-    """Numbers as `project` prints them, without a minus zero."""
+    """Write numbers as `project` prints them, without minus zeros."""
     return list((values + 0.0).reshape(-1).tolist())

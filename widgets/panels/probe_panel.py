@@ -1,7 +1,7 @@
-"""The probes: points that are followed through every stage, and their numbers.
+"""The probe panel: points that are followed through every stage, and their numbers.
 
-A probe is a question, not a part of the scene: it is kept with the document's view. A folded panel
-computes no numbers.
+A probe is not part of the scene: it is kept in the document's view. A folded panel computes no
+numbers.
 """
 
 from __future__ import annotations
@@ -35,7 +35,7 @@ QPushButton:checked {
     border: 1px solid palette(mid); border-radius: 3px;
 }
 """
-"""Fusion hardly shows whether a dark button is down."""
+"""A style sheet, because Fusion hardly shows whether a dark button is down."""
 
 
 class ProbePanel(ReadablePanel):
@@ -43,7 +43,7 @@ class ProbePanel(ReadablePanel):
 
     concerns = PROJECTION
     changed = Signal()
-    """There are other probes."""
+    """The probes have changed."""
 
     def __init__(self) -> None:
         super().__init__()
@@ -128,7 +128,7 @@ class ProbePanel(ReadablePanel):
         pixel: tuple[float, float] | None = None,
         direction: Vector | None = None,
     ) -> None:
-        """Follow a point, a pixel's ray or a point at infinity with a probe that is not pinned."""
+        """Move an unpinned probe to a point, a pixel's ray or a point at infinity."""
         number = self._chosen
         if not number or number in self._pinned:
             # A new probe is made only if all probes are pinned.
@@ -148,7 +148,7 @@ class ProbePanel(ReadablePanel):
     ) -> None:
         """Go back to earlier probes, with the numbers of the chosen one (or 0) and the pinned ones.
 
-        The pinned probes stay the same if they are not given.
+        Without `pinned`, the pinned probes stay the same.
         """
         self._chosen = chosen
         if pinned is not None:
@@ -193,7 +193,7 @@ class ProbePanel(ReadablePanel):
     # -- the fields
 
     def _typed(self) -> None:
-        """Move the probe to the typed coordinates, or say which of them is refused."""
+        """Move the probe to the typed coordinates, or say which one is refused."""
         if not any(field.isModified() for field in self.fields):
             return
         probe = self.chosen
@@ -254,7 +254,7 @@ class ProbePanel(ReadablePanel):
     # -- the table
 
     def _turn(self) -> None:
-        """Let columns shrink: letters or digits are written otherwise."""
+        """Let columns shrink after a change of letters or digits."""
         self._is_new = True
         self._readable.changed()
 

@@ -38,9 +38,9 @@ _Role = Qt.ItemDataRole
 _PARTS = 4  # columns of a probe: x, y, z, w
 _ROOT = QModelIndex()
 FORMULA = Qt.ItemDataRole.UserRole
-"""Of a line's first cell: its formula, as of `widgets.parts.typeset`."""
+"""Role of a line's first cell: its formula, for `widgets.parts.typeset`."""
 EXACT = Qt.ItemDataRole.UserRole + 1
-"""Of a cell: the text with all digits, which is copied."""
+"""Role of a cell: the text with all digits, for copying."""
 
 
 def _text(row: int, cell: str | float, write: Callable[[float], str]) -> str:
@@ -50,7 +50,7 @@ def _text(row: int, cell: str | float, write: Callable[[float], str]) -> str:
 
 
 class _Model(QAbstractTableModel):
-    """Writes the cells that are visible."""
+    """The model of the table: it writes only the visible cells."""
 
     def __init__(self) -> None:
         super().__init__()
@@ -58,7 +58,7 @@ class _Model(QAbstractTableModel):
         self._highlighted = NOTHING
 
     def highlight_at(self, index: _Index) -> Highlight:
-        """Return the planes that a cell of the last line names."""
+        """Return the planes named in a cell of the last line."""
         if index.column() == 0 or index.row() != self.rowCount() - 1:
             return NOTHING
         return self.content.outside[(index.column() - 1) // _PARTS]
@@ -73,7 +73,7 @@ class _Model(QAbstractTableModel):
                 self.dataChanged.emit(first, last, [_Role.BackgroundRole])
 
     def show(self, content: Numbers) -> bool:
-        """Show other cells; return whether there are other lines or columns."""
+        """Show other cells; return whether the lines or columns have changed."""
         anew = content[:2] != self.content[:2]
         if anew:
             self.beginResetModel()
@@ -122,7 +122,7 @@ class _Model(QAbstractTableModel):
 
 
 class ProbeTable(QTableView):
-    """Shows four digits of every number, and copies all digits."""
+    """A table that shows four digits of every number and copies all digits."""
 
     def __init__(self) -> None:
         super().__init__()
@@ -149,7 +149,7 @@ class ProbeTable(QTableView):
     def show_numbers(self, content: Numbers, font: QFont, *, anew: bool) -> None:
         """Show the probes' numbers; columns may shrink if they are written `anew`.
 
-        The font is the panel's: a change of font may reach this table later.
+        The font is the panel's: a change of font may reach this table too late.
         """
         if self._model.show(content):
             anew, self._spans = True, []
@@ -165,7 +165,7 @@ class ProbeTable(QTableView):
             rows.resizeSection(row, max(line, needed) + 4)
 
     def _widen(self, content: Numbers, font: QFont, anew: bool) -> None:
-        """Make every number visible as a whole: one without its last digits would be another."""
+        """Make every number fully visible: without its last digits it would be wrong."""
         metrics = QFontMetrics(font)
         digit = metrics.horizontalAdvance("0")
         if anew:

@@ -22,11 +22,11 @@ from widgets.parts.plain import Label
 WORD = 16
 """Characters of a file's name that fit into the narrowest column."""
 COLUMN_PX = 200
-"""Least width of a column that scrolls."""
+"""Least width of a scrolling column."""
 PICTURE = 16.0 / 9.0
 """Aspect of a diagram that is a picture."""
 MOST_ABREAST = 2
-"""More diagrams than this stand in two rows where they are larger so."""
+"""Most diagrams in one row; more of them use two rows if they are larger that way."""
 
 
 class ScenePanel(DiagramPanel):
@@ -53,7 +53,7 @@ class ScenePanel(DiagramPanel):
         self.show_scene(self.tr("This scene"), None)
 
     def show_scene(self, title: str, phenomenon: Phenomenon | None) -> None:
-        """Show another scene; one that shows only the pipeline itself has no phenomenon."""
+        """Show another scene; `phenomenon` is None for a scene that only shows the pipeline."""
         if phenomenon is not self._phenomenon or phenomenon is None:
             self._phenomenon, self._illustration = phenomenon, None
         self.title.setText(breakable(title, WORD))
@@ -77,7 +77,7 @@ class ScenePanel(DiagramPanel):
         anew = self._illustration is None
         self._illustration = illustration
         self._readable.changed()
-        if anew:  # the diagrams of the scene before are gone
+        if anew:  # the diagrams of the previous scene are gone
             self._readable.settle()
 
     def _fill(self) -> None:
@@ -89,7 +89,7 @@ class ScenePanel(DiagramPanel):
         self._columns.setStretchFactor(self._diagram_column, 6 * len(diagrams))
 
     def _place_diagrams(self) -> None:
-        """Place the diagrams in one row, or in two where they are larger so."""
+        """Place the diagrams in one row, or in two if they are larger that way."""
         count, size = len(self.diagrams), self._diagram_column.size()
         half = -(-count // 2)
         line = self.fontMetrics().height()
@@ -111,7 +111,7 @@ class ScenePanel(DiagramPanel):
 
 
 class _Column(QScrollArea):
-    """A part of the panel that scrolls on its own; its name is for screen readers."""
+    """A part of the panel that scrolls independently; its name is for screen readers."""
 
     def __init__(self, layout: QLayout, name: str) -> None:
         super().__init__(widgetResizable=True)

@@ -38,7 +38,7 @@ class Ahead:
     def draw(self, shown: Shown, *args: object) -> None:
         """Make the drawing that a `build` with the same arguments will show."""
         canvas = self._canvas
-        if not isinstance(canvas, RasterCanvas) or not canvas.is_open or not canvas.isVisible():
+        if not isinstance(canvas, RasterCanvas) or not canvas.is_open:
             return
         if not any(each.args == args for each in self._drawn):
             screen = canvas.screen_ahead()

@@ -286,6 +286,8 @@ class Hand(QObject):
         """Where the left button was pressed, while it may be a click."""
         self._dragged_from: QPointF | None = None
         self._holds = False
+        self.tells = True
+        """Whether the canvas has a tooltip."""
         # Without it Qt paints the window under the canvas, and uploads it, with every slider step.
         canvas.setAttribute(Qt.WidgetAttribute.WA_OpaquePaintEvent)
         canvas.setMouseTracking(True)
@@ -303,6 +305,7 @@ class Hand(QObject):
             kinds.KeyPress: self._key,
             kinds.Leave: self._leave,
             kinds.Gesture: self._gesture,
+            kinds.ToolTip: lambda _event: not self.tells,
         }
         canvas.installEventFilter(self)
 

@@ -23,6 +23,7 @@ class Header(QWidget):
         self.title, self.note = Title(title), Title("", "paneNote")
         self.tools = QWidget()
         self._beside_title: tuple[QWidget, QWidget] | None = None
+        self._is_for_class = False
         self._title_bar = in_row(self.title, self.note, on=self, margins=(8, 2, 2, 2))
         self._tool_bar = in_row(*tools, on=self.tools, margins=(8, 2, 2, 2))
         set_tip(
@@ -50,9 +51,11 @@ class Header(QWidget):
         hidden = self.tools.isHidden()
         return self.x() + self.width(), self._pane.width() if hidden else self.tools.x()
 
-    def set_presenting(self, on: bool) -> None:
-        """Hide the buttons from a class; mouse and keys do the same."""
+    def set_presenting(self, on: bool, *, named: bool = True) -> None:
+        """Hide the buttons from a class, and a title that it does not need to be `named` by."""
+        self._is_for_class = on
         self.tools.setVisible(not on)
+        self.setVisible(named or not on)
         self.fit()
 
     def say(self, title: str, note: str) -> None:
@@ -72,8 +75,9 @@ class Header(QWidget):
         if self._beside_title is not None:
             wide, narrow = self._beside_title
             fits = taken + bar.spacing() + wide.sizeHint().width() <= room
-            wide.setVisible(fits)
-            narrow.setVisible(not fits)
-            taken += bar.spacing() + (wide if fits else narrow).sizeHint().width()
+            wide.setVisible(fits and not self._is_for_class)
+            narrow.setVisible(not fits and not self._is_for_class)
+            if not self._is_for_class:
+                taken += bar.spacing() + (wide if fits else narrow).sizeHint().width()
         self.setMaximumWidth(room)
         self.note.setMaximumWidth(max(0, room - taken))

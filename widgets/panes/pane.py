@@ -409,6 +409,20 @@ class Pane(QFrame):
             self._due.add("view")
         self._apply_smoothing()
 
+    def set_presenting(self, on: bool, *, named: bool = True) -> None:
+        """Show a class the picture without buttons, frame and tooltips, and `named` by its title.
+
+        Parameters
+        ----------
+        named : bool
+            Whether the class sees the pane's title.
+        """
+        self.header.set_presenting(on, named=named)
+        shape = QFrame.Shape.NoFrame if on else QFrame.Shape.StyledPanel
+        if self.frameShape() != shape:
+            self.setFrameShape(shape)
+        self.hand.tells = not on
+
     def add_below(self, widget: QWidget) -> None:
         """Put a widget under the canvas: it is hidden, enlarged and floated with the pane."""
         self._column.addWidget(widget, 1, 0)

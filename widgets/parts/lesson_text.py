@@ -116,7 +116,7 @@ def _dpi() -> float:
 
 
 @lru_cache(maxsize=512)
-def _path(tex: str) -> QPainterPath:
+def formula_path(tex: str) -> QPainterPath:
     """Return a formula's outlines in em, y downwards, with the baseline at 0."""
     found, path, place = outline(tex), QPainterPath(), 0
     path.setFillRule(Qt.FillRule.WindingFill)
@@ -174,7 +174,7 @@ class _Formulas(QPyTextObject):
         painter.scale(em, em)
         own = form.toCharFormat().foreground()
         brush = own if own.style() != Qt.BrushStyle.NoBrush else QBrush(painter.pen().color())
-        painter.fillPath(_path(tex), brush)
+        painter.fillPath(formula_path(tex), brush)
         painter.restore()
 
 

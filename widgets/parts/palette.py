@@ -11,6 +11,8 @@ from widgets.parts.highlight import faded
 
 SHARE_OF_SCREEN = 0.0225
 """Height of letters that can be read from the back row, relative to the screen's height."""
+LABEL_SHARE = 0.034
+"""The same for the labels of a slide: their capitals are 2.2 to 3 % of the screen's height."""
 
 _COLOURS = {  # role of the palette: light, dark
     "Window": ("#f4f4f2", "#222426"),
@@ -125,7 +127,7 @@ def is_dark(theme: str) -> bool:
 def drawing_style(*, dark: bool, screen_px: float, device_pixel_ratio: float) -> Style:
     """Return colours and sizes for the drawings in device pixels; for `screen_px` see `apply`."""
     style = DARK if dark else LIGHT
-    larger = max(1.0, SHARE_OF_SCREEN * screen_px / style.font_size)
+    larger = max(1.0, LABEL_SHARE * screen_px / style.font_size)
     return style.enlarged(device_pixel_ratio * larger)
 
 

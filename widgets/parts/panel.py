@@ -71,7 +71,7 @@ class Shown:
         return frozenset(changed.union(part for part, is_new in besides.items() if is_new))
 
 
-class Told(Protocol):
+class Listener(Protocol):
     """An object that the window notifies of changes: a pane, the controls, a panel, a component."""
 
     @property
@@ -90,7 +90,7 @@ class Panel(QWidget, Gestures):
     """
 
     concerns = EVERYTHING
-    """See `Told`."""
+    """See `Listener`."""
 
     edited = Signal(object)
     """The user made this `Projection`."""
@@ -105,7 +105,7 @@ class Panel(QWidget, Gestures):
     """The user wants this picture of a diagram on the clipboard, or in a file."""
 
     def take(self, shown: Shown, changed: Changed) -> None:
-        """Show another snapshot; see `Told`."""
+        """Show another snapshot; see `Listener`."""
         raise NotImplementedError
 
     def begin_gesture(self) -> None:

@@ -39,11 +39,18 @@ class Readable(QObject):
         Its showEvent must call `settle`, as that of a `ReadablePanel` does.
     show : callable
         Shows the current values.
+    is_seen : callable, optional
+        Whether the values can be seen; by default, whether the widget is visible.
     """
 
-    def __init__(self, widget: QWidget, show: Callable[[], None]) -> None:
+    def __init__(
+        self,
+        widget: QWidget,
+        show: Callable[[], None],
+        is_seen: Callable[[], bool] | None = None,
+    ) -> None:
         super().__init__(widget)
-        self._widget, self._show = widget, show
+        self._show, self._is_seen = show, is_seen or widget.isVisible
         self._gestures = 0
         self._pending = False
         self._shown_ms = float("-inf")
@@ -82,7 +89,7 @@ class Readable(QObject):
     def settle(self) -> None:
         """Show changed values now, if there are any."""
         self._rest.stop()
-        if self._pending and self._widget.isVisible():
+        if self._pending and self._is_seen():
             self._pending = False
             self._steps, self._shown_ms = 0, self.now_ms()
             try:

@@ -61,7 +61,7 @@ TRANSLATIONS = Path(__file__).parent / "translations"
 FIRST_PICTURE_S = 60.0
 """Longest wait for the window of a screenshot to appear."""
 SAID_MS = 15_000
-"""The status line says for this long that Qt has no OpenGL."""
+"""Duration of the status line's message that Qt has no OpenGL."""
 
 IN_FILE = QT_TRANSLATE_NOOP("Refusal", "{0}: {1}")
 NOT_WHOLE = QT_TRANSLATE_NOOP("Refusal", "{0}: the window could not be shown whole.")
@@ -108,11 +108,11 @@ def translate(application: QApplication, language: str) -> bool:
 
 
 def close_on_interrupt(application: QApplication) -> Callable[[], None]:
-    """Make Ctrl-C in the terminal close the windows as their own button does.
+    """Make Ctrl-C in the terminal close the windows like their close buttons.
 
     Python handles a signal only when Python code runs, which may take hours inside Qt's loop. A
-    byte through a socket wakes the loop, without polling. A second Ctrl-C, while a window still
-    asks about unsaved work, ends the program at once. Returns a function that undoes all this.
+    byte through a socket wakes the loop, without polling. A second Ctrl-C, while a window shows its
+    question about unsaved work, ends the program at once. Returns a function that undoes all this.
     """
     reading, writing = socket.socketpair()
     reading.setblocking(False)
@@ -159,7 +159,7 @@ def run_window(
     ----------
     document : Document
     saved : Document
-        The document as it is in its file, without the changes of the command line.
+        The document in its file, without the changes of the command line.
     path : Path or None
         The file that was opened; if it is a document, it is saved there.
     options : Options
@@ -218,7 +218,7 @@ def run_window(
         if options.size:
             window.resize(*options.size)
         elif settings.geometry is None and not options.screenshot:
-            window.setWindowState(Qt.WindowState.WindowMaximized)  # the first time
+            window.setWindowState(Qt.WindowState.WindowMaximized)  # the first start
         if lesson is not None:
             window.lesson_card.open(lesson)
         window.first_painted.connect(partial(_open_panes, window))
@@ -246,7 +246,7 @@ def run_window(
 
 
 def _probe(options: Options) -> opengl.OpenGL:
-    """Return Qt's OpenGL, or `NO_OPENGL` if VTK can draw off the screen without it."""
+    """Return Qt's OpenGL, or `NO_OPENGL` if VTK can draw off-screen without it."""
     try:
         return opengl.probe()
     except opengl.DisplayError as error:
@@ -270,7 +270,7 @@ def _open_panes(window: Any) -> None:
 
 
 def show_window(window: QWidget) -> None:
-    """Show the window; an exception in one of its parts is reported, and does not end the program.
+    """Show the window; an exception in one of its parts is reported but does not end the program.
 
     PySide6 passes an exception in the event loop to Python's hook, but raises one that occurs in
     `show` here, after the whole window is shown.
@@ -299,7 +299,7 @@ def _take_screenshot(
         if time.monotonic() > limit:
             raise Refusal.saying(NO_WINDOW, path)
     application.processEvents()
-    window.messages.hide()  # it may offer to recover work
+    window.messages.hide()  # the window may offer to recover work
     window.status.clearMessage()
     application.processEvents()
     png = QBuffer()

@@ -28,8 +28,8 @@ X_RETRIES_S = (0.1, 0.4, 0.0)
 def display() -> Iterator[None]:
     """Make sure that Qt will find a screen inside the block; raise DisplayError otherwise.
 
-    The connection to an X server is held until Qt has its own. A server without any client
-    restarts (under xvfb-run, for example), and answers nobody meanwhile.
+    The connection to an X server is held until Qt has its own. A server without any client restarts
+    (under xvfb-run, for example), and does not answer meanwhile.
     """
     leave = _reach_display() if sys.platform.startswith("linux") else None
     try:
@@ -47,7 +47,7 @@ def _reach_display() -> Callable[[], object] | None:
     x11 = not names or "xcb" in names
     if not wayland and not x11:
         if names[0] in WITHOUT_OPENGL:
-            return None  # this platform needs no screen, or has its own
+            return None  # this platform needs no screen or has its own
         known = ", ".join(("xcb", "wayland", *WITHOUT_OPENGL))
         raise DisplayError(f"QT_QPA_PLATFORM = {wanted}: must be one of {known}; unset it.")
     if wayland and _wayland_answers():

@@ -1,29 +1,33 @@
-"""A talk as a PDF of A4 pages: each step with its figure, the text for the class, and the notes.
+"""A talk as a PDF of A4 pages: each step with its figure and the text for the class.
 
-The matrices or the scene's numbers stand below the figure of a state that opens their panel. No
-display is needed.
+The teacher's version has the answers and the notes; the students' has lines to write on instead.
+The matrices or the scene's numbers stand below the figure of a state that opens their panel. The
+figures have the size with which the pages are filled best. No display is needed.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass
-from functools import partial
+from functools import cache, partial
 from textwrap import wrap
+from typing import NamedTuple
 
 from PySide6.QtCore import QBuffer, QCoreApplication, QMarginsF, QPointF, QRectF, Qt
 from PySide6.QtGui import (
     QColor,
     QFont,
     QGuiApplication,
+    QImage,
     QPageLayout,
     QPageSize,
     QPainter,
     QPdfWriter,
+    QPen,
 )
 
 from app.document.document import Document
-from app.document.view import PANES
+from app.drawings.figures import DPI as DPI_OF_FIGURES
 from app.drawings.figures import render
 from app.drawings.style import LIGHT
 from app.lecture.notation import matrices
@@ -39,22 +43,36 @@ from widgets.parts.typeset import Typeset, matrix, typeset
 from widgets.window.pictures import image_of
 
 MARGIN_MM = 18.0
-TEXT_PT, TITLE_PT, NOTE_PT, FOOT_PT = 10.5, 15.0, 9.5, 8.0
+TEXT_PT, TITLE_PT, NOTE_PT, FOOT_PT = 10.5, 15.0, 9.0, 8.0
 BETWEEN_PT, BETWEEN_STEPS_PT = 6.0, 20.0
 NOTE_INDENT_PT = 12.0
-FIGURE_PX = (1400, 500)
-"""Two panes across the page, about 200 pixels to an inch."""
+FIGURE_PX_PER_INCH, FIGURE_TEXT_PT = 220, 7.0
+PANE_ASPECT = 1.6
+"""Width to height of a figure of one pane; the image has its own."""
+FIGURE_WIDTHS = (0.58, 0.54, 0.62, 0.5, 0.66, 0.46, 0.7)
+"""Possible widths of a figure, as parts of the page's: the first ones look best."""
+BLANK = 0.3
+"""Largest share of a page that may stay blank below its last line."""
+RULE_PT = 24.0
+"""Distance between lines to write on."""
+LINES_BESIDE, LINES_BELOW = 3, 2
+"""Lines to write on: at least these beside a figure, and these below a question."""
+COLUMN_OVER = 1.2
+"""Largest height of the text beside a figure, relative to the figure."""
 DPI = 1200
 """Qt places lines and letters on whole pixels of the page."""
 FORMULA_PX, FORMULA_PT = 18, 8.5
 """Letters of a matrix as it is laid out, with brackets of whole pixels, and as it is printed."""
 BETWEEN_FORMULAS_PX = 40.0
 NOTE_CHARACTERS = 36
-"""Line length of a matrix's note, which is then not wider than the matrix."""
+"""Line length of a matrix's note, so that it is not wider than the matrix."""
 
 
-def handout(course: Course) -> bytes:
-    """Return a talk as the content of a PDF file; a `Refusal` if a state is impossible."""
+def handout(course: Course, *, answers: bool = True) -> bytes:
+    """Return a talk as the content of a PDF file; a `Refusal` if a state is impossible.
+
+    With `answers` it is the teacher's, with the notes; without them the students'.
+    """
     application = QCoreApplication.instance() or QGuiApplication(["app", "-platform", "offscreen"])
     assert isinstance(application, QGuiApplication)
     buffer = QBuffer()
@@ -68,35 +86,38 @@ def handout(course: Course) -> bytes:
     writer.setPageLayout(
         QPageLayout(a4, QPageLayout.Orientation.Portrait, margins, QPageLayout.Unit.Millimeter)
     )
+    page = QRectF(writer.pageLayout().paintRect(QPageLayout.Unit.Point))
+    width, height = page.width(), page.height() - 2.0 * FOOT_PT
+    pages = paged(course, width, height, answers)
     painter = QPainter(writer)
     painter.setRenderHint(QPainter.RenderHint.LosslessImageRendering)
     painter.scale(DPI / 72.0, DPI / 72.0)
-    page = QRectF(writer.pageLayout().paintRect(QPageLayout.Unit.Point))
-    pages = _Pages(painter, writer, page.width(), page.height(), course.lesson.title)
     try:
-        pages.head(course)
-        for place, step in enumerate(course.lesson.steps):
-            pages.put(list(_blocks(course, place, step, page.width())))
-        pages.foot()
+        for number, content in enumerate(pages, 1):
+            if number > 1:
+                writer.newPage()
+            _paint_page(painter, content, width, height, not answers)
+            _foot(painter, course.lesson.title, number, width, height)
     finally:
         painter.end()
     return bytes(buffer.data().data())
 
 
 @dataclass
-class _Block:
-    """A part of a page over its width, in points; `kept` on the page where the next one begins."""
+class Block:
+    """A part of a page over its width, in points; `kept` on the same page as the next one."""
 
     height: float
     paint: Callable[[QPainter, QRectF], object]
-    """Paints what of it is in a rectangle."""
+    """Paints the part of the block in a rectangle."""
     left: float = 0.0
     kept: bool = False
+    after: float = BETWEEN_PT
+    wide: float = 0.0
+    """How wide its content is."""
 
 
-def _text(
-    text: str, width: float, size: float, *, title: bool = False, left: float = 0.0
-) -> _Block:
+def _text(text: str, width: float, size: float, *, title: bool = False, left: float = 0.0) -> Block:
     document = TextDocument()
     font = QFont("DejaVu Sans")
     font.setStyleHint(QFont.StyleHint.SansSerif)
@@ -107,52 +128,175 @@ def _text(
     document.setUseDesignMetrics(True)
     set_text(document, text, title=title)
     document.setTextWidth(width - left)
-    return _Block(document.size().height(), document.drawContents, left, kept=title)
-
-
-def _blocks(course: Course, place: int, step: Step, width: float) -> Iterator[_Block]:
-    """Yield a step's title, figure, text, and its notes with the planned minutes."""
-    count = len(course.lesson.steps)
-    number = f"{place + 1}. " if count > 1 else ""
-    yield _text(number + step.title, width, TITLE_PT, title=True)
-    shown = course.shown(place).document
-    yield _figure(shown, width)
-    yield from _panel(shown, course.shown(place - 1).document if place else None, width)
-    here = course.at(place)
-    for part in step.parts:
-        yield _text(part.told(answer_of(part, here)), width, TEXT_PT)
-        if part.show is not None:
-            after = here.shown_by(part.show)
-            yield _figure(after, width)
-            yield from _panel(after, shown, width)
-        if part.why:
-            yield _text(part.why, width, TEXT_PT)
-    if step.note is not None:
-        minutes = f"*{step.note.minutes:g} min.* " if step.note.minutes else ""
-        if minutes or step.note.text:
-            yield _text(minutes + step.note.text, width, NOTE_PT, left=NOTE_INDENT_PT)
-
-
-def _figure(document: Document, width: float) -> _Block:
-    """Draw the world and the leading pane, or the world and the image."""
-    scene = scene_of(document)
-    leading = document.view.large or scene.leading
-    pixels = render(
-        scene,
-        document.projection,
-        panes=(PANES[0], leading if leading != PANES[0] else PANES[2]),
-        size=FIGURE_PX,
-        style=LIGHT,
-        view=document.view,
-        settings=document.settings,
-        quality=document.quality,
+    size_pt = document.size()
+    return Block(
+        size_pt.height(), document.drawContents, left, kept=title, wide=size_pt.width() + left
     )
-    image = image_of(pixels)
-    place = QRectF(0.0, 0.0, width, width * image.height() / image.width())
-    return _Block(place.height(), lambda painter, _part: painter.drawImage(place, image))
 
 
-def _panel(document: Document, before: Document | None, width: float) -> Iterator[_Block]:
+class _Sheet:
+    """The blocks of a talk's steps, for figures of one width."""
+
+    def __init__(self, course: Course, width: float, part: float, answers: bool) -> None:
+        self._course, self._width, self._answers = course, width, answers
+        self._figure_width = part * width
+
+    def head(self) -> Iterator[Block]:
+        lesson = self._course.lesson
+        minutes = lesson.minutes or sum(
+            step.note.minutes for step in lesson.steps if step.note is not None
+        )
+        yield _text(lesson.title, self._width, 1.4 * TITLE_PT, title=True)
+        if minutes and self._answers:
+            yield _text(f"{minutes:g} min", self._width, TEXT_PT)
+
+    def steps(self) -> Iterator[Block]:
+        for place, step in enumerate(self._course.lesson.steps):
+            blocks = list(self._of(place, step))
+            blocks[-1].after = BETWEEN_STEPS_PT
+            yield from blocks
+
+    def _of(self, place: int, step: Step) -> Iterator[Block]:
+        """Yield a step's title, its figure with what stands beside it, and its questions."""
+        course = self._course
+        number = f"{place + 1}. " if len(course.lesson.steps) > 1 else ""
+        yield _text(number + step.title, self._width, TITLE_PT, title=True)
+        shown, here = course.shown(place).document, course.at(place)
+        asked = [part for part in step.parts if part.reveals or part in step.asked]
+        texts = [part.text for part in step.parts if part not in asked]
+        note = self._note(step)
+        yield from self._with_figure(shown, texts, note)
+        yield from _panel(shown, course.shown(place - 1).document if place else None, self._width)
+        for part in asked:
+            if not self._answers:
+                yield _text(part.posed(), self._width, TEXT_PT)
+                yield self._lines(LINES_BELOW * RULE_PT)
+                continue
+            yield _text(part.told(answer_of(part, here)), self._width, TEXT_PT)
+            whys = [part.why] if part.why else []
+            if part.show is not None:
+                after = here.shown_by(part.show)
+                yield from self._with_figure(after, whys, "")
+                yield from _panel(after, shown, self._width)
+            else:
+                yield from (_text(why, self._width, TEXT_PT) for why in whys)
+
+    def _note(self, step: Step) -> str:
+        """The note for the teacher, with the planned minutes."""
+        if step.note is None or not self._answers:
+            return ""
+        minutes = f"*{step.note.minutes:g} min.* " if step.note.minutes else ""
+        return minutes + step.note.text
+
+    def _with_figure(self, document: Document, texts: list[str], note: str) -> Iterator[Block]:
+        """Yield a figure and its texts: beside it if they are narrow and low enough."""
+        figure = _figure(document, self._width, self._figure_width)
+        left = figure.wide + NOTE_INDENT_PT
+        room = self._width - left
+        if figure.wide > 0.75 * self._width:  # there is no room beside it
+            yield figure
+            yield from self._below(texts, note)
+            if not self._answers:
+                yield self._lines(LINES_BELOW * RULE_PT)
+            return
+        beside, most = list[Block](), COLUMN_OVER * figure.height
+        if not self._answers:
+            most = figure.height - LINES_BESIDE * RULE_PT
+
+        def fits(block: Block) -> bool:
+            high = sum(each.height + BETWEEN_PT for each in beside) + block.height
+            return high <= most and block.wide <= room + 0.5
+
+        while texts and fits(block := _text(texts[0], room, TEXT_PT)):
+            beside.append(block)
+            texts = texts[1:]
+        if note and fits(block := _text(note, room, NOTE_PT, left=NOTE_INDENT_PT)):
+            beside.append(block)
+            note = ""
+        if not self._answers:
+            used = sum(each.height + BETWEEN_PT for each in beside)
+            beside.append(_ruled(room, figure.height - used))
+        yield _beside(figure, beside, left)
+        yield from self._below(texts, note)
+
+    def _below(self, texts: Iterable[str], note: str) -> Iterator[Block]:
+        yield from (_text(text, self._width, TEXT_PT) for text in texts)
+        if note:
+            yield _text(note, self._width, NOTE_PT, left=NOTE_INDENT_PT)
+
+    def _lines(self, height: float) -> Block:
+        return _ruled(self._width, height)
+
+
+def _beside(figure: Block, others: Sequence[Block], left: float) -> Block:
+    """A figure, and blocks below each other beside it."""
+    right = sum(block.height for block in others) + BETWEEN_PT * max(0, len(others) - 1)
+
+    def paint(painter: QPainter, part: QRectF) -> None:
+        figure.paint(painter, part)
+        painter.translate(left, 0.0)
+        for block in others:
+            _paint_block(painter, block, QRectF(0.0, 0.0, part.width() - left, block.height))
+            painter.translate(0.0, block.height + BETWEEN_PT)
+
+    return Block(max(figure.height, right), paint)
+
+
+def _ruled(width: float, height: float) -> Block:
+    """Lines to write on."""
+
+    def paint(painter: QPainter, part: QRectF) -> None:
+        painter.setPen(QPen(QColor(LIGHT.muted), 0.6))
+        for number in range(1, int(height / RULE_PT + 0.5) + 1):
+            y = number * height / max(1, int(height / RULE_PT + 0.5))
+            if part.top() <= y <= part.bottom() + 0.5:
+                painter.drawLine(QPointF(0.0, y), QPointF(width, y))
+
+    return Block(height, paint)
+
+
+def _figure(document: Document, width: float, one_pane: float) -> Block:
+    """The picture of a state: one pane, or the compared pictures across the page."""
+    scene = scene_of(document)
+    pane = document.view.large or scene.leading
+    is_image = pane == "image"
+    count = len(document.view.compare) if is_image else 0
+    aspect = document.projection.aspect if is_image else PANE_ASPECT
+    wide, high = one_pane, one_pane / PANE_ASPECT
+    if count and not document.view.dividers:
+        wide, high = width, width / (count * aspect) + 3.0 * FIGURE_TEXT_PT
+    elif is_image:
+        wide = min(one_pane, high * aspect)
+        high = wide / aspect
+    px_per_pt = FIGURE_PX_PER_INCH / 72.0
+
+    @cache
+    def drawn() -> QImage:
+        return image_of(
+            render(
+                scene,
+                document.projection,
+                panes=(pane,),
+                size=(round(wide * px_per_pt), round(high * px_per_pt)),
+                style=LIGHT,
+                view=document.view,
+                settings=document.settings,
+                quality=document.quality,
+                text_pt=FIGURE_TEXT_PT * FIGURE_PX_PER_INCH / DPI_OF_FIGURES,
+            )
+        )
+
+    def paint(painter: QPainter, _part: QRectF) -> None:
+        place = QRectF(0.0, 0.0, wide, high)
+        painter.drawImage(place, drawn())
+        if is_image and not count:
+            painter.setPen(QPen(QColor(LIGHT.muted), 0.6))
+            painter.drawRect(place)
+
+    return Block(high, paint, wide=wide)
+
+
+def _panel(document: Document, before: Document | None, width: float) -> Iterator[Block]:
     """Yield the numbers of the open panel, unless they are the same as in the state before."""
     view = document.view
     seen = None if before is None else (before, before.view.panel, before.view.letters)
@@ -176,7 +320,7 @@ def _matrices(document: Document) -> Iterator[str]:
         yield "\n".join(lines)
 
 
-def _readout(document: Document, width: float) -> Iterator[_Block]:
+def _readout(document: Document, width: float) -> Iterator[Block]:
     """Yield the scene's numbers, except the one counted in the window's own picture."""
     scene = scene_of(document)
     if scene.phenomenon is None:
@@ -206,7 +350,7 @@ def _readout(document: Document, width: float) -> Iterator[_Block]:
     yield from _side_by_side(formulas, width)
 
 
-def _side_by_side(formulas: Iterable[str], width: float) -> Iterator[_Block]:
+def _side_by_side(formulas: Iterable[str], width: float) -> Iterator[Block]:
     font = QFont("DejaVu Sans")
     font.setPixelSize(FORMULA_PX)
     scale = FORMULA_PT / FORMULA_PX
@@ -220,7 +364,7 @@ def _side_by_side(formulas: Iterable[str], width: float) -> Iterator[_Block]:
         rows[-1].append(part.at(right, part.ascent))
         right += part.width + BETWEEN_FORMULAS_PX
     for row in rows:
-        yield _Block(scale * max(part.descent for part in row), partial(_paint_row, row))
+        yield Block(scale * max(part.descent for part in row), partial(_paint_row, row))
 
 
 def _paint_row(row: Sequence[Typeset], painter: QPainter, _part: QRectF) -> None:
@@ -229,75 +373,107 @@ def _paint_row(row: Sequence[Typeset], painter: QPainter, _part: QRectF) -> None
         formula.paint(painter, 0.0, 0.0)
 
 
-class _Pages:
-    """Places blocks below each other, and begins a new page for one that does not fit."""
+# --------------------------------------------------------------------------- pages
 
-    def __init__(
-        self, painter: QPainter, writer: QPdfWriter, width: float, height: float, title: str
-    ) -> None:
-        self._painter, self._writer, self._title = painter, writer, title
-        self._width, self._height = width, height - 2.0 * FOOT_PT
-        self._y, self._number = 0.0, 1
 
-    def head(self, course: Course) -> None:
-        minutes = course.lesson.minutes or sum(
-            step.note.minutes for step in course.lesson.steps if step.note is not None
-        )
-        self._draw(_text(course.lesson.title, self._width, 1.4 * TITLE_PT, title=True))
-        if minutes:
-            self._draw(_text(f"{minutes:g} min", self._width, TEXT_PT))
+class Piece(NamedTuple):
+    """What of a block is on a page, and where."""
 
-    def put(self, blocks: list[_Block]) -> None:
-        """Draw the blocks of a step: on a new page if they fit there and not here."""
-        if self._y > 0.0:
-            self._y += BETWEEN_STEPS_PT
-        whole = sum(block.height + BETWEEN_PT for block in blocks)
-        if self._y + whole > self._height and whole <= self._height and self._y > 0.0:
-            self._turn()
-        for number, block in enumerate(blocks):
-            needed = block.height
-            if block.kept and number + 1 < len(blocks):
-                needed += BETWEEN_PT + blocks[number + 1].height
-            if self._y > 0.0 and self._y + needed > self._height:
-                self._turn()
-            self._draw(block)
+    block: Block
+    y: float
+    begin: float
+    height: float
 
-    def foot(self) -> None:
-        painter = self._painter
-        painter.save()
-        font = QFont("DejaVu Sans")
-        font.setPointSizeF(FOOT_PT * 72.0 / DPI)
-        painter.setFont(font)
-        painter.setPen(QColor(LIGHT.muted))
-        place = QRectF(0.0, self._height + 0.7 * FOOT_PT, self._width, 1.3 * FOOT_PT)
-        painter.drawText(place, Qt.AlignmentFlag.AlignLeft, self._title)
-        painter.drawText(place, Qt.AlignmentFlag.AlignRight, str(self._number))
-        painter.restore()
 
-    def _turn(self) -> None:
-        self.foot()
-        self._writer.newPage()
-        self._number += 1
-        self._y = 0.0
+class Page(NamedTuple):
+    pieces: list[Piece]
+    blank: float
+    """Of its height, below the last piece."""
 
-    def _draw(self, block: _Block) -> None:
-        """Draw a block, on several pages if it is too long for one."""
+
+def paged(course: Course, width: float, height: float, answers: bool) -> list[Page]:
+    """Place a talk on pages, with figures of the width that fills them best."""
+    sheets = (_Sheet(course, width, part, answers) for part in FIGURE_WIDTHS)
+    return _best([_placed(sheet, height) for sheet in sheets])
+
+
+def _placed(sheet: _Sheet, height: float) -> list[Page]:
+    """Place blocks below each other, and begin a new page for one that does not fit."""
+    blocks = [*sheet.head(), *sheet.steps()]
+    pages, pieces, y = list[Page](), list[Piece](), 0.0
+
+    def turn() -> None:
+        nonlocal pieces, y
+        end = max((piece.y + piece.height for piece in pieces), default=0.0)
+        pages.append(Page(pieces, 1.0 - end / height))
+        pieces, y = [], 0.0
+
+    for number, block in enumerate(blocks):
+        needed, place = block.height, number
+        while blocks[place].kept and place + 1 < len(blocks):
+            needed += blocks[place].after + blocks[place + 1].height
+            place += 1
+        if y > 0.0 and y + needed > height:
+            turn()
         done = 0.0
         while True:
-            part = min(block.height - done, self._height - self._y)
-            self._paint(block, done, part)
-            self._y += part + BETWEEN_PT
-            done += part
+            part = min(block.height - done, height - y)
+            pieces.append(Piece(block, y, done, part))
+            y, done = y + part, done + part
             if done >= block.height - 0.5:
-                return
-            self._turn()
+                break
+            turn()
+        y += block.after
+    turn()
+    return pages
 
-    def _paint(self, block: _Block, begin: float, part: float) -> None:
-        painter, left = self._painter, block.left
+
+def _best(layouts: Sequence[list[Page]]) -> list[Page]:
+    """The first of the layouts whose pages are full enough, or the one with the fullest pages."""
+
+    def emptiest(pages: list[Page]) -> float:
+        return max(page.blank for page in pages)
+
+    full = (pages for pages in layouts if emptiest(pages) <= BLANK)
+    return next(full, min(layouts, key=emptiest))
+
+
+def _paint_page(painter: QPainter, page: Page, width: float, height: float, is_ruled: bool) -> None:
+    """Paint a page; what is blank becomes space between its blocks, or lines to write on."""
+    blank = page.blank * height
+    gaps = sum(not piece.block.kept for piece in page.pieces[:-1])
+    more = 0.0 if is_ruled else min(blank / max(1, gaps), BETWEEN_STEPS_PT)
+    down = 0.0
+    for piece in page.pieces:
         painter.save()
-        if left:
-            line = QRectF(0.25 * left, self._y, 1.5, part)
-            painter.fillRect(line, QColor(LIGHT.near))
-        painter.translate(QPointF(left, self._y - begin))
-        block.paint(painter, QRectF(0.0, begin, self._width - left, part))
+        painter.translate(0.0, piece.y + down - piece.begin)
+        _paint_block(painter, piece.block, QRectF(0.0, piece.begin, width, piece.height))
         painter.restore()
+        down += 0.0 if piece.block.kept else more
+    if is_ruled and blank > 2.0 * RULE_PT:
+        painter.save()
+        painter.translate(0.0, height - blank + BETWEEN_PT)
+        _ruled(width, blank - BETWEEN_PT).paint(painter, QRectF(0.0, 0.0, width, blank))
+        painter.restore()
+
+
+def _paint_block(painter: QPainter, block: Block, part: QRectF) -> None:
+    painter.save()
+    if block.left:
+        line = QRectF(0.25 * block.left, part.top(), 1.5, part.height())
+        painter.fillRect(line, QColor(LIGHT.near))
+    painter.translate(block.left, 0.0)
+    block.paint(painter, QRectF(0.0, part.top(), part.width() - block.left, part.height()))
+    painter.restore()
+
+
+def _foot(painter: QPainter, title: str, number: int, width: float, height: float) -> None:
+    painter.save()
+    font = QFont("DejaVu Sans")
+    font.setPointSizeF(FOOT_PT * 72.0 / DPI)
+    painter.setFont(font)
+    painter.setPen(QColor(LIGHT.muted))
+    place = QRectF(0.0, height + 0.7 * FOOT_PT, width, 1.3 * FOOT_PT)
+    painter.drawText(place, Qt.AlignmentFlag.AlignLeft, title)
+    painter.drawText(place, Qt.AlignmentFlag.AlignRight, str(number))
+    painter.restore()

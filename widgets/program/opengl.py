@@ -1,9 +1,9 @@
 """Find out which OpenGL this machine offers, before the first window.
 
-VTK needs OpenGL 3.2 and crashes without a message where there is less, so Qt is asked first.
+VTK needs OpenGL 3.2 and crashes silently with less, so this module queries Qt first.
 Call `prepare` before the QApplication exists, and `probe` after it but before the first window.
-As a program, this module prints the answer as JSON: ``doctor`` runs it in a process of its own,
-because a broken driver can crash the process that asks.
+Run as a program, this module prints the answer as JSON: ``doctor`` runs it in a separate process,
+which a broken driver may crash.
 """
 
 from __future__ import annotations
@@ -40,13 +40,13 @@ class OpenGL:
     """The driver's text, such as ``"4.5 (Core Profile) Mesa 22.3.6"``."""
     renderer: str
     software: bool
-    """Whether the processor draws, for lack of a graphics card or its driver."""
+    """Whether the CPU draws, because a graphics card or its driver is missing."""
 
 
 NO_OPENGL = OpenGL("", "", software=True)
 """Qt has no OpenGL; VTK draws off the screen."""
 WITHOUT_OPENGL = ("offscreen", "minimal", "vnc")
-"""Qt's platforms whose windows show no OpenGL."""
+"""Qt platforms whose windows cannot show OpenGL."""
 
 
 def canvas(found: OpenGL) -> str:
@@ -72,10 +72,10 @@ def prepare() -> None:
 def probe() -> OpenGL:
     """Query an OpenGL context without a window; raise DisplayError if there is no OpenGL 3.2."""
     platform = QGuiApplication.platformName()
-    if platform in WITHOUT_OPENGL:  # some provide a context, but show garbage
+    if platform in WITHOUT_OPENGL:  # some provide a context but show garbage
         raise DisplayError(f"Qt's platform {platform} shows no OpenGL windows. {ADVICE}")
     surface, context = QOffscreenSurface(), QOpenGLContext()
-    before = qInstallMessageHandler(lambda *_message: None)  # the DisplayError says it instead
+    before = qInstallMessageHandler(lambda *_message: None)  # the DisplayError reports it instead
     try:
         surface.create()
         is_usable = surface.isValid() and context.create() and context.makeCurrent(surface)

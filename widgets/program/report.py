@@ -45,7 +45,7 @@ class Report(QDialog):
         in_column(self._sentence, self._place, buttons, on=self)
 
     def tell(self, summary: str, details: str) -> None:
-        """Show an exception and its traceback; while it is shown, further ones are counted."""
+        """Show an exception and its traceback; while it is shown, count further ones."""
         if self.isHidden():
             self._count = 0
         self._count += 1
@@ -113,5 +113,5 @@ class ExceptionWatch(QObject):
             if self.report is None:
                 self.report = Report(self._log_file)
             self.report.tell(summary, details)
-        except Exception:  # raising it would call this method again, for ever
+        except Exception:  # raising it would call this method again, forever
             log.critical("the report itself failed", exc_info=True)

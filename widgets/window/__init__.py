@@ -1,1 +1,1 @@
-"""The main window: what it opens, saves, exports and says."""
+"""The main window and its components."""

@@ -35,7 +35,7 @@ ICON_PX = 18
 
 
 def take_typed(window: QMainWindow) -> None:
-    """Enter a text that is being typed, as leaving its field would."""
+    """Commit a text that is being typed, as if its field lost the focus."""
     field = window.focusWidget()
     if isinstance(field, QLineEdit) and field.isModified():
         field.clearFocus()
@@ -46,8 +46,8 @@ def take_typed(window: QMainWindow) -> None:
 class Actions(QObject):
     """The actions of one window, in its menus and its tool bar.
 
-    An action that one part of the window carries out alone is connected here. The window connects
-    the `triggered` signals of the others.
+    Actions that involve only one component are connected here. The window connects the `triggered`
+    signals of the others.
     """
 
     scene_chosen = Signal(str)
@@ -127,6 +127,10 @@ class Actions(QObject):
             self.tr("P&ointer in all panes"), None, "P",
             self.tr("While presenting, mark in all panes the point under the mouse"), on=False,
         )  # fmt: skip
+        self.strip = self._action(
+            self.tr("Co&ntrols of the slide"), None, "C",
+            self.tr("While presenting, show the controls of the slide below it, or hide them"),
+        )  # fmt: skip
         self.compare = self._action(
             self.tr("Co&mpare with this picture"), None, "F6",
             self.tr("Hold the current picture and compare it with later ones, or end the"
@@ -136,7 +140,9 @@ class Actions(QObject):
         self.compare_way = self._action(
             self.tr("Compare s&ide by side or overlaid"), None, "Shift+F6"
         )
-        for later in (self.remove_probe, self.blank, self.pointer, self.compare_way):
+        for later in (
+            self.remove_probe, self.blank, self.pointer, self.strip, self.compare_way,
+        ):  # fmt: skip
             later.setEnabled(False)
         self.controls = self._action(self.tr("&Controls"), None, "F4", on=True)
         self.show_cost = self._action(
@@ -165,7 +171,7 @@ class Actions(QObject):
         self.scene_box = Combo()
         self._make_tool_bar()
         keyed = [a for a in window.findChildren(QAction) if not a.shortcut().isEmpty()]
-        # They work without the menu bar, and in a floating pane's own window.
+        # They work without the menu bar, and in the window of a floating pane.
         for widget in (window, *panes.values()):
             widget.addActions(keyed)
 
@@ -179,7 +185,7 @@ class Actions(QObject):
         tip: str = "",
         on: bool | None = None,
     ) -> QAction:
-        """Make an action, which is checkable unless `on` is None."""
+        """Make an action; it is checkable unless `on` is None."""
         action = QAction(text, self._window, checkable=on is not None, checked=on is True)
         if act is not None:
             action.triggered.connect(lambda _checked=False: act())
@@ -191,7 +197,7 @@ class Actions(QObject):
         return action
 
     def _choices(self, texts: Mapping[str, str], now: str) -> dict[str, QAction]:
-        """Make actions of which one is checked, by the values that they choose."""
+        """Make exclusive actions, by the values that they choose."""
         group = QActionGroup(self)
         made = {name: self._action(text, on=name == now) for name, text in texts.items()}
         for action in made.values():
@@ -209,7 +215,7 @@ class Actions(QObject):
         return menu
 
     def _with_typed(self, act: Callable[[], object]) -> Callable[[], object]:
-        """Return an act that first enters a number which is still being typed."""
+        """Return a function that first commits a number that is still being typed."""
 
         def acted() -> None:
             take_typed(self._window)
@@ -255,7 +261,7 @@ class Actions(QObject):
         )
         slots.rearranged.connect(lambda: columns.setChecked(slots.layout_name == LAYOUTS[1]))
         menu = self._menu(
-            self.tr("&View"), self.present, self.blank, self.pointer, None,
+            self.tr("&View"), self.present, self.blank, self.pointer, self.strip, None,
             self.compare, self.compare_way, None, *large,
             self._action(self.tr("Back to &all panes"), slots.go_back, "Ctrl+0"), columns,
             self._action(self.tr("&Reset the panes' own views"), slots.reset_views, "Ctrl+Home"),
@@ -343,7 +349,7 @@ class Actions(QObject):
             button = tools.widgetForAction(action)
             assert isinstance(button, QToolButton)
             button.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
-        button.setObjectName("presentButton")  # the style sheet dresses it by this name
+        button.setObjectName("presentButton")  # the style sheet refers to this name
         button.style().unpolish(button)
         button.style().polish(button)
 
@@ -378,11 +384,11 @@ class Actions(QObject):
         """List the recent files."""
         self.recent.clear()
         for path in self._files.recent:
-            action = self.recent.addAction(path.replace("&", "&&"))  # & marks no key here
+            action = self.recent.addAction(path.replace("&", "&&"))  # & does not mark a key here
             action.triggered.connect(partial(self._files.open, path))
         self.recent.setEnabled(bool(self._files.recent))
 
     def show_playing(self, playing: bool) -> None:
-        """Name the play action for what it does next."""
+        """Name the play action after its next effect."""
         self.play.setText(self.tr("Pause") if playing else self.tr("Play"))
         show_icon(self.play, "pause" if playing else "play")

@@ -1,4 +1,4 @@
-"""How the window is arranged: read into a document's `View`, and restored from it.
+"""Read the window's arrangement into a document's `View`, and restore it from one.
 
 ::
 
@@ -26,19 +26,20 @@ from widgets.panes.compare import Compare
 from widgets.panes.pane import Pane
 from widgets.panes.stage_strip import StageStrip
 from widgets.parts.panel import Changed, Shown
+from widgets.window.control_strip import ControlStrip
 from widgets.window.drawer import Panels
 from widgets.window.slots import Slots
 from widgets.window.world_look import WorldLook
 
 
 def cameras(panes: Mapping[str, Pane]) -> dict[str, Camera]:
-    """Return the own cameras of those panes that the user has turned."""
+    """Return the cameras of the panes that the user has turned."""
     turned = {name: pane.view for name, pane in panes.items()}
     return {name: camera for name, camera in turned.items() if camera is not None}
 
 
 class Arrangement(QObject):
-    """Reads the window's arrangement into a `View`, and arranges the window by one."""
+    """Reads the window's arrangement into a `View`, and restores it."""
 
     concerns = frozenset({"view"})
 
@@ -53,18 +54,19 @@ class Arrangement(QObject):
         frame: FramePanel,
         probes: ProbePanel,
         compare: Compare,
+        controls: ControlStrip,
     ) -> None:
         super().__init__(slots)
         self._panes, self._slots, self._strip, self._world = panes, slots, strip, world
         self._drawer, self._panels = drawer, dict(zip(PANELS, drawer.all, strict=True))
         self._matrices, self._frame, self._probes = matrices, frame, probes
-        self._compare = compare
+        self._compare, self._controls = compare, controls
         self._given = View()
-        """The view shown last; it still holds what no widget can change."""
+        """The view shown last; it keeps the values that no widget can change."""
 
     @property
     def view(self) -> View:
-        """The arrangement at this moment."""
+        """The current arrangement."""
         opened = (name for name, panel in self._panels.items() if panel is self._drawer.open_panel)
         elsewhere = {n: c for n, c in self._given.panes.items() if n not in self._panes}
         return replace(
@@ -89,12 +91,15 @@ class Arrangement(QObject):
         self.show(shown.document.view)
 
     def show(self, view: View) -> None:
-        """Arrange the window by a view; whatever already agrees with it is not touched."""
+        """Arrange the window according to a view; whatever already agrees is not touched."""
         self._given = view
-        if view.panel is not None:  # otherwise the scene has opened its own panel
-            self._drawer.open(self._panels.get(view.panel))
+        panel = "kinds" if "kinds" in view.slide else view.panel
+        if panel is not None:  # otherwise the scene has opened its own panel
+            self._drawer.open(self._panels.get(panel))
         # After the panel: a rearranged window reopens a panel that presenting has folded.
         self._slots.arrange(view.layout, view.large, self._slots.whole)
+        self._slots.show_slide(view.slide)
+        self._controls.ask(view.controls)
         self._world.show(view.fixed, view.layers)
         self._world.name(view.names)
         self._strip.go_to(view.stage)

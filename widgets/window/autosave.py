@@ -29,8 +29,8 @@ def _lock(path: Path) -> QLockFile:
 class Autosave(QObject):
     """Keeps one file for a document of this window, locked while the window lives.
 
-    A file that nobody holds the lock of belongs to a window that died, or to a document that was
-    unsaved when another one was opened over it. It is offered, never opened by itself.
+    A file without a lock belongs to a window that died, or to an unsaved document that another one
+    replaced. It is offered, never opened automatically.
 
     Parameters
     ----------
@@ -41,7 +41,7 @@ class Autosave(QObject):
     """
 
     failed = Signal(str)
-    """No copy can be kept in this folder; emitted once, until a copy succeeds again."""
+    """No copy can be kept in this folder; emitted again only after a copy has succeeded."""
 
     def __init__(
         self, folder: Path, current: Callable[[], Document | None], parent: QObject | None = None
@@ -99,12 +99,12 @@ class Autosave(QObject):
         return sorted(found, key=lambda path: path.stat().st_mtime, reverse=True)
 
     def leave(self) -> bool:
-        """Keep unsaved work because another document comes; False if there is no copy to keep."""
+        """Keep unsaved work before another document is shown; False if there is no copy to keep."""
         self._timer.stop()
         return self.save_now() and self._path.exists()
 
     def release(self) -> None:
-        """Leave the copy to the next window: its work was neither saved nor discarded."""
+        """Leave the copy for the next window: its work was neither saved nor discarded."""
         self._timer.stop()
         self._lock.unlock()
 

@@ -65,7 +65,7 @@ class Comparing(QObject):
         return self.pictures.is_on
 
     def take(self, shown: Shown, changed: Changed) -> None:
-        """Redraw the other pictures; the image pane must have been told before."""
+        """Redraw the other pictures; the image pane must have been notified first."""
         self.pictures.refresh()
 
     def toggle(self) -> None:

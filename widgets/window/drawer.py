@@ -1,4 +1,4 @@
-"""The panels under the panes. Their names stay at the bottom of the window; the open panel takes at
+"""The panels below the panes. Their names stay at the bottom of the window; the open panel takes at
 most a third of its height.
 """
 
@@ -27,12 +27,14 @@ from widgets.parts.panel import Panel, Shown
 from widgets.parts.plain import set_tip
 
 LEAST_EM = 4
+_UNLIMITED_PX = 2**24 - 1
+"""Qt's own largest height."""
 LARGEST_SHARE = 1 / 3
-"""Of the window's height, for the open panel."""
+"""Largest share of the window's height for the open panel."""
 
 
 class _Name(QToolButton):
-    """Opens and folds a panel by a click, Space or Enter; elided where there is no room."""
+    """Opens and folds a panel by a click, Space or Enter; elided if it does not fit."""
 
     def minimumSizeHint(self) -> QSize:
         return QSize(LEAST_EM * self.fontMetrics().height(), super().minimumSizeHint().height())
@@ -56,7 +58,7 @@ class _Name(QToolButton):
 
 
 class Panels(QWidget):
-    """Panels of which at most one is open; a folded panel is told of changes when it is opened."""
+    """Panels of which at most one is open; a folded panel is notified of changes when it opens."""
 
     opened = Signal()
     """A panel was opened, or the last one folded."""
@@ -110,7 +112,7 @@ class Panels(QWidget):
         self._shown = shown
 
     def tell(self, panel: Panel | None = None) -> None:
-        """Tell the open panel, or another one, what has changed since it was last told."""
+        """Notify the open panel, or `panel`, of the changes since its last notification."""
         panel = panel or self.open_panel
         if panel is None or self._shown is None:
             return
@@ -144,6 +146,8 @@ class Drawer(QSplitter):
         around.addWidget(self)
         self._panels = panels
         self._share = LARGEST_SHARE
+        self._above, self._is_for_class, self._is_alone = above, False, False
+        self._handle_px = self.handleWidth()
         self.addWidget(above)
         self.addWidget(panels)
         for place, stretch in ((0, 1), (1, 0)):
@@ -152,9 +156,20 @@ class Drawer(QSplitter):
         panels.opened.connect(self.fit)
         self.splitterMoved.connect(self._dragged)
 
+    def set_presenting(self, on: bool, *, alone: bool = False) -> None:
+        """Give the open panel no height in front of a class, or all of it if it is the slide."""
+        self._is_for_class, self._is_alone = on, alone
+        self.setHandleWidth(0 if on else self._handle_px)
+        self._above.setVisible(not alone)
+        self.fit()
+
     def fit(self) -> None:
-        """Give the open panel its share of the height: the same for all, or panes would jump."""
+        """Give the open panel its share of the height, the same for all: panes must not jump."""
         window_px, height = self.window().height(), sum(self.sizes())
+        if self._is_for_class:
+            self._panels.setMaximumHeight(_UNLIMITED_PX if self._is_alone else 0)
+            self.setSizes([0, height] if self._is_alone else [height, 0])
+            return
         self._panels.setMaximumHeight(int(LARGEST_SHARE * window_px))
         wanted = int(self._share * window_px)
         self.setSizes([height - wanted, wanted])

@@ -45,7 +45,7 @@ class ExportDialog(QDialog):
     titles : dict
         Translated pane titles by name.
     image_size : (int, int)
-        Size of the model's image, which the image pane alone is exported at by default.
+        Size of the model's image, the default size of a picture of the image pane alone.
     """
 
     def __init__(
@@ -131,7 +131,7 @@ class ExportDialog(QDialog):
         self._buttons.button(QDialogButtonBox.StandardButton.Save).setEnabled(not problem)
 
     def _find_problem(self) -> str:
-        """Say why there is no such figure; if there is one, show the usual size of its letters."""
+        """Say why this figure is impossible; otherwise show its default text size."""
         if not self._panes:
             return self.tr("Choose at least one pane.")
         try:

@@ -29,7 +29,7 @@ _T = TypeVar("_T")
 MESHES = " ".join(f"*{ending}" for ending in MESH_ENDINGS)
 RECENT_LIMIT = 10
 SAID_MS = 10_000
-"""The status line says for this long where unsaved work is."""
+"""Duration of the message about unsaved work in the status line."""
 
 
 class Files(QObject):
@@ -55,7 +55,7 @@ class Files(QObject):
 
     @property
     def path(self) -> Path | None:
-        """The document's file; None if it was not saved yet."""
+        """The document's file; None if it was never saved."""
         return self._store.origin.path
 
     # -- scenes
@@ -188,9 +188,10 @@ class Files(QObject):
         if scene is None:
             return False
         if name != self._store.document.scene:
-            # Keep what was prepared for a class; drop what was about the previous scene.
+            # Keep what was prepared for a class; drop what concerned the previous scene.
             view = replace(
                 self._store.look(), large="", panel=None, probes=(), pinned=frozenset(), panes={},
+                slide=(), controls=(), equation="", names=None,
                 compare=(), dividers=(),
             )  # fmt: skip
             extra = self._store.document.extra
@@ -205,7 +206,7 @@ class Files(QObject):
             self.use_mesh(path)
 
     def use_mesh(self, path: str) -> bool:
-        """Replace the scene's own objects by a mesh, or restore them if the path is empty.
+        """Replace the scene's own objects with a mesh, or restore them if the path is empty.
 
         That is one undo step. The file is read anew, also for the steps of the history that use
         it. Returns False if the mesh cannot be shown there.
@@ -213,7 +214,7 @@ class Files(QObject):
         before, mesh = self._store.document, os.path.abspath(path) if path else ""
 
         def used() -> tuple[Document, Scene]:
-            scene = self._load(before.scene, mesh)  # its refusal says more than the document's
+            scene = self._load(before.scene, mesh)  # more specific refusal than the document's
             return replace(before, mesh=mesh), scene
 
         found = self._try(used)
@@ -283,7 +284,7 @@ class Files(QObject):
     # -- helpers
 
     def _try(self, act: Callable[[], _T], document: str = "") -> _T | None:
-        """Act, or say in one sentence why that failed; `document` names the file that was read."""
+        """Call `act`, or say in one sentence why it failed; `document` names the file read."""
         try:
             done = act()
         except Cancelled:

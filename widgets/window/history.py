@@ -1,4 +1,4 @@
-"""Undo, redo and reset, and the work that waits until the user's hand rests."""
+"""Undo, redo and reset, and work that is postponed until the user's input stops."""
 
 from __future__ import annotations
 
@@ -15,18 +15,18 @@ from widgets.window.actions import Actions
 
 
 class History(QObject):
-    """The store's history in one window, whose title shows whether there is something to save.
+    """The store's history for one window; its title shows whether there is unsaved work.
 
     Parameters
     ----------
     start : callable
         Returns the projection that the current scene opens with.
     players : sequence of callables
-        Each stops something that plays, or that the keyboard drags.
+        Each stops an animation, or a drag by the keyboard.
     """
 
     rested = Signal()
-    """No control is held and nothing plays: postponed work can be done now."""
+    """No control is held and nothing plays: postponed work can run now."""
 
     def __init__(
         self,
@@ -45,7 +45,7 @@ class History(QObject):
         store.history_changed.connect(self.show)
 
     def undo(self) -> None:
-        """Go back one step; stop what moves first, or it would go on from there at once."""
+        """Go back one step; first stop every animation, which would continue from there."""
         self.stand_still()
         self._store.undo()
 
@@ -72,7 +72,7 @@ class History(QObject):
         store, window = self._store, self._window
         self._menus.undo.setEnabled(store.can_undo)
         self._menus.redo.setEnabled(store.can_redo)
-        if window.isWindowModified() != store.modified:  # setting it costs as much as a drawing
+        if window.isWindowModified() != store.modified:  # setting it takes as long as a drawing
             window.setWindowModified(store.modified)
         if not store.in_gesture:
             self.rested.emit()

@@ -55,21 +55,21 @@ from widgets.window.settings import Progress, Settings
 
 AGAIN_KEY, BACK_KEY, NEXT_KEY = "F7", "Alt+Left", "Alt+Right"
 WIDTH_EM = 31.0
-"""Of the column while a lesson is open."""
+"""Width of the column while a lesson is open."""
 SHARE = 0.6
-"""Of the column's height, for the card."""
+"""The card's share of the column's height."""
 MOST_MARKS = 10
-"""A lesson of more steps has no mark for each."""
+"""Most steps for which each has a mark."""
 LATE_MS = 1000
-"""Delay before the current step is kept: writing the file takes as long as a frame."""
+"""Delay before the current step is saved: writing the file takes as long as a frame."""
 WHILE_MOVING_MS = 50
-"""Interval at which tasks are looked at while the model moves."""
+"""Interval at which tasks are checked while the model moves."""
 TOUR = CONTENT / "tour.md"
-"""The first two minutes with the program."""
+"""The tour of the first two minutes."""
 
 
 def name_of(path: Path) -> str:
-    """Return the name under which a lesson's progress is kept."""
+    """Return the name under which a lesson's progress is saved."""
     return path.stem if path.parent == CONTENT else os.path.abspath(path)
 
 
@@ -80,14 +80,14 @@ def heads(*, talks: bool) -> tuple[Head, ...]:
 
 
 class LessonCard(QFrame):
-    """The open lesson at its step; hidden while no lesson is open."""
+    """The card with the current step of the open lesson; hidden while no lesson is open."""
 
     toggled = Signal(bool)
-    """The card appeared, or has gone."""
+    """The card appeared or disappeared."""
     begun_again = Signal(str, object)
-    """The answers of the lesson with this title are forgotten; a callable brings them back."""
+    """The answers of the lesson with this title were deleted; the callable restores them."""
     went_on = Signal()
-    """Another step is shown, or something was answered: other buttons may be enabled now."""
+    """The step has changed or a block was answered, so other buttons may be enabled."""
 
     def __init__(self, lessons: Lessons, store: Store, settings: Settings) -> None:
         super().__init__()
@@ -100,11 +100,11 @@ class LessonCard(QFrame):
         self._rest: list[Part] = []
         """The parts of the step that are not shown yet."""
         self._shown: tuple[Course, int] | None = None
-        """The course and the place of the page."""
+        """The course and the step of the page."""
         self._aside: tuple[Document, View | None] | None = None
-        """What the lesson itself shows to refute an idea: the student has not done that."""
+        """A state that the lesson shows to refute an idea: it is not the student's work."""
         self.is_on = False
-        """Whether there is something to read: a lesson, or that it is finished."""
+        """Whether the card shows a lesson, or that one is finished."""
         self.blocks: list[BlockView] = []
         self._title = Label(wordWrap=True)
         self._title.setObjectName("paneTitle")
@@ -157,12 +157,12 @@ class LessonCard(QFrame):
         return self._lessons.lesson
 
     def open(self, path: str | Path) -> bool:
-        """Open a lesson where it was left; False if it cannot be opened."""
+        """Open a lesson at its last step; return False if it cannot be opened."""
         kept = self._settings.progress.get(name_of(Path(path)), Progress())
         return self._lessons.open(path, kept.step)
 
     def leave(self) -> None:
-        """Close the lesson; the next time it opens at this step."""
+        """Close the lesson; it will reopen at this step."""
         self.keep_now()
         self._clear()
         self._shown = None
@@ -172,7 +172,7 @@ class LessonCard(QFrame):
         self.went_on.emit()
 
     def begin_again(self) -> None:
-        """Forget the answers of the lesson, and go to its first step; this can be undone."""
+        """Delete the answers of the lesson, and go to its first step; this can be undone."""
         lesson, before = self._lesson, self._progress
         if lesson is not None:
             self._progress = Progress()
@@ -183,10 +183,10 @@ class LessonCard(QFrame):
                 self.begun_again.emit(lesson.title, partial(self._take_back, lesson.path, before))
 
     def _take_back(self, path: Path, progress: Progress) -> None:
-        """Restore a lesson's answers, and open it at the step where they were forgotten."""
+        """Restore a lesson's answers, and open it at the step where they were deleted."""
         self._late.stop()
         self._settings.keep_progress(name_of(path), progress)
-        self._shown = None  # or the answers that are there now would be kept instead
+        self._shown = None  # otherwise the current answers would be saved instead
         self.open(path)
 
     def _open(self) -> None:
@@ -204,7 +204,7 @@ class LessonCard(QFrame):
             self.toggled.emit(True)
 
     def _step(self) -> None:
-        """Show the page of the step, unless it is there, or the card is hidden."""
+        """Show the page of the step, unless it is shown already or the card is hidden."""
         course = self._lessons.course
         assert course is not None
         if self._shown != (course, self._lessons.place):
@@ -221,7 +221,7 @@ class LessonCard(QFrame):
         self.look_again()
 
     def _fill(self) -> None:
-        """Make the page of the step; it takes the keyboard unless somebody types elsewhere."""
+        """Make the page of the step; it takes the focus unless the user types elsewhere."""
         takes = self._may_take_focus
         self._make_page()
         if takes:
@@ -282,7 +282,7 @@ class LessonCard(QFrame):
             page.deleteLater()
 
     def _make_page(self) -> None:
-        """The step's title, then its text and what it asks, in their order."""
+        """Make the page: the step's title, then its text and blocks in order."""
         self._clear()
         page = QWidget()
         self._column = in_column(LessonText(self._here.title, title=True), gap=8)
@@ -294,7 +294,7 @@ class LessonCard(QFrame):
         self._show_marks()
 
     def _unfold(self) -> None:
-        """Show the parts up to a prediction: what follows would give it away."""
+        """Show the parts up to an open prediction, because the rest would reveal the answer."""
         assert self._shown is not None
         here = self._shown[0].at(self._shown[1])
         while self._rest and self._uncommitted is None:
@@ -313,9 +313,9 @@ class LessonCard(QFrame):
             self._column.addWidget(view)
 
     def _reveal(self, block: BlockView) -> None:
-        """Scroll to what is said to an answer: to all of it, or else to its beginning."""
+        """Scroll to a response: to all of it, or else to its beginning."""
         lay_out()
-        lay_out()  # again, for what is narrower beside a scroll bar that has appeared
+        lay_out()  # again, because a scroll bar that appears makes the text narrower
         said = block.said if block in self.blocks else []
         for widget in (*said[-1:], *said[:1]):
             self._area.ensureWidgetVisible(widget, 0, 10)
@@ -325,7 +325,7 @@ class LessonCard(QFrame):
 
     @property
     def _uncommitted(self) -> BlockView | None:
-        """Return the prediction that must be made before the step goes on."""
+        """Return the prediction that must be made before the step continues."""
         return next((block for block in self.blocks if block.holds), None)
 
     @property
@@ -333,7 +333,7 @@ class LessonCard(QFrame):
         return next((block for block in self.blocks if block.is_open and block.hints), None)
 
     def _is_done(self, step: Step) -> bool:
-        """Whether all blocks of a step are answered; a step without any is done once it is left."""
+        """Whether all blocks of a step are answered; one without blocks is done once it is left."""
         names = [part.name for part in step.asked] or [""]
         return all(f"{step.name}/{name}" in self._progress.answers for name in names)
 
@@ -353,7 +353,7 @@ class LessonCard(QFrame):
         self._keep()
 
     def keep_now(self) -> None:
-        """Keep the step that is shown, before another lesson is, or none."""
+        """Save the current step, before another lesson or none is shown."""
         if self._late.isActive():
             self._keep()
 
@@ -369,10 +369,10 @@ class LessonCard(QFrame):
         self._aside = document, None
         self._lessons.show(document)
 
-    # -- the way through it
+    # -- navigation
 
     def go_to(self, place: int) -> None:
-        """Go to a step, from 0; an open prediction keeps the student from going on."""
+        """Go to a step, from 0; an open prediction prevents going forward."""
         held = self._uncommitted
         if held is not None and place > self._lessons.place:
             self._say(self.tr("Make your prediction first: choose one, then Commit."))
@@ -402,11 +402,11 @@ class LessonCard(QFrame):
         self._lessons.previous()
 
     def show_again(self) -> None:
-        """Show the step as its file has it, without any changes."""
+        """Show the step as in its file, without the student's changes."""
         self._lessons.come_back()
 
     def give_hint(self) -> None:
-        """Say the next hint for the first open block that has one."""
+        """Show the next hint of the first open block that has one."""
         block = self._hinting
         if block is not None:
             block.give_hint()
@@ -415,7 +415,7 @@ class LessonCard(QFrame):
             self.went_on.emit()
 
     def _finish(self, lesson: Lesson) -> None:
-        """Close the lesson; the card says what is left to do, and names the next lesson."""
+        """Close the lesson; the card lists unfinished steps and names the next lesson."""
         if not self._here.asked:
             self._note("", DONE)
         self._progress = replace(self._progress, step="")
@@ -466,18 +466,18 @@ class LessonCard(QFrame):
 
     @property
     def _may_take_focus(self) -> bool:
-        """Whether nobody is typing elsewhere."""
+        """Whether the user is not typing elsewhere."""
         return self._has_focus or not isinstance(QApplication.focusWidget(), QLineEdit)
 
     def _take_focus(self) -> None:
-        """Give the keyboard to the first open block, else to the button Next."""
+        """Give the focus to the first open block, else to the button Next."""
         first = next((b.first for b in self.blocks if b.is_open and b.first is not None), None)
         (first or self.next).setFocus(Qt.FocusReason.OtherFocusReason)
 
     # -- what is done in the window
 
     def look_again(self, *_changed: object) -> None:
-        """The window has changed: see which tasks are done, after all else that hears of it."""
+        """Check the tasks after a change of the window, once all other components were notified."""
         if self._lesson is not None:
             self._looking.start(WHILE_MOVING_MS if self._lessons.is_moving else 0)
 
@@ -501,7 +501,7 @@ class LessonCard(QFrame):
 
 
 def _after(path: Path) -> Head | None:
-    """Return the lesson that comes next; after the tour the first."""
+    """Return the next lesson; after the tour, the first."""
     lessons = heads(talks=False)
     following = dict(zip((TOUR, *(head.path for head in lessons)), lessons, strict=False))
     return following.get(path)
@@ -518,7 +518,7 @@ def _push(text: str, tip: str, act: object) -> QPushButton:
 
 
 class Side(QSplitter):
-    """The column beside the pictures, added to a splitter: the lesson's card above the controls."""
+    """The column beside the pictures in a splitter: the lesson's card above the controls."""
 
     def __init__(self, around: QSplitter) -> None:
         super().__init__(Qt.Orientation.Vertical)

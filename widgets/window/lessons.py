@@ -1,12 +1,12 @@
-"""A lesson or a talk in the window: shows its steps, and shows a step again after trials by hand.
+"""A lesson or a talk in the window: shows its steps, and restores a step after manual changes.
 
 ::
 
     file --Lessons.open--> Course --go(step)--> Store (one step of undo) --> the window
     a saved change of the file --> the same step again, if it shows something else now
 
-Anything can be changed by hand at a step. Such trials are not the user's work: nobody is asked to
-save them, and `come_back` shows the step again as the file has it.
+The user may change anything at a step. Such changes are not unsaved work, and `come_back` shows the
+step again as in the file.
 """
 
 from __future__ import annotations
@@ -34,32 +34,32 @@ from widgets.parts.messages import sentence
 from widgets.window.files import Files
 
 TRANSITION_S = 0.4
-"""How long the model moves between two steps."""
+"""Duration of the model's motion between two steps."""
 SETTLED_MS = 150
-"""Delay after a change of the file: editors may write it twice."""
+"""Delay before a changed file is read: editors may write it twice."""
 
 
 class Lessons(QObject):
-    """The open lesson, and the step that it is at, from 0.
+    """The open lesson, and its current step, counted from 0.
 
     Parameters
     ----------
     stand_still : callable
-        Stops everything that moves by itself, before another step is shown.
+        Stops all animations before another step is shown.
     to_stage : callable
         Moves the stage strip to a position.
     look_from : callable
-        Sets the cameras of panes; panes that are not named get their usual one.
+        Sets the cameras of panes; other panes get their default camera.
     """
 
     opened = Signal()
     """A lesson was opened, read again, or closed: `course` has changed."""
     complained = Signal(str)
-    """What is wrong with the open file since it was changed; empty once it is mended."""
+    """The mistakes in the open file after a change; empty once they are fixed."""
     refused = Signal(str)
-    """Why a step cannot be shown; the step before stays."""
+    """Why a step cannot be shown; the previous step stays."""
     stepped = Signal()
-    """Another step is shown, or this one again."""
+    """Another step is shown, or the same one again."""
 
     def __init__(
         self,
@@ -75,11 +75,11 @@ class Lessons(QObject):
         self._stand_still, self._to_stage = stand_still, to_stage
         self._look_from = look_from
         self._arrived: dict[str, Camera] = {}
-        """The cameras of the panes on arrival at the step."""
+        """The panes' cameras when the step was shown."""
         self.course: Course | None = None
         self.place = 0
         self._views: dict[tuple[str, str], dict[str, Camera]] = {}
-        """The cameras of the panes by scene, for when a scene is shown again."""
+        """The panes' cameras by scene, for showing a scene again."""
         self._clock = Clock(self)
         self._clock.ticked.connect(self._move)
         self._start = self._end = store.document
@@ -105,18 +105,18 @@ class Lessons(QObject):
 
     @property
     def is_moving(self) -> bool:
-        """Whether the model is on its way to a step."""
+        """Whether the model is moving to a step."""
         return self._clock.running
 
     @property
     def is_away(self) -> bool:
-        """Whether the window shows something else than the step: somebody has tried something."""
+        """Whether the window no longer shows the step, because the user changed something."""
         if self.course is None:
             return False
         shown, look = self.course.shown(self.place), self._store.look()
         if look.panes != self._arrived or self._store.document != shown.document:
             return True
-        leading = {"large": scene_of(shown.document).leading}  # which an empty name stands for
+        leading = {"large": scene_of(shown.document).leading}  # an empty name stands for this pane
         return any(
             (getattr(look, name) or leading.get(name, getattr(look, name)))
             != (value or leading.get(name, value))
@@ -124,7 +124,7 @@ class Lessons(QObject):
         )
 
     def open(self, path: str | Path, step: str = "") -> bool:
-        """Open a lesson at its first step, or at the named one; if it fails, say why."""
+        """Open a lesson at its first step, or at the named one; emit the reason if that fails."""
         try:
             course = Course(read(path))
             place = course.lesson.place_of(step)
@@ -140,7 +140,7 @@ class Lessons(QObject):
         self._views.clear()
         left, (self.course, self.place) = (self.course, self.place), (course, place)
         look = self._store.look()
-        # A lesson begins with the look of a fresh program, whatever the window showed before.
+        # A lesson begins with the default view, whatever the window showed before.
         view = replace(AS_EVER, layout=look.layout, letters=look.letters, panel="")
         document = replace(shown.document, view=replace(view, **shown.view))
         if not self._files.open_step(document, scene, course.lesson.path):
@@ -163,10 +163,10 @@ class Lessons(QObject):
         self._store.mark_saved()
         self.opened.emit()
 
-    # -- going
+    # -- navigation
 
     def go(self, place: int) -> bool:
-        """Show a step; False if it does not exist or cannot be shown: then this one stays."""
+        """Show a step; return False, and keep the current one, if that is impossible."""
         if self.course is None or not 0 <= place < len(self.course.lesson.steps):
             return False
         try:
@@ -189,19 +189,19 @@ class Lessons(QObject):
         return True
 
     def next(self) -> bool:
-        """Go to the next step; False at the last."""
+        """Go to the next step; return False at the last."""
         return self.go(self.place + 1)
 
     def previous(self) -> bool:
-        """Go to the step before; False at the first."""
+        """Go to the previous step; return False at the first."""
         return self.go(self.place - 1)
 
     def come_back(self) -> bool:
-        """Show the step as its file has it, with the cameras of the arrival; undo goes back."""
+        """Show the step as in its file, with the cameras it began with; this can be undone."""
         return self.go(self.place)
 
     def show_predicted(self, state: State) -> None:
-        """Show the state that answers a prediction of the step, if it is possible."""
+        """Show the state that answers a prediction of the step, if possible."""
         assert self.course is not None
         try:
             document = self.course.at(self.place).shown_by(state)
@@ -211,7 +211,7 @@ class Lessons(QObject):
             self.show(document)
 
     def show(self, document: Document) -> None:
-        """Show a state beside the step: one that refutes a wrong idea, or answers a prediction."""
+        """Show a state that refutes an idea or answers a prediction, without leaving the step."""
         self._finish()
         self._stand_still()
         look = self._store.look()
@@ -237,18 +237,19 @@ class Lessons(QObject):
         return self._move_to(replace(shown.document, view=view), scene)
 
     def _view(self, shown: Shown, *, other_scene: bool) -> View:
-        """Return the view of a step: what the lesson sets, and else what the window has now."""
+        """Return the view of a step: fields set by the lesson, the others from the window."""
         look = self._store.look()
-        if other_scene:  # drop what concerned the scene before; keep what was set up for a class
+        if other_scene:  # drop what concerned the previous scene; keep what was set up for a class
             there = shown.document.scene, shown.document.mesh
             look = replace(
                 look, large="", panel=None, probes=(), pinned=frozenset(), compare=(),
-                dividers=(), panes=self._views.get(there, {}),
+                dividers=(), slide=(), controls=(), equation="", names=None,
+                panes=self._views.get(there, {}),
             )  # fmt: skip
         return replace(look, **shown.view)
 
     def _move_to(self, end: Document, scene: Any) -> bool:
-        """Change to a document in one step of undo, moving if possible; False if refused."""
+        """Change to a document in one undo step, moving if possible; return False if refused."""
         store = self._store
         start, look = store.document, store.look()
         self._files.keep(end, scene)
@@ -257,7 +258,7 @@ class Lessons(QObject):
         first, is_there = None, True
         if transition.can_move(start, end):
             first = transition.between(start, end, 0.02)
-        else:  # the model is there at once; only the stage strip may move
+        else:  # the model changes at once; only the stage strip may move
             self._start = end
         self._moving = True
         if start == end:
@@ -267,8 +268,8 @@ class Lessons(QObject):
                 if getattr(end.view, name) != getattr(look, name)
             }
             store.set_view(**changes)
-        else:  # first the end, which undo returns to; then from the start to it, frame by frame
-            # The end also decides the cameras of the panes that nobody has turned.
+        else:  # first the end, for the undo history; then from the start to the end, frame by frame
+            # The end also determines the cameras of the panes that the user has not turned.
             is_there = store.set_document(end)
             if is_there and first is not None:
                 store.go_on(first)
@@ -290,7 +291,7 @@ class Lessons(QObject):
             at = transition.between(self._start, self._end, eased)
         if at is not None and at != self._store.document:
             view = self._store.document.view
-            if at.view is not view:  # the view was changed since the model began to move
+            if at.view is not view:  # the view has changed since the motion began
                 at = replace(at, view=view)
             self._moving = True
             self._store.go_on(at)
@@ -304,7 +305,7 @@ class Lessons(QObject):
             self._move(0.0)
 
     def _see(self, _document: Document) -> None:
-        """Stop moving when somebody else changes the document."""
+        """Stop moving when something else changes the document."""
         if not self._moving:
             self._clock.stop()
 
@@ -323,7 +324,7 @@ class Lessons(QObject):
         self._settled.stop()
 
     def read_again(self, name: str = "") -> None:
-        """Read a changed file, and stay at the step with a name, or at the place of this one."""
+        """Read a changed file; stay at the step with the given name, else at the current number."""
         if self.course is None:
             return
         before, step = self.course, self.step
@@ -354,7 +355,7 @@ class Lessons(QObject):
 
 
 def named(error: Refusal, path: Path) -> str:
-    """Say what is wrong with a file, with its name."""
+    """Describe the mistake in a file, with its name."""
     text = sentence(error)
     known = error.file is not None and str(path) in text
     return text if known else f"{path.name}: {text}"

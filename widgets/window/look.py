@@ -1,4 +1,4 @@
-"""How the panes look: theme, size of text, and drawing quality."""
+"""The panes' appearance: theme, text size, and drawing quality."""
 
 from __future__ import annotations
 
@@ -22,9 +22,10 @@ from widgets.parts.messages import Words, field_name
 from widgets.parts.panel import EVERYTHING, Changed, Shown
 from widgets.window.arrangement import cameras
 from widgets.window.settings import Settings
+from widgets.window.slots import panes_of_slide
 
 SORTED_AHEAD = 10_000
-"""A scene with more faces is sorted before the first click on it, otherwise at the click."""
+"""Number of faces above which a scene is sorted before the first click on it, not at the click."""
 
 
 def dress(settings: Settings, screen_px: float = 0.0) -> None:
@@ -35,7 +36,7 @@ def dress(settings: Settings, screen_px: float = 0.0) -> None:
 
 
 class Look(QObject):
-    """Builds the panes' drawings, and passes changes on to them.
+    """Builds the panes' drawings, and forwards changes to them.
 
     `words` holds the drawings' words in the window's language, and the chosen lecture's letters.
     """
@@ -89,13 +90,13 @@ class Look(QObject):
     # -- what is shown
 
     def take(self, shown: Shown, changed: Changed) -> None:
-        """Update the panes' drawings, or build new ones where those cannot show the change."""
+        """Update the panes' drawings, or build new ones if those cannot show the change."""
         self._shown, quality = shown, shown.document.quality
         anew = "scene" in changed
         built = anew or quality != self.adaptive.quality
         if built:
             self.adaptive.show(shown.scene, quality)
-            # A mesh that replaces the objects is seen by the same cameras as they were.
+            # A mesh that replaces the objects keeps their cameras.
             self._build(shown.document.view.panes if "view" in changed else cameras(self._panes))
         if anew and shown.scene.faces > SORTED_AHEAD:
             from app.drawings.probes import sort_ahead
@@ -115,18 +116,18 @@ class Look(QObject):
             self._panes["image"].note.setText(f"{width} × {height}")
 
     def look_from(self, cameras: Mapping[str, Camera]) -> None:
-        """Give the panes their own cameras; those that are not named get their default one."""
+        """Set the panes' own cameras; panes not named get the default one."""
         for name, pane in self._panes.items():
             pane.look_from(cameras.get(name))
 
     def set_waiting(self, waits: bool) -> None:
-        """Let the panes wait, or not, while the window takes over a whole document."""
+        """Suspend or resume the panes while the window takes over a whole document."""
         for pane in self._panes.values():
             pane.set_waiting(waits)
 
     def rebuild(self) -> None:
         """Build all drawings anew, and keep the panes' own cameras."""
-        self.forget_ahead()  # it may have been drawn with other words
+        self.forget_ahead()  # they may have been drawn with other words
         if self._shown is not None:
             self._build(cameras(self._panes))
 
@@ -176,6 +177,7 @@ class Look(QObject):
             (pane, step, self._arguments(name, self.adaptive.whole(step.scene), style))
             for step in steps
             for name, pane in self._panes.items()
+            if self._is_seen_at(step, name)
         ]
         for pane in self._panes.values():
             pane.ahead.keep(*(arguments for _, _, arguments in plan))
@@ -183,13 +185,20 @@ class Look(QObject):
             pane.ahead.draw(step, *arguments)
             yield
 
+    def _is_seen_at(self, step: Shown, name: str) -> bool:
+        """Whether a pane will be visible at a step."""
+        if not self._screen_px:
+            return self._panes[name].isVisible()
+        view = step.document.view
+        return name in panes_of_slide(view.slide, view.large or step.scene.leading)
+
     def refine(self, name: str, smooth: bool) -> None:
         """Draw one pane smoothly, or coarsely while something moves that is not in the document."""
         smooth = smooth or not self.adaptive.software_rendering
         self._panes[name].set_smoothing(self.adaptive.smoothing(smooth))
 
     def rest(self) -> None:
-        """Draw at full quality, and refit what has left a view: the user's hand rests."""
+        """Draw at full quality, and refit views that objects have left, once the input stops."""
         self.adaptive.step(dragging=False)
         for pane in self._panes.values():
             pane.refit()

@@ -20,16 +20,19 @@ from typing import Any
 from PySide6.QtCore import QByteArray, QEvent, QSize, Qt, QTimer, Signal
 from PySide6.QtGui import (
     QCloseEvent,
+    QColor,
     QDragEnterEvent,
     QDropEvent,
     QKeyEvent,
     QPaintEvent,
+    QPalette,
     QResizeEvent,
 )
 from PySide6.QtWidgets import QMainWindow, QSplitter, QWidget
 
 from app.document.document import Document
 from app.document.store import Store
+from app.drawings.style import Style
 from app.scenes.scene import Scene
 from widgets.panels.frame_panel import FramePanel
 from widgets.panels.kinds_panel import KindsPanel
@@ -48,11 +51,12 @@ from widgets.parts.focus import focus_next
 from widgets.parts.highlight import Highlighter
 from widgets.parts.layouts import in_column, in_row
 from widgets.parts.message_bar import MessageBar
-from widgets.parts.panel import EVERYTHING, Changed, Panel, Shown, Told
+from widgets.parts.panel import EVERYTHING, Changed, Listener, Panel, Shown
 from widgets.parts.writing import all_digits
 from widgets.window.actions import Actions, take_typed
 from widgets.window.arrangement import Arrangement
 from widgets.window.comparing import Comparing
+from widgets.window.control_strip import ControlStrip
 from widgets.window.drawer import Drawer, Panels
 from widgets.window.files import Files
 from widgets.window.help import Help
@@ -67,6 +71,7 @@ from widgets.window.quality import Cost, DrawnQuality
 from widgets.window.recovery import Recovery
 from widgets.window.scene_guide import SceneGuide
 from widgets.window.settings import data_folder
+from widgets.window.slide import Slide
 from widgets.window.slots import Slots
 from widgets.window.start_card import StartCard
 from widgets.window.status_line import StatusLine
@@ -99,6 +104,7 @@ def _image(*args: Any) -> Any:
 DRAWINGS: dict[str, Callable[..., Any]] = {"world": _world, "ndc": _stage, "image": _image}
 """The maker of each pane's drawing, which imports VTK."""
 AT_FIRST_PX = (1366, 768)
+BODY_MARGINS, NO_MARGINS, BODY_GAP_PX = (4, 4, 4, 0), (0, 0, 0, 0), 2
 FOLDS_BELOW_PX = 1200
 """A narrower window has no room for the dock beside its panes; a key opens it."""
 PICTURES_AND_DOCK = [1075, 285]
@@ -153,12 +159,12 @@ class MainWindow(QMainWindow):
         self._is_closed = self._was_painted = self._is_narrow = False
         self.start_card: StartCard | None = None
         self._folded: Panel | None = None
-        """The panel to reopen when no pane is whole and nothing is presented any more."""
+        """The panel to reopen when no pane fills the window and nothing is presented."""
         self._before_presenting: tuple[bool, str, list[int]] | None = None
         """Whether the dock was shown, the whole pane, and the splitter's sizes."""
         self.settings = settings
         settings.cannot_save = self._tell_unsaved
-        dress(settings)  # before the first widget, which would keep its font
+        dress(settings)  # before the first widget is made, which would keep its font
         self.store = Store(document, self, saved=saved)
         self.messages = MessageBar()
         titles = {"world": self.tr("World"), "ndc": self.tr("NDC cube"), "image": self.tr("Image")}
@@ -195,11 +201,11 @@ class MainWindow(QMainWindow):
             panes=self.panes, theme=settings.theme, all_digits=settings.all_digits,
         )  # fmt: skip
         self.present = Present(self, self.menus.tools, self.bottom, Screens(settings))
-        self._make_rooms()
+        self._make_components()
         self.highlighter = Highlighter(self)
         wire(self)
         self.show_beside()
-        self._tell(EVERYTHING)
+        self._notify(EVERYTHING)
         self.history.show()
         if path is not None:
             self.files.take_up(path)
@@ -260,23 +266,25 @@ class MainWindow(QMainWindow):
 
     def _lay_out(self) -> None:
         # From the outside inwards: Qt styles a widget's children again whenever it gets a parent.
-        body = QWidget()
+        self.body = body = QWidget()
         self.setCentralWidget(body)
         self.band, self.bottom = TalkBand(), QWidget()
         self.split = split = QSplitter(Qt.Orientation.Horizontal)
-        parts = (self.messages, self.band, (split, 1), self.bottom)
-        in_column(*parts, on=body, margins=(4, 4, 4, 0), gap=2)
         self.slots = Slots(self.panes, self.strip)
-        self.drawer = Drawer(split, self.slots, self.panels)
+        self.slide = Slide(self.slots)
+        self.drawer = Drawer(split, self.slide, self.panels)
         self.side = Side(split)
         self.controls = self.side.controls
+        self.control_strip = ControlStrip(self.controls, self.strip)
+        parts = (self.messages, self.band, (split, 1), self.control_strip, self.bottom)
+        self._body = in_column(*parts, on=body, margins=BODY_MARGINS, gap=BODY_GAP_PX)
         split.setStretchFactor(0, 1)
         split.setStretchFactor(1, 0)
         split.setSizes(PICTURES_AND_DOCK)
         in_row(self.panels.names, (self.status, 1), on=self.bottom, margins=(0, 0, 0, 2))
 
-    def _make_rooms(self) -> None:
-        """Create the components that join others, and define the notification order."""
+    def _make_components(self) -> None:
+        """Create the components that connect others, and define the notification order."""
         image, controls = self.panes["image"], self.controls
         self.guide = SceneGuide(
             self.scene_panel, self.panels, controls, self.manipulation, image, self.menus,
@@ -288,6 +296,7 @@ class MainWindow(QMainWindow):
         self.arrangement = Arrangement(
             self.panes, self.slots, WorldLook(self.panes, self.menus), self.strip, self.panels,
             self.matrices, self.frame_panel, self.probe_panel, self.comparing.pictures,
+            self.control_strip,
         )  # fmt: skip
         self.store.look = lambda: self.arrangement.view
         self.cost = Cost(self.panes, self.status)
@@ -312,20 +321,22 @@ class MainWindow(QMainWindow):
         self.files.lesson_wanted.connect(self.lesson_card.open)
         self.talks = Talks(
             self, self.lessons, self.present, self.store, self.messages, self.settings, self.band,
-            self.look,
+            self.slide.question, self.look,
         )  # fmt: skip
         self.talk_actions = TalkActions(self.talks, self, self.settings)
         self.menus.lesson_menu.addSeparator()
         self.menus.lesson_menu.addActions(self.talk_actions.all)
         self.lessons.opened.connect(self.talk_actions.show_lesson)
         self.recovery = Recovery(data_folder(), self.store, self.messages, self.files, self)
-        self._told: tuple[Told, ...] = (
+        self._listeners: tuple[Listener, ...] = (
             *self.cursors.values(),
-            self.manipulation,  # releases a held handle before its drawing is gone
+            self.manipulation,  # releases a held handle before its drawing is deleted
             self.probing,
             self.guide,  # tells the controls about the scene
             self.controls,
             self.slots,
+            self.control_strip,
+            self.slide.equation,
             self.arrangement,  # overrides what a new scene has opened or forgotten
             self.cost,
             self.look,
@@ -366,7 +377,7 @@ class MainWindow(QMainWindow):
         before = self.shown
         try:
             self.shown = self._snapshot(document)
-            self._tell(self.shown.changed_since(before))
+            self._notify(self.shown.changed_since(before))
         except Exception as error:
             if self.files.scene(document.scene, document.mesh) is before.scene:
                 raise
@@ -380,19 +391,20 @@ class MainWindow(QMainWindow):
 
     def show_view(self, document: Document) -> None:
         self.shown = replace(self.shown, document=document)
+        self.slide.equation.ask(self.shown)
         self.arrangement.show(document.view)
         self.comparing.pictures.refresh()
 
-    def _tell(self, changed: Changed) -> None:
-        """Notify those whom the change concerns."""
+    def _notify(self, changed: Changed) -> None:
+        """Notify the components that the change concerns."""
         self.panels.keep(self.shown)
         waits = bool(changed & {"scene", "view"})
-        if waits:  # the panes take over another document after they are arranged, all at once
+        if waits:  # the panes take over another document all at once, after they are arranged
             self.look.set_waiting(True)
         try:
-            for told in self._told:
-                if changed & told.concerns:
-                    told.take(self.shown, changed)
+            for listener in self._listeners:
+                if changed & listener.concerns:
+                    listener.take(self.shown, changed)
         finally:
             if waits:
                 self.look.set_waiting(False)
@@ -436,12 +448,12 @@ class MainWindow(QMainWindow):
         card.open()
 
     def _on_top(self) -> Callable[[], object] | None:
-        """Return what Esc does: it leaves the start card, Present, a message, a comparison, ..."""
+        """Return the action of Esc: leave the start card, Present, a message, a comparison, ..."""
         if self.start_card is not None:
             return self.start_card.close
         if self.present.is_on:
             return self.present.leave
-        if self.messages.text and not self.messages.choices:  # an offer would be lost
+        if self.messages.text and not self.messages.choices:  # otherwise an offer would be lost
             return self.messages.done
         if self.comparing.is_on:
             return self.comparing.end
@@ -454,25 +466,36 @@ class MainWindow(QMainWindow):
         self.menus.blank.setEnabled(on)
         self.menus.pointer.setEnabled(on)
         self.menus.pointer.setChecked(False)
+        self.menus.strip.setEnabled(on)
         self.look.set_presenting(on)
         self.controls.set_presenting(on)
-        for pane in self.panes.values():
-            pane.header.set_presenting(on)
+        self.control_strip.set_presenting(on, float(self.screen().size().height()))
+        self.slide.equation.set_screen(float(self.screen().size().height()))
+        self._body.setContentsMargins(*(NO_MARGINS if on else BODY_MARGINS))
+        self._body.setSpacing(0 if on else BODY_GAP_PX)
+        self.body.setAutoFillBackground(on)
         self.menus.fit_icons()
         if not on and self._before_presenting is not None:
             whole = self._before_presenting[1]
             self.slots.arrange(self.slots.layout_name, self.slots.large, whole)
         self.slots.set_presenting(on)
-        if on and self._is_narrow:  # the dock is folded, but a class must read what to try
-            self.menus.controls.setChecked(True)
+        if on:
+            self.menus.controls.setChecked(False)
         if not on and self._before_presenting is not None:
             dock, _, shared = self._before_presenting
             self.menus.controls.setChecked(dock)
             QTimer.singleShot(0, self, partial(self.split.setSizes, shared))
         self.show_beside()
 
+    def set_style(self, style: Style) -> None:
+        """Give a slide the colour of its pictures' paper."""
+        worn = QPalette()
+        if self.present.is_on:
+            worn.setColor(QPalette.ColorRole.Window, QColor(style.background))
+        self.body.setPalette(worn)
+
     def show_beside(self) -> None:
-        """Show or hide the dock, the lesson's card, the bottom row and the open panel."""
+        """Show or hide the dock, the lesson's card, the bottom row, the open panel and titles."""
         alone, presents = bool(self.slots.whole), self.present.is_on
         card = self.lesson_card.is_on and not alone and not self.talks.is_on
         # Below a lesson's card the controls take no extra width, so a narrow window shows them.
@@ -480,15 +503,20 @@ class MainWindow(QMainWindow):
         self.side.show_parts(card=card, controls=wanted and not alone)
         self.bottom.setVisible(not alone and not presents)
         course = self.lessons.course if self.talks.is_on else None
-        # While presenting, the only open panel is one that the talk's step asks for.
+        # While presenting, only the panel of the talk's step is open.
         asked = course is not None and course.shown(self.lessons.place).view.get("panel")
-        folds = alone or (presents and not asked)
+        is_slide = presents and "kinds" in self.slots.asked
+        folds = alone or (presents and not asked and not is_slide)
         if folds and self.panels.open_panel is not None:
             self._folded = self.panels.open_panel
             self.panels.open(None)
         elif not folds and self._folded is not None:
             self.panels.open(self._folded)
             self._folded = None
+        self.drawer.set_presenting(presents, alone=is_slide)
+        for pane in self.panes.values():
+            named = not presents or len(self.slots.slide) != 1
+            pane.set_presenting(presents and not pane.isWindow(), named=named)
 
     def focusNextPrevChild(self, forwards: bool) -> bool:
         return focus_next(self, forwards)
@@ -525,7 +553,7 @@ class MainWindow(QMainWindow):
 
     def closeEvent(self, event: QCloseEvent) -> None:
         take_typed(self)
-        self.recovery.autosave.save_now()  # whatever ends the program while the question stands
+        self.recovery.autosave.save_now()  # in case the program ends while the question is open
         if not self.files.may_discard():
             event.ignore()
             return

@@ -127,7 +127,7 @@ class Pictures(QObject):
         return self._try(put, self.tr("Copied the picture"))
 
     def _try(self, act: Callable[[], object], done: str) -> bool:
-        """Act, and report either success or, in one sentence, why it failed."""
+        """Call `act`, and report success or, in one sentence, why it failed."""
         try:
             act()
         except Cancelled:

@@ -1,4 +1,4 @@
-"""Set probes by hand: a click in a pane follows a point, a drag in the image moves it.
+"""Set probes with the mouse: a click in a pane follows a point, a drag in the image moves it.
 
 The lecturer's pointer is a probe without a number, which follows the mouse.
 """
@@ -63,7 +63,7 @@ class Probing(QObject):
         hand.drag_ended.connect(self._let_go)
 
     def take(self, shown: Shown, changed: Changed) -> None:
-        """Forget every probe, even a held one: their scene is gone."""
+        """Remove every probe, even a held one, because their scene is gone."""
         self._drop()
         self._pointer = ()
         self._panel.clear()
@@ -73,10 +73,10 @@ class Probing(QObject):
             pane.show_probes((*self._panel.probes, *self._pointer))
 
     def set_pointing(self, on: bool) -> None:
-        """Start or stop marking in all panes what the mouse is over in one of them."""
+        """Start or stop marking the point under the mouse in all panes."""
         self._is_pointing = on
         self._point_nowhere()
-        for pane in self._panes.values():  # a canvas has its own cursor over what can be held
+        for pane in self._panes.values():  # a canvas has its own cursor over draggable objects
             if on:
                 pane.setCursor(self._ring())
             else:
@@ -111,7 +111,7 @@ class Probing(QObject):
             self._show()
 
     def _found(self, name: str, place: QPointF) -> tuple[Probe, ...]:
-        """Return a probe of what is at a place in a pane: a point, a pixel's ray, or nothing."""
+        """Return a probe at a position in a pane: a point, a pixel's ray, or nothing."""
         drawing = self._panes[name].drawing
         if drawing is None:  # not drawn yet
             return ()
@@ -129,7 +129,7 @@ class Probing(QObject):
         return () if pixel is None else (Probe(0, pixel=pixel),)
 
     def _follow(self, name: str, place: QPointF) -> None:
-        """Follow what was clicked in a pane."""
+        """Follow the point that was clicked in a pane."""
         chosen = self._panel.chosen
         self._before_click = self._panel.probes, chosen.number if chosen else 0
         for found in self._found(name, place):
@@ -196,7 +196,7 @@ class Probing(QObject):
         self._drop()
 
     def _drop(self) -> None:
-        """Forget the held probe, and tell the hand so."""
+        """Forget the held probe, and end the drag."""
         held, self._held = self._held, None
         if held is not None:
             self._panes["image"].hand.dropped.emit()

@@ -1,4 +1,4 @@
-"""The quality that the panes are drawn with, which part of it is impossible, and a step's cost.
+"""The panes' drawing quality, its impossible parts, and the cost of a step.
 
 ::
 
@@ -69,7 +69,7 @@ class DrawnQuality(QObject):
         look.adaptive.changed.connect(self._say)
 
     def take(self, shown: Shown, changed: Changed) -> None:
-        """Report the quality; the panes must have been told before."""
+        """Report the quality; the panes must have been notified first."""
         self._say()
 
     def _say(self) -> None:
@@ -112,7 +112,7 @@ class DrawnQuality(QObject):
         self._store.set_document(replace(self._store.document, quality=AUTOMATIC))
 
     def use(self, choice: Mapping[str, str]) -> None:
-        """Draw with what a measurement has offered, as one undo step.
+        """Draw with a choice from a measurement, as one undo step.
 
         The keys of `choice` are fields of `Quality`, or "scene" and paths in its document.
         """
@@ -158,7 +158,7 @@ class DrawnQuality(QObject):
 
 
 class Cost(QObject):
-    """Measures what a step costs, and shows it in the status line."""
+    """Measures the cost of a step, and shows it in the status line."""
 
     concerns: Changed = frozenset()
     """Empty unless steps are measured."""
@@ -167,7 +167,7 @@ class Cost(QObject):
         super().__init__(status)
         self._panes, self._status = panes.values(), status
         self.costs: dict[str, tuple[float, float]] = {}
-        """Of the last step, by the panes' names: ms for the matrices and for the repaint."""
+        """Cost of the last step by pane: ms for the matrices and for the repaint."""
         self.model_ms = 0.0
         for pane in self._panes:
             pane.timed.connect(partial(self._pane_timed, pane.name))
@@ -180,7 +180,7 @@ class Cost(QObject):
             pane.set_timed(on)
 
     def take(self, shown: Shown, changed: Changed) -> None:
-        """Time the model's matrices, which would otherwise be counted for the first pane."""
+        """Time the model's matrices, which would otherwise count for the first pane."""
         began = time.perf_counter()
         _ = shown.projection.clip_from_world, shown.projection.image_from_ndc
         self.model_ms = 1e3 * (time.perf_counter() - began)

@@ -26,7 +26,8 @@ from widgets.window.files import Files
 class Recovery(QObject):
     """Keeps copies of the store's unsaved documents, and offers those that other windows left.
 
-    A document that another one was opened over keeps its copy. `folder` is the user's data folder.
+    A document that was replaced by opening another one keeps its copy. `folder` is the user's data
+    folder.
     """
 
     def __init__(
@@ -55,7 +56,7 @@ class Recovery(QObject):
             self._copies.pop(self._store.origin).deleteLater()
 
     def close(self) -> None:
-        """Close with the window: keep the copies of all documents but the current one."""
+        """Close with the window: keep the copies of all documents except the current one."""
         self.autosave.close()
         for origin, copy in self._copies.items():
             if origin is not self._store.origin:

@@ -1,4 +1,4 @@
-"""What a scene is about: its card in the dock, its panel, its settings, its own controls."""
+"""Presents a scene: its card in the dock, its panel, its settings, its controls."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ class SceneGuide(QObject):
     image : Pane
         Its drawing finds out whether OpenGL refuses a shader of the scene.
     choose : callable
-        Changes to the scene of a name, or says why it cannot.
+        Changes to the scene with a name, or says why it cannot.
     """
 
     concerns = frozenset({"scene", "view", "quality"})

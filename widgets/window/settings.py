@@ -1,4 +1,4 @@
-"""The user's own: the folders of the program's files, and the settings."""
+"""The user's settings, and the folders of the program's files."""
 
 from __future__ import annotations
 
@@ -43,7 +43,7 @@ def _folder(location: QStandardPaths.StandardLocation) -> Path:
 
 
 def data_folder() -> Path:
-    """The folder of the copies of unsaved work."""
+    """Return the folder for copies of unsaved work."""
     return _folder(QStandardPaths.StandardLocation.AppDataLocation)
 
 
@@ -57,7 +57,7 @@ def settings_path() -> Path:
 
 LEAST_NOTES_PX, LARGEST_NOTES_PX = 10, 72
 MOST_LESSONS, MOST_ANSWERS, LONGEST_ANSWER = 200, 200, 80
-"""Kept progress: this many lessons, the newest answers of each, and the longest answer."""
+"""Limits of saved progress: lessons, the newest answers of each, and characters of an answer."""
 
 
 # Each reads one kind of value from the file's text, and raises ValueError for an invalid one.
@@ -122,7 +122,7 @@ class Progress:
     Attributes
     ----------
     step : str
-        Name of the step to go on at; empty for the first.
+        Name of the step to continue at; empty for the first.
     answers : mapping of str to str
         By ``step/block``: the number of a choice, from 1, the typed text, or a task's result.
     done, of : int
@@ -216,7 +216,7 @@ class Settings:
     theme = _Kept("theme", _theme, "system")
     """One of `THEMES`."""
     all_digits = _kept_flag("all-digits", False)
-    """Whether panels show all digits of a number, not four."""
+    """Whether panels show all digits of a number instead of four."""
     language = _Kept("language", _language, "")
     """A locale such as ``"hr"`` or ``"sr_RS"``; empty for the system's."""
     tolerance_px = _Kept(
@@ -238,10 +238,10 @@ class Settings:
     recent = _Kept[list[str]]("recent", _paths, [], json.dumps, shared=True)
     """Paths of the files opened or saved by any window, newest first."""
     progress = _Kept[dict[str, Progress]]("progress", _progress, {}, _progress_text, shared=True)
-    """Of each lesson that was begun, by its name or path, the newest last."""
+    """Progress of each started lesson, by its name or path, the newest last."""
 
     def keep_progress(self, name: str, progress: Progress | None) -> None:
-        """Keep a lesson's progress, or forget it if it is None."""
+        """Save a lesson's progress, or delete it if it is None."""
         kept = {key: each for key, each in self.progress.items() if key != name}
         if progress is not None:
             answers = list(progress.answers.items())[-MOST_ANSWERS:]
@@ -250,11 +250,11 @@ class Settings:
         self.progress = dict(list(kept.items())[-MOST_LESSONS:])
 
     def override(self, key: str, text: str) -> None:
-        """Use another value, unsaved, until the setting is set again."""
+        """Use another value, without saving it, until the setting is set again."""
         self._for_now[key] = text
 
     def refresh(self, key: str) -> None:
-        """Read a value again, as other windows have left it in the file."""
+        """Read a value again from the file, where other windows may have changed it."""
         if self._file is not None and key not in self._unsaved:
             self._file.sync()
             self._values[key] = self._file.value(key)

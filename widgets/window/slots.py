@@ -1,4 +1,4 @@
-"""The panes' places: one large and two small, or side by side, or one of them alone.
+"""The layout of the panes: one large and two small, side by side, or one alone.
 
 ::
 
@@ -9,14 +9,7 @@
     |               | small   |    |      |      |      |
     +---------------+---------+    +------+------+------+
 
-    "pictures" for a class, unless the large pane is the NDC cube, which is as wide as high
-    +-------------------------+
-    |          large          |
-    +------------+------------+
-    |   small    |   small    |
-    +------------+------------+
-
-    While a panel is open below, a class sees the large pane beside the small ones again.
+A class sees a slide: one pane alone, or two side by side.
 """
 
 from __future__ import annotations
@@ -27,7 +20,7 @@ from functools import partial
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QSplitter
 
-from app.document.view import LAYOUTS
+from app.document.view import LAYOUTS, PANES
 from widgets.panes.pane import Pane
 from widgets.panes.stage_strip import StageStrip
 from widgets.parts.panel import Changed, Shown
@@ -37,14 +30,15 @@ LARGE_AND_SMALL = [584, 486]
 IMAGE_AND_SMALL = [640, 430]
 UPPER_AND_LOWER = [318, 378]
 """In pixels of a window of 1366x768; the splitters keep the proportion."""
-TOP_AND_BOTTOM = {"world": [583, 493], "image": [566, 510]}
-SIDE_BY_SIDE = [750, 734]
-CUBE_AND_SMALL = [735, 790]
-LOW_AND_SMALL = [850, 634]
-"""For a class, in pixels of a screen of 1920x1080."""
 LEAST_PANE_PX = (190, 150)
 SMALL = {"world": ("image", "ndc"), "image": ("world", "ndc"), "ndc": ("world", "image")}
-"""The small panes for each large one, from above."""
+"""The small panes for each large one, from top to bottom."""
+
+
+def panes_of_slide(asked: tuple[str, ...], large: str) -> tuple[str, ...]:
+    """Return the panes of a slide; by default the large one, or the world beside an equation."""
+    panes = tuple(name for name in asked if name in PANES)
+    return panes or (("world",) if "equation" in asked else (large,))
 
 
 class Slots(QSplitter):
@@ -60,6 +54,10 @@ class Slots(QSplitter):
         The pane that the scene is about.
     whole : str
         The pane that fills the window, or "".
+    asked : tuple of str
+        The `app.document.view.SLIDES` that a document asks for.
+    is_for_class : bool
+        Whether a class sees the slide instead of all panes.
     """
 
     concerns = frozenset({"scene"})
@@ -71,7 +69,10 @@ class Slots(QSplitter):
         self._panes, self._strip = panes, strip
         self.layout_name, self.large, self.whole = LAYOUTS[0], next(iter(panes)), ""
         self.leading = self.large
-        self._is_for_class = self._is_low = self._is_by_hand = False
+        self.is_for_class = self._is_by_hand = False
+        self.asked: tuple[str, ...] = ()
+        self._chosen: tuple[str, ...] | None = None
+        """The slide that the speaker has chosen instead; empty for all panes."""
         self._by_hand: tuple[list[int], list[int]] | None = None
         """The sizes that the user had chosen before presenting."""
         self._small = QSplitter(Qt.Orientation.Vertical)
@@ -92,9 +93,43 @@ class Slots(QSplitter):
         """The panes that have their own windows."""
         return tuple(name for name, pane in self._panes.items() if pane.isWindow())
 
+    @property
+    def slide(self) -> tuple[str, ...]:
+        """The panes that a class sees alone; empty if it sees all of them."""
+        if not self.is_for_class:
+            return ()
+        asked = panes_of_slide(self.asked, self.large)
+        wanted = asked if self._chosen is None else self._chosen
+        return tuple(name for name in wanted if name not in self.floating)
+
+    @property
+    def has_equation(self) -> bool:
+        """Whether a class sees an equation, alone or beside a pane."""
+        return self.is_for_class and self._chosen is None and "equation" in self.asked
+
+    def show_slide(self, asked: tuple[str, ...]) -> None:
+        """Make these of `app.document.view.SLIDES` the slide; empty for the large pane."""
+        if (asked, None) != (self.asked, self._chosen):
+            self.asked, self._chosen = asked, None
+            self._show_other_slide()
+
+    def _show_other_slide(self) -> None:
+        if self.is_for_class:
+            self._place()
+            self._reveal()
+            self.share()
+            self.rearranged.emit()
+
     def bring(self, name: str) -> None:
-        """Bring a docked pane into the large slot; the second time, into the whole window."""
+        """Bring a docked pane into the large slot; the second time, into the whole window.
+
+        A class sees the pane as the slide, the second time all panes.
+        """
         if name in self.floating:
+            return
+        if self.is_for_class:
+            self._chosen = () if self.slide == (name,) else (name,)
+            self._show_other_slide()
             return
         if self.whole:
             fills = name != self.whole
@@ -118,10 +153,8 @@ class Slots(QSplitter):
         moved = (layout, large) != (self.layout_name, self.large)
         kept = self.sizes(), self._small.sizes()
         stays = self._is_by_hand and layout == self.layout_name and not self.whole and not whole
-        was_wide = self._is_wide
         self.layout_name, self.large, self.whole = layout, large, whole
-        stays = stays and self._is_wide == was_wide
-        self.window().setUpdatesEnabled(False)  # nothing half-done may be visible
+        self.window().setUpdatesEnabled(False)  # no intermediate state may be visible
         try:
             if moved:
                 self._place()
@@ -148,9 +181,16 @@ class Slots(QSplitter):
         return True
 
     def go_back(self) -> None:
-        """Dock and show every pane, the one that the scene is about in the large slot."""
+        """Dock and show every pane, the one that the scene is about in the large slot.
+
+        A class sees the slide again.
+        """
         for name in self.floating:
             self.toggle_float(name)
+        if self.is_for_class:
+            self._chosen = None
+            self._show_other_slide()
+            return
         self.arrange(self.layout_name, self.leading)
         self.share()
 
@@ -180,8 +220,11 @@ class Slots(QSplitter):
     def _place(self) -> None:
         """Put each docked pane into its slot."""
         docked = [name for name in self._panes if name not in self.floating]
-        if self.layout_name == "columns":
-            large, small = docked, []
+        small: list[str] = []
+        if self.slide:
+            large = [*self.slide, *(name for name in docked if name not in self.slide)]
+        elif self.layout_name == "columns":
+            large = docked
         else:
             order = [name for name in (self.large, *SMALL[self.large]) if name in docked]
             large, small = order[:1], order[1:]
@@ -195,50 +238,36 @@ class Slots(QSplitter):
     def _reveal(self) -> None:
         """Show or hide the docked panes."""
         docked = [name for name in self._panes if name not in self.floating]
+        seen = self.slide or ((self.whole,) if self.whole else docked)
         for name in docked:
-            self._panes[name].setVisible(self.whole in ("", name))
-        beside = [name for name in docked if self._small.indexOf(self._panes[name]) >= 0]
-        self._small.setVisible(any(self.whole in ("", name) for name in beside))
+            self._panes[name].setVisible(name in seen)
+        self._small.setVisible(any(self._small.indexOf(self._panes[name]) >= 0 for name in seen))
 
     def set_presenting(self, on: bool) -> None:
-        """Use the sizes for a class, or the previous ones."""
+        """Show a class the slide, or all panes again with the previous sizes."""
         if on and self._is_by_hand and not self.whole:
             self._by_hand = self.sizes(), self._small.sizes()
-        self._is_for_class = on
+        self.is_for_class = on
+        self._chosen = (self.whole,) if on and self.whole else None
+        self._place()
+        self._reveal()
         self.share()
         if not on and self._by_hand is not None:
             by_hand, self._by_hand = self._by_hand, None
             self._is_by_hand = not self.whole and self._resize(*by_hand)
-
-    def set_low(self, on: bool) -> None:
-        """Note whether a panel is open below, which leaves the slots little height."""
-        was_wide = self._is_wide
-        self._is_low = on
-        if self._is_wide != was_wide:
-            self.share()
+        self.rearranged.emit()
 
     def share(self) -> None:
         """Give the slots their default sizes."""
         self._is_by_hand = False
-        across, down = Qt.Orientation.Horizontal, Qt.Orientation.Vertical
-        self.setOrientation(down if self._is_wide else across)
-        self._small.setOrientation(across if self._is_wide else down)
-        if self.layout_name == "columns":
+        if self.slide:
+            sizes = [1000] * len(self.slide) + [0] * (self.count() - len(self.slide))
+        elif self.layout_name == "columns":
             sizes = [*COLUMN_WIDTHS, 0]
-        elif self._is_wide:
-            sizes = TOP_AND_BOTTOM[self.large]
-        elif self._is_for_class:
-            sizes = CUBE_AND_SMALL if self.large == "ndc" else LOW_AND_SMALL
         else:
             sizes = IMAGE_AND_SMALL if self.large == "image" else LARGE_AND_SMALL
         self.setSizes(sizes)
-        self._small.setSizes(SIDE_BY_SIDE if self._is_wide else UPPER_AND_LOWER)
-
-    @property
-    def _is_wide(self) -> bool:
-        """Whether the small slots stand below the large one."""
-        is_high = self._is_for_class and not self._is_low
-        return is_high and self.layout_name == "pictures" and self.large != "ndc"
+        self._small.setSizes(UPPER_AND_LOWER)
 
     def _dragged(self) -> None:
         self._is_by_hand = True

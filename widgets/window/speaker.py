@@ -41,16 +41,16 @@ from widgets.window.pictures import image_of
 from widgets.window.settings import LARGEST_NOTES_PX, LEAST_NOTES_PX, Settings
 
 PICTURE_PX = (400, 250)
-"""Size in which the next step's pane is drawn; it is scaled to the room that there is."""
+"""Size at which the next step's pane is drawn; it is scaled to the available space."""
 MOST_PICTURES = 12
-"""Pictures of steps that are kept."""
+"""Most cached pictures of steps."""
 TEXT_PX = 15
 NOTES_STEP_PX = 2
-"""Step by which Ctrl and + or - change the letters of the notes."""
+"""Step by which Ctrl and + or - change the text size of the notes."""
 
 
 class TalkClock:
-    """How long somebody has spoken, by a clock that never goes back; it can be paused and reset."""
+    """The speaking time, from a monotonic clock; it can be paused and reset."""
 
     def __init__(self, now: Callable[[], float] = time.monotonic) -> None:
         self._now = now
@@ -66,7 +66,7 @@ class TalkClock:
         return self._before + (self._now() - self._since if self._since is not None else 0.0)
 
     def begin(self) -> None:
-        """Start, unless it counts already or was paused."""
+        """Start, unless it is already running or was paused."""
         if self._since is None and self._before == 0.0:
             self._since = self._now()
 
@@ -77,7 +77,7 @@ class TalkClock:
             self._before, self._since = self.seconds, None
 
     def reset(self) -> None:
-        """Go back to 0; a running clock goes on."""
+        """Reset to 0; a running clock continues."""
         self._before = 0.0
         if self._since is not None:
             self._since = self._now()
@@ -90,7 +90,7 @@ def planned(course: Course, place: int) -> tuple[float, float]:
 
 
 class SpeakerWindow(QWidget):
-    """What only the speaker sees; it closes with its parent, the main window."""
+    """The window that only the speaker sees; it closes with its parent, the main window."""
 
     left = Signal()
     next_wanted = Signal()
@@ -108,6 +108,7 @@ class SpeakerWindow(QWidget):
         self.clock = TalkClock()
         self._course: Course | None = None
         self._place = 0
+        self._left_out = ""
         self._pictures: OrderedDict[tuple[Course, int], QImage] = OrderedDict()
         self._make()
         self._tick = QTimer(self, interval=500)
@@ -170,8 +171,11 @@ class SpeakerWindow(QWidget):
 
     # -- the step
 
-    def show_step(self, course: Course, place: int) -> None:
-        """Show a step's notes and the title of the next one, whose picture `draw_next` draws."""
+    def show_step(self, course: Course, place: int, left_out: str = "") -> None:
+        """Show a step's notes and the title of the next one, whose picture `draw_next` draws.
+
+        `left_out` are the words of the step that are too long for the class's slide.
+        """
         steps = course.lesson.steps
         if course is not self._course:
             self._pictures.clear()
@@ -179,7 +183,7 @@ class SpeakerWindow(QWidget):
             self.steps.addItems(
                 [f"{number}  {plain_of(step.title)}" for number, step in enumerate(steps, 1)]
             )
-        self._course, self._place = course, place
+        self._course, self._place, self._left_out = course, place, left_out
         step = steps[place]
         self._title.setText(plain_of(step.title))
         self._number.setText(self.tr("step {0} of {1}").format(place + 1, len(steps)))
@@ -199,16 +203,17 @@ class SpeakerWindow(QWidget):
         font.setPixelSize(self._settings.notes_px)
         document = self.notes.document()
         document.setDefaultFont(font)
-        parts = [step.note.text] if step.note is not None else []
+        parts = [self._left_out] if self._left_out else []
+        parts += [step.note.text] if step.note is not None else []
         parts += [self._told(part) for part in step.asked]
         set_text(document, "\n\n".join(parts), palette=self.palette())
         document.setDocumentMargin(8.0)
 
     def _told(self, part: Part) -> str:
-        """Return what is asked and what is right."""
+        """Return a question and its right answer."""
         assert self._course is not None
         answer = ""
-        with suppress(Refusal):  # the speaker is told when the class is to see it
+        with suppress(Refusal):  # the speaker learns of a mistake when the class would see it
             answer = answer_of(part, self._course.at(self._place))
         return part.explained(answer)
 
@@ -233,7 +238,7 @@ class SpeakerWindow(QWidget):
         if (course, place) not in self._pictures:
             try:
                 image = _drawn(course.shown(place).document, self._settings.theme)
-            except Refusal:  # the speaker is told when the step is to be shown
+            except Refusal:  # the speaker learns of a mistake when the step would be shown
                 image = QImage()
             self._pictures[course, place] = image
             while len(self._pictures) > MOST_PICTURES:

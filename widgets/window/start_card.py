@@ -1,4 +1,4 @@
-"""The start card: the scenes as pictures, the lessons, recent files, and a tour of two minutes.
+"""The start card: the scenes as pictures, the lessons, recent files, and a two-minute tour.
 
 It covers the window until the user chooses something, presses Esc or clicks beside the card.
 """
@@ -43,7 +43,7 @@ COLUMNS = 4
 THUMBNAIL_PX = (144, 81)
 MOST_RECENT = 6
 DRAWN_FINER = 2.0
-"""A thumbnail is drawn this many times larger, so that its labels do not hide the picture."""
+"""Factor by which a thumbnail is drawn larger, so that its labels do not hide the picture."""
 BARE = View(layers=frozenset({"labels"}))
 """The view of a thumbnail, without labels."""
 
@@ -236,6 +236,6 @@ def _title_of(path: str) -> str:
     if is_lesson(path):
         try:
             return head_of(Path(path)).title
-        except Refusal:  # opening it reports the problem
+        except Refusal:  # opening the file reports the problem
             pass
     return file_title(path)

@@ -1,8 +1,8 @@
 """The status line: numerical risks, the chosen quality, and the cost of a step.
 
 It also computes the precision of the picture and its numbers, for the Precision panel. Predicting
-errors takes some milliseconds: it waits until the user's hand rests, and is left out while neither
-the line nor the panel is visible.
+errors takes some milliseconds: it waits until the input stops, and is skipped while neither the
+line nor the panel is visible.
 """
 
 from __future__ import annotations
@@ -36,7 +36,7 @@ from widgets.parts.panel import PROJECTION, Changed, Shown
 from widgets.parts.plain import set_tip
 
 RESTS_AFTER_MS = 150
-"""Errors are predicted when nothing has changed for this long."""
+"""Time without changes after which errors are predicted."""
 
 
 class StatusLine(QStatusBar):
@@ -140,7 +140,7 @@ class StatusLine(QStatusBar):
         self.health.show_sentences([f"{text}." for text in (*self._risks, *self._notes)])
 
     def minimumSizeHint(self) -> QSize:
-        """Allow any width: a long sentence is cut, so that the window may be small."""
+        """Allow any width: a long sentence is elided so that the window may be small."""
         return QSize(0, super().minimumSizeHint().height())
 
     def showEvent(self, event: QShowEvent) -> None:
@@ -247,14 +247,14 @@ def _error_text(px: float) -> str:
 
 
 class _Elided(WarningLabel):
-    """Shows as much of the worst sentence as there is room for; all of them in its tooltip."""
+    """Shows the worst sentence, elided if necessary; its tooltip has all of them."""
 
     def __init__(self, name: str) -> None:
         super().__init__()
         self.setObjectName(name)
         self.setWordWrap(False)
         self.set_warns(name == "health")
-        # A long sentence may not resize the panes.
+        # A long sentence must not resize the panes.
         self.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Ignored)
         self._sentence = ""
 

@@ -1,4 +1,4 @@
-"""The neighbours of a talk's step, prepared while the speaker speaks."""
+"""Prepare the neighbouring steps of a talk while the speaker talks."""
 
 from __future__ import annotations
 
@@ -17,11 +17,11 @@ from widgets.window.lessons import TRANSITION_S, Lessons
 from widgets.window.look import Look
 
 REST_MS = round(1000 * TRANSITION_S) + 150
-"""Delay after a step before the next one is prepared: nobody waits for it."""
+"""Delay after a step before the next one is prepared, in the background."""
 
 
 class Ahead(QObject):
-    """Prepares the next step and the one before, in pieces between Qt's events."""
+    """Prepares the next and the previous step, in pieces between Qt's events."""
 
     done = Signal()
     """Everything but the speaker's picture of the next step is prepared."""
@@ -36,7 +36,7 @@ class Ahead(QObject):
         self._work: Iterator[None] = iter(())
 
     def begin_later(self) -> None:
-        """Stop, and begin for the step that is shown now."""
+        """Stop, and begin again for the current step."""
         self._slice.stop()
         self._rest.start()
 
@@ -50,14 +50,14 @@ class Ahead(QObject):
         self._slice.start()
 
     def _go_on(self) -> None:
-        """Do a piece, and the next one when Qt has nothing else to do."""
+        """Do one piece, and schedule the next one for when Qt is idle."""
         if self._lessons.is_moving:
             self._rest.start()
         elif next(self._work, self) is None:
             self._slice.start()
 
     def _pieces(self) -> Iterator[None]:
-        """Prepare what the neighbours show; what is wrong with them is said when they come."""
+        """Prepare the neighbouring steps; their mistakes are reported when they are shown."""
         course, place = self._lessons.course, self._lessons.place
         if course is None:
             return
@@ -74,7 +74,7 @@ class Ahead(QObject):
             except Refusal:
                 continue
             yield
-            if document.view.panel == "matrices":  # its formulas are typeset once
+            if document.view.panel == "matrices":  # its formulas are then typeset only once
                 matrices(document.projection, document.view.letters)
                 yield
         yield from self._look.ahead(scenes)

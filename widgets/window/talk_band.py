@@ -1,8 +1,10 @@
-"""The band that the class reads during a talk: above the panes, never over them."""
+"""The band that the class reads during a talk: a title, one line of formula, the step's number.
+
+It stands above the slide, never over it, and has one height all through a talk. Longer texts are
+left to the speaker's notes.
+"""
 
 from __future__ import annotations
-
-import math
 
 from PySide6.QtCore import QEvent, QPointF, QRectF, Qt
 from PySide6.QtGui import (
@@ -13,198 +15,141 @@ from PySide6.QtGui import (
     QPalette,
     QResizeEvent,
     QTextDocument,
-    QWheelEvent,
 )
 from PySide6.QtWidgets import QFrame, QSizePolicy
 
-from app.lessons.lesson import Lesson, Step
+from app.lessons.lesson import Step
 from app.lessons.text import plain_of
 from widgets.parts.lesson_text import set_text
 from widgets.parts.plain import TextDocument
 
-SHARE, TALL_SHARE = 0.135, 0.18
-"""Height of the band in screen heights, the same all through a talk, so that no step moves a pane;
-the second if a step has a table, a displayed formula or many choices."""
-LEAST_TEXT_SHARE, MOST_SHARE = 0.022, 1.0 / 3.0
-"""Least size of letters and largest height of the band, in screen heights: for a long step the band
-grows so far, and then the wheel scrolls it."""
-TITLE_EM = 1.3
-"""Size of the title against the words."""
-SIZES = (1.2, 1.12, 1.06, 1.0, 0.92, 0.84, 0.76, 0.68, 0.6)
-"""Sizes of letters against the window's: the largest that fit are taken."""
-SIDE_SHARE = 0.48
-"""Share of the band's width for the second column."""
-_GAP_PX, _EDGE_PX = 10, 2
+TITLE_SHARE, LINE_SHARE = 0.055, 0.09
+"""Largest heights of the title and of the line below it, in heights of the screen."""
+TITLES = (0.044, 0.04, 0.036, 0.0305)
+LINES = (0.036, 0.033, 0.0305)
+"""Sizes of letters, in heights of the screen: the largest that fit are taken. Capitals of the
+smallest are 2.2 % high."""
+NUMBER_SHARE = 0.024
+EDGE_SHARE, TOP_SHARE = 0.05, 0.012
+"""Free at the left and at the right, and above, in heights of the screen."""
+MOST_LINES = 2
 
 
 class TalkBand(QFrame):
-    """A step's title, words and questions, as large as there is room for."""
+    """A step's title and what it says in two lines at the most.
+
+    Attributes
+    ----------
+    left_out : str
+        The words of the step that are not shown; the speaker says them.
+    """
 
     def __init__(self) -> None:
         super().__init__()
         self.setObjectName("talkBand")
         self.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
-        self._title, self._words, self._asked = (TextDocument(self) for _ in range(3))
-        self._number, self.note = "", ""
-        self._ways: list[tuple[str, str]] = [("", "")]
-        """The ways to share the text out: the words, and the second column."""
+        self._title, self._words = TextDocument(self), TextDocument(self)
+        self._number = self.note = self.left_out = ""
+        self._texts: list[str] = [""]
+        """What the line may say: the first that fits is taken."""
+        self._step = ""
         self._screen_px = 0.0
-        self._usual_px = 0
-        """Its height, unless a step is too long."""
-        self._moved_px = 0
-        """How far the wheel has scrolled it."""
         self.hide()
 
-    def set_talk(self, lesson: Lesson, screen_px: float) -> None:
-        """Take the height for all steps of a talk from the height of the screen."""
-        is_tall = any(part.is_tall for step in lesson.steps for part in step.parts)
-        share = TALL_SHARE if is_tall else SHARE
-        self._screen_px, self._usual_px = screen_px, round(share * screen_px)
-        self.setFixedHeight(self._usual_px)
+    def set_screen(self, screen_px: float) -> None:
+        """Take the height from that of the screen."""
+        self._screen_px = screen_px
+        self.setFixedHeight(round((TOP_SHARE + TITLE_SHARE + LINE_SHARE) * screen_px))
 
-    def show_step(self, step: Step, number: str, asked: str = "") -> None:
-        """Show a step, and beside its words the question that is put just now, or its answer."""
-        self._number = number
-        words = [part.text for part in step.parts if not part.reveals]
-        self.setAccessibleName(plain_of("\n\n".join([step.title, *words, asked])))
-        set_text(self._title, step.title, title=True, palette=self.palette())
-        paragraphs = "\n\n".join(words).split("\n\n")
-        if asked:
-            self._ways = [("\n\n".join(paragraphs), asked)]
-        else:  # below each other, or the last of them in the second column
-            cuts = range(len(paragraphs), 0, -1)
-            self._ways = [
-                ("\n\n".join(paragraphs[:cut]), "\n\n".join(paragraphs[cut:])) for cut in cuts
-            ]
-        self._moved_px = 0
-        self._fit_all()
+    def show_step(self, step: Step, number: str) -> None:
+        self._number, self._step = number, step.title
+        words = "\n\n".join(part.text for part in step.parts if not part.reveals)
+        paragraphs = words.split("\n\n")
+        formulas = [each for each in paragraphs if each.startswith("$$")]
+        shorter = ["\n\n".join(formulas), *formulas[:1], paragraphs[0]]
+        self._texts = [words, *filter(None, shorter), ""]
+        self._fit()
 
     def say(self, note: str) -> None:
-        """Show a message beside the number of the step; an empty one hides it."""
+        """Show a message below the number of the step; an empty one hides it."""
         self.note = note
         self.update()
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)
-        if event.size().width() != event.oldSize().width():
-            self._fit_all()
+        self._fit()
 
     def changeEvent(self, event: QEvent) -> None:
         super().changeEvent(event)
         if event.type() in (QEvent.Type.FontChange, QEvent.Type.PaletteChange):
-            self._fit_all()
-
-    def wheelEvent(self, event: QWheelEvent) -> None:
-        most = max(0, self._needed_px - self.height())
-        moved = self._moved_px - round(event.angleDelta().y() / 120.0 * self.fontMetrics().height())
-        self._moved_px = max(0, min(most, moved))
-        self.update()
-
-    @property
-    def _sizes(self) -> tuple[float, ...]:
-        """Return those of `SIZES` that can be read from the last row."""
-        em = self.fontInfo().pixelSize()
-        least = LEAST_TEXT_SHARE * self._screen_px
-        return tuple(size for size in SIZES if round(size * em) >= least) or (least / em,)
-
-    @property
-    def _needed_px(self) -> int:
-        """Return the height that the text needs as it is laid out now."""
-        words = self._title.size().height() + self._words.size().height()
-        beside = 0.0 if self._asked.isEmpty() else self._asked.size().height()
-        return math.ceil(max(words, beside) + 2 * _EDGE_PX)
+            self._fit()
 
     @property
     def _room(self) -> QRectF:
-        return QRectF(self.rect()).adjusted(_GAP_PX, _EDGE_PX, -_GAP_PX, -_EDGE_PX)
+        edge = EDGE_SHARE * self._screen_px
+        return QRectF(self.rect()).adjusted(edge, TOP_SHARE * self._screen_px, -edge, 0.0)
 
-    def _columns(self) -> tuple[QRectF, QRectF]:
-        """Return the areas of the words and of the second column, which may be empty."""
-        room = self._room
-        if self._asked.isEmpty():
-            return room, QRectF()
-        left, right = QRectF(room), QRectF(room)
-        left.setWidth((1.0 - SIDE_SHARE) * room.width() - _GAP_PX)
-        right.setLeft(room.right() - SIDE_SHARE * room.width() + _GAP_PX)
-        return left, right
-
-    def _fit_all(self) -> None:
-        """Choose the way that allows the largest letters; if none fits, make the band higher."""
-        self.setFixedHeight(self._usual_px or self.height())
-        best, way = 0.0, self._ways[0]
-        needed: dict[int, tuple[str, str]] = {}
-        for each in self._ways:
-            fit = self._share_out(*each)
-            if not self._fits(fit):
-                needed.setdefault(self._needed_px, each)
-            elif fit > best:
-                best, way = fit, each
-            if best >= 1.0:
+    def _fit(self) -> None:
+        """Take the first of the texts that fits, in the largest letters that do."""
+        room, title_px = self._room, TITLE_SHARE * self._screen_px
+        number_px = 5.0 * NUMBER_SHARE * self._screen_px
+        set_text(self._title, self._step, title=True, palette=self.palette())
+        for share in TITLES:
+            self._lay_out(self._title, share, room.width() - number_px)
+            if self._title.size().height() <= title_px:
                 break
-        if best == 0.0:
-            way = needed[min(needed)]
-        self._share_out(*way)
-        if best == 0.0:
-            most = round(MOST_SHARE * self._screen_px)
-            self.setFixedHeight(max(self.height(), min(most, self._needed_px)))
+        shown = next(text for text in self._texts if self._fits(text))
+        self.left_out = "" if shown == self._texts[0] else self._texts[0]
+        self.setAccessibleName(plain_of(f"{self._step}\n\n{shown}"))
         self.update()
 
-    def _share_out(self, words: str, beside: str) -> float:
-        """Lay the text out in the largest letters that fit, or the smallest; return their size."""
-        set_text(self._words, words, palette=self.palette())
-        set_text(self._asked, beside, palette=self.palette())
-        sizes = self._sizes
-        low, high = 0, len(sizes) - 1  # the last one if none fits
-        while low < high:
-            middle = (low + high) // 2
-            low, high = (low, middle) if self._fits(sizes[middle]) else (middle + 1, high)
-        self._fits(sizes[low])
-        return sizes[low]
+    def _fits(self, text: str) -> bool:
+        """Lay out a text; return whether it fits the line."""
+        set_text(self._words, text, palette=self.palette())
+        for share in LINES:
+            self._lay_out(self._words, share, self._room.width())
+            if self._words.size().height() <= LINE_SHARE * self._screen_px:
+                return _lines_of(self._words) <= MOST_LINES
+        return not text
 
-    def _fits(self, size: float) -> bool:
-        """Lay everything out in letters of a size; return whether it fits."""
-        left, right = self._columns()
-        em = self.fontInfo().pixelSize()
-        free = self.fontMetrics().horizontalAdvance(f"{self._number}  ")  # for the number
-        for document, larger, width in (
-            (self._title, TITLE_EM, left.width() - free * right.isNull()),
-            (self._words, 1.0, left.width()),
-            (self._asked, 1.0, right.width() - free),
-        ):
-            font = QFont(self.font())
-            font.setPixelSize(max(8, round(size * larger * em)))
-            document.setDefaultFont(font)
-            document.setTextWidth(max(1.0, width))
-        return self._needed_px <= self.height()
+    def _lay_out(self, document: QTextDocument, share: float, width: float) -> None:
+        font = QFont(self.font())
+        font.setPixelSize(max(8, round(share * self._screen_px)))
+        document.setDefaultFont(font)
+        document.setTextWidth(max(1.0, width))
 
     def paintEvent(self, event: QPaintEvent) -> None:
         super().paintEvent(event)
-        painter = QPainter(self)
-        left, right = (column.translated(0.0, -self._moved_px) for column in self._columns())
-        self._draw(painter, self._title, left.topLeft())
-        self._draw(painter, self._words, left.topLeft() + QPointF(0.0, self._title.size().height()))
-        if not right.isNull():
-            self._draw(painter, self._asked, right.topLeft())
-            painter.setPen(self.palette().color(QPalette.ColorRole.Mid))
-            x = right.left() - 1.5 * _GAP_PX
-            painter.drawLine(QPointF(x, 4.0), QPointF(x, self.height() - 4.0))
-        room = self._room
-        painter.setPen(self.palette().color(QPalette.ColorRole.WindowText))
+        painter, room = QPainter(self), self._room
+        below = room.top() + TITLE_SHARE * self._screen_px
+        free = LINE_SHARE * self._screen_px - self._words.size().height()
+        self._draw(painter, self._title, room.topLeft())
+        self._draw(painter, self._words, QPointF(room.left(), below + max(0.0, free / 3.0)))
+        font = QFont(self.font())
+        font.setPixelSize(max(8, round(NUMBER_SHARE * self._screen_px)))
+        painter.setFont(font)
+        painter.setPen(self.palette().color(QPalette.ColorRole.PlaceholderText))
         right_of = Qt.AlignmentFlag.AlignRight
         painter.drawText(room, right_of | Qt.AlignmentFlag.AlignTop, self._number)
-        note = self.note or ("▾" if self._moved_px + self.height() < self._needed_px else "")
-        if note:  # over the text that is there
-            below = right_of | Qt.AlignmentFlag.AlignBottom
-            place = painter.boundingRect(room, below, note)
+        if self.note:  # over the text that is there
+            at_foot = right_of | Qt.AlignmentFlag.AlignBottom
+            place = painter.boundingRect(room, at_foot, self.note)
             painter.fillRect(place, self.palette().color(QPalette.ColorRole.Window))
-            painter.drawText(room, below, note)
+            painter.drawText(room, at_foot, self.note)
         painter.end()
 
     def _draw(self, painter: QPainter, document: QTextDocument, place: QPointF) -> None:
         painter.save()
         painter.translate(place)
-        painter.setClipRect(QRectF(0.0, 0.0, document.textWidth(), self.height() - place.y()))
         context = QAbstractTextDocumentLayout.PaintContext()
         context.palette = self.palette()
         document.documentLayout().draw(painter, context)
         painter.restore()
+
+
+def _lines_of(document: QTextDocument) -> int:
+    block, lines = document.begin(), 0
+    while block.isValid():
+        lines += block.layout().lineCount()
+        block = block.next()
+    return lines

@@ -1,7 +1,7 @@
-"""The keys of a talk: what clickers send, digits for a step, the size of the notes.
+"""The keys of a talk: those of clickers, digits for a step, the text size of the notes.
 
-They belong to the talk in the main window while it is presented, and always in the speaker's
-window; elsewhere they have other meanings.
+They control the talk in the main window while it is presented, and always in the speaker's window;
+elsewhere they have other meanings.
 """
 
 from __future__ import annotations
@@ -26,20 +26,20 @@ from widgets.window.present import Present
 from widgets.window.speaker import SpeakerWindow
 
 TYPED_MS = 3000
-"""How long digits wait for another one, or for Enter."""
+"""Time that digits wait for another one, or for Enter."""
 MOST_DIGITS = 4
 AGAIN_KEY = Qt.Key.Key_F7
 _KEYS = Qt.Key
 _DIGITS = {Qt.Key(_KEYS.Key_0.value + digit): str(digit) for digit in range(10)}
 _ENTER = (_KEYS.Key_Return, _KEYS.Key_Enter)
 _LARGER = {_KEYS.Key_Plus: 1, _KEYS.Key_Equal: 1, _KEYS.Key_Minus: -1}
-"""With Ctrl: the speaker's notes."""
+"""With Ctrl, they enlarge the speaker's notes."""
 _IN_FIELDS = (_KEYS.Key_PageDown, _KEYS.Key_PageUp, AGAIN_KEY)
-"""Keys of the talk even while somebody types into a field."""
+"""Keys of the talk even while the user types in a field."""
 
 
 class TalkKeys(QObject):
-    """Takes the keys of a talk before Qt gives them to a widget."""
+    """Intercepts the keys of a talk before Qt sends them to a widget."""
 
     next = Signal()
     previous = Signal()
@@ -47,7 +47,7 @@ class TalkKeys(QObject):
     jump = Signal(int)
     """The number of a step, from 1."""
     typing = Signal(str)
-    """The digits typed so far; empty once they are forgotten."""
+    """The digits typed so far; empty once they are discarded."""
     larger = Signal(int)
     """Steps by which the notes are enlarged."""
 
@@ -70,7 +70,7 @@ class TalkKeys(QObject):
         }
 
     def listen(self, is_on: bool, speaker: SpeakerWindow | None) -> None:
-        """Take the keys while a talk is presented, or its speaker's window is open."""
+        """Intercept the keys while a talk is presented or its speaker's window is open."""
         self._is_on, self.speaker = is_on, speaker
         listens = is_on or speaker is not None
         application = QApplication.instance()
@@ -95,7 +95,7 @@ class TalkKeys(QObject):
         return True
 
     def _act(self, watched: QObject, event: QKeyEvent) -> Callable[[], object] | None:
-        """Return what a key does for the talk; None if it is not a key of the talk here."""
+        """Return the talk's action for a key; None if the key has no meaning for the talk here."""
         top = self._top_of(watched)
         is_of_speaker = self.speaker is not None and top is self.speaker
         is_ours = is_of_speaker or (self._is_on and top is self._window)
@@ -146,7 +146,7 @@ class TalkKeys(QObject):
         self.typing.emit("")
 
     def forget_later(self) -> None:
-        """Forget the digits, and let what was said be forgotten after a while."""
+        """Discard the digits, and clear the message after a while."""
         self._digits = ""
         self._typed.start()
 

@@ -1,4 +1,4 @@
-"""The window's state written as a step of a lesson's file, or as the first step of a new talk."""
+"""Write the window's state as a step of a lesson's file, or as the first step of a new talk."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ SAID_MS = 3000
 
 
 class TalkWriter(QObject):
-    """Writes what the window shows into a lesson's file."""
+    """Writes the window's state into a lesson's file."""
 
     def __init__(
         self, window: QMainWindow, lessons: Lessons, store: Store, messages: MessageBar
@@ -40,7 +40,7 @@ class TalkWriter(QObject):
         self._store, self._messages = store, messages
 
     def add_state(self) -> None:
-        """Ask for a title, and write what is shown into the open file as another step."""
+        """Ask for a title, and write the current state into the open file as a new step."""
         lesson = self._lessons.lesson
         if lesson is None or self._is_gone(lesson):
             return
@@ -60,7 +60,7 @@ class TalkWriter(QObject):
         return True
 
     def write_step(self, title: str, panes: bool) -> bool:
-        """Write what is shown into the open file as another step; False if that fails."""
+        """Write the current state into the open file as a new step; return False if that fails."""
         lesson, step = self._lessons.lesson, self._lessons.step
         assert lesson is not None and step is not None
         if self._is_gone(lesson):
@@ -77,7 +77,7 @@ class TalkWriter(QObject):
         return True
 
     def begin_new(self) -> None:
-        """Ask for a file, and begin a talk there with what is shown."""
+        """Ask for a file, and begin a talk there with the current state."""
         kinds, name = self.tr("Talks and lessons (*.md)"), self.tr("A new talk from here")
         path = ask_where(self._window, name, "talk.md", kinds, ".md")
         found = self._ask_title(name, Path(path).stem, self._store.seen) if path else None
@@ -85,7 +85,7 @@ class TalkWriter(QObject):
             self.write_talk(Path(path), *found)
 
     def write_talk(self, path: Path, title: str, panes: bool) -> bool:
-        """Begin a talk with what is shown, and open it; False if that fails."""
+        """Begin a talk with the current state, and open it; return False if that fails."""
         try:
             begin_talk(path, title, self._store.seen, panes=panes)
         except Refusal as error:
@@ -101,7 +101,7 @@ class TalkWriter(QObject):
 
 
 class TitleDialog(QDialog):
-    """Asks for the title of a step, and whether turned panes are kept if there are any."""
+    """A dialog for the title of a step, and for keeping turned panes if there are any."""
 
     def __init__(self, name: str, title: str, turned: bool, parent: QWidget) -> None:
         super().__init__(parent)

@@ -1,4 +1,4 @@
-"""A talk in front of a class: what the class reads, what it is asked, and the speaker's window.
+"""A talk in front of a class: its text and questions, and the speaker's window.
 
 ::
 
@@ -24,6 +24,7 @@ from widgets.parts.message_bar import MessageBar
 from widgets.window.lessons import Lessons, named
 from widgets.window.look import Look
 from widgets.window.present import Present
+from widgets.window.question import Question
 from widgets.window.settings import Settings
 from widgets.window.speaker import NOTES_STEP_PX, SpeakerWindow
 from widgets.window.talk_ahead import Ahead
@@ -40,7 +41,7 @@ class Talks(QObject):
     speaker : SpeakerWindow or None
         While it is open.
     revealed : int
-        How far the questions of the step are: each is put, and then answered.
+        Progress through the step's questions: each is asked, and then answered.
     writer : TalkWriter
     """
 
@@ -53,11 +54,13 @@ class Talks(QObject):
         messages: MessageBar,
         settings: Settings,
         band: TalkBand,
+        question: Question,
         look: Look,
     ) -> None:
         super().__init__(window)
         self._window, self._lessons, self._present = window, lessons, present
-        self._messages, self._settings, self._band = messages, settings, band
+        self._messages, self._settings = messages, settings
+        self._band, self._question = band, question
         self.writer = TalkWriter(window, lessons, store, messages)
         self._ahead = Ahead(lessons, look, self)
         self._keys = TalkKeys(window, lessons, present, self)
@@ -65,9 +68,9 @@ class Talks(QObject):
         self.revealed = 0
         self._shown: tuple[Course, int] | None = None
         self._complaint = ""
-        """What is wrong with the open file: nothing for the class to read."""
+        """The mistake in the open file, which is not shown to the class."""
         self._refusal = ""
-        """Why the step that was wanted cannot be shown."""
+        """Why the requested step cannot be shown."""
         for signal, act in (
             (self._ahead.done, self._draw_next),
             (self._keys.next, self.next),
@@ -87,10 +90,10 @@ class Talks(QObject):
             signal.connect(act)
         application = QApplication.instance()
         assert isinstance(application, QGuiApplication)
-        # After Qt has moved the windows itself.
+        # Run after Qt has moved the windows itself.
         application.screenRemoved.connect(self.bring_back, Qt.ConnectionType.QueuedConnection)
 
-    # -- what is presented
+    # -- presentation
 
     @property
     def is_on(self) -> bool:
@@ -109,7 +112,7 @@ class Talks(QObject):
         return [part for part in step.parts if part.reveals] if step is not None else []
 
     def _asked(self, course: Course, place: int) -> str:
-        """Return the question that is put just now, or its answer; empty for none."""
+        """Return the current question, or its answer; empty for none."""
         number, told = divmod(self.revealed, 2)
         if not self._questions:
             return ""
@@ -134,24 +137,28 @@ class Talks(QObject):
         self._forget_refusal()
         self._keys.forget()
         if course is None:
+            self._question.show_text("", 1.0)
             self._ahead.forget()
             self.close_speaker()
             return
         step, count = course.lesson.steps[place], len(course.lesson.steps)
+        screen_px = float(self._window.screen().size().height())
+        asked = self._asked(course, place) if self.is_on else ""
+        self._question.show_text(asked, screen_px)
         if self.is_on:
-            self._band.set_talk(course.lesson, float(self._window.screen().size().height()))
-            self._band.show_step(step, f"{place + 1} / {count}", self._asked(course, place))
+            self._band.set_screen(screen_px)
+            self._band.show_step(step, f"{place + 1} / {count}")
         if self.speaker is not None:
-            self.speaker.show_step(course, place)
+            self.speaker.show_step(course, place, self._band.left_out if self.is_on else "")
         if self.is_on or self.speaker is not None:
             self._ahead.begin_later()
         else:
             self._ahead.forget()
 
-    # -- going
+    # -- navigation
 
     def next(self) -> None:
-        """Answer the question, or put the next one, or go on."""
+        """Answer the question, or ask the next one, or go to the next step."""
         if self.reveal():
             return
         self._unblank()
@@ -166,7 +173,7 @@ class Talks(QObject):
         self._lessons.previous()
 
     def reveal(self) -> bool:
-        """Answer the question, or put the next one; False if all are answered."""
+        """Answer the question, or ask the next one; return False if all are answered."""
         questions = self._questions
         if self.revealed + 1 >= 2 * len(questions):
             return False
@@ -196,10 +203,10 @@ class Talks(QObject):
         if self._present.is_blank:
             self._present.blank()
 
-    # -- what is said
+    # -- messages
 
     def _show_typed(self, digits: str) -> None:
-        """Show the number that is typed; without digits what else there is to say."""
+        """Show the typed number; without digits, show the other messages."""
         text = self.tr("To step {0}…").format(digits) if digits else ""
         self._band.say(text)
         if self.speaker is not None:
@@ -212,7 +219,7 @@ class Talks(QObject):
             self.speaker.say(text)
 
     def _complain(self, text: str) -> None:
-        """Tell the speaker what is wrong with the open file; the class only that it is old."""
+        """Show the speaker the mistake in the open file; tell the class only that it is old."""
         self._messages.take_back(self._complaint)
         if text:
             self._forget_refusal()
@@ -230,7 +237,7 @@ class Talks(QObject):
         return self.speaker is not None and self.speaker.screen() is not self._window.screen()
 
     def _refuse(self, text: str) -> None:
-        """Say why a step cannot be shown: to the speaker, if there is a window for that."""
+        """Say why a step cannot be shown, to the speaker alone if the speaker's window is open."""
         self._refusal = text
         self._keys.forget()
         if self.speaker is None:
@@ -279,7 +286,7 @@ class Talks(QObject):
             self.speaker.enlarge(steps * NOTES_STEP_PX)
 
     def _place_speaker(self) -> None:
-        """Put it on the speaker's screen, if there are two."""
+        """Put the window on the speaker's screen, if there are two screens."""
         assert self.speaker is not None
         both = self._present.screens.both
         if both is not None:
@@ -314,7 +321,7 @@ class Talks(QObject):
         self._keys.listen(self.is_on, None)
 
     def bring_back(self) -> None:
-        """Move both windows to a screen that is there, after one was removed."""
+        """Move both windows to an existing screen after one was removed."""
         screens = [each.geometry() for each in QGuiApplication.screens()]
         for window in (self._window, self.speaker):
             handle = window.windowHandle() if window is not None else None
@@ -349,6 +356,6 @@ class TalkActions(QObject):
         self.show_lesson()
 
     def show_lesson(self) -> None:
-        """Enable what can be done with the open lesson, or without one."""
+        """Enable the entries that are possible with the open lesson, or without one."""
         for action in (self.speaker, self.add):
             action.setEnabled(self._talks.has_lesson)

@@ -1,6 +1,6 @@
 """The wiring of the main window: a table of its components' signals and slots.
 
-What depends on the document is told by `MainWindow`, in the order of its notification list.
+`MainWindow` notifies the components of changes to the document, in the order of its list.
 """
 
 from __future__ import annotations
@@ -14,6 +14,7 @@ from widgets.panes.pane import Pane
 from widgets.parts.gestures import Gestures
 from widgets.parts.panel import Panel
 from widgets.parts.writing import all_digits, lettering
+from widgets.window.equation import EquationSlide
 
 
 def wire(window: Any) -> None:
@@ -30,7 +31,7 @@ def _wire_components(window: Any) -> None:
     )  # fmt: skip
     look, card, compare = window.look, controls.card, window.comparing.pictures
     probe, measure = window.probe_panel, window.measure_panel
-    lettering.set("own")  # it may still be another window's
+    lettering.set("own")  # it may still belong to another window
     all_digits.set(window.settings.all_digits)
     menus.show_recent()
     wires: tuple[tuple[Any, ...], ...] = (
@@ -51,12 +52,15 @@ def _wire_components(window: Any) -> None:
         (window.matrices.letters_changed, lettering.set, look.set_letters),
         (window.history.rested, look.rest, compare.refresh),
         (look.built, window.manipulation.leave, controls.set_style, compare.set_style),
+        (look.built, window.set_style, window.slide.equation.set_style),
         (menus.all_digits.triggered, window.set_all_digits),
         (menus.find.triggered, window.find_control),
         (menus.play.triggered, controls.animation.toggle),
         (menus.theme_chosen, look.set_theme),
         (menus.present.triggered, window.present.toggle),
         (menus.blank.triggered, window.present.blank),
+        (menus.strip.triggered, window.control_strip.toggle),
+        (window.slide.touched, window.control_strip.show_now),
         (menus.pointer.toggled, window.probing.set_pointing),
         (menus.start_card.triggered, window.show_start_card),
         (menus.controls.triggered, window.show_beside),
@@ -68,7 +72,6 @@ def _wire_components(window: Any) -> None:
         (window.slots.rearranged, window.show_beside),
         (window.files.recent_changed, menus.show_recent),
         (window.pictures.told, window.tell_shortly),
-        (window.panels.opened, lambda: window.slots.set_low(window.panels.open_panel is not None)),
         (window.panels.chosen, window.probing.begin),
         (measure.went_on, window.messages.take_back),
         (measure.succeeded, window.messages.done),
@@ -88,7 +91,7 @@ def _wire_components(window: Any) -> None:
 
 
 def _wire_lesson(window: Any) -> None:
-    """Connect the lesson's card to its keys, and to everything that a task may ask for."""
+    """Connect the lesson's card to its keys, and to everything that a task may require."""
     card, menus = window.lesson_card, window.menus
     menus.lesson_menu.wire(card, window.settings)
     card.begun_again.connect(window.offer_answers)
@@ -112,10 +115,16 @@ def _wire_lesson(window: Any) -> None:
 
 
 def _wire_gestures(window: Any) -> None:
-    """Announce each gesture, such as a drag: the store makes one undo step of it."""
+    """Connect every gesture, such as a drag, to the store, which makes it one undo step."""
     store, controls, panels = window.store, window.controls, window.panels.all
     sources: tuple[Gestures, ...] = (controls, controls.animation, window.manipulation, *panels)
-    listeners: tuple[Store | SceneCard | Panel, ...] = (store, controls.card, *panels)
+    equation = window.slide.equation
+    listeners: tuple[Store | SceneCard | Panel | EquationSlide, ...] = (
+        store,
+        controls.card,
+        equation,
+        *panels,
+    )
     for each in sources:
         for told in listeners:
             each.gesture_started.connect(told.begin_gesture)
@@ -126,7 +135,7 @@ def _wire_gestures(window: Any) -> None:
 
 
 def _wire_highlight(window: Any) -> None:
-    """Let every pane and panel highlight things, and show what is highlighted."""
+    """Connect every pane and panel to the highlighter, in both directions."""
     mark = window.highlighter.mark
     window.controls.highlighted.connect(mark)
     places: tuple[Pane | Panel, ...] = (*window.panes.values(), *window.panels.all)

@@ -23,7 +23,7 @@ from widgets.window.actions import Actions
 
 
 class FixedViews(QWidget):
-    """A button for each viewpoint; `menu` holds all of them in one button, for a narrow pane."""
+    """A button for each viewpoint; `menu` combines them in one button for a narrow pane."""
 
     def __init__(self) -> None:
         super().__init__()
@@ -111,7 +111,7 @@ class WorldLook(QObject):
         self.show(self.fixed, frozenset(n for n in LAYERS if not layers[n].isChecked()))
 
     def _leave(self) -> None:
-        """Return to a free view, because the user has turned the world by hand."""
+        """Return to a free view, because the user has turned the world."""
         if self.fixed:
             self.show("")
 

@@ -1,4 +1,4 @@
-"""The views of the blocks that ask something: one file each, and this table."""
+"""The views of the blocks that require an answer: one file each, and this table."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""A question with choices, in its frame."""
+"""The view of a question with choices."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ class _Choice(QWidget):
         in_row(*parts, on=self, margins=(3, 2, 3, 2), gap=5)
 
     def mark(self, icon: str, said: str) -> None:
-        """Mark it as the right one, or as the one that was chosen."""
+        """Mark it as the right choice, or as the student's choice."""
         self._sign.show_icon(icon, said)
         self._sign.show()
         self.button.setAccessibleDescription(said)
@@ -66,7 +66,7 @@ _ARROWS: dict[int, int] = {
 
 
 class Chooses(BlockView):
-    """Choices: a prediction is made once; an answer may be tried again."""
+    """The choices of a question: a prediction is made once; an answer may be repeated."""
 
     def __init__(self, here: AtStep, question: Choices) -> None:
         super().__init__(here, question)
@@ -99,7 +99,7 @@ class Chooses(BlockView):
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         if isinstance(event, QKeyEvent) and event.type() == QEvent.Type.KeyPress:
             step = _ARROWS.get(event.key(), 0)
-            if step:  # Qt would only move the focus while none is chosen
+            if step:  # Qt would only move the focus if nothing is chosen
                 buttons = self._group.buttons()
                 at = next(at for at, button in enumerate(buttons) if button is watched)
                 there = buttons[(at + step) % len(buttons)]
@@ -115,7 +115,7 @@ class Chooses(BlockView):
             super().keyPressEvent(event)
 
     def commit(self) -> None:
-        """Take the choice that is made as the answer."""
+        """Submit the current choice as the answer."""
         number = self._group.checkedId()
         if number < 0:
             text = self.tr("Choose one first: with the arrow keys, or a click.")
@@ -164,6 +164,6 @@ class Chooses(BlockView):
 
 
 def _quoted(text: str) -> str:
-    """Put a choice inside a sentence: more than a number needs quotes to show its end."""
+    """Quote a choice within a sentence, unless it is a number."""
     text = text.rstrip(".")
     return f"“{text}”" if " " in text else text

@@ -1,4 +1,4 @@
-"""A question whose answer is a number, in its frame."""
+"""The view of a question whose answer is a number."""
 
 from __future__ import annotations
 
@@ -16,13 +16,13 @@ from widgets.parts.plain import Label, set_tip
 from widgets.window.lesson_blocks.view import BlockView, button, on_holder
 
 TRIES = 3
-"""After so many the answer is offered."""
+"""Number of attempts after which the answer is offered."""
 TOLD = "told"
-"""What is kept of an answer that was given away."""
+"""Stored as the answer if the program has shown it."""
 
 
 class Types(BlockView):
-    """A number that is typed."""
+    """A question with a typed number."""
 
     def __init__(self, here: AtStep, question: Answer) -> None:
         super().__init__(here, question)
@@ -53,7 +53,7 @@ class Types(BlockView):
                 self.answer = TOLD
                 return
             verdict = self.question.mark(self.here, answer)
-        except Refusal:  # the lesson is another one now
+        except Refusal:  # the lesson has changed meanwhile
             return
         if verdict.right:
             self.field.setText(answer)
@@ -61,7 +61,7 @@ class Types(BlockView):
             self._close(verdict)
 
     def check(self) -> None:
-        """Say whether what is typed is right."""
+        """Say whether the typed number is right."""
         if not self.is_open:
             return
         typed = self.field.text()
@@ -96,7 +96,7 @@ class Types(BlockView):
             self._offer(self.tr("Show the &answer"), tip, self._give_away)
 
     def _close(self, verdict: Verdict | None = None) -> None:
-        """Take no other answer; praise this one."""
+        """Accept no further answer, and praise this one."""
         self.field.setReadOnly(True)
         self._check.hide()
         if verdict is not None:

@@ -1,4 +1,4 @@
-"""A task in its frame: it ticks itself when it is done in the window."""
+"""The view of a task: it is ticked when the task is done in the window."""
 
 from __future__ import annotations
 
@@ -10,11 +10,11 @@ from app.model.refusal import Refusal
 from widgets.window.lesson_blocks.view import BlockView, Sign
 
 DONE = "done"
-"""What is kept of a task that is done."""
+"""Stored as the answer of a finished task."""
 
 
 class Tries(BlockView):
-    """Something to do in the window, in any way; it ticks itself when it is done."""
+    """A task that may be solved in any way; it is ticked when it is done."""
 
     def __init__(self, here: AtStep, task: Task) -> None:
         sign = Sign("", "")

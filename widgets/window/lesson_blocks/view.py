@@ -1,11 +1,11 @@
-"""The frame of a block that asks something: its text, what is said to the answer, its hints.
+"""The frame of a block that requires an answer: text, response and hints.
 
 ::
 
     an answer counts, or a task is seen done -> view.settled(answer) -> the card keeps it
     "Show it" -> view.show_wanted(document) -> the window
 
-A view that gets the earlier answer looks as the student left it.
+`restore` shows a view with an earlier answer as the student left it.
 """
 
 from __future__ import annotations
@@ -38,11 +38,11 @@ from widgets.parts.messages import sentence
 from widgets.parts.plain import set_tip
 
 SIGN_EM = 1.15
-"""Side of a sign, in heights of the letters beside it."""
+"""Size of a sign, relative to the text height beside it."""
 
 
 class Sign(QWidget):
-    """An icon beside a text, or an empty box for what is still to be done."""
+    """An icon beside a text, or an empty box for something unfinished."""
 
     def __init__(self, icon: str, said: str) -> None:
         super().__init__()
@@ -69,17 +69,17 @@ class Sign(QWidget):
 
 
 class BlockView(QFrame):
-    """A block that asks something, in a frame; what is said to the answer comes below.
+    """The frame of a block that requires an answer; the response appears below.
 
     A subclass adds its own widgets by `_insert`; `sign` is a widget beside the text.
     """
 
     settled = Signal(str)
-    """The block is answered: the answer."""
+    """The block is answered; emits the answer."""
     show_wanted = Signal(object)
-    """A `Document` that shows something of it."""
+    """The user wants to see this `Document`, which explains an answer."""
     spoke = Signal()
-    """Something was said to the answer."""
+    """A response to the answer appeared."""
 
     def __init__(self, here: AtStep, block: Asked, *sign: QWidget) -> None:
         super().__init__()
@@ -87,10 +87,10 @@ class BlockView(QFrame):
         self.here, self.block = here, block
         self.answer = ""
         self.hints = list(block.hints)
-        """Those that were not given yet."""
+        """The hints not given yet."""
         self.setAccessibleName(plain_of(block.text))
         self.said: list[QWidget] = []
-        """What is said to the answer, from the top."""
+        """The widgets of the response, from the top."""
         self._said = in_column(gap=4)
         text: QWidget = LessonText(block.text)
         if sign:
@@ -98,29 +98,29 @@ class BlockView(QFrame):
         self._column = in_column(text, self._said, on=self, margins=(9, 7, 9, 8), gap=5)
 
     def _insert(self, widget: QWidget) -> None:
-        """Add a widget above what is said."""
+        """Add a widget above the response."""
         self._column.insertWidget(self._column.indexOf(self._said), widget)
 
     @property
     def is_open(self) -> bool:
-        """Whether there is something to do yet."""
+        """Whether the block is still unanswered."""
         return not self.answer
 
     @property
     def holds(self) -> bool:
-        """Whether the step goes on only when it is answered."""
+        """Whether the step continues only after an answer."""
         return self.block.holds and self.is_open
 
     @property
     def first(self) -> QWidget | None:
-        """Return the widget that the keyboard begins with."""
+        """Return the widget that gets the focus first."""
         return None
 
     def restore(self, answer: str) -> None:
-        """Look as the student left it with an answer."""
+        """Show the block as the student left it with an answer."""
 
     def look(self, document: Document, view: View) -> None:
-        """See what of it is done in the window as it stands."""
+        """Check how far the window's current state fulfils the block."""
 
     def give_hint(self) -> None:
         if self.hints:
@@ -131,14 +131,14 @@ class BlockView(QFrame):
             self._insert(_row("help", "", text))
             self._announce(text)
 
-    # -- what is said to the answer
+    # -- the response
 
     def _settle(self, answer: str) -> None:
         self.answer = answer
         self.settled.emit(answer)
 
     def _hush(self) -> None:
-        """Remove what was said to the answer before."""
+        """Remove the previous response."""
         for widget in self.said:
             self._said.removeWidget(widget)
             widget.hide()
@@ -150,7 +150,7 @@ class BlockView(QFrame):
             self._add(_row(icon, sign, text))
 
     def _warn(self, text: str) -> None:
-        """Say only that something is missing or wrong."""
+        """Show only that something is missing or wrong."""
         self._hush()
         self._say("warning", "", text)
 
@@ -174,7 +174,7 @@ class BlockView(QFrame):
         self._announce(self.tr("Right."), verdict.says)
 
     def _refute(self, verdict: Verdict, head: str = "") -> None:
-        """Name the wrong idea, say what is against it, and offer what shows it."""
+        """Name the wrong idea, refute it, and offer a state that shows why."""
         idea = self.here.idea(verdict.idea)
         if idea is not None:
             behind = self.tr("The idea behind it: “{0}”.").format(idea.title.rstrip("."))
@@ -192,7 +192,7 @@ class BlockView(QFrame):
 
 
 def _row(icon: str, sign: str, text: str) -> QWidget:
-    """Put a text behind its sign; without a sign as far to the right."""
+    """Put a text after its sign; without a sign, keep the same indent."""
     said = LessonText(text)
     indent = round(SIGN_EM * said.fontMetrics().height())
     return on_holder((Sign(icon, sign), TOP) if icon else indent, (said, 1), gap=4)
@@ -205,7 +205,7 @@ def on_holder(*parts: Part, gap: int) -> QWidget:
 
 
 def button(name: str, tip: str, act: Callable[[], object]) -> QPushButton:
-    """Make a button that Enter presses, as wide as its text."""
+    """Make a button that Enter presses and that is as wide as its text."""
     made = push_button(name, tip, lambda _checked=False: act())
     made.setAutoDefault(True)
     made.setSizePolicy(QSizePolicy.Policy.Maximum, QSizePolicy.Policy.Fixed)

@@ -1,0 +1,135 @@
+"""The check of pictures by the rules of composition: each step of a lesson or talk, as drawn."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING
+
+from app import bootstrap
+from app.commands.arguments import cannot_import
+from app.commands.options import CANNOT_DRAW, CliError
+from app.document.document import Document
+from app.lessons.course import Course, scene_of
+from app.model.refusal import Refusal
+
+if TYPE_CHECKING:
+    from app.drawings.composition import Measured
+
+SLIDE_PX, SLIDE_PICTURE_PX = (1920, 1080), (1920, 910)
+"""A screen of a class, and what title and formula leave of it for the picture."""
+SLIDE_EM_PX = 0.034 * SLIDE_PX[1]
+PANE_PX, PANE_EM_PX = (580, 660), 15.5
+"""The large pane of a window of 1366 by 768 pixels, and the letters there."""
+
+Measure = Callable[[Document, str, tuple[int, int], float], "list[Measured]"]
+
+
+@dataclass
+class Composed:
+    """How many steps were drawn, and what is wrong with their pictures, a line each."""
+
+    steps: int = 0
+    overlaps: int = 0
+    crowded: int = 0
+    empty: int = 0
+    wrong: list[str] = field(default_factory=list)
+
+    def __str__(self) -> str:
+        return (
+            f"{self.overlaps} overlaps, {self.crowded} crowded, {self.empty} empty"
+            f" of {self.steps} steps"
+        )
+
+    def take(self, course: Course, place: int, documents: list[Document], draw: Measure) -> None:
+        """Draw a step's states, and add what is wrong with them."""
+        lesson, step = course.lesson, course.lesson.steps[place]
+        line = step.state.line if step.state is not None else step.line
+        where = f"{lesson.path.name}: line {line}, step {place + 1} ({step.name})"
+        self.steps += 1
+        found = dict[str, None]()
+        kinds = set[str]()
+        for document in documents:
+            for pane in panes_of(document):
+                size, em = (
+                    (SLIDE_PICTURE_PX, SLIDE_EM_PX) if lesson.is_talk else (PANE_PX, PANE_EM_PX)
+                )
+                for picture in draw(document, pane, size, em):
+                    for kind, fault in faults_in(picture, SLIDE_PX[1] if lesson.is_talk else None):
+                        found[f"{where}, {picture.pane}: {fault}"] = None
+                        kinds.add(kind)
+        self.wrong += found
+        self.overlaps += "overlap" in kinds
+        self.crowded += "crowded" in kinds
+        self.empty += "empty" in kinds
+
+
+def panes_of(document: Document) -> tuple[str, ...]:
+    """The panes in which a class, or a student, sees a step."""
+    return (document.view.large or scene_of(document).leading,)
+
+
+def faults_in(picture: Measured, screen_px: int | None) -> Iterator[tuple[str, str]]:
+    """Yield what is wrong with a picture: its kind, and a sentence with its numbers.
+
+    `screen_px` is the height of the screen that a class looks at; None for a window.
+    """
+    from app.drawings.composition import CAPITAL, LEAST_FILL, LETTERS, MOST_LABELS
+
+    for one, other in picture.overlaps:
+        yield "overlap", f"“{one}” overlaps “{other}”."
+    if picture.is_crowded:
+        yield "crowded", f"{len(picture.labels)} labels; at most {MOST_LABELS}."
+    if picture.is_empty:
+        wide, high = picture.fill
+        yield (
+            "empty",
+            f"what is drawn covers {wide:.0%} of the width and {high:.0%} of the height;"
+            f" at least {LEAST_FILL:.0%} of one of them.",
+        )
+    for text in picture.raw:
+        yield "raw", f"“{text}” has an underscore that is not typeset."
+    for text in picture.cut:
+        yield "cut", f"“{text}” is cut off at the border."
+    for name in sorted(picture.missing):
+        yield "missing", f"view.names has {name}, which this pane does not draw."
+    if screen_px is not None:
+        least, most = LETTERS
+        for height in {CAPITAL * each.em / screen_px for each in picture.labels}:
+            if not least <= height <= most:
+                yield (
+                    "letters",
+                    f"capitals are {height:.1%} of the screen's height; must be from {least:.1%}"
+                    f" to {most:.1%}.",
+                )
+
+
+def measure() -> Measure:
+    """Return what measures pictures; a `CliError` if nothing can be drawn here."""
+    try:
+        with bootstrap.for_good():
+            from app.drawings.composition import measured
+            from app.drawings.off_screen import check_off_screen
+    except ImportError as error:
+        raise cannot_import(error) from error
+    try:
+        check_off_screen()
+    except RuntimeError as error:
+        raise CliError(str(error), CANNOT_DRAW) from error
+    return lambda document, pane, size, em: measured(document, scene_of(document), pane, size, em)
+
+
+def states_of(course: Course, place: int) -> list[Document]:
+    """What a step shows, and then the states that its predictions show."""
+    here = course.at(place)
+    states = [part.show for part in here.step.parts if part.show is not None]
+    return [here.document, *map(here.shown_by, states)]
+
+
+def taken(composed: Composed, course: Course, place: int, draw: Measure) -> Refusal | None:
+    """Measure a step; return why it cannot be drawn, if it cannot."""
+    try:
+        composed.take(course, place, states_of(course, place), draw)
+    except Refusal as error:
+        return error
+    return None

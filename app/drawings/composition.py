@@ -1,0 +1,211 @@
+"""Measures pictures by the rules of composition: their labels, and how well they fill their pane.
+
+A picture is drawn as for a figure. Its labels say where they are; what lies under them, and what
+fills the pane, is read off the pixels of the same picture without labels.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from itertools import combinations
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from app.document.document import Document
+from app.document.naming import nameable
+from app.document.settings import pictured
+from app.document.view import EVERYTHING
+from app.drawings import Words
+from app.drawings.figures import drawn_pane
+from app.drawings.image import ImageDrawing
+from app.drawings.label import LabelActor, pieces_of
+from app.drawings.off_screen import Pixels, pixels_of
+from app.drawings.side_by_side import cells
+from app.drawings.style import LIGHT, Style
+from app.model.projection import Array
+from app.scenes.scene import Scene
+
+MOST_LABELS = 7
+LEAST_FILL = 0.6
+"""Of a pane's width or height: what the box round everything named covers at least."""
+LETTERS = 0.022, 0.03
+"""Height of the capitals of words, relative to the height of a screen that a class looks at."""
+CAPITAL = 0.729
+"""Height of a capital of DejaVu Sans, in em."""
+_INK = 60
+"""Difference of a colour from the ground from which it is ink: a pale tint hides nothing."""
+_LEAVES = frozenset({"grid", "frustum"})
+"""Layers that may leave the pane, and do not decide what fills it."""
+
+
+class Placed(NamedTuple):
+    """A label in a picture: its text, and its letters in pixels from the left and the bottom."""
+
+    text: str
+    left: float
+    low: float
+    right: float
+    high: float
+    em: float
+
+    def overlaps(self, other: Placed) -> bool:
+        return (
+            self.left < other.right - 0.5
+            and other.left < self.right - 0.5
+            and self.low < other.high - 0.5
+            and other.low < self.high - 0.5
+        )
+
+
+class Measured(NamedTuple):
+    """A picture of a pane.
+
+    Attributes
+    ----------
+    fill : (float, float)
+        Of the pane's width and height: the box round what is drawn, without grid and frustum, and
+        round the labels.
+    missing : tuple of str
+        The ids that the view names and the pane cannot name.
+    """
+
+    pane: str
+    size_px: tuple[int, int]
+    labels: tuple[Placed, ...]
+    on_ink: tuple[float, ...]
+    fill: tuple[float, float]
+    missing: frozenset[str]
+
+    @property
+    def overlaps(self) -> list[tuple[str, str]]:
+        pairs = combinations(self.labels, 2)
+        return [(one.text, other.text) for one, other in pairs if one.overlaps(other)]
+
+    @property
+    def cut(self) -> list[str]:
+        """The labels that are not whole in the pane."""
+        width, height = self.size_px
+        return [
+            each.text
+            for each in self.labels
+            if each.left < 0 or each.low < 0 or each.right > width or each.high > height
+        ]
+
+    @property
+    def raw(self) -> list[str]:
+        """The labels with an underscore that is not typeset."""
+        return [
+            each.text
+            for each in self.labels
+            if any("_" in piece for piece, is_tex in pieces_of(each.text) if not is_tex)
+        ]
+
+    @property
+    def is_crowded(self) -> bool:
+        return len(self.labels) > MOST_LABELS
+
+    @property
+    def is_empty(self) -> bool:
+        return max(self.fill) < LEAST_FILL
+
+
+def measured(
+    document: Document,
+    scene: Scene,
+    pane: str,
+    size_px: tuple[int, int],
+    em_px: float,
+    style: Style = LIGHT,
+) -> list[Measured]:
+    """Measure a pane's picture, or each of the pictures that are compared there."""
+    style = style.enlarged(em_px / style.font_size)
+    if pane != "image" or not document.view.compare:
+        return [_measured(document, document, scene, pane, size_px, style, bare=False)]
+    shown = [pictured(document, picture) for picture in document.view.compare]
+    aspects = [each.projection.aspect for each in shown]
+    places = cells(*size_px, aspects, style.font_size)
+    return [
+        _measured(of, document, scene, pane, (wide, high), style, bare=True)
+        for of, (_, _, wide, high) in zip(shown, places, strict=True)
+    ]
+
+
+def _measured(
+    of: Document,
+    document: Document,
+    scene: Scene,
+    pane: str,
+    size_px: tuple[int, int],
+    style: Style,
+    bare: bool,
+) -> Measured:
+    illustration = None
+    if scene.phenomenon is not None:
+        settings = scene.phenomenon.checked(of.settings)
+        illustration = scene.phenomenon.illustration(of.projection, settings, scene.subject)
+    view = document.view
+    with drawn_pane(
+        pane, scene, of.projection, illustration, size_px, style=style, words=Words(view.letters),
+        framed=True, view=view, quality=document.quality, bare=bare,
+    ) as (window, drawing):  # fmt: skip
+        labels, actors = [], list(_actors(window))
+        for renderer, actor in actors:
+            label = actor.label()
+            if label is None:
+                continue
+            left, right, low, high = label.box_px
+            x, y = renderer.GetOrigin()
+            labels.append(Placed(label.text, x + left, y + low, x + right, y + high, label.em))
+        for _, actor in actors:
+            actor.SetVisibility(False)
+        window.Render()
+        bare_ink = _ink(pixels_of(window))
+        if isinstance(drawing, ImageDrawing):
+            place = drawing.picture_rectangle_px
+            fill = place.width / size_px[0], place.height / size_px[1]
+        else:
+            drawing.show_layers(view.layers | _LEAVES | {"labels"})
+            drawing.show_projection(of.projection, illustration)
+            window.Render()
+            fill = _fill(_ink(pixels_of(window)), labels)
+    wanted = frozenset(view.names or ()) if view.names != EVERYTHING else frozenset[str]()
+    return Measured(
+        pane, size_px, tuple(labels), tuple(_under(bare_ink, each) for each in labels), fill,
+        wanted - nameable(pane, document, scene),
+    )  # fmt: skip
+
+
+def _actors(window: Any) -> Iterator[tuple[Any, LabelActor]]:
+    """The visible labels of a window."""
+    for renderer in window.GetRenderers():
+        for prop in renderer.GetViewProps():
+            if isinstance(prop, LabelActor) and prop.GetVisibility():
+                yield renderer, prop
+
+
+def _ink(pixels: Pixels) -> Array:
+    """Where there is ink, (height, width), the first row at the top."""
+    colours = pixels[..., :3].astype(np.int16)
+    ground = np.median(colours.reshape(-1, 3)[::7], axis=0)
+    ink: Array = np.abs(colours - ground).max(axis=2) > _INK
+    return ink
+
+
+def _under(ink: Array, label: Placed) -> float:
+    """The share of a label's box that has ink under it."""
+    height = ink.shape[0]
+    rows = slice(max(0, round(height - label.high)), max(0, round(height - label.low)))
+    part = ink[rows, max(0, round(label.left)) : max(0, round(label.right))]
+    return float(part.mean()) if part.size else 0.0
+
+
+def _fill(ink: Array, labels: list[Placed]) -> tuple[float, float]:
+    height, width = ink.shape
+    rows, columns = np.flatnonzero(ink.any(axis=1)), np.flatnonzero(ink.any(axis=0))
+    x = [*columns[[0, -1]].tolist()] if len(columns) else []
+    y = [*rows[[0, -1]].tolist()] if len(rows) else []
+    for each in labels:
+        x += [max(0.0, each.left), min(width, each.right)]
+        y += [max(0.0, height - each.high), min(height, height - each.low)]
+    return ((max(x) - min(x)) / width, (max(y) - min(y)) / height) if x else (0.0, 0.0)

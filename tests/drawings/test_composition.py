@@ -1,0 +1,105 @@
+"""The measures of pictures: overlapping or too many labels, an empty picture, small letters."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import pytest
+
+from app.commands.composed import faults_in
+from app.document.document import Document
+from app.document.settings import set_values
+from app.drawings.composition import CAPITAL, Measured, Placed, measured
+from app.scenes.scene import load
+
+SIZE = 480, 360
+
+
+def picture(pane: str, *values: str, scene: str = "letter-f", em: float = 14.0) -> Measured:
+    """The measures of a pane in a state; of several pictures, the first."""
+    found = load(scene)
+    document = set_values(Document(scene, found.start), values)
+    return measured(document, found, pane, SIZE, em)[0]
+
+
+def kinds(found: Measured, screen_px: int | None = None) -> list[str]:
+    return [kind for kind, _ in faults_in(found, screen_px)]
+
+
+def test_the_labels_of_a_picture_are_those_that_its_view_names() -> None:
+    found = picture("world", "view.names=eye,near")
+    assert sorted(each.text for each in found.labels) == ["eye", "near n = 4"]
+    assert all(0.0 <= each.left < each.right <= SIZE[0] for each in found.labels)
+    assert all(0.0 <= each.low < each.high <= SIZE[1] for each in found.labels)
+    assert kinds(picture("world", "view.layers=labels")) == kinds(picture("world", "view.names="))
+
+
+def test_a_label_lies_where_its_letters_are() -> None:
+    (label,) = picture("world", "view.names=eye", em=14.0).labels
+    (larger,) = picture("world", "view.names=eye", em=28.0).labels
+    high = label.high - label.low
+    assert larger.high - larger.low == pytest.approx(2.0 * high, abs=2.0)
+    assert CAPITAL * 14.0 * 0.6 < high < 1.5 * 14.0
+
+
+def test_everything_named_is_crowded() -> None:
+    found = picture("world", "view.names=*", "view.fixed=side", scene="similar-triangles")
+    assert len(found.labels) > 7 and "crowded" in kinds(found)
+    assert any("at most 7" in text for kind, text in faults_in(found, None) if kind == "crowded")
+
+
+def test_a_name_that_a_pane_does_not_draw_is_missing() -> None:
+    found = picture("image", "view.names=eye,pixels")
+    assert found.missing == {"eye"} and "missing" in kinds(found)
+    assert picture("world", "view.names=eye").missing == frozenset()
+
+
+def test_a_far_away_subject_leaves_its_cube_full_and_a_small_one_is_empty() -> None:
+    assert "empty" not in kinds(picture("ndc", "view.names=near"))
+    base = picture("world", "view.names=eye")
+    tiny = base._replace(fill=(0.3, 0.59))
+    assert tiny.is_empty and "30% of the width and 59% of the height" in str(
+        [*faults_in(tiny, None)]
+    )
+    assert not base._replace(fill=(0.3, 0.61)).is_empty
+
+
+def test_overlaps_cuts_and_underscores_are_found() -> None:
+    base = picture("world", "view.names=eye")
+    (eye,) = base.labels
+    beside = eye._replace(text="beside", left=eye.right, right=eye.right + 20.0)
+    over = eye._replace(text="over", left=eye.left + 3.0, right=eye.right + 3.0)
+    out = Placed("out_of", -3.0, 10.0, 20.0, 20.0, 14.0)
+    raw = Placed("a _ b $x_1$ y_p", 20.0, 30.0, 30.0, 40.0, 14.0)
+    found = base._replace(labels=(eye, beside, over, out, raw))
+    assert found.overlaps == [("eye", "over"), ("beside", "over")]
+    assert found.cut == ["out_of"]
+    assert found.raw == ["a _ b $x_1$ y_p"]
+    assert {"overlap", "cut", "raw"} <= set(kinds(found))
+    assert not base.overlaps and not base.cut and not base.raw
+
+
+@pytest.mark.parametrize(("em", "is_fault"), [(20.0, True), (36.7, False), (50.0, True)])
+def test_a_class_reads_capitals_of_2_2_to_3_percent_of_the_screen(
+    em: float, is_fault: bool
+) -> None:
+    base = picture("world", "view.names=eye")
+    (eye,) = base.labels
+    found = base._replace(labels=(replace_em(eye, em),))
+    assert ("letters" in kinds(found, 1080)) == is_fault
+    assert "letters" not in kinds(found)
+
+
+def replace_em(label: Placed, em: float) -> Placed:
+    return label._replace(em=em)
+
+
+def test_compared_pictures_are_each_measured_as_they_are_drawn() -> None:
+    found = load("letter-f")
+    document = set_values(
+        Document("letter-f", found.start), ["view.compare=lens.near=2|lens.fov_y_deg=60"]
+    )
+    pictures = measured(document, found, "image", SIZE, 14.0)
+    assert len(pictures) == 3 and all(each.size_px[0] < SIZE[0] for each in pictures)
+    alone = replace(document, view=replace(document.view, compare=()))
+    assert len(measured(alone, found, "image", SIZE, 14.0)) == 1

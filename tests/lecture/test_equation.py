@@ -1,0 +1,61 @@
+"""Equations of slides: the matrices that a text names, their product, and what a lens lacks."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from app.lecture.equation import equation_of, latex_cell
+from app.lecture.notation import Letters
+from app.model.projection import Orthographic, Perspective, Projection
+from app.model.refusal import Refusal
+
+SEEN = Projection(lens=Perspective(50.0, 2.0, 9.0))
+
+
+def test_one_matrix_has_the_lectures_name() -> None:
+    found = equation_of(SEEN, "003", "frustum")
+    assert not found.factors and found.result.name == r"M_{\mathrm{projection}}"
+    np.testing.assert_array_equal(found.result.matrix.values, SEEN.clip_from_view)
+    assert equation_of(SEEN, "own", "view").result.name == "M"
+
+
+@pytest.mark.parametrize(
+    ("letters", "text"), [("001", "M_z M_pp M_persp"), ("004", "R P"), ("own", "frustum view")]
+)
+def test_the_result_is_the_product_of_the_factors(letters: Letters, text: str) -> None:
+    found = equation_of(SEEN, letters, text)
+    assert len(found.factors) == len(text.split())
+    product = np.eye(4)
+    for term in found.factors:
+        product = product @ np.array(term.matrix.values)
+    np.testing.assert_allclose(found.result.matrix.values, product, rtol=1e-12, atol=1e-12)
+
+
+def test_the_formulas_of_a_product_are_reduced() -> None:
+    found = equation_of(SEEN, "001", "M_z M_pp M_persp")
+    cells = found.result.matrix.formulas
+    assert latex_cell(cells[2][2], "001") == r"-\dfrac{f + n}{f \, (f - n)}"
+    assert latex_cell(cells[2][3], "001") == r"-\dfrac{2n}{f - n}"
+    assert latex_cell(cells[3][2], "001") == r"-\dfrac{1}{f}"
+    near = [
+        (i, j) for i in range(4) for j in range(4) if "near" in found.result.matrix.fields[i][j]
+    ]
+    assert near == [(2, 2), (2, 3)]
+
+
+def test_numbers_are_asked_for_by_a_word() -> None:
+    assert equation_of(SEEN, "own", "view numbers").is_in_numbers
+    assert not equation_of(SEEN, "own", "view").is_in_numbers
+
+
+@pytest.mark.parametrize("text", ["", "numbers", "frus", "view view view view view"])
+def test_an_unknown_matrix_is_refused(text: str) -> None:
+    with pytest.raises(Refusal, match="must name 1 to 4 matrices"):
+        equation_of(SEEN, "own", text)
+
+
+def test_a_lens_without_the_matrix_is_named() -> None:
+    flat = Projection(lens=Orthographic(-1.0, 1.0, -1.0, 1.0, 1.0, 9.0))
+    with pytest.raises(Refusal, match="this lens has no matrix 'M_persp'"):
+        equation_of(flat, "001", "M_persp")

@@ -1,0 +1,108 @@
+"""An equation as a slide: its size, the picture beside it, and the cells that controls change."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import numpy as np
+import pytest
+from PySide6.QtCore import QRect
+
+from app.document.settings import set_values
+from app.model.refusal import Refusal
+from tests.support.window import activate, give_room, rgb_of, settle
+from widgets.window.equation import LEAST_CELL, LEAST_EM
+from widgets.window.main_window import MainWindow
+
+
+@pytest.fixture
+def window(window: MainWindow) -> Iterator[MainWindow]:
+    """Presenting."""
+    activate(window)
+    window.present.begin()
+    give_room(window, window.screen().geometry())
+    yield window
+    window.present.end()
+    settle()
+
+
+def inked(window: MainWindow) -> QRect:
+    """The rectangle of what the equation has painted."""
+    image = rgb_of(window.slide.equation.grab().toImage()).astype(int)
+    rows, columns = np.nonzero(np.abs(image - image[0, 0]).max(axis=2) > 40)
+    return QRect(
+        int(columns.min()), int(rows.min()), int(np.ptp(columns)) + 1, int(np.ptp(rows)) + 1
+    )
+
+
+def test_an_equation_has_a_small_world_beside_it(window: MainWindow) -> None:
+    equation = window.slide.equation
+    assert not equation.isVisible()
+    window.store.set_view(slide=("equation",), equation="view")
+    settle()
+    width, height = window.width(), window.height()
+    world = window.panes["world"]
+    assert equation.isVisible() and world.isVisible()
+    assert not window.panes["image"].isVisible()
+    assert 0.2 <= world.width() / width <= 0.35
+    found = inked(window)
+    assert 0.6 <= found.width() / width <= 0.75
+    assert found.height() >= 4 * LEAST_CELL * height
+    window.store.set_view(slide=(), equation="")
+    settle()
+    assert not equation.isVisible() and world.width() == width
+
+
+def test_a_product_of_three_takes_the_whole_slide(window: MainWindow) -> None:
+    window.store.set_view(slide=("equation",), equation="M_z M_pp M_persp", letters="001")
+    settle()
+    equation = window.slide.equation
+    assert equation.width() == window.width() and not window.panes["world"].isVisible()
+    found = inked(window)
+    assert found.left() > 0 and found.right() < equation.width() - 1
+    assert found.width() >= 0.75 * window.width()
+    assert found.height() >= 4 * LEAST_CELL * window.height()
+    assert equation.em_in(equation.width(), equation.height()) >= 0.6 * LEAST_EM * window.height()
+
+
+def test_the_cells_that_a_control_changes_light_up(window: MainWindow) -> None:
+    window.store.set_view(slide=("equation",), equation="frustum")
+    settle()
+    equation = window.slide.equation
+    before = rgb_of(equation.grab().toImage())
+    window.store.set_view(controls=("lens.far",))
+    settle()
+    strip = window.control_strip.rows
+    assert [row.name for row in strip] == ["Far"]
+    after = rgb_of(equation.grab().toImage())
+    blue = np.array([30, 155, 226])
+
+    def framed(image: np.ndarray) -> int:
+        return int((np.abs(image.astype(int) - blue).max(axis=2) < 12).sum())
+
+    assert framed(before) < 50 < framed(after)
+
+
+def test_numbers_follow_the_model(window: MainWindow) -> None:
+    window.store.set_view(slide=("equation",), equation="frustum numbers")
+    settle()
+    equation = window.slide.equation
+    near = window.store.document.projection.lens.near
+    before = equation.accessibleName()
+    changed = set_values(window.store.document, [f"lens.near={near / 2}"])
+    window.store.set_projection(changed.projection)
+    settle()
+    assert equation.accessibleName() != before
+    assert f"{changed.projection.clip_from_view[2, 3]:.4g}" in equation.accessibleName()
+
+
+def test_what_is_set_is_checked(window: MainWindow) -> None:
+    document = window.store.document
+    for text, said in (
+        ("view.slide=world,image,ndc", "must be a list of at most 2 names"),
+        ("view.slide=front", "view.slide = .front"),
+        ("view.controls=lens.neer", "the nearest name is lens.near"),
+        ("view.equation=frus", "has no matrix 'frus'"),
+    ):
+        with pytest.raises(Refusal, match=said):
+            set_values(document, [text])

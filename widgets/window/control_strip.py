@@ -1,0 +1,115 @@
+"""The strip below a slide: the few controls that a class sees being changed.
+
+The rows are those of the dock, which lends them while the strip is shown.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection
+
+from PySide6.QtCore import QEvent, QObject
+from PySide6.QtGui import QFont, QResizeEvent
+from PySide6.QtWidgets import QFrame, QSizePolicy, QWidget
+
+from app.document.view import MOST_ON_SLIDE, STRIP
+from widgets.controls.controls import Controls
+from widgets.panes.stage_strip import StageStrip
+from widgets.parts.fields import Row
+from widgets.parts.layouts import in_row
+from widgets.parts.panel import Changed, Shown
+
+LETTERS_SHARE = 0.021
+"""Height of the letters, in heights of the screen: the speaker reads them."""
+GAP_PX = 48
+ROW_SHARE = 0.42
+"""Width of a row, in widths of the strip."""
+USUAL = ("lens.fov_y_deg", "lens.near")
+"""The controls of a scene that has none of its own."""
+
+
+class ControlStrip(QFrame):
+    """The controls of a slide; hidden unless a step names them, or the speaker asks for them."""
+
+    concerns = frozenset({"scene", "view"})
+
+    def __init__(self, controls: Controls, stages: StageStrip) -> None:
+        super().__init__()
+        self.setObjectName("controlStrip")
+        self.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Maximum)
+        self._controls, self._stages = controls, stages
+        self._asked: tuple[str, ...] = ()
+        self._of_scene: Collection[str] = USUAL
+        self._wanted: bool | None = None
+        """Whether the speaker wants the strip; None for as the step has it."""
+        self._is_for_class = False
+        self.rows: list[Row] = []
+        self._row = in_row(on=self, margins=(24, 2, 24, 4), gap=GAP_PX)
+        self.hide()
+
+    def take(self, shown: Shown, changed: Changed) -> None:
+        """Offer the first controls of another scene."""
+        phenomenon = shown.scene.phenomenon
+        own = [f"settings.{each.name}" for each in phenomenon.settings] if phenomenon else []
+        if phenomenon is not None:
+            own += phenomenon.controls
+        self._of_scene = (own or list(USUAL))[:MOST_ON_SLIDE]
+        self._fill()
+
+    def ask(self, paths: tuple[str, ...]) -> None:
+        """Show the controls that a step names."""
+        if paths != self._asked:
+            self._asked, self._wanted = paths, None
+            self._fill()
+
+    def set_presenting(self, on: bool, screen_px: float) -> None:
+        self._is_for_class, self._wanted = on, None
+        font = QFont(self.font())
+        font.setPixelSize(max(9, round(LETTERS_SHARE * screen_px)))
+        self.setFont(font)
+        self._fill()
+
+    def toggle(self) -> None:
+        """Show the strip, or hide it; a step without controls gets those of its scene."""
+        if self._is_for_class:
+            self._wanted = self.isHidden()
+            self._fill()
+
+    def show_now(self) -> None:
+        if self.isHidden():
+            self.toggle()
+
+    @property
+    def paths(self) -> tuple[str, ...]:
+        """The values whose controls are shown."""
+        if not self._is_for_class:
+            return ()
+        asked = tuple(path for path in self._asked if path != STRIP)
+        wanted = bool(asked) if self._wanted is None else self._wanted
+        return (asked or tuple(self._of_scene)) if wanted else ()
+
+    def _fill(self) -> None:
+        self._stages.setVisible(not self._is_for_class or STRIP in self._asked)
+        self._controls.take_back()
+        self.rows = self._controls.lend(self.paths) if self.paths else []
+        for row in self.rows:
+            self._row.addWidget(row, 1)
+            for part in (row, *row.findChildren(QWidget)):
+                part.installEventFilter(self)
+        self._share_out()
+        self.setVisible(bool(self.rows))
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        super().resizeEvent(event)
+        self._share_out()
+
+    def _share_out(self) -> None:
+        """Leave the sides free beside a single row."""
+        wanted = ROW_SHARE * self.width() * max(1, len(self.rows))
+        side = max(24, round((self.width() - wanted) / 2.0))
+        self._row.setContentsMargins(side, 2, side, 4)
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        """Show a class no tooltips."""
+        if event.type() == QEvent.Type.ToolTip and self._is_for_class:
+            return True
+        return super().eventFilter(watched, event)

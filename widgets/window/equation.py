@@ -1,0 +1,344 @@
+"""An equation as a slide: matrices in letters that the back row can read.
+
+A cell has the colour of the axis that it is made of. Cells that the controls of the slide change
+are framed.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from functools import lru_cache
+from typing import NamedTuple
+
+from PySide6.QtCore import QPointF, QRectF, Qt
+from PySide6.QtGui import QColor, QPainter, QPainterPath, QPaintEvent, QPen, QShowEvent
+from PySide6.QtWidgets import QSizePolicy, QWidget
+
+from app.drawings.style import LIGHT, Style, tone
+from app.lecture.equation import Equation, Term, equation_of, latex_cell
+from app.lecture.notation import as_text, letters_in
+from app.lessons.text import outline
+from app.model.refusal import Refusal
+from widgets.parts.highlight import faded
+from widgets.parts.lesson_text import formula_path
+from widgets.parts.messages import sentence
+from widgets.parts.panel import PROJECTION, Changed, Shown
+from widgets.parts.readable import Readable
+
+LARGEST_EM, LEAST_EM = 0.058, 0.034
+"""Sizes of the letters, in heights of the screen. A picture beside the equation gives way before
+they are smaller."""
+LEAST_CELL, USUAL_CELL = 0.08, 0.155
+"""Heights of a cell, in heights of the screen: in a product, and of a matrix alone."""
+WIDEST_EM = 4.6
+"""Width of the columns of a matrix alone, where there is room."""
+DIGITS, FEWER_DIGITS = 4, 3
+"""Of the numbers of one matrix, and of a product."""
+EDGE = 0.05
+"""Free at the left and at the right, in heights of the screen."""
+_PAD_EM, _BETWEEN_EM, _BRACKET_EM, _CAPTION = 0.45, 0.35, 0.3, 0.62
+_FIELDS = {
+    "fov_x_deg": ("fov_y_deg",),
+    "focal_length_mm": ("fov_y_deg",),
+    **dict.fromkeys(("azimuth_deg", "elevation_deg"), ("eye",)),
+    "distance": ("eye",),
+    "roll_deg": ("up",),
+}
+"""Fields of the document that a control changes, where they are not its own."""
+
+
+class _Glyphs(NamedTuple):
+    """Outlines in em, and their extent."""
+
+    width: float
+    ascent: float
+    descent: float
+    paths: tuple[tuple[float, QPainterPath], ...]
+
+
+@lru_cache(maxsize=512)
+def _of_tex(tex: str) -> _Glyphs:
+    found = outline(tex)
+    return _Glyphs(found.width, found.ascent, found.descent, ((0.0, formula_path(tex)),))
+
+
+@lru_cache(maxsize=512)
+def _of_number(text: str) -> _Glyphs:
+    """Lay out a running number, sign by sign: typesetting each anew would take too long."""
+    mantissa, e, exponent = text.partition("e")
+    if e:
+        return _of_tex(rf"{mantissa} \cdot 10^{{{int(exponent)}}}")
+    x, parts = 0.0, []
+    for sign in text:
+        one = _of_tex("{.}" if sign == "." else sign)
+        parts.append((x, one.paths[0][1]))
+        x += one.width
+    tall = _of_tex("0")
+    return _Glyphs(x, tall.ascent, tall.descent, tuple(parts))
+
+
+class _Laid(NamedTuple):
+    """A matrix of the equation: its cells, and the least widths and heights in em."""
+
+    term: Term
+    cells: tuple[tuple[_Glyphs, ...], ...]
+    widths: tuple[float, ...]
+    heights: tuple[float, ...]
+
+
+def _laid(term: Term, digits: int) -> _Laid:
+    """Lay out formulas, or numbers of so many digits if there are any."""
+    matrix = term.matrix
+    cells = tuple(
+        tuple(
+            _of_number(f"{value:.{digits}g}") if digits else _of_tex(latex_cell(text, term.letters))
+            for value, text in zip(*row, strict=True)
+        )
+        for row in zip(matrix.values, matrix.formulas, strict=True)
+    )
+    columns = zip(*cells, strict=True)
+    widths = tuple(max(cell.width for cell in column) + 2.0 * _PAD_EM for column in columns)
+    heights = tuple(max(cell.ascent + cell.descent for cell in row) + 0.4 for row in cells)
+    return _Laid(term, cells, widths, heights)
+
+
+class EquationSlide(QWidget):
+    """Paints an equation as large as there is room for."""
+
+    concerns = PROJECTION | {"view"}
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Ignored)
+        self._shown: Shown | None = None
+        self._text, self._controls = "", frozenset[str]()
+        self._equation: Equation | None = None
+        self._problem = ""
+        self._laid: tuple[_Laid, ...] = ()
+        self._style = LIGHT
+        self._screen_px = 1.0
+        self._readable = Readable(self, self._fill)
+        self.hide()
+
+    # -- the model
+
+    def take(self, shown: Shown, changed: Changed) -> None:
+        self._shown = shown
+        self.ask(shown)
+
+    def ask(self, shown: Shown) -> None:
+        """Show the equation of a view, and frame what its controls change."""
+        self._shown, view = shown, shown.document.view
+        names = [path.rpartition(".")[2] for path in view.controls]
+        self._text = view.equation
+        self._controls = frozenset(field for name in names for field in _FIELDS.get(name, (name,)))
+        self._readable.changed()
+
+    def set_style(self, style: Style) -> None:
+        self._style = style
+        self.update()
+
+    def set_screen(self, screen_px: float) -> None:
+        self._screen_px = screen_px
+        self._readable.changed()
+
+    def begin_gesture(self) -> None:
+        self._readable.begin_gesture()
+
+    def end_gesture(self) -> None:
+        self._readable.end_gesture()
+
+    def showEvent(self, event: QShowEvent) -> None:
+        super().showEvent(event)
+        self._readable.settle()
+
+    def _fill(self) -> None:
+        assert self._shown is not None
+        document = self._shown.document
+        letters = document.view.letters
+        try:
+            found = equation_of(document.projection, letters, self._text)
+        except Refusal as error:  # another lens may lack a matrix
+            self._equation, self._laid, self._problem = None, (), sentence(error)
+        else:
+            self._equation, self._problem = found, ""
+            digits = (FEWER_DIGITS if found.factors else DIGITS) if found.is_in_numbers else 0
+            self._laid = tuple(_laid(term, digits) for term in found.terms)
+            texts = [
+                as_text(term.matrix, term.letters, formulas=not found.is_in_numbers)
+                for term in found.terms
+            ]
+            self.setAccessibleName("\n".join(texts))
+        self.update()
+
+    # -- places
+
+    def needs_all(self, width: float) -> bool:
+        """Whether the equation would be too small in a part of this width, or is none."""
+        self._readable.settle()
+        if self._equation is None and self._shown is not None:
+            self._fill()
+        return bool(self._laid) and self.em_in(width, self.height()) < LEAST_EM * self._screen_px
+
+    def em_in(self, width: float, height: float) -> float:
+        """Return the size of the letters with which the equation fits, in px."""
+        room = width - 2.0 * EDGE * self._screen_px
+        tall = max(sum(each.heights) for each in self._laid) + (2.0 if self._is_product else 0.6)
+        em = min(LARGEST_EM * self._screen_px, room / self._least_width, height / tall)
+        return max(8.0, em)
+
+    @property
+    def _is_product(self) -> bool:
+        return len(self._laid) > 1
+
+    @property
+    def _least_width(self) -> float:
+        """The width of the equation in em, with the narrowest columns."""
+        matrices = sum(sum(each.widths) + 2.0 * _BRACKET_EM for each in self._laid)
+        return matrices + self._beside
+
+    @property
+    def _beside(self) -> float:
+        """The width in em of all that is no matrix."""
+        if not self._is_product:
+            return self._lead.width + 2.0 * _BETWEEN_EM
+        return _BETWEEN_EM * len(self._laid) + _of_tex("=").width + 2.0 * _BETWEEN_EM
+
+    @property
+    def _lead(self) -> _Glyphs:
+        return _of_tex(f"{self._laid[0].term.name} =")
+
+    # -- painting
+
+    def paintEvent(self, _event: QPaintEvent) -> None:
+        painter = QPainter(self)
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        if self._problem:
+            flags = Qt.AlignmentFlag.AlignCenter | Qt.TextFlag.TextWordWrap
+            painter.setPen(self.palette().windowText().color())
+            painter.drawText(self.rect().adjusted(40, 40, -40, -40), flags, self._problem)
+        elif self._laid:
+            self._paint(painter)
+        painter.end()
+
+    def _paint(self, painter: QPainter) -> None:
+        em, least_px = self.em_in(self.width(), self.height()), LEAST_CELL * self._screen_px
+        room = self.width() - 2.0 * EDGE * self._screen_px
+        usual = least_px
+        stretch = 0.0
+        if not self._is_product:
+            usual = min(USUAL_CELL * self._screen_px, 0.86 * self.height() / 4.0)
+            free = room / em - self._least_width
+            own = self._laid[0].widths
+            stretch = max(0.0, min(free, 4.0 * WIDEST_EM - sum(own)))
+        heights = [
+            max(usual, em * max(each.heights[row] for each in self._laid)) for row in range(4)
+        ]
+        whole = em * (self._least_width + stretch)
+        x = (self.width() - whole) / 2.0
+        caption = (1.6 * _CAPTION * em) if self._is_product else 0.0
+        top = (self.height() - sum(heights) - caption) / 2.0
+        middle = top + sum(heights) / 2.0
+        ink = QColor(self._style.ink)
+        if not self._is_product:
+            x = self._draw(painter, self._lead, em, x, middle, ink) + 2.0 * _BETWEEN_EM * em
+        for place, each in enumerate(self._laid):
+            if self._is_product and place == len(self._laid) - 1:
+                x += _BETWEEN_EM * em
+                x = self._draw(painter, _of_tex("="), em, x, middle, ink) + _BETWEEN_EM * em
+            widths = [em * (width + stretch / 4.0) for width in each.widths]
+            if stretch:  # alike where there is room
+                alike = sum(widths) / 4.0
+                if alike >= em * max(each.widths):
+                    widths = [alike] * 4
+            left = x
+            x = self._paint_matrix(painter, each, em, QPointF(x, top), widths, heights)
+            if self._is_product and each.term.name:
+                name = _of_tex(each.term.name)
+                at = (left + x - _CAPTION * em * name.width) / 2.0
+                y = top + sum(heights) + caption
+                self._draw(painter, name, _CAPTION * em, at, y, QColor(self._style.muted))
+            x += _BETWEEN_EM * em
+
+    def _paint_matrix(
+        self,
+        painter: QPainter,
+        laid: _Laid,
+        em: float,
+        place: QPointF,
+        widths: Sequence[float],
+        heights: Sequence[float],
+    ) -> float:
+        """Paint a matrix at its top left; return its right edge."""
+        bracket, foot = _BRACKET_EM * em, 0.22 * em
+        right, bottom = place.x() + sum(widths) + 2.0 * bracket, place.y() + sum(heights)
+        painter.setPen(QPen(QColor(self._style.ink), max(1.5, 0.045 * em)))
+        for x, inward in ((place.x() + 0.05 * em, foot), (right - 0.05 * em, -foot)):
+            corners = ((x + inward, place.y()), (x, place.y()), (x, bottom), (x + inward, bottom))
+            painter.drawPolyline([QPointF(*corner) for corner in corners])
+        y = place.y()
+        for row, height in enumerate(heights):
+            x = place.x() + bracket
+            for column, width in enumerate(widths):
+                cell = QRectF(x, y, width, height)
+                colour = self._paint_ground(painter, laid.term, row, column, cell, em)
+                glyphs = laid.cells[row][column]
+                left = cell.center().x() - em * glyphs.width / 2.0
+                base = cell.center().y() + em * (glyphs.ascent - glyphs.descent) / 2.0
+                self._draw_at(painter, glyphs, em, left, base, colour)
+                x += width
+            y += height
+        return right
+
+    def _paint_ground(
+        self, painter: QPainter, term: Term, row: int, column: int, cell: QRectF, em: float
+    ) -> QColor:
+        """Tint a cell by what it is made of; return the colour of its letters."""
+        style, matrix = self._style, term.matrix
+        text = matrix.formulas[row][column]
+        changed = self._controls.intersection(matrix.fields[row][column])
+        if changed:
+            shade = next((getattr(style, n) for n in ("near", "far") if n in changed), style.accent)
+            edge = 0.08 * em
+            painter.setPen(QPen(QColor(shade), max(1.5, 0.03 * em)))
+            painter.setBrush(faded(shade, 0.25))
+            painter.drawRoundedRect(cell.adjusted(edge, edge, -edge, -edge), 2 * edge, 2 * edge)
+            painter.setBrush(Qt.BrushStyle.NoBrush)
+            return QColor(style.ink)
+        if matrix.values[row][column] == 0.0 and (text == "0" or self._is_in_numbers):
+            return QColor(style.muted)
+        names = letters_in(matrix, row, column)
+        axes = [name for name in ("u", "v", "n") if name in names]
+        planes = [name for name in ("near", "far") if name in names]
+        if len(axes) == 1:
+            shade = getattr(style, axes[0])
+            if len(text) == 3:  # a component of the axis
+                edge = 0.06 * em
+                painter.fillRect(cell.adjusted(0.0, edge, 0.0, -edge), faded(shade, 0.2))
+            return QColor(tone(shade, style.background))
+        if len(planes) == 1:
+            edge = 0.06 * em
+            shade = getattr(style, planes[0])
+            painter.fillRect(cell.adjusted(edge, edge, -edge, -edge), faded(shade, 0.12))
+        return QColor(style.ink)
+
+    @property
+    def _is_in_numbers(self) -> bool:
+        return self._equation is not None and self._equation.is_in_numbers
+
+    def _draw(
+        self, painter: QPainter, glyphs: _Glyphs, em: float, x: float, middle: float, ink: QColor
+    ) -> float:
+        """Draw on the axis of a line of formula at a height; return the right end."""
+        self._draw_at(painter, glyphs, em, x, middle + 0.25 * em, ink)
+        return x + em * glyphs.width
+
+    def _draw_at(
+        self, painter: QPainter, glyphs: _Glyphs, em: float, x: float, base: float, ink: QColor
+    ) -> None:
+        for shift, path in glyphs.paths:
+            painter.save()
+            painter.translate(x + em * shift, base)
+            painter.scale(em, em)
+            painter.fillPath(path, ink)
+            painter.restore()

@@ -1,0 +1,52 @@
+"""The place of the panes in the window: for a class a slide, over which a question may lie."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import QEvent, Qt, Signal
+from PySide6.QtGui import QResizeEvent
+from PySide6.QtWidgets import QWidget
+
+from widgets.parts.layouts import in_row
+from widgets.window.equation import EquationSlide
+from widgets.window.question import Question
+from widgets.window.slots import Slots
+
+EQUATION_SHARE = 0.7
+"""Width of an equation that has a picture beside it."""
+
+
+class Slide(QWidget):
+    """Holds the panes, and lays the question over their lower third."""
+
+    touched = Signal()
+    """A finger has touched the screen."""
+
+    def __init__(self, slots: Slots) -> None:
+        super().__init__()
+        self.setAttribute(Qt.WidgetAttribute.WA_AcceptTouchEvents)
+        self._slots = slots
+        self.equation = EquationSlide()
+        self.question = Question(self)
+        self._row = in_row(self.equation, slots, on=self, margins=(0, 0, 0, 0), gap=0)
+        slots.rearranged.connect(self.arrange)
+
+    def arrange(self) -> None:
+        """Give the equation its place beside the picture, or all of it."""
+        slots, equation = self._slots, self.equation
+        has_equation = slots.has_equation
+        equation.setVisible(has_equation)
+        is_alone = has_equation and equation.needs_all(EQUATION_SHARE * self.width())
+        slots.setVisible(not is_alone)
+        self._row.setStretch(0, round(100 * EQUATION_SHARE) if has_equation else 0)
+        self._row.setStretch(1, round(100 * (1.0 - EQUATION_SHARE)) if has_equation else 1)
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        super().resizeEvent(event)
+        self.question.place()
+        if self._slots.has_equation:
+            self.arrange()
+
+    def event(self, event: QEvent) -> bool:
+        if event.type() == QEvent.Type.TouchBegin:
+            self.touched.emit()  # not accepted: the touch is a click of the pane, too
+        return super().event(event)
