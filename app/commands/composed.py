@@ -6,9 +6,7 @@ from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
-from app import bootstrap
-from app.commands.arguments import cannot_import
-from app.commands.options import CANNOT_DRAW, CliError
+from app.commands.arguments import check_drawing, importing
 from app.document.document import Document
 from app.lessons.course import Course, scene_of
 from app.model.refusal import Refusal
@@ -106,16 +104,9 @@ def faults_in(picture: Measured, screen_px: int | None) -> Iterator[tuple[str, s
 
 def measure() -> Measure:
     """Return what measures pictures; a `CliError` if nothing can be drawn here."""
-    try:
-        with bootstrap.for_good():
-            from app.drawings.composition import measured
-            from app.drawings.off_screen import check_off_screen
-    except ImportError as error:
-        raise cannot_import(error) from error
-    try:
-        check_off_screen()
-    except RuntimeError as error:
-        raise CliError(str(error), CANNOT_DRAW) from error
+    with importing():
+        from app.drawings.composition import measured
+    check_drawing()
     return lambda document, pane, size, em: measured(document, scene_of(document), pane, size, em)
 
 

@@ -20,7 +20,7 @@ from __future__ import annotations
 
 import math
 from collections import Counter
-from collections.abc import Callable, Hashable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Container, Iterable, Mapping, Sequence
 from dataclasses import replace
 from typing import Any, Literal, NamedTuple
 
@@ -111,7 +111,7 @@ class MarksDrawing:
         self._dots: list[_Batch] = []
         self._faces: _Batch | None = None
         self._board = board
-        self._texts: list[tuple[Hashable, tuple[str, ...]]] = []
+        self._texts: list[tuple[tuple[str, str, int], tuple[str, ...]]] = []
         """The key of each text on the board, and what it is about."""
         self._copies: list[_CopyActors] = []
         self._colours: dict[tuple[str, int, bool], NDArray[np.uint8]] = {}
@@ -278,8 +278,13 @@ class MarksDrawing:
             self._texts.append((key, text.about))
         self._underline_texts()
 
-    def want_texts(self, ground: Ground, seen: Callable[[Array], Sequence[Spot]]) -> None:
-        """Ask for a place for each text, where it hides no dot.
+    def want_texts(
+        self,
+        ground: Ground,
+        seen: Callable[[Array], Sequence[Spot]],
+        without: Container[str] = (),
+    ) -> None:
+        """Ask for a place for each text, except those whose names are written already.
 
         `seen` converts points of the pane's actors, (n, 3), to the renderer.
         """
@@ -288,6 +293,8 @@ class MarksDrawing:
         dots = [spot for spot in spots[2 * count :] if spot[2] > 0.0]
         ground.keep(dots, DOT_EM * self._board.em)
         for place, (key, _) in enumerate(self._texts):
+            if key[1] in without:
+                continue
             spot, away = spots[place], spots[count + place]
             way = spot[0] - away[0], spot[1] - away[1]
             self._board.want_beside(key, spot, SCENE + place / 100.0, way if any(way) else None)

@@ -11,6 +11,7 @@ from app.document.document import Document
 from app.document.settings import set_values
 from app.drawings.composition import CAPITAL, Measured, Placed, measured
 from app.scenes.scene import load
+from tests import composition
 
 SIZE = 480, 360
 
@@ -103,3 +104,22 @@ def test_compared_pictures_are_each_measured_as_they_are_drawn() -> None:
     assert len(pictures) == 3 and all(each.size_px[0] < SIZE[0] for each in pictures)
     alone = replace(document, view=replace(document.view, compare=()))
     assert len(measured(alone, found, "image", SIZE, 14.0)) == 1
+
+
+@pytest.mark.parametrize(
+    ("scene", "window", "style"),
+    [
+        ("letter-f", "1366x768", "light"),
+        ("camera-obscura", "1920x1080", "light"),
+        ("planar-shadow", "1366x768", "dark"),
+        ("clipping", "1366x768", "light"),
+        ("off-axis-window", "1920x1080", "dark"),
+    ],
+)
+def test_scenes_are_composed_as_they_open(scene: str, window: str, style: str) -> None:
+    """A sample of what `python3 -m tests.composition` measures."""
+    found = list(composition.pictures(scene, window, style))
+    assert [pane for pane, _ in found] == ["world", "ndc", "image"]
+    assert any(each.labels for _, each in found)
+    for pane, each in found:
+        assert list(faults_in(each, None)) == [], pane
