@@ -16,7 +16,7 @@ eye     perspective, from the eye  u, v         -n (a lens with an eye)
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from itertools import product
 from typing import NamedTuple
 
@@ -65,6 +65,7 @@ class Framed(NamedTuple):
     objects: Array  # (8, 3), of the box round the objects
     has_eye: bool  # whether the lens' projectors meet
     below_em: float  # height of the text below a fixed view
+    side: tuple[float, float] | None = None  # of `Phenomenon.side`
 
 
 class _Flat(NamedTuple):
@@ -370,8 +371,8 @@ def _stand_back(
     return position
 
 
-def _directions(frame: Array) -> Iterator[Array]:
-    """The directions to look from: beside the model's camera, and a little behind it."""
+def _directions(frame: Array, sides: Iterable[tuple[float, float]]) -> Iterator[Array]:
+    """The directions to look from: turned from beside the model's camera, and raised."""
     behind = np.array([frame[2, 0], 0.0, frame[2, 2]])
     beside = np.cross(behind, (0.0, 1.0, 0.0))
     if np.linalg.norm(beside) < 0.2:  # it looks straight down or up: stand at its right
@@ -381,7 +382,7 @@ def _directions(frame: Array) -> Iterator[Array]:
     beside /= np.linalg.norm(beside)
     if beside @ (0.3, 0.0, 1.0) < 0.0:  # scenes show their fronts to +z
         beside = -beside
-    for turn_deg, rise_deg in product(_TURNS_DEG, _RISES_DEG):
+    for turn_deg, rise_deg in sides:
         turn, rise = math.radians(turn_deg), math.radians(rise_deg)
         level = math.cos(turn) * beside + math.sin(turn) * behind
         level /= np.linalg.norm(level)
@@ -398,7 +399,8 @@ def _clearest(framed: Framed) -> Array:
     eye = framed.eye[None]
     corners = np.tile(eye, (8, 1)) if framed.corners is None else framed.corners
     best, found = -math.inf, None
-    for out in _directions(framed.camera.frame):
+    sides = product(_TURNS_DEG, _RISES_DEG) if framed.side is None else (framed.side,)
+    for out in _directions(framed.camera.frame, sides):
         axes = _axes_from(out)
         position = _stand_back(axes, np.vstack([framed.points, eye]), (half, half))
         x, y, away = axes @ (np.vstack([eye, corners, framed.objects]) - position).T

@@ -36,7 +36,7 @@ from app.drawings.probes import Probes
 from app.drawings.rasterising import textured
 from app.drawings.silhouette import Silhouette
 from app.drawings.style import TITLE_EM, Style
-from app.lecture.highlight import CORNERS, OBJECT_AXES, Highlight
+from app.lecture.highlight import AXES, CORNERS, OBJECT_AXES, Highlight
 from app.model.projection import Array, Camera, ObjectTransform, Projection
 from app.picking.handles import Handle, nearest, shown
 from app.picking.picking import Probe, Sight
@@ -49,6 +49,7 @@ _WHOLE, _NEARBY = (
     1.1,
 )  # of the extent: the largest frustum that is framed whole; else this much of it
 _FARTHEST_MARK = 1e3  # of the extent: where lines toward infinity end
+_PALE = 0.7  # how much paper is in a subject's colours that is a silhouette
 _EDGES = [pair for line in actors.CUBE_EDGES for pair in pairwise(line)]
 _FRAMED_MARK = 5.0  # of the scene's size: farther marks are not framed
 
@@ -81,6 +82,9 @@ class WorldDrawing(Drawing):
         self._faces_space, self._lines_space, self._ground_space = drawn.spaces
         canvas.add(*drawn)
         self._hidden = canvas.hidden
+        if scene.phenomenon is not None and scene.phenomenon.pale:
+            for actor in drawn:
+                actors.make_pale(actor, style.background, _PALE)
         self.picture = NearPicture(canvas, scene)
         self._detail = actors.Detail(drawn.surface, self.picture.faces)
         self._rasterisers = textured(
@@ -121,8 +125,8 @@ class WorldDrawing(Drawing):
         self._lengths: tuple[Length, ...] = ()
         self._standing = self._stand(scene.start.camera)
         self.camera.show(self._standing)
-        self._show_named()
         self.own = OwnView(canvas, self._origin, self._objects.mean(axis=0))
+        self._show_named()
         self.show_projection(scene.start)
         self.reset_view()
 
@@ -152,8 +156,6 @@ class WorldDrawing(Drawing):
             self._follow_pane(afresh=True)
 
     def show_layers(self, hidden: frozenset[str]) -> None:
-        for drawn in (self._actors, self.picture.actors):
-            drawn.show_grid("grid" not in hidden)
         self._hidden = hidden
         self._switch_layers()
         self._follow_pane(afresh=True)
@@ -161,13 +163,28 @@ class WorldDrawing(Drawing):
     def _switch_layers(self) -> None:
         # The pane looks through the camera, or it stands in front of the picture. From the eye the
         # flattened picture covers the scene, and its hidden edges would show through.
-        hidden = self._hidden
+        hidden = self._hidden | self._left_out
         if self.own.sees_from_eye:
             hidden = hidden | {"camera", "near-picture"}
         elif self.own.fixed == "axis":
             hidden = hidden | {"camera"}
+        if ("grid" in hidden) != ("grid" in self._canvas.hidden):
+            for drawn in (self._actors, self.picture.actors):
+                drawn.show_grid("grid" not in hidden)
         if hidden != self._canvas.hidden:
             self._canvas.show_layers(hidden)
+
+    @property
+    def _left_out(self) -> frozenset[str]:
+        """The layers that the scene leaves out now: nothing of what is named."""
+        names, left_out = self.names, self._scene.leaves_out
+        if not left_out or names.all or self.camera.step is not None:
+            return frozenset()
+        if "near" in names or "far" in names:
+            left_out -= {"frustum", "near-picture"}
+        if any(name in names for name in ("eye", "target", *AXES)):
+            left_out -= {"camera"}
+        return left_out
 
     # -- pointing
 
@@ -193,6 +210,7 @@ class WorldDrawing(Drawing):
     def _show_named(self) -> None:
         """Draw the camera's parts that are named, and the other things quietly."""
         names = self.names
+        self._switch_layers()
         self.camera.show_names(names)
         self.frustum.show_names(names)
         self._emphasis.show_names(names)
@@ -433,13 +451,20 @@ class WorldDrawing(Drawing):
         at, frustum = self._standing, self.frustum
         corners = frustum.corners if frustum.seen else None
         has_eye = self._projection.lens.central
-        points = _points_to_frame(
-            at, self._objects, frustum.corners, self._marked, self._scene.size
-        )
+        with_camera = np.concatenate([frustum.corners, [at.target]])
+        if "frustum" in self._left_out:
+            corners, with_camera = None, np.empty((0, 3))
+        eye = at.eye
+        if "camera" not in self._left_out:
+            with_camera = np.vstack([with_camera, eye])
+        elif not self.own.fixed:
+            eye = self._objects.mean(axis=0)
+        points = _points_to_frame(at, self._objects, with_camera, self._marked, self._scene.size)
         below_em = 0.0
         if self.own.fixed and self._dimensions is not None:
             below_em = self._dimensions.below_em(self.own.size_px, self._in_fixed_view)
-        return Framed(at.camera, at.eye, points, corners, self._objects, has_eye, below_em)
+        side = None if self._scene.phenomenon is None else self._scene.phenomenon.side
+        return Framed(at.camera, eye, points, corners, self._objects, has_eye, below_em, side)
 
     def refit(self) -> bool:
         """Frame the view again, and go back to what `reset_view` framed once that shows everything.
@@ -589,7 +614,7 @@ def _deepest(points: Iterable[Array], at: Standing, size: float) -> float:
 
 
 def _points_to_frame(
-    at: Standing, objects: Array, corners: Array, marked: Array, size: float
+    at: Standing, objects: Array, with_camera: Array, marked: Array, size: float
 ) -> Array:
     """The points that `reset_view` brings into view; only the near part of a very wide frustum.
 
@@ -599,7 +624,7 @@ def _points_to_frame(
     middle = objects.mean(axis=0)
     centre = (middle + at.eye) / 2.0
     marked = marked[np.linalg.norm(marked - middle, axis=1) <= _FRAMED_MARK * size]
-    points = np.concatenate([objects, corners, [at.eye, at.target], marked])
+    points = np.concatenate([objects, with_camera, marked])
     offsets = points - centre
     lengths = np.maximum(np.linalg.norm(offsets, axis=1, keepdims=True), 1e-300)
     whole, nearby = _WHOLE * at.extent, _NEARBY * at.extent

@@ -175,6 +175,15 @@ class Scene:
         return "world" if self.phenomenon is None else self.phenomenon.leading
 
     @property
+    def fixed(self) -> str:
+        """The fixed view of the world with which it opens; empty for the free one."""
+        return "" if self.phenomenon is None else self.phenomenon.fixed
+
+    @property
+    def leaves_out(self) -> frozenset[str]:
+        return frozenset() if self.phenomenon is None else self.phenomenon.leaves_out
+
+    @property
     def names(self) -> tuple[str, ...]:
         """The ids of the things that its pictures name, unless the document says others."""
         return NAMES if self.phenomenon is None else self.phenomenon.names

@@ -191,7 +191,7 @@ class Files(QObject):
             # Keep what was prepared for a class; drop what concerned the previous scene.
             view = replace(
                 self._store.look(), large="", panel=None, probes=(), pinned=frozenset(), panes={},
-                slide=(), controls=(), equation="", names=None,
+                slide=(), controls=(), equation="", names=None, fixed=scene.fixed,
                 compare=(), dividers=(),
             )  # fmt: skip
             extra = self._store.document.extra

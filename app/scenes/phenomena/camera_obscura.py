@@ -161,4 +161,6 @@ PHENOMENON = Phenomenon(
     found=_found,
     own_mesh=True,
     names=("hole", "film", "h", "h'", "d", "z"),
+    side=(40.0, 14.0),
+    leaves_out=frozenset({"camera", "frustum", "near-picture"}),
 )

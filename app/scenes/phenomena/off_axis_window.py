@@ -263,4 +263,6 @@ PHENOMENON = Phenomenon(
     found=_found,
     own_mesh=True,
     names=("l", "r", "b", "t", "eye", "window"),
+    side=(50.0, 35.0),
+    leaves_out=frozenset({"frustum", "near-picture"}),
 )
