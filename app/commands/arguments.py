@@ -17,6 +17,7 @@ from app.commands.options import CANNOT_DRAW, CliError, check_file
 from app.document.document import Document, is_mesh
 from app.document.files import read
 from app.document.settings import set_values
+from app.document.view import View
 from app.model.limits import NOT_THE_TARGET
 from app.model.projection import (
     NOT_THE_EYE,
@@ -106,7 +107,8 @@ def check_out(name: str, out: str) -> None:
 
 def _opened(scene: str) -> Document:
     name = full_path(scene) if is_mesh(scene) else scene
-    return Document(name, _start(name))
+    fixed = PHENOMENA[scene].fixed if scene in PHENOMENA else ""
+    return Document(name, _start(name), view=View(fixed=fixed))
 
 
 def _start(scene: str) -> Projection:
