@@ -355,7 +355,7 @@ def _costs(choices: Sequence[tuple[Wish, Places]], ground: Ground) -> tuple[Floa
         cos, sin = np.abs(np.cos(places.turns)), np.abs(np.sin(places.turns))
         half = np.stack([cos * wide + sin * high, sin * wide + cos * high], axis=1) / 2.0
         boxes = np.hstack([places.centres - half, places.centres + half])
-        cost = _ORDER * np.arange(count) * (8.0 / max(8.0, count))
+        cost = _ORDER * np.minimum(np.arange(count), 24.0) + _INK * _hidden(wish, places, ground)
         far = places.away > LEADER_FROM_EM * em
         cost += np.where(far, places.away / em if places.leads else np.inf, 0.0)
         others = np.concatenate(
@@ -376,9 +376,23 @@ def _costs(choices: Sequence[tuple[Wish, Places]], ground: Ground) -> tuple[Floa
     outside = (boxes[:, :2] < frame[:2]).any(axis=1) | (boxes[:, 2:] > frame[2:]).any(axis=1)
     if ground.taken:
         outside |= _overlap(boxes, np.array(ground.taken)).any(axis=1)
-    costs += _INK * ground.hidden(boxes)
     costs[outside] = np.inf
     return costs, boxes
+
+
+def _hidden(wish: Wish, places: Places, ground: Ground) -> Floats:
+    """Which part of each candidate is ink: in three boxes along it, since it may be turned."""
+    wide, high = wish.size
+    cos, sin = np.cos(places.turns), np.sin(places.turns)
+    along_it = np.stack([cos, sin], axis=1)
+    part_x, part_y = np.abs(cos) * wide / 3.0, np.abs(sin) * wide / 3.0
+    half = np.stack([part_x + np.abs(sin) * high, part_y + np.abs(cos) * high], axis=1) / 2.0
+    parts = [
+        ground.hidden(np.hstack([middle - half, middle + half]))
+        for middle in (places.centres + shift * wide / 3.0 * along_it for shift in (-1.0, 0.0, 1.0))
+    ]
+    hidden: Floats = np.mean(parts, axis=0)
+    return hidden
 
 
 def _crossed(anchors: Floats, boxes: Floats, marks: Floats) -> NDArray[np.bool_]:
