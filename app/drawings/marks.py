@@ -121,6 +121,8 @@ class MarksDrawing:
         self._now: tuple[Marks, Placing] | None = None
         self._names = names
         self._highlighted = names.pointed
+        self.named_points = np.empty((0, 3))
+        """The points of the marks that the picture was told to name, (n, 3)."""
         self.points = np.empty((0, 3))
         """The marked points, in the coordinates of the pane's actors, (n, 3)."""
 
@@ -136,6 +138,19 @@ class MarksDrawing:
         drawn.append(self._show_dots(marks.dots, placing))
         self._show_texts(self._named_texts, placing)
         self.points = np.concatenate(drawn)
+        self.named_points = self._named_points(marks, placing)
+
+    def _named_points(self, marks: Marks, placing: Placing) -> Array:
+        wanted = self._names.wanted or ()
+        lines = [line.points for line in marks.lines if line.name in wanted]
+        lines += [face.points for face in marks.faces if face.name in wanted]
+        spots = [dot.point for dot in marks.dots if dot.name in wanted]
+        spots += [text.point for text in marks.texts if text.name in wanted]
+        placed = [placing.placed(np.asarray(points, dtype=float)) for points in lines]
+        if spots:
+            placed.append(placing.placed(np.array(spots, dtype=float)))
+        points = np.concatenate([np.empty((0, 3)), *placed])
+        return points[_within(points, placing.limit)]
 
     @property
     def _named_texts(self) -> Sequence[Text]:

@@ -22,7 +22,7 @@ from app.drawings.actors import Canvas
 from app.drawings.camera import CameraDrawing, Standing, view_matrices
 from app.drawings.dimensions import Dimensions, Measured
 from app.drawings.drawing import Drawing, Rectangle
-from app.drawings.frame import DIMMED, LARGER, ObjectAxes
+from app.drawings.frame import DIMMED, ObjectAxes
 from app.drawings.frustum import FrustumDrawing
 from app.drawings.handles import APART_EM, HandleMarks
 from app.drawings.label_placement import Ground
@@ -51,6 +51,7 @@ _WHOLE, _NEARBY = (
 _FARTHEST_MARK = 1e3  # of the extent: where lines toward infinity end
 _PALE = 0.7  # how much paper is in a subject's colours that is a silhouette
 _EDGES = [pair for line in actors.CUBE_EDGES for pair in pairwise(line)]
+_ABOUT = 2.5  # of the size of marks on a large subject: so much of it is framed with them
 _FRAMED_MARK = 5.0  # of the scene's size: farther marks are not framed
 
 
@@ -127,6 +128,7 @@ class WorldDrawing(Drawing):
         self.camera.show(self._standing)
         self.own = OwnView(canvas, self._origin, self._objects.mean(axis=0))
         self._show_named()
+        self._look_around()
         self.show_projection(scene.start)
         self.reset_view()
 
@@ -192,7 +194,11 @@ class WorldDrawing(Drawing):
         before, self.names.pointed = self.names.pointed, highlighted
         of_scene = self._marks is not None and self._marks.show_highlight(highlighted)
         is_new = self._emphasis.show(highlighted) or of_scene
-        if before != highlighted and not self.names.all:
+        drawn = {"eye", "target", "near", "far", "fov"}
+        if self.camera.step is None:
+            drawn |= set(AXES)
+        wanted = drawn if self.names.wanted is None else self.names.wanted
+        if of_scene or (before ^ highlighted) & drawn - wanted:
             self._show_named()
             self._follow_pane(afresh=False)
         return is_new
@@ -202,10 +208,17 @@ class WorldDrawing(Drawing):
             return
         self.names.wanted = names
         self._show_named()
+        self._look_around()
         if self.own.was_moved:
             self._follow_pane(afresh=True)
         else:
             self.reset_view()
+
+    def _look_around(self) -> bool:
+        """Tell the view how far the camera's drawn parts reach; return whether that has changed."""
+        around = self.camera.reach if "eye" in self.names or self.camera.has_arrows else 0.0
+        is_new, self.own.around = around != self.own.around, around
+        return is_new
 
     def _show_named(self) -> None:
         """Draw the camera's parts that are named, and the other things quietly."""
@@ -236,11 +249,9 @@ class WorldDrawing(Drawing):
         for line, opacity in self._dimmable:
             line.SetOpacity(opacity * self._light)
         self.labels.dim_planes(self._light)
-        around = 1.0 if step is None else LARGER
-        if around == self.own.around:
+        if not self._look_around():
             self._follow_pane(afresh=True)
             return
-        self.own.around = around
         if not (self.own.was_moved or self.own.fixed):
             self.own.place(self._framed())
         self.reset_clipping_range()
@@ -463,8 +474,58 @@ class WorldDrawing(Drawing):
         below_em = 0.0
         if self.own.fixed and self._dimensions is not None:
             below_em = self._dimensions.below_em(self.own.size_px, self._in_fixed_view)
-        side = None if self._scene.phenomenon is None else self._scene.phenomenon.side
-        return Framed(at.camera, eye, points, corners, self._objects, has_eye, below_em, side)
+        core, beside = self._named_points(points)
+        return Framed(
+            at.camera, eye, core, beside, corners, self._objects, has_eye, below_em,
+            self._scene.side,
+        )  # fmt: skip
+
+    def _named_points(self, points: Array) -> tuple[Array, Array]:
+        """What has to be in view, with the named things, and what may leave it; (n, 3) each.
+
+        The subject of a scene without larger marks of its own counts as named. Far is seldom whole
+        in view: it would make the rest small.
+        """
+        wanted, at, corners = self.names.wanted, self._standing, self.frustum.corners
+        if wanted is None:
+            return points, np.empty((0, 3))
+        marked = np.empty((0, 3)) if self._marks is None else self._marks.named_points
+        named = [marked[np.linalg.norm(marked - at.eye, axis=1) <= _FARTHEST_MARK * at.extent]]
+        beside = [self._objects]
+        has_planes = self.frustum.seen and self._projection.lens.planes is not None
+        for name, thing, needs in (
+            ("eye", at.eye[None], True),
+            ("target", at.target[None], True),
+            ("near", corners[:4], has_planes),
+            ("height", corners[5:7], has_planes and self.own.fixed != ""),
+            ("width", corners[5:7], has_planes and self.own.fixed == "axis"),
+        ):
+            if name in wanted and needs:
+                named.append(thing)
+        if "far" in wanted and has_planes:
+            beside.append(corners[4:])
+        if self.own.fixed in ("side", "top"):
+            measured = {"d": at.camera.distance, **dict(self._measured)}
+            named += [
+                (at.eye - measured[name] * at.camera.frame[2])[None]
+                for name in measured.keys() & wanted
+            ]
+            named += [
+                np.array([length.start, length.end]) - self._origin
+                for length in self._lengths
+                if length.view == self.own.fixed and length.name in wanted
+            ]
+        core = np.concatenate(named)
+        objects = self._objects
+        if self._scene.phenomenon is None or not len(core):
+            core = np.concatenate([core, objects])
+            return core, np.concatenate(beside)
+        size, whole = (np.linalg.norm(np.ptp(points, axis=0)) for points in (core, objects))
+        if size < whole:  # marks on a part of the subject: with what is about them
+            middle = (core.min(axis=0) + core.max(axis=0)) / 2.0
+            near = _ABOUT * size if size > 0.0 else np.inf
+            core = np.concatenate([core, np.clip(objects, middle - near, middle + near)])
+        return core, np.concatenate(beside)
 
     def refit(self) -> bool:
         """Frame the view again, and go back to what `reset_view` framed once that shows everything.

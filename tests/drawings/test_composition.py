@@ -49,12 +49,6 @@ def test_everything_named_is_crowded() -> None:
     assert any("at most 7" in text for kind, text in faults_in(found, None) if kind == "crowded")
 
 
-def test_a_name_that_a_pane_does_not_draw_is_missing() -> None:
-    found = picture("image", "view.names=eye,pixels")
-    assert found.missing == {"eye"} and "missing" in kinds(found)
-    assert picture("world", "view.names=eye").missing == frozenset()
-
-
 def test_a_far_away_subject_leaves_its_cube_full_and_a_small_one_is_empty() -> None:
     assert "empty" not in kinds(picture("ndc", "view.names=near"))
     base = picture("world", "view.names=eye")

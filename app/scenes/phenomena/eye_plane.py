@@ -307,7 +307,7 @@ def _world_marks(
     u, v, _ = projection.camera.frame
     reach = 0.4 * subject.size
     corners = eye + reach * np.array([-u - v, u - v, u + v, v - u])
-    marks: list[Mark] = [plate(corners, "eye", 1.0, 0.15), Dot(eye, "eye")]
+    marks: list[Mark] = [plate(corners, "eye", 1.0, 0.15, (), "w=0"), Dot(eye, "eye")]
     marks += [
         named("A", a, size=1.2),
         named("B", b, size=1.2),

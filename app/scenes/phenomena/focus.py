@@ -230,7 +230,7 @@ def _planes(projection: Projection, lens: _Focused, subject: Subject) -> Marks:
     marks: list[Mark] = []
     for name, distance, colour, opacity in _crossing(projection, lens):
         corners = section(projection, distance)
-        marks.append(plate(corners, colour, 1.0, opacity))
+        marks.append(plate(corners, colour, 1.0, opacity, (), name))
         marks.append(Text(name, corners[_NAMED_AT[name]], colour, text=WORDS[name]))
     # The frustum's edges are thick where everything between them is sharp.
     low = max(near, lens.sharp.near)
