@@ -72,7 +72,11 @@ class StageDrawing(Drawing):
     ) -> None:
         self._scene, self._words, self._style = scene, words, style
         self._canvas = Canvas(screen, style, self._layout)
-        self.own = StageView(self._canvas, scene.start.camera)
+        self.own = StageView(
+            self._canvas,
+            scene.start.camera,
+            None if scene.phenomenon is None else scene.phenomenon.cube_side,
+        )
         self._position = float(NDC)
         self._placed: tuple[float, object] | None = None
         """The position of the box on the strip, and the projection or depth range it depends on."""
@@ -306,9 +310,10 @@ class StageDrawing(Drawing):
 
     def show_highlight(self, highlighted: Highlight) -> bool:
         before, self.names.pointed = self.names.pointed, highlighted
+        is_new = self._show_highlighted()
         if before != highlighted and not self.names.all:
             self._name_anew()
-        return self._show_highlighted()
+        return is_new
 
     def show_names(self, names: frozenset[str] | None) -> None:
         if names != self.names.wanted:

@@ -168,7 +168,9 @@ class _Sheet:
         yield from self._with_figure(shown, texts, note)
         if not any(part.is_tall and "\n|" in part.text for part in step.parts):
             yield from _equation(shown, self._width)
-        yield from _panel(shown, course.shown(place - 1).document if place else None, self._width)
+        before = course.shown(place - 1).document if place else None
+        if "equation" not in shown.view.slide:  # else it has its matrices
+            yield from _panel(shown, before, self._width)
         for part in asked:
             if not self._answers:
                 yield _text(part.posed(), self._width, TEXT_PT)
@@ -179,8 +181,10 @@ class _Sheet:
             if part.show is not None:
                 after = here.shown_by(part.show)
                 yield from self._with_figure(after, whys, "")
-                yield from _equation(after, self._width)
-                yield from _panel(after, shown, self._width)
+                if "equation" not in after.view.slide:
+                    yield from _panel(after, shown, self._width)
+                elif after.view.equation != shown.view.equation:
+                    yield from _equation(after, self._width)
             else:
                 yield from (_text(why, self._width, TEXT_PT) for why in whys)
 
@@ -315,8 +319,8 @@ def _equation(document: Document, width: float) -> Iterator[Block]:
         if equation.is_in_numbers:
             cells = [[read_text(value) for value in row] for row in term.matrix.values]
         is_result = bool(equation.factors) and number == len(equation.factors)
-        name = f"${term.name}$" if term.name else ""
-        above = f"= {name}".strip() if is_result else name or "\u00b7"
+        names = [each.name for each in equation.factors] if is_result else [term.name]
+        above = f"${' '.join(names)}$ =" if all(names) else "="
         lines = [above, "", "| | | | |", "|---|---|---|---|"]
         lines += [f"| {' | '.join(row)} |" for row in cells]
         blocks.append(_text("\n".join(lines), width, NOTE_PT))
