@@ -154,6 +154,11 @@ class Actions(QObject):
             self.tr("All &digits"), None, None,
             self.tr("Show all digits of every number, not only four"), on=all_digits,
         )  # fmt: skip
+        self.reduce_motion = self._action(
+            self.tr("Reduce &motion"), None, None,
+            self.tr("Show the next step of a lesson or a talk at once, without a transition"),
+            on=False,
+        )  # fmt: skip
         self._make_view_menu(theme)
         self.help = self._action(self.tr("&Keys and mouse"), help_.show_keys, keys.HelpContents)
         self.start_card = self._action(
@@ -260,12 +265,13 @@ class Actions(QObject):
             on=False,
         )
         slots.rearranged.connect(lambda: columns.setChecked(slots.layout_name == LAYOUTS[1]))
-        menu = self._menu(
+        self.view_menu = menu = self._menu(
             self.tr("&View"), self.present, self.blank, self.pointer, self.strip, None,
             self.compare, self.compare_way, None, *large,
             self._action(self.tr("Back to &all panes"), slots.go_back, "Ctrl+0"), columns,
             self._action(self.tr("&Reset the panes' own views"), slots.reset_views, "Ctrl+Home"),
             None, self.controls, self.show_cost, self.all_digits,
+            self.reduce_motion,
         )  # fmt: skip
         views = {
             "": self.tr("&Freely"),

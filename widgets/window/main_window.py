@@ -77,6 +77,7 @@ from widgets.window.start_card import StartCard
 from widgets.window.status_line import StatusLine
 from widgets.window.talk_band import TalkBand
 from widgets.window.talks import TalkActions, Talks
+from widgets.window.transition import Transition
 from widgets.window.wiring import wire
 from widgets.window.world_look import WorldLook
 
@@ -312,9 +313,12 @@ class MainWindow(QMainWindow):
         self.history = History(
             self, self.store, self.menus, lambda: self.shown.scene.start, players
         )
+        self.transition = Transition(
+            self.look, self.slide, self.settings, lambda: self.present.is_on
+        )
         self.lessons = Lessons(
             self.store, self.files, self.messages, self.history.stand_still, self.strip.go_to,
-            self.look.look_from,
+            self.look.look_from, self.transition,
         )  # fmt: skip
         self.lesson_card = LessonCard(self.lessons, self.store, self.settings)
         self.side.take_card(self.lesson_card)
@@ -362,6 +366,9 @@ class MainWindow(QMainWindow):
     def set_all_digits(self, on: bool) -> None:
         self.settings.all_digits = on
         all_digits.set(on)
+
+    def show_motion(self) -> None:
+        self.menus.reduce_motion.setChecked(not self.transition.is_wanted)
 
     def find_control(self) -> None:
         if self.controls.isHidden():
