@@ -1,4 +1,4 @@
-"""The way between two steps: cameras move with the model, pictures fade, and nothing is left over."""
+"""The way between two steps: cameras move with the model, pictures fade, nothing is left over."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from app.drawings.pane_view import Pose
-from tests.support.window import activate, arrive, go_to, pixels, present, settle, tick
+from tests.support.window import activate, arrive, pixels, present, settle, tick
 from widgets.window.lessons import TRANSITION_S
 from widgets.window.main_window import MainWindow
 
@@ -54,7 +54,6 @@ def window(window: MainWindow, tmp_path: Path) -> Iterator[MainWindow]:
     assert window.lessons.open(path)
     activate(window)
     present(window)
-    go_to(window.lessons, 0) if window.lessons.is_moving else None
     yield window
     window.present.end()
     window.lessons.close()
@@ -69,9 +68,10 @@ def camera_of(window: MainWindow) -> np.ndarray:
 
 def light_of(window: MainWindow) -> float:
     """How much of the labels is seen in the world pane."""
-    drawing = window.panes["world"].drawing
-    assert drawing is not None
-    return float(drawing._canvas.labels_light)  # type: ignore[attr-defined]
+    props = window.panes["world"].canvas.renderer.GetViewProps()
+    lights = {prop.GetProperty().GetOpacity() for prop in props if hasattr(prop, "label")}
+    assert len(lights) == 1
+    return float(lights.pop())
 
 
 def test_the_pane_camera_moves_and_arrives_where_it_would_stand_at_once(

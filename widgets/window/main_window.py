@@ -325,7 +325,7 @@ class MainWindow(QMainWindow):
         self.files.lesson_wanted.connect(self.lesson_card.open)
         self.talks = Talks(
             self, self.lessons, self.present, self.store, self.messages, self.settings, self.band,
-            self.slide.question, self.look,
+            self.slide.question, self.slide.pen, self.look,
         )  # fmt: skip
         self.talk_actions = TalkActions(self.talks, self, self.settings)
         self.menus.lesson_menu.addSeparator()
@@ -366,6 +366,9 @@ class MainWindow(QMainWindow):
     def set_all_digits(self, on: bool) -> None:
         self.settings.all_digits = on
         all_digits.set(on)
+
+    def set_reduced_motion(self, on: bool) -> None:
+        self.settings.reduce_motion = on
 
     def show_motion(self) -> None:
         self.menus.reduce_motion.setChecked(not self.transition.is_wanted)
@@ -474,6 +477,9 @@ class MainWindow(QMainWindow):
         self.menus.pointer.setEnabled(on)
         self.menus.pointer.setChecked(False)
         self.menus.strip.setEnabled(on)
+        self.menus.pen.setEnabled(on)
+        self.slide.pen.switch(False)
+        self.slide.pen.setVisible(on)
         self.look.set_presenting(on)
         self.controls.set_presenting(on)
         self.control_strip.set_presenting(on, float(self.screen().size().height()))
@@ -488,6 +494,7 @@ class MainWindow(QMainWindow):
         self.slots.set_presenting(on)
         if on:
             self.menus.controls.setChecked(False)
+            self.setFocus()  # no pane of the slide has a ring
         if not on and self._before_presenting is not None:
             dock, _, shared = self._before_presenting
             self.menus.controls.setChecked(dock)

@@ -8,6 +8,7 @@ from PySide6.QtWidgets import QWidget
 
 from widgets.parts.layouts import in_row
 from widgets.window.equation import EquationSlide
+from widgets.window.pen import Pen
 from widgets.window.question import Question
 from widgets.window.slots import Slots
 
@@ -27,6 +28,8 @@ class Slide(QWidget):
         self._slots = slots
         self.equation = EquationSlide()
         self.question = Question(self)
+        self.pen = Pen(self)
+        self.pen.hide()
         self._row = in_row(self.equation, slots, on=self, margins=(0, 0, 0, 0), gap=0)
         slots.rearranged.connect(self.arrange)
 
@@ -43,6 +46,7 @@ class Slide(QWidget):
     def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)
         self.question.place()
+        self.pen.resize(event.size())
         if self._slots.has_equation:
             self.arrange()
 
