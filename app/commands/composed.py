@@ -6,18 +6,21 @@ from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
-from app import bootstrap
-from app.commands.arguments import cannot_import
-from app.commands.options import CANNOT_DRAW, CliError
+from app.commands.arguments import check_drawing, importing
 from app.document.document import Document
+from app.document.naming import nameable
+from app.document.view import EVERYTHING, PANES
+from app.lecture.equation import equation_of
 from app.lessons.course import Course, scene_of
 from app.model.refusal import Refusal
 
 if TYPE_CHECKING:
     from app.drawings.composition import Measured
 
-SLIDE_PX, SLIDE_PICTURE_PX = (1920, 1080), (1920, 910)
-"""A screen of a class, and what title and formula leave of it for the picture."""
+SLIDE_PX, SLIDE_HIGH_PX = (1920, 1080), 910
+"""A screen of a class, and the height that title and formula leave of it for the picture."""
+BESIDE_EQUATION = 0.3
+"""Width of a picture beside an equation, relative to the screen's."""
 SLIDE_EM_PX = 0.034 * SLIDE_PX[1]
 PANE_PX, PANE_EM_PX = (580, 660), 15.5
 """The large pane of a window of 1366 by 768 pixels, and the letters there."""
@@ -50,12 +53,18 @@ class Composed:
         found = dict[str, None]()
         kinds = set[str]()
         for document in documents:
-            for pane in panes_of(document):
-                size, em = (
-                    (SLIDE_PICTURE_PX, SLIDE_EM_PX) if lesson.is_talk else (PANE_PX, PANE_EM_PX)
-                )
+            seen, screen_px = panes_of(document, lesson.is_talk), None
+            em = PANE_EM_PX
+            if lesson.is_talk:
+                em, screen_px = SLIDE_EM_PX, SLIDE_PX[1]
+            if "equation" in document.view.slide:
+                equation_of(document.projection, document.view.letters, document.view.equation)
+            missing = self._missing(document, list(seen) if lesson.is_talk else list(PANES))
+            for name in missing:
+                found[f"{where}: view.names has {name}, which no pane draws here."] = None
+            for pane, size in seen.items():
                 for picture in draw(document, pane, size, em):
-                    for kind, fault in faults_in(picture, SLIDE_PX[1] if lesson.is_talk else None):
+                    for kind, fault in faults_in(picture, screen_px):
                         found[f"{where}, {picture.pane}: {fault}"] = None
                         kinds.add(kind)
         self.wrong += found
@@ -63,10 +72,26 @@ class Composed:
         self.crowded += "crowded" in kinds
         self.empty += "empty" in kinds
 
+    def _missing(self, document: Document, panes: list[str]) -> list[str]:
+        """The names of a view that none of these panes can draw; none if there is no pane."""
+        names = document.view.names
+        if names is None or names == EVERYTHING or not panes:
+            return []
+        scene = scene_of(document)
+        drawn = frozenset[str]().union(*(nameable(pane, document, scene) for pane in panes))
+        return [name for name in names if name not in drawn]
 
-def panes_of(document: Document) -> tuple[str, ...]:
-    """The panes in which a class, or a student, sees a step."""
-    return (document.view.large or scene_of(document).leading,)
+
+def panes_of(document: Document, is_talk: bool) -> dict[str, tuple[int, int]]:
+    """The panes in which a class, or a student, sees a step, with their sizes in pixels."""
+    view = document.view
+    large = view.large or scene_of(document).leading
+    if not is_talk:
+        return {large: PANE_PX}
+    slide = view.slide or (large,)
+    panes = [each for each in slide if each in PANES]
+    share = BESIDE_EQUATION if len(panes) < len(slide) else 1.0 / max(1, len(panes))
+    return {pane: (round(share * SLIDE_PX[0]), SLIDE_HIGH_PX) for pane in panes}
 
 
 def faults_in(picture: Measured, screen_px: int | None) -> Iterator[tuple[str, str]]:
@@ -91,8 +116,6 @@ def faults_in(picture: Measured, screen_px: int | None) -> Iterator[tuple[str, s
         yield "raw", f"“{text}” has an underscore that is not typeset."
     for text in picture.cut:
         yield "cut", f"“{text}” is cut off at the border."
-    for name in sorted(picture.missing):
-        yield "missing", f"view.names has {name}, which this pane does not draw."
     if screen_px is not None:
         least, most = LETTERS
         for height in {CAPITAL * each.em / screen_px for each in picture.labels}:
@@ -106,16 +129,9 @@ def faults_in(picture: Measured, screen_px: int | None) -> Iterator[tuple[str, s
 
 def measure() -> Measure:
     """Return what measures pictures; a `CliError` if nothing can be drawn here."""
-    try:
-        with bootstrap.for_good():
-            from app.drawings.composition import measured
-            from app.drawings.off_screen import check_off_screen
-    except ImportError as error:
-        raise cannot_import(error) from error
-    try:
-        check_off_screen()
-    except RuntimeError as error:
-        raise CliError(str(error), CANNOT_DRAW) from error
+    with importing():
+        from app.drawings.composition import measured
+    check_drawing()
     return lambda document, pane, size, em: measured(document, scene_of(document), pane, size, em)
 
 

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from app import bootstrap
-from app.commands.arguments import cannot_import, check_out
+from app.commands.arguments import check_out, importing
 from app.commands.composed import Composed, Measure, measure, taken
 from app.commands.options import CliError, one_of, parser_of, write_out
 from app.document.files import write_bytes_atomically
@@ -76,9 +76,6 @@ def _placed(error: Refusal, lesson: Lesson, step: Step) -> Refusal:
 
 
 def _print(lesson: Lesson, out: str, answers: bool) -> None:
-    try:
-        with bootstrap.for_good():
-            from widgets.program.handout import handout
-    except ImportError as error:
-        raise cannot_import(error) from error
+    with importing():
+        from widgets.program.handout import handout
     write_bytes_atomically(out, handout(Course(lesson), answers=answers))

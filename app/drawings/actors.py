@@ -458,6 +458,16 @@ def _cells(cells: Sequence[Sequence[int]]) -> Any:
     return np.concatenate([[len(cell), *cell] for cell in cells])
 
 
+def make_pale(actor: vtkActor, paper: str, share: float) -> None:
+    """Mix an actor's colours with the paper's, of which there is so much, 0 to 1."""
+    red, green, blue = rgb(paper)
+    place = "//VTK::TCoord::Impl"
+    mixed = f"mix(gl_FragData[0].rgb, vec3({red}, {green}, {blue}), {share})"
+    actor.GetShaderProperty().AddFragmentShaderReplacement(
+        place, True, f"{place}\n  gl_FragData[0].rgb = {mixed};\n", False
+    )
+
+
 def lift_lines(actor: vtkActor, steps: float = 1) -> None:
     """Draw lines a little nearer to the pane's camera, so that faces do not hide them.
 

@@ -34,7 +34,10 @@ LARGER = 1.3
 _AMONG_WORDS = 1.12
 """Size of a letter beside words: STIX looks smaller than DejaVu Sans."""
 HALO_EM = 0.14
+_HALO = 0.8  # its opacity: the tint of a plane shows through
 _UNDER_EM = 0.2
+_LOWERED = re.compile("[₀-₉]+")
+_LEVEL = str.maketrans("₀₁₂₃₄₅₆₇₈₉", "0123456789")
 _FUNCTIONS = frozenset(("tan", "sin", "cos", "log"))
 _SIZE = 100.0
 _PARTS = 4  # of a pixel, to which a piece is placed
@@ -73,7 +76,9 @@ class Laid(NamedTuple):
 def pieces_of(text: str) -> list[tuple[str, bool]]:
     """Split a label into words and formulas, each with whether it is TeX."""
     found: list[tuple[str, bool]] = []
-    for token in _TOKEN.finditer(text):
+    for token in _TOKEN.finditer(
+        _LOWERED.sub(lambda found: "_" + found[0].translate(_LEVEL), text)
+    ):
         if token["tex"]:
             found.append((token["tex"], True))
         elif token["letter"]:
@@ -172,7 +177,7 @@ def drawn(
     if underlined:
         ink[height - rim - under // 2 : height - rim, rim : width - rim] = 255
     over = ink[:height, :width] / np.float32(255.0)
-    behind = around[:height, :width] / np.float32(255.0) * (1.0 - over)
+    behind = around[:height, :width] / np.float32(255.0 / _HALO) * (1.0 - over)
     opacity = over + behind
     pixels = np.empty((height, width, 4), dtype=np.uint8)
     share = over / np.maximum(opacity, 1e-6)

@@ -184,7 +184,7 @@ def clipped(segments: Floats, frame: Sequence[float]) -> Floats:
     """Return the parts of segments, (n, 2, 2), in a frame; those outside are left out."""
     starts, ways = segments[:, 0], segments[:, 1] - segments[:, 0]
     first, last = np.zeros(len(segments)), np.ones(len(segments))
-    with np.errstate(divide="ignore", invalid="ignore"):
+    with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
         for axis in (0, 1):
             low = (frame[axis] - starts[:, axis]) / ways[:, axis]
             high = (frame[axis + 2] - starts[:, axis]) / ways[:, axis]
@@ -297,37 +297,36 @@ def place(
     """Place labels; one without a free place is left out, the lowest rank first.
 
     With `kept`, labels keep their offsets while these places are free: words that jump distract
-    from what moves.
+    from what moves. Only the others are placed anew.
     """
-    if kept is not None:
+    stays: dict[Hashable, Placed] = {}
+    if kept:
         stays = _stay(wishes, ground, kept)
-        if stays is not None:
-            return stays
+        wishes = [wish for wish in wishes if wish.key not in stays]
     choices = [(wish, wish.places()) for wish in wishes]
     choices = [(wish, places) for wish, places in choices if len(places.centres)]
     if not choices:
-        return {}
+        return stays
     costs, boxes = _costs(choices, ground)
     counts = [len(places.centres) for _, places in choices]
     chosen = _solve([wish.rank for wish, _ in choices], counts, costs, boxes, ground.em)
-    return {
-        wish.key: _placed(wish, places, number, ground.em)
-        for (wish, places), number in zip(choices, chosen, strict=True)
-        if number is not None
-    }
+    for (wish, places), number in zip(choices, chosen, strict=True):
+        if number is not None:
+            stays[wish.key] = _placed(wish, places, number, ground.em)
+    return stays
 
 
 def _stay(
     wishes: Sequence[Wish], ground: Ground, kept: Mapping[Hashable, Kept]
-) -> dict[Hashable, Placed] | None:
-    """All labels with their kept offsets; None if one of these places is not free any more."""
+) -> dict[Hashable, Placed]:
+    """The labels whose kept places are still free; no other label may overlap them."""
     found: dict[Hashable, Placed] = {}
-    taken = list(ground.taken)
+    taken = ground.taken
     left_most, lowest, right_most, highest = ground.limits
-    for wish in wishes:
+    for wish in sorted(wishes, key=lambda each: each.rank):
         was = kept.get(wish.key)
         if was is None or was.spot >= len(wish.spots):
-            return None
+            continue
         (x, y), (to_right, up) = wish.spots[was.spot], was.offset
         cos, sin = abs(math.cos(was.turn)), abs(math.sin(was.turn))
         half_x = (cos * wish.size[0] + sin * wish.size[1]) / 2.0
@@ -339,7 +338,7 @@ def _stay(
             left < t_right and t_left < right and low < t_high and t_low < high
             for t_left, t_low, t_right, t_high in taken
         ):
-            return None
+            continue
         taken.append((left, low, right, high))
         centre, leader = (x + to_right, y + up), None
         if was.leads:
@@ -356,7 +355,7 @@ def _costs(choices: Sequence[tuple[Wish, Places]], ground: Ground) -> tuple[Floa
         cos, sin = np.abs(np.cos(places.turns)), np.abs(np.sin(places.turns))
         half = np.stack([cos * wide + sin * high, sin * wide + cos * high], axis=1) / 2.0
         boxes = np.hstack([places.centres - half, places.centres + half])
-        cost = _ORDER * np.arange(count) * (8.0 / max(8.0, count))
+        cost = _ORDER * np.minimum(np.arange(count), 24.0) + _INK * _hidden(wish, places, ground)
         far = places.away > LEADER_FROM_EM * em
         cost += np.where(far, places.away / em if places.leads else np.inf, 0.0)
         others = np.concatenate(
@@ -377,9 +376,23 @@ def _costs(choices: Sequence[tuple[Wish, Places]], ground: Ground) -> tuple[Floa
     outside = (boxes[:, :2] < frame[:2]).any(axis=1) | (boxes[:, 2:] > frame[2:]).any(axis=1)
     if ground.taken:
         outside |= _overlap(boxes, np.array(ground.taken)).any(axis=1)
-    costs += _INK * ground.hidden(boxes)
     costs[outside] = np.inf
     return costs, boxes
+
+
+def _hidden(wish: Wish, places: Places, ground: Ground) -> Floats:
+    """Which part of each candidate is ink: in three boxes along it, since it may be turned."""
+    wide, high = wish.size
+    cos, sin = np.cos(places.turns), np.sin(places.turns)
+    along_it = np.stack([cos, sin], axis=1)
+    part_x, part_y = np.abs(cos) * wide / 3.0, np.abs(sin) * wide / 3.0
+    half = np.stack([part_x + np.abs(sin) * high, part_y + np.abs(cos) * high], axis=1) / 2.0
+    parts = [
+        ground.hidden(np.hstack([middle - half, middle + half]))
+        for middle in (places.centres + shift * wide / 3.0 * along_it for shift in (-1.0, 0.0, 1.0))
+    ]
+    hidden: Floats = np.mean(parts, axis=0)
+    return hidden
 
 
 def _crossed(anchors: Floats, boxes: Floats, marks: Floats) -> NDArray[np.bool_]:

@@ -43,6 +43,7 @@ _LOOKED_FROM_DEG = {
 }
 _FILLED = 0.9  # of the ball that holds the frustum: its corners alone touch the ball
 _MARGIN_EM = 2.6  # on each side, for the labels
+_CUBE_MARGIN_EM = 2.0  # at NDC, where near and far have the corners of the pane
 _MOST_MARGIN = 1.0 / 2.0, 1.0 / 4.0  # of a small pane's width and height: both sides together
 
 
@@ -98,7 +99,7 @@ class StageView(PaneCamera):
             drawn = np.vstack([CUBE_CORNERS * (1.0, 1.0, 0.5), CANONICAL_AXES])
         else:
             drawn = CUBE_CORNERS
-        margins_px = 2.0 * _MARGIN_EM * self._em
+        margins_px = 2.0 * (_CUBE_MARGIN_EM if stop == NDC else _MARGIN_EM) * self._em
         title_px = TITLE_EM * self._em
         centre = np.zeros(3)
         scale = 0.0

@@ -125,7 +125,7 @@ _TONES = {
 @cache
 def tone(colour: str, background: str) -> str:
     """Return the tone in which a colour is written: at least 4.5:1 on the background."""
-    if colour in _TONES:
+    if contrast(_TONES.get(colour, background), background) >= 4.5:
         return _TONES[colour]
     end = max(BLACK, WHITE, key=lambda limit: contrast(limit, background))
     part = next(

@@ -302,6 +302,9 @@ def test_a_figure_is_the_world_at_every_step_of_the_frame(window: MainWindow) ->
         settle()
         view, there = window.store.seen.view, pixels(window, "world")
         assert view.frame_step == step
+        if step in ("look", "n", "v"):  # the others draw no other kinds of things
+            click(window.frame_panel.next)
+            continue
         same = likeness(as_figure(window, "world", view), there)
         other = likeness(as_figure(window, "world", replace(view, panel="")), there)
         assert same < other, step

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -151,3 +152,26 @@ def test_a_damaged_file_of_strokes_is_refused(tmp_path: Path, text: str) -> None
     path_beside(talk).write_text(text)
     with pytest.raises(Refusal, match="has no strokes as Frustum Lab writes them"):
         read_strokes(talk)
+
+
+def test_the_speaker_sees_the_slide_with_its_strokes(window: MainWindow, qtbot: Any) -> None:
+    window.talks.open_speaker()
+    speaker = window.talks.speaker
+    assert speaker is not None
+
+    def shown() -> QImage:
+        return speaker.now.pixmap().toImage()
+
+    qtbot.waitUntil(lambda: not shown().isNull())
+    before = shown()
+    activate(window)
+    window.slide.pen.switch(True)
+    draw(window, (300, 300), (900, 320))
+    window.slide.pen.switch(False)
+    qtbot.waitUntil(lambda: shown() != before)
+    screen = window.body.size()
+    picture = shown()
+    assert picture.width() / picture.height() == pytest.approx(
+        screen.width() / screen.height(), rel=0.02
+    )
+    speaker.close()

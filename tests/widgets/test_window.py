@@ -290,22 +290,6 @@ def test_the_image_pane_shows_what_the_model_computes(make_window: MakeWindow) -
 # -- the panes' own views
 
 
-def test_the_mouse_turns_the_view_and_never_the_model(window: MainWindow) -> None:
-    before = window.store.document
-    for name in ["world", "ndc"]:
-        canvas, camera = window.panes[name].canvas, window.panes[name].hand.camera
-        place, target = camera.GetPosition(), camera.GetFocalPoint()
-        QTest.mousePress(canvas, LEFT, pos=QPoint(100, 100))
-        QTest.mouseMove(canvas, QPoint(160, 130))
-        QTest.mouseRelease(canvas, LEFT, pos=QPoint(160, 130))
-        moved = camera.GetPosition()
-        assert math.dist(place, moved) > 0.1 and camera.GetFocalPoint() == target
-        assert math.dist(target, moved) == pytest.approx(math.dist(target, place))
-        QTest.mouseDClick(canvas, LEFT, pos=QPoint(100, 100))
-        assert math.dist(place, camera.GetPosition()) < 1e-9
-        assert window.store.document == before
-
-
 def test_the_world_stands_still_during_a_drag_and_fits_itself_after_it(window: MainWindow) -> None:
     camera = window.panes["world"].hand.camera
     place, distance = camera.GetPosition(), camera.GetDistance()
@@ -328,13 +312,6 @@ def test_turning_stops_at_the_pole(window: MainWindow) -> None:
         assert camera.GetViewUp()[1] > 0.0
         x, y, z = np.subtract(camera.GetPosition(), camera.GetFocalPoint())
         assert y / math.hypot(x, y, z) < math.sin(math.radians(89.1))
-
-
-def test_keys_on_a_pane_change_nothing(window: MainWindow) -> None:
-    before = pixels(window, "world")
-    QTest.keyClicks(window.panes["world"].canvas, "3wsqerfp")
-    settle()
-    assert (pixels(window, "world") == before).all() and window.isVisible()
 
 
 def test_keys_turn_move_and_zoom_a_pane_that_tab_has_reached(
@@ -1259,22 +1236,6 @@ def test_a_phenomenon_shows_its_card_and_opens_no_panel(window: MainWindow) -> N
     settle()
     assert box.currentData() == window.store.document.scene == "letter-f"
     assert (pixels(window, "image") == before).all()
-
-
-def test_the_panes_have_their_share_of_the_window(window: MainWindow) -> None:
-    for size in [(1366, 768), (1920, 1080)]:
-        window.resize(*size)
-        for large, share in (("world", 0.30), ("image", 0.40)):
-            window.slots.arrange("pictures", large)
-            settle()
-            picture = window.panes["image"].drawing.picture_rectangle_px
-            assert picture.width >= share * size[0], large
-        show_scene(window, "similar-triangles")
-        assert (window.width(), window.height()) == size
-        assert 270 <= window.controls.width() <= 300
-        for pane in window.panes.values():
-            assert pane.width() >= 300 and pane.height() >= 250
-        show_scene(window, "letter-f")
 
 
 def test_a_control_is_found_by_a_key_wherever_the_focus_is(window: MainWindow) -> None:

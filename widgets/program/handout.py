@@ -27,9 +27,11 @@ from PySide6.QtGui import (
 )
 
 from app.document.document import Document
+from app.document.view import PANES
 from app.drawings.figures import DPI as DPI_OF_FIGURES
 from app.drawings.figures import render
 from app.drawings.style import LIGHT
+from app.lecture.equation import equation_of, latex_cell
 from app.lecture.notation import matrices
 from app.lessons.course import Course, scene_of
 from app.lessons.lesson import Step
@@ -128,10 +130,8 @@ def _text(text: str, width: float, size: float, *, title: bool = False, left: fl
     document.setUseDesignMetrics(True)
     set_text(document, text, title=title)
     document.setTextWidth(width - left)
-    size_pt = document.size()
-    return Block(
-        size_pt.height(), document.drawContents, left, kept=title, wide=size_pt.width() + left
-    )
+    wide = document.idealWidth() + left
+    return Block(document.size().height(), document.drawContents, left, kept=title, wide=wide)
 
 
 class _Sheet:
@@ -166,7 +166,11 @@ class _Sheet:
         texts = [part.text for part in step.parts if part not in asked]
         note = self._note(step)
         yield from self._with_figure(shown, texts, note)
-        yield from _panel(shown, course.shown(place - 1).document if place else None, self._width)
+        if not any(part.is_tall and "\n|" in part.text for part in step.parts):
+            yield from _equation(shown, self._width)
+        before = course.shown(place - 1).document if place else None
+        if "equation" not in shown.view.slide:  # else it has its matrices
+            yield from _panel(shown, before, self._width)
         for part in asked:
             if not self._answers:
                 yield _text(part.posed(), self._width, TEXT_PT)
@@ -177,7 +181,10 @@ class _Sheet:
             if part.show is not None:
                 after = here.shown_by(part.show)
                 yield from self._with_figure(after, whys, "")
-                yield from _panel(after, shown, self._width)
+                if "equation" not in after.view.slide:
+                    yield from _panel(after, shown, self._width)
+                elif after.view.equation != shown.view.equation:
+                    yield from _equation(after, self._width)
             else:
                 yield from (_text(why, self._width, TEXT_PT) for why in whys)
 
@@ -258,12 +265,15 @@ def _ruled(width: float, height: float) -> Block:
 def _figure(document: Document, width: float, one_pane: float) -> Block:
     """The picture of a state: one pane, or the compared pictures across the page."""
     scene = scene_of(document)
-    pane = document.view.large or scene.leading
-    is_image = pane == "image"
+    large = document.view.large or scene.leading
+    panes = [pane for pane in document.view.slide if pane in PANES] or [large]
+    is_image = panes == ["image"]
     count = len(document.view.compare) if is_image else 0
     aspect = document.projection.aspect if is_image else PANE_ASPECT
     wide, high = one_pane, one_pane / PANE_ASPECT
-    if count and not document.view.dividers:
+    if len(panes) > 1:
+        wide, high = width, width / (len(panes) * PANE_ASPECT)
+    elif count and not document.view.dividers:
         wide, high = width, width / (count * aspect) + 3.0 * FIGURE_TEXT_PT
     elif is_image:
         wide = min(one_pane, high * aspect)
@@ -276,7 +286,7 @@ def _figure(document: Document, width: float, one_pane: float) -> Block:
             render(
                 scene,
                 document.projection,
-                panes=(pane,),
+                panes=panes,
                 size=(round(wide * px_per_pt), round(high * px_per_pt)),
                 style=LIGHT,
                 view=document.view,
@@ -294,6 +304,44 @@ def _figure(document: Document, width: float, one_pane: float) -> Block:
             painter.drawRect(place)
 
     return Block(high, paint, wide=wide)
+
+
+def _equation(document: Document, width: float) -> Iterator[Block]:
+    """Yield the matrices of a slide that is an equation, beside each other."""
+    view = document.view
+    if "equation" not in view.slide:
+        return
+    equation = equation_of(document.projection, view.letters, view.equation)
+    blocks = []
+    for number, term in enumerate(equation.terms):
+        cells = [[f"${latex_cell(cell, term.letters)}$" for cell in row]
+                 for row in term.matrix.formulas]  # fmt: skip
+        if equation.is_in_numbers:
+            cells = [[read_text(value) for value in row] for row in term.matrix.values]
+        is_result = bool(equation.factors) and number == len(equation.factors)
+        names = [each.name for each in equation.factors] if is_result else [term.name]
+        above = f"${' '.join(names)}$ =" if all(names) else "="
+        lines = [above, "", "| | | | |", "|---|---|---|---|"]
+        lines += [f"| {' | '.join(row)} |" for row in cells]
+        blocks.append(_text("\n".join(lines), width, NOTE_PT))
+    row: list[Block] = []
+    for block in blocks:
+        if row and sum(each.wide + BETWEEN_PT for each in row) + block.wide > width:
+            yield _in_row(row)
+            row = []
+        row.append(block)
+    yield _in_row(row)
+
+
+def _in_row(blocks: Sequence[Block]) -> Block:
+    def paint(painter: QPainter, part: QRectF) -> None:
+        for block in blocks:
+            painter.save()
+            block.paint(painter, part)
+            painter.restore()
+            painter.translate(block.wide + BETWEEN_PT, 0.0)
+
+    return Block(max(block.height for block in blocks), paint)
 
 
 def _panel(document: Document, before: Document | None, width: float) -> Iterator[Block]:

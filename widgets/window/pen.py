@@ -87,6 +87,8 @@ class Pen(QWidget):
 
     kept = Signal()
     """The speaker wants the strokes in the handout."""
+    drawn = Signal()
+    """The strokes of the step have changed."""
     switched = Signal(bool)
     """The pen was taken up, or put away."""
 
@@ -201,13 +203,17 @@ class Pen(QWidget):
         self._finish()
         if self.here:
             self.here.pop()
-            self.update()
+            self._show_strokes()
 
     def clear(self) -> None:
         """Remove all strokes of the step."""
         self._drawn = []
         self.strokes.pop(self._step, None)
+        self._show_strokes()
+
+    def _show_strokes(self) -> None:
         self.update()
+        self.drawn.emit()
 
     def _show_bar(self) -> None:
         for name, button in self.colours.items():
@@ -254,7 +260,7 @@ class Pen(QWidget):
         if self._drawn:
             self.strokes.setdefault(self._step, []).append(Stroke(self.colour, tuple(self._drawn)))
             self._drawn = []
-            self.update()
+            self._show_strokes()
 
     def _erase(self, place: QPointF) -> None:
         reach = ERASER_SHARE * self.height()
@@ -266,6 +272,7 @@ class Pen(QWidget):
             )
 
         self.strokes[self._step] = [each for each in self.here if not is_touched(each)]
+        self._show_strokes()
 
     def event(self, event: QEvent) -> bool:
         is_asked = event.type() == QEvent.Type.ShortcutOverride

@@ -12,8 +12,8 @@ from collections.abc import Sequence
 from functools import partial
 from pathlib import Path
 
-from PySide6.QtCore import QObject, QRect, Qt
-from PySide6.QtGui import QAction, QGuiApplication
+from PySide6.QtCore import QObject, QRect, Qt, QTimer
+from PySide6.QtGui import QAction, QGuiApplication, QImage
 from PySide6.QtWidgets import QApplication, QMainWindow
 
 from app.document.store import Store
@@ -35,6 +35,9 @@ from widgets.window.talk_ahead import Ahead
 from widgets.window.talk_band import TalkBand
 from widgets.window.talk_keys import TalkKeys
 from widgets.window.talk_writing import TalkWriter
+
+SEEN_MS = 250
+"""How long a slide must stand still before the speaker's window shows it."""
 
 
 class Talks(QObject):
@@ -74,6 +77,10 @@ class Talks(QObject):
         self.speaker: SpeakerWindow | None = None
         self.revealed = 0
         self._shown: tuple[Course, int] | None = None
+        self._looks = False
+        """Whether the slide is being painted for the speaker's window."""
+        self._seen = QTimer(self, singleShot=True, interval=SEEN_MS)
+        self._seen.timeout.connect(self._show_now)
         self._complaint = ""
         """The mistake in the open file, which is not shown to the class."""
         self._refusal = ""
@@ -91,6 +98,7 @@ class Talks(QObject):
             (present.moved, self._move),
             (lessons.opened, self._take_strokes),
             (pen.kept, self.keep_strokes),
+            (pen.drawn, self.see_later),
             (lessons.opened, self._show),
             (lessons.stepped, self._show),
             (lessons.complained, self._complain),
@@ -161,6 +169,7 @@ class Talks(QObject):
             self._band.show_step(step, f"{place + 1} / {count}")
         if self.speaker is not None:
             self.speaker.show_step(course, place, self._band.left_out if self.is_on else "")
+        self.see_later()
         if self.is_on or self.speaker is not None:
             self._ahead.begin_later()
         else:
@@ -311,6 +320,19 @@ class Talks(QObject):
         self.speaker.show()
         self.speaker.raise_()
         self._show()
+
+    def see_later(self) -> None:
+        """Show the speaker the slide once it has not changed for a while."""
+        if self.speaker is not None and not self._looks:
+            self._seen.start()
+
+    def _show_now(self) -> None:
+        window = self._window.centralWidget()
+        if self.speaker is not None and window is not None:
+            self._looks = True  # the panes paint themselves for it
+            picture = window.grab().toImage() if self.is_on else QImage()
+            self._looks = False
+            self.speaker.now.show_image(picture)
 
     def close_speaker(self) -> None:
         if self.speaker is not None:

@@ -82,6 +82,8 @@ def _wire_components(window: Any) -> None:
         (measure.used, window.manipulation.let_go, window.quality.use),
         (measure.used, lambda: window.panels.open(measure)),  # it stays open
     )
+    for pane in window.panes.values():
+        pane.canvas.drawn.connect(window.talks.see_later)
     for signal, *slots in wires:
         for slot in slots:
             signal.connect(slot)

@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 from app.model.clipping import NOT_CUT, clip_segments
 from app.model.projection import Array, Camera, Perspective, Projection
 from app.scenes.phenomena.illustration import Illustration, OwnMesh, Phenomenon, Subject
-from app.scenes.phenomena.marks import Dot, Grip, Line, Mark, Marks, Text, letter, named, segment
+from app.scenes.phenomena.marks import Dot, Grip, Line, Mark, Marks, Text, named, segment
 from app.scenes.phenomena.picture import image_from_ndc
 from app.scenes.phenomena.readout import Phrase, Reading, figure
 from app.scenes.phenomena.settings import Setting, Settings, point
@@ -203,8 +203,8 @@ def _own_bow(projection: Projection, part: Inside, found: Deviation) -> Marks:
         Line(curve, "u", 2.0),
         segment(on_chord, on_bow, "ink", 1.0),
         Dot(on_bow, "u", 1.2),
-        Text("Az+B", curve[quarter], "u", away_from=beside, text=letter("A z + B")),
-        Text("A+B/z", straight[0], "accent", (), straight.mean(axis=0), letter("A + B / z")),
+        Text("Az+B", curve[quarter], "u", away_from=beside, text="A z + B"),
+        Text("A+B/z", straight[0], "accent", (), straight.mean(axis=0), "A + B / z"),
     )
 
 
@@ -248,4 +248,5 @@ PHENOMENON = Phenomenon(
     leading="ndc",
     own_mesh=True,
     names=("P", "Q", "Az+B", "A+B/z", "deviation"),
+    leaves_out=frozenset({"near-picture"}),
 )

@@ -170,6 +170,17 @@ class Phenomenon:
         The pane that shows it best: ``"world"``, ``"ndc"`` or ``"image"``.
     names : tuple of str
         The ids of the things that its pictures name, unless the document has a list of its own.
+    side : (float, float), optional
+        From where the world pane looks at first: degrees from beside the camera to behind it, and
+        upwards. By default the pane chooses the side that shows most.
+    fixed : str
+        The fixed view of the world with which the scene opens; empty for the free one.
+    leaves_out : frozenset of str
+        Layers that the world pane leaves out and does not frame, as long as nothing of them is
+        named: ``"frustum"``, ``"near-picture"``, ``"camera"``, ``"grid"``.
+    pale : bool
+        Whether the world pane draws the subject as a pale silhouette, because the marks beside it
+        matter more.
     own_mesh : bool
         Whether a user's mesh, scaled and moved into its bounds, can replace the built-in subject.
     own_mesh_crosses : bool
@@ -192,6 +203,10 @@ class Phenomenon:
     requires: frozenset[str] = frozenset()
     leading: str = "world"
     names: tuple[str, ...] = ()
+    side: tuple[float, float] | None = None
+    fixed: str = ""
+    leaves_out: frozenset[str] = frozenset()
+    pale: bool = False
     own_mesh: bool = False
     own_mesh_crosses: bool = False
 

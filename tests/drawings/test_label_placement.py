@@ -1,0 +1,148 @@
+"""The one placer: no label covers another one or a mark, and none jumps while something moves."""
+
+from __future__ import annotations
+
+import math
+from functools import partial
+from itertools import combinations
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from app.drawings.label_placement import (
+    Ground,
+    Placed,
+    Wish,
+    along,
+    around,
+    beyond,
+    clipped,
+    on,
+    place,
+)
+
+EM = 15.0
+FRAME = (0.0, 0.0, 480.0, 320.0)
+SPOTS = st.lists(
+    st.tuples(st.floats(10.0, 470.0), st.floats(10.0, 310.0)), min_size=1, max_size=7, unique=True
+)
+SIZES = st.tuples(st.floats(8.0, 120.0), st.floats(8.0, 24.0))
+Box = tuple[float, float, float, float]
+
+
+def wish(key: object, spot: tuple[float, float], size: tuple[float, float], rank: float) -> Wish:
+    return Wish(key, size, [spot], partial(around, spot, size, EM, 6.0), rank)  # type: ignore[arg-type]
+
+
+def box_of(placed: Placed, size: tuple[float, float]) -> Box:
+    (x, y), cos, sin = placed.centre, abs(math.cos(placed.turn)), abs(math.sin(placed.turn))
+    half_x, half_y = (cos * size[0] + sin * size[1]) / 2, (sin * size[0] + cos * size[1]) / 2
+    return x - half_x, y - half_y, x + half_x, y + half_y
+
+
+def overlap(one: Box, other: Box) -> bool:
+    return one[0] < other[2] and other[0] < one[2] and one[1] < other[3] and other[1] < one[3]
+
+
+@settings(max_examples=60, deadline=None)
+@given(SPOTS, st.lists(SIZES, min_size=7, max_size=7))
+def test_no_label_covers_a_mark_or_another_label_or_leaves_the_pane(
+    spots: list[tuple[float, float]], sizes: list[tuple[float, float]]
+) -> None:
+    ground = Ground(FRAME, EM)
+    ground.keep(spots, 5.0)
+    wishes = [wish(i, *each, float(i)) for i, each in enumerate(zip(spots, sizes, strict=False))]
+    placed = place(wishes, ground)
+    boxes = [box_of(each, sizes[int(str(key))]) for key, each in placed.items()]
+    assert not any(overlap(one, other) for one, other in combinations(boxes, 2))
+    assert not any(overlap(box, mark) for box in boxes for mark in ground.taken)
+    for left, low, right, high in boxes:
+        assert left >= 0.0 and low >= 0.0 and right <= FRAME[2] and high <= FRAME[3]
+    assert placed == place(wishes, ground)  # the same picture gets the same labels
+
+
+@settings(max_examples=60, deadline=None)
+@given(SPOTS, st.tuples(st.floats(-30.0, 30.0), st.floats(-30.0, 30.0)))
+def test_labels_keep_their_offsets_while_the_marks_move_and_there_is_room(
+    spots: list[tuple[float, float]], way: tuple[float, float]
+) -> None:
+    size = 30.0, 14.0
+
+    def wishes(dx: float, dy: float) -> list[Wish]:
+        moved = [(x + dx, y + dy) for x, y in spots]
+        return [wish(i, spot, size, float(i)) for i, spot in enumerate(moved)]
+
+    before = place(wishes(0.0, 0.0), Ground(FRAME, EM))
+    if len(before) < len(spots):
+        return
+    after = place(wishes(*way), Ground((-50.0, -50.0, 550.0, 400.0), EM), {
+        key: each.kept for key, each in before.items()
+    })  # fmt: skip
+    for key, each in after.items():
+        was = before[key]
+        moved = was.centre[0] + way[0], was.centre[1] + way[1]
+        assert each.centre == pytest.approx(moved) and each.kept.offset == was.kept.offset
+
+
+def test_a_label_that_has_no_room_where_it_was_finds_another_place() -> None:
+    spot, size = (100.0, 100.0), (40.0, 14.0)
+    first = place([wish("a", spot, size, 0.0)], Ground(FRAME, EM))
+    ground = Ground(FRAME, EM)
+    ground.keep_box(*box_of(first["a"], size))
+    again = place([wish("a", spot, size, 0.0)], ground, {"a": first["a"].kept})
+    assert not overlap(box_of(again["a"], size), box_of(first["a"], size))
+
+
+def test_of_two_labels_for_one_place_the_lower_rank_has_it() -> None:
+    def only(rank: float, key: str) -> Wish:
+        return Wish(key, (40.0, 14.0), [(100.0, 100.0)], partial(on, (100.0, 100.0)), rank)
+
+    assert list(place([only(1.0, "later"), only(0.0, "first")], Ground(FRAME, EM))) == ["first"]
+
+
+def test_labels_go_where_the_ink_is_not() -> None:
+    spot, size = (240.0, 160.0), (60.0, 14.0)
+    right = np.array([[(x, 0.0), (x, 320.0)] for x in np.arange(246.0, 480.0, 4.0)])
+    ground = Ground(FRAME, EM, lambda ground: ground.ink_lines(right))
+    left, _, edge, _ = box_of(place([wish("a", spot, size, 0.0)], ground)["a"], size)
+    assert edge <= 246.0 and left > 100.0
+
+
+def test_a_label_far_from_its_mark_has_a_leader_that_ends_at_its_box() -> None:
+    spot, size = (240.0, 160.0), (60.0, 14.0)
+    ground = Ground(FRAME, EM)
+    ground.keep_box(150.0, 120.0, 235.0, 200.0)
+    ground.keep_box(245.0, 120.0, 330.0, 200.0)
+    ground.keep_box(200.0, 166.0, 280.0, 200.0)
+    ground.keep_box(200.0, 120.0, 280.0, 154.0)
+    placed = place([wish("a", spot, size, 0.0)], ground)["a"]
+    left, low, right, high = box_of(placed, size)
+    assert placed.leader is not None
+    (start_x, start_y), (x, y) = placed.leader
+    assert left - 1e-6 <= x <= right + 1e-6 and low - 1e-6 <= y <= high + 1e-6
+    assert 5.0 < math.dist((start_x, start_y), spot) < 9.0  # from the mark's rim
+
+
+def test_a_name_stands_beyond_the_tip_of_its_arrow_and_has_no_leader() -> None:
+    places = beyond((100.0, 100.0), (0.0, 20.0), (12.0, 14.0), EM)
+    (x, y), low = places.centres[0].tolist(), places.centres[0][1] - 7.0
+    assert x == pytest.approx(100.0) and 2.0 < low - 100.0 < EM and y > 100.0 and not places.leads
+
+
+def test_a_plane_is_named_along_an_edge_outside_it_and_never_steeply() -> None:
+    square = np.array([(100, 100), (300, 140), (300, 260), (100, 220)], float)
+    edges = np.stack([square, np.roll(square, -1, axis=0)], axis=1)
+    places = along(edges, (200.0, 180.0), (80.0, 14.0), EM)
+    assert np.abs(places.turns).max() <= math.radians(30.0)
+    x, y = places.centres[0].tolist()
+    assert y > 220.0 + 0.2 * (x - 100.0)  # above the upper edge
+    assert places.turns[0] == pytest.approx(math.atan2(40.0, 200.0))
+
+
+@given(st.lists(st.tuples(*[st.floats(-600.0, 900.0)] * 4), min_size=1, max_size=5))
+def test_a_segment_is_cut_at_the_pane(rows: list[tuple[float, float, float, float]]) -> None:
+    parts = clipped(np.array(rows).reshape(-1, 2, 2), FRAME)
+    assert len(parts) <= len(rows)
+    assert (parts >= -0.6).all() and (parts <= np.array([480.6, 320.6])).all()
