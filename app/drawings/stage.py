@@ -327,9 +327,10 @@ class StageDrawing(Drawing):
 
     def show_highlight(self, highlighted: Highlight) -> bool:
         before, self.names.pointed = self.names.pointed, highlighted
+        is_new = self._show_highlighted()
         if before != highlighted and not self.names.all:
             self._name_anew()
-        return self._show_highlighted()
+        return is_new
 
     def show_names(self, names: frozenset[str] | None) -> None:
         if names != self.names.wanted:

@@ -195,7 +195,11 @@ class WorldDrawing(Drawing):
         before, self.names.pointed = self.names.pointed, highlighted
         of_scene = self._marks is not None and self._marks.show_highlight(highlighted)
         is_new = self._emphasis.show(highlighted) or of_scene
-        if before != highlighted and not self.names.all:
+        drawn = {"eye", "target", "near", "far", "fov"}
+        if self.camera.step is None:
+            drawn |= set(AXES)
+        wanted = drawn if self.names.wanted is None else self.names.wanted
+        if of_scene or (before ^ highlighted) & drawn - wanted:
             self._show_named()
             self._follow_pane(afresh=False)
         return is_new

@@ -248,6 +248,7 @@ def test_the_world_knows_what_is_under_the_mouse(
     window: MainWindow, highlighted: Highlighted
 ) -> None:
     """With the pane's own sight, which is tested against VTK's camera."""
+    window.menus.name_everything.trigger()
     projection = window.store.document.projection
     window.slots.bring("world")
     settle()
