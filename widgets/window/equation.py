@@ -10,8 +10,8 @@ from collections.abc import Sequence
 from functools import lru_cache
 from typing import NamedTuple
 
-from PySide6.QtCore import QPointF, QRectF, Qt
-from PySide6.QtGui import QColor, QPainter, QPainterPath, QPaintEvent, QPen, QShowEvent
+from PySide6.QtCore import QPointF, QRectF, Qt, Signal
+from PySide6.QtGui import QColor, QPainter, QPainterPath, QPaintEvent, QPen
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from app.drawings.style import LIGHT, Style, tone
@@ -106,6 +106,8 @@ class EquationSlide(QWidget):
     """Paints an equation as large as there is room for."""
 
     concerns = PROJECTION | {"view"}
+    filled = Signal()
+    """The equation, or its size, may be another one."""
 
     def __init__(self) -> None:
         super().__init__()
@@ -117,7 +119,8 @@ class EquationSlide(QWidget):
         self._laid: tuple[_Laid, ...] = ()
         self._style = LIGHT
         self._screen_px = 1.0
-        self._readable = Readable(self, self._fill)
+        self._is_asked = False
+        self._readable = Readable(self, self._fill, lambda: self._is_asked)
         self.hide()
 
     # -- the model
@@ -148,8 +151,9 @@ class EquationSlide(QWidget):
     def end_gesture(self) -> None:
         self._readable.end_gesture()
 
-    def showEvent(self, event: QShowEvent) -> None:
-        super().showEvent(event)
+    def set_asked(self, asked: bool) -> None:
+        """Note whether the equation is the slide; otherwise nothing is computed."""
+        self._is_asked = asked
         self._readable.settle()
 
     def _fill(self) -> None:
@@ -170,14 +174,12 @@ class EquationSlide(QWidget):
             ]
             self.setAccessibleName("\n".join(texts))
         self.update()
+        self.filled.emit()
 
     # -- places
 
     def needs_all(self, width: float) -> bool:
         """Whether the equation would be too small in a part of this width, or is none."""
-        self._readable.settle()
-        if self._equation is None and self._shown is not None:
-            self._fill()
         return bool(self._laid) and self.em_in(width, self.height()) < LEAST_EM * self._screen_px
 
     def em_in(self, width: float, height: float) -> float:
