@@ -189,6 +189,9 @@ class PaneCamera:
         self._camera: vtkCamera = canvas.renderer.GetActiveCamera()
         self._window, self._em = canvas.window, canvas.style.font_size
         self._placed: tuple[float, ...] | None = None
+        self._goal = vtkCamera()
+        self.is_turned = False
+        """Whether the way ends where the user has turned the camera."""
 
     @property
     def size_px(self) -> tuple[int, int]:
@@ -220,7 +223,11 @@ class PaneCamera:
     def begin_glide(self, start: Pose) -> None:
         """Keep the present place as the goal of a way that begins at another pose."""
         self._glide_from = start
-        self._goal = vtkCamera()
+        self.is_turned = self.was_moved
+        self.keep_goal()
+
+    def keep_goal(self) -> None:
+        """Take the present place for the goal, after a window of another size has moved it."""
         self._goal.DeepCopy(self._camera)
         self._placed_at_goal = self._placed
 

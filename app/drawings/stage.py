@@ -301,16 +301,17 @@ class StageDrawing(Drawing):
         return self.own.pose
 
     def begin_glide(self, start: Pose) -> None:
-        self._is_turned = self.own.was_moved
         self.own.begin_glide(start)
 
     def glide(self, part: float) -> None:
-        if self._is_turned:
+        if self.own.is_turned:
             self.own.go_to_goal()
         else:
             self.own.reset(self._position, self._projection)
         if part < 1.0:
             self.own.glide(part)
+        else:
+            self.own.is_turned = False
         self._canvas.fade_labels(light_of_labels(part))
         self.reset_clipping_range()
 
@@ -319,7 +320,7 @@ class StageDrawing(Drawing):
         self.reset_clipping_range()
 
     def _layout(self, _width_px: int, _height_px: int) -> None:
-        if not self.own.was_moved:  # the user has not turned it: keep all of it in view
+        if not (self.own.was_moved or self.own.is_turned):  # keep all of it in view
             self.reset_view()
         else:
             self.reset_clipping_range()

@@ -558,6 +558,8 @@ class WorldDrawing(Drawing):
             self.own.go_to_goal()
         if part < 1.0:
             self.own.glide(part)
+        else:
+            self.own.is_turned = False
         self._canvas.fade_labels(light_of_labels(part))
         self.reset_clipping_range(afresh=part == 1.0)
 
@@ -567,8 +569,9 @@ class WorldDrawing(Drawing):
 
     def _lay_out(self, _width_px: int, _height_px: int) -> None:
         """Fit a view that nobody has moved into a window of another size."""
-        if not self.own.was_moved:
+        if not (self.own.was_moved or self.own.is_turned):
             self.own.place(self._framed())
+            self.own.keep_goal()
         self.reset_clipping_range()
 
     def reset_clipping_range(self, *, afresh: bool = True) -> None:

@@ -93,7 +93,8 @@ class Transition(QObject):
         """
         if self._picture is not None:
             self._old.begin(self._picture, self._slide.rect())
-            self._picture, self._poses, moves = None, {}, True
+            self._picture = None
+            return True
         now = self._look.poses()
         ways = {
             name: pose
