@@ -198,6 +198,6 @@ def _fill(ink: Array, labels: list[Placed]) -> tuple[float, float]:
     x = [*columns[[0, -1]].tolist()] if len(columns) else []
     y = [*rows[[0, -1]].tolist()] if len(rows) else []
     for each in labels:
-        x += [max(0.0, each.left), min(width, each.right)]
-        y += [max(0.0, height - each.high), min(height, height - each.low)]
+        x += np.clip([each.left, each.right], 0, width).tolist()
+        y += np.clip([height - each.high, height - each.low], 0, height).tolist()
     return ((max(x) - min(x)) / width, (max(y) - min(y)) / height) if x else (0.0, 0.0)
