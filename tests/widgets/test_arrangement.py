@@ -364,8 +364,8 @@ def test_everything_is_named_and_again_only_what_the_scene_is_about(
     settle()
     assert window.menus.name_everything.isChecked() and target.GetVisibility()
     assert window.arrangement.view.names == ("*",) and not window.store.can_undo
-    write(tmp_path / "all.json", replace(window.store.document, view=window.arrangement.view))
-    assert read(tmp_path / "all.json").view.names == ("*",)
+    write(window.store.seen, str(tmp_path / "all.json"))
+    assert read(str(tmp_path / "all.json")).view.names == ("*",)
     window.menus.name_everything.trigger()
     settle()
     assert window.arrangement.view.names is None
