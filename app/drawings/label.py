@@ -262,6 +262,7 @@ class Label:
         self._style, self._anchor, self._plain = style, anchor, plain
         self._visible = self._shown = True
         self._underlined = False
+        self._opacity = self._light = 1.0
         self._place = 0.0, 0.0, 0.0
         self._text, self._tone = text, tone(colour or style.ink, style.background)
         self.size_px = size_px(text, self.em, plain)
@@ -307,7 +308,13 @@ class Label:
         self._set("_tone", tone(colour, self._style.background))
 
     def set_opacity(self, opacity: float) -> None:
-        self.actor.GetProperty().SetOpacity(opacity)
+        self._opacity = opacity
+        self.actor.GetProperty().SetOpacity(self._light * opacity)
+
+    def fade(self, light: float) -> None:
+        """Show a part of the label's opacity, 0 to 1."""
+        self._light = light
+        self.set_opacity(self._opacity)
 
     def set_position(self, x_px: float, y_px: float, turn: float = 0.0) -> None:
         """Move to a pixel, counted from the renderer's left and bottom; turn, in radians."""
