@@ -120,8 +120,7 @@ class _Other(QWidget):
         self._of = pane
         self.pane = pane.another(f"{pane.name}: {picture.name}")
         self.pane.setFrameShape(Pane.Shape.NoFrame)
-        self.pane.header.hide()
-        self.pane.header.set_presenting(True)
+        self.pane.header.set_presenting(True, named=False)
         self.pane.canvas.setFocusPolicy(Qt.FocusPolicy.NoFocus)
         set_tip(self.pane.canvas, "")
         self.pane.canvas.setMinimumSize(1, 1)
@@ -228,6 +227,7 @@ class Compare(QObject):
         self._cuts: list[QRect] = []
         self._laid_out: list[tuple[int, int] | None] = []
         """The sizes of the images in the present layout."""
+        self._is_for_class = False
         self.bar = QWidget()
         """Below the picture: says how the pictures differ."""
         self.words = _Words()
@@ -284,11 +284,16 @@ class Compare(QObject):
             handle.stepped.connect(lambda part, n=number: self._put(n, self.dividers[n] + part))
             self.handles.append(handle)
         self._pane.canvas.setMinimumSize(*((1, 1) if pictures else (120, 120)))
-        self.bar.setVisible(self.is_on)
+        self.bar.setVisible(self.is_on and not self._is_for_class)
         self._name_way()
         self._laid_out = []
         self._lay_out()
         self.changed.emit()
+
+    def set_presenting(self, on: bool) -> None:
+        """Show a class the pictures and their names alone."""
+        self._is_for_class = on
+        self.bar.setVisible(self.is_on and not on)
 
     def toggle_way(self) -> None:
         """Change between side by side and over each other."""
