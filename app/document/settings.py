@@ -119,7 +119,7 @@ def _check_slide(document: Document, paths: Collection[str]) -> None:
             if name not in known:
                 raise Refusal("controls", name, UNKNOWN, _nearest(name, known))
     if "view.equation" in paths and view.equation:
-        equation_of(document.projection, view.letters, view.equation)
+        equation_of(document.projection, view.letters, view.equation, document.settings)
 
 
 def _nearest(name: str, known: Iterable[str]) -> str:

@@ -114,6 +114,8 @@ class Canvas:
         self.hidden: frozenset[str] = frozenset()
         """The layers that are switched off."""
         self._labels: list[Label] = []
+        self.labels_light = 1.0
+        """Part of the labels' opacity that is shown."""
         self._layout = weakref.WeakMethod(layout)
         self._laid_out: tuple[int, int] | None = None
         self.make_ready(self.renderer)
@@ -162,10 +164,22 @@ class Canvas:
     def label(self, text: str, renderer: Any = None, **options: Any) -> Label:
         label = Label(text, self.style, **options)
         label.set_shown("labels" not in self.hidden)
+        label.fade(self.labels_light)
         self._labels.append(label)
         self.add(label.actor, renderer=renderer)
         self.relayout()
         return label
+
+    def fade_labels(self, light: float) -> None:
+        """Show a part of the opacity of labels and leaders, 0 to 1."""
+        if light == self.labels_light:
+            return
+        self.labels_light = light
+        for label in self._labels:
+            label.fade(light)
+        for prop, layer in self._layers.items():
+            if layer == "labels":
+                prop.GetProperty().SetOpacity(light)  # type: ignore[attr-defined]
 
     def relayout(self) -> None:
         """Ask for a layout before the next rendering."""

@@ -19,7 +19,7 @@ from app.document.naming import named_in
 from app.drawings import AXES
 from app.drawings.actors import Canvas, Space, face_actor, identity_camera, lifted
 from app.drawings.blurring import Blurring
-from app.drawings.drawing import Drawing, Rectangle
+from app.drawings.drawing import Drawing, Rectangle, light_of_labels
 from app.drawings.label_placement import Ground
 from app.drawings.labels import Board
 from app.drawings.marks import MarksDrawing, Placing
@@ -301,7 +301,7 @@ class ImageDrawing(Drawing):
 
     def _place_texts(self, *, afresh: bool = False) -> bool:
         """Place the texts; return whether one has changed its place."""
-        if self._marks is None:
+        if self._marks is None or not self._canvas.labels_light:
             return False
         rectangle = self.picture_rectangle_px
         half = np.array([rectangle.width, rectangle.height]) / 2.0
@@ -341,6 +341,10 @@ class ImageDrawing(Drawing):
             return None
         scale = self._scaled(rectangle)
         return float(x / scale[0, 0]), float(y / scale[1, 1])
+
+    def glide(self, part: float) -> None:
+        self._canvas.fade_labels(light_of_labels(part))
+        self._place_texts(afresh=part == 1.0)
 
     def image_shift(self, right_px: float, down_px: float) -> tuple[float, float]:
         rectangle = self.picture_rectangle_px

@@ -26,12 +26,13 @@ from vtkmodules.vtkCommonDataModel import vtkPlane
 
 from app.document.naming import named_in
 from app.drawings.actors import Canvas, lift_lines
-from app.drawings.drawing import Drawing, Rectangle
+from app.drawings.drawing import Drawing, Rectangle, light_of_labels
 from app.drawings.frustum import CUBE
 from app.drawings.label_placement import Ground
 from app.drawings.labels import Board
 from app.drawings.marks import MarksDrawing, Placing
 from app.drawings.names import Names
+from app.drawings.pane_view import Pose
 from app.drawings.pointing import Emphasis, Segment, Spot, pointed_at, volume_edges
 from app.drawings.precision import ModelActors, least_tolerance
 from app.drawings.probes import Mark, Probes
@@ -72,7 +73,11 @@ class StageDrawing(Drawing):
     ) -> None:
         self._scene, self._words, self._style = scene, words, style
         self._canvas = Canvas(screen, style, self._layout)
-        self.own = StageView(self._canvas, scene.start.camera)
+        self.own = StageView(
+            self._canvas,
+            scene.start.camera,
+            None if scene.phenomenon is None else scene.phenomenon.cube_side,
+        )
         self._position = float(NDC)
         self._placed: tuple[float, object] | None = None
         """The position of the box on the strip, and the projection or depth range it depends on."""
@@ -222,6 +227,8 @@ class StageDrawing(Drawing):
 
     def _place_texts(self, *, afresh: bool = False) -> bool:
         """Place the labels; return whether one has changed its place."""
+        if not self._canvas.labels_light:
+            return False
         width_px, height_px = self.own.size_px
         rows, em = self.own.pane_from_display, self._style.font_size
 
@@ -289,12 +296,31 @@ class StageDrawing(Drawing):
     def view(self) -> Camera | None:
         return self.own.view
 
+    @property
+    def pose(self) -> Pose:
+        return self.own.pose
+
+    def begin_glide(self, start: Pose) -> None:
+        self.own.begin_glide(start)
+
+    def glide(self, part: float) -> None:
+        if self.own.is_turned:
+            self.own.go_to_goal()
+        else:
+            self.own.reset(self._position, self._projection)
+        if part < 1.0:
+            self.own.glide(part)
+        else:
+            self.own.is_turned = False
+        self._canvas.fade_labels(light_of_labels(part))
+        self.reset_clipping_range()
+
     def show_view(self, view: Camera) -> None:
         self.own.show(view)
         self.reset_clipping_range()
 
     def _layout(self, _width_px: int, _height_px: int) -> None:
-        if not self.own.was_moved:  # the user has not turned it: keep all of it in view
+        if not (self.own.was_moved or self.own.is_turned):  # keep all of it in view
             self.reset_view()
         else:
             self.reset_clipping_range()

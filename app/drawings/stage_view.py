@@ -48,13 +48,20 @@ _MOST_MARGIN = 1.0 / 2.0, 1.0 / 4.0  # of a small pane's width and height: both 
 
 
 class StageView(PaneCamera):
-    """The place of the camera; `start` is the scene's own, from beside which the world is seen."""
+    """The place of the camera; `start` is the scene's own, from beside which the world is seen.
 
-    def __init__(self, canvas: Canvas, start: Camera) -> None:
+    `cube_side` is that of a `Phenomenon`.
+    """
+
+    def __init__(
+        self, canvas: Canvas, start: Camera, cube_side: tuple[float, float] | None = None
+    ) -> None:
         super().__init__(canvas)
-        self._start = start
+        self._start, self._cube_side = start, cube_side
 
     def _looked_from(self, stop: int) -> tuple[float, float]:
+        if stop == NDC and self._cube_side is not None:
+            return self._cube_side
         if stop != WORLD:
             return _LOOKED_FROM_DEG[stop]
         # From beside the scene's own camera, and by the shorter way to the next stop's place.

@@ -21,7 +21,7 @@ from app.drawings import actors
 from app.drawings.actors import Canvas
 from app.drawings.camera import CameraDrawing, Standing, view_matrices
 from app.drawings.dimensions import Dimensions, Measured
-from app.drawings.drawing import Drawing, Rectangle
+from app.drawings.drawing import Drawing, Rectangle, light_of_labels
 from app.drawings.frame import DIMMED, ObjectAxes
 from app.drawings.frustum import FrustumDrawing
 from app.drawings.handles import APART_EM, HandleMarks
@@ -31,6 +31,7 @@ from app.drawings.marks import MarksDrawing, Placing
 from app.drawings.names import Names
 from app.drawings.near_picture import NearPicture
 from app.drawings.own_view import Framed, OwnView
+from app.drawings.pane_view import Pose
 from app.drawings.pointing import Emphasis, Segment, pointed_at, volume_edges
 from app.drawings.probes import Probes
 from app.drawings.rasterising import textured
@@ -368,7 +369,7 @@ class WorldDrawing(Drawing):
 
     def _place_labels(self, *, afresh: bool) -> bool:
         """Place the labels; return whether one has changed its place."""
-        if "labels" in self._canvas.hidden:
+        if "labels" in self._canvas.hidden or not self._canvas.labels_light:
             return False
         pane, at = self.own.pane, self._standing
         em = self._canvas.style.font_size
@@ -543,14 +544,34 @@ class WorldDrawing(Drawing):
     def view(self) -> Camera | None:
         return self.own.view
 
+    @property
+    def pose(self) -> Pose:
+        return self.own.pose
+
+    def begin_glide(self, start: Pose) -> None:
+        self.own.begin_glide(start)
+
+    def glide(self, part: float) -> None:
+        if self.own.fixed:
+            self.own.follow(self._framed())
+        else:
+            self.own.go_to_goal()
+        if part < 1.0:
+            self.own.glide(part)
+        else:
+            self.own.is_turned = False
+        self._canvas.fade_labels(light_of_labels(part))
+        self.reset_clipping_range(afresh=part == 1.0)
+
     def show_view(self, view: Camera) -> None:
         self.own.show(view)
         self.reset_clipping_range()
 
     def _lay_out(self, _width_px: int, _height_px: int) -> None:
         """Fit a view that nobody has moved into a window of another size."""
-        if not self.own.was_moved:
+        if not (self.own.was_moved or self.own.is_turned):
             self.own.place(self._framed())
+            self.own.keep_goal()
         self.reset_clipping_range()
 
     def reset_clipping_range(self, *, afresh: bool = True) -> None:

@@ -10,6 +10,7 @@ import pytest
 
 from app.commands.arguments import document_of
 from app.drawings import WORDS
+from app.drawings.stage import StageDrawing
 from app.drawings.style import LIGHT, rgb
 from app.drawings.world import WorldDrawing
 from app.scenes.phenomena import PHENOMENA
@@ -85,6 +86,19 @@ def test_the_world_is_seen_from_the_scenes_side(off_screen: MakeScreen, name: st
     length = float(np.linalg.norm(behind))
     sine, cosine = math.sin(math.radians(turn)) * length, math.cos(math.radians(turn))
     assert toward == pytest.approx(sine / math.hypot(sine, cosine), abs=1e-6)
+
+
+def test_the_cube_is_seen_from_the_scenes_side(off_screen: MakeScreen) -> None:
+    """Beside the near face, y upright: the bow of the affine depth is as wide as it can be."""
+    looked = {}
+    for name in ("affine-depth", "clipping"):
+        screen, scene = off_screen(*SIZE), load(name)
+        StageDrawing(screen, scene, WORDS, LIGHT).show_projection(scene.start, illustrated(scene))
+        x, y, z = (-part for part in screen.renderer.GetActiveCamera().GetDirectionOfProjection())
+        looked[name] = math.degrees(math.atan2(x, z)), math.degrees(math.asin(y))
+    assert looked["affine-depth"] == pytest.approx(PHENOMENA["affine-depth"].cube_side)
+    assert PHENOMENA["clipping"].cube_side is None
+    assert looked["clipping"] != pytest.approx(looked["affine-depth"])
 
 
 def test_a_scene_opens_in_its_fixed_view() -> None:

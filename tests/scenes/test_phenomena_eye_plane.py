@@ -395,7 +395,10 @@ def test_the_three_ways_to_draw_an_edge_that_crosses_differ_at_a_glance() -> Non
              for each in (naive, cut, clipped)]  # fmt: skip
     assert thick == [{"u"}, {"accent"}, {"accent"}]
     arrows = [sum(len(face.points) == 3 for face in each.faces) for each in (naive, cut, clipped)]
-    dots = [len(each.dots) for each in (naive, cut, clipped)]
+    at_frame = [[dot for dot in each.dots if dot.size > 1.5] for each in (naive, cut, clipped)]
+    dots = [len(each) for each in at_frame]
+    names = [{text.name for text in each.texts} for each in (naive, cut, clipped)]
+    assert names == [{"AB", "A'", "B'"}, {"AB", "A'"}, {"AB", "A'"}]
     assert arrows[0] == arrows[2] == 0 < arrows[1] and dots[0] == dots[1] == 0 < dots[2]
-    for dot in clipped.dots:
+    for dot in at_frame[2]:
         assert np.isclose(np.minimum(dot.point, (1280, 720) - dot.point).min(), 0.0, atol=1e-3)

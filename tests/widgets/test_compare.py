@@ -308,6 +308,7 @@ def test_presenting_keeps_it_and_so_does_esc(window: MainWindow) -> None:
     present(window)
     compare = window.comparing.pictures
     assert compare.others[0].isVisible() and not compare.bar.isVisible()
+    assert not window.panes["world"].isVisible()
     assert not window.comparing.button.isVisible()
     assert not compare.others[0].pane.header.isVisible(), "its name is above the picture"
     screen_px = window.screen().size().height()

@@ -121,7 +121,6 @@ class _Other(QWidget):
         self._of = pane
         self.pane = pane.another(f"{pane.name}: {picture.name}")
         self.pane.setFrameShape(Pane.Shape.NoFrame)
-        self.pane.header.hide()
         self.pane.header.set_presenting(True, named=False)
         self.pane.canvas.setFocusPolicy(Qt.FocusPolicy.NoFocus)
         set_tip(self.pane.canvas, "")

@@ -244,7 +244,10 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Illus
             _image_in_world(projection, trace.view[0], drawn, way),
         ),
         ndc=_ndc_marks(projection, trace.clip[0]),
-        image=_image_marks(drawn) if way == "faces" else _edges_alone(drawn, way, size),
+        image=Marks.of(
+            _image_marks(drawn) if way == "faces" else _edges_alone(drawn, way, size),
+            _divided_ends(projection, trace.clip[0], way),
+        ),
         diagrams=(
             _picture(WORDS["naive"], drawn.naive, "u", size),
             _picture(WORDS["cut"], drawn.cut, "accent", size),
@@ -391,6 +394,17 @@ def _image_marks(drawn: Pictures) -> Marks:
     return Marks.of(*marks)
 
 
+def _divided_ends(projection: Projection, clip: Array, way: str) -> Marks:
+    """A' and B', where the divide draws both ends, if that is in the frame and not cut off."""
+    with np.errstate(over="ignore", divide="ignore", invalid="ignore"):
+        places = image_from_ndc(projection, naive_ndc(clip))
+        inside = (places >= 0.0) & (places <= projection.image_size)
+    drawn = inside.all(axis=1) & ((clip[:, 3] > 0.0) | (way in ("faces", "naive")))
+    return Marks.of(
+        *(named(("A'", "B'")[i], places[i], size=1.2) for i in np.flatnonzero(drawn).tolist())
+    )
+
+
 def _ab(ends: Array, colour: str, width: float) -> Marks:
     """AB, with its name in the middle."""
     return Marks.of(Line(ends, colour, width), Text("AB", ends.mean(axis=0), colour))
@@ -454,7 +468,7 @@ PHENOMENON = Phenomenon(
         Setting("drawn", "faces"),
     ),
     controls=("camera.distance",),
-    leading="image",
+    leading="world",
     own_mesh=True,
     own_mesh_crosses=True,
     names=("A", "B", "eye", "w=0", "A'", "B'"),

@@ -173,6 +173,8 @@ class Phenomenon:
     side : (float, float), optional
         From where the world pane looks at first: degrees from beside the camera to behind it, and
         upwards. By default the pane chooses the side that shows most.
+    cube_side : (float, float), optional
+        From where the cube is seen at first: degrees to the right of its near face, and upwards.
     fixed : str
         The fixed view of the world with which the scene opens; empty for the free one.
     leaves_out : frozenset of str
@@ -204,6 +206,7 @@ class Phenomenon:
     leading: str = "world"
     names: tuple[str, ...] = ()
     side: tuple[float, float] | None = None
+    cube_side: tuple[float, float] | None = None
     fixed: str = ""
     leaves_out: frozenset[str] = frozenset()
     pale: bool = False
