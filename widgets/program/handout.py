@@ -334,14 +334,14 @@ def _equation(document: Document, width: float) -> Iterator[Block]:
     view = document.view
     if "equation" not in view.slide:
         return
-    equation = equation_of(document.projection, view.letters, view.equation)
+    equation = equation_of(document.projection, view.letters, view.equation, document.settings)
     blocks = []
-    for number, term in enumerate(equation.terms):
+    for term in equation.terms:
         cells = [[f"${latex_cell(cell, term.letters)}$" for cell in row]
                  for row in term.matrix.formulas]  # fmt: skip
         if equation.is_in_numbers:
             cells = [[read_text(value) for value in row] for row in term.matrix.values]
-        is_result = bool(equation.factors) and number == len(equation.factors)
+        is_result = bool(equation.factors) and term is equation.result
         names = [each.name for each in equation.factors] if is_result else [term.name]
         above = f"${' '.join(names)}$ =" if all(names) else "="
         lines = [above, "", "| | | | |", "|---|---|---|---|"]
