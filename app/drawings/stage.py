@@ -95,7 +95,7 @@ class StageDrawing(Drawing):
         self.box = StageBox(self._canvas, words, self.names, self._board)
         self._emphasis = Emphasis(self._canvas)
         self.box.make_emphasis(self._emphasis)
-        self._probes = Probes(self._canvas)
+        self._probes = Probes(self._canvas, self._board)
         self._marks: MarksDrawing | None = None
         self._rasterisers = textured(scene, self._canvas, (drawn.surface, drawn.spaces[0]))
         self._illustration: Illustration | None = None
@@ -183,6 +183,7 @@ class StageDrawing(Drawing):
             space.set_projective(matrix)
         if self._probes.probes:
             self._place_probes()
+            self._place_texts()
 
     @property
     def _seen(self) -> Projection:
@@ -251,6 +252,7 @@ class StageDrawing(Drawing):
                 self._marks.ink(ground, seen)
 
         ground = Ground((0, 0, width_px, height_px - TITLE_EM * em), em, ink)
+        self._probes.want(ground)
         self.box.want_words(ground, seen)
         if self._marks is not None:
             self._marks.want_texts(ground, seen)
@@ -262,6 +264,7 @@ class StageDrawing(Drawing):
     def show_probes(self, probes: Sequence[Probe]) -> None:
         self._probes.probes = probes
         self._place_probes()
+        self._place_texts()
 
     def _place_probes(self) -> None:
         marks: Sequence[Mark] = ()
