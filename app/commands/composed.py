@@ -10,7 +10,6 @@ from app.commands.arguments import check_drawing, importing
 from app.document.document import Document
 from app.document.naming import nameable
 from app.document.view import EVERYTHING, PANES
-from app.lecture.equation import equation_of
 from app.lessons.course import Course, scene_of
 from app.model.refusal import Refusal
 
@@ -57,8 +56,6 @@ class Composed:
             em = PANE_EM_PX
             if lesson.is_talk:
                 em, screen_px = SLIDE_EM_PX, SLIDE_PX[1]
-            if "equation" in document.view.slide:
-                equation_of(document.projection, document.view.letters, document.view.equation)
             missing = self._missing(document, list(seen) if lesson.is_talk else list(PANES))
             for name in missing:
                 found[f"{where}: view.names has {name}, which no pane draws here."] = None

@@ -25,7 +25,7 @@ import numpy as np
 from vtkmodules.vtkCommonDataModel import vtkPlane
 
 from app.document.naming import named_in
-from app.drawings.actors import Canvas, lift_lines
+from app.drawings.actors import Canvas, lift_lines, make_pale
 from app.drawings.drawing import Drawing, Rectangle, light_of_labels
 from app.drawings.frustum import CUBE
 from app.drawings.label_placement import Ground
@@ -84,6 +84,8 @@ class StageDrawing(Drawing):
         # Left, right, bottom, top, far, near of the view volume, normals inwards.
         self._planes = [vtkPlane() for _ in range(6)]
         self._model = ModelActors(scene, style, least_tolerance(scene, tolerance_px), self._planes)
+        if self.pane in scene.pale:
+            make_pale(self._model.actors, style)
         drawn = self._model.actors
         for lines in (drawn.lines, drawn.ground):
             if lines is not None:

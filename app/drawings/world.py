@@ -50,7 +50,6 @@ _WHOLE, _NEARBY = (
     1.1,
 )  # of the extent: the largest frustum that is framed whole; else this much of it
 _FARTHEST_MARK = 1e3  # of the extent: where lines toward infinity end
-_PALE = 0.7  # how much paper is in a subject's colours that is a silhouette
 _EDGES = [pair for line in actors.CUBE_EDGES for pair in pairwise(line)]
 _ABOUT = 2.5  # of the size of marks on a large subject: so much of it is framed with them
 _FRAMED_MARK = 5.0  # of the scene's size: farther marks are not framed
@@ -84,9 +83,8 @@ class WorldDrawing(Drawing):
         self._faces_space, self._lines_space, self._ground_space = drawn.spaces
         canvas.add(*drawn)
         self._hidden = canvas.hidden
-        if scene.phenomenon is not None and scene.phenomenon.pale:
-            for actor in drawn:
-                actors.make_pale(actor, style.background, _PALE)
+        if self.pane in scene.pale:
+            actors.make_pale(drawn, style)
         self.picture = NearPicture(canvas, scene)
         self._detail = actors.Detail(drawn.surface, self.picture.faces)
         self._rasterisers = textured(

@@ -482,7 +482,7 @@ class MainWindow(QMainWindow):
         self.slide.pen.setVisible(on)
         self.look.set_presenting(on)
         self.controls.set_presenting(on)
-        self.comparing.pictures.set_presenting(on)
+        self.comparing.pictures.set_presenting(on, float(self.screen().size().height()))
         self.control_strip.set_presenting(on, float(self.screen().size().height()))
         self.slide.equation.set_screen(float(self.screen().size().height()))
         self._body.setContentsMargins(*(NO_MARGINS if on else BODY_MARGINS))

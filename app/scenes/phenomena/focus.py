@@ -328,6 +328,6 @@ PHENOMENON = Phenomenon(
     controls=("lens.fov_y_deg",),
     own_mesh=True,
     names=("sharp-from", "in-focus", "sharp-to"),
-    side=(0.0, 8.0),
+    side=(45.0, 35.0),
     leaves_out=frozenset({"frustum", "near-picture"}),
 )

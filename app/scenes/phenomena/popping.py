@@ -317,5 +317,4 @@ PHENOMENON = Phenomenon(
     check=_check,
     requires=frozenset({"fog", "levels"}),
     names=("far", "next-tree"),
-    side=(0.0, 55.0),
 )
