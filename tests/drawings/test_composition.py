@@ -117,3 +117,10 @@ def test_scenes_are_composed_as_they_open(scene: str, window: str, style: str) -
     assert any(each.labels for _, each in found)
     for pane, each in found:
         assert list(faults_in(each, None)) == [], pane
+
+
+def test_the_axes_of_a_moved_object_are_named_if_the_view_says_so() -> None:
+    moved = "object.translate=2,0,0"
+    assert [each.text for each in picture("world", moved, "view.names=eye").labels] == ["eye"]
+    found = {each.text for each in picture("world", moved, "view.names=eye,x,z").labels}
+    assert found == {"eye", "x", "z"}
