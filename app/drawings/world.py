@@ -496,6 +496,8 @@ class WorldDrawing(Drawing):
         if wanted is None:
             return points, np.empty((0, 3))
         marked = np.empty((0, 3)) if self._marks is None else self._marks.named_points
+        followed = [probe.point for probe in self._probes.probes if probe.point is not None]
+        marked = np.concatenate([marked, np.reshape(followed, (-1, 3)) - self._origin])
         named = [marked[np.linalg.norm(marked - at.eye, axis=1) <= _FARTHEST_MARK * at.extent]]
         beside = [self._objects]
         has_planes = self.frustum.seen and self._projection.lens.planes is not None
