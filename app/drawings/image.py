@@ -329,6 +329,9 @@ class ImageDrawing(Drawing):
             marks.want_texts(ground, seen)
         return self._board.settle(ground, afresh=afresh)
 
+    def reset_view(self) -> None:
+        self._place_texts(afresh=True)
+
     def refit(self) -> bool:
         return self._place_texts(afresh=True)
 
@@ -469,7 +472,7 @@ class ImageDrawing(Drawing):
         )
         self._begin_blurring()
         self._place_probes()
-        self._place_texts()
+        self._place_texts(afresh=True)
         if not self._framed:
             return
         em = self._style.font_size

@@ -368,11 +368,12 @@ class StageDrawing(Drawing):
             pane = self.own.pane_from_display
             corners = _spots(CUBE, pane @ self.box.display_from_box)
             points = [(frozenset((name,)), at) for name, at in zip(CORNERS, corners, strict=True)]
-            segments: list[Segment] = volume_edges(corners)
-            # Along the volume the axes are its edges.
+            # Of two equally near lines the first counts: an axis is drawn over the edge it is on.
+            segments: list[Segment] = []
             for name, ends in zip(AXES, self.box.axes[:, 1:], strict=True):
                 start, tip = _spots(ends, pane)
                 segments.append((frozenset((name,)), start, tip))
+            segments += volume_edges(corners)
             found = pointed_at((x_px, y_px), self._style.font_size, points, segments, corners)
         return found - self._strangers
 
