@@ -62,6 +62,7 @@ vec4 inFront(vec4 end, vec4 other)
   if (end.w >= least || other.w < least) return end;
   return mix(end, other, (least - end.w) / (other.w - end.w));
 }"""
+_PAPER = 0.7  # share of the paper's colour in a pale silhouette
 _LIFT = 2e-3  # of the distance
 _LIFT_FREE = 2e-4  # of NDC's depth, under a free matrix
 _LIFT_STEP = 6e-4  # in NDC of the pane's own camera
@@ -458,14 +459,15 @@ def _cells(cells: Sequence[Sequence[int]]) -> Any:
     return np.concatenate([[len(cell), *cell] for cell in cells])
 
 
-def make_pale(actor: vtkActor, paper: str, share: float) -> None:
-    """Mix an actor's colours with the paper's, of which there is so much, 0 to 1."""
-    red, green, blue = rgb(paper)
+def make_pale(actors: Iterable[vtkActor], style: Style) -> None:
+    """Mix the colours of actors with much of the paper's: a silhouette beside what matters."""
+    red, green, blue = rgb(style.background)
     place = "//VTK::TCoord::Impl"
-    mixed = f"mix(gl_FragData[0].rgb, vec3({red}, {green}, {blue}), {share})"
-    actor.GetShaderProperty().AddFragmentShaderReplacement(
-        place, True, f"{place}\n  gl_FragData[0].rgb = {mixed};\n", False
-    )
+    mixed = f"mix(gl_FragData[0].rgb, vec3({red}, {green}, {blue}), {_PAPER})"
+    for actor in actors:
+        actor.GetShaderProperty().AddFragmentShaderReplacement(
+            place, True, f"{place}\n  gl_FragData[0].rgb = {mixed};\n", False
+        )
 
 
 def lift_lines(actor: vtkActor, steps: float = 1) -> None:

@@ -36,6 +36,8 @@ _STEEPEST = math.radians(30.0)
 _INK, _CROSSES, _ORDER, _FOREIGN, _OVERLAP, _UNPLACED = 20.0, 8.0, 0.2, 10.0, 1e6, 1e3
 _MOVES = 200
 _RIM_EM = 0.45  # of a mark, where its leader begins
+_FAR = 1e9
+"""Cells: a box beyond hides no ink, and its place is still a whole number."""
 
 
 class Places(NamedTuple):
@@ -277,7 +279,7 @@ class Ground:
             self._counted = np.zeros((columns + 1, rows + 1), dtype=np.int64)
             self._counted[1:, 1:] = self._ink.cumsum(axis=0).cumsum(axis=1)
         limit = np.array(self.shape * 2)
-        cells = np.rint(boxes / self._square).astype(np.int64)
+        cells = np.rint(np.clip(boxes / self._square, -_FAR, _FAR)).astype(np.int64)
         cells[:, 2:] = np.maximum(cells[:, 2:], cells[:, :2] + 1)
         left, low, right, high = np.clip(cells, 0, limit).T
         counted = self._counted

@@ -50,7 +50,7 @@ class Silhouette:
             for count in sorted(set(steps.tolist())):
                 some = spots[steps == count]
                 spread = np.tensordot(_lattice(count), some, axes=(1, 1)).reshape(-1, 2)
-                at = np.floor(spread).astype(np.int64)
+                at = np.floor(np.clip(spread, -1.0, max(shape))).astype(np.int64)
                 at = at[((at >= 0) & (at < shape)).all(axis=1)]
                 held[at[:, 0], at[:, 1]] = True
         ground.ink(held)

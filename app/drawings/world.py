@@ -50,7 +50,6 @@ _WHOLE, _NEARBY = (
     1.1,
 )  # of the extent: the largest frustum that is framed whole; else this much of it
 _FARTHEST_MARK = 1e3  # of the extent: where lines toward infinity end
-_PALE = 0.7  # how much paper is in a subject's colours that is a silhouette
 _EDGES = [pair for line in actors.CUBE_EDGES for pair in pairwise(line)]
 _ABOUT = 2.5  # of the size of marks on a large subject: so much of it is framed with them
 _FRAMED_MARK = 5.0  # of the scene's size: farther marks are not framed
@@ -84,9 +83,8 @@ class WorldDrawing(Drawing):
         self._faces_space, self._lines_space, self._ground_space = drawn.spaces
         canvas.add(*drawn)
         self._hidden = canvas.hidden
-        if scene.phenomenon is not None and scene.phenomenon.pale:
-            for actor in drawn:
-                actors.make_pale(actor, style.background, _PALE)
+        if self.pane in scene.pale:
+            actors.make_pale(drawn, style)
         self.picture = NearPicture(canvas, scene)
         self._detail = actors.Detail(drawn.surface, self.picture.faces)
         self._rasterisers = textured(
@@ -114,7 +112,7 @@ class WorldDrawing(Drawing):
         for name, label in self.labels.named.items():
             self._emphasis.label(label, name)
         self._dimensions: Dimensions | None = None
-        self._probes = Probes(canvas)
+        self._probes = Probes(canvas, self._board)
         self.handles = HandleMarks(canvas) if live else None
         self.names = Names(named_in(self.pane, scene))
         self._light = 1.0
@@ -397,6 +395,7 @@ class WorldDrawing(Drawing):
             at.eye, at.target, arrows, ends, self.camera.box, self._corners_seen,
             self._projection.lens.planes, self._unseen | unnamed,
         )  # fmt: skip
+        self._probes.want(ground)
         self.labels.want(ground, pane, named)
         written = set[str]()
         if self.own.fixed and self._dimensions is not None:
@@ -598,7 +597,6 @@ class WorldDrawing(Drawing):
         pane, frustum, at = self.own.pane, self.frustum, self._standing
         self.camera.follow(pane)
         self._place_handles()
-        self._place_labels(afresh=afresh)
         # From the eye the planes cover all of the picture, and one another.
         frustum.tint(pane, 0.0 if self.own.sees_from_eye else self._light)
         self.picture.show(self._projection, at, frustum, pane, self._local_from_object)
@@ -609,12 +607,14 @@ class WorldDrawing(Drawing):
         self.camera.come_before(pane, depths, near)
         if self._probes.probes:
             self._place_probes()
+        self._place_labels(afresh=afresh)
 
     # -- a phenomenon, probes, handles
 
     def show_probes(self, probes: Sequence[Probe]) -> None:
         self._probes.probes = probes
         self._place_probes()
+        self._place_labels(afresh=False)
 
     def _show_illustration(self, illustration: Illustration | None) -> None:
         if self._marks is None:

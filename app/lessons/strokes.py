@@ -33,6 +33,11 @@ def path_beside(talk: Path) -> Path:
     return talk.with_suffix(".strokes.json")
 
 
+def picture_beside(talk: Path, step: str) -> Path:
+    """Return the file that keeps the slide of a step with its strokes, for the handout."""
+    return talk.with_suffix(".strokes") / f"{step}.png"
+
+
 def write_strokes(talk: Path, strokes: Strokes) -> Path:
     """Keep the strokes of a talk in the file beside it; raise `OSError` if that fails."""
     tree = {

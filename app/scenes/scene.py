@@ -180,6 +180,11 @@ class Scene:
         return "" if self.phenomenon is None else self.phenomenon.fixed
 
     @property
+    def pale(self) -> frozenset[str]:
+        """The panes that draw it as a pale silhouette."""
+        return frozenset() if self.phenomenon is None else self.phenomenon.pale
+
+    @property
     def leaves_out(self) -> frozenset[str]:
         return frozenset() if self.phenomenon is None else self.phenomenon.leaves_out
 

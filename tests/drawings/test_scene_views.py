@@ -10,6 +10,7 @@ import pytest
 
 from app.commands.arguments import document_of
 from app.drawings import WORDS
+from app.drawings.image import ImageDrawing
 from app.drawings.stage import StageDrawing
 from app.drawings.style import LIGHT, rgb
 from app.drawings.world import WorldDrawing
@@ -106,3 +107,16 @@ def test_a_scene_opens_in_its_fixed_view() -> None:
         assert document_of(None, [f"scene={name}"]).view.fixed == phenomenon.fixed
     assert PHENOMENA["similar-triangles"].fixed == "side"
     assert document_of(None, ["scene=similar-triangles", "view.fixed=top"]).view.fixed == "top"
+
+
+def test_the_cards_of_clipping_are_pale_where_the_triangle_matters(off_screen: MakeScreen) -> None:
+    scene, shown = load("clipping"), illustrated(load("clipping"))
+    kinds: dict[str, Any] = {"world": WorldDrawing, "ndc": StageDrawing, "image": ImageDrawing}
+    shares = {}
+    for pane, kind in kinds.items():
+        screen = off_screen(*SIZE)
+        kind(screen, scene, WORDS, LIGHT).show_projection(scene.start, shown)
+        pixels = screen.pixels()
+        red, green, blue = np.moveaxis(pixels, 2, 0)
+        shares[pane] = float(((red > 215) & (green > 190) & (blue < 110)).mean())
+    assert max(shares["world"], shares["ndc"]) < 0.1 * shares["image"]  # of the yellow card

@@ -69,7 +69,8 @@ def usual() -> dict[str, np.ndarray]:
         (View(panes={"ndc": replace(ABOVE, eye=(2.0, 1.0, 3.0))}), {"ndc"}),
         (View(panes={"second-screen": ABOVE}), set()),
         (View(frame_step="n", panel="matrices"), set()),
-        (View(letters=LETTERS[3], layout="columns", large="image", panel="probe"), set()),
+        (View(layout="columns", large="image", panel="probe"), set()),
+        (View(letters=LETTERS[3]), {"world"}),  # the letters of near and far
     ],
 )
 def test_a_value_of_the_view_changes_the_panes_that_show_it_and_no_other(

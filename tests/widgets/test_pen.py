@@ -11,12 +11,19 @@ import pytest
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtGui import QImage
 from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QFrame
 
-from app.lessons.strokes import Stroke, path_beside, read_strokes, write_strokes
+from app.lessons.strokes import (
+    Stroke,
+    path_beside,
+    picture_beside,
+    read_strokes,
+    write_strokes,
+)
 from app.model.refusal import Refusal
 from tests.support.window import activate, arrive, move_mouse, pixels, present, rgb_of, settle
+from widgets.program.handout import handout
 from widgets.window.main_window import MainWindow
-from widgets.window.pen import drawn_on
 
 TALK = """---
 title: A talk
@@ -131,14 +138,27 @@ def test_what_is_kept_is_there_again(window: MainWindow, talk: Path) -> None:
     assert tuple(pen.here) == wanted["one"]
 
 
-def test_a_picture_with_strokes(tmp_path: Path) -> None:
-    plain = QImage(400, 200, QImage.Format.Format_RGB32)
-    plain.fill(Qt.GlobalColor.white)
-    stroke = Stroke("n", ((0.25, 0.5), (0.75, 0.5)))
-    rows, columns = np.nonzero((rgb_of(drawn_on(plain, [stroke])) != 255).any(axis=2))
-    assert abs(rows.mean() - 99.5) < 1.0
-    assert abs(columns.min() - 100) <= 2 and abs(columns.max() - 300) <= 2
-    assert (rgb_of(plain) == 255).all()
+def test_the_handout_prints_the_slide_with_its_strokes(window: MainWindow, talk: Path) -> None:
+    course = window.lessons.course
+    assert course is not None
+    plain = handout(course)
+    pen = window.slide.pen
+    pen.switch(True)
+    draw(window, (300, 300), (400, 320))
+    drawn = slide(window)
+    QTest.keyClick(pen, Qt.Key.Key_K)
+    path = picture_beside(talk, "one")
+    kept = rgb_of(QImage(str(path)))
+    assert kept.shape == drawn.shape
+    bar = pen.findChild(QFrame, "card").geometry()
+    beside = np.ones(kept.shape[:2], dtype=bool)
+    beside[bar.top() : bar.bottom() + 1, bar.left() : bar.right() + 1] = False  # not in the handout
+    assert (kept[beside] == drawn[beside]).all() and (kept != drawn).any()
+    assert not picture_beside(talk, "two").exists()
+    assert abs(len(handout(course)) - len(plain)) > 1000
+    QTest.keyClick(pen, Qt.Key.Key_Delete)
+    QTest.keyClick(pen, Qt.Key.Key_K)
+    assert not path.exists() and abs(len(handout(course)) - len(plain)) < 100
 
 
 @pytest.mark.parametrize(

@@ -10,6 +10,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from functools import cache, partial
+from pathlib import Path
 from textwrap import wrap
 from typing import NamedTuple
 
@@ -35,6 +36,7 @@ from app.lecture.equation import equation_of, latex_cell
 from app.lecture.notation import matrices
 from app.lessons.course import Course, scene_of
 from app.lessons.lesson import Step
+from app.lessons.strokes import picture_beside
 from app.lessons.text import escaped
 from widgets.controls.readout import full_sentence, value_text
 from widgets.panels.matrix_panel import note_on
@@ -165,7 +167,8 @@ class _Sheet:
         asked = [part for part in step.parts if part.reveals or part in step.asked]
         texts = [part.text for part in step.parts if part not in asked]
         note = self._note(step)
-        yield from self._with_figure(shown, texts, note)
+        slide = picture_beside(course.lesson.path, step.name)
+        yield from self._with_figure(shown, texts, note, slide)
         if not any(part.is_tall and "\n|" in part.text for part in step.parts):
             yield from _equation(shown, self._width)
         before = course.shown(place - 1).document if place else None
@@ -195,9 +198,17 @@ class _Sheet:
         minutes = f"*{step.note.minutes:g} min.* " if step.note.minutes else ""
         return minutes + step.note.text
 
-    def _with_figure(self, document: Document, texts: list[str], note: str) -> Iterator[Block]:
-        """Yield a figure and its texts: beside it if they are narrow and low enough."""
+    def _with_figure(
+        self, document: Document, texts: list[str], note: str, slide: Path | None = None
+    ) -> Iterator[Block]:
+        """Yield a figure and its texts: beside it if they are narrow and low enough.
+
+        If `slide` is a file, the figure is that picture of a slide on which somebody has drawn.
+        """
         figure = _figure(document, self._width, self._figure_width)
+        drawn = QImage(str(slide)) if slide is not None and slide.is_file() else QImage()
+        if not drawn.isNull():
+            figure = _picture(drawn, self._width)
         left = figure.wide + NOTE_INDENT_PT
         room = self._width - left
         if figure.wide > 0.75 * self._width:  # there is no room beside it
@@ -260,6 +271,18 @@ def _ruled(width: float, height: float) -> Block:
                 painter.drawLine(QPointF(0.0, y), QPointF(width, y))
 
     return Block(height, paint)
+
+
+def _picture(image: QImage, width: float) -> Block:
+    """A picture across the page."""
+    place = QRectF(0.0, 0.0, width, width * image.height() / image.width())
+
+    def paint(painter: QPainter, _part: QRectF) -> None:
+        painter.drawImage(place, image)
+        painter.setPen(QPen(QColor(LIGHT.muted), 0.6))
+        painter.drawRect(place)
+
+    return Block(place.height(), paint, wide=width)
 
 
 def _figure(document: Document, width: float, one_pane: float) -> Block:

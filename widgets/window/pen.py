@@ -63,15 +63,6 @@ def paint_strokes(
     painter.restore()
 
 
-def drawn_on(picture: QImage, strokes: Iterable[Stroke], style: Style = LIGHT) -> QImage:
-    """Return a copy of a slide's picture with the strokes over it."""
-    copy = picture.convertToFormat(QImage.Format.Format_RGB32)
-    painter = QPainter(copy)
-    paint_strokes(painter, QRectF(0.0, 0.0, copy.width(), copy.height()), strokes, style)
-    painter.end()
-    return copy
-
-
 class Pen(QWidget):
     """Lies over the slide, and takes the mouse while it draws.
 
@@ -79,6 +70,8 @@ class Pen(QWidget):
     ----------
     strokes : dict of str to list of Stroke
         By the names of the steps.
+    pictures : dict of str to QImage
+        The slides with the strokes that were drawn since the talk was opened, by the same names.
     is_on : bool
         Whether the mouse draws.
     erases : bool
@@ -97,6 +90,7 @@ class Pen(QWidget):
         self.setAccessibleName(self.tr("Pen"))
         self._slide = slide
         self.strokes: dict[str, list[Stroke]] = {}
+        self.pictures: dict[str, QImage] = {}
         self.is_on = self.erases = False
         self.colour = COLOURS[1]
         self._step = ""
@@ -158,6 +152,7 @@ class Pen(QWidget):
     def begin_talk(self, strokes: dict[str, list[Stroke]]) -> None:
         """Forget all strokes but those that were kept of another talk."""
         self.strokes = strokes
+        self.pictures.clear()
         self.update()
 
     @property
@@ -212,6 +207,13 @@ class Pen(QWidget):
         self._show_strokes()
 
     def _show_strokes(self) -> None:
+        """Show the strokes of the step, and take a picture of the slide with them."""
+        if self.here:
+            self._bar.hide()
+            self.pictures[self._step] = self._slide.grab().toImage()
+            self._bar.setVisible(self.is_on)
+        else:
+            self.pictures.pop(self._step, None)
         self.update()
         self.drawn.emit()
 
@@ -271,8 +273,10 @@ class Pen(QWidget):
                 for x, y in stroke.points
             )
 
-        self.strokes[self._step] = [each for each in self.here if not is_touched(each)]
-        self._show_strokes()
+        left = [each for each in self.here if not is_touched(each)]
+        if len(left) != len(self.here):
+            self.strokes[self._step] = left
+            self._show_strokes()
 
     def event(self, event: QEvent) -> bool:
         is_asked = event.type() == QEvent.Type.ShortcutOverride

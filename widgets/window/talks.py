@@ -8,6 +8,8 @@
 
 from __future__ import annotations
 
+import errno
+import os
 from collections.abc import Sequence
 from functools import partial
 from pathlib import Path
@@ -19,7 +21,7 @@ from PySide6.QtWidgets import QApplication, QMainWindow
 from app.document.store import Store
 from app.lessons.blocks.block import Part
 from app.lessons.course import Course
-from app.lessons.strokes import Stroke, read_strokes, write_strokes
+from app.lessons.strokes import Stroke, picture_beside, read_strokes, write_strokes
 from app.model.refusal import Refusal
 from widgets.parts.lesson_text import answer_of
 from widgets.parts.message_bar import MessageBar
@@ -190,6 +192,18 @@ class Talks(QObject):
                 self._messages.say(sentence(error))
             self._pen.begin_talk({step: list(strokes) for step, strokes in kept.items()})
 
+    def _write_pictures(self, talk: Path) -> None:
+        """Write the slides with strokes for the handout, and remove those without."""
+        lesson = self._lessons.lesson
+        for step in lesson.steps if lesson is not None else ():
+            path = picture_beside(talk, step.name)
+            if not self._pen.strokes.get(step.name):
+                path.unlink(missing_ok=True)
+            elif step.name in self._pen.pictures:
+                path.parent.mkdir(exist_ok=True)
+                if not self._pen.pictures[step.name].save(str(path)):
+                    raise OSError(errno.EIO, os.strerror(errno.EIO))
+
     def keep_strokes(self) -> None:
         """Write the strokes beside the talk, where the handout finds them."""
         if self._drawn_on is None:
@@ -197,6 +211,7 @@ class Talks(QObject):
             return
         try:
             path = write_strokes(self._drawn_on, self._pen.strokes)
+            self._write_pictures(self._drawn_on)
         except OSError as error:
             text = self.tr("The strokes cannot be written beside the talk: {0}")
             self._messages.say(text.format(error.strerror))

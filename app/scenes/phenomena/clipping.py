@@ -354,4 +354,5 @@ PHENOMENON = Phenomenon(
     numbers=7,
     leading="ndc",
     names=("A", "B", "C", "1", "2"),
+    pale=frozenset({"world", "ndc"}),
 )

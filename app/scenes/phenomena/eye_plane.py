@@ -473,6 +473,6 @@ PHENOMENON = Phenomenon(
     own_mesh_crosses=True,
     names=("A", "B", "eye", "w=0", "A'", "B'"),
     side=(10.0, 62.0),
-    pale=True,
+    pale=frozenset({"world"}),
     leaves_out=frozenset({"frustum", "near-picture"}),
 )

@@ -180,9 +180,9 @@ class Phenomenon:
     leaves_out : frozenset of str
         Layers that the world pane leaves out and does not frame, as long as nothing of them is
         named: ``"frustum"``, ``"near-picture"``, ``"camera"``, ``"grid"``.
-    pale : bool
-        Whether the world pane draws the subject as a pale silhouette, because the marks beside it
-        matter more.
+    pale : frozenset of str
+        The panes, ``"world"`` or ``"ndc"``, that draw the subject as a pale silhouette, because the
+        marks beside it matter more.
     own_mesh : bool
         Whether a user's mesh, scaled and moved into its bounds, can replace the built-in subject.
     own_mesh_crosses : bool
@@ -209,7 +209,7 @@ class Phenomenon:
     cube_side: tuple[float, float] | None = None
     fixed: str = ""
     leaves_out: frozenset[str] = frozenset()
-    pale: bool = False
+    pale: frozenset[str] = frozenset()
     own_mesh: bool = False
     own_mesh_crosses: bool = False
 

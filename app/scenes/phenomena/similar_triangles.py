@@ -199,5 +199,5 @@ PHENOMENON = Phenomenon(
     side=(12.0, 10.0),
     fixed="side",
     leaves_out=frozenset({"frustum", "near-picture", "grid"}),
-    pale=True,
+    pale=frozenset({"world"}),
 )
