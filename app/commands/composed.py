@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
@@ -11,6 +11,7 @@ from app.document.document import Document
 from app.document.naming import nameable
 from app.document.view import EVERYTHING, PANES
 from app.lessons.course import Course, scene_of
+from app.lessons.lesson import Lesson, Step
 from app.model.refusal import Refusal
 
 if TYPE_CHECKING:
@@ -47,7 +48,7 @@ class Composed:
         """Draw a step's states, and add what is wrong with them."""
         lesson, step = course.lesson, course.lesson.steps[place]
         line = step.state.line if step.state is not None else step.line
-        where = f"{lesson.path.name}: line {line}, step {place + 1} ({step.name})"
+        where = f"{lesson.path}: line {line}, step {place + 1} ({step.name})"
         self.steps += 1
         found = dict[str, None]()
         kinds = set[str]()
@@ -139,10 +140,27 @@ def states_of(course: Course, place: int) -> list[Document]:
     return [here.document, *map(here.shown_by, states)]
 
 
-def taken(composed: Composed, course: Course, place: int, draw: Measure) -> Refusal | None:
-    """Measure a step; return why it cannot be drawn, if it cannot."""
-    try:
-        composed.take(course, place, states_of(course, place), draw)
-    except Refusal as error:
-        return error
-    return None
+def taken(
+    composed: Composed, course: Course, draw: Measure, known: Sequence[Refusal]
+) -> list[Refusal]:
+    """Measure all steps; return why some cannot be drawn, unless a check knows it already."""
+    refused: list[Refusal] = []
+    for place, step in enumerate(course.lesson.steps):
+        try:
+            composed.take(course, place, states_of(course, place), draw)
+        except Refusal as error:
+            error = _placed(error, course.lesson, step)
+            if str(error) not in map(str, (*known, *refused)):
+                refused.append(error)
+    return refused
+
+
+def _placed(error: Refusal, lesson: Lesson, step: Step) -> Refusal:
+    """Add file and line to a refusal that does not name them."""
+    if not error.field.startswith("line "):
+        line = step.state.line if step.state is not None else step.line
+        error = Refusal.in_document(
+            error.bound, *error.limits, field=f"line {line}, {error.field}", value=error.value
+        )
+    error.file = str(lesson.path)
+    return error

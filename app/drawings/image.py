@@ -88,9 +88,9 @@ class ImageDrawing(Drawing):
         self._hidden: frozenset[str] = frozenset()
         self.names = Names(named_in(self.pane, scene))
         self._add_picture()
-        self._probes = Probes(self._canvas, self._picture)
-        self._marks: MarksDrawing | None = None
         self._board = Board(self._canvas, self._picture)
+        self._probes = Probes(self._canvas, self._board, self._picture)
+        self._marks: MarksDrawing | None = None
         self._silhouette = Silhouette(scene, style.font_size)
         self._rasteriser: Rasteriser | None = None
         self._rendering = Rendering()
@@ -167,6 +167,7 @@ class ImageDrawing(Drawing):
         self._begin_blurring()
         if self._probes.probes:
             self._place_probes()
+            self._place_texts()
 
     def show_layers(self, hidden: frozenset[str]) -> None:
         self._hidden = hidden
@@ -194,6 +195,7 @@ class ImageDrawing(Drawing):
     def show_probes(self, probes: Sequence[Probe]) -> None:
         self._probes.probes = probes
         self._place_probes()
+        self._place_texts()
 
     @property
     def _seen(self) -> Projection:
@@ -301,7 +303,7 @@ class ImageDrawing(Drawing):
 
     def _place_texts(self, *, afresh: bool = False) -> bool:
         """Place the texts; return whether one has changed its place."""
-        if self._marks is None or not self._canvas.labels_light:
+        if not self._canvas.labels_light:
             return False
         rectangle = self.picture_rectangle_px
         half = np.array([rectangle.width, rectangle.height]) / 2.0
@@ -318,11 +320,17 @@ class ImageDrawing(Drawing):
                 corners = self._silhouette.triangles @ clip[:, :3].T + clip[:, 3]
                 w = np.where(corners[..., 3:] > 0.0, corners[..., 3:], np.nan)
                 self._silhouette.ink(ground, (corners[..., :2] / w + 1.0) * half)
-            marks.ink(ground, seen)
+            if marks is not None:
+                marks.ink(ground, seen)
 
         ground = Ground((0, 0, rectangle.width, rectangle.height), self._style.font_size, ink)
-        marks.want_texts(ground, seen)
+        self._probes.want(ground)
+        if marks is not None:
+            marks.want_texts(ground, seen)
         return self._board.settle(ground, afresh=afresh)
+
+    def reset_view(self) -> None:
+        self._place_texts(afresh=True)
 
     def refit(self) -> bool:
         return self._place_texts(afresh=True)
@@ -464,7 +472,7 @@ class ImageDrawing(Drawing):
         )
         self._begin_blurring()
         self._place_probes()
-        self._place_texts()
+        self._place_texts(afresh=True)
         if not self._framed:
             return
         em = self._style.font_size

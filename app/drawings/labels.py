@@ -35,7 +35,7 @@ from app.lecture.highlight import AXES
 from app.model.projection import Array
 
 # Which label has a place first.
-LENGTH, SCENE, AXIS, EYE, PLANE, TARGET, NUMBER = map(float, range(7))
+PROBE, LENGTH, SCENE, AXIS, EYE, PLANE, TARGET, NUMBER = map(float, range(8))
 DOT_EM = 0.4
 """Half the width of what labels keep off at a point."""
 _MOST_INSIDE = 6  # places on a plane that are tried

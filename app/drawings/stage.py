@@ -97,7 +97,7 @@ class StageDrawing(Drawing):
         self.box = StageBox(self._canvas, words, self.names, self._board)
         self._emphasis = Emphasis(self._canvas)
         self.box.make_emphasis(self._emphasis)
-        self._probes = Probes(self._canvas)
+        self._probes = Probes(self._canvas, self._board)
         self._marks: MarksDrawing | None = None
         self._rasterisers = textured(scene, self._canvas, (drawn.surface, drawn.spaces[0]))
         self._illustration: Illustration | None = None
@@ -185,6 +185,7 @@ class StageDrawing(Drawing):
             space.set_projective(matrix)
         if self._probes.probes:
             self._place_probes()
+            self._place_texts()
 
     @property
     def _seen(self) -> Projection:
@@ -253,6 +254,7 @@ class StageDrawing(Drawing):
                 self._marks.ink(ground, seen)
 
         ground = Ground((0, 0, width_px, height_px - TITLE_EM * em), em, ink)
+        self._probes.want(ground)
         self.box.want_words(ground, seen)
         if self._marks is not None:
             self._marks.want_texts(ground, seen)
@@ -264,6 +266,7 @@ class StageDrawing(Drawing):
     def show_probes(self, probes: Sequence[Probe]) -> None:
         self._probes.probes = probes
         self._place_probes()
+        self._place_texts()
 
     def _place_probes(self) -> None:
         marks: Sequence[Mark] = ()
@@ -365,11 +368,12 @@ class StageDrawing(Drawing):
             pane = self.own.pane_from_display
             corners = _spots(CUBE, pane @ self.box.display_from_box)
             points = [(frozenset((name,)), at) for name, at in zip(CORNERS, corners, strict=True)]
-            segments: list[Segment] = volume_edges(corners)
-            # Along the volume the axes are its edges.
+            # Of two equally near lines the first counts: an axis is drawn over the edge it is on.
+            segments: list[Segment] = []
             for name, ends in zip(AXES, self.box.axes[:, 1:], strict=True):
                 start, tip = _spots(ends, pane)
                 segments.append((frozenset((name,)), start, tip))
+            segments += volume_edges(corners)
             found = pointed_at((x_px, y_px), self._style.font_size, points, segments, corners)
         return found - self._strangers
 

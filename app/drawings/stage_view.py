@@ -42,7 +42,7 @@ _LOOKED_FROM_DEG = {
     IMAGE: (0.0, 0.0),
 }
 _FILLED = 0.9  # of the ball that holds the frustum: its corners alone touch the ball
-_MARGIN_EM = 2.6  # on each side, for the labels
+_MARGIN_EM = 2.1  # on each side, for the labels
 _CUBE_MARGIN_EM = 2.0  # at NDC, where near and far have the corners of the pane
 _MOST_MARGIN = 1.0 / 2.0, 1.0 / 4.0  # of a small pane's width and height: both sides together
 

@@ -112,7 +112,7 @@ class WorldDrawing(Drawing):
         for name, label in self.labels.named.items():
             self._emphasis.label(label, name)
         self._dimensions: Dimensions | None = None
-        self._probes = Probes(canvas)
+        self._probes = Probes(canvas, self._board)
         self.handles = HandleMarks(canvas) if live else None
         self.names = Names(named_in(self.pane, scene))
         self._light = 1.0
@@ -390,6 +390,7 @@ class WorldDrawing(Drawing):
             at.eye, at.target, arrows, ends, self.camera.box, self._corners_seen,
             self._projection.lens.planes, self._unseen | unnamed,
         )  # fmt: skip
+        self._probes.want(ground)
         self.labels.want(ground, pane, named)
         written = set[str]()
         if self.own.fixed and self._dimensions is not None:
@@ -589,7 +590,6 @@ class WorldDrawing(Drawing):
         pane, frustum, at = self.own.pane, self.frustum, self._standing
         self.camera.follow(pane)
         self._place_handles()
-        self._place_labels(afresh=afresh)
         # From the eye the planes cover all of the picture, and one another.
         frustum.tint(pane, 0.0 if self.own.sees_from_eye else self._light)
         self.picture.show(self._projection, at, frustum, pane, self._local_from_object)
@@ -600,12 +600,14 @@ class WorldDrawing(Drawing):
         self.camera.come_before(pane, depths, near)
         if self._probes.probes:
             self._place_probes()
+        self._place_labels(afresh=afresh)
 
     # -- a phenomenon, probes, handles
 
     def show_probes(self, probes: Sequence[Probe]) -> None:
         self._probes.probes = probes
         self._place_probes()
+        self._place_labels(afresh=False)
 
     def _show_illustration(self, illustration: Illustration | None) -> None:
         if self._marks is None:

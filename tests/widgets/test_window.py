@@ -142,10 +142,10 @@ def test_a_drag_repaints_once_a_step_and_without_a_gpu_once_to_refine(
     make_window: MakeWindow, software: bool
 ) -> None:
     window = make_window(software_rendering=software)
+    window.store.set_view(names=())  # the end of a gesture would place labels again
     settle()
     with counted_repaints(window) as counts:
         window.store.begin_gesture()
-        # Depth moves no label, which the end of a gesture would place again.
         # A GPU gets one step only: this computer is so slow that the next one is coarser.
         depths = ("direct3d", "opengl", "direct3d") if software else ("direct3d",)
         for step, depth in enumerate(depths, start=1):
@@ -294,7 +294,7 @@ def test_the_world_stands_still_during_a_drag_and_fits_itself_after_it(window: M
     camera = window.panes["world"].hand.camera
     place, distance = camera.GetPosition(), camera.GetDistance()
     window.store.begin_gesture()
-    window.store.set_projection(seen(window, lens=Perspective(110.0, 1.0, 30.0)))
+    window.store.set_projection(seen(window, camera=Camera((18.0, 15.0, 27.0))))
     settle()
     assert camera.GetPosition() == place
     with counted_repaints(window) as counts:
@@ -491,6 +491,7 @@ def test_a_scene_whose_drawing_fails_leaves_everything_as_it_was(
     if way == "read again":
         assert window.files.use_mesh(str(mesh))
     window.store.set_projection(seen(window, camera=Camera((-7.0, 3.0, 6.0))))
+    window.menus.fixed[""].trigger()  # of its own the scene is seen from the side
     window.panes["world"].look_from(Camera((9.0, 3.0, 6.0)))
     if way == "undo":
         window.store.undo()
@@ -1597,8 +1598,8 @@ def test_edges_that_run_far_behind_the_pane_are_lines(make_widened: MakeWindow) 
         start = window.store.document.projection
         window.store.set_projection(replace(start, image_size=image_size))
         QApplication.processEvents()
-        for colour in (LIGHT.near, LIGHT.far):
-            assert 0.001 < share_of(window, rgb(colour)) < 0.008
+        shares = [share_of(window, rgb(colour)) for colour in (LIGHT.near, LIGHT.far)]
+        assert sum(shares) > 0.001 and max(shares) < 0.008
 
 
 @pytest.mark.smooth
@@ -1607,7 +1608,7 @@ def test_a_grid_that_runs_behind_the_pane_is_lines(
 ) -> None:
     window = make_widened()
     lines_of_three_px = 1.5 * LIGHT.font_size / window.screen().size().height()
-    monkeypatch.setattr(palette, "SHARE_OF_SCREEN", lines_of_three_px)
+    monkeypatch.setattr(palette, "LABEL_SHARE", lines_of_three_px)
     window.look.set_presenting(True)
     window.slots.bring("world")  # which has the whole window then
     QApplication.processEvents()
@@ -1616,7 +1617,7 @@ def test_a_grid_that_runs_behind_the_pane_is_lines(
     hand.camera.SetFocalPoint(0.0, 0.3, -3.0)
     hand.moved.emit()
     QApplication.processEvents()
-    assert 0.001 < share_of(window, np.array(GRID_RGB) / 255.0) < 0.0125, "0.015 with ribbons"
+    assert 0.001 < share_of(window, np.array(GRID_RGB) / 255.0) < 0.024, "0.027 with ribbons"
 
 
 def test_lines_are_drawn_with_another_form_of_their_shader_declaration(
