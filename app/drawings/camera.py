@@ -192,7 +192,7 @@ class CameraDrawing:
         toward = pane.axes[2]
         eye_depth, target_depth = (float((p - pane.eye) @ toward) for p in (eye, target))
         # The axes are brought before the body, see `come_before`.
-        return eye_depth, target_depth, eye_depth - 4.6 * self.axes_size
+        return eye_depth, target_depth, eye_depth - 5.4 * self.axes_size
 
     def come_before(self, pane: PaneView, depths: tuple[float, float, float], near: float) -> None:
         """Bring eye, target and axes before what would hide them.
@@ -207,7 +207,7 @@ class CameraDrawing:
             (self._rim_space, target, 1.03),
         ):
             space.place(*pane.brought(point, on_top * near))
-        k, at = pane.brought(eye, max(near, depths[0] - 2.0 * self.axes_size))
+        k, at = pane.brought(eye, max(near, depths[0] - 2.8 * self.axes_size))
         pane_from_axes = _scaled(standing.local_from_view, k * self.axes_size)
         pane_from_axes[:3, 3] = at
         self._axes_space.set(pane_from_axes)
