@@ -429,10 +429,10 @@ def drawn_pane(
             drawing.show_highlight(frozenset(illustration.about))
         if isinstance(drawing, StageDrawing):
             drawing.show_stage(view.stage)
+        drawing.show_probes(view.probes)  # which are framed, too
         drawing.reset_view()
         if pane in view.panes:
             drawing.show_view(view.panes[pane])
-        drawing.show_probes(view.probes)
         if isinstance(drawing, WorldDrawing):
             drawing.show_step(view.step)
             drawing.show_fixed(seen_from(view, scene))

@@ -11,7 +11,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Mapping, Sequence
-from itertools import pairwise
+from itertools import compress, pairwise
 from typing import Any
 
 import numpy as np
@@ -51,6 +51,7 @@ _WHOLE, _NEARBY = (
 )  # of the extent: the largest frustum that is framed whole; else this much of it
 _FARTHEST_MARK = 1e3  # of the extent: where lines toward infinity end
 _EDGES = [pair for line in actors.CUBE_EDGES for pair in pairwise(line)]
+_AXES_SIDE = 35.0, 25.0  # degrees behind the camera's side, and up: no axis is seen end on
 _ABOUT = 2.5  # of the size of marks on a large subject: so much of it is framed with them
 _FRAMED_MARK = 5.0  # of the scene's size: farther marks are not framed
 
@@ -382,9 +383,14 @@ class WorldDrawing(Drawing):
             ends = np.stack([np.tile(at.eye, (len(ways), 1)), at.eye + ways], axis=1)
         axes = self._axes if self.has_object_axes else None
         if axes is not None:
-            arrows += tuple(axes.shafts)
+            is_named = [
+                name in self.names or name.removeprefix("object_") in self.names
+                for name in axes.shafts
+            ]
+            arrows += tuple(compress(axes.shafts, is_named))
             start = np.tile(axes.origin, (3, 1))
-            ends = np.concatenate([ends, np.stack([start, start + axes.ways], axis=1)])
+            of_axes = np.stack([start, start + axes.ways], axis=1)
+            ends = np.concatenate([ends, of_axes[is_named]])
         unnamed = {name for name in ("eye", "target", "near", "far") if name not in self.names}
         named = Named(
             at.eye, at.target, arrows, ends, self.camera.box, self._corners_seen,
@@ -477,7 +483,7 @@ class WorldDrawing(Drawing):
         core, beside = self._named_points(points)
         return Framed(
             at.camera, eye, core, beside, corners, self._objects, has_eye, below_em,
-            self._scene.side,
+            _AXES_SIDE if self.camera.axes_lead else self._scene.side,
         )  # fmt: skip
 
     def _named_points(self, points: Array) -> tuple[Array, Array]:
@@ -490,6 +496,8 @@ class WorldDrawing(Drawing):
         if wanted is None:
             return points, np.empty((0, 3))
         marked = np.empty((0, 3)) if self._marks is None else self._marks.named_points
+        followed = [probe.point for probe in self._probes.probes if probe.point is not None]
+        marked = np.concatenate([marked, np.reshape(followed, (-1, 3)) - self._origin])
         named = [marked[np.linalg.norm(marked - at.eye, axis=1) <= _FARTHEST_MARK * at.extent]]
         beside = [self._objects]
         has_planes = self.frustum.seen and self._projection.lens.planes is not None
@@ -503,7 +511,7 @@ class WorldDrawing(Drawing):
             if name in wanted and needs:
                 named.append(thing)
         if "far" in wanted and has_planes:
-            beside.append(corners[4:])
+            (named if self.own.fixed else beside).append(corners[4:])
         if self.own.fixed in ("side", "top"):
             measured = {"d": at.camera.distance, **dict(self._measured)}
             named += [

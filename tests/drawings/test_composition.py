@@ -117,3 +117,17 @@ def test_scenes_are_composed_as_they_open(scene: str, window: str, style: str) -
     assert any(each.labels for _, each in found)
     for pane, each in found:
         assert list(faults_in(each, None)) == [], pane
+
+
+def test_the_axes_of_a_moved_object_are_named_if_the_view_says_so() -> None:
+    moved = "object.translate=2,0,0"
+    assert [each.text for each in picture("world", moved, "view.names=eye").labels] == ["eye"]
+    found = {each.text for each in picture("world", moved, "view.names=eye,x,z").labels}
+    assert found == {"eye", "x", "z"}
+
+
+@pytest.mark.parametrize("fixed", ["", "top"])
+def test_a_probe_behind_the_camera_is_in_the_picture(fixed: str) -> None:
+    values = ("camera.eye=0,2.4,2", "camera.target=0,2.4,1", "view.names=eye")
+    found = picture("world", *values, "view.probes=1,2.4,0,1,2.4,4", f"view.fixed={fixed}")
+    assert {each.text for each in found.labels} == {"eye", "1", "2"} and not found.cut

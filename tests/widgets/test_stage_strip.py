@@ -146,7 +146,7 @@ def test_l9_a_canonical_volume_fills_its_pane(
     screen.pixels(position)
     screen.drawing.show_projection(replace(screen.scene.start, lens=lens))
     rows, columns = np.nonzero(lit(screen.pixels(), LIGHT.far) | lit(screen.pixels(), LIGHT.near))
-    assert 0.85 < (rows.max() - rows.min()) / 600 < 0.95
+    assert 0.8 < (rows.max() - rows.min()) / 600 < 0.95
     assert rows.min() > 20 and rows.max() < 580 and columns.min() > 10 and columns.max() < 570
 
 

@@ -52,7 +52,7 @@ _MOST_EDGES = 300  # of a user's mesh
 _IMAGE_AT = 0.5  # of the target's distance: the plane on which the world shows the image
 _FARTHEST_IMAGE = 4.0  # of that plane's distance: farther images are not marked
 _CROSSING = (3, 4)  # lecture 004's cases
-_AT_FRAME, _ARROW = 1e-6, 0.03  # of the picture's longer side
+_AT_FRAME, _ARROW = 1e-6, 0.06  # of the picture's longer side
 
 
 class Pictures(NamedTuple):
@@ -443,7 +443,7 @@ def _crossing_edge(ends: Array, colour: str, way: str, size: tuple[int, int]) ->
         if not at_frame or way == "naive":
             continue
         if way == "clipped":
-            marks.append(Dot(end, colour, 1.6))
+            marks.append(Dot(end, colour, 2.4))
             continue
         length = math.dist(end, other)
         if length > 0.0:
