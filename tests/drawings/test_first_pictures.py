@@ -85,7 +85,7 @@ def test_no_label_lies_on_the_object_nor_on_another(
     boxes = boxes_of(screen)
     assert {"eye", "target"} <= set(boxes)
     assert {"near", "far"} <= {text.split()[0] for text in boxes}
-    assert size_px == SMALL or {"u", "v", "n"} <= set(boxes)
+    assert size_px == SMALL or {"u⃗", "v⃗", "n⃗"} <= set(boxes)
     thing = mask_of(screen, faces_of(screen))
     assert thing.any()
     for text, (left, bottom, right, top) in boxes.items():
