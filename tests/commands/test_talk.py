@@ -10,9 +10,12 @@ from typing import Any
 
 import pytest
 
+from app.commands.composed import Composed, taken
 from app.lecture.notation import matrices
 from app.lessons.course import Course
 from app.lessons.lesson import read
+from app.model.limits import NOT_ZERO
+from app.model.refusal import Refusal
 from tests.support.commands import one_sentence, run, run_here
 from widgets.parts.messages import read_text
 from widgets.program.handout import paged
@@ -89,6 +92,23 @@ def test_a_mistake_is_reported_with_its_line(
     assert re.search(f"small.md.*{said}", lines[0]), lines
     assert lines[-1] == f"small.md: {last}"
     assert len(lines) == int(last.split()[-2]) + 1
+
+
+def test_the_next_step_is_drawn_after_one_that_cannot_be(talk: Path) -> None:
+    sizes: list[tuple[int, int]] = []
+
+    def draw(_document: Any, _pane: str, size: tuple[int, int], _em: float) -> list[Any]:
+        sizes.append(size)
+        if len(sizes) == 1:
+            raise Refusal("near", 2.0, NOT_ZERO)
+        return []
+
+    composed, course = Composed(), Course(read(talk))
+    (refused,) = taken(composed, course, draw, ())
+    assert str(refused).startswith(f"{talk}: line 8, near = 2: ")
+    assert composed.steps == 2 and len(sizes) == 3  # two states of the second step
+    sizes.clear()
+    assert taken(composed, course, draw, [refused]) == [], "the check has told it"
 
 
 def pages_of(pdf: bytes) -> int:
