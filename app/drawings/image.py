@@ -313,7 +313,7 @@ class ImageDrawing(Drawing):
         marks = self._marks
 
         def ink(ground: Ground) -> None:
-            clip = self._projection.clip_from_world_at(self._scene.origin)
+            clip = self._projection.clip_from_local(self._scene.origin, "object")
             with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
                 corners = self._silhouette.triangles @ clip[:, :3].T + clip[:, 3]
                 w = np.where(corners[..., 3:] > 0.0, corners[..., 3:], np.nan)

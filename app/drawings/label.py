@@ -80,6 +80,8 @@ def pieces_of(text: str) -> list[tuple[str, bool]]:
             found.append((_tex(token["letter"], token["sub"]) + token["prime"], True))
         elif token["word"] in _FUNCTIONS:
             found.append((rf"\{token['word']} ", True))
+        elif token["word"] == "fov":  # as in fov_x
+            found.append((_tex("fov", ""), True))
         else:
             found.append((token["word"] or token["sign"], False))
     return found
@@ -334,9 +336,8 @@ class Label:
         wanted = self._text, self._tone, self._underlined
         if wanted != self._drawn:
             self._drawn = wanted
-            pixels = drawn(
-                self._text, self.em, self._tone, self._style.background, self._underlined
-            )
+            halo = self._style.background
+            pixels = drawn(self._text, self.em, self._tone, halo, self._underlined, self._plain)
             height, width = pixels.shape[:2]
             self._size = width, height
             rows = np.ascontiguousarray(pixels[::-1]).reshape(-1, 4)

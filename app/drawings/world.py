@@ -347,16 +347,7 @@ class WorldDrawing(Drawing):
         for handle, (x, y) in self.handles_shown:
             if self.names.all or handle == self.held:
                 ground.keep([(x, pane.size_px[1] - y)], DOT_EM * em)
-        arrows: tuple[str, ...] = ()
-        ends = np.empty((0, 2, 3))
-        if "camera" not in self._canvas.hidden:
-            arrows, ways = self.camera.arrows
-            ends = np.stack([np.tile(at.eye, (len(ways), 1)), at.eye + ways], axis=1)
-        axes = self._axes if self.has_object_axes else None
-        if axes is not None:
-            arrows += tuple(axes.shafts)
-            start = np.tile(axes.origin, (3, 1))
-            ends = np.concatenate([ends, np.stack([start, start + axes.ways], axis=1)])
+        arrows, ends = self._arrows
         unnamed = {name for name in ("eye", "target", "near", "far") if name not in self.names}
         named = Named(
             at.eye, at.target, arrows, ends, self.camera.box, self._corners_seen,
@@ -369,6 +360,20 @@ class WorldDrawing(Drawing):
             self._marks.want_texts(ground, pane.seen)
         return self._board.settle(ground, afresh=afresh)
 
+    @property
+    def _arrows(self) -> tuple[tuple[str, ...], Array]:
+        """The arrows that are drawn, and where each starts and ends, (n, 2, 3)."""
+        at, arrows, ends = self._standing, tuple[str, ...](), np.empty((0, 2, 3))
+        if "camera" not in self._canvas.hidden:
+            arrows, ways = self.camera.arrows
+            ends = np.stack([np.tile(at.eye, (len(ways), 1)), at.eye + ways], axis=1)
+        axes = self._axes if self.has_object_axes else None
+        if axes is not None:
+            arrows += tuple(axes.shafts)
+            start = np.tile(axes.origin, (3, 1))
+            ends = np.concatenate([ends, np.stack([start, start + axes.ways], axis=1)])
+        return arrows, ends
+
     def _ink(self, ground: Ground) -> None:
         """Tell the ground what is drawn."""
         pane, placed = self.own.pane, self._local_from_object
@@ -377,6 +382,10 @@ class WorldDrawing(Drawing):
         corners = self._corners_seen
         if corners is not None:
             ground.ink_lines(pane.spots(corners[_EDGES]))
+        _, ends = self._arrows
+        ground.ink_lines(pane.spots(ends))
+        if self.own.fixed and self._dimensions is not None:
+            self._dimensions.ink(ground)
         if self._marks is not None:
             self._marks.ink(ground, pane.seen)
 
