@@ -21,7 +21,7 @@ from app.drawings.actors import Canvas, Space, face_actor, identity_camera, lift
 from app.drawings.blurring import Blurring
 from app.drawings.drawing import Drawing, Rectangle
 from app.drawings.label_placement import Ground
-from app.drawings.labels import Board
+from app.drawings.labels import Board, room
 from app.drawings.marks import MarksDrawing, Placing
 from app.drawings.names import Names
 from app.drawings.pointing import Emphasis, Segment, Spot, pointed_at
@@ -114,10 +114,11 @@ class ImageDrawing(Drawing):
 
     def show_highlight(self, highlighted: Highlight) -> bool:
         before, self.names.pointed = self.names.pointed, highlighted
+        of_scene = self._marks is not None and self._marks.show_highlight(highlighted)
         if before != highlighted and self._marks is not None and not self.names.all:
             self._marks.show_names()
             self._place_texts()
-        return self._emphasis.show(highlighted)
+        return self._emphasis.show(highlighted) or of_scene
 
     def show_names(self, names: frozenset[str] | None) -> None:
         if names == self.names.wanted:
@@ -320,7 +321,8 @@ class ImageDrawing(Drawing):
                 self._silhouette.ink(ground, (corners[..., :2] / w + 1.0) * half)
             marks.ink(ground, seen)
 
-        ground = Ground((0, 0, rectangle.width, rectangle.height), self._style.font_size, ink)
+        em = self._style.font_size
+        ground = Ground(room(rectangle.width, rectangle.height, em), em, ink)
         marks.want_texts(ground, seen)
         return self._board.settle(ground, afresh=afresh)
 
@@ -460,7 +462,7 @@ class ImageDrawing(Drawing):
         )
         self._begin_blurring()
         self._place_probes()
-        self._place_texts()
+        self._place_texts(afresh=True)
         if not self._framed:
             return
         em = self._style.font_size

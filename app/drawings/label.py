@@ -44,7 +44,7 @@ _GREEK = dict(zip("αβγδεθλμπρσφω", (
 ), strict=True))  # fmt: skip
 _TOKEN = re.compile(
     r"\$(?P<tex>[^$]+)\$"
-    rf"|(?P<letter>(?<![^\W_])[^\W\d_](?![^\W\d_]){ARROW}?|[^\W\d_]+(?=_))"
+    rf"|(?P<letter>(?<![^\W_])[A-Za-z\u0391-\u03c9](?![^\W\d_]){ARROW}?|[^\W\d_]+(?=_))"
     r"(?P<sub>(?:_(?:\{[^}]*\}|[^\W_]+))?)(?P<prime>['\u2032]*)"
     r"|(?P<word>[^\W\d_]{2,})"
     r"|(?P<sign>.)",
@@ -105,7 +105,7 @@ def laid(text: str, plain: bool = False) -> Laid:
     """Set a label in one line. TeX that cannot be drawn is shown as it is typed."""
     pieces = [(text, False)] if plain else pieces_of(text)
     has_words = any(len(piece) > 1 and not is_tex for piece, is_tex in pieces)
-    larger = _AMONG_WORDS if has_words else LARGER
+    larger = 1.0 if plain else _AMONG_WORDS if has_words else LARGER
     placed, boxes, x = [], [], 0.0
     for piece, is_tex in pieces:
         size = 1.0 if len(piece) > 1 and not is_tex else larger
@@ -131,7 +131,10 @@ def _piece(text: str, is_tex: bool) -> _Piece:
     from matplotlib.textpath import TextToPath
 
     reader: Any = TextToPath()
-    name = "DejaVuSans" if any(map(str.isalpha, text)) else "STIXGeneral"
+    name = "STIXGeneral"
+    if any(map(str.isalpha, text)) or not _signs(name).issuperset(text):
+        name = "DejaVuSans"
+    text = "".join(sign if sign in _signs(name) else "\ufffd" for sign in text)
     font: Any = FontProperties(fname=font_file(name), size=_SIZE)
     width, _, _ = reader.get_text_width_height_descent(text, font, ismath=False)
     vertices, codes = reader.get_text_path(font, text, ismath=False)
@@ -372,6 +375,14 @@ class Label:
         left, right, bottom, top = self.box_px
         inside = left <= x_px <= right and bottom <= y_px <= top
         return inside and bool(self.actor.GetVisibility())
+
+
+@cache
+def _signs(font: str) -> frozenset[str]:
+    """The characters that a font can show."""
+    from matplotlib.font_manager import get_font
+
+    return frozenset(map(chr, get_font(font_file(font)).get_charmap()))
 
 
 @cache

@@ -29,7 +29,7 @@ from app.drawings.actors import Canvas, lift_lines
 from app.drawings.drawing import Drawing, Rectangle
 from app.drawings.frustum import CUBE
 from app.drawings.label_placement import Ground
-from app.drawings.labels import Board
+from app.drawings.labels import Board, room
 from app.drawings.marks import MarksDrawing, Placing
 from app.drawings.names import Names
 from app.drawings.pointing import Emphasis, Segment, Spot, pointed_at, volume_edges
@@ -249,7 +249,7 @@ class StageDrawing(Drawing):
             if self._marks is not None:
                 self._marks.ink(ground, seen)
 
-        ground = Ground((0, 0, width_px, height_px - TITLE_EM * em), em, ink)
+        ground = Ground(room(width_px, height_px - TITLE_EM * em, em), em, ink)
         self.box.want_words(ground, seen)
         if self._marks is not None:
             self._marks.want_texts(ground, seen)
@@ -312,7 +312,8 @@ class StageDrawing(Drawing):
 
     def show_highlight(self, highlighted: Highlight) -> bool:
         before, self.names.pointed = self.names.pointed, highlighted
-        is_new = self._show_highlighted()
+        of_scene = self._marks is not None and self._marks.show_highlight(highlighted)
+        is_new = self._show_highlighted() or of_scene
         if before != highlighted and not self.names.all:
             self._name_anew()
         return is_new
@@ -343,12 +344,15 @@ class StageDrawing(Drawing):
             pane = self.own.pane_from_display
             corners = _spots(CUBE, pane @ self.box.display_from_box)
             points = [(frozenset((name,)), at) for name, at in zip(CORNERS, corners, strict=True)]
-            segments: list[Segment] = volume_edges(corners)
-            # Along the volume the axes are its edges.
+            axes: list[Segment] = []
+            # Along the volume an axis is the volume's edge.
             for name, ends in zip(AXES, self.box.axes[:, 1:], strict=True):
                 start, tip = _spots(ends, pane)
-                segments.append((frozenset((name,)), start, tip))
-            found = pointed_at((x_px, y_px), self._style.font_size, points, segments, corners)
+                axes.append((frozenset((name,)), start, tip))
+            place, em = (x_px, y_px), self._style.font_size
+            found = pointed_at(place, em, points, axes) or pointed_at(
+                place, em, (), volume_edges(corners), corners
+            )
         return found - self._strangers
 
 

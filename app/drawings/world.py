@@ -26,7 +26,7 @@ from app.drawings.frame import DIMMED, LARGER, ObjectAxes
 from app.drawings.frustum import FrustumDrawing
 from app.drawings.handles import APART_EM, HandleMarks
 from app.drawings.label_placement import Ground
-from app.drawings.labels import DOT_EM, Board, Labels, Named
+from app.drawings.labels import DOT_EM, Board, Labels, Named, room
 from app.drawings.marks import MarksDrawing, Placing
 from app.drawings.names import Names
 from app.drawings.near_picture import NearPicture
@@ -343,7 +343,7 @@ class WorldDrawing(Drawing):
             return False
         pane, at = self.own.pane, self._standing
         em = self._canvas.style.font_size
-        ground = Ground((0, 0, pane.size_px[0], pane.size_px[1] - TITLE_EM * em), em, self._ink)
+        ground = Ground(room(pane.size_px[0], pane.size_px[1] - TITLE_EM * em, em), em, self._ink)
         for handle, (x, y) in self.handles_shown:
             if self.names.all or handle == self.held:
                 ground.keep([(x, pane.size_px[1] - y)], DOT_EM * em)

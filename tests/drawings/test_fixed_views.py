@@ -420,6 +420,7 @@ def test_dimensions_follow_the_camera_and_reach_the_screen(off_screen: MakeScree
         orbit = START.camera.orbit._replace(distance=distance)
         camera = Camera.from_orbit(START.camera.target, orbit)
         drawing.show_projection(replace(START, camera=camera))
+        drawing.refit()
         image = screen.pixels()
         (eye, target) = pixel_of(drawing, [camera.eye, camera.target])
         left, bottom, right, top = boxes_of(screen)["d"]

@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from app.drawings import WORDS
+from app.drawings import WORDS, Words
 from app.drawings.image import ImageDrawing
 from app.drawings.marks import DOT, MarksDrawing
 from app.drawings.stage import StageDrawing
@@ -231,8 +231,10 @@ def test_a_text_stands_beside_its_point_in_a_readable_tone(
 def test_a_text_is_written_in_the_window_s_language(pane: str, shown: Callable[..., Shown]) -> None:
     place = (1.5, 5.0, 0.5)
     pictures = []
+    translated = Words()
+    translated["half-way"] = "na pola puta"
     for text, words in (
-        ("half-way", {**WORDS, "half-way": "na pola puta"}),
+        ("half-way", translated),
         ("na pola puta", WORDS),
         ("half-way", WORDS),
     ):

@@ -15,6 +15,7 @@ from PySide6.QtGui import QWheelEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QLabel
 
+from app.document.view import EVERYTHING
 from app.drawings import WORDS
 from app.drawings.image import ImageDrawing
 from app.drawings.off_screen import OffScreen
@@ -500,6 +501,7 @@ def test_a_step_adds_and_removes_nothing_and_a_figure_has_no_marks() -> None:
 
 def test_marks_are_seen_in_every_style(window: MainWindow) -> None:
     """A rim of ink around a fill, larger while presenting."""
+    window.store.set_view(names=EVERYTHING)  # else only what is under the pointer has a mark
     for theme, style, presents in (("light", LIGHT, True), ("dark", DARK, False)):
         window.look.set_theme(theme)
         window.look.set_presenting(presents)

@@ -145,7 +145,7 @@ def test_a_drag_repaints_once_a_step_and_without_a_gpu_once_to_refine(
     settle()
     with counted_repaints(window) as counts:
         window.store.begin_gesture()
-        # Depth moves no label, which the end of a gesture would place again.
+        # Depth moves labels of NDC alone, which the end of a gesture places again.
         # A GPU gets one step only: this computer is so slow that the next one is coarser.
         depths = ("direct3d", "opengl", "direct3d") if software else ("direct3d",)
         for step, depth in enumerate(depths, start=1):
@@ -154,7 +154,8 @@ def test_a_drag_repaints_once_a_step_and_without_a_gpu_once_to_refine(
             assert counts == dict.fromkeys(window.panes, step)
         window.store.end_gesture()
         settle()
-    assert counts == dict.fromkeys(window.panes, 4 if software else 1)
+    smooth = dict.fromkeys(window.panes, 4)
+    assert counts == (smooth if software else {"world": 1, "ndc": 2, "image": 1})
 
 
 def test_a_change_reaches_only_the_listeners_that_it_concerns(
@@ -1592,7 +1593,7 @@ def test_in_letters_for_a_class_no_text_in_a_picture_hides_another(window: MainW
         for (one, a), (other, b) in itertools.combinations(boxes.items(), 2):
             apart = a[2] <= b[0] or b[2] <= a[0] or a[3] <= b[1] or b[3] <= a[1]
             assert apart, (name, one, other)
-    assert seen > 20
+    assert seen > 15
 
 
 def test_full_hd_at_a_screen_scale_of_two_holds_the_window_that_presents(
@@ -1646,7 +1647,7 @@ def test_a_grid_that_runs_behind_the_pane_is_lines(
 ) -> None:
     window = make_widened()
     lines_of_three_px = 1.5 * LIGHT.font_size / window.screen().size().height()
-    monkeypatch.setattr(palette, "SHARE_OF_SCREEN", lines_of_three_px)
+    monkeypatch.setattr(palette, "LABEL_SHARE", lines_of_three_px)
     window.look.set_presenting(True)
     window.slots.bring("world")  # which has the whole window then
     QApplication.processEvents()
