@@ -273,8 +273,8 @@ class Dimensions:
         for x, y in (start, end):
             self._lines.add((x - across, y - up), (x + across, y + up))
         middle = (x0 + x1) / 2.0, (y0 + y1) / 2.0
-        half, length = (wide, x1 - x0) if is_level else (high, y1 - y0)
-        half = half / 2.0 + 0.35 * em
+        length = x1 - x0 if is_level else y1 - y0
+        half = (wide if is_level else high) / 2.0 + 0.35 * em
         if 2.0 * half + em < length and (is_level or wide < _ASIDE_EM * em):
             gap = (half, 0.0) if is_level else (0.0, half)
             for sign, (x, y) in ((-1.0, (x0, y0)), (1.0, (x1, y1))):
