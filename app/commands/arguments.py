@@ -6,9 +6,10 @@ VTK is imported only when a scene is loaded.
 from __future__ import annotations
 
 import atexit
+import contextlib
 import functools
 import os
-from collections.abc import Callable, Container, Iterable, Sequence
+from collections.abc import Callable, Container, Iterable, Iterator, Sequence
 from typing import TYPE_CHECKING
 
 from app import bootstrap
@@ -16,6 +17,7 @@ from app.commands.options import CANNOT_DRAW, CliError, check_file
 from app.document.document import Document, is_mesh
 from app.document.files import read
 from app.document.settings import set_values
+from app.document.view import View
 from app.model.limits import NOT_THE_TARGET
 from app.model.projection import (
     NOT_THE_EYE,
@@ -105,7 +107,8 @@ def check_out(name: str, out: str) -> None:
 
 def _opened(scene: str) -> Document:
     name = full_path(scene) if is_mesh(scene) else scene
-    return Document(name, _start(name))
+    fixed = PHENOMENA[scene].fixed if scene in PHENOMENA else ""
+    return Document(name, _start(name), view=View(fixed=fixed))
 
 
 def _start(scene: str) -> Projection:
@@ -122,11 +125,8 @@ def _open(file: str) -> Document:
 
 def load_scene(scene: str, mesh: str = "", file: str | None = None) -> Scene:
     """Load a scene once; raise a `CliError` that names `file`, if any, when that fails."""
-    try:
-        with bootstrap.for_good():
-            from app.scenes.scene import load
-    except ImportError as error:
-        raise cannot_import(error) from error
+    with importing():
+        from app.scenes.scene import load
     try:
         return _load_once(load, scene, mesh)
     except Refusal as error:
@@ -143,11 +143,24 @@ def _load_once(load: Callable[..., Scene], scene: str, mesh: str) -> Scene:
 atexit.register(_load_once.cache_clear)
 
 
-def cannot_import(error: ImportError) -> CliError:
-    """Say which library cannot be loaded, and how to find the cause."""
-    missing = bootstrap.missing_system("window")
-    if missing:
-        return CliError(f"{bootstrap.advice(missing)}.", CANNOT_DRAW)
-    return CliError(
-        f"A library cannot be loaded ({error}); {bootstrap.PROGRAM} doctor says more.", CANNOT_DRAW
-    )
+@contextlib.contextmanager
+def importing() -> Iterator[None]:
+    """Import libraries in this block, or raise a `CliError` with what is missing."""
+    try:
+        with bootstrap.for_good():
+            yield
+    except ImportError as error:
+        missing = bootstrap.missing_system("window")
+        text = f"A library cannot be loaded ({error}); {bootstrap.PROGRAM} doctor says more."
+        text = f"{bootstrap.advice(missing)}." if missing else text
+        raise CliError(text, CANNOT_DRAW) from error
+
+
+def check_drawing() -> None:
+    """Raise a `CliError` if VTK cannot draw without a window."""
+    with importing():
+        from app.drawings.off_screen import check_off_screen
+    try:
+        check_off_screen()
+    except RuntimeError as error:
+        raise CliError(str(error), CANNOT_DRAW) from error

@@ -12,14 +12,14 @@ import sys
 from collections.abc import Callable, Sequence
 from pathlib import Path
 
-from app import bootstrap
 from app.commands import doctor, matrices, project
 from app.commands.arguments import (
-    cannot_import,
+    check_drawing,
     check_out,
     document_before,
     document_of,
     first_state,
+    importing,
     load_scene,
     with_values,
 )
@@ -90,13 +90,10 @@ def _window(arguments: Sequence[str]) -> int:
     document = with_values(saved, found.set)
     from_file = is_mesh(document.scene) or document.mesh
     scene = load_scene(document.scene, document.mesh, file) if from_file else None
-    try:
-        with bootstrap.for_good():
-            from widgets.program import application
-            from widgets.program.opengl import DisplayError
-            from widgets.window.settings import delete_settings
-    except ImportError as error:
-        raise cannot_import(error) from error
+    with importing():
+        from widgets.program import application
+        from widgets.program.opengl import DisplayError
+        from widgets.window.settings import delete_settings
     if found.reset:
         try:
             write_out([f"{delete_settings()}\n"])
@@ -131,17 +128,10 @@ def _export(arguments: Sequence[str]) -> int:
     shown = file[0] if file else None
     document = document_of(shown, found.set)
     scene = load_scene(document.scene, document.mesh, shown)
-    try:
-        with bootstrap.for_good():
-            from app.drawings.figures import TEXT, render, write_png
-            from app.drawings.off_screen import check_off_screen
-            from app.drawings.style import DARK, LIGHT
-    except ImportError as error:
-        raise cannot_import(error) from error
-    try:
-        check_off_screen()
-    except RuntimeError as error:
-        raise CliError(str(error), CANNOT_DRAW) from error
+    with importing():
+        from app.drawings.figures import TEXT, render, write_png
+        from app.drawings.style import DARK, LIGHT
+    check_drawing()
     try:
         pixels = render(
             scene,
@@ -173,11 +163,8 @@ def _export(arguments: Sequence[str]) -> int:
 
 
 def _measure(arguments: Sequence[str]) -> int:
-    try:
-        with bootstrap.for_good():
-            from app.commands import measure as command
-    except ImportError as error:
-        raise cannot_import(error) from error
+    with importing():
+        from app.commands import measure as command
     return command.run(arguments)
 
 

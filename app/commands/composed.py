@@ -2,22 +2,25 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
-from app import bootstrap
-from app.commands.arguments import cannot_import
-from app.commands.options import CANNOT_DRAW, CliError
+from app.commands.arguments import check_drawing, importing
 from app.document.document import Document
+from app.document.naming import nameable
+from app.document.view import EVERYTHING, PANES
 from app.lessons.course import Course, scene_of
+from app.lessons.lesson import Lesson, Step
 from app.model.refusal import Refusal
 
 if TYPE_CHECKING:
     from app.drawings.composition import Measured
 
-SLIDE_PX, SLIDE_PICTURE_PX = (1920, 1080), (1920, 910)
-"""A screen of a class, and what title and formula leave of it for the picture."""
+SLIDE_PX, SLIDE_HIGH_PX = (1920, 1080), 910
+"""A screen of a class, and the height that title and formula leave of it for the picture."""
+BESIDE_EQUATION = 0.3
+"""Width of a picture beside an equation, relative to the screen's."""
 SLIDE_EM_PX = 0.034 * SLIDE_PX[1]
 PANE_PX, PANE_EM_PX = (580, 660), 15.5
 """The large pane of a window of 1366 by 768 pixels, and the letters there."""
@@ -45,17 +48,21 @@ class Composed:
         """Draw a step's states, and add what is wrong with them."""
         lesson, step = course.lesson, course.lesson.steps[place]
         line = step.state.line if step.state is not None else step.line
-        where = f"{lesson.path.name}: line {line}, step {place + 1} ({step.name})"
+        where = f"{lesson.path}: line {line}, step {place + 1} ({step.name})"
         self.steps += 1
         found = dict[str, None]()
         kinds = set[str]()
         for document in documents:
-            for pane in panes_of(document):
-                size, em = (
-                    (SLIDE_PICTURE_PX, SLIDE_EM_PX) if lesson.is_talk else (PANE_PX, PANE_EM_PX)
-                )
+            seen, screen_px = panes_of(document, lesson.is_talk), None
+            em = PANE_EM_PX
+            if lesson.is_talk:
+                em, screen_px = SLIDE_EM_PX, SLIDE_PX[1]
+            missing = self._missing(document, list(seen) if lesson.is_talk else list(PANES))
+            for name in missing:
+                found[f"{where}: view.names has {name}, which no pane draws here."] = None
+            for pane, size in seen.items():
                 for picture in draw(document, pane, size, em):
-                    for kind, fault in faults_in(picture, SLIDE_PX[1] if lesson.is_talk else None):
+                    for kind, fault in faults_in(picture, screen_px):
                         found[f"{where}, {picture.pane}: {fault}"] = None
                         kinds.add(kind)
         self.wrong += found
@@ -63,10 +70,26 @@ class Composed:
         self.crowded += "crowded" in kinds
         self.empty += "empty" in kinds
 
+    def _missing(self, document: Document, panes: list[str]) -> list[str]:
+        """The names of a view that none of these panes can draw; none if there is no pane."""
+        names = document.view.names
+        if names is None or names == EVERYTHING or not panes:
+            return []
+        scene = scene_of(document)
+        drawn = frozenset[str]().union(*(nameable(pane, document, scene) for pane in panes))
+        return [name for name in names if name not in drawn]
 
-def panes_of(document: Document) -> tuple[str, ...]:
-    """The panes in which a class, or a student, sees a step."""
-    return (document.view.large or scene_of(document).leading,)
+
+def panes_of(document: Document, is_talk: bool) -> dict[str, tuple[int, int]]:
+    """The panes in which a class, or a student, sees a step, with their sizes in pixels."""
+    view = document.view
+    large = view.large or scene_of(document).leading
+    if not is_talk:
+        return {large: PANE_PX}
+    slide = view.slide or (large,)
+    panes = [each for each in slide if each in PANES]
+    share = BESIDE_EQUATION if len(panes) < len(slide) else 1.0 / max(1, len(panes))
+    return {pane: (round(share * SLIDE_PX[0]), SLIDE_HIGH_PX) for pane in panes}
 
 
 def faults_in(picture: Measured, screen_px: int | None) -> Iterator[tuple[str, str]]:
@@ -91,8 +114,6 @@ def faults_in(picture: Measured, screen_px: int | None) -> Iterator[tuple[str, s
         yield "raw", f"“{text}” has an underscore that is not typeset."
     for text in picture.cut:
         yield "cut", f"“{text}” is cut off at the border."
-    for name in sorted(picture.missing):
-        yield "missing", f"view.names has {name}, which this pane does not draw."
     if screen_px is not None:
         least, most = LETTERS
         for height in {CAPITAL * each.em / screen_px for each in picture.labels}:
@@ -106,16 +127,9 @@ def faults_in(picture: Measured, screen_px: int | None) -> Iterator[tuple[str, s
 
 def measure() -> Measure:
     """Return what measures pictures; a `CliError` if nothing can be drawn here."""
-    try:
-        with bootstrap.for_good():
-            from app.drawings.composition import measured
-            from app.drawings.off_screen import check_off_screen
-    except ImportError as error:
-        raise cannot_import(error) from error
-    try:
-        check_off_screen()
-    except RuntimeError as error:
-        raise CliError(str(error), CANNOT_DRAW) from error
+    with importing():
+        from app.drawings.composition import measured
+    check_drawing()
     return lambda document, pane, size, em: measured(document, scene_of(document), pane, size, em)
 
 
@@ -126,10 +140,27 @@ def states_of(course: Course, place: int) -> list[Document]:
     return [here.document, *map(here.shown_by, states)]
 
 
-def taken(composed: Composed, course: Course, place: int, draw: Measure) -> Refusal | None:
-    """Measure a step; return why it cannot be drawn, if it cannot."""
-    try:
-        composed.take(course, place, states_of(course, place), draw)
-    except Refusal as error:
-        return error
-    return None
+def taken(
+    composed: Composed, course: Course, draw: Measure, known: Sequence[Refusal]
+) -> list[Refusal]:
+    """Measure all steps; return why some cannot be drawn, unless a check knows it already."""
+    refused: list[Refusal] = []
+    for place, step in enumerate(course.lesson.steps):
+        try:
+            composed.take(course, place, states_of(course, place), draw)
+        except Refusal as error:
+            error = _placed(error, course.lesson, step)
+            if str(error) not in map(str, (*known, *refused)):
+                refused.append(error)
+    return refused
+
+
+def _placed(error: Refusal, lesson: Lesson, step: Step) -> Refusal:
+    """Add file and line to a refusal that does not name them."""
+    if not error.field.startswith("line "):
+        line = step.state.line if step.state is not None else step.line
+        error = Refusal.in_document(
+            error.bound, *error.limits, field=f"line {line}, {error.field}", value=error.value
+        )
+    error.file = str(lesson.path)
+    return error

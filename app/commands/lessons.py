@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 
-from app.commands.composed import Composed, measure, states_of
+from app.commands.composed import Composed, measure, taken
 from app.commands.options import one_of, parser_of, write_out
 from app.lessons.checking import Report
 from app.lessons.course import Course, contained, ideas
@@ -46,9 +46,9 @@ def _checked(report: Report, composed: Composed, files: Sequence[Path], own: boo
         report.read(file)
         yield from (f"{printable(str(error))}\n" for error in report.wrong[said:])
         if len(report.wrong) == said:
-            course, before = Course(read(file)), len(composed.wrong)
-            for place in range(len(course.lesson.steps)):
-                composed.take(course, place, states_of(course, place), draw)
-            yield from (f"{printable(fault)}\n" for fault in composed.wrong[before:])
+            before = len(composed.wrong)
+            report.wrong += taken(composed, Course(read(file)), draw, ())
+            wrong = *report.wrong[said:], *composed.wrong[before:]
+            yield from (f"{printable(str(fault))}\n" for fault in wrong)
     yield f"{report}\n"
     yield f"{composed}\n"

@@ -51,7 +51,8 @@ SETTABLE = (
     "image.width", "image.height", "quality.rung", "quality.smoothing",
     "quality.detail", "quality.depth_format", "quality.depth_mapping", "view.layout", "view.large",
     "view.stage", "view.frame_step", "view.panel", "view.letters", "view.layers", "view.fixed",
-    "view.names", "view.probes", "view.compare", "view.dividers",
+    "view.names", "view.slide", "view.controls", "view.equation", "view.probes", "view.compare",
+    "view.dividers",
 )  # fmt: skip
 """Every path that ``--set`` knows, for all lenses; each scene adds its own ``settings.NAME``.
 

@@ -149,7 +149,7 @@ def _read_input(source: str) -> bytes:
 
 
 def _point(cells: list[str], where: str) -> Row:
-    if len(cells) not in (3, 4):
+    if len(cells) < 3:
         found = "1 column" if len(cells) == 1 else f"{len(cells)} columns"
         hint = ", with commas between them and decimal points" if ";" in "".join(cells) else ""
         raise CliError(f"{where}: has {found}, must have three: x,y,z, or w too{hint}.")

@@ -6,13 +6,13 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from app import bootstrap
-from app.commands.arguments import cannot_import, check_out
+from app.commands.arguments import check_out, importing
 from app.commands.composed import Composed, Measure, measure, taken
 from app.commands.options import CliError, one_of, parser_of, write_out
 from app.document.files import write_bytes_atomically
 from app.lessons.checking import Report, counted
 from app.lessons.course import Course
-from app.lessons.lesson import Lesson, Step, read
+from app.lessons.lesson import Lesson, read
 from app.model.refusal import Refusal
 
 READERS = ("teacher", "students")
@@ -53,32 +53,13 @@ def _tried(path: Path, draw: Measure) -> tuple[list[str], list[str]]:
     except Refusal as error:
         report.wrong.append(error)
     else:
-        for place, step in enumerate(course.lesson.steps):
-            refused = taken(composed, course, place, draw)
-            if refused is not None:
-                refused = _placed(refused, course.lesson, step)
-                if str(refused) not in map(str, report.wrong):  # the check may have found it, too
-                    report.wrong.append(refused)
+        report.wrong += taken(composed, course, draw, report.wrong)
     steps = counted(composed.steps, "step")
     sums = [f"{path.name}: {steps} drawn, {len(report.wrong)} wrong", str(composed)]
     return [*map(str, report.wrong), *composed.wrong], sums
 
 
-def _placed(error: Refusal, lesson: Lesson, step: Step) -> Refusal:
-    """Add file and line to a refusal that does not name them."""
-    if not error.field.startswith("line "):
-        line = step.state.line if step.state is not None else step.line
-        error = Refusal.in_document(
-            error.bound, *error.limits, field=f"line {line}, {error.field}", value=error.value
-        )
-    error.file = str(lesson.path)
-    return error
-
-
 def _print(lesson: Lesson, out: str, answers: bool) -> None:
-    try:
-        with bootstrap.for_good():
-            from widgets.program.handout import handout
-    except ImportError as error:
-        raise cannot_import(error) from error
+    with importing():
+        from widgets.program.handout import handout
     write_bytes_atomically(out, handout(Course(lesson), answers=answers))

@@ -26,7 +26,7 @@ from app.strangers import open_regular
 if sys.platform != "win32":
     import fcntl
 
-LARGEST_DOCUMENT = 16 * 2**20
+LARGEST_DOCUMENT = 2**20
 """Most bytes read as a document; one with a thousand unknown keys has 100 000."""
 LARGEST_PICTURE = 2**30
 """Most bytes read as a PNG picture."""

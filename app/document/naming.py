@@ -7,7 +7,7 @@ A name is a plain id: ``eye``, ``near``, ``P'``, ``y_p``. A view has a list of i
 from __future__ import annotations
 
 from app.document.document import Document
-from app.document.view import EVERYTHING
+from app.document.view import EVERYTHING, View
 from app.lecture.camera_frame import STEPS
 from app.lecture.highlight import AXES
 from app.lecture.stages import IMAGE, NDC, VIEW
@@ -28,6 +28,11 @@ def named_in(
         return frozenset(names)
     own = frozenset(scene.names)
     return own | _CUBE if pane == "ndc" and scene.leading != "ndc" else own
+
+
+def seen_from(view: View, scene: Scene) -> str:
+    """Return the viewpoint of the world under a view, one of `FIXED` or empty."""
+    return scene.fixed if view.fixed is None else view.fixed
 
 
 def nameable(pane: str, document: Document, scene: Scene) -> frozenset[str]:
@@ -51,10 +56,11 @@ def nameable(pane: str, document: Document, scene: Scene) -> frozenset[str]:
         found |= frozenset(STEPS) & {"look", "up"}
     if not projection.placement.is_identity:
         found |= {"x", "y", "z"}
-    if view.fixed in ("side", "top"):
+    fixed = seen_from(view, scene)
+    if fixed in ("side", "top"):
         found |= {"d", "height", "angle", *(name for name, _ in shown.measured)}
-        found |= {length.name for length in shown.lengths if length.view == view.fixed}
-    if view.fixed == "axis":
+        found |= {length.name for length in shown.lengths if length.view == fixed}
+    if fixed == "axis":
         found |= {"height", "width"}
     return found
 

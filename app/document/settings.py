@@ -119,7 +119,7 @@ def _check_slide(document: Document, paths: Collection[str]) -> None:
             if name not in known:
                 raise Refusal("controls", name, UNKNOWN, _nearest(name, known))
     if "view.equation" in paths and view.equation:
-        equation_of(document.projection, view.letters, view.equation)
+        equation_of(document.projection, view.letters, view.equation, document.settings)
 
 
 def _nearest(name: str, known: Iterable[str]) -> str:
@@ -144,6 +144,8 @@ def _with_lens(document: Document, kind: str) -> Document:
 
 def _unknown_path(path: str, paths: Sequence[str]) -> Refusal:
     shown = shown_name(path[:LONGEST_SHOWN])
+    if path == "view.panes":  # the panes' cameras, which no text sets
+        return Refusal.in_document(UNKNOWN, "view.slide", field=shown)
     section, _, key = path.rpartition(".")
     others = [kind for kind in kinds() if key in {each.name for each in lens_fields(kind)}]
     if section in ("lens", "") and others and f"lens.{key}" not in paths:

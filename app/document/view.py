@@ -87,8 +87,8 @@ class View:
     """The lecture whose letters the formulas use."""
     layers: frozenset[str] = frozenset()
     """The hidden `LAYERS`."""
-    fixed: str = ""
-    """The viewpoint of the world; empty for a free one."""
+    fixed: str | None = None
+    """The viewpoint of the world; empty for a free one, None for the scene's own."""
     names: tuple[str, ...] | None = None
     """The ids of the things that the pictures name, or `EVERYTHING`; None for the scene's own
     list."""
@@ -116,7 +116,7 @@ class View:
         _check_name("frame_step", self.frame_step, STEPS, ONE_OF)
         _check_name("panel", self.panel or "", PANELS, ONE_OR_NONE)
         _check_name("letters", self.letters, LETTERS, ONE_OF)
-        _check_name("fixed", self.fixed, FIXED, ONE_OR_NONE)
+        _check_name("fixed", self.fixed or "", FIXED, ONE_OR_NONE)
         if not _is_number(self.stage) or not 0.0 <= self.stage <= IMAGE:
             raise Refusal("stage", self.stage, A_STAGE, ", ".join(STAGES), IMAGE)
         if not self.layers <= set(LAYERS):
@@ -223,6 +223,11 @@ def _panel(value: Any) -> Any:
     return value
 
 
+def _fixed(value: Any) -> Any:
+    _check_name("fixed", value, FIXED, ONE_OR_NONE)  # null is no viewpoint
+    return value
+
+
 def _layers(value: Any) -> frozenset[Any]:
     return _set_of("layers", value, SOME_OF, ", ".join(LAYERS))
 
@@ -299,6 +304,7 @@ def _probe_places(probes: tuple[Probe, ...]) -> list[Any]:
 _AS_READ: dict[str, Callable[[Any], Any]] = {
     "stage": _stage,
     "panel": _panel,
+    "fixed": _fixed,
     "layers": _layers,
     "names": _names,
     "pinned": _pinned,

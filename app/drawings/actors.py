@@ -62,6 +62,7 @@ vec4 inFront(vec4 end, vec4 other)
   if (end.w >= least || other.w < least) return end;
   return mix(end, other, (least - end.w) / (other.w - end.w));
 }"""
+_PAPER = 0.7  # share of the paper's colour in a pale silhouette
 _LIFT = 2e-3  # of the distance
 _LIFT_FREE = 2e-4  # of NDC's depth, under a free matrix
 _LIFT_STEP = 6e-4  # in NDC of the pane's own camera
@@ -114,6 +115,8 @@ class Canvas:
         self.hidden: frozenset[str] = frozenset()
         """The layers that are switched off."""
         self._labels: list[Label] = []
+        self.labels_light = 1.0
+        """Part of the labels' opacity that is shown."""
         self._layout = weakref.WeakMethod(layout)
         self._laid_out: tuple[int, int] | None = None
         self.make_ready(self.renderer)
@@ -162,10 +165,22 @@ class Canvas:
     def label(self, text: str, renderer: Any = None, **options: Any) -> Label:
         label = Label(text, self.style, **options)
         label.set_shown("labels" not in self.hidden)
+        label.fade(self.labels_light)
         self._labels.append(label)
         self.add(label.actor, renderer=renderer)
         self.relayout()
         return label
+
+    def fade_labels(self, light: float) -> None:
+        """Show a part of the opacity of labels and leaders, 0 to 1."""
+        if light == self.labels_light:
+            return
+        self.labels_light = light
+        for label in self._labels:
+            label.fade(light)
+        for prop, layer in self._layers.items():
+            if layer == "labels":
+                prop.GetProperty().SetOpacity(light)  # type: ignore[attr-defined]
 
     def relayout(self) -> None:
         """Ask for a layout before the next rendering."""
@@ -442,6 +457,17 @@ def _coloured(points: ArrayLike, colour: str, **cells: Any) -> vtkActor:
 
 def _cells(cells: Sequence[Sequence[int]]) -> Any:
     return np.concatenate([[len(cell), *cell] for cell in cells])
+
+
+def make_pale(actors: Iterable[vtkActor], style: Style) -> None:
+    """Mix the colours of actors with much of the paper's: a silhouette beside what matters."""
+    red, green, blue = rgb(style.background)
+    place = "//VTK::TCoord::Impl"
+    mixed = f"mix(gl_FragData[0].rgb, vec3({red}, {green}, {blue}), {_PAPER})"
+    for actor in actors:
+        actor.GetShaderProperty().AddFragmentShaderReplacement(
+            place, True, f"{place}\n  gl_FragData[0].rgb = {mixed};\n", False
+        )
 
 
 def lift_lines(actor: vtkActor, steps: float = 1) -> None:

@@ -33,6 +33,8 @@ _AROUND = 3.1  # body and axes are within this distance of the eye
 AROUND_PX = _AROUND / _BALL * _PART_OF_PANE
 """How far body and axes reach from the eye, of the pane's shorter side."""
 
+_BODY_REACH = 0.6  # of that: without axes
+
 _WALLS = tuple(FACES[side] for side in SIDES)
 
 
@@ -97,6 +99,8 @@ class CameraDrawing:
         self.steps: FrameSteps | None = None
         self.step: int | None = None
         self._named: frozenset[str] = frozenset()
+        self._leads = False
+        """Whether the axes are what the picture is about."""
         self._show_parts()
 
     def show(self, standing: Standing) -> None:
@@ -125,6 +129,7 @@ class CameraDrawing:
     def show_names(self, names: Names) -> None:
         """Show the axes and the target that are named."""
         named = frozenset(name for name in (*AXES, "target") if name in names)
+        self._leads = names.wanted is not None and names.wanted.issuperset(AXES)
         if named != self._named:
             self._named = named
             self._show_parts()
@@ -146,18 +151,32 @@ class CameraDrawing:
     @property
     def arrows(self) -> tuple[tuple[str, ...], Array]:
         """The names of the visible arrows, and the vectors from the eye to their tips."""
-        camera = self._standing.camera
+        directions = np.array(list(self._tips.values())).reshape(-1, 3)
+        return tuple(self._tips), self.axes_size * directions @ self._standing.camera.frame
+
+    @property
+    def has_arrows(self) -> bool:
+        return bool(self._tips)
+
+    @property
+    def _tips(self) -> dict[str, tuple[float, float, float]]:
         if self.step is None:
-            tips = {a: TIPS[a] for a in AXES if a in self._named}
-        else:
-            tips = arrow_tips(self.step, camera)
-        directions = np.array(list(tips.values())).reshape(-1, 3)
-        return tuple(tips), self.axes_size * directions @ camera.frame
+            return {a: TIPS[a] for a in AXES if a in self._named}
+        return arrow_tips(self.step, self._standing.camera)
 
     @property
     def axes_size(self) -> float:
         """The unit of the axes, world units."""
-        return self.body_size * (1.0 if self.step is None else LARGER)
+        return self.body_size * self._enlarged
+
+    @property
+    def _enlarged(self) -> float:
+        return LARGER if self.step is not None or self._leads else 1.0
+
+    @property
+    def reach(self) -> float:
+        """How far the visible parts reach from the eye, relative to axes that do not lead."""
+        return self._enlarged if self._tips else _BODY_REACH
 
     @property
     def box(self) -> Array:
@@ -173,7 +192,7 @@ class CameraDrawing:
         toward = pane.axes[2]
         eye_depth, target_depth = (float((p - pane.eye) @ toward) for p in (eye, target))
         # The axes are brought before the body, see `come_before`.
-        return eye_depth, target_depth, eye_depth - 4.6 * self.axes_size
+        return eye_depth, target_depth, eye_depth - 5.4 * self.axes_size
 
     def come_before(self, pane: PaneView, depths: tuple[float, float, float], near: float) -> None:
         """Bring eye, target and axes before what would hide them.
@@ -188,7 +207,7 @@ class CameraDrawing:
             (self._rim_space, target, 1.03),
         ):
             space.place(*pane.brought(point, on_top * near))
-        k, at = pane.brought(eye, max(near, depths[0] - 2.0 * self.axes_size))
+        k, at = pane.brought(eye, max(near, depths[0] - 2.8 * self.axes_size))
         pane_from_axes = _scaled(standing.local_from_view, k * self.axes_size)
         pane_from_axes[:3, 3] = at
         self._axes_space.set(pane_from_axes)

@@ -13,9 +13,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from app.document.document import Document
-from app.document.naming import nameable
 from app.document.settings import pictured
-from app.document.view import EVERYTHING
 from app.drawings import Words
 from app.drawings.figures import drawn_pane
 from app.drawings.image import ImageDrawing
@@ -66,8 +64,6 @@ class Measured(NamedTuple):
     fill : (float, float)
         Of the pane's width and height: the box round what is drawn, without grid and frustum, and
         round the labels.
-    missing : tuple of str
-        The ids that the view names and the pane cannot name.
     """
 
     pane: str
@@ -75,7 +71,6 @@ class Measured(NamedTuple):
     labels: tuple[Placed, ...]
     on_ink: tuple[float, ...]
     fill: tuple[float, float]
-    missing: frozenset[str]
 
     @property
     def overlaps(self) -> list[tuple[str, str]]:
@@ -169,11 +164,8 @@ def _measured(
             drawing.show_projection(of.projection, illustration)
             window.Render()
             fill = _fill(_ink(pixels_of(window)), labels)
-    wanted = frozenset(view.names or ()) if view.names != EVERYTHING else frozenset[str]()
-    return Measured(
-        pane, size_px, tuple(labels), tuple(_under(bare_ink, each) for each in labels), fill,
-        wanted - nameable(pane, document, scene),
-    )  # fmt: skip
+    on_ink = tuple(_under(bare_ink, each) for each in labels)
+    return Measured(pane, size_px, tuple(labels), on_ink, fill)
 
 
 def _actors(window: Any) -> Iterator[tuple[Any, LabelActor]]:
@@ -206,6 +198,6 @@ def _fill(ink: Array, labels: list[Placed]) -> tuple[float, float]:
     x = [*columns[[0, -1]].tolist()] if len(columns) else []
     y = [*rows[[0, -1]].tolist()] if len(rows) else []
     for each in labels:
-        x += [max(0.0, each.left), min(width, each.right)]
-        y += [max(0.0, height - each.high), min(height, height - each.low)]
+        x += np.clip([each.left, each.right], 0, width).tolist()
+        y += np.clip([height - each.high, height - each.low], 0, height).tolist()
     return ((max(x) - min(x)) / width, (max(y) - min(y)) / height) if x else (0.0, 0.0)

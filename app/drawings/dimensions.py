@@ -121,6 +121,12 @@ class Dimensions:
         count = len(self._ways(measured)) if measured.view in ("side", "top") else 0
         return _ROW_EM * (count + 0.5) if count else 0.0
 
+    def written(self, measured: Measured) -> set[str]:
+        """The names that `want` writes, and nobody else has to."""
+        lengths = {name for name, *_ in measured.lengths if name in measured.names}
+        along = measured.view in ("side", "top")
+        return lengths | ({name for name, _ in self._ways(measured)} if along else set())
+
     def want(
         self,
         ground: Ground,
@@ -141,14 +147,17 @@ class Dimensions:
             drawn = points if corners is None else np.vstack([points, corners])
             all_spots = np.array(seen(drawn))[:, :2]
             spots = all_spots[len(measured.objects) :]
+            lowest = float(spots[0, 1])
             for name, _, start, end in measured.lengths:
                 if name in measured.names:
-                    self._length(name, *seen(np.array([start, end])))
+                    ends = seen(np.array([start, end]))
+                    self._length(name, *ends)
+                    lowest = min(lowest, ends[0][1], ends[1][1])
             if measured.view == "axis":
                 if corners is not None:
                     self._across(spots, measured)
             else:
-                self._along(ground, spots, measured, size_px, float(all_spots[:, 1].min()))
+                self._along(ground, spots, measured, size_px, lowest, all_spots)
                 if corners is not None:
                     self._beside(ground, spots, measured)
         self._lines.end()
@@ -161,13 +170,23 @@ class Dimensions:
     # -- what is drawn
 
     def _along(
-        self, ground: Ground, spots: Array, measured: Measured, size_px: tuple[int, int], y: float
+        self,
+        ground: Ground,
+        spots: Array,
+        measured: Measured,
+        size_px: tuple[int, int],
+        y: float,
+        drawn: Array,
     ) -> None:
         """From the eye along the axis, one below the other, the shortest on top."""
         ways = self._ways(measured)
         if not ways:
             return
         (eye, height), (target, _) = spots[:2].tolist()
+        ends = [eye + (target - eye) * way[1] / measured.projection.camera.distance for way in ways]
+        # Below what is drawn above the rows, if there is so much room.
+        above = (drawn[:, 0] > min(eye, *ends)) & (drawn[:, 0] < max(eye, *ends))
+        y = min([y, *drawn[above, 1].tolist()])
         y = max(y, self.below_em(size_px, measured) * self._em)
         for name, distance in ways:
             x = eye + (target - eye) * distance / measured.projection.camera.distance

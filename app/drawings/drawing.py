@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import ClassVar, NamedTuple, Protocol
+from typing import TYPE_CHECKING, ClassVar, NamedTuple, Protocol
 
 from app.lecture.highlight import Highlight
 from app.model.projection import Camera, Projection
@@ -14,6 +14,18 @@ from app.precision.levels import Precision
 from app.scenes.phenomena.illustration import Illustration
 from app.scenes.phenomena.readout import Phrase
 from app.scenes.scene import Scene
+
+if TYPE_CHECKING:
+    from app.drawings.pane_view import Pose
+
+
+LABELS_FROM = 0.6
+"""Part of a way from which on labels fade in."""
+
+
+def light_of_labels(part: float) -> float:
+    """Return the opacity of labels at a part of a way, 0 to 1."""
+    return max(0.0, (part - LABELS_FROM) / (1.0 - LABELS_FROM))
 
 
 class Rectangle(NamedTuple):
@@ -99,6 +111,20 @@ class Drawing(Protocol):
     def reset_clipping_range(self) -> None:
         """Adjust the drawing after the pane's camera was moved from outside."""
         return
+
+    # -- on the way from one state to another
+
+    @property
+    def pose(self) -> Pose | None:
+        """Where the pane's camera stands; None if the drawing has no camera of its own."""
+        return None
+
+    def begin_glide(self, start: Pose) -> None:
+        """Begin a way from another pose to the present one."""
+        return
+
+    def glide(self, part: float) -> None:
+        """Be at a part of the way, 0 to 1: the labels appear near its end."""
 
     def remove(self) -> None:
         """Take everything out of the screen."""

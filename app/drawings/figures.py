@@ -25,7 +25,7 @@ from app.document.compare import Written, in_words, names_in
 from app.document.document import Document
 from app.document.field_names import FIELDS
 from app.document.files import write_bytes_atomically
-from app.document.naming import named_in
+from app.document.naming import named_in, seen_from
 from app.document.settings import name_of, pictured
 from app.document.view import AS_EVER, PANES, View
 from app.drawings import AXES, WORDS, Words
@@ -429,13 +429,13 @@ def drawn_pane(
             drawing.show_highlight(frozenset(illustration.about))
         if isinstance(drawing, StageDrawing):
             drawing.show_stage(view.stage)
+        drawing.show_probes(view.probes)  # which are framed, too
         drawing.reset_view()
         if pane in view.panes:
             drawing.show_view(view.panes[pane])
-        drawing.show_probes(view.probes)
         if isinstance(drawing, WorldDrawing):
             drawing.show_step(view.step)
-            drawing.show_fixed(view.fixed)
+            drawing.show_fixed(seen_from(view, scene))
         if transparent:
             for renderer in window.GetRenderers():
                 renderer.SetBackground(0.0, 0.0, 0.0)

@@ -19,7 +19,7 @@ from app.document.naming import named_in
 from app.drawings import AXES
 from app.drawings.actors import Canvas, Space, face_actor, identity_camera, lifted
 from app.drawings.blurring import Blurring
-from app.drawings.drawing import Drawing, Rectangle
+from app.drawings.drawing import Drawing, Rectangle, light_of_labels
 from app.drawings.label_placement import Ground
 from app.drawings.labels import Board, room
 from app.drawings.marks import MarksDrawing, Placing
@@ -88,9 +88,9 @@ class ImageDrawing(Drawing):
         self._hidden: frozenset[str] = frozenset()
         self.names = Names(named_in(self.pane, scene))
         self._add_picture()
-        self._probes = Probes(self._canvas, self._picture)
-        self._marks: MarksDrawing | None = None
         self._board = Board(self._canvas, self._picture)
+        self._probes = Probes(self._canvas, self._board, self._picture)
+        self._marks: MarksDrawing | None = None
         self._silhouette = Silhouette(scene, style.font_size)
         self._rasteriser: Rasteriser | None = None
         self._rendering = Rendering()
@@ -168,6 +168,7 @@ class ImageDrawing(Drawing):
         self._begin_blurring()
         if self._probes.probes:
             self._place_probes()
+            self._place_texts()
 
     def show_layers(self, hidden: frozenset[str]) -> None:
         self._hidden = hidden
@@ -195,6 +196,7 @@ class ImageDrawing(Drawing):
     def show_probes(self, probes: Sequence[Probe]) -> None:
         self._probes.probes = probes
         self._place_probes()
+        self._place_texts()
 
     @property
     def _seen(self) -> Projection:
@@ -302,7 +304,7 @@ class ImageDrawing(Drawing):
 
     def _place_texts(self, *, afresh: bool = False) -> bool:
         """Place the texts; return whether one has changed its place."""
-        if self._marks is None:
+        if not self._canvas.labels_light:
             return False
         rectangle = self.picture_rectangle_px
         half = np.array([rectangle.width, rectangle.height]) / 2.0
@@ -319,12 +321,18 @@ class ImageDrawing(Drawing):
                 corners = self._silhouette.triangles @ clip[:, :3].T + clip[:, 3]
                 w = np.where(corners[..., 3:] > 0.0, corners[..., 3:], np.nan)
                 self._silhouette.ink(ground, (corners[..., :2] / w + 1.0) * half)
-            marks.ink(ground, seen)
+            if marks is not None:
+                marks.ink(ground, seen)
 
         em = self._style.font_size
         ground = Ground(room(rectangle.width, rectangle.height, em), em, ink)
-        marks.want_texts(ground, seen)
+        self._probes.want(ground)
+        if marks is not None:
+            marks.want_texts(ground, seen)
         return self._board.settle(ground, afresh=afresh)
+
+    def reset_view(self) -> None:
+        self._place_texts(afresh=True)
 
     def refit(self) -> bool:
         return self._place_texts(afresh=True)
@@ -343,6 +351,10 @@ class ImageDrawing(Drawing):
             return None
         scale = self._scaled(rectangle)
         return float(x / scale[0, 0]), float(y / scale[1, 1])
+
+    def glide(self, part: float) -> None:
+        self._canvas.fade_labels(light_of_labels(part))
+        self._place_texts(afresh=part == 1.0)
 
     def image_shift(self, right_px: float, down_px: float) -> tuple[float, float]:
         rectangle = self.picture_rectangle_px

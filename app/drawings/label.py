@@ -34,7 +34,10 @@ LARGER = 1.3
 _AMONG_WORDS = 1.12
 """Size of a letter beside words: STIX looks smaller than DejaVu Sans."""
 HALO_EM = 0.14
+_HALO = 0.8  # its opacity: the tint of a plane shows through
 _UNDER_EM = 0.2
+_LOWERED = re.compile("[₀-₉]+")
+_LEVEL = str.maketrans("₀₁₂₃₄₅₆₇₈₉", "0123456789")
 _FUNCTIONS = frozenset(("tan", "sin", "cos", "log"))
 _SIZE = 100.0
 _PARTS = 4  # of a pixel, to which a piece is placed
@@ -73,7 +76,9 @@ class Laid(NamedTuple):
 def pieces_of(text: str) -> list[tuple[str, bool]]:
     """Split a label into words and formulas, each with whether it is TeX."""
     found: list[tuple[str, bool]] = []
-    for token in _TOKEN.finditer(text):
+    for token in _TOKEN.finditer(
+        _LOWERED.sub(lambda found: "_" + found[0].translate(_LEVEL), text)
+    ):
         if token["tex"]:
             found.append((token["tex"], True))
         elif token["letter"]:
@@ -177,7 +182,7 @@ def drawn(
     if underlined:
         ink[height - rim - under // 2 : height - rim, rim : width - rim] = 255
     over = ink[:height, :width] / np.float32(255.0)
-    behind = around[:height, :width] / np.float32(255.0) * (1.0 - over)
+    behind = around[:height, :width] / np.float32(255.0 / _HALO) * (1.0 - over)
     opacity = over + behind
     pixels = np.empty((height, width, 4), dtype=np.uint8)
     share = over / np.maximum(opacity, 1e-6)
@@ -262,8 +267,11 @@ class Label:
         self._style, self._anchor, self._plain = style, anchor, plain
         self._visible = self._shown = True
         self._underlined = False
-        self._turn, self._place = 0.0, (0.0, 0.0)
+        self._opacity = self._light = 1.0
+        self._place = 0.0, 0.0, 0.0
         self._text, self._tone = text, tone(colour or style.ink, style.background)
+        self.size_px = size_px(text, self.em, plain)
+        """Width and height of the letters, without the halo."""
         self._drawn: tuple[str, str, bool] | None = None
         self._size = (0, 0)
         self._image, self._texture = vtkImageData(), vtkTexture()
@@ -294,42 +302,44 @@ class Label:
         """What `set_visible` was told last."""
         return self._visible
 
-    @property
-    def size_px(self) -> tuple[int, int]:
-        """Width and height of the letters, without the halo."""
-        return size_px(self._text, self.em, self._plain)
-
     def set_text(self, text: str) -> None:
         """Write another text; the same one costs nothing."""
         if text != self._text:
             self._text = text
+            self.size_px = size_px(text, self.em, self._plain)
             self._show()
 
     def set_colour(self, colour: str) -> None:
-        self._tone = tone(colour, self._style.background)
-        self._show()
+        self._set("_tone", tone(colour, self._style.background))
 
     def set_opacity(self, opacity: float) -> None:
-        self.actor.GetProperty().SetOpacity(opacity)
+        self._opacity = opacity
+        self.actor.GetProperty().SetOpacity(self._light * opacity)
+
+    def fade(self, light: float) -> None:
+        """Show a part of the label's opacity, 0 to 1."""
+        self._light = light
+        self.set_opacity(self._opacity)
 
     def set_position(self, x_px: float, y_px: float, turn: float = 0.0) -> None:
         """Move to a pixel, counted from the renderer's left and bottom; turn, in radians."""
-        self._place, self._turn = (x_px, y_px), turn
-        self._show()
+        self._set("_place", (x_px, y_px, turn))
 
     def set_visible(self, visible: bool) -> None:
-        self._visible = visible
-        self._show()
+        self._set("_visible", visible)
 
     def set_shown(self, shown: bool) -> None:
         """Switch the label off, whatever `set_visible` says, or on again."""
-        self._shown = shown
-        self._show()
+        self._set("_shown", shown)
 
     def set_underlined(self, underlined: bool) -> None:
         """Underline the label while what it names is highlighted."""
-        self._underlined = underlined
-        self._show()
+        self._set("_underlined", underlined)
+
+    def _set(self, name: str, value: object) -> None:
+        if getattr(self, name) != value:
+            setattr(self, name, value)
+            self._show()
 
     def _show(self) -> None:
         seen = self._visible and self._shown and bool(self._text)
@@ -346,13 +356,13 @@ class Label:
             rows = np.ascontiguousarray(pixels[::-1]).reshape(-1, 4)
             self._image.SetDimensions(width, height, 1)
             self._image.GetPointData().SetScalars(numpy_to_vtk(rows, deep=1))  # type: ignore[no-untyped-call]
-        self._texture.SetInterpolate(bool(self._turn))
-        (x, y), (width, height) = self._place, self._size
+        (x, y, turn), (width, height) = self._place, self._size
+        self._texture.SetInterpolate(bool(turn))
         (wide, high), rim, (to_right, to_top) = self.size_px, rim_px(self.em), self._anchor
         below = height - high - rim  # with the underline
         left, low = -(to_right + 1) / 2.0 * wide - rim, -(to_top + 1) / 2.0 * high - below
-        cos, sin = math.cos(self._turn), math.sin(self._turn)
-        if not self._turn:  # on whole pixels, as it was drawn
+        cos, sin = math.cos(turn), math.sin(turn)
+        if not turn:  # on whole pixels, as it was drawn
             x, y, left, low = round(x + left), round(y + low), 0.0, 0.0
         self.actor.SetPosition(x, y)
         for i, (right, up) in enumerate(
@@ -364,8 +374,8 @@ class Label:
     @property
     def box_px(self) -> tuple[float, float, float, float]:
         """Left, right, bottom and top of the letters, from the renderer's left and bottom."""
-        (x, y), (wide, high), (to_right, to_top) = self._place, self.size_px, self._anchor
-        cos, sin = abs(math.cos(self._turn)), abs(math.sin(self._turn))
+        (x, y, turn), (wide, high), (to_right, to_top) = self._place, self.size_px, self._anchor
+        cos, sin = abs(math.cos(turn)), abs(math.sin(turn))
         wide, high = cos * wide + sin * high, sin * wide + cos * high  # type: ignore[assignment]
         left, low = x - (to_right + 1) / 2.0 * wide, y - (to_top + 1) / 2.0 * high
         return left, left + wide, low, low + high

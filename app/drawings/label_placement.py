@@ -30,13 +30,15 @@ SQUARE_EM = 1.0 / 3.0
 LEADER_FROM_EM = 1.2
 """Beyond this distance a leader joins a label to its mark."""
 _GAPS_EM = (0.45, 1.6, 3.0, 5.0)
-_PAST_EM = (0.4, 1.1)  # beyond the tip of an arrow
+_PAST_EM = (0.4, 1.1, 1.8)  # beyond the tip of an arrow
 _ROUND = np.array([(1, 1), (1, -1), (-1, 1), (-1, -1), (1, 0), (-1, 0), (0, 1), (0, -1)], float)
 _STEEPEST = math.radians(30.0)
 # What a place costs.
 _INK, _CROSSES, _ORDER, _FOREIGN, _OVERLAP, _UNPLACED = 20.0, 8.0, 0.2, 10.0, 1e6, 1e3
 _MOVES = 200
 _RIM_EM = 0.45  # of a mark, where its leader begins
+_FAR = 1e9
+"""Cells: a box beyond hides no ink, and its place is still a whole number."""
 
 
 class Places(NamedTuple):
@@ -124,7 +126,7 @@ def beyond(tip: Spot, way: Spot, size: tuple[float, float], em: float) -> Places
         for turn in (0.0, 0.5, -0.5, 1.0, -1.0):
             out = math.cos(turn) * along + math.sin(turn) * aside
             centres.append(np.array(tip) + out * (_reach(out, size) + gap * em))
-            away.append(gap * em)
+            away.append(min(gap, LEADER_FROM_EM) * em)
     count = len(centres)
     return Places(
         np.array(centres), np.zeros(count), np.tile(tip, (count, 1)), np.array(away), leads=False
@@ -280,7 +282,7 @@ class Ground:
             self._counted = np.zeros((columns + 1, rows + 1), dtype=np.int64)
             self._counted[1:, 1:] = self._ink.cumsum(axis=0).cumsum(axis=1)
         limit = np.array(self.shape * 2)
-        cells = np.rint(boxes / self._square).astype(np.int64)
+        cells = np.rint(np.clip(boxes / self._square, -_FAR, _FAR)).astype(np.int64)
         cells[:, 2:] = np.maximum(cells[:, 2:], cells[:, :2] + 1)
         left, low, right, high = np.clip(cells, 0, limit).T
         counted = self._counted
@@ -360,7 +362,7 @@ def _costs(
         cos, sin = np.abs(np.cos(places.turns)), np.abs(np.sin(places.turns))
         half = np.stack([cos * wide + sin * high, sin * wide + cos * high], axis=1) / 2.0
         boxes = np.hstack([places.centres - half, places.centres + half])
-        cost = _ORDER * np.arange(count) * (8.0 / max(8.0, count))
+        cost = _ORDER * np.minimum(np.arange(count), 24.0) + _INK * _hidden(wish, places, ground)
         far = places.away > LEADER_FROM_EM * em
         cost += np.where(far, places.away / em if places.leads else np.inf, 0.0)
         others = np.concatenate(
@@ -382,13 +384,27 @@ def _costs(
     free = (boxes[:, :2] >= frame[:2]).all(axis=1) & (boxes[:, 2:] <= frame[2:]).all(axis=1)
     if ground.taken:
         free &= ~_overlap(boxes, np.array(ground.taken)).any(axis=1)
-    costs[free] += _INK * ground.hidden(boxes[free])
     costs[~free] = np.inf
     leads = np.concatenate(led) & free
     anchors = np.concatenate([places.anchors for _, places in choices])
     crossings = np.zeros((len(boxes), len(boxes)), dtype=np.bool_)
     crossings[leads] = _crossed(anchors[leads], boxes[leads], boxes)
     return costs, boxes, crossings
+
+
+def _hidden(wish: Wish, places: Places, ground: Ground) -> Floats:
+    """Which part of each candidate is ink: in three boxes along it, since it may be turned."""
+    wide, high = wish.size
+    cos, sin = np.cos(places.turns), np.sin(places.turns)
+    along_it = np.stack([cos, sin], axis=1)
+    part_x, part_y = np.abs(cos) * wide / 3.0, np.abs(sin) * wide / 3.0
+    half = np.stack([part_x + np.abs(sin) * high, part_y + np.abs(cos) * high], axis=1) / 2.0
+    parts = [
+        ground.hidden(np.hstack([middle - half, middle + half]))
+        for middle in (places.centres + shift * wide / 3.0 * along_it for shift in (-1.0, 0.0, 1.0))
+    ]
+    hidden: Floats = np.mean(parts, axis=0)
+    return hidden
 
 
 def _crossed(anchors: Floats, boxes: Floats, marks: Floats) -> NDArray[np.bool_]:

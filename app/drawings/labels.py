@@ -35,7 +35,7 @@ from app.lecture.highlight import AXES
 from app.model.projection import Array
 
 # Which label has a place first.
-SCENE, LENGTH, AXIS, EYE, PLANE, TARGET, NUMBER = map(float, range(7))
+PROBE, LENGTH, SCENE, AXIS, EYE, PLANE, TARGET, NUMBER = map(float, range(8))
 MARGIN_EM = 0.3
 """Between labels and the pane's border."""
 DOT_EM = 0.4

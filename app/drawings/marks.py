@@ -20,7 +20,7 @@ from __future__ import annotations
 
 import math
 from collections import Counter
-from collections.abc import Callable, Hashable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Container, Iterable, Mapping, Sequence
 from dataclasses import replace
 from typing import Any, Literal, NamedTuple
 
@@ -111,7 +111,7 @@ class MarksDrawing:
         self._dots: list[_Batch] = []
         self._faces: _Batch | None = None
         self._board = board
-        self._texts: list[tuple[Hashable, tuple[str, ...]]] = []
+        self._texts: list[tuple[tuple[str, str, int], tuple[str, ...]]] = []
         """The key of each text on the board, and what it is about."""
         self._copies: list[_CopyActors] = []
         self._colours: dict[tuple[str, int, bool], NDArray[np.uint8]] = {}
@@ -121,6 +121,8 @@ class MarksDrawing:
         self._now: tuple[Marks, Placing] | None = None
         self._names = names
         self._highlighted = names.pointed
+        self.named_points = np.empty((0, 3))
+        """The points of the marks that the picture was told to name, (n, 3)."""
         self.points = np.empty((0, 3))
         """The marked points, in the coordinates of the pane's actors, (n, 3)."""
 
@@ -136,6 +138,19 @@ class MarksDrawing:
         drawn.append(self._show_dots(marks.dots, placing))
         self._show_texts(self._named_texts, placing)
         self.points = np.concatenate(drawn)
+        self.named_points = self._named_points(marks, placing)
+
+    def _named_points(self, marks: Marks, placing: Placing) -> Array:
+        wanted = self._names.wanted or ()
+        lines = [line.points for line in marks.lines if line.name in wanted]
+        lines += [face.points for face in marks.faces if face.name in wanted]
+        spots = [dot.point for dot in marks.dots if dot.name in wanted]
+        spots += [text.point for text in marks.texts if text.name in wanted]
+        placed = [placing.placed(np.asarray(points, dtype=float)) for points in lines]
+        if spots:
+            placed.append(placing.placed(np.array(spots, dtype=float)))
+        points = np.concatenate([np.empty((0, 3)), *placed])
+        return points[_within(points, placing.limit)]
 
     @property
     def _named_texts(self) -> Sequence[Text]:
@@ -278,8 +293,13 @@ class MarksDrawing:
             self._texts.append((key, text.about))
         self._underline_texts()
 
-    def want_texts(self, ground: Ground, seen: Callable[[Array], Sequence[Spot]]) -> None:
-        """Ask for a place for each text, where it hides no dot.
+    def want_texts(
+        self,
+        ground: Ground,
+        seen: Callable[[Array], Sequence[Spot]],
+        without: Container[str] = (),
+    ) -> None:
+        """Ask for a place for each text, except those whose names are written already.
 
         `seen` converts points of the pane's actors, (n, 3), to the renderer.
         """
@@ -288,6 +308,8 @@ class MarksDrawing:
         dots = [spot for spot in spots[2 * count :] if spot[2] > 0.0]
         ground.keep(dots, DOT_EM * self._board.em)
         for place, (key, _) in enumerate(self._texts):
+            if key[1] in without:
+                continue
             spot, away = spots[place], spots[count + place]
             way = spot[0] - away[0], spot[1] - away[1]
             self._board.want_beside(key, spot, SCENE + place / 100.0, way if any(way) else None)

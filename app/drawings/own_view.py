@@ -16,7 +16,7 @@ eye     perspective, from the eye  u, v         -n (a lens with an eye)
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from itertools import product
 from typing import NamedTuple
 
@@ -35,6 +35,10 @@ _VIEW_ANGLE_DEG = 50.0
 _MARGIN_EM = 1.6  # for the labels
 _SMALL_MARGIN = 1.0 / 6.0  # of a small pane: both sides together take no more of it
 _BEHIND_FAR = 1.4  # of far's distance: the depth that a view from the side shows
+_LARGE, _LARGE_AREA = 0.6, 0.35  # of the pane's longer side, and of its area: the core
+_NEARBY = 0.35  # of what is beside the core: counts when the free view chooses its direction
+_VERY_LARGE = 0.7  # of the longer side: large, whatever its area
+_SHARES = (1.0, 0.8, 0.65, 0.5, 0.35, 0.2, 0.1, 0.0)  # of what is beside the core, best first
 _SHRUNK = 0.4  # of the pane: `refit` brings nearer what fills less of it
 _NEAREST = 0.02  # of the distance to the focal point: nearer things are cut
 _LINES_LIFT = 2e-3  # of the distance: a face must not eat its own edges
@@ -60,11 +64,18 @@ class Framed(NamedTuple):
 
     camera: Camera  # the model's
     eye: Array
-    points: Array  # (n, 3): must be in view, as must the camera's body and axes
+    core: Array  # (m, 3): must be in view and large, as must the camera's body and axes
+    beside: Array  # (k, 3): come into view as far as the core stays large
     corners: Array | None  # (8, 3), of the frustum
     objects: Array  # (8, 3), of the box round the objects
     has_eye: bool  # whether the lens' projectors meet
     below_em: float  # height of the text below a fixed view
+    side: tuple[float, float] | None = None  # of `Scene.side`
+
+    def shared(self, share: float) -> Array:
+        """The points in view if what is beside the core has this share of its distance, (n, 3)."""
+        middle = (self.core.min(axis=0) + self.core.max(axis=0)) / 2.0
+        return np.vstack([self.core, middle + share * (self.beside - middle)])
 
 
 class _Flat(NamedTuple):
@@ -79,8 +90,9 @@ class _Flat(NamedTuple):
 class OwnView(PaneCamera):
     """The place of the pane's own camera, and what it frames.
 
-    `pane` is how it looks now; `look` notices a move from outside. `around` is the enlargement of
-    the camera's axes, `fixed` one of `app.document.view.FIXED`, or ``""``.
+    `pane` is how it looks now; `look` notices a move from outside. `around` is how far the
+    camera's drawn parts reach, 0 if they need not be in view; `fixed` is one of
+    `app.document.view.FIXED`, or ``""``.
     """
 
     def __init__(self, canvas: Canvas, origin: Array, middle: Array) -> None:
@@ -141,7 +153,7 @@ class OwnView(PaneCamera):
         """
         if self.fixed:
             return self._refit_fixed(framed)
-        points, first = framed.points, self._framed_first
+        points, first = framed.core, self._framed_first
         assert first is not None
         if self._framed is not first and self._fits(points, self._stand(first)[0]):
             self._framed = first
@@ -208,13 +220,18 @@ class OwnView(PaneCamera):
         wide, high = self._room(0.0)
         slopes = half * wide * size_px[0] / size_px[1], half * high
         lower = half * TITLE_EM * self._em / size_px[1]  # by half of what the pane's title takes
-        position = _stand_back(axes, framed.points, slopes, lower)
-        for _ in range(2):  # camera's body and axes are as large as the pane makes them
-            unit = 2.0 * half / size_px[1] * float((position - eye) @ out)
-            around = max(0.0, self.around * AROUND_PX * min(size_px) * unit)
-            position = _stand_back(
-                axes, np.vstack([framed.points, eye + around * SIX_WAYS]), slopes, lower
-            )
+        for share in _SHARES:
+            points = framed.shared(share)
+            position = _stand_back(axes, points, slopes, lower)
+            for _ in range(2):  # camera's body and axes are as large as the pane makes them
+                unit = 2.0 * half / size_px[1] * float((position - eye) @ out)
+                around = max(0.0, self.around * AROUND_PX * min(size_px) * unit)
+                body = eye + around * SIX_WAYS if around else np.empty((0, 3))
+                position = _stand_back(axes, np.vstack([points, body]), slopes, lower)
+            x, y, away = axes @ (framed.core - position).T
+            across, up = np.ptp(x / away) / (2.0 * half), np.ptp(y / away) / (2.0 * half)
+            if _is_large(float(across) * size_px[1] / size_px[0], float(up)):
+                break
         middle = float(self._middle @ out + eye @ out) / 2.0
         return position, position + (middle - float(position @ out)) * out
 
@@ -243,10 +260,9 @@ class OwnView(PaneCamera):
         return self.fixed == "eye" and not self._camera.GetParallelProjection()
 
     def _frame_flat(self, axes: Array, framed: Framed) -> _Flat:
-        offsets = axes @ (framed.points - framed.eye).T
         wide_px, high_px = self.size_px
         if self.fixed == "eye" and framed.has_eye:
-            corners = framed.points if framed.corners is None else framed.corners
+            corners = framed.shared(1.0) if framed.corners is None else framed.corners
             x, y, depth = axes @ (corners - framed.eye).T
             wide, high = self._room(framed.below_em + TITLE_EM)  # as much below: it looks ahead
             with np.errstate(divide="ignore", invalid="ignore"):
@@ -254,19 +270,27 @@ class OwnView(PaneCamera):
             slope = max(up / high, across / wide * high_px / wide_px)
             return _Flat(0.0, 0.0, 0.0, min(slope, _STEEPEST_EYE) if slope > 0.0 else 1.0)
         wide, high = self._room(framed.below_em)
-        if self.fixed in ("side", "top") and framed.corners is not None:
-            # Objects far behind the frustum would shrink it to a strip.
-            far = float((axes[0] @ (framed.corners - framed.eye).T).max())
-            deepest = max(_BEHIND_FAR * far, 1.1 * framed.camera.distance)
-            offsets[0] = np.minimum(offsets[0], deepest)
-        low, most = offsets[:2].min(axis=1), offsets[:2].max(axis=1)
-        middle, half = (low + most) / 2.0, 0.0
-        for _ in range(2):
-            half = max((most[1] - low[1]) / (2.0 * high), 1e-12 * float(np.abs(offsets).max()))
-            half = max(half, (most[0] - low[0]) / (2.0 * wide) * high_px / wide_px)
-            around = AROUND_PX * min(wide_px, high_px) * 2.0 * half / high_px
-            low, most = np.minimum(low, -around), np.maximum(most, around)
-            middle = (low + most) / 2.0
+        core = np.ptp(axes[:2] @ framed.core.T, axis=1)
+        for share in _SHARES:
+            offsets = axes @ (framed.shared(share) - framed.eye).T
+            if self.fixed in ("side", "top") and framed.corners is not None:
+                # Objects far behind the frustum would shrink it to a strip.
+                far = float((axes[0] @ (framed.corners - framed.eye).T).max())
+                deepest = max(_BEHIND_FAR * far, 1.1 * framed.camera.distance)
+                offsets[0] = np.minimum(offsets[0], deepest)
+            low, most = offsets[:2].min(axis=1), offsets[:2].max(axis=1)
+            middle, half = (low + most) / 2.0, 0.0
+            for _ in range(2):
+                half = max((most[1] - low[1]) / (2.0 * high), 1e-12 * float(np.abs(offsets).max()))
+                half = max(half, (most[0] - low[0]) / (2.0 * wide) * high_px / wide_px)
+                around = self.around * AROUND_PX * min(wide_px, high_px) * 2.0 * half / high_px
+                if around:
+                    low, most = np.minimum(low, -around), np.maximum(most, around)
+                middle = (low + most) / 2.0
+            # The rows of lengths belong to the core.
+            across, up = core / (2.0 * half) * (high_px / wide_px, 1.0)
+            if _is_large(float(across), float(up) + framed.below_em * self._em / high_px):
+                break
         middle[1] -= (framed.below_em - TITLE_EM) * self._em / high_px * half
         deepest = float(np.linalg.norm(offsets, axis=0).max()) + around
         return _Flat(float(middle[0]), float(middle[1]), 2.0 * deepest, float(half))
@@ -344,6 +368,12 @@ class OwnView(PaneCamera):
         return Sight(pane.eye + self._origin, rows, np.array([(*toward, -nearest)]))
 
 
+def _is_large(across: float, up: float) -> bool:
+    """Whether a box of these parts of the pane's sides is as large as what is named should be."""
+    longer = max(across, up)
+    return longer >= _LARGE and (across * up >= _LARGE_AREA or longer >= _VERY_LARGE)
+
+
 # --------------------------------------------------------------------------- the opening view
 
 
@@ -370,8 +400,8 @@ def _stand_back(
     return position
 
 
-def _directions(frame: Array) -> Iterator[Array]:
-    """The directions to look from: beside the model's camera, and a little behind it."""
+def _directions(frame: Array, sides: Iterable[tuple[float, float]]) -> Iterator[Array]:
+    """The directions to look from: turned from beside the model's camera, and raised."""
     behind = np.array([frame[2, 0], 0.0, frame[2, 2]])
     beside = np.cross(behind, (0.0, 1.0, 0.0))
     if np.linalg.norm(beside) < 0.2:  # it looks straight down or up: stand at its right
@@ -381,7 +411,7 @@ def _directions(frame: Array) -> Iterator[Array]:
     beside /= np.linalg.norm(beside)
     if beside @ (0.3, 0.0, 1.0) < 0.0:  # scenes show their fronts to +z
         beside = -beside
-    for turn_deg, rise_deg in product(_TURNS_DEG, _RISES_DEG):
+    for turn_deg, rise_deg in sides:
         turn, rise = math.radians(turn_deg), math.radians(rise_deg)
         level = math.cos(turn) * beside + math.sin(turn) * behind
         level /= np.linalg.norm(level)
@@ -398,9 +428,10 @@ def _clearest(framed: Framed) -> Array:
     eye = framed.eye[None]
     corners = np.tile(eye, (8, 1)) if framed.corners is None else framed.corners
     best, found = -math.inf, None
-    for out in _directions(framed.camera.frame):
+    sides = product(_TURNS_DEG, _RISES_DEG) if framed.side is None else (framed.side,)
+    for out in _directions(framed.camera.frame, sides):
         axes = _axes_from(out)
-        position = _stand_back(axes, np.vstack([framed.points, eye]), (half, half))
+        position = _stand_back(axes, np.vstack([framed.shared(_NEARBY), eye]), (half, half))
         x, y, away = axes @ (np.vstack([eye, corners, framed.objects]) - position).T
         spots = np.stack([x, y], axis=1) / (half * away)[:, None]
         eye_spot, frustum, objects = spots[0], spots[1:9], spots[9:]

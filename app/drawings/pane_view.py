@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 from vtkmodules.vtkRenderingCore import vtkCamera
 
-from app.drawings.actors import Canvas
+from app.drawings.actors import Canvas, axes_of
 from app.model.projection import Array
 
 # Where in the pane a plane is looked for, from -1 to 1; what is near the bottom left first.
@@ -132,6 +132,56 @@ class PaneView(NamedTuple):
         return parts
 
 
+class Pose(NamedTuple):
+    """Where a pane's own camera stands: what two states of a drawing have between them."""
+
+    focus: Array
+    axes: Array
+    """Right, up and toward what is looked at, the rows of a (3, 3)."""
+    half_height: float
+    """Half of the height that is seen at the focus."""
+    distance: float
+    slope: float
+    """Tangent of half the angle of view; 0 for a parallel camera."""
+
+    def is_near(self, other: Pose) -> bool:
+        """Whether another pose shows the same, but for rounding."""
+        numbers, others = (
+            np.hstack([pose.focus, pose.axes.ravel(), *pose[2:]]) for pose in (self, other)
+        )
+        return bool(np.allclose(numbers, others, rtol=1e-6, atol=1e-9))
+
+    def towards(self, other: Pose, part: float) -> Pose:
+        """Return the pose at a part of the way to another one, 0 to 1."""
+        turn = other.axes.T @ self.axes
+        cosine = max(-1.0, min(1.0, (float(np.trace(turn)) - 1.0) / 2.0))
+        axes = _turned(self.axes, other.axes, part * math.acos(cosine))
+        one, end = max(self.slope, _FLATTEST), max(other.slope, _FLATTEST)
+        slope = one ** (1.0 - part) * end**part if self.slope or other.slope else 0.0
+        half = self.half_height ** (1.0 - part) * other.half_height**part
+        distance = self.distance ** (1.0 - part) * other.distance**part
+        focus = (1.0 - part) * self.focus + part * other.focus
+        return Pose(focus, axes, half, half / slope if slope else distance, slope)
+
+
+_FLATTEST = 0.01
+"""Slope of a camera that is hardly different from a parallel one."""
+
+
+def _turned(axes: Array, others: Array, angle: float) -> Array:
+    """Turn axes towards others about the one axis that leads there."""
+    turn = others.T @ axes
+    about = np.array([turn[2, 1] - turn[1, 2], turn[0, 2] - turn[2, 0], turn[1, 0] - turn[0, 1]])
+    length = float(np.linalg.norm(about))
+    if length < 1e-9:  # alike, or opposite: then there is no shortest way
+        return others if angle > math.pi / 2.0 else axes
+    x, y, z = about / length
+    cross = np.array([[0.0, -z, y], [z, 0.0, -x], [-y, x, 0.0]])
+    rotation = np.eye(3) + math.sin(angle) * cross + (1.0 - math.cos(angle)) * cross @ cross
+    found: Array = axes @ rotation.T
+    return found
+
+
 class PaneCamera:
     """A pane's own camera, and whether the user has moved it."""
 
@@ -139,6 +189,9 @@ class PaneCamera:
         self._camera: vtkCamera = canvas.renderer.GetActiveCamera()
         self._window, self._em = canvas.window, canvas.style.font_size
         self._placed: tuple[float, ...] | None = None
+        self._goal = vtkCamera()
+        self.is_turned = False
+        """Whether the way ends where the user has turned the camera."""
 
     @property
     def size_px(self) -> tuple[int, int]:
@@ -154,6 +207,45 @@ class PaneCamera:
     @property
     def was_moved(self) -> bool:
         return self._placed != self._now
+
+    # -- on the way from one pose to another
+
+    @property
+    def pose(self) -> Pose:
+        camera = self._camera
+        distance = float(camera.GetDistance())
+        slope, half = math.tan(math.radians(camera.GetViewAngle()) / 2.0), 0.0
+        if camera.GetParallelProjection():
+            slope, half = 0.0, float(camera.GetParallelScale())
+        focus = np.array(camera.GetFocalPoint())
+        return Pose(focus, axes_of(camera), half or slope * distance, distance, slope)
+
+    def begin_glide(self, start: Pose) -> None:
+        """Keep the present place as the goal of a way that begins at another pose."""
+        self._glide_from = start
+        self.is_turned = self.was_moved
+        self.keep_goal()
+
+    def keep_goal(self) -> None:
+        """Take the present place for the goal, after a window of another size has moved it."""
+        self._goal.DeepCopy(self._camera)
+        self._placed_at_goal = self._placed
+
+    def go_to_goal(self) -> None:
+        """Stand where the way ends."""
+        self._camera.DeepCopy(self._goal)
+        self._placed = self._placed_at_goal
+
+    def glide(self, part: float) -> None:
+        """Go to a part of the way from the start to where the camera stands now."""
+        pose = self._glide_from.towards(self.pose, part)
+        self._camera.SetParallelProjection(not pose.slope)
+        if pose.slope:
+            self._camera.SetViewAngle(2.0 * math.degrees(math.atan(pose.slope)))
+        else:
+            self._camera.SetParallelScale(pose.half_height)
+        self._stand_at(pose.focus - pose.distance * pose.axes[2], pose.focus, pose.axes[1])
+        self._placed = self._now
 
     def _stand_at(self, position: Array, focus: Array, up: ArrayLike = (0.0, 1.0, 0.0)) -> None:
         self._camera.SetPosition(*position)

@@ -23,7 +23,8 @@ from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 from vtkmodules.vtkRenderingCore import vtkActor2D
 
 from app.drawings.actors import Canvas, Space, actor_2d, lift_lines, line_actor
-from app.drawings.label import Label
+from app.drawings.label_placement import Ground
+from app.drawings.labels import PROBE, Board
 from app.drawings.style import rgb
 from app.model.infinity import trace_at_infinity
 from app.model.projection import Array, Projection, Trace, Vector
@@ -46,9 +47,10 @@ class Mark(NamedTuple):
 
 
 class Probes:
-    def __init__(self, canvas: Canvas, renderer: Any = None) -> None:
-        self._canvas, self._renderer = canvas, renderer
+    def __init__(self, canvas: Canvas, board: Board, renderer: Any = None) -> None:
+        self._canvas, self._board, self._renderer = canvas, board, renderer
         self._slots: list[_Slot] = []
+        self._spots: list[tuple[int, float, float]] = []
         self.probes: Sequence[Probe] = ()
 
     def show(self, marks: Sequence[Mark], size_px: tuple[int, int]) -> None:
@@ -57,6 +59,17 @@ class Probes:
             self._slots.append(_Slot(self._canvas, self._renderer))
         for i, slot in enumerate(self._slots):
             slot.show(marks[i] if i < len(marks) else None, size_px)
+        spots = [(mark.number, _place(mark.spot_px, size_px[1])) for mark in marks]
+        self._spots = [(number, *spot) for number, spot in spots if spot is not None]
+
+    def want(self, ground: Ground) -> None:
+        """Keep labels off the discs, and ask for a place for each number."""
+        for number, x, y in self._spots:
+            ground.keep([(x, y)], _RIM_EM * self._board.em)
+            if number:
+                key = "probe", number
+                self._board.label(key, str(number), self._canvas.style.accent)
+                self._board.want_beside(key, (x, y, 1.0), PROBE)
 
     def in_world(
         self, projection: Projection, origin: Array, drawn: tuple[float, float], sight: Sight
@@ -176,9 +189,8 @@ class _Slot:
             _disc(outer * em, colour, 48, inner * em)
             for (inner, outer), colour in zip(_RING_EM, (style.ink, style.accent), strict=True)
         )
-        self._label = Label("", style, colour=style.accent)
         canvas.add(
-            self._line, *self._crossing, *self._ring, self._rim, self._fill, self._label.actor,
+            self._line, *self._crossing, *self._ring, self._rim, self._fill,
             renderer=renderer,
         )  # fmt: skip
 
@@ -196,18 +208,11 @@ class _Slot:
         is_named = mark is not None and mark.number > 0
         for actor in self._ring:
             actor.SetVisibility(spot is not None and not is_named)
-        self._label.set_visible(spot is not None and is_named)
         if mark is not None and spot is not None:
             for disc in (self._rim, self._fill, *self._ring):
                 disc.SetPosition(*spot)
             colour = self._style.accent if mark.solid else self._style.background
             self._fill.GetProperty().SetColor(*rgb(colour))
-            self._label.set_text(str(mark.number))
-            # Above and to the right, but not out of the picture.
-            em, (x, y) = self._style.font_size, spot
-            to_right = 1.0 if x + 2.2 * em < size_px[0] else -1.0
-            to_top = 1.0 if y + 2.0 * em < height_px else -1.0
-            self._label.set_position(x + 1.3 * em * to_right, y + 1.2 * em * to_top)
         crossing = _place(None if mark is None else mark.crossing_px, height_px)
         for actor in self._crossing:
             actor.SetVisibility(crossing is not None)

@@ -50,9 +50,9 @@ class Silhouette:
             for count in sorted(set(steps.tolist())):
                 some = spots[steps == count]
                 spread = np.tensordot(_lattice(count), some, axes=(1, 1)).reshape(-1, 2)
-                inside = ((spread >= 0.0) & (spread < shape)).all(axis=1)
-                columns, rows = spread[inside].astype(np.int64).T
-                held[columns, rows] = True
+                at = np.floor(np.clip(spread, -1.0, max(shape))).astype(np.int64)
+                at = at[((at >= 0) & (at < shape)).all(axis=1)]
+                held[at[:, 0], at[:, 1]] = True
         ground.ink(held)
 
 

@@ -25,13 +25,14 @@ import numpy as np
 from vtkmodules.vtkCommonDataModel import vtkPlane
 
 from app.document.naming import named_in
-from app.drawings.actors import Canvas, lift_lines
-from app.drawings.drawing import Drawing, Rectangle
+from app.drawings.actors import Canvas, lift_lines, make_pale
+from app.drawings.drawing import Drawing, Rectangle, light_of_labels
 from app.drawings.frustum import CUBE
 from app.drawings.label_placement import Ground
 from app.drawings.labels import Board, room
 from app.drawings.marks import MarksDrawing, Placing
 from app.drawings.names import Names
+from app.drawings.pane_view import Pose
 from app.drawings.pointing import Emphasis, Segment, Spot, pointed_at, volume_edges
 from app.drawings.precision import ModelActors, least_tolerance
 from app.drawings.probes import Mark, Probes
@@ -72,13 +73,19 @@ class StageDrawing(Drawing):
     ) -> None:
         self._scene, self._words, self._style = scene, words, style
         self._canvas = Canvas(screen, style, self._layout)
-        self.own = StageView(self._canvas, scene.start.camera)
+        self.own = StageView(
+            self._canvas,
+            scene.start.camera,
+            None if scene.phenomenon is None else scene.phenomenon.cube_side,
+        )
         self._position = float(NDC)
         self._placed: tuple[float, object] | None = None
         """The position of the box on the strip, and the projection or depth range it depends on."""
         # Left, right, bottom, top, far, near of the view volume, normals inwards.
         self._planes = [vtkPlane() for _ in range(6)]
         self._model = ModelActors(scene, style, least_tolerance(scene, tolerance_px), self._planes)
+        if self.pane in scene.pale:
+            make_pale(self._model.actors, style)
         drawn = self._model.actors
         for lines in (drawn.lines, drawn.ground):
             if lines is not None:
@@ -90,7 +97,7 @@ class StageDrawing(Drawing):
         self.box = StageBox(self._canvas, words, self.names, self._board)
         self._emphasis = Emphasis(self._canvas)
         self.box.make_emphasis(self._emphasis)
-        self._probes = Probes(self._canvas)
+        self._probes = Probes(self._canvas, self._board)
         self._marks: MarksDrawing | None = None
         self._rasterisers = textured(scene, self._canvas, (drawn.surface, drawn.spaces[0]))
         self._illustration: Illustration | None = None
@@ -176,6 +183,7 @@ class StageDrawing(Drawing):
             space.set_projective(matrix)
         if self._probes.probes:
             self._place_probes()
+            self._place_texts()
 
     @property
     def _seen(self) -> Projection:
@@ -228,6 +236,8 @@ class StageDrawing(Drawing):
 
     def _place_texts(self, *, afresh: bool = False) -> bool:
         """Place the labels; return whether one has changed its place."""
+        if not self._canvas.labels_light:
+            return False
         width_px, height_px = self.own.size_px
         rows, em = self.own.pane_from_display, self._style.font_size
 
@@ -250,6 +260,7 @@ class StageDrawing(Drawing):
                 self._marks.ink(ground, seen)
 
         ground = Ground(room(width_px, height_px - TITLE_EM * em, em), em, ink)
+        self._probes.want(ground)
         self.box.want_words(ground, seen)
         if self._marks is not None:
             self._marks.want_texts(ground, seen)
@@ -261,6 +272,7 @@ class StageDrawing(Drawing):
     def show_probes(self, probes: Sequence[Probe]) -> None:
         self._probes.probes = probes
         self._place_probes()
+        self._place_texts()
 
     def _place_probes(self) -> None:
         marks: Sequence[Mark] = ()
@@ -295,12 +307,31 @@ class StageDrawing(Drawing):
     def view(self) -> Camera | None:
         return self.own.view
 
+    @property
+    def pose(self) -> Pose:
+        return self.own.pose
+
+    def begin_glide(self, start: Pose) -> None:
+        self.own.begin_glide(start)
+
+    def glide(self, part: float) -> None:
+        if self.own.is_turned:
+            self.own.go_to_goal()
+        else:
+            self.own.reset(self._position, self._projection)
+        if part < 1.0:
+            self.own.glide(part)
+        else:
+            self.own.is_turned = False
+        self._canvas.fade_labels(light_of_labels(part))
+        self.reset_clipping_range()
+
     def show_view(self, view: Camera) -> None:
         self.own.show(view)
         self.reset_clipping_range()
 
     def _layout(self, _width_px: int, _height_px: int) -> None:
-        if not self.own.was_moved:  # the user has not turned it: keep all of it in view
+        if not (self.own.was_moved or self.own.is_turned):  # keep all of it in view
             self.reset_view()
         else:
             self.reset_clipping_range()
@@ -344,15 +375,13 @@ class StageDrawing(Drawing):
             pane = self.own.pane_from_display
             corners = _spots(CUBE, pane @ self.box.display_from_box)
             points = [(frozenset((name,)), at) for name, at in zip(CORNERS, corners, strict=True)]
-            axes: list[Segment] = []
-            # Along the volume an axis is the volume's edge.
+            # Of two equally near lines the first counts: an axis is drawn over the edge it is on.
+            segments: list[Segment] = []
             for name, ends in zip(AXES, self.box.axes[:, 1:], strict=True):
                 start, tip = _spots(ends, pane)
-                axes.append((frozenset((name,)), start, tip))
-            place, em = (x_px, y_px), self._style.font_size
-            found = pointed_at(place, em, points, axes) or pointed_at(
-                place, em, (), volume_edges(corners), corners
-            )
+                segments.append((frozenset((name,)), start, tip))
+            segments += volume_edges(corners)
+            found = pointed_at((x_px, y_px), self._style.font_size, points, segments, corners)
         return found - self._strangers
 
 

@@ -42,18 +42,26 @@ _LOOKED_FROM_DEG = {
     IMAGE: (0.0, 0.0),
 }
 _FILLED = 0.9  # of the ball that holds the frustum: its corners alone touch the ball
-_MARGIN_EM = 2.6  # on each side, for the labels
+_MARGIN_EM = 2.1  # on each side, for the labels
+_CUBE_MARGIN_EM = 2.0  # at NDC, where near and far have the corners of the pane
 _MOST_MARGIN = 1.0 / 2.0, 1.0 / 4.0  # of a small pane's width and height: both sides together
 
 
 class StageView(PaneCamera):
-    """The place of the camera; `start` is the scene's own, from beside which the world is seen."""
+    """The place of the camera; `start` is the scene's own, from beside which the world is seen.
 
-    def __init__(self, canvas: Canvas, start: Camera) -> None:
+    `cube_side` is that of a `Phenomenon`.
+    """
+
+    def __init__(
+        self, canvas: Canvas, start: Camera, cube_side: tuple[float, float] | None = None
+    ) -> None:
         super().__init__(canvas)
-        self._start = start
+        self._start, self._cube_side = start, cube_side
 
     def _looked_from(self, stop: int) -> tuple[float, float]:
+        if stop == NDC and self._cube_side is not None:
+            return self._cube_side
         if stop != WORLD:
             return _LOOKED_FROM_DEG[stop]
         # From beside the scene's own camera, and by the shorter way to the next stop's place.
@@ -98,7 +106,7 @@ class StageView(PaneCamera):
             drawn = np.vstack([CUBE_CORNERS * (1.0, 1.0, 0.5), CANONICAL_AXES])
         else:
             drawn = CUBE_CORNERS
-        margins_px = 2.0 * _MARGIN_EM * self._em
+        margins_px = 2.0 * (_CUBE_MARGIN_EM if stop == NDC else _MARGIN_EM) * self._em
         title_px = TITLE_EM * self._em
         centre = np.zeros(3)
         scale = 0.0

@@ -11,7 +11,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Mapping, Sequence
-from itertools import pairwise
+from itertools import compress, pairwise
 from typing import Any
 
 import numpy as np
@@ -21,8 +21,8 @@ from app.drawings import actors
 from app.drawings.actors import Canvas
 from app.drawings.camera import CameraDrawing, Standing, view_matrices
 from app.drawings.dimensions import Dimensions, Measured
-from app.drawings.drawing import Drawing, Rectangle
-from app.drawings.frame import DIMMED, LARGER, ObjectAxes
+from app.drawings.drawing import Drawing, Rectangle, light_of_labels
+from app.drawings.frame import DIMMED, ObjectAxes
 from app.drawings.frustum import FrustumDrawing
 from app.drawings.handles import APART_EM, HandleMarks
 from app.drawings.label_placement import Ground
@@ -31,12 +31,13 @@ from app.drawings.marks import MarksDrawing, Placing
 from app.drawings.names import Names
 from app.drawings.near_picture import NearPicture
 from app.drawings.own_view import Framed, OwnView
+from app.drawings.pane_view import Pose
 from app.drawings.pointing import Emphasis, Segment, pointed_at, volume_edges
 from app.drawings.probes import Probes
 from app.drawings.rasterising import textured
 from app.drawings.silhouette import Silhouette
 from app.drawings.style import TITLE_EM, Style
-from app.lecture.highlight import CORNERS, OBJECT_AXES, Highlight
+from app.lecture.highlight import AXES, CORNERS, OBJECT_AXES, Highlight
 from app.model.projection import Array, Camera, ObjectTransform, Projection
 from app.picking.handles import Handle, nearest, shown
 from app.picking.picking import Probe, Sight
@@ -50,6 +51,7 @@ _WHOLE, _NEARBY = (
 )  # of the extent: the largest frustum that is framed whole; else this much of it
 _FARTHEST_MARK = 1e3  # of the extent: where lines toward infinity end
 _EDGES = [pair for line in actors.CUBE_EDGES for pair in pairwise(line)]
+_ABOUT = 2.5  # of the size of marks on a large subject: so much of it is framed with them
 _FRAMED_MARK = 5.0  # of the scene's size: farther marks are not framed
 
 
@@ -81,6 +83,8 @@ class WorldDrawing(Drawing):
         self._faces_space, self._lines_space, self._ground_space = drawn.spaces
         canvas.add(*drawn)
         self._hidden = canvas.hidden
+        if self.pane in scene.pale:
+            actors.make_pale(drawn, style)
         self.picture = NearPicture(canvas, scene)
         self._detail = actors.Detail(drawn.surface, self.picture.faces)
         self._rasterisers = textured(
@@ -108,7 +112,7 @@ class WorldDrawing(Drawing):
         for name, label in self.labels.named.items():
             self._emphasis.label(label, name)
         self._dimensions: Dimensions | None = None
-        self._probes = Probes(canvas)
+        self._probes = Probes(canvas, self._board)
         self.handles = HandleMarks(canvas) if live else None
         self.names = Names(named_in(self.pane, scene))
         self._light = 1.0
@@ -121,8 +125,9 @@ class WorldDrawing(Drawing):
         self._lengths: tuple[Length, ...] = ()
         self._standing = self._stand(scene.start.camera)
         self.camera.show(self._standing)
-        self._show_named()
         self.own = OwnView(canvas, self._origin, self._objects.mean(axis=0))
+        self._show_named()
+        self._look_around()
         self.show_projection(scene.start)
         self.reset_view()
 
@@ -152,8 +157,6 @@ class WorldDrawing(Drawing):
             self._follow_pane(afresh=True)
 
     def show_layers(self, hidden: frozenset[str]) -> None:
-        for drawn in (self._actors, self.picture.actors):
-            drawn.show_grid("grid" not in hidden)
         self._hidden = hidden
         self._switch_layers()
         self._follow_pane(afresh=True)
@@ -161,13 +164,28 @@ class WorldDrawing(Drawing):
     def _switch_layers(self) -> None:
         # The pane looks through the camera, or it stands in front of the picture. From the eye the
         # flattened picture covers the scene, and its hidden edges would show through.
-        hidden = self._hidden
+        hidden = self._hidden | self._left_out
         if self.own.sees_from_eye:
             hidden = hidden | {"camera", "near-picture"}
         elif self.own.fixed == "axis":
             hidden = hidden | {"camera"}
+        if ("grid" in hidden) != ("grid" in self._canvas.hidden):
+            for drawn in (self._actors, self.picture.actors):
+                drawn.show_grid("grid" not in hidden)
         if hidden != self._canvas.hidden:
             self._canvas.show_layers(hidden)
+
+    @property
+    def _left_out(self) -> frozenset[str]:
+        """The layers that the scene leaves out now: nothing of what is named."""
+        names, left_out = self.names, self._scene.leaves_out
+        if not left_out or names.all or self.camera.step is not None:
+            return frozenset()
+        if "near" in names or "far" in names:
+            left_out -= {"frustum", "near-picture"}
+        if any(name in names for name in ("eye", "target", *AXES)):
+            left_out -= {"camera"}
+        return left_out
 
     # -- pointing
 
@@ -175,7 +193,11 @@ class WorldDrawing(Drawing):
         before, self.names.pointed = self.names.pointed, highlighted
         of_scene = self._marks is not None and self._marks.show_highlight(highlighted)
         is_new = self._emphasis.show(highlighted) or of_scene
-        if before != highlighted and not self.names.all:
+        drawn = {"eye", "target", "near", "far", "fov"}
+        if self.camera.step is None:
+            drawn |= set(AXES)
+        wanted = drawn if self.names.wanted is None else self.names.wanted
+        if of_scene or (before ^ highlighted) & drawn - wanted:
             self._show_named()
             self._follow_pane(afresh=False)
         return is_new
@@ -185,14 +207,22 @@ class WorldDrawing(Drawing):
             return
         self.names.wanted = names
         self._show_named()
+        self._look_around()
         if self.own.was_moved:
             self._follow_pane(afresh=True)
         else:
             self.reset_view()
 
+    def _look_around(self) -> bool:
+        """Tell the view how far the camera's drawn parts reach; return whether that has changed."""
+        around = self.camera.reach if "eye" in self.names or self.camera.has_arrows else 0.0
+        is_new, self.own.around = around != self.own.around, around
+        return is_new
+
     def _show_named(self) -> None:
         """Draw the camera's parts that are named, and the other things quietly."""
         names = self.names
+        self._switch_layers()
         self.camera.show_names(names)
         self.frustum.show_names(names)
         self._emphasis.show_names(names)
@@ -218,11 +248,9 @@ class WorldDrawing(Drawing):
         for line, opacity in self._dimmable:
             line.SetOpacity(opacity * self._light)
         self.labels.dim_planes(self._light)
-        around = 1.0 if step is None else LARGER
-        if around == self.own.around:
+        if not self._look_around():
             self._follow_pane(afresh=True)
             return
-        self.own.around = around
         if not (self.own.was_moved or self.own.fixed):
             self.own.place(self._framed())
         self.reset_clipping_range()
@@ -339,7 +367,7 @@ class WorldDrawing(Drawing):
 
     def _place_labels(self, *, afresh: bool) -> bool:
         """Place the labels; return whether one has changed its place."""
-        if "labels" in self._canvas.hidden:
+        if "labels" in self._canvas.hidden or not self._canvas.labels_light:
             return False
         pane, at = self.own.pane, self._standing
         em = self._canvas.style.font_size
@@ -353,25 +381,34 @@ class WorldDrawing(Drawing):
             at.eye, at.target, arrows, ends, self.camera.box, self._corners_seen,
             self._projection.lens.planes, self._unseen | unnamed,
         )  # fmt: skip
+        self._probes.want(ground)
         self.labels.want(ground, pane, named)
+        written = set[str]()
         if self.own.fixed and self._dimensions is not None:
-            self._dimensions.want(ground, pane.seen, pane.size_px, self._in_fixed_view)
+            measured = self._in_fixed_view
+            self._dimensions.want(ground, pane.seen, pane.size_px, measured)
+            written = self._dimensions.written(measured)
         if self._marks is not None:
-            self._marks.want_texts(ground, pane.seen)
+            self._marks.want_texts(ground, pane.seen, written)
         return self._board.settle(ground, afresh=afresh)
 
     @property
     def _arrows(self) -> tuple[tuple[str, ...], Array]:
-        """The arrows that are drawn, and where each starts and ends, (n, 2, 3)."""
+        """The arrows that are named, and where each starts and ends, (n, 2, 3)."""
         at, arrows, ends = self._standing, tuple[str, ...](), np.empty((0, 2, 3))
         if "camera" not in self._canvas.hidden:
             arrows, ways = self.camera.arrows
             ends = np.stack([np.tile(at.eye, (len(ways), 1)), at.eye + ways], axis=1)
         axes = self._axes if self.has_object_axes else None
         if axes is not None:
-            arrows += tuple(axes.shafts)
+            is_named = [
+                name in self.names or name.removeprefix("object_") in self.names
+                for name in axes.shafts
+            ]
+            arrows += tuple(compress(axes.shafts, is_named))
             start = np.tile(axes.origin, (3, 1))
-            ends = np.concatenate([ends, np.stack([start, start + axes.ways], axis=1)])
+            of_axes = np.stack([start, start + axes.ways], axis=1)
+            ends = np.concatenate([ends, of_axes[is_named]])
         return arrows, ends
 
     def _ink(self, ground: Ground) -> None:
@@ -439,13 +476,72 @@ class WorldDrawing(Drawing):
         at, frustum = self._standing, self.frustum
         corners = frustum.corners if frustum.seen else None
         has_eye = self._projection.lens.central
-        points = _points_to_frame(
-            at, self._objects, frustum.corners, self._marked, self._scene.size
-        )
+        with_camera = np.concatenate([frustum.corners, [at.target]])
+        if "frustum" in self._left_out:
+            corners, with_camera = None, np.empty((0, 3))
+        eye = at.eye
+        if "camera" not in self._left_out:
+            with_camera = np.vstack([with_camera, eye])
+        elif not self.own.fixed:
+            eye = self._objects.mean(axis=0)
+        points = _points_to_frame(at, self._objects, with_camera, self._marked, self._scene.size)
         below_em = 0.0
         if self.own.fixed and self._dimensions is not None:
             below_em = self._dimensions.below_em(self.own.size_px, self._in_fixed_view)
-        return Framed(at.camera, at.eye, points, corners, self._objects, has_eye, below_em)
+        core, beside = self._named_points(points)
+        return Framed(
+            at.camera, eye, core, beside, corners, self._objects, has_eye, below_em,
+            self._scene.side,
+        )  # fmt: skip
+
+    def _named_points(self, points: Array) -> tuple[Array, Array]:
+        """What has to be in view, with the named things, and what may leave it; (n, 3) each.
+
+        The subject of a scene without larger marks of its own counts as named. Far is seldom whole
+        in view: it would make the rest small.
+        """
+        wanted, at, corners = self.names.wanted, self._standing, self.frustum.corners
+        if wanted is None:
+            return points, np.empty((0, 3))
+        marked = np.empty((0, 3)) if self._marks is None else self._marks.named_points
+        followed = [probe.point for probe in self._probes.probes if probe.point is not None]
+        marked = np.concatenate([marked, np.reshape(followed, (-1, 3)) - self._origin])
+        named = [marked[np.linalg.norm(marked - at.eye, axis=1) <= _FARTHEST_MARK * at.extent]]
+        beside = [self._objects]
+        has_planes = self.frustum.seen and self._projection.lens.planes is not None
+        for name, thing, needs in (
+            ("eye", at.eye[None], True),
+            ("target", at.target[None], True),
+            ("near", corners[:4], has_planes),
+            ("height", corners[5:7], has_planes and self.own.fixed != ""),
+            ("width", corners[5:7], has_planes and self.own.fixed == "axis"),
+        ):
+            if name in wanted and needs:
+                named.append(thing)
+        if "far" in wanted and has_planes:
+            beside.append(corners[4:])
+        if self.own.fixed in ("side", "top"):
+            measured = {"d": at.camera.distance, **dict(self._measured)}
+            named += [
+                (at.eye - measured[name] * at.camera.frame[2])[None]
+                for name in measured.keys() & wanted
+            ]
+            named += [
+                np.array([length.start, length.end]) - self._origin
+                for length in self._lengths
+                if length.view == self.own.fixed and length.name in wanted
+            ]
+        core = np.concatenate(named)
+        objects = self._objects
+        if self._scene.phenomenon is None or not len(core):
+            core = np.concatenate([core, objects])
+            return core, np.concatenate(beside)
+        size, whole = (np.linalg.norm(np.ptp(points, axis=0)) for points in (core, objects))
+        if size < whole:  # marks on a part of the subject: with what is about them
+            middle = (core.min(axis=0) + core.max(axis=0)) / 2.0
+            near = _ABOUT * size if size > 0.0 else np.inf
+            core = np.concatenate([core, np.clip(objects, middle - near, middle + near)])
+        return core, np.concatenate(beside)
 
     def refit(self) -> bool:
         """Frame the view again, and go back to what `reset_view` framed once that shows everything.
@@ -463,14 +559,34 @@ class WorldDrawing(Drawing):
     def view(self) -> Camera | None:
         return self.own.view
 
+    @property
+    def pose(self) -> Pose:
+        return self.own.pose
+
+    def begin_glide(self, start: Pose) -> None:
+        self.own.begin_glide(start)
+
+    def glide(self, part: float) -> None:
+        if self.own.fixed:
+            self.own.follow(self._framed())
+        else:
+            self.own.go_to_goal()
+        if part < 1.0:
+            self.own.glide(part)
+        else:
+            self.own.is_turned = False
+        self._canvas.fade_labels(light_of_labels(part))
+        self.reset_clipping_range(afresh=part == 1.0)
+
     def show_view(self, view: Camera) -> None:
         self.own.show(view)
         self.reset_clipping_range()
 
     def _lay_out(self, _width_px: int, _height_px: int) -> None:
         """Fit a view that nobody has moved into a window of another size."""
-        if not self.own.was_moved:
+        if not (self.own.was_moved or self.own.is_turned):
             self.own.place(self._framed())
+            self.own.keep_goal()
         self.reset_clipping_range()
 
     def reset_clipping_range(self, *, afresh: bool = True) -> None:
@@ -490,7 +606,6 @@ class WorldDrawing(Drawing):
         pane, frustum, at = self.own.pane, self.frustum, self._standing
         self.camera.follow(pane)
         self._place_handles()
-        self._place_labels(afresh=afresh)
         # From the eye the planes cover all of the picture, and one another.
         frustum.tint(pane, 0.0 if self.own.sees_from_eye else self._light)
         self.picture.show(self._projection, at, frustum, pane, self._local_from_object)
@@ -501,12 +616,14 @@ class WorldDrawing(Drawing):
         self.camera.come_before(pane, depths, near)
         if self._probes.probes:
             self._place_probes()
+        self._place_labels(afresh=afresh)
 
     # -- a phenomenon, probes, handles
 
     def show_probes(self, probes: Sequence[Probe]) -> None:
         self._probes.probes = probes
         self._place_probes()
+        self._place_labels(afresh=False)
 
     def _show_illustration(self, illustration: Illustration | None) -> None:
         if self._marks is None:
@@ -595,7 +712,7 @@ def _deepest(points: Iterable[Array], at: Standing, size: float) -> float:
 
 
 def _points_to_frame(
-    at: Standing, objects: Array, corners: Array, marked: Array, size: float
+    at: Standing, objects: Array, with_camera: Array, marked: Array, size: float
 ) -> Array:
     """The points that `reset_view` brings into view; only the near part of a very wide frustum.
 
@@ -605,7 +722,7 @@ def _points_to_frame(
     middle = objects.mean(axis=0)
     centre = (middle + at.eye) / 2.0
     marked = marked[np.linalg.norm(marked - middle, axis=1) <= _FRAMED_MARK * size]
-    points = np.concatenate([objects, corners, [at.eye, at.target], marked])
+    points = np.concatenate([objects, with_camera, marked])
     offsets = points - centre
     lengths = np.maximum(np.linalg.norm(offsets, axis=1, keepdims=True), 1e-300)
     whole, nearby = _WHOLE * at.extent, _NEARBY * at.extent

@@ -4,6 +4,7 @@
 
     "frustum"            M = [...]
     "M_z M_pp M_persp"   [...] [...] [...] = [...]
+    "plane, d-plane"     [...] , [...]           beside each other, no product
     "view numbers"       the same matrix in numbers
 
 A word is one of `USUAL`, a lecture's own name of a matrix or a factor (``M_persp``, ``R``), or a
@@ -13,7 +14,7 @@ name that `python -m app matrices` prints. The chosen lecture's names come first
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from typing import NamedTuple
 
 import numpy as np
@@ -23,6 +24,7 @@ from app.lecture.algebra import Ratio, ratio
 from app.lecture.dependence import reach, state_of
 from app.lecture.notation import (
     LETTERS,
+    Formulas,
     Letters,
     Matrix,
     latex_called,
@@ -42,6 +44,19 @@ USUAL = {
     "projection": "clip_from_view",
     "viewport": "image_from_ndc",
 }
+_PLANE = "distance"
+"""The setting of the scenes that project onto a plane at this distance."""
+ONTO_PLANE: dict[str, tuple[str, Formulas]] = {
+    "plane": (
+        "A",
+        (("1", "0", "0", "0"), ("0", "1", "0", "0"), ("0", "0", "1", "0"), ("0", "0", "-1/d", "0")),
+    ),
+    "d-plane": (
+        r"d\,A",
+        (("d", "0", "0", "0"), ("0", "d", "0", "0"), ("0", "0", "d", "0"), ("0", "0", "-1", "0")),
+    ),
+}
+"""The projection onto a plane at the distance d, and the same times d: names and cells."""
 NUMBERS = "numbers"
 """The last word of an equation whose cells are numbers."""
 MOST_FACTORS = 4
@@ -59,36 +74,59 @@ class Term(NamedTuple):
 
 
 class Equation(NamedTuple):
-    """A product and its result, or one matrix, which has no `factors`."""
+    """A product and its result; one matrix, which has no `factors`; or several without result."""
 
     factors: tuple[Term, ...]
-    result: Term
+    result: Term | None
     is_in_numbers: bool
 
     @property
     def terms(self) -> tuple[Term, ...]:
         """The matrices from left to right."""
-        return (*self.factors, self.result)
+        return self.factors if self.result is None else (*self.factors, self.result)
 
 
-def equation_of(projection: Projection, letters: Letters, text: str) -> Equation:
-    """Return the equation that a text asks for; a `Refusal` names what this lens lacks."""
-    words = text.split()
+def equation_of(
+    projection: Projection,
+    letters: Letters,
+    text: str,
+    settings: Mapping[str, object] | None = None,
+) -> Equation:
+    """Return the equation that a text asks for; a `Refusal` names what this lens lacks.
+
+    `settings` are those of the scene.
+    """
+    words = text.replace(",", " ").split()
     is_in_numbers = words[-1:] == [NUMBERS]
     words = words[:-1] if is_in_numbers else words
     if not 1 <= len(words) <= MOST_FACTORS:
         raise _refused(text, text)
+    distance = (settings or {}).get(_PLANE)
     keys, terms = [], []
     for word in words:
-        found = next(_found(projection, letters, word), None)
-        if found is None:
-            raise _refused(text, word)
+        if word in ONTO_PLANE and isinstance(distance, float) and distance:
+            found = word, _onto_plane(word, distance, letters)
+        else:
+            first = next(_found(projection, letters, word), None)
+            if first is None:
+                raise _refused(text, word)
+            found = first
         keys.append(found[0])
         terms.append(found[1])
     if len(terms) == 1:
         name = terms[0].name or "M"
         return Equation((), terms[0]._replace(name=name), is_in_numbers)
-    return Equation(tuple(terms), _result(projection, keys, terms), is_in_numbers)
+    result = None if "," in text else _result(projection, keys, terms)
+    return Equation(tuple(terms), result, is_in_numbers)
+
+
+def _onto_plane(word: str, distance: float, letters: Letters) -> Term:
+    name, formulas = ONTO_PLANE[word]
+    values = {"0": 0.0, "1": 1.0, "-1": -1.0, "d": distance, "-1/d": -1.0 / distance}
+    numbers = tuple(tuple(values[cell] for cell in row) for row in formulas)
+    path = (f"settings.{_PLANE}",)
+    fields = tuple(tuple(path if "d" in cell else () for cell in row) for row in formulas)
+    return Term(Matrix(word, numbers, formulas, fields), letters, name)
 
 
 def _refused(text: str, word: str) -> Refusal:

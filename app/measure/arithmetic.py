@@ -493,7 +493,7 @@ def _vtk_camera(projection: Projection, world: Array, reference: Truth) -> _Answ
         [(ndc[:, 0] + 1.0) * width / 2.0, (1.0 - ndc[:, 1]) * height / 2.0, (ndc[:, 2] + 1.0) / 2.0]
     )
     notes = []
-    if lens.central and camera.GetViewAngle() != fov_y_deg:
+    if fov_y_deg not in (None, camera.GetViewAngle()):
         notes.append(f"clamps the view angle to {camera.GetViewAngle():g}°")
     if camera.GetClippingRange() != (lens.near, lens.far):
         notes.append("changes near or far")

@@ -133,7 +133,7 @@ class EyeFirst:
         rows, rest = self.view(traced.world, cut_off)
         x, y, z = rows
         distance = -z
-        w = distance if lens.central else np.ones_like(distance)
+        w = lens.w(distance)
         (x_clip, y_clip), (x_ndc, y_ndc) = lens.pictured(lambda: of.axes, of.aspect, x, y, distance)
         numerator, depth = lens.depth_over_w(distance, rest, reverse=self._reverse)
         opengl = of.depth == "opengl"
@@ -161,7 +161,7 @@ class EyeFirst:
         np.greater(distance, lens.far, out=beyond[1])
         np.greater(x_clip, w, out=beyond[3])
         np.greater(y_clip, w, out=beyond[5])
-        minus_w = np.negative(w, out=w)  # in place: w is no longer needed
+        minus_w = np.negative(w)
         np.less(x_clip, minus_w, out=beyond[2])
         np.less(y_clip, minus_w, out=beyond[4])
 
@@ -219,14 +219,15 @@ class EyeFirst:
         """
         n, distance = self._of.exact_lens, -z
         one = distance * 0 + 1
-        w = distance if self._lens.central else one
         from_near, to_far = distance - n.near, one if n.far is None else -distance + n.far
         if self._lens.central:
+            w = distance
             x_clip, y_clip = (
                 value * scale + w * shift
                 for value, scale, shift in zip((x, y), n.scale, n.shift, strict=True)
             )
         else:
+            w = one
             x_clip, y_clip = (
                 (value - from_near * cot) * scale + shift
                 for value, cot, scale, shift in zip((x, y), n.shear, n.scale, n.shift, strict=True)

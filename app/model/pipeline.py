@@ -173,7 +173,7 @@ class Pipeline:
         """NDC z of the near and of the far plane."""
         return DEPTH_RANGES[self.depth]
 
-    @property
+    @cached_property
     def has_camera(self) -> bool:
         """Whether the view belongs to a camera, and was not typed as a matrix."""
         return self.lens.own_view is None
@@ -238,7 +238,7 @@ class Pipeline:
     @cached_property
     def view_translation(self) -> Array:
         """Factor P of the view matrix: the eye moves to the origin (lecture 004), (4, 4)."""
-        return translation(-np.array(self.camera.eye))
+        return read_only(translation(-np.array(self.camera.eye)))
 
     @cached_property
     def view_from_world(self) -> Array:
@@ -393,7 +393,7 @@ def translation(offset: ArrayLike) -> Array:
     """The matrix of a translation, (4, 4)."""
     matrix = np.eye(4)
     matrix[:3, 3] = offset
-    return read_only(matrix)
+    return matrix
 
 
 def checked_points(points: ArrayLike) -> Array:

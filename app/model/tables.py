@@ -7,7 +7,6 @@ shown), in letters (the formulas shown) and in float64.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from itertools import islice
 from typing import Any, NamedTuple, TypeAlias
 
 from app.arithmetic.rationals import Rationals, eliminate
@@ -36,7 +35,7 @@ def matrix(text: str, **parts: str) -> Table:
 def evaluated(table: Table, known: Mapping[str, Any], arithmetic: Arithmetic = EXACT) -> list[Any]:
     """The values of a table, row by row; `known` as in `Formula.value`."""
     numbers = iter([cell.evaluate(known, arithmetic) for row in table for cell in row])
-    return [list(islice(numbers, len(row))) for row in table]
+    return list(map(list, zip(*[numbers] * 4, strict=True)))
 
 
 def rounded(matrix: Rationals) -> Array:

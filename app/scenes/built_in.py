@@ -35,6 +35,8 @@ Parts: TypeAlias = tuple[Coloured, Coloured, Projection]
 """Faces, lines, and the projection with which the scene opens."""
 NAMES = ("eye", "near", "far", "x", "y", "z")
 """The things that the pictures of these scenes, and of the user's meshes, name."""
+SIDE = (20.0, 14.0)
+"""From where the world of these scenes is seen: beside the camera, which sets the planes apart."""
 TRIES = {
     "letter-f": (
         QT_TRANSLATE_NOOP("phenomena", "Drag the near plane towards the F."),

@@ -10,7 +10,7 @@ from __future__ import annotations
 import re
 import warnings
 from array import array
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any, BinaryIO, NamedTuple, TypeAlias
 
@@ -26,6 +26,7 @@ from app.scenes.mesh import (
     LARGEST,
     NO_MEMORY,
     NOT_OF_KIND,
+    Colours,
     Floats,
     Ints,
     Mesh,
@@ -83,10 +84,13 @@ def read(path: Path, progress: Progress | None = None, largest: tuple[int, int] 
     return mesh
 
 
-def _numbers(text: bytes, kind: type[np.generic] = np.float64) -> NDArray[Any]:
+def _numbers(
+    text: bytes, kind: type[np.generic] = np.float64, words: int | None = None
+) -> NDArray[Any]:
     """Return the numbers of a text; raise `ValueError` if it has a word that is not a number."""
-    visible = np.frombuffer(text, dtype=np.uint8) > 32
-    words = int(np.count_nonzero(visible[1:] & ~visible[:-1])) + int(visible[:1].sum())
+    if words is None:
+        visible = np.frombuffer(text, dtype=np.uint8) > 32
+        words = int(np.count_nonzero(visible[1:] & ~visible[:-1])) + int(visible[:1].sum())
     if not words:
         return np.empty(0, dtype=kind)
     with warnings.catch_warnings():  # numpy returns what it has read so far, with a warning
@@ -102,34 +106,31 @@ def _numbers(text: bytes, kind: type[np.generic] = np.float64) -> NDArray[Any]:
 
 # --------------------------------------------------------------------------- OBJ
 
-_VERTEX, _FACE = (b"v ", b"v\t"), (b"f ", b"f\t")
-
 
 def _read_obj(source: Source) -> Mesh:
     """Read vertices, vertex colours and faces; other lines (normals, materials) are ignored."""
     points, colours, corners, counts = [], [], [], []
     vertices = faces = cornered = lines_before = 0
-    for lines in _obj_blocks(source.file):
+    for text in _obj_blocks(source.file):
         try:
-            rows, indices, sizes = _obj_vertices(lines), *_obj_faces(lines)
+            rows, indices, sizes, before = _obj_mesh(text)
         except ValueError:
-            wrong = lines_before + next(n for n, row in enumerate(lines, 1) if _is_wrong(row))
+            wrong = lines_before + _wrong_line(text.splitlines(keepends=True))
             raise Refusal.saying(DAMAGED_LINE, source.path, wrong, "OBJ") from None
         from_start = indices - 1
         if (indices < 0).any():  # counted back from the last vertex before the face
-            so_far = vertices + np.cumsum([line[:2] in _VERTEX for line in lines])
-            before = so_far[[line[:2] in _FACE for line in lines]]
-            from_start = np.where(indices < 0, np.repeat(before, sizes) + indices, from_start)
+            back = np.repeat(vertices + before, sizes) + indices
+            from_start = np.where(indices < 0, back, from_start)
         vertices, faces, cornered = (
             count + len(found)
             for count, found in ((vertices, rows), (faces, sizes), (cornered, indices))
         )
         source.check_size(vertices, faces, cornered)
         points.append(rows[:, :3])
-        colours.append(rows[:, 3:6])
+        colours.append(rows[:, 3:])
         corners.append(from_start)
         counts.append(sizes)
-        lines_before += len(lines)
+        lines_before += text.count(b"\n")
         source.report(min(0.4, 0.4 * source.file.tell() / source.size))
     mesh = Mesh(
         np.concatenate([np.empty((0, 3)), *points]),
@@ -142,59 +143,76 @@ def _read_obj(source: Source) -> Mesh:
     return mesh
 
 
-def _obj_blocks(file: BinaryIO) -> Iterator[list[bytes]]:
-    """Yield the lines of each block, without comments and leading blanks."""
+def _obj_blocks(file: BinaryIO) -> Iterator[bytes]:
+    """Yield blocks of whole lines that end with a newline, without comments and leading blanks."""
     rest = b""
     while True:
         block = file.read(BLOCK)
-        text = rest + block
-        end = text.rfind(b"\n") + 1 if block else len(text)
+        text = rest + block if block else rest + b"\n"
+        end = text.rfind(b"\n") + 1
         while block and text.endswith((b"\\\n", b"\\\r\n"), 0, end):
             end = text.rfind(b"\n", 0, end - 1) + 1  # this line goes on in the next block
         text, rest = text[:end], text[end:]
+        if b"\r" in text:
+            text = text.replace(b"\r\n", b"\n").replace(b"\r", b"\n")
         if b"\\" in text:
-            text = re.sub(rb"\\(\r\n|\r|\n)", b" ", text)
+            text = text.replace(b"\\\n", b" ")
         if b"#" in text:
-            text = re.sub(rb"#[^\r\n]*", b"", text)
-        yield [line.lstrip() for line in text.splitlines()]
+            text = re.sub(rb"#[^\n]*", b"", text)
+        if text[:1] in b" \t" or b"\n " in text or b"\n\t" in text:
+            text = re.sub(rb"^[ \t]+", b"", text, flags=re.MULTILINE)
+        yield text
         if not block:
             return
 
 
-def _obj_vertices(lines: Sequence[bytes]) -> Floats:
-    """Return three numbers for each vertex, or six if all vertices have colours."""
-    rows = [line[1:] for line in lines if line[:2] in _VERTEX]
-    if not rows:
-        return np.empty((0, 6))
-    lengths = [len(row.split()) for row in rows]
-    least = min(lengths)
-    if least < 3:
+def _obj_mesh(text: bytes) -> tuple[Floats, Ints, Ints, Ints]:
+    """Read a block of lines; raise `ValueError` if one of them cannot be read.
+
+    Returns three numbers for each vertex (six if all have colours), the vertex numbers of all
+    corners, and for each face how many corners it has and how many vertices precede it.
+    """
+    letters = np.frombuffer(text, dtype=np.uint8)
+    lengths = np.diff(np.flatnonzero(letters == ord("\n")) + 1, prepend=0)
+    begins = np.cumsum(lengths) - lengths
+    blank_after = np.isin(letters[np.minimum(begins + 1, len(letters) - 1)], (32, 9))
+    is_vertex, is_face = (blank_after & (letters[begins] == ord(letter)) for letter in "vf")
+    numbers, words = _obj_numbers(letters, lengths, is_vertex, np.float64)
+    if (words < 3).any():
         raise ValueError
-    if least != max(lengths):
-        rows, least = [b" ".join(row.split()[:3]) for row in rows], 3
-    table = _numbers(b" ".join(rows)).reshape(len(rows), -1)
-    return table[:, : 6 if least >= 6 else 3]
+    width = 6 if (words >= 6).all() else 3
+    rows = numbers[(np.cumsum(words) - words)[:, None] + np.arange(width)]
+    return rows, *_obj_numbers(letters, lengths, is_face, np.int64), np.cumsum(is_vertex)[is_face]
 
 
-def _obj_faces(lines: Sequence[bytes]) -> tuple[Ints, Ints]:
-    """Return the vertex numbers of all corners, and how many corners each face has."""
-    rows = [line[1:] for line in lines if line[:2] in _FACE]
-    sizes = np.array([len(row.split()) for row in rows], dtype=np.int64)
-    text = b" ".join(rows)
-    if b"/" in text:  # 1/2/3, 1//3, 1/2/ and 1// are vertex 1
-        text = re.sub(rb"/\S*", b"", text)
-    indices = _numbers(text, np.int64)
-    if len(indices) != sizes.sum():
-        raise ValueError
-    return indices, sizes
+def _obj_numbers(
+    letters: Colours, lengths: Ints, which: NDArray[np.bool_], kind: type[np.generic]
+) -> tuple[NDArray[Any], Ints]:
+    """Return the numbers after the first letters of some lines, and how many each line has."""
+    text, ends = letters[np.repeat(which, lengths)], np.cumsum(lengths[which])
+    text[ends - lengths[which]] = ord(" ")
+    visible = text > 32
+    word_begins = np.flatnonzero(visible[1:] & ~visible[:-1])
+    words = np.diff(np.searchsorted(word_begins, ends), prepend=0)
+    slash = text == ord("/")
+    if kind == np.int64 and slash.any():  # 1/2/3, 1//3, 1/2/ and 1// are vertex 1
+        edges = np.flatnonzero(slash | ~visible)
+        text[np.repeat(slash[edges], np.diff(edges, append=len(text)))] = ord(" ")
+    return _numbers(text.tobytes(), kind, len(word_begins)), words
 
 
-def _is_wrong(line: bytes) -> bool:
-    try:
-        _obj_vertices([line]), _obj_faces([line])
-    except ValueError:
-        return True
-    return False
+def _wrong_line(lines: list[bytes]) -> int:
+    """Return the number, from 1, of the first line that cannot be read."""
+    before = 0
+    while len(lines) > 1:
+        half = lines[: len(lines) // 2]
+        try:
+            _obj_mesh(b"".join(half))
+        except ValueError:
+            lines = half
+        else:
+            before, lines = before + len(half), lines[len(half) :]
+    return before + 1
 
 
 # --------------------------------------------------------------------------- STL

@@ -35,7 +35,7 @@ from app.model.projection import (
     Vector,
 )
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
-from app.scenes.built_in import BUILDERS, NAMES, TRIES, TRIES_OF_A_MESH
+from app.scenes.built_in import BUILDERS, NAMES, SIDE, TRIES, TRIES_OF_A_MESH
 from app.scenes.finishing import Finished, vector
 from app.scenes.mesh import Colours, Progress, open_mesh, report
 from app.scenes.mesh_files import ENDINGS as ENDINGS
@@ -175,9 +175,33 @@ class Scene:
         return "world" if self.phenomenon is None else self.phenomenon.leading
 
     @property
+    def fixed(self) -> str:
+        """The fixed view of the world with which it opens; empty for the free one."""
+        return "" if self.phenomenon is None else self.phenomenon.fixed
+
+    @property
+    def pale(self) -> frozenset[str]:
+        """The panes that draw it as a pale silhouette."""
+        return frozenset() if self.phenomenon is None else self.phenomenon.pale
+
+    @property
+    def leaves_out(self) -> frozenset[str]:
+        return frozenset() if self.phenomenon is None else self.phenomenon.leaves_out
+
+    @property
     def names(self) -> tuple[str, ...]:
         """The ids of the things that its pictures name, unless the document says others."""
         return NAMES if self.phenomenon is None else self.phenomenon.names
+
+    @property
+    def side(self) -> tuple[float, float] | None:
+        """From where the world is seen: degrees from beside the camera to behind it, and upwards.
+
+        None for the direction that shows most.
+        """
+        if self.phenomenon is not None:
+            return self.phenomenon.side
+        return None if self.name == "posts" else SIDE
 
     @property
     def tries(self) -> tuple[str, ...]:

@@ -181,26 +181,52 @@ def one_sentence(said: str) -> str:
     return said.splitlines()[-1]
 
 
+def refused(checkout: Checkout, *arguments: str, status: int = 3, **environment: str) -> str:
+    """The sentence with which a start ends, ``project`` if no arguments are given."""
+    ended, output, said = checkout.run(*(arguments or ("-m", "app", "project")), **environment)
+    assert (ended, output) == (status, "")
+    return one_sentence(said)
+
+
+Refusing = Callable[..., str]
+
+
+@pytest.fixture
+def start_refused(capsys: pytest.CaptureFixture[str]) -> Refusing:
+    """Start here what must be refused; return the sentence."""
+
+    def start(need: bootstrap.Need, extras: Sequence[str] = ()) -> str:
+        with pytest.raises(SystemExit) as end:
+            bootstrap.start(need, extras)
+        assert end.value.code == 3
+        return one_sentence(capsys.readouterr().err)
+
+    return start
+
+
+def stopped_at_the_server(made: Checkout, by: signal.Signals) -> tuple[int, str, str]:
+    """Stop a start while pip waits for the answer of a server."""
+    with socket.create_server(("127.0.0.1", 0)) as silent:
+        address = f"http://127.0.0.1:{silent.getsockname()[1]}/"
+        with made.start("-m", "app", "project", PIP_INDEX_URL=address) as process:
+            connection, _ = silent.accept()
+            process.send_signal(by)
+            connection.close()
+            output, said = process.communicate()
+    return process.returncode, output, said
+
+
 # --- the virtual environment ----------------------------------------------------------------------
 
 
-@pytest.mark.parametrize("command", ["", "export", "doctor"])
-def test_help_needs_no_set_up(command: str, fresh: Checkout) -> None:
-    status, output, said = fresh.run("-m", "app", *command.split(), "--help")
-    assert (status, said) == (0, "")
-    assert output.startswith(f"usage: python3 -m app {command}".rstrip())
-    assert not (fresh.root / ".venv").exists()
-
-
-def test_the_version_and_a_misspelt_option_need_no_set_up(fresh: Checkout) -> None:
+def test_help_version_and_doctor_need_no_set_up(fresh: Checkout) -> None:
+    for command in ("", "export", "doctor"):
+        status, output, said = fresh.run("-m", "app", *command.split(), "--help")
+        assert (status, said) == (0, "")
+        assert output.startswith(f"usage: python3 -m app {command}".rstrip())
     assert fresh.run("-m", "app", "--version") == (0, f"Frustum Lab {__version__}\n", "")
-    status, output, said = fresh.run("-m", "app", "projct", "--help")
-    assert (status, output) == (2, "")
-    assert "nearest command is project" in one_sentence(said)
-    assert not (fresh.root / ".venv").exists()
-
-
-def test_the_doctor_needs_no_set_up(fresh: Checkout) -> None:
+    said = refused(fresh, "-m", "app", "projct", "--help", status=2)
+    assert "nearest command is project" in said
     status, output, said = fresh.run("-m", "app", "doctor")
     assert (status, said) == (3, "")
     assert re.search(r"^Environment +not set up yet$", output, re.MULTILINE)
@@ -267,12 +293,7 @@ def test_options_of_the_interpreter_survive_the_change_of_interpreter(made: Chec
 
 def test_a_set_up_killed_while_it_asks_the_server_has_touched_nothing(made: Checkout) -> None:
     made.ask_for(">=2,<3", exactly="2.1")
-    with socket.create_server(("127.0.0.1", 0)) as silent:
-        address = f"http://127.0.0.1:{silent.getsockname()[1]}/"
-        with made.start("-m", "app", "project", PIP_INDEX_URL=address) as process:
-            connection, _ = silent.accept()  # pip is at work, and waits for an answer
-            process.send_signal(signal.SIGKILL)
-        connection.close()
+    stopped_at_the_server(made, signal.SIGKILL)
     made.ask_for(">=1,<2", exactly="1.0")
     assert made.assert_runs() == ""
 
@@ -302,29 +323,17 @@ def test_an_environment_is_not_trusted_once_pip_changes_it(
     assert seen == [program, "setting up\n", program, f"{program}setting up\n"]
     assert made.assert_runs() == ""  # and the tests' part is made anew, with its program
     probe = "from app import bootstrap; bootstrap.start('numbers', ['test']); import frustum_extra"
+    (made.root / ".venv" / "half-made").touch()
     status, _, said = made.run("-c", probe)
     assert (status, "first start" in said) == (0, True)
     assert not (made.root / ".venv.old").exists()
-
-
-def test_a_half_made_environment_is_made_anew(made: Checkout) -> None:
-    made.stamp.write_text("setting up\n")
-    (made.root / ".venv" / "half-made").touch()
-    assert "first start: setting up" in made.assert_runs()
     assert not (made.root / ".venv" / "half-made").exists()
-    assert made.assert_runs() == ""
 
 
 def test_a_set_up_that_is_stopped_says_how_to_go_on(made: Checkout) -> None:
     made.ask_for(">=2,<3", exactly="2.1")
-    with socket.create_server(("127.0.0.1", 0)) as silent:
-        address = f"http://127.0.0.1:{silent.getsockname()[1]}/"
-        with made.start("-m", "app", "project", PIP_INDEX_URL=address) as process:
-            connection, _ = silent.accept()
-            process.send_signal(signal.SIGINT)
-            connection.close()
-            output, said = process.communicate()
-    assert (process.returncode, output) == (130, "")
+    status, output, said = stopped_at_the_server(made, signal.SIGINT)
+    assert (status, output) == (130, "")
     stopped = r"frustum-lab: the set-up was stopped; to go on: python\S* -m app project"
     assert re.fullmatch(stopped, one_sentence(said))
 
@@ -349,19 +358,23 @@ def test_a_check_that_is_stopped_says_nothing(
     assert (end.value.code, capsys.readouterr().err) == (130, "")
 
 
-@pytest.mark.parametrize("lost", ["python", "package"])
+@pytest.mark.parametrize("lost", ["python", "package", "end of its set-up"])
 def test_an_environment_that_lost_a_part_is_not_trusted(made: Checkout, lost: str) -> None:
+    python = made.root / ".venv" / "bin" / "python"
     if lost == "python":
-        python = made.root / ".venv" / "bin" / "python"
         python.unlink()
         python.symlink_to("/nonexistent/python3")
-    else:
+    elif lost == "package":
         shutil.rmtree(made.package)  # its dist-info stays, so pip would call it installed
+    else:
+        made.stamp.write_text("setting up\n")
     stopped_at_the_lock(made)
-    status, output, said = made.run("-m", "app", "project")
-    assert (status, output) == (3, "")
-    assert "a folder that you may write to" in one_sentence(said)
-    assert lost == "python" or made.stamp.read_text() == "setting up\n"
+    assert "a folder that you may write to" in refused(made)
+    if lost != "python":
+        assert made.stamp.read_text() == "setting up\n"
+        inside = [python, "-m", "app", "project"]
+        done = subprocess.run(inside, cwd=made.root, capture_output=True, text=True, check=False)
+        assert (done.returncode, done.stdout) == (3, "")
 
 
 @pytest.fixture
@@ -372,16 +385,13 @@ def not_set_up(fresh: Checkout, monkeypatch: pytest.MonkeyPatch) -> None:
 
 @pytest.mark.usefixtures("not_set_up")
 def test_windows_does_not_rebuild_a_running_environment(
-    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+    monkeypatch: pytest.MonkeyPatch, start_refused: Refusing
 ) -> None:
     """There a running program's file cannot be removed."""
     monkeypatch.setattr(sys, "platform", "win32")
     monkeypatch.setattr(bootstrap.Environment, "is_running", lambda _: True)
     monkeypatch.setattr(bootstrap.Environment, "is_complete", lambda _: False)
-    with pytest.raises(SystemExit) as end:
-        bootstrap.start("numbers")
-    assert end.value.code == 3
-    said = one_sentence(capsys.readouterr().err)
+    said = start_refused("numbers")
     assert re.search(r"\.venv lacks frustum-probe; start again: .*python", said)
 
 
@@ -439,14 +449,6 @@ def test_ctrl_c_is_left_to_the_program_that_windows_waits_for(
     assert end.value.code == 7
 
 
-def test_a_half_made_environment_is_not_trusted_from_inside_either(made: Checkout) -> None:
-    made.stamp.write_text("setting up\n")
-    stopped_at_the_lock(made)
-    command = [made.root / ".venv" / "bin" / "python", "-m", "app", "project"]
-    done = subprocess.run(command, cwd=made.root, capture_output=True, text=True, check=False)
-    assert (done.returncode, done.stdout) == (3, "")
-
-
 def without_pip(made: Checkout) -> Path:
     """Turn the environment into one of uv's, without stamp and pip; return its packages."""
     (made.root / ".venv" / "frustum-lab.stamp").unlink()
@@ -470,8 +472,7 @@ def test_an_environment_of_another_program_that_lacks_something_is_left_alone(
     packages = without_pip(made)
     made.ask_for(">=2,<3", exactly="2.0")
     before = sorted(packages.iterdir())
-    status, _, said = made.run("-m", "app", "project")
-    assert status == 3 and "was made by another program and has no pip" in said
+    assert "was made by another program and has no pip" in refused(made)
     assert sorted(packages.iterdir()) == before
 
 
@@ -504,9 +505,7 @@ def test_an_environment_made_by_hand_for_another_python_is_left_alone(made: Chec
     python.unlink()
     python.write_text("#!/bin/sh\necho cpython-399\necho pip\n")
     python.chmod(0o755)
-    status, _, said = made.run("-m", "app", "project")
-    assert status == 3
-    assert f"rm -r '{made.root}/.venv'" in one_sentence(said)
+    assert f"rm -r '{made.root}/.venv'" in refused(made)
     assert python.exists()
 
 
@@ -594,9 +593,7 @@ def test_without_a_network_the_tests_are_refused_and_the_program_still_starts(
     made: Checkout, offline: dict[str, str]
 ) -> None:
     probe = "from app import bootstrap; bootstrap.start('numbers', ['test'])"
-    status, output, said = made.run("-c", probe, **offline)
-    assert (status, output) == (3, "")
-    assert "no package server could be reached" in one_sentence(said)
+    assert "no package server could be reached" in refused(made, "-c", probe, **offline)
     shutil.rmtree(made.wheels)
     assert made.assert_runs() == ""
 
@@ -605,9 +602,7 @@ def test_another_pythons_environment_comes_back_if_the_new_one_fails(
     made: Checkout, offline: dict[str, str]
 ) -> None:
     made.stamp.write_text(others := "cpython-399 linux - of that time\n")
-    status, _, said = made.run("-m", "app", "project", **offline)
-    assert status == 3
-    assert "no package server could be reached" in one_sentence(said)
+    assert "no package server could be reached" in refused(made, **offline)
     assert made.stamp.read_text() == others and made.package.exists()
     assert "first start" in made.assert_runs()
     assert not (made.root / ".venv.old").exists()
@@ -625,17 +620,14 @@ def test_an_environment_put_aside_by_a_killed_set_up_comes_back(made: Checkout) 
 
 def test_a_package_that_does_not_exist_is_named(fresh: Checkout) -> None:
     fresh.ask_for(">=2,<3", exactly="2.1")
-    status, output, said = fresh.run("-m", "app", "project")
-    assert (status, output) == (3, "")
-    assert "frustum-probe" in one_sentence(said)
+    assert "frustum-probe" in refused(fresh)
 
 
 @pytest.mark.parametrize("full", ["environment", "temporary"])
 @pytest.mark.parametrize("step", ["venv", "pip", "writing"])
 def test_a_full_disk_is_reported_with_its_folder(
-    full: str, step: str, fresh: Checkout, monkeypatch: pytest.MonkeyPatch,
-    capsys: pytest.CaptureFixture[str],
-) -> None:  # fmt: skip
+    full: str, step: str, fresh: Checkout, monkeypatch: pytest.MonkeyPatch, start_refused: Refusing
+) -> None:
     """The messages of pip and venv were copied from a disk of 20 MB."""
     temporary = fresh.root.parent / "temporary"
     temporary.mkdir()
@@ -659,10 +651,7 @@ def test_a_full_disk_is_reported_with_its_folder(
 
     monkeypatch.setattr(bootstrap.Held, "run", run)
     monkeypatch.setattr(shutil, "disk_usage", usage)
-    with pytest.raises(SystemExit) as end:
-        bootstrap.start("numbers")
-    said = one_sentence(capsys.readouterr().err)
-    assert end.value.code == 3
+    said = start_refused("numbers")
     place = str(temporary if full == "temporary" else fresh.root)
     assert f"too little space is left in {place}" in said
     assert ("TMPDIR" in said) == (full == "temporary")
@@ -722,9 +711,7 @@ def test_a_package_is_named_once_while_it_is_fetched(
 
 def test_a_folder_that_cannot_be_written_to_is_one_sentence(fresh: Checkout) -> None:
     (fresh.root / ".venv.lock").mkdir()  # stands in for a read-only folder, which root can write to
-    status, output, said = fresh.run("-m", "app", "project")
-    assert (status, output) == (3, "")
-    assert "a folder that you may write to" in one_sentence(said)
+    assert "a folder that you may write to" in refused(fresh)
 
 
 def test_a_python_that_is_too_old_is_refused(
@@ -778,18 +765,15 @@ def lacking(monkeypatch: pytest.MonkeyPatch) -> None:
 @pytest.mark.parametrize("root", ["sudo sh -c", "su - -c"])
 @pytest.mark.usefixtures("lacking")
 def test_an_ordinary_user_is_told_the_one_command(
-    root: str, programs: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+    root: str, programs: Path, monkeypatch: pytest.MonkeyPatch, start_refused: Refusing
 ) -> None:
     program(programs, "apt-get", "exit 99")
     program(programs, root.partition(" ")[0])
     monkeypatch.setattr(os, "geteuid", lambda: 1000)
-    with pytest.raises(SystemExit) as end:
-        bootstrap.start("window", ["test"])
-    assert end.value.code == 3
-    assert capsys.readouterr().err == (
+    assert start_refused("window", ["test"]) == (
         f"frustum-lab: this system lacks libfrustum-probe.so.7, frustum-tool; run: {root} 'apt-get "
         "update; apt-get install -y --no-install-recommends libfrustum-probe7 frustum-tools "
-        "frustum-tools-data'\n"
+        "frustum-tools-data'"
     )
 
 
@@ -827,13 +811,11 @@ def test_a_missing_font_is_reported(
 
 @pytest.mark.usefixtures("lacking")
 def test_without_apt_the_missing_libraries_are_named(
-    programs: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+    programs: Path, monkeypatch: pytest.MonkeyPatch, start_refused: Refusing
 ) -> None:
     monkeypatch.setattr(os, "geteuid", lambda: 0)
-    with pytest.raises(SystemExit) as end:
-        bootstrap.start("window", ["test"])
-    assert end.value.code == 3
-    assert "lacks libfrustum-probe.so.7, frustum-tool; install" in capsys.readouterr().err
+    said = start_refused("window", ["test"])
+    assert "lacks libfrustum-probe.so.7, frustum-tool; install" in said
 
 
 def test_root_installs_what_is_missing_and_says_so(
@@ -861,14 +843,11 @@ def test_root_installs_what_is_missing_and_says_so(
 @pytest.mark.parametrize("script", ["echo 'E: No space left' >&2; exit 100", ""])
 @pytest.mark.usefixtures("lacking")
 def test_an_installation_that_fails_or_brings_nothing_is_one_sentence(
-    script: str, programs: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+    script: str, programs: Path, monkeypatch: pytest.MonkeyPatch, start_refused: Refusing
 ) -> None:
     program(programs, "apt-get", script)
     monkeypatch.setattr(os, "geteuid", lambda: 0)
-    with pytest.raises(SystemExit) as end:
-        bootstrap.start("window", ["test"])
-    assert end.value.code == 3
-    said = one_sentence(capsys.readouterr().err)
+    said = start_refused("window", ["test"])
     assert ("No space left" in said) == bool(script)
     assert "apt-get install -y --no-install-recommends libfrustum-probe7" in said
 

@@ -80,6 +80,13 @@ def by_hand(tmp_path: Path) -> Path:
     return path
 
 
+@pytest.fixture
+def one_point(tmp_path: Path) -> Path:
+    path = tmp_path / "point.csv"
+    path.write_text("0.1,1234567.5,1e-9\n")
+    return path
+
+
 # --------------------------------------------------------------------------- project
 
 
@@ -444,34 +451,31 @@ def started(*words: str | Path, **options: Any) -> subprocess.CompletedProcess[s
     )
 
 
-def in_a_deleted_folder(folder: Path, *arguments: str) -> subprocess.CompletedProcess[str]:
-    """Run the program in a folder that was deleted before it started."""
-    folder.mkdir()
-    return subprocess.run(
-        ["/bin/sh", "-c", f'rmdir "$PWD"; {sys.executable} -m app "$@"', "sh", *arguments],
-        cwd=folder, env={**os.environ, "PYTHONPATH": str(ROOT)},
-        capture_output=True, text=True, check=False,
-    )  # fmt: skip
-
-
-@pytest.mark.parametrize(
-    ("command", "name"),
-    [
-        ("export x.png", "x.png"),
-        ("matrices --set scene=a.obj", "a.obj"),
-        ("matrices b.obj", "b.obj"),
-        ("measure --json j.json", "j.json"),
-        ("--screenshot s.png", "s.png"),
-    ],
-)
-def test_a_name_in_a_deleted_folder_is_refused(tmp_path: Path, command: str, name: str) -> None:
-    done = in_a_deleted_folder(tmp_path / "gone", *command.split())
-    said = f"{name!r} is in the current folder, which was deleted.\n"
-    assert (done.returncode, done.stderr) == (2, said)
+def test_a_name_in_a_deleted_folder_is_refused(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    gone = tmp_path / "gone"
+    gone.mkdir()
+    monkeypatch.chdir(gone)
+    gone.rmdir()
+    for command, name in {
+        "export x.png": "x.png",
+        "matrices --set scene=a.obj": "a.obj",
+        "matrices b.obj": "b.obj",
+        "measure --json j.json": "j.json",
+        "--screenshot s.png": "s.png",
+    }.items():
+        assert cli.main(command.split()) == 2, command
+        said = f"{name!r} is in the current folder, which was deleted.\n"
+        assert capsys.readouterr() == ("", said), command
 
 
 def test_commands_without_files_run_in_a_deleted_folder(tmp_path: Path) -> None:
-    assert in_a_deleted_folder(tmp_path / "gone", "matrices").stdout == run_here("matrices").stdout
+    done = subprocess.run(
+        ["/bin/sh", "-c", f'rmdir "$PWD"; {sys.executable} -m app matrices'], cwd=tmp_path,
+        env={**os.environ, "PYTHONPATH": str(ROOT)}, capture_output=True, text=True, check=False,
+    )  # fmt: skip
+    assert done.stdout == run_here("matrices").stdout
 
 
 def test_after_two_dashes_all_words_are_names(tmp_path: Path, by_hand: Path) -> None:
@@ -612,8 +616,10 @@ WITH_MINUS = (
 """The note on this matrix (w vanishes where −z + 2 = 0) has a minus sign that is no hyphen."""
 
 
-@pytest.mark.parametrize("form", ["text", "latex"])
-@pytest.mark.parametrize("environment", OTHER_ENCODINGS, ids=["cp1252", "ascii"])
+@pytest.mark.parametrize(
+    ("environment", "form"), [*zip(OTHER_ENCODINGS, ("text", "latex"), strict=True)],
+    ids=["cp1252", "ascii"],
+)  # fmt: skip
 def test_output_for_files_and_programs_is_utf_8_everywhere(
     environment: dict[str, str | None], form: str
 ) -> None:
@@ -884,47 +890,50 @@ def test_set_uses_the_names_of_the_document(by_hand: Path) -> None:
     assert found["clip_from_view"][3] == [0, 0, 0, 1]
 
 
-def test_numbers_need_no_qt_and_no_vtk(by_hand: Path) -> None:
-    code = """
-import sys
+EACH = """
+import json, sys
 from app.commands.cli import main
-status = main(sys.argv[1:])
-heavy = {"PySide6", "shiboken6", "vtk", "vtkmodules", "pyvista", "pyvistaqt", "widgets"}
-assert not heavy & {name.partition(".")[0] for name in sys.modules}, sorted(sys.modules)
-assert "app.scenes.scene" not in sys.modules
-sys.exit(status)
+for words in json.loads(sys.argv[1]):
+    assert main(words) == 0
 """
-    for arguments in (["matrices", by_hand], ["project", by_hand, "-"], ["project", "--help"]):
-        done = subprocess.run(
-            [sys.executable, "-c", code, *map(str, arguments)],
-            cwd=ROOT, input="1,2,3\n", capture_output=True, text=True, check=False,
-        )  # fmt: skip
-        assert done.returncode == 0, done.stderr
+"""Runs several commands in one process."""
+
+
+def test_numbers_need_no_qt_and_no_vtk(by_hand: Path, one_point: Path) -> None:
+    code = f"""{EACH}
+heavy = {{"PySide6", "shiboken6", "vtk", "vtkmodules", "pyvista", "pyvistaqt", "widgets"}}
+assert not heavy & {{name.partition(".")[0] for name in sys.modules}}, sorted(sys.modules)
+assert "app.scenes.scene" not in sys.modules
+"""
+    commands = (["matrices", by_hand], ["project", by_hand, one_point], ["project", "--help"])
+    words = json.dumps(commands, default=str)
+    done = subprocess.run(
+        [sys.executable, "-c", code, words], cwd=ROOT, capture_output=True, text=True, check=False
+    )
+    assert done.returncode == 0, done.stderr
 
 
 def test_numbers_are_written_the_same_in_every_locale(
-    comma_locale: dict[str, str], by_hand: Path
+    comma_locale: dict[str, str], by_hand: Path, one_point: Path
 ) -> None:
     code = (
-        "import locale, sys; locale.setlocale(locale.LC_ALL, ''); "
+        "import locale; locale.setlocale(locale.LC_ALL, ''); "
         "assert locale.localeconv()['decimal_point'] == ','; "
-        "import numpy; numpy.set_printoptions(legacy='1.13', precision=2); "
-        "from app.commands.cli import main; sys.exit(main(sys.argv[1:]))"
+        f"import numpy; numpy.set_printoptions(legacy='1.13', precision=2)\n{EACH}"
     )
-    for arguments in (
-        ["project", by_hand, "-", "--format", "json"],
-        ["project", by_hand, "-", "--format", "csv"],
-        ["project", by_hand, "-"],
+    commands = (
+        ["project", by_hand, one_point, "--format", "json"],
+        ["project", by_hand, one_point, "--format", "csv"],
+        ["project", by_hand, one_point],
         ["matrices", by_hand],
         ["matrices", by_hand, "--format", "latex"],
-    ):
-        done = subprocess.run(
-            [sys.executable, "-c", code, *map(str, arguments)],
-            cwd=ROOT, env={**os.environ, **comma_locale}, input="0.1,1234567.5,1e-9\n",
-            capture_output=True, text=True, check=False,
-        )  # fmt: skip
-        assert done.stderr == ""
-        assert done.stdout == run_here(*arguments, text="0.1,1234567.5,1e-9\n").stdout
+    )
+    done = subprocess.run(
+        [sys.executable, "-c", code, json.dumps(commands, default=str)],
+        cwd=ROOT, env={**os.environ, **comma_locale}, capture_output=True, text=True, check=False,
+    )  # fmt: skip
+    assert done.stderr == ""
+    assert done.stdout == "".join(run_here(*words).stdout for words in commands)
 
 
 def test_the_largest_allowed_numbers_are_finite_in_json(by_hand: Path) -> None:

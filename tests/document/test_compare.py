@@ -346,7 +346,9 @@ def test_l16_naive_cut_and_clipped_are_three_drawings_of_the_same_edges() -> Non
 
     def parts(document: Document) -> np.ndarray:
         """Where AB's drawing is on the line from A' to B', in parts of the way."""
-        line = max(shown(document).image.lines, key=lambda line: line.width)
+        lines = shown(document).image.lines
+        widest = max(line.width for line in lines)
+        *_, line = (each for each in lines if each.width == widest)  # AB lies over the F's edges
         away = line.points - a
         assert np.abs(away[:, 0] * along[1] - away[:, 1] * along[0]).max() < 1e-6
         return np.sort(away @ along) / np.hypot(*(b - a))

@@ -54,7 +54,7 @@ def test_the_cube_beside_a_scene_names_its_ends() -> None:
 def test_a_name_that_no_pane_can_show_is_found() -> None:
     document, scene = opened("similar-triangles", "view.fixed=side", "view.names=y_p,eye,Q,u")
     assert unknown_names(document, scene) == ("Q",)
-    free, scene = opened("similar-triangles", "view.names=y_p,P'")
+    free, scene = opened("similar-triangles", "view.fixed=", "view.names=y_p,P'")
     assert unknown_names(free, scene) == ("y_p",)  # measured in the flat view alone
     everything, scene = opened("cube", "view.names=*")
     assert unknown_names(everything, scene) == ()

@@ -11,6 +11,7 @@ from app.document.document import Document
 from app.document.settings import set_values
 from app.drawings.composition import CAPITAL, Measured, Placed, measured
 from app.scenes.scene import load
+from tests import composition
 
 SIZE = 480, 360
 
@@ -46,12 +47,6 @@ def test_everything_named_is_crowded() -> None:
     found = picture("world", "view.names=*", "view.fixed=side", scene="similar-triangles")
     assert len(found.labels) > 7 and "crowded" in kinds(found)
     assert any("at most 7" in text for kind, text in faults_in(found, None) if kind == "crowded")
-
-
-def test_a_name_that_a_pane_does_not_draw_is_missing() -> None:
-    found = picture("image", "view.names=eye,pixels")
-    assert found.missing == {"eye"} and "missing" in kinds(found)
-    assert picture("world", "view.names=eye").missing == frozenset()
 
 
 def test_a_far_away_subject_leaves_its_cube_full_and_a_small_one_is_empty() -> None:
@@ -103,3 +98,36 @@ def test_compared_pictures_are_each_measured_as_they_are_drawn() -> None:
     assert len(pictures) == 3 and all(each.size_px[0] < SIZE[0] for each in pictures)
     alone = replace(document, view=replace(document.view, compare=()))
     assert len(measured(alone, found, "image", SIZE, 14.0)) == 1
+
+
+@pytest.mark.parametrize(
+    ("scene", "window", "style"),
+    [
+        ("letter-f", "1366x768", "light"),
+        ("camera-obscura", "1920x1080", "light"),
+        ("planar-shadow", "1366x768", "dark"),
+        ("clipping", "1366x768", "light"),
+        ("off-axis-window", "1920x1080", "dark"),
+    ],
+)
+def test_scenes_are_composed_as_they_open(scene: str, window: str, style: str) -> None:
+    """A sample of what `python3 -m tests.composition` measures."""
+    found = list(composition.pictures(scene, window, style))
+    assert [pane for pane, _ in found] == ["world", "ndc", "image"]
+    assert any(each.labels for _, each in found)
+    for pane, each in found:
+        assert list(faults_in(each, None)) == [], pane
+
+
+def test_the_axes_of_a_moved_object_are_named_if_the_view_says_so() -> None:
+    moved = "object.translate=2,0,0"
+    assert [each.text for each in picture("world", moved, "view.names=eye").labels] == ["eye"]
+    found = {each.text for each in picture("world", moved, "view.names=eye,x,z").labels}
+    assert found == {"eye", "x", "z"}
+
+
+@pytest.mark.parametrize("fixed", ["", "top"])
+def test_a_probe_behind_the_camera_is_in_the_picture(fixed: str) -> None:
+    values = ("camera.eye=0,2.4,2", "camera.target=0,2.4,1", "view.names=eye")
+    found = picture("world", *values, "view.probes=1,2.4,0,1,2.4,4", f"view.fixed={fixed}")
+    assert {each.text for each in found.labels} == {"eye", "1", "2"} and not found.cut

@@ -70,7 +70,7 @@ def usual() -> dict[str, np.ndarray]:
         (View(panes={"second-screen": ABOVE}), set()),
         (View(frame_step="n", panel="matrices"), set()),
         (View(layout="columns", large="image", panel="probe"), set()),
-        (View(letters=LETTERS[3]), {"world"}),  # of near and far
+        (View(letters=LETTERS[3]), {"world"}),  # the letters of near and far
     ],
 )
 def test_a_value_of_the_view_changes_the_panes_that_show_it_and_no_other(

@@ -7,14 +7,17 @@ import json
 import math
 import random
 from dataclasses import replace
+from functools import partial
 from typing import Any
 
 import numpy as np
 
 from app.document.codec import parse, to_tree
 from app.document.document import Document
-from app.document.view import FIXED, LAYERS, PANES, STAGES, View
-from app.model.projection import DEPTH_RANGES, LENSES, Array
+from app.document.view import FIXED, LAYERS, LAYOUTS, MOST_PROBES, PANELS, PANES, STAGES, View
+from app.lecture.camera_frame import STEPS
+from app.lecture.notation import LETTERS
+from app.model.projection import DEPTH_RANGES, LENSES, Array, Camera
 from app.model.refusal import Refusal
 from app.picking.picking import Probe
 from app.scenes.phenomena import PHENOMENA
@@ -210,7 +213,7 @@ def a_view(rng: random.Random, *, probes: bool = True) -> View:
     """How a document may be looked at, as far as a state can say it."""
     points = [tuple(rng.uniform(-3.0, 3.0) for _ in range(3)) for _ in range(rng.randrange(3))]
     return View(
-        layout=rng.choice(("pictures", "columns")),
+        layout=rng.choice(LAYOUTS),
         large=rng.choice(("", *PANES)),
         stage=rng.choice((float(rng.randrange(len(STAGES))), rng.uniform(0.0, 5.0))),
         panel=rng.choice((None, "", "matrices", "frame")),
@@ -231,15 +234,28 @@ def settings_in_words(rng: random.Random, scene: str) -> list[str]:
     return words
 
 
+def any_view(rng: random.Random, camera: Camera) -> View:
+    """Any view, also what no state can say; its panes have the camera."""
+    numbers = sorted(rng.sample(range(1, MOST_PROBES + 1), rng.randrange(MOST_PROBES + 1)))
+    place = partial(rng.uniform, -1e100, 1e100)
+    probes = [
+        Probe(number, point=(place(), place(), place()))
+        if rng.random() < 0.5
+        else Probe(number, pixel=(rng.uniform(0.0, 16384.0), rng.choice((0.0, 16384.0))))
+        for number in numbers
+    ]
+    return replace(
+        a_view(rng), frame_step=rng.choice(STEPS), panel=rng.choice((None, "", *PANELS)),
+        letters=rng.choice(LETTERS), probes=tuple(probes),
+        names=rng.choice((None, (), ("*",), ("eye", "P'"), tuple("ABCDEFG"))),
+        pinned=frozenset(number for number in numbers if rng.random() < 0.3),
+        panes=dict.fromkeys(rng.sample((*PANES, "second-screen", ""), rng.randrange(3)), camera),
+    )  # fmt: skip
+
+
 def a_viewed_tree(rng: random.Random, document: Document) -> dict[str, Any]:
     """A document with a view, of version 2 or 1, as JSON has it."""
-    camera = document.projection.camera
-    turned = replace(
-        a_view(rng), frame_step="n", letters="002", fixed="side",
-        panes={"world": camera, "second-screen": camera, "ndc": camera},
-    )  # fmt: skip
-    tree = to_tree(replace(document, view=turned))
-    tree["view"] |= {"probes": [[1, 2, 3], None, [640, 360]], "pinned": [1], "compare": {"near": 2}}
+    tree = to_tree(replace(document, view=any_view(rng, document.projection.camera)))
     if rng.random() < 0.25:
-        tree |= {"version": 1, "views": tree["view"]["panes"]}
+        tree |= {"version": 1, "views": tree.get("view", {}).get("panes", {})}
     return tree

@@ -308,7 +308,7 @@ def write_hostile(folder: Path, seed: int, number: int) -> tuple[Path, str]:
         tree = a_viewed_tree(rng, Document(scene, load(scene).start))
         kind = rng.choice(["view", "view", "structure", ""])
         if kind == "view":  # other damage is mostly refused before the view is read
-            tree["view"] = _structure(rng, {"view": tree["view"]}).get("view")
+            tree["view"] = _structure(rng, {"view": tree.get("view")}).get("view")
         elif kind:
             tree = _structure(rng, tree)
         path.write_text(json.dumps(tree))

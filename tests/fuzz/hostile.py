@@ -70,10 +70,12 @@ class Outcome(NamedTuple):
         if self.largest > LARGEST_BYTES:
             return f"{self.largest >> 20} MiB"
         if path.suffix == ".md":
-            wrong = self.out.decode(errors="replace").splitlines()
-            named = all(line.startswith((f"{path}: ", f"{path} ")) for line in wrong[:-1])
-            printable = all(line.isprintable() for line in wrong)
-            right = self.status == (len(wrong) > 1) and wrong and named and printable and not lines
+            said = self.out.decode(errors="replace").splitlines()
+            wrong, sums = said[:-2], said[-2:]  # the last two lines sum up
+            named = all(line.startswith((f"{path}: ", f"{path} ")) for line in wrong)
+            printable = all(line.isprintable() for line in said)
+            right = self.status == bool(wrong) and len(sums) == 2 and named and printable
+            right = right and not lines
             return "" if right else f"status {self.status}, or not a sentence about the file"
         if self.status == 0:
             return "" if self.out and not lines else "opened, but said something or nothing"

@@ -78,10 +78,10 @@ def test_the_check_of_all_lessons_is_clean_and_the_list_names_them() -> None:
     report = Report()
     for path in contained():
         report.read(path)
-    assert re.fullmatch(r"25 lessons, 5 talks, \d{3} checks, 0 wrong", str(report)), report.wrong
+    assert re.fullmatch(r"\d+ lessons, 5 talks, \d{3} checks, 0 wrong", str(report)), report.wrong
     done = run_here("lesson", "list")
     assert done.returncode == 0 and done.stdout.startswith("lesson L1 ")
-    assert len(done.stdout.splitlines()) == len(contained()) == 30
+    assert len(done.stdout.splitlines()) == len(contained())
 
 
 def test_every_task_has_a_sample_that_does_it_and_one_that_does_not() -> None:

@@ -601,6 +601,9 @@ def test_with_lens_always_gives_a_lens_that_works() -> None:
         assert math.isfinite(flat.lens.far)
         assert flat.lens.far > infinite.camera.distance  # the target is still in it
     assert infinite.with_lens("frustum").lens.far == math.inf
+    # The target is far in front of near: the box still has a depth.
+    close = Projection(Camera((0.0, 0.0, 1.0), (0.0, 0.0, 0.5)), Perspective(45.0, 10.0, math.inf))
+    assert all(close.with_lens(kind).lens.far > 10.0 for kind in ("orthographic", "oblique"))
     for near, far in (
         (-5.0, 20.0), (-5.0, -3.0), (0.0, 20.0), (-1e-3, 0.0), (-5.0, 0.0), (1e-290, 20.0),
     ):  # fmt: skip

@@ -73,6 +73,7 @@ class Shift(Central):
     """A symmetric lens whose window is raised by `rise` of its half-height."""
 
     kind: ClassVar[str] = "shift"
+    tables: ClassVar[tuple[LensTable, ...]] = (TABLE, TABLE_AT_INFINITY)
     title: ClassVar[str] = "shift"
     tip: ClassVar[str] = "The film is raised: walls stay upright."
     controls: ClassVar[Mapping[str, Control]] = {
@@ -89,10 +90,6 @@ class Shift(Central):
         near, far = self.checked_planes(self.near, self.far)
         fov_y_deg = between("fov_y_deg", self.fov_y_deg, 0, 180)
         keep_checked(self, fov_y_deg=fov_y_deg, rise=finite("rise", self.rise), near=near, far=far)
-
-    @property
-    def table(self) -> LensTable:
-        return TABLE_AT_INFINITY if self.far == math.inf else TABLE
 
     def exact_letters(self, aspect: Fraction) -> dict[str, Fraction]:
         cot = cotangent_deg(Fraction(self.fov_y_deg) / 2)

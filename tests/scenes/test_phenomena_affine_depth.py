@@ -217,7 +217,7 @@ def test_l8_the_deviation_is_written_beside_the_bow() -> None:
     assert values(illustration)[:2] == pytest.approx([16.0, 2.0])
     assert values(show(projection, (4.0, 0.0, -4.0), (-1.0, 0.0, -1.0)))[0] == pytest.approx(16.0)
     texts = {text.text: text for text in illustration.ndc.texts}
-    assert set(texts) == {"16 %", "A z + B", "A + B / z"}
+    assert set(texts) == {"16 %", "A z + B", "A + B / z", "P", "Q"}
     said = texts["16 %"]
     assert said.point == pytest.approx([1 / 3, 0.0, -0.5])
     assert said.away_from == pytest.approx([1 / 3, 0.0, 0.0])

@@ -200,3 +200,19 @@ def test_l15_a_free_matrix_rests_and_a_parallel_lens_clips() -> None:
     assert shown.idle and shown.warning is not None and not shown.world.faces
     parallel = show(START.with_lens("orthographic"), step=6.0)
     assert parallel.warning is None and value(parallel, "corners after") > 3.0
+
+
+def test_letters_stand_at_their_corners_or_nearest_to_them_and_new_corners_have_numbers() -> None:
+    for step in range(7):
+        shown = show(START, step=step)
+        for marks in (shown.world, shown.ndc, shown.image):
+            names = [text.name for text in marks.texts if len(text.name) == 1]
+            assert sorted(set(names)) == sorted(names)
+        ndc = {text.name: text.point for text in shown.ndc.texts}
+        assert {"A", "B", "C"} <= set(ndc)
+        assert ({"1", "2"} <= set(ndc)) == (step > 0)
+        clip = START.trace(TRIANGLE).clip
+        beyond = START.trace(TRIANGLE).outside[:, :step].any(axis=1)
+        for letter, own, is_cut in zip("ABC", clip, beyond, strict=True):
+            if not is_cut and own[3] > 0.0:
+                np.testing.assert_allclose(ndc[letter], own[:3] / own[3], atol=1e-9)

@@ -368,3 +368,37 @@ def test_the_cube_shows_the_part_of_the_segment_inside_it() -> None:
         assert (points >= low - 1e-9).all() and (points <= high + 1e-9).all()
         assert text.text == "AB" and (low <= text.point).all() and (text.point <= high).all()
     assert inside > 20
+
+
+def test_the_world_shows_where_the_divide_puts_the_end_behind_the_eye() -> None:
+    """A' and B' lie on the lines through the eye, on one plane before it; B' on the other side."""
+    start = PHENOMENON.start
+    shown = show(start)
+    places = {text.name: text.point for text in shown.world.texts}
+    eye, n = np.array(start.camera.eye), start.camera.frame[2]
+    depths = []
+    for name in "AB":
+        to_end, to_image = places[name] - eye, places[f"{name}'"] - eye
+        assert np.linalg.norm(np.cross(to_end, to_image)) == pytest.approx(0.0, abs=1e-9)
+        assert (to_end @ to_image > 0.0) == (name == "A")
+        depths.append(-to_image @ n)
+    assert depths[0] == pytest.approx(depths[1]) and depths[0] > 0.0
+
+
+def test_the_three_ways_to_draw_an_edge_that_crosses_differ_at_a_glance() -> None:
+    """Wrong edges in another colour; a cut one with an arrow; a clipped one with a dot."""
+    naive, cut, clipped = (
+        PHENOMENON.illustration(START, PHENOMENON.checked({"drawn": way}), SUBJECT).image
+        for way in ("naive", "cut", "clipped")
+    )
+    thick = [{line.colour for line in each.lines if line.width > 2.0}
+             for each in (naive, cut, clipped)]  # fmt: skip
+    assert thick == [{"u"}, {"accent"}, {"accent"}]
+    arrows = [sum(len(face.points) == 3 for face in each.faces) for each in (naive, cut, clipped)]
+    at_frame = [[dot for dot in each.dots if dot.size > 1.5] for each in (naive, cut, clipped)]
+    dots = [len(each) for each in at_frame]
+    names = [{text.name for text in each.texts} for each in (naive, cut, clipped)]
+    assert names == [{"AB", "A'", "B'"}, {"AB", "A'"}, {"AB", "A'"}]
+    assert arrows[0] == arrows[2] == 0 < arrows[1] and dots[0] == dots[1] == 0 < dots[2]
+    for dot in at_frame[2]:
+        assert np.isclose(np.minimum(dot.point, (1280, 720) - dot.point).min(), 0.0, atol=1e-3)

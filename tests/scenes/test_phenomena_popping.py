@@ -235,3 +235,21 @@ def test_l23_the_avenue_fills_the_picture_and_is_seen_to_end_before_it() -> None
     beyond = (0.0, 0.0, 3.0 * SPACING)  # what is not drawn would be seen there
     assert high(last - beyond) > 0.04 * height
     assert len(seen) < len(places()) / 3
+
+
+def test_the_next_tree_is_the_nearest_one_behind_far_and_goes_when_far_has_passed_it() -> None:
+    start = PHENOMENON.start
+    marks = PHENOMENON.illustration(start, PHENOMENON.checked({}), SUBJECT)
+    (text,) = marks.world.texts
+    assert text.name == "next-tree"
+    eye_z, far = start.camera.eye[2], start.lens.far
+    depths = -(start.trace(places()).view[:, 2])
+    w = -start.trace(text.point).view[2]
+    assert far < w < far + SPACING + 1.0 and eye_z - text.point[2] == pytest.approx(w, abs=1.0)
+    assert not ((depths > far + 0.1) & (depths < w - 1.0)).any()
+    assert {mark.name for mark in marks.image.texts} == {"next-tree"}
+    farther = replace(start, lens=replace(start.lens, far=far + 2.0 * SPACING))
+    (later,) = PHENOMENON.illustration(farther, PHENOMENON.checked({}), SUBJECT).world.texts
+    assert later.point[2] < text.point[2] - SPACING
+    endless = replace(start, lens=replace(start.lens, far=math.inf))
+    assert not PHENOMENON.illustration(endless, PHENOMENON.checked({}), SUBJECT).world.texts

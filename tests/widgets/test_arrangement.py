@@ -24,6 +24,7 @@ from app.document.files import read, write
 from app.document.view import View
 from app.drawings.figures import DPI, render
 from app.drawings.style import Style
+from app.drawings.world import WorldDrawing
 from app.model.projection import Camera
 from app.picking.picking import Probe
 from app.scenes.scene import load
@@ -302,6 +303,9 @@ def test_a_figure_is_the_world_at_every_step_of_the_frame(window: MainWindow) ->
         settle()
         view, there = window.store.seen.view, pixels(window, "world")
         assert view.frame_step == step
+        if step in ("look", "n", "v"):  # the others draw no other kinds of things
+            click(window.frame_panel.next)
+            continue
         same = likeness(as_figure(window, "world", view), there)
         other = likeness(as_figure(window, "world", replace(view, panel="")), there)
         assert same < other, step
@@ -346,3 +350,44 @@ def test_the_export_dialog_takes_the_size_of_letters_in_points(make_window: Make
         QTest.keyClick(letters, Qt.Key.Key_Delete)
         QTest.keyClicks(letters, wrong)
         assert not save.isEnabled(), wrong
+
+
+def test_everything_is_named_and_again_only_what_the_scene_is_about(
+    window: MainWindow, tmp_path: Path
+) -> None:
+    """The switch is kept with the document, and is no undo step."""
+    assert window.menus.name_everything.shortcut().toString() == "N"
+    drawing = window.panes["world"].drawing
+    assert isinstance(drawing, WorldDrawing) and window.arrangement.view.names is None
+    target, own = drawing.camera.discs["target"], pixels(window)
+    window.menus.name_everything.trigger()
+    settle()
+    assert window.menus.name_everything.isChecked() and target.GetVisibility()
+    assert window.arrangement.view.names == ("*",) and not window.store.can_undo
+    write(window.store.seen, str(tmp_path / "all.json"))
+    assert read(str(tmp_path / "all.json")).view.names == ("*",)
+    window.menus.name_everything.trigger()
+    settle()
+    assert window.arrangement.view.names is None
+    assert np.array_equal(pixels(window), own)
+
+
+def test_a_switch_back_from_everything_finds_the_names_that_were_chosen(
+    window: MainWindow,
+) -> None:
+    window.arrangement.show(replace(View(), names=("near", "u")))
+    window.menus.name_everything.trigger()
+    window.menus.name_everything.trigger()
+    assert window.arrangement.view.names == ("near", "u")
+
+
+def test_a_scene_opens_from_its_own_viewpoint(window: MainWindow) -> None:
+    window.files.choose_scene("similar-triangles")
+    settle()
+    drawing = window.panes["world"].drawing
+    assert drawing is not None and drawing.fixed == "side"
+    assert window.arrangement.view.fixed is None
+    window.files.choose_scene("eye-plane")
+    settle()
+    drawing = window.panes["world"].drawing
+    assert drawing is not None and drawing.fixed == ""

@@ -307,12 +307,18 @@ def test_presenting_keeps_it_and_so_does_esc(window: MainWindow) -> None:
     change(window, near=8.0)
     present(window)
     compare = window.comparing.pictures
-    assert compare.bar.isVisible() and compare.others[0].isVisible()
+    assert compare.others[0].isVisible() and not compare.bar.isVisible()
+    assert not window.panes["world"].isVisible()
     assert not window.comparing.button.isVisible()
-    before = compare.words.fontMetrics().height()
+    assert not compare.others[0].pane.header.isVisible(), "its name is above the picture"
+    screen_px = window.screen().size().height()
+    for caption in compare.captions:
+        letters = caption.fontMetrics().capHeight()
+        assert 0.022 * screen_px <= letters <= 0.03 * screen_px, "a class reads them"
     QTest.keyClick(window, Qt.Key.Key_Escape)
     settle()
-    assert window.comparing.is_on and not window.present.is_on and before > 0
+    assert window.comparing.is_on and not window.present.is_on and compare.bar.isVisible()
+    assert compare.captions[0].fontMetrics().capHeight() < 0.022 * screen_px
 
 
 # -- the scenes' own

@@ -6,7 +6,7 @@ import itertools
 import math
 import re
 from collections.abc import Callable, Iterable, Iterator
-from dataclasses import replace
+from dataclasses import fields, replace
 from functools import partial
 from typing import Any
 
@@ -45,6 +45,7 @@ from app.model.projection import (
     OBLIQUE_PRESETS,
     Camera,
     FreeMatrix,
+    Lens,
     ObjectTransform,
     Oblique,
     Orbit,
@@ -382,19 +383,18 @@ def test_no_echo_when_the_owner_shows_the_edit_again(controls: Column, record: R
 # -- sliders
 
 
-@pytest.mark.parametrize("end", [KEY.Key_Home, KEY.Key_End])
-def test_every_slider_goes_to_its_ends(controls: Column, reader: Reader, end: Qt.Key) -> None:
+def test_every_slider_goes_to_its_ends(controls: Column, reader: Reader) -> None:
     """The model stays valid, or the row says why not; never an exception, never silence."""
-    for key, record in each(controls, NUMBERS):
-        row = number(controls, key)
-        row.slider.setFocus()
-        QTest.keyClick(row.slider, end)
-        QTest.keyClick(row.slider, KEY.Key_Up if end == KEY.Key_Home else KEY.Key_Down)
-        row.finish_gesture()
-        assert record.edits or row.error, key
-        holds = controls.projection
-        assert row.value() == pytest.approx(reader.read(key, holds)), key
-        assert row.slider.value() == row.scale.position_of(row.value()), key
+    for end, back in ((KEY.Key_Home, KEY.Key_Up), (KEY.Key_End, KEY.Key_Down)):
+        for key, record in each(controls, NUMBERS):
+            row = number(controls, key)
+            row.slider.setFocus()
+            QTest.keyClick(row.slider, end)
+            QTest.keyClick(row.slider, back)
+            row.finish_gesture()
+            assert record.edits or row.error, key
+            assert row.value() == pytest.approx(reader.read(key, controls.projection)), key
+            assert row.slider.value() == row.scale.position_of(row.value()), key
 
 
 def test_a_drag_is_one_gesture(controls: Column, record: Record) -> None:
@@ -414,39 +414,34 @@ def within(row: NumberRow, low: float, high: float) -> list[float]:
     return [value for value in values if low < value < high]
 
 
-@pytest.mark.parametrize(
-    ("key", "by", "end"),
-    [
+def test_a_drag_goes_to_the_limit_however_fast_it_is(controls: Column) -> None:
+    for key, by, end in [
         ("far", [0], 0),
         ("far", [-10, -30, 0], 0),
         ("far", [-1] * 200, 0),
         ("near", [10**6], 10**6),
         ("near", [5, 50, 10**6], 10**6),
-    ],
-)
-def test_a_drag_goes_to_the_limit_however_fast_it_is(
-    controls: Column, key: str, by: list[int], end: int
-) -> None:
-    show(controls, CLOSE)
-    record = Record(controls)
-    row = number(controls, key)
-    possible = within(row, 3.5, 5.0)
-    last = possible[0] if key == "far" else possible[-1]
-    press(row.slider)
-    for step in by:
-        drag(row.slider, row.slider.sliderPosition() + step)
-    drag(row.slider, end)
-    assert row.value() == getattr(record.edits[-1].lens, key) == last
-    ends = messages.number_text(row.scale.value_at(row.slider.sliderPosition()))
-    assert row.error.startswith(f"Not possible. {row.name} = {ends}: must be")
-    count = len(record.edits)
-    drag(row.slider, end + (1 if end == 0 else -1))
-    assert len(record.edits) == count and row.value() == last and row.error
-    release(row.slider)
-    assert row.error == "" and row.field.text() == short_text(last, None, 4)
-    assert row.slider.value() == row.scale.position_of(last)
-    assert record.events[0] == "start" and record.events[-1] == "finish"
-    assert record.events.count("start") == 1
+    ]:
+        show(controls, CLOSE)
+        record = Record(controls)
+        row = number(controls, key)
+        possible = within(row, 3.5, 5.0)
+        last = possible[0] if key == "far" else possible[-1]
+        press(row.slider)
+        for step in by:
+            drag(row.slider, row.slider.sliderPosition() + step)
+        drag(row.slider, end)
+        assert row.value() == getattr(record.edits[-1].lens, key) == last
+        ends = messages.number_text(row.scale.value_at(row.slider.sliderPosition()))
+        assert row.error.startswith(f"Not possible. {row.name} = {ends}: must be")
+        count = len(record.edits)
+        drag(row.slider, end + (1 if end == 0 else -1))
+        assert len(record.edits) == count and row.value() == last and row.error
+        release(row.slider)
+        assert row.error == "" and row.field.text() == short_text(last, None, 4)
+        assert row.slider.value() == row.scale.position_of(last)
+        assert record.events[0] == "start" and record.events[-1] == "finish"
+        assert record.events.count("start") == 1
 
 
 def test_the_mouse_itself_moves_the_slider(controls: Column, record: Record) -> None:
@@ -821,17 +816,19 @@ def test_a_text_beyond_float64_is_refused(text: str, bound: str) -> None:
     assert caught.value.bound == bound
 
 
-@pytest.mark.parametrize("text", ["2.5 units", "1e-7", "1/3"])
-def test_a_typed_number_keeps_all_its_digits(controls: Column, record: Record, text: str) -> None:
-    row, value = number(controls, "near"), parse_number("Near", text, "units")
-    enter(row, text)
-    assert record.edits[0].lens.near == row.value() == value
-    number(controls, "far").field.setFocus()
-    assert row.value() == value and len(row.field.text()) <= 10
-    row.field.setFocus()
-    assert float(row.field.text()) == value
-    number(controls, "far").field.setFocus()
-    assert len(record.edits) == 1
+def test_a_typed_number_keeps_all_its_digits(controls: Column, record: Record) -> None:
+    for text in ["2.5 units", "1e-7", "1/3"]:
+        show(controls, START)
+        record.edits.clear()
+        row, value = number(controls, "near"), parse_number("Near", text, "units")
+        enter(row, text)
+        assert record.edits[0].lens.near == row.value() == value
+        number(controls, "far").field.setFocus()
+        assert row.value() == value and len(row.field.text()) <= 10
+        row.field.setFocus()
+        assert float(row.field.text()) == value
+        number(controls, "far").field.setFocus()
+        assert len(record.edits) == 1
 
 
 def test_out_of_the_sliders_range_pins_the_slider(controls: Column, record: Record) -> None:
@@ -1134,12 +1131,11 @@ def test_a_fov_of_almost_180_is_shown_as_less(controls: Column, key: str) -> Non
     assert row.error and row.value() < 180.0
 
 
-@pytest.mark.parametrize("value", [-123.456789, 1e-300, 6e9, -1.23456789e-12])
-def test_the_field_is_wide_enough_for_what_it_shows(controls: Column, value: float) -> None:
+def test_the_field_is_wide_enough_for_what_it_shows(controls: Column) -> None:
     field = number(controls, "near").field
-    text = field.fontMetrics().horizontalAdvance(short_text(value))
-    assert text <= field.contentsRect().width() - 4
-    assert isinstance(field, QLineEdit)
+    for value in (-123.456789, 1e-300, 6e9, -1.23456789e-12):
+        text = field.fontMetrics().horizontalAdvance(short_text(value))
+        assert text <= field.contentsRect().width() - 4
 
 
 # -- reset, scene
@@ -1199,19 +1195,19 @@ def test_another_scene_moves_the_sliders_and_says_nothing(controls: Column, reco
     assert row.slider.minimum() < row.slider.value() < row.slider.maximum()
 
 
-@pytest.mark.parametrize("size", [1e-80, 1e-6, 1.0, 1e9, 1e80])
-def test_any_size_of_scene_has_sliders(controls: Column, size: float) -> None:
-    lens = Perspective(45.0, 0.1 * size, 10.0 * size)
-    start = Projection(Camera((0.0, 0.0, 2.0 * size), (0.0, 0.0, 0.0)), lens)
-    controls.set_scene(size, start)
-    show(controls, start)
-    record = Record(controls)
-    for key in ("near", "far", "distance", "azimuth_deg"):
-        row = number(controls, key)
-        QTest.keyClick(row.slider, KEY.Key_Up)
-        row.finish_gesture()
-        assert row.error == "", key
-    assert len(record.edits) == 4
+def test_any_size_of_scene_has_sliders(controls: Column) -> None:
+    for size in [1e-80, 1e-6, 1.0, 1e9, 1e80]:
+        lens = Perspective(45.0, 0.1 * size, 10.0 * size)
+        start = Projection(Camera((0.0, 0.0, 2.0 * size), (0.0, 0.0, 0.0)), lens)
+        controls.set_scene(size, start)
+        show(controls, start)
+        record = Record(controls)
+        for key in ("near", "far", "distance", "azimuth_deg"):
+            row = number(controls, key)
+            QTest.keyClick(row.slider, KEY.Key_Up)
+            row.finish_gesture()
+            assert row.error == "", key
+        assert len(record.edits) == 4
 
 
 # -- folding
@@ -1283,15 +1279,17 @@ def test_a_section_that_opens_below_the_fold_comes_into_view(controls: Column, q
     qtbot.waitUntil(in_view)
 
 
-OWN_ROWS = {
-    "perspective": {"fov_y_deg", "fov_x_deg", "focal_length_mm", "e", "window_right", "window_top"},
-    "frustum": {"left", "right", "bottom", "top", "keep"},
-    "orthographic": {"left", "right", "bottom", "top", "keep"},
-    "oblique": {
-        *("left", "right", "bottom", "top", "keep"),
-        *("preset", "receding", "receding_deg", "alpha_deg", "beta_deg"),
-    },
-}
+def own_rows(lens: type[Lens]) -> set[str]:
+    """Return the rows of a lens's fields, and of the other numbers that define those."""
+    rows = {field.name for field in fields(lens)} - {"near", "far"}
+    if lens.symmetric:
+        rows |= {"fov_x_deg", "focal_length_mm", "e", "window_right", "window_top"}
+    if "alpha_deg" in rows:
+        rows |= {"preset", "receding", "receding_deg"}
+    return rows
+
+
+OWN_ROWS = {kind: own_rows(lens) for kind, lens in LENSES.items()}
 
 
 def test_the_lens_shows_only_its_own_rows(controls: Column) -> None:
@@ -1302,7 +1300,7 @@ def test_the_lens_shows_only_its_own_rows(controls: Column) -> None:
         choose(choice(controls, "kind"), kind)
         assert controls.projection.lens.kind == kind
         assert {key for key in others if controls.rows[key].isVisible()} == OWN_ROWS[kind]
-        has_k = kind in ("perspective", "frustum")
+        has_k = LENSES[kind].central
         heading = next(label for label in more.findChildren(QLabel) if "OpenCV" in label.text())
         assert heading.isVisible() == controls.rows["fx"].isVisible() == has_k
         for key in ("near", "far"):
@@ -1612,30 +1610,33 @@ def test_a_control_of_another_lens_comes_to_the_top_with_it(controls: Column) ->
     assert not controls.rows["left"].isVisible() and not controls.rows["near"].isVisible()
 
 
-@pytest.mark.parametrize("name", scene.BUILT_IN)
-def test_every_scene_has_three_lines_to_try_and_few_controls(controls: Column, name: str) -> None:
-    loaded = scene.load(name)
-    tries = loaded.tries
-    assert len(tries) == 3 and len(set(tries)) == 3
-    assert all(line.endswith((".", "?")) and len(line) <= 42 for line in tries)
-    assert sum(line.endswith("?") for line in tries) >= 1
-    controls.card.show_scene(name, tries, loaded.phenomenon)
-    assert controls.card.tries.text().split("\n") == list(tries)
-    phenomenon = loaded.phenomenon
-    if phenomenon is not None:
-        controls.bring_to_front(phenomenon.controls)
-        show(controls, loaded.start)
-        controls.card.show_illustration(
-            phenomenon.illustration(loaded.start, phenomenon.checked({}), loaded.subject),
-            phenomenon.checked({}),
-            loaded.start,
-        )
+def test_every_scene_has_three_lines_to_try_and_few_controls(controls: Column) -> None:
+    for name in scene.BUILT_IN:
+        loaded = scene.load(name)
+        tries = loaded.tries
+        assert len(tries) == 3 and len(set(tries)) == 3
+        assert all(line.endswith((".", "?")) and len(line) <= 42 for line in tries)
+        assert sum(line.endswith("?") for line in tries) >= 1
+        controls.card.show_scene(name, tries, loaded.phenomenon)
+        assert controls.card.tries.text().split("\n") == list(tries)
+        phenomenon = loaded.phenomenon
+        if phenomenon is not None:
+            controls.bring_to_front(phenomenon.controls)
+            show(controls, loaded.start)
+            controls.card.show_illustration(
+                phenomenon.illustration(loaded.start, phenomenon.checked({}), loaded.subject),
+                phenomenon.checked({}),
+                loaded.start,
+            )
+            QApplication.processEvents()
+            rows = [
+                *controls.card.rows.values(),
+                *(controls.rows[key] for key in in_card(controls)),
+            ]
+            assert 2 <= sum(row.isVisible() for row in rows) <= 4
+        controls.resize(270, 690)
         QApplication.processEvents()
-        rows = [*controls.card.rows.values(), *(controls.rows[key] for key in in_card(controls))]
-        assert 2 <= sum(row.isVisible() for row in rows) <= 4
-    controls.resize(270, 690)
-    QApplication.processEvents()
-    assert controls.minimumSizeHint().width() == 270 and cut(controls) == []
+        assert controls.minimumSizeHint().width() == 270 and cut(controls) == []
 
 
 # -- looking for a control
@@ -1650,9 +1651,8 @@ def look_for(controls: Column, text: str) -> list[str]:
     return [key for key, row in controls.rows.items() if row.isVisible()]
 
 
-@pytest.mark.parametrize(
-    ("text", "found"),
-    [
+def test_a_control_is_found_by_each_of_its_names(controls: Column, record: Record) -> None:
+    for text, found in [
         ("near", ["near"]),
         ("Vertical FOV", ["fov_y_deg"]),  # its old name
         ("focal e", ["e"]),
@@ -1665,23 +1665,19 @@ def look_for(controls: Column, text: str) -> list[str]:
         ("aspect", ["aspect"]),
         ("NDC z", ["depth"]),
         ("half", ["e", "window_right", "window_top"]),
-    ],
-)
-def test_a_control_is_found_by_each_of_its_names(
-    controls: Column, record: Record, text: str, found: list[str]
-) -> None:
-    open_before = {key: section.is_open for key, section in controls.sections.items()}
-    assert sorted(look_for(controls, text)) == sorted(found)
-    for key in found:
-        row = controls.rows[key]
-        assert not row.visibleRegion().isEmpty(), "it is in view"
-        if isinstance(row, NumberRow):
-            assert row.value() == pytest.approx(row.value()) and row.field.text()
-    QTest.keyClick(controls.search, KEY.Key_Escape)
-    QApplication.processEvents()
-    assert controls.search.text() == "" and controls.rows["azimuth_deg"].isVisible()
-    assert {key: section.is_open for key, section in controls.sections.items()} == open_before
-    assert record.events == []
+    ]:
+        open_before = {key: section.is_open for key, section in controls.sections.items()}
+        assert sorted(look_for(controls, text)) == sorted(found)
+        for key in found:
+            row = controls.rows[key]
+            assert not row.visibleRegion().isEmpty(), "it is in view"
+            if isinstance(row, NumberRow):
+                assert row.value() == pytest.approx(row.value()) and row.field.text()
+        QTest.keyClick(controls.search, KEY.Key_Escape)
+        QApplication.processEvents()
+        assert controls.search.text() == "" and controls.rows["azimuth_deg"].isVisible()
+        assert {key: section.is_open for key, section in controls.sections.items()} == open_before
+        assert record.events == []
 
 
 def test_a_found_row_can_be_edited_and_stays_unfolded(controls: Column, record: Record) -> None:
@@ -1748,18 +1744,17 @@ def test_all_digits_are_shown_where_they_are_asked_for(controls: Column, record:
 # -- a refusal, and what is done next
 
 
-@pytest.mark.parametrize(("other", "text"), [("width", "800"), ("eye_x", "1")])
-def test_a_refusal_goes_when_another_field_is_accepted(
-    controls: Column, other: str, text: str
-) -> None:
-    in_mode(controls, other)
-    near = number(controls, "near")
-    enter(near, "5000")
-    enter(number(controls, other), "nonsense")
-    assert near.error, "nothing has changed"
-    enter(number(controls, other), text)
-    assert not near.error and not number(controls, other).error
-    assert float(near.field.text()) == START.lens.near
+def test_a_refusal_goes_when_another_field_is_accepted(controls: Column) -> None:
+    for other, text in [("width", "800"), ("eye_x", "1")]:
+        show(controls, START)
+        in_mode(controls, other)
+        near = number(controls, "near")
+        enter(near, "5000")
+        enter(number(controls, other), "nonsense")
+        assert near.error, "nothing has changed"
+        enter(number(controls, other), text)
+        assert not near.error and not number(controls, other).error
+        assert float(near.field.text()) == START.lens.near
 
 
 def test_a_refusal_stays_where_the_user_is_still_typing(
@@ -1779,17 +1774,17 @@ def test_a_refusal_stays_where_the_user_is_still_typing(
     assert not near.error and float(near.field.text()) == START.lens.near
 
 
-@pytest.mark.parametrize("kind", [*LENSES, FreeMatrix.kind])
-def test_a_reset_of_another_lens_s_row_changes_nothing(controls: Column, kind: str) -> None:
+def test_a_reset_of_another_lens_s_row_changes_nothing(controls: Column) -> None:
     """The row is hidden, and the current lens has no such value."""
-    for other in LENSES:
-        show(controls, START.with_lens(other))
-    show(controls, START.with_lens(kind))
-    record = Record(controls)
-    hidden = [row for row in controls.rows.values() if row.isHidden()]
-    assert hidden
-    for row in hidden:
-        row.setValue(1e-3)
-        row.setDefault(2e-3)
-        row.reset()
-    assert not record.edits
+    for kind in [*LENSES, FreeMatrix.kind]:
+        for other in LENSES:
+            show(controls, START.with_lens(other))
+        show(controls, START.with_lens(kind))
+        record = Record(controls)
+        hidden = [row for row in controls.rows.values() if row.isHidden()]
+        assert hidden
+        for row in hidden:
+            row.setValue(1e-3)
+            row.setDefault(2e-3)
+            row.reset()
+        assert not record.edits

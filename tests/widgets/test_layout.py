@@ -28,20 +28,20 @@ def wrong(window: MainWindow) -> list[str]:
     return [*cut(window), *overlapping(window)]
 
 
-@pytest.mark.parametrize("size", SIZES)
-def test_in_every_scene(window: MainWindow, size: tuple[int, int]) -> None:
-    window.resize(*size)
+def test_in_every_scene(window: MainWindow) -> None:
+    """The smallest size cuts first: the others get a sample."""
     found = {}
-    for name in BUILT_IN:
-        window.guide.choose(name)
-        found[name] = wrong(window)
-        assert window.size().toTuple() == size, name
-    assert found == {name: [] for name in BUILT_IN}
+    for size, names in zip(SIZES, (BUILT_IN, BUILT_IN[1::3], BUILT_IN[::6]), strict=True):
+        window.resize(*size)
+        for name in names:
+            window.guide.choose(name)
+            found[name, size] = wrong(window)
+            assert window.size().toTuple() == size, name
+    assert not any(found.values()), found
 
 
-@pytest.mark.parametrize("size", SIZES[:2])
-def test_with_each_panel_open_and_presented(window: MainWindow, size: tuple[int, int]) -> None:
-    window.resize(*size)
+def test_with_each_panel_open_and_presented(window: MainWindow) -> None:
+    window.resize(*SIZES[0])
     window.guide.choose("eye-plane")
     window.probe_panel.follow(point=(0.1, 0.2, 0.3))
     found = {}
@@ -125,13 +125,12 @@ def test_the_pictures_have_their_share(make_window: MakeWindow) -> None:
         return float(width_px / window.width())
 
     assert share() >= 0.30
+    assert 270 <= window.controls.width() <= 300
+    assert all(pane.width() >= 300 and pane.height() >= 250 for pane in window.panes.values())
     window.guide.choose("depth-buffer")
     assert window.slots.large == "image" and share() >= 0.40
-    window.guide.choose("letter-f")
     present(window)
-    assert window.controls.card.isVisible() and share() >= 0.33
-    window.guide.choose("depth-buffer")
-    assert share() >= 0.40
+    assert share() >= 0.75
     window.present.end()
 
 

@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from PySide6.QtCore import QPoint, Qt
+from PySide6.QtCore import QPoint
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QComboBox
 
@@ -21,7 +21,6 @@ from app.model.projection import (
     Orbit,
     Orthographic,
     Perspective,
-    Projection,
 )
 from tests.support.controls import (
     BOX,
@@ -81,63 +80,63 @@ def combo(controls: Column, key: str) -> QComboBox:
 # -- all kinds
 
 
-@pytest.mark.parametrize("kind", LENSES)
-def test_every_slider_of_every_lens_goes_to_an_end(
-    column: Column, reader: Reader, kind: str
-) -> None:
+def test_every_slider_of_every_lens_goes_to_an_end(column: Column, reader: Reader) -> None:
     """The model stays valid and is what the row shows, or the row says why not."""
-    show(column, SHOWN[kind])
-    rows = lens_rows(column)
-    assert len(rows) >= 6
-    for place, (key, row) in enumerate(rows.items()):
+    for kind in LENSES:
         show(column, SHOWN[kind])
-        record = Record(column)
-        row.slider.setFocus()
-        ends = ((KEY.Key_Home, KEY.Key_Up), (KEY.Key_End, KEY.Key_Down))
-        for pressed in ends[(place + len(kind)) % 2]:
-            QTest.keyClick(row.slider, pressed)
-        row.finish_gesture()
-        assert record.edits or row.error, key
-        assert record.events[0] == "start" and record.events[-1] == "finish"
-        if not row.isHidden():  # the last of K's four numbers can make the lens symmetric
-            assert row.value() == pytest.approx(reader.read(key, column.projection)), key
-            assert row.slider.value() == row.scale.position_of(row.value()), key
+        rows = lens_rows(column)
+        assert len(rows) >= 6
+        for place, (key, row) in enumerate(rows.items()):
+            show(column, SHOWN[kind])
+            record = Record(column)
+            row.slider.setFocus()
+            ends = ((KEY.Key_Home, KEY.Key_Up), (KEY.Key_End, KEY.Key_Down))
+            for pressed in ends[(place + len(kind)) % 2]:
+                QTest.keyClick(row.slider, pressed)
+            row.finish_gesture()
+            assert record.edits or row.error, key
+            assert record.events[0] == "start" and record.events[-1] == "finish"
+            if not row.isHidden():  # the last of K's four numbers can make the lens symmetric
+                assert row.value() == pytest.approx(reader.read(key, column.projection)), key
+                assert row.slider.value() == row.scale.position_of(row.value()), key
 
 
-@pytest.mark.parametrize("kind", LENSES)
-def test_a_drag_of_any_number_of_a_lens_is_one_gesture(column: Column, kind: str) -> None:
-    show(column, SHOWN[kind])
-    for key, row in lens_rows(column).items():
+def test_a_drag_of_any_number_of_a_lens_is_one_gesture(column: Column) -> None:
+    for kind in LENSES:
         show(column, SHOWN[kind])
-        column.ensureWidgetVisible(row)
-        record = Record(column)
-        before = row.slider.value()
-        scale = row.scale
-        press(row.slider)
-        for step in (1, 2, 3):
-            drag(row.slider, before + step * scale.stops.key)
-        assert row.scale is scale, key  # not under the hand
-        release(row.slider)
-        assert record.events == ["start", "edit", "edit", "edit", "finish"], key
+        for key, row in lens_rows(column).items():
+            show(column, SHOWN[kind])
+            column.ensureWidgetVisible(row)
+            record = Record(column)
+            before = row.slider.value()
+            scale = row.scale
+            press(row.slider)
+            for step in (1, 2, 3):
+                drag(row.slider, before + step * scale.stops.key)
+            assert row.scale is scale, key  # not under the hand
+            release(row.slider)
+            assert record.events == ["start", "edit", "edit", "edit", "finish"], key
 
 
-@pytest.mark.parametrize("kind", LENSES)
-def test_the_numbers_of_other_lenses_are_left_alone(column: Column, kind: str) -> None:
-    others = {k for k in LENSES if k != kind}
-    for other in others:
-        show(column, SHOWN[other])
-    show(column, SHOWN[kind])
-    column.sections["more_lens"].set_open(False)
-    hidden = {key: row.value() for key, row in column.rows.items() if not row.isVisible()}
-    assert len(hidden) >= 6 and {*Intrinsics._fields} < hidden.keys()
-    near = number(column, "near")
-    enter(near, "2.5")
-    assert column.projection.lens.near == 2.5
-    assert {key: column.rows[key].value() for key in hidden} == hidden
-    column.sections["more_lens"].set_open(True)
-    if not column.projection.lens.parallel:
-        k_after = [number(column, key).value() for key in Intrinsics._fields]
-        assert k_after == pytest.approx(column.projection.intrinsics, rel=1e-12)
+def test_the_numbers_of_other_lenses_are_left_alone(column: Column) -> None:
+    for kind in LENSES:
+        show(column, START)
+        column.sections["more_lens"].set_open(True)
+        others = {k for k in LENSES if k != kind}
+        for other in others:
+            show(column, SHOWN[other])
+        show(column, SHOWN[kind])
+        column.sections["more_lens"].set_open(False)
+        hidden = {key: row.value() for key, row in column.rows.items() if not row.isVisible()}
+        assert len(hidden) >= 6 and {*Intrinsics._fields} < hidden.keys()
+        near = number(column, "near")
+        enter(near, "2.5")
+        assert column.projection.lens.near == 2.5
+        assert {key: column.rows[key].value() for key in hidden} == hidden
+        column.sections["more_lens"].set_open(True)
+        if not column.projection.lens.parallel:
+            k_after = [number(column, key).value() for key in Intrinsics._fields]
+            assert k_after == pytest.approx(column.projection.intrinsics, rel=1e-12)
 
 
 def test_lenses_follow_each_other_in_any_order_and_come_back(column: Column) -> None:
@@ -149,9 +148,8 @@ def test_lenses_follow_each_other_in_any_order_and_come_back(column: Column) -> 
     assert record.events.count("edit") == record.events.count("start") > 8
 
 
-@pytest.mark.parametrize(
-    ("shown", "key", "text", "expected"),
-    [
+def test_a_refusal_of_a_lens_is_explained_at_the_row(column: Column) -> None:
+    for shown, key, text, expected in [
         (OFF_AXIS, "fx", "0", "fx = 0: must be greater than 0."),
         (OFF_AXIS, "cx", "inf", "cx = ∞: must be a finite number."),
         (START, "window_top", "0", "Half-height = 0: must be greater than 0."),
@@ -160,16 +158,12 @@ def test_lenses_follow_each_other_in_any_order_and_come_back(column: Column) -> 
         (SLANTED, "alpha_deg", "180", "Alpha = 180: must lie between 0 and 180, both excluded."),
         (SLANTED, "receding", "1e7", "Receding = 10000000: must be at most 1000000."),
         (SLANTED, "receding_deg", "inf", "Direction = ∞: must be a finite number."),
-    ],
-)
-def test_a_refusal_of_a_lens_is_explained_at_the_row(
-    column: Column, shown: Projection, key: str, text: str, expected: str
-) -> None:
-    show(column, shown)
-    record, row = Record(column), number(column, key)
-    enter(row, text)
-    assert row.error == f"Not possible. {expected}"
-    assert record.edits == [] and column.projection is shown
+    ]:
+        show(column, shown)
+        record, row = Record(column), number(column, key)
+        enter(row, text)
+        assert row.error == f"Not possible. {expected}"
+        assert record.edits == [] and column.projection is shown
 
 
 def test_beyond_the_slider_is_taken(column: Column, reader: Reader) -> None:
@@ -195,26 +189,26 @@ def test_beyond_the_slider_is_taken(column: Column, reader: Reader) -> None:
 # -- perspective: one value, many measures
 
 
-@pytest.mark.parametrize("key", ["fov_y_deg", "fov_x_deg", "focal_length_mm", "e", "window_right",
-                                 "window_top"])  # fmt: skip
-def test_all_measures_of_a_field_of_view_move_together(column: Column, key: str) -> None:
-    enter(number(column, key), "1.5")
-    lens = column.projection.lens
-    assert isinstance(lens, Perspective) and (lens.near, lens.far) == (1.0, 30.0)
-    half_y = math.tan(math.radians(lens.fov_y_deg) / 2.0)
-    half_x = half_y * 16.0 / 9.0
-    expected = {
-        "fov_y_deg": lens.fov_y_deg,
-        "fov_x_deg": math.degrees(2.0 * math.atan(half_x)),
-        "focal_length_mm": math.hypot(36.0, 24.0) / 2.0 / math.hypot(half_x, half_y),
-        "e": 1.0 / half_x,
-        "window_right": half_x,
-        "window_top": half_y,
-    }
-    assert expected[key] == pytest.approx(1.5)
-    for name, value in expected.items():
-        assert number(column, name).value() == pytest.approx(value, rel=1e-12), name
-    assert number(column, key).field.text() == "1.5"
+def test_all_measures_of_a_field_of_view_move_together(column: Column) -> None:
+    for key in ["fov_y_deg", "fov_x_deg", "focal_length_mm", "e", "window_right", "window_top"]:
+        show(column, START)
+        enter(number(column, key), "1.5")
+        lens = column.projection.lens
+        assert isinstance(lens, Perspective) and (lens.near, lens.far) == (1.0, 30.0)
+        half_y = math.tan(math.radians(lens.fov_y_deg) / 2.0)
+        half_x = half_y * 16.0 / 9.0
+        expected = {
+            "fov_y_deg": lens.fov_y_deg,
+            "fov_x_deg": math.degrees(2.0 * math.atan(half_x)),
+            "focal_length_mm": math.hypot(36.0, 24.0) / 2.0 / math.hypot(half_x, half_y),
+            "e": 1.0 / half_x,
+            "window_right": half_x,
+            "window_top": half_y,
+        }
+        assert expected[key] == pytest.approx(1.5)
+        for name, value in expected.items():
+            assert number(column, name).value() == pytest.approx(value, rel=1e-12), name
+        assert number(column, key).field.text() == "1.5"
 
 
 def test_the_half_window_sliders_follow_near(column: Column) -> None:
@@ -229,23 +223,23 @@ def test_the_half_window_sliders_follow_near(column: Column) -> None:
 # -- frustum: six numbers
 
 
-@pytest.mark.parametrize("near", [1e-6, 0.01, 1.0, 25.0])
-def test_the_windows_sliders_are_in_proportion_to_it(column: Column, near: float) -> None:
-    show(column, replace(START, lens=Perspective(45.0, near, 30.0)))
-    choose(choice(column, "kind"), "frustum")
-    _, right, _, top = column.projection.window
-    for key in ("left", "right", "bottom", "top"):
-        scale = number(column, key).scale
-        assert isinstance(scale, Linear) and scale.low == -scale.high
-        assert scale.high == pytest.approx(2.0 * right, rel=0.01)
-        assert 0 < number(column, key).slider.value() < scale.last
-    row = number(column, "right")
-    scale = row.scale
-    enter(row, repr(0.5 * right))
-    assert row.scale is scale  # it still fills a fair part of the slider
-    enter(row, repr(5.0 * right))
-    assert row.scale.high == pytest.approx(10.0 * right, rel=0.01)
-    assert top < 5.0 * right
+def test_the_windows_sliders_are_in_proportion_to_it(column: Column) -> None:
+    for near in [1e-6, 0.01, 1.0, 25.0]:
+        show(column, replace(START, lens=Perspective(45.0, near, 30.0)))
+        choose(choice(column, "kind"), "frustum")
+        _, right, _, top = column.projection.window
+        for key in ("left", "right", "bottom", "top"):
+            scale = number(column, key).scale
+            assert isinstance(scale, Linear) and scale.low == -scale.high
+            assert scale.high == pytest.approx(2.0 * right, rel=0.01)
+            assert 0 < number(column, key).slider.value() < scale.last
+        row = number(column, "right")
+        scale = row.scale
+        enter(row, repr(0.5 * right))
+        assert row.scale is scale  # it still fills a fair part of the slider
+        enter(row, repr(5.0 * right))
+        assert row.scale.high == pytest.approx(10.0 * right, rel=0.01)
+        assert top < 5.0 * right
 
 
 def test_a_window_that_shrinks_in_the_hand_gets_finer_sliders_afterwards(column: Column) -> None:
@@ -306,21 +300,21 @@ def test_through_no_receding_at_all_the_direction_is_kept(column: Column) -> Non
     assert number(column, "receding").field.text() == "0.5"
 
 
-@pytest.mark.parametrize("preset", OBLIQUE_PRESETS)
-def test_a_preset_is_known_by_its_angles(column: Column, preset: str) -> None:
-    show(column, SLANTED)
-    choose(choice(column, "preset"), preset)
-    assert combo(column, "preset").currentText().startswith(preset.split("-", 1)[0])
-    name, angle = preset.split("-")
-    assert number(column, "receding").value() == {"cavalier": 1.0, "cabinet": 0.5}[name]
-    assert number(column, "receding_deg").value() == pytest.approx(float(angle), abs=0.05)
-    record = Record(column)
-    enter(number(column, "alpha_deg"), "100")
-    assert choice(column, "preset").value() is None
-    assert combo(column, "preset").currentIndex() == -1
-    assert combo(column, "preset").placeholderText() == "free"
-    enter(number(column, "alpha_deg"), repr(OBLIQUE_PRESETS[preset][0]))
-    assert choice(column, "preset").value() == preset and len(record.edits) == 2
+def test_a_preset_is_known_by_its_angles(column: Column) -> None:
+    for preset in OBLIQUE_PRESETS:
+        show(column, SLANTED)
+        choose(choice(column, "preset"), preset)
+        assert combo(column, "preset").currentText().startswith(preset.split("-", 1)[0])
+        name, angle = preset.split("-")
+        assert number(column, "receding").value() == {"cavalier": 1.0, "cabinet": 0.5}[name]
+        assert number(column, "receding_deg").value() == pytest.approx(float(angle), abs=0.05)
+        record = Record(column)
+        enter(number(column, "alpha_deg"), "100")
+        assert choice(column, "preset").value() is None
+        assert combo(column, "preset").currentIndex() == -1
+        assert combo(column, "preset").placeholderText() == "free"
+        enter(number(column, "alpha_deg"), repr(OBLIQUE_PRESETS[preset][0]))
+        assert choice(column, "preset").value() == preset and len(record.edits) == 2
 
 
 def test_a_free_drawing_says_so_on_the_screen(column: Column) -> None:
@@ -332,22 +326,18 @@ def test_a_free_drawing_says_so_on_the_screen(column: Column) -> None:
     assert box.grab().toImage() != said
 
 
-@pytest.mark.parametrize(
-    ("key", "text"), [("receding", "1.25"), ("receding_deg", "-140"), ("preset", "cavalier-63.4")]
-)
-def test_another_drawing_leaves_the_target_in_its_place(
-    column: Column, key: str, text: str
-) -> None:
-    show(column, SLANTED)
-    target = SLANTED.camera.target
-    before = SLANTED.trace(target).image
-    if key == "preset":
-        choose(choice(column, key), text)
-    else:
-        enter(number(column, key), text)
-    after = column.projection.trace(target).image
-    assert np.allclose(after, before, rtol=0, atol=1e-9)
-    assert column.projection.lens != SLANTED.lens
+def test_another_drawing_leaves_the_target_in_its_place(column: Column) -> None:
+    for key, text in [("receding", "1.25"), ("receding_deg", "-140"), ("preset", "cavalier-63.4")]:
+        show(column, SLANTED)
+        target = SLANTED.camera.target
+        before = SLANTED.trace(target).image
+        if key == "preset":
+            choose(choice(column, key), text)
+        else:
+            enter(number(column, key), text)
+        after = column.projection.trace(target).image
+        assert np.allclose(after, before, rtol=0, atol=1e-9)
+        assert column.projection.lens != SLANTED.lens
 
 
 def test_the_angles_of_h_leave_the_near_plane_in_its_place(column: Column) -> None:
@@ -446,20 +436,6 @@ def test_the_row_in_hand_keeps_its_place_when_the_lens_becomes_another(
             ),
         )
         assert row.field.hasFocus()
-
-
-def test_a_reset_goes_back_to_how_the_scene_opens_with_this_lens(
-    column: Column, reader: Reader
-) -> None:
-    show(column, OFF_AXIS)
-    alike = START.with_lens("frustum")
-    for key, row in lens_rows(column).items():
-        show(column, OFF_AXIS)
-        QTest.mouseDClick(row.name_label, Qt.MouseButton.LeftButton)
-        assert row.error == "", key
-        if not row.isHidden():
-            wanted = reader.read(key, alike)
-            assert reader.read(key, column.projection) == pytest.approx(wanted), key
 
 
 def test_a_drag_of_k_turns_the_lens_and_is_one_gesture(column: Column) -> None:

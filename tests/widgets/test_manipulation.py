@@ -15,7 +15,6 @@ from PySide6.QtGui import QWheelEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QLabel
 
-from app.document.view import EVERYTHING
 from app.drawings import WORDS
 from app.drawings.image import ImageDrawing
 from app.drawings.off_screen import OffScreen
@@ -251,7 +250,7 @@ def test_hovering_says_what_a_drag_does_and_costs_one_repaint(window: MainWindow
     # The mark; and, as everywhere, the plane that it belongs to.
     assert (np.abs(changed - (spot[1], spot[0])).max(axis=1) < 16.0).sum() > 20
     counts.clear()
-    away = point_of((3.0, 3.0))
+    away = point_of((before.shape[1] - 3.0, 3.0))  # beside the far plane
     for _ in range(2):
         move(window, "world", away, button=Qt.MouseButton.NoButton)
     assert len(counts) == 1 and world(window).held is None
@@ -501,7 +500,7 @@ def test_a_step_adds_and_removes_nothing_and_a_figure_has_no_marks() -> None:
 
 def test_marks_are_seen_in_every_style(window: MainWindow) -> None:
     """A rim of ink around a fill, larger while presenting."""
-    window.store.set_view(names=EVERYTHING)  # else only what is under the pointer has a mark
+    window.menus.name_everything.trigger()
     for theme, style, presents in (("light", LIGHT, True), ("dark", DARK, False)):
         window.look.set_theme(theme)
         window.look.set_presenting(presents)
@@ -715,7 +714,7 @@ def test_a_light_that_is_dragged_under_the_plane_is_refused_over_the_pane(
     move(window, "world", at + QPoint(0, 20))
     last = window.store.document.settings["light"]
     assert last[1] < 9.0
-    move(window, "world", at + QPoint(0, 400))
+    move(window, "world", at + QPoint(0, 600))
     bar = window.manipulation.message
     assert bar.isVisible() and "must lie above the plane y = 0" in bar.text
     assert bar.text.startswith("Light L = ")

@@ -10,10 +10,12 @@ import pytest
 from PIL import Image
 from PySide6.QtGui import Qt, QTextDocument
 from PySide6.QtWidgets import QApplication, QLabel, QWidget
+from pytestqt.qtbot import QtBot
 
 from tests.support.meshes import PYRAMID, obj_file
 from tests.support.window import MakeWindow, rgb_of, settle
-from widgets.parts.plain import Label, Markup, message_box, set_tip
+from widgets.parts.note import Balanced
+from widgets.parts.plain import Label, Markup, message_box, set_tip, subscripts
 from widgets.parts.progress import progress
 from widgets.window.main_window import MainWindow
 
@@ -132,3 +134,23 @@ def test_no_name_of_a_file_is_marked_up(make_window: MakeWindow, folder: Path) -
     with progress(window, f"Opening {PICTURE}") as tell:
         tell(0.5)
         assert_plain(window)
+
+
+def test_letters_after_an_underscore_are_subscripts_and_the_rest_stays_plain() -> None:
+    assert subscripts("V_x, y_p : d and 3") == "V<sub>x</sub>, y<sub>p</sub> : d and 3"
+    assert isinstance(subscripts("V_x"), Markup) and not isinstance(subscripts("V"), Markup)
+    assert subscripts(f"x_p {PICTURE}").startswith("x<sub>p</sub> &lt;img")
+
+
+def test_a_balanced_text_paints_no_underscore(qtbot: QtBot) -> None:
+    """An underscore is the only ink in the rows below the letters of a line."""
+
+    def below(text: str) -> int:
+        label = Balanced(text)
+        qtbot.addWidget(label)
+        label.resize(300, 60)
+        ink = rgb_of(label.grab().toImage()).min(axis=2) < 128
+        rows = np.flatnonzero(ink.any(axis=1))
+        return int(ink[rows[-1]].sum())
+
+    assert below("x_x x_x x_x") < 0.5 * below("xx_ xx_ xx_")

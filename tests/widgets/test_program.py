@@ -631,9 +631,33 @@ window.close()
     assert log_path().read_text(encoding="utf-8").count("no drawing") >= 3
 
 
+HAND = """
+from PySide6.QtCore import QPoint, QPointF, Qt
+from PySide6.QtGui import QWheelEvent
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication
+left, none = Qt.MouseButton.LeftButton, Qt.KeyboardModifier.NoModifier
+for pane in window.panes.values():
+    canvas = pane.canvas
+    at = QPointF(50, 50)
+    wheel = QWheelEvent(at, canvas.mapToGlobal(at), QPoint(), QPoint(0, 120),
+                        Qt.MouseButton.NoButton, none, Qt.ScrollPhase.NoScrollPhase, False)
+    QApplication.sendEvent(canvas, wheel)
+    QTest.mouseMove(canvas, QPoint(60, 60))
+    QTest.mousePress(canvas, left, none, QPoint(60, 60))
+    QTest.mouseMove(canvas, QPoint(95, 80))
+    QTest.mouseRelease(canvas, left, none, QPoint(95, 80))
+    QTest.mouseClick(canvas, left, none, QPoint(60, 60))
+    QTest.mouseDClick(canvas, left, none, QPoint(60, 60))
+    canvas.setFocus(Qt.FocusReason.TabFocusReason)
+    for key in (Qt.Key.Key_Left, Qt.Key.Key_Plus, Qt.Key.Key_Home):
+        QTest.keyClick(canvas, key)
+"""
+
+
 @pytest.mark.parametrize("canvas", ["opengl", "raster"])
 def test_the_window_is_seen_with_its_dock_before_vtk_is_imported(canvas: str) -> None:
-    """And what a quick hand does meanwhile counts."""
+    """What a quick hand does in the dock counts, and in the empty panes it does no harm."""
     done = drive(
         """
 late = [name for name in sys.modules if name.startswith(("vtk", "pyvista", "matplotlib"))]
@@ -641,7 +665,9 @@ print(late, window.controls.rows["near"].field.text(), window.isVisible())
 seen = {}
 for name, pane in window.panes.items():
     pane.canvas.shown.connect(lambda name=name: seen.setdefault(name))
-from PySide6.QtTest import QTest
+"""
+        + HAND
+        + """
 field = window.controls.rows["near"].field
 field.setFocus()
 field.selectAll()
@@ -666,35 +692,6 @@ def test_it_is_said_that_qt_has_no_opengl(monkeypatch: pytest.MonkeyPatch) -> No
     monkeypatch.setenv("QT_XCB_GL_INTEGRATION", "none")
     done = drive("print(window.status.currentMessage(), flush=True)\nwindow.close()")
     assert done.stdout == "Qt has no OpenGL here: VTK draws the panes off the screen.\n"
-
-
-@pytest.mark.parametrize("canvas", ["opengl", "raster"])
-def test_a_hand_on_panes_that_are_still_empty_does_no_harm(canvas: str) -> None:
-    act = """
-from PySide6.QtCore import QPoint, QPointF, Qt
-from PySide6.QtGui import QWheelEvent
-from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication
-left, none = Qt.MouseButton.LeftButton, Qt.KeyboardModifier.NoModifier
-for pane in window.panes.values():
-    canvas = pane.canvas
-    at = QPointF(50, 50)
-    wheel = QWheelEvent(at, canvas.mapToGlobal(at), QPoint(), QPoint(0, 120),
-                        Qt.MouseButton.NoButton, none, Qt.ScrollPhase.NoScrollPhase, False)
-    QApplication.sendEvent(canvas, wheel)
-    QTest.mouseMove(canvas, QPoint(60, 60))
-    QTest.mousePress(canvas, left, none, QPoint(60, 60))
-    QTest.mouseMove(canvas, QPoint(95, 80))
-    QTest.mouseRelease(canvas, left, none, QPoint(95, 80))
-    QTest.mouseClick(canvas, left, none, QPoint(60, 60))
-    QTest.mouseDClick(canvas, left, none, QPoint(60, 60))
-    canvas.setFocus(Qt.FocusReason.TabFocusReason)
-    for key in (Qt.Key.Key_Left, Qt.Key.Key_Plus, Qt.Key.Key_Home):
-        QTest.keyClick(canvas, key)
-window.filled.connect(window.close)
-"""
-    done = drive(act, "--canvas", canvas, when=PAINTED)
-    assert (done.returncode, done.stdout, done.stderr) == (0, "", "")
 
 
 def test_a_window_is_closed_before_its_panes_are_filled() -> None:

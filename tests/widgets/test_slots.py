@@ -176,48 +176,46 @@ def all_actions(window: MainWindow) -> Iterator[Any]:
         yield from menu.menu().actions()
 
 
-@pytest.mark.parametrize(
-    ("layout", "afloat"),
-    [
+def test_docked_panes_take_the_room_of_floating_ones(window: MainWindow, qtbot: QtBot) -> None:
+    changed: list[Perspective] = []
+    for layout, afloat in [
         ("pictures", ("world",)),
         ("columns", ("image",)),
         ("pictures", ("ndc",)),
         ("columns", ("world", "ndc")),
         ("pictures", PANES),
-    ],
-)
-def test_docked_panes_take_the_room_of_floating_ones(
-    window: MainWindow, qtbot: QtBot, layout: str, afloat: tuple[str, ...]
-) -> None:
-    window.slots.arrange(layout, "world")
-    settle()
-    order = PANES if layout == "columns" else ("world", "image", "ndc")
-    start = places(window)
-    assert slots(window) == order
-    for name in afloat:
-        window.slots.toggle_float(name)
-        qtbot.waitExposed(window.panes[name])
-    settle()
-    docked = tuple(name for name in order if name not in afloat)
-    assert window.slots.floating == afloat and slots(window) == docked
-    assert all(pane.isVisible() for pane in window.panes.values())
-
-    def ends(found: dict[str, tuple[int, int, int, int]]) -> tuple[int, int]:
-        rooms = found.values()
-        return max(left + width for left, _, width, _ in rooms), max(
-            top + height for _, top, _, height in rooms
-        )
-
-    if docked:
-        assert ends(places(window)) == ends(start), "no gap"
-    with counted_repaints(window) as counts:
-        window.store.set_projection(seen(window, lens=Perspective(46.0, 1.0, 30.0)))
+    ]:
+        window.slots.arrange(layout, "world")
         settle()
-    assert counts == dict.fromkeys(PANES, 1)
-    for name in afloat:
-        window.panes[name].close()  # by the button of its window
+        order = PANES if layout == "columns" else ("world", "image", "ndc")
+        start = places(window)
+        assert slots(window) == order
+        for name in afloat:
+            window.slots.toggle_float(name)
+            qtbot.waitExposed(window.panes[name])
         settle()
-    assert window.slots.floating == () and places(window) == start
+        docked = tuple(name for name in order if name not in afloat)
+        assert window.slots.floating == afloat and slots(window) == docked
+        assert all(pane.isVisible() for pane in window.panes.values())
+
+        def ends(found: dict[str, tuple[int, int, int, int]]) -> tuple[int, int]:
+            rooms = found.values()
+            return max(left + width for left, _, width, _ in rooms), max(
+                top + height for _, top, _, height in rooms
+            )
+
+        if docked:
+            assert ends(places(window)) == ends(start), "no gap"
+        with counted_repaints(window) as counts:
+            lens = Perspective(46.0 + len(changed), 1.0, 30.0)
+            changed.append(lens)
+            window.store.set_projection(seen(window, lens=lens))
+            settle()
+        assert counts == dict.fromkeys(PANES, 1)
+        for name in afloat:
+            window.panes[name].close()  # by the button of its window
+            settle()
+        assert window.slots.floating == () and places(window) == start
 
 
 def test_a_floating_pane_stays_afloat_whatever_is_brought(window: MainWindow, qtbot: QtBot) -> None:

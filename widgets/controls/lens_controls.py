@@ -10,6 +10,7 @@ import math
 from collections.abc import Callable
 from dataclasses import replace
 from functools import partial
+from operator import attrgetter
 from typing import Any, NamedTuple
 
 from PySide6.QtCore import QObject
@@ -90,7 +91,7 @@ class LensControls(QObject):
         kind = self._front.add_choice(
             "kind", "lens",
             self.tr("Kind of projection. Objects at the target keep their size when it changes."),
-            kinds, lambda p: p.lens.kind, lambda p, kind: p.with_lens(kind),
+            kinds, _field("kind"), lambda p, kind: p.with_lens(kind),
         )  # fmt: skip
         quiet(kind.name_label)
 
@@ -311,8 +312,7 @@ class LensControls(QObject):
     def follow(self, projection: Projection) -> None:
         """Keep the sliders in proportion to a projection with the same kind of lens."""
         self._projection = projection
-        if projection.lens.window_stays:
-            self._fit_window()
+        self._fit_window()
         if projection.lens.symmetric:
             near = 10.0 ** round(math.log10(projection.lens.near))
             scale = Log(1e-2 * near, 1e2 * near)
@@ -367,7 +367,7 @@ def _with(field: str) -> tuple[str, ...]:
 
 
 def _field(field: str) -> Read:
-    return lambda projection: getattr(projection.lens, field)
+    return attrgetter(f"lens.{field}")
 
 
 def _with_field(field: str) -> Write:

@@ -17,7 +17,7 @@ from widgets.parts.icons import show_icon
 from widgets.parts.layouts import in_column
 from widgets.parts.messages import number_text, of_phenomena, read_text
 from widgets.parts.note import Balanced
-from widgets.parts.plain import Label, set_tip
+from widgets.parts.plain import Label, set_tip, subscripts
 from widgets.parts.typeset import TypesetLabel, in_line, matrix
 from widgets.parts.writing import all_digits, lettering
 
@@ -140,7 +140,7 @@ class Readout(QWidget):
             for reading in readings
             if reading.note is not None
         ]
-        self.note.setText("\n".join(dict.fromkeys(reasons)))
+        self.note.setText(subscripts("\n".join(dict.fromkeys(reasons))))
         self.note.setVisible(bool(reasons))
 
     def show_highlight(self, highlighted: Highlight) -> None:

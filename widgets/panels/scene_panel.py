@@ -17,7 +17,7 @@ from widgets.parts.focus import FocusRing
 from widgets.parts.layouts import FREE, in_column, in_row
 from widgets.parts.messages import breakable, of_phenomena
 from widgets.parts.panel import Changed, Shown
-from widgets.parts.plain import Label
+from widgets.parts.plain import Label, subscripts
 
 WORD = 16
 """Characters of a file's name that fit into the narrowest column."""
@@ -63,7 +63,7 @@ class ScenePanel(DiagramPanel):
         self.explanation.setText(
             self.tr("This scene has no diagram: the panes show everything.")
             if phenomenon is None
-            else of_phenomena(phenomenon.explanation)
+            else subscripts(of_phenomena(phenomenon.explanation))
         )
         self._show_diagrams(())
 

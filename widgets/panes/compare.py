@@ -37,6 +37,7 @@ from widgets.parts.focus import FocusRing
 from widgets.parts.layouts import in_row
 from widgets.parts.messages import field_name, of_phenomena, read_text, sentence
 from widgets.parts.note import Title
+from widgets.parts.palette import LABEL_SHARE
 from widgets.parts.panel import Shown
 from widgets.parts.plain import Label, set_tip
 
@@ -120,8 +121,7 @@ class _Other(QWidget):
         self._of = pane
         self.pane = pane.another(f"{pane.name}: {picture.name}")
         self.pane.setFrameShape(Pane.Shape.NoFrame)
-        self.pane.header.hide()
-        self.pane.header.set_presenting(True)
+        self.pane.header.set_presenting(True, named=False)
         self.pane.canvas.setFocusPolicy(Qt.FocusPolicy.NoFocus)
         set_tip(self.pane.canvas, "")
         self.pane.canvas.setMinimumSize(1, 1)
@@ -228,6 +228,8 @@ class Compare(QObject):
         self._cuts: list[QRect] = []
         self._laid_out: list[tuple[int, int] | None] = []
         """The sizes of the images in the present layout."""
+        self._screen_px = 0.0
+        """The height of the screen that a class looks at; 0 for a window."""
         self.bar = QWidget()
         """Below the picture: says how the pictures differ."""
         self.words = _Words()
@@ -243,6 +245,18 @@ class Compare(QObject):
         self._name_way()
         pane.add_below(self.bar)
         pane.marked.connect(self.refresh)
+
+    def set_presenting(self, on: bool, screen_px: float) -> None:
+        """Show a class the pictures and their names alone, the names as large as labels."""
+        self._screen_px = screen_px if on else 0.0
+        self.bar.setVisible(self.is_on and not on)
+        for caption in self.captions:
+            self._size(caption)
+        self._lay_out()
+
+    def _size(self, caption: Title) -> None:
+        sheet = f"font-size: {round(LABEL_SHARE * self._screen_px)}px" if self._screen_px else ""
+        caption.setStyleSheet(sheet)
 
     @property
     def is_on(self) -> bool:
@@ -275,6 +289,7 @@ class Compare(QObject):
             self.captions = [Title("") for _ in pictures]
             for caption in self.captions:
                 caption.setParent(self._pane.surface)
+                self._size(caption)
                 caption.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
         self.dividers = tuple(dividers)
         while len(self.handles) < len(dividers):
@@ -284,7 +299,7 @@ class Compare(QObject):
             handle.stepped.connect(lambda part, n=number: self._put(n, self.dividers[n] + part))
             self.handles.append(handle)
         self._pane.canvas.setMinimumSize(*((1, 1) if pictures else (120, 120)))
-        self.bar.setVisible(self.is_on)
+        self.bar.setVisible(self.is_on and not self._screen_px)
         self._name_way()
         self._laid_out = []
         self._lay_out()
@@ -434,6 +449,7 @@ class Compare(QObject):
     def _cells(self) -> list[QRect]:
         """Places beside or above each other, whichever gives larger pictures of one height."""
         whole, em = self._pane.surface.rect(), float(self._pane.fontMetrics().height())
+        em = max(em, LABEL_SHARE * self._screen_px)
         aspects = [1.0 if shown is None else shown.projection.aspect for shown in self._seen]
         found = cells(whole.width(), whole.height(), aspects, em)
         return [QRect(*cell) for cell in found]

@@ -62,8 +62,8 @@ AS_BUILT: dict[str, Any] = {
     "names": None,
     "projection": None,
     "stage": None,
-    "view": None,
     "probes": (),
+    "view": None,
     "step": None,
     "fixed": "",
     "object_axes": False,
@@ -187,6 +187,8 @@ class Pane(QFrame):
         self._pointed_at = NOTHING
         self._smoothing = "none"
         self._matrices_ms = 0.0
+        self._goes_to: tuple[Camera | None] | None = None
+        """The own camera at the end of the way that the pane is on."""
 
         acts: dict[str, tuple[str, object]] = {
             "home": (self.tr("Reset this pane's own view (double-click)"), self.reset_view),
@@ -252,6 +254,7 @@ class Pane(QFrame):
 
     def look_from(self, view: Camera | None) -> None:
         """Move the pane's own camera as `build` does, without another drawing."""
+        self.glide(1.0)
         if view != self.view or view is None:
             self._asked["view"] = view
             self._due.add("view")
@@ -287,6 +290,8 @@ class Pane(QFrame):
     @property
     def view(self) -> Camera | None:
         """The pane's own camera if the user has moved it, else None."""
+        if self._goes_to is not None:
+            return self._goes_to[0]
         asked: Camera | None = self._asked["view"]
         if self._to_build is not None or self.drawing is None or "view" in self._due:
             return asked
@@ -399,7 +404,7 @@ class Pane(QFrame):
             self.drawing = None
             with self.canvas.or_empty():
                 self.drawing = self._make_drawing(self.canvas, *args)
-        self._to_build = None
+        self._to_build = self._goes_to = None
         self._asked["detail"] = None
         others = {what for what, wanted in self._asked.items() if wanted != AS_BUILT[what]}
         self._due = others
@@ -486,12 +491,40 @@ class Pane(QFrame):
             self.drawing.reset_view()
             self.request_repaint()
 
+    # -- on the way from one state to another
+
+    @property
+    def pose(self) -> Any:
+        """Where the visible pane's camera stands, for `begin_glide`; None if there is nothing."""
+        is_there = self.isVisible() and self.drawing is not None and self._to_build is None
+        return self.drawing.pose if is_there and self.drawing is not None else None
+
+    def begin_glide(self, start: Any) -> None:
+        """Begin a way from another pose to the present one; None for the present one."""
+        drawing = self.drawing
+        if self.isVisible() and drawing is not None and self._to_build is None:
+            view, now = self.view, drawing.pose
+            if now is not None:
+                drawing.begin_glide(now if start is None else start)
+            self._goes_to = (view,)
+
+    def glide(self, part: float) -> None:
+        """Show a part of the way, 0 to 1."""
+        if self._goes_to is None or self.drawing is None:
+            return
+        if part == 1.0:
+            self._goes_to = None
+        self.drawing.glide(part)
+        self.request_repaint()
+
     def refit(self) -> None:
         """Frame again what an edit has carried out of a view that the user has not moved."""
-        if self.isVisible() and self.drawing is not None and self.drawing.refit():
+        is_still = self._goes_to is None
+        if is_still and self.isVisible() and self.drawing is not None and self.drawing.refit():
             self.request_repaint()
 
     def _view_moved(self) -> None:
+        self.glide(1.0)  # the user's hand decides
         if self.drawing is not None:
             self.drawing.reset_clipping_range()
             if self._asked["fixed"] and not self.drawing.fixed:

@@ -46,6 +46,7 @@ from app.scenes.phenomena.diagram import Curve, Diagram, Spot
 from widgets.parts.highlight import faded
 from widgets.parts.messages import figure_text, of_phenomena
 from widgets.parts.plain import show_tip
+from widgets.parts.typeset import typeset
 
 Floats = NDArray[np.float64]
 
@@ -528,7 +529,7 @@ class DiagramView(QWidget):
             if not curve.label:
                 continue
             text = of_phenomena(curve.label)
-            size = metrics.horizontalAdvance(text) + 2.0 * GAP_PX, metrics.height()
+            size = _width(text, font) + 2.0 * GAP_PX, metrics.height()
             kept = self.names.get(curve.label)
             place = beside_curve(bounds, places, half, size, taken, covered, kept)
             self.names[curve.label] = place
@@ -543,7 +544,7 @@ class DiagramView(QWidget):
                 ink = QColor(self._style.text_on(plate.name()))
             painter.fillRect(box, plate)
             painter.setPen(ink)
-            painter.drawText(box, Qt.AlignmentFlag.AlignCenter, text)
+            _write(painter, box, text)
 
     def _paint_spots(
         self, painter: QPainter, frame: QRectF, diagram: Diagram, along: Sequence[Floats]
@@ -597,6 +598,21 @@ class DiagramView(QWidget):
                 painter.setBrush(Qt.BrushStyle.NoBrush)
                 painter.setPen(self._pen("u", 1.3))
                 painter.drawEllipse(QPointF(x, y), 2.2 * radius, 2.2 * radius)
+
+
+def _width(text: str, font: QFont) -> float:
+    if "_" in text:
+        return typeset(text, font).width
+    return QFontMetricsF(font).horizontalAdvance(text)
+
+
+def _write(painter: QPainter, box: QRectF, text: str) -> None:
+    """Write a text in the middle of a box, with ``x_p`` as letters with subscripts."""
+    if "_" not in text:
+        painter.drawText(box, Qt.AlignmentFlag.AlignCenter, text)
+        return
+    laid, middle = typeset(text, painter.font()), box.center()
+    laid.paint(painter, middle.x() - laid.width / 2.0, middle.y() + laid.below_middle)
 
 
 def _is_picture(diagram: Diagram) -> bool:

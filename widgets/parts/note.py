@@ -5,10 +5,16 @@ from __future__ import annotations
 from bisect import bisect_left
 
 from PySide6.QtCore import QEvent, QRect, QSize, Qt
-from PySide6.QtGui import QPainter, QPaintEvent, QResizeEvent
+from PySide6.QtGui import (
+    QAbstractTextDocumentLayout,
+    QPainter,
+    QPaintEvent,
+    QPalette,
+    QResizeEvent,
+)
 from PySide6.QtWidgets import QSizePolicy
 
-from widgets.parts.plain import Label, set_tip
+from widgets.parts.plain import Label, TextDocument, set_tip, subscripts
 
 
 class Note(Label):
@@ -103,6 +109,24 @@ class Balanced(Label):
             widths = range(min(longest + 2, inside.width()), inside.width())
             place = bisect_left(widths, True, key=lambda w: height(w, part) <= needed)
             width = widths.start + place
-            painter.drawText(QRect(inside.left(), top, width, needed), wrap, part)
+            if "_" in part:
+                self._paint_subscripts(painter, inside.left(), top, width, part)
+            else:
+                painter.drawText(QRect(inside.left(), top, width, needed), wrap, part)
             top += needed
         painter.end()
+
+    def _paint_subscripts(
+        self, painter: QPainter, left: int, top: int, width: int, text: str
+    ) -> None:
+        document = TextDocument()
+        document.setDefaultFont(self.font())
+        document.setDocumentMargin(0.0)
+        document.setHtml(subscripts(text))
+        document.setTextWidth(width)
+        context = QAbstractTextDocumentLayout.PaintContext()
+        context.palette.setColor(QPalette.ColorRole.Text, painter.pen().color())
+        painter.save()
+        painter.translate(left, top)
+        document.documentLayout().draw(painter, context)
+        painter.restore()

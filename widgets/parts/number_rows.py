@@ -295,7 +295,8 @@ class NumberRow(_TypedRow):
         if not self.slider.isSliderDown():
             self._quiet.start()
         self.clear_error()
-        self.field.take_back()
+        if not self.field.at_rest:
+            self.field.take_back()
         self.field.show_number(value)
         if value != self._value and not self._attempt(value):
             self._go_as_far_as_possible(position)

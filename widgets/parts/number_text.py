@@ -76,11 +76,12 @@ def short_text(value: float, below: float | None = None, most: int = _MOST) -> s
 
 
 def _short_text(value: float, most: int) -> str:
-    text = number_text(value)
     if 10.0**most <= abs(value) < 10.0**FIELD_CHARACTERS - 0.5:
         return f"{value:.0f}"
-    if math.isinf(value) or (most == _MOST and len(text.lstrip("-")) <= FIELD_CHARACTERS):
-        return text
+    if math.isinf(value) or most == _MOST:
+        text = number_text(value)
+        if math.isinf(value) or len(text.lstrip("-")) <= FIELD_CHARACTERS:
+            return text
     for kept in range(most, 0, -1):
         for text in (f"{value:.{kept}g}", f"{value:.{kept - 1}e}"):
             text = re.sub(r"e([+-])0*", r"e\1", text).replace("e+", "e")

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cached_property
 from typing import Protocol, TypeAlias
 
 from PySide6.QtCore import Signal
@@ -46,7 +47,7 @@ class Shown:
             )
         return cls(document, scene, illustration)
 
-    @property
+    @cached_property
     def projection(self) -> Projection:
         return self.document.projection
 

@@ -9,6 +9,7 @@ texts that are filled in.
 from __future__ import annotations
 
 import html
+import re
 from typing import Any
 
 from PySide6 import QtGui
@@ -31,6 +32,14 @@ class Markup(str):
 def wrapped(text: str) -> Markup:
     """Return a tooltip that wraps; Qt does not wrap plain ones."""
     return Markup.of("<qt>{}</qt>", text)
+
+
+def subscripts(text: str) -> str:
+    """Return a text with ``x_p`` as letters with subscripts; one without them as it is."""
+    if "_" not in text:
+        return text
+    escaped = Markup.of("{}", text).replace("\n", "<br>")
+    return Markup(re.sub(r"(?<=\w)_(\w+)", r"<sub>\1</sub>", escaped))
 
 
 def tip_of(text: str) -> str:

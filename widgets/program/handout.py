@@ -10,6 +10,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from functools import cache, partial
+from pathlib import Path
 from textwrap import wrap
 from typing import NamedTuple
 
@@ -27,12 +28,15 @@ from PySide6.QtGui import (
 )
 
 from app.document.document import Document
+from app.document.view import PANES
 from app.drawings.figures import DPI as DPI_OF_FIGURES
 from app.drawings.figures import render
 from app.drawings.style import LIGHT
+from app.lecture.equation import equation_of, latex_cell
 from app.lecture.notation import matrices
 from app.lessons.course import Course, scene_of
 from app.lessons.lesson import Step
+from app.lessons.strokes import picture_beside
 from app.lessons.text import escaped
 from widgets.controls.readout import full_sentence, value_text
 from widgets.panels.matrix_panel import note_on
@@ -128,10 +132,8 @@ def _text(text: str, width: float, size: float, *, title: bool = False, left: fl
     document.setUseDesignMetrics(True)
     set_text(document, text, title=title)
     document.setTextWidth(width - left)
-    size_pt = document.size()
-    return Block(
-        size_pt.height(), document.drawContents, left, kept=title, wide=size_pt.width() + left
-    )
+    wide = document.idealWidth() + left
+    return Block(document.size().height(), document.drawContents, left, kept=title, wide=wide)
 
 
 class _Sheet:
@@ -165,8 +167,13 @@ class _Sheet:
         asked = [part for part in step.parts if part.reveals or part in step.asked]
         texts = [part.text for part in step.parts if part not in asked]
         note = self._note(step)
-        yield from self._with_figure(shown, texts, note)
-        yield from _panel(shown, course.shown(place - 1).document if place else None, self._width)
+        slide = picture_beside(course.lesson.path, step.name)
+        yield from self._with_figure(shown, texts, note, slide)
+        if not any(part.is_tall and "\n|" in part.text for part in step.parts):
+            yield from _equation(shown, self._width)
+        before = course.shown(place - 1).document if place else None
+        if "equation" not in shown.view.slide:  # else it has its matrices
+            yield from _panel(shown, before, self._width)
         for part in asked:
             if not self._answers:
                 yield _text(part.posed(), self._width, TEXT_PT)
@@ -177,7 +184,10 @@ class _Sheet:
             if part.show is not None:
                 after = here.shown_by(part.show)
                 yield from self._with_figure(after, whys, "")
-                yield from _panel(after, shown, self._width)
+                if "equation" not in after.view.slide:
+                    yield from _panel(after, shown, self._width)
+                elif after.view.equation != shown.view.equation:
+                    yield from _equation(after, self._width)
             else:
                 yield from (_text(why, self._width, TEXT_PT) for why in whys)
 
@@ -188,9 +198,17 @@ class _Sheet:
         minutes = f"*{step.note.minutes:g} min.* " if step.note.minutes else ""
         return minutes + step.note.text
 
-    def _with_figure(self, document: Document, texts: list[str], note: str) -> Iterator[Block]:
-        """Yield a figure and its texts: beside it if they are narrow and low enough."""
+    def _with_figure(
+        self, document: Document, texts: list[str], note: str, slide: Path | None = None
+    ) -> Iterator[Block]:
+        """Yield a figure and its texts: beside it if they are narrow and low enough.
+
+        If `slide` is a file, the figure is that picture of a slide on which somebody has drawn.
+        """
         figure = _figure(document, self._width, self._figure_width)
+        drawn = QImage(str(slide)) if slide is not None and slide.is_file() else QImage()
+        if not drawn.isNull():
+            figure = _picture(drawn, self._width)
         left = figure.wide + NOTE_INDENT_PT
         room = self._width - left
         if figure.wide > 0.75 * self._width:  # there is no room beside it
@@ -255,15 +273,30 @@ def _ruled(width: float, height: float) -> Block:
     return Block(height, paint)
 
 
+def _picture(image: QImage, width: float) -> Block:
+    """A picture across the page."""
+    place = QRectF(0.0, 0.0, width, width * image.height() / image.width())
+
+    def paint(painter: QPainter, _part: QRectF) -> None:
+        painter.drawImage(place, image)
+        painter.setPen(QPen(QColor(LIGHT.muted), 0.6))
+        painter.drawRect(place)
+
+    return Block(place.height(), paint, wide=width)
+
+
 def _figure(document: Document, width: float, one_pane: float) -> Block:
     """The picture of a state: one pane, or the compared pictures across the page."""
     scene = scene_of(document)
-    pane = document.view.large or scene.leading
-    is_image = pane == "image"
+    large = document.view.large or scene.leading
+    panes = [pane for pane in document.view.slide if pane in PANES] or [large]
+    is_image = panes == ["image"]
     count = len(document.view.compare) if is_image else 0
     aspect = document.projection.aspect if is_image else PANE_ASPECT
     wide, high = one_pane, one_pane / PANE_ASPECT
-    if count and not document.view.dividers:
+    if len(panes) > 1:
+        wide, high = width, width / (len(panes) * PANE_ASPECT)
+    elif count and not document.view.dividers:
         wide, high = width, width / (count * aspect) + 3.0 * FIGURE_TEXT_PT
     elif is_image:
         wide = min(one_pane, high * aspect)
@@ -276,7 +309,7 @@ def _figure(document: Document, width: float, one_pane: float) -> Block:
             render(
                 scene,
                 document.projection,
-                panes=(pane,),
+                panes=panes,
                 size=(round(wide * px_per_pt), round(high * px_per_pt)),
                 style=LIGHT,
                 view=document.view,
@@ -294,6 +327,44 @@ def _figure(document: Document, width: float, one_pane: float) -> Block:
             painter.drawRect(place)
 
     return Block(high, paint, wide=wide)
+
+
+def _equation(document: Document, width: float) -> Iterator[Block]:
+    """Yield the matrices of a slide that is an equation, beside each other."""
+    view = document.view
+    if "equation" not in view.slide:
+        return
+    equation = equation_of(document.projection, view.letters, view.equation, document.settings)
+    blocks = []
+    for term in equation.terms:
+        cells = [[f"${latex_cell(cell, term.letters)}$" for cell in row]
+                 for row in term.matrix.formulas]  # fmt: skip
+        if equation.is_in_numbers:
+            cells = [[read_text(value) for value in row] for row in term.matrix.values]
+        is_result = bool(equation.factors) and term is equation.result
+        names = [each.name for each in equation.factors] if is_result else [term.name]
+        above = f"${' '.join(names)}$ =" if all(names) else "="
+        lines = [above, "", "| | | | |", "|---|---|---|---|"]
+        lines += [f"| {' | '.join(row)} |" for row in cells]
+        blocks.append(_text("\n".join(lines), width, NOTE_PT))
+    row: list[Block] = []
+    for block in blocks:
+        if row and sum(each.wide + BETWEEN_PT for each in row) + block.wide > width:
+            yield _in_row(row)
+            row = []
+        row.append(block)
+    yield _in_row(row)
+
+
+def _in_row(blocks: Sequence[Block]) -> Block:
+    def paint(painter: QPainter, part: QRectF) -> None:
+        for block in blocks:
+            painter.save()
+            block.paint(painter, part)
+            painter.restore()
+            painter.translate(block.wide + BETWEEN_PT, 0.0)
+
+    return Block(max(block.height for block in blocks), paint)
 
 
 def _panel(document: Document, before: Document | None, width: float) -> Iterator[Block]:

@@ -131,6 +131,10 @@ class Actions(QObject):
             self.tr("Co&ntrols of the slide"), None, "C",
             self.tr("While presenting, show the controls of the slide below it, or hide them"),
         )  # fmt: skip
+        self.pen = self._action(
+            self.tr("P&en"), None, "D",
+            self.tr("While presenting, draw on the slide, or put the pen away"), on=False,
+        )  # fmt: skip
         self.compare = self._action(
             self.tr("Co&mpare with this picture"), None, "F6",
             self.tr("Hold the current picture and compare it with later ones, or end the"
@@ -141,7 +145,7 @@ class Actions(QObject):
             self.tr("Compare s&ide by side or overlaid"), None, "Shift+F6"
         )
         for later in (
-            self.remove_probe, self.blank, self.pointer, self.strip, self.compare_way,
+            self.remove_probe, self.blank, self.pointer, self.strip, self.pen, self.compare_way,
         ):  # fmt: skip
             later.setEnabled(False)
         self.controls = self._action(self.tr("&Controls"), None, "F4", on=True)
@@ -153,6 +157,11 @@ class Actions(QObject):
         self.all_digits = self._action(
             self.tr("All &digits"), None, None,
             self.tr("Show all digits of every number, not only four"), on=all_digits,
+        )  # fmt: skip
+        self.reduce_motion = self._action(
+            self.tr("Reduce &motion"), None, None,
+            self.tr("Show the next step of a lesson or a talk at once, without a transition"),
+            on=False,
         )  # fmt: skip
         self._make_view_menu(theme)
         self.help = self._action(self.tr("&Keys and mouse"), help_.show_keys, keys.HelpContents)
@@ -260,12 +269,13 @@ class Actions(QObject):
             on=False,
         )
         slots.rearranged.connect(lambda: columns.setChecked(slots.layout_name == LAYOUTS[1]))
-        menu = self._menu(
-            self.tr("&View"), self.present, self.blank, self.pointer, self.strip, None,
+        self.view_menu = menu = self._menu(
+            self.tr("&View"), self.present, self.blank, self.pointer, self.strip, self.pen, None,
             self.compare, self.compare_way, None, *large,
             self._action(self.tr("Back to &all panes"), slots.go_back, "Ctrl+0"), columns,
             self._action(self.tr("&Reset the panes' own views"), slots.reset_views, "Ctrl+Home"),
             None, self.controls, self.show_cost, self.all_digits,
+            self.reduce_motion,
         )  # fmt: skip
         views = {
             "": self.tr("&Freely"),

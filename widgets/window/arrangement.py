@@ -41,7 +41,7 @@ def cameras(panes: Mapping[str, Pane]) -> dict[str, Camera]:
 class Arrangement(QObject):
     """Reads the window's arrangement into a `View`, and restores it."""
 
-    concerns = frozenset({"view"})
+    concerns = frozenset({"view", "scene"})
 
     def __init__(
         self,
@@ -61,6 +61,8 @@ class Arrangement(QObject):
         self._drawer, self._panels = drawer, dict(zip(PANELS, drawer.all, strict=True))
         self._matrices, self._frame, self._probes = matrices, frame, probes
         self._compare, self._controls = compare, controls
+        self._scene_fixed = ""
+        """The viewpoint with which the scene opens."""
         self._given = View()
         """The view shown last; it keeps the values that no widget can change."""
 
@@ -78,7 +80,7 @@ class Arrangement(QObject):
             panel=next(opened, ""),
             letters=self._matrices.letters.currentData(),
             layers=self._world.hidden,
-            fixed=self._world.fixed,
+            fixed=None if self._world.fixed == self._scene_fixed else self._world.fixed,
             names=self._world.names,
             probes=self._probes.probes,
             pinned=self._probes.pinned,
@@ -88,7 +90,11 @@ class Arrangement(QObject):
         )
 
     def take(self, shown: Shown, changed: Changed) -> None:
-        self.show(shown.document.view)
+        before, self._scene_fixed = self._scene_fixed, shown.scene.fixed
+        if "view" in changed:
+            self.show(shown.document.view)
+        elif self._world.fixed == before:
+            self._world.show(self._scene_fixed)
 
     def show(self, view: View) -> None:
         """Arrange the window according to a view; whatever already agrees is not touched."""
@@ -100,7 +106,8 @@ class Arrangement(QObject):
         self._slots.arrange(view.layout, view.large, self._slots.whole)
         self._slots.show_slide(view.slide)
         self._controls.ask(view.controls)
-        self._world.show(view.fixed, view.layers)
+        fixed = self._scene_fixed if view.fixed is None else view.fixed
+        self._world.show(fixed, view.layers)
         self._world.name(view.names)
         self._strip.go_to(view.stage)
         self._frame.go_to(STEPS.index(view.frame_step))

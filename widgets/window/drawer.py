@@ -113,6 +113,8 @@ class Panels(QWidget):
 
     def tell(self, panel: Panel | None = None) -> None:
         """Notify the open panel, or `panel`, of the changes since its last notification."""
+        if panel is None and not self.height():  # a class does not see the open panel
+            return
         panel = panel or self.open_panel
         if panel is None or self._shown is None:
             return
@@ -162,6 +164,7 @@ class Drawer(QSplitter):
         self.setHandleWidth(0 if on else self._handle_px)
         self._above.setVisible(not alone)
         self.fit()
+        self._panels.tell()
 
     def fit(self) -> None:
         """Give the open panel its share of the height, the same for all: panes must not jump."""

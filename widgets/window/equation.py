@@ -10,8 +10,8 @@ from collections.abc import Sequence
 from functools import lru_cache
 from typing import NamedTuple
 
-from PySide6.QtCore import QPointF, QRectF, Qt
-from PySide6.QtGui import QColor, QPainter, QPainterPath, QPaintEvent, QPen, QShowEvent
+from PySide6.QtCore import QPointF, QRectF, Qt, Signal
+from PySide6.QtGui import QColor, QPainter, QPainterPath, QPaintEvent, QPen
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from app.drawings.style import LIGHT, Style, tone
@@ -37,14 +37,20 @@ DIGITS, FEWER_DIGITS = 4, 3
 EDGE = 0.05
 """Free at the left and at the right, in heights of the screen."""
 _PAD_EM, _BETWEEN_EM, _BRACKET_EM, _CAPTION = 0.45, 0.35, 0.3, 0.62
+_APART_EM = 1.5
 _FIELDS = {
-    "fov_x_deg": ("fov_y_deg",),
-    "focal_length_mm": ("fov_y_deg",),
-    **dict.fromkeys(("azimuth_deg", "elevation_deg"), ("eye",)),
-    "distance": ("eye",),
-    "roll_deg": ("up",),
+    "lens.fov_x_deg": ("fov_y_deg",),
+    "lens.focal_length_mm": ("fov_y_deg",),
+    **dict.fromkeys(("camera.azimuth_deg", "camera.elevation_deg"), ("eye",)),
+    "camera.distance": ("eye",),
+    "camera.roll_deg": ("up",),
 }
 """Fields of the document that a control changes, where they are not its own."""
+
+
+def _own(path: str) -> str:
+    """Return the field of a control in the matrices' terms."""
+    return path if path.startswith("settings.") else path.rpartition(".")[2]
 
 
 class _Glyphs(NamedTuple):
@@ -105,7 +111,9 @@ def _laid(term: Term, digits: int) -> _Laid:
 class EquationSlide(QWidget):
     """Paints an equation as large as there is room for."""
 
-    concerns = PROJECTION | {"view"}
+    concerns = PROJECTION | {"view", "settings"}
+    filled = Signal()
+    """The equation, or its size, may be another one."""
 
     def __init__(self) -> None:
         super().__init__()
@@ -117,7 +125,8 @@ class EquationSlide(QWidget):
         self._laid: tuple[_Laid, ...] = ()
         self._style = LIGHT
         self._screen_px = 1.0
-        self._readable = Readable(self, self._fill)
+        self._is_asked = False
+        self._readable = Readable(self, self._fill, lambda: self._is_asked)
         self.hide()
 
     # -- the model
@@ -129,9 +138,10 @@ class EquationSlide(QWidget):
     def ask(self, shown: Shown) -> None:
         """Show the equation of a view, and frame what its controls change."""
         self._shown, view = shown, shown.document.view
-        names = [path.rpartition(".")[2] for path in view.controls]
         self._text = view.equation
-        self._controls = frozenset(field for name in names for field in _FIELDS.get(name, (name,)))
+        self._controls = frozenset(
+            field for path in view.controls for field in _FIELDS.get(path, (_own(path),))
+        )
         self._readable.changed()
 
     def set_style(self, style: Style) -> None:
@@ -148,8 +158,9 @@ class EquationSlide(QWidget):
     def end_gesture(self) -> None:
         self._readable.end_gesture()
 
-    def showEvent(self, event: QShowEvent) -> None:
-        super().showEvent(event)
+    def set_asked(self, asked: bool) -> None:
+        """Note whether the equation is the slide; otherwise nothing is computed."""
+        self._is_asked = asked
         self._readable.settle()
 
     def _fill(self) -> None:
@@ -157,7 +168,7 @@ class EquationSlide(QWidget):
         document = self._shown.document
         letters = document.view.letters
         try:
-            found = equation_of(document.projection, letters, self._text)
+            found = equation_of(document.projection, letters, self._text, document.settings)
         except Refusal as error:  # another lens may lack a matrix
             self._equation, self._laid, self._problem = None, (), sentence(error)
         else:
@@ -170,14 +181,12 @@ class EquationSlide(QWidget):
             ]
             self.setAccessibleName("\n".join(texts))
         self.update()
+        self.filled.emit()
 
     # -- places
 
     def needs_all(self, width: float) -> bool:
         """Whether the equation would be too small in a part of this width, or is none."""
-        self._readable.settle()
-        if self._equation is None and self._shown is not None:
-            self._fill()
         return bool(self._laid) and self.em_in(width, self.height()) < LEAST_EM * self._screen_px
 
     def em_in(self, width: float, height: float) -> float:
@@ -192,6 +201,10 @@ class EquationSlide(QWidget):
         return len(self._laid) > 1
 
     @property
+    def _has_result(self) -> bool:
+        return self._is_product and self._equation is not None and bool(self._equation.result)
+
+    @property
     def _least_width(self) -> float:
         """The width of the equation in em, with the narrowest columns."""
         matrices = sum(sum(each.widths) + 2.0 * _BRACKET_EM for each in self._laid)
@@ -202,7 +215,13 @@ class EquationSlide(QWidget):
         """The width in em of all that is no matrix."""
         if not self._is_product:
             return self._lead.width + 2.0 * _BETWEEN_EM
-        return _BETWEEN_EM * len(self._laid) + _of_tex("=").width + 2.0 * _BETWEEN_EM
+        equals = _of_tex("=").width + 2.0 * _BETWEEN_EM if self._has_result else 0.0
+        return self._gap_em * len(self._laid) + equals
+
+    @property
+    def _gap_em(self) -> float:
+        """The gap between two matrices."""
+        return _BETWEEN_EM if self._has_result or not self._is_product else _APART_EM
 
     @property
     def _lead(self) -> _Glyphs:
@@ -243,7 +262,7 @@ class EquationSlide(QWidget):
         if not self._is_product:
             x = self._draw(painter, self._lead, em, x, middle, ink) + 2.0 * _BETWEEN_EM * em
         for place, each in enumerate(self._laid):
-            if self._is_product and place == len(self._laid) - 1:
+            if self._has_result and place == len(self._laid) - 1:
                 x += _BETWEEN_EM * em
                 x = self._draw(painter, _of_tex("="), em, x, middle, ink) + _BETWEEN_EM * em
             widths = [em * (width + stretch / 4.0) for width in each.widths]
@@ -258,7 +277,7 @@ class EquationSlide(QWidget):
                 at = (left + x - _CAPTION * em * name.width) / 2.0
                 y = top + sum(heights) + caption
                 self._draw(painter, name, _CAPTION * em, at, y, QColor(self._style.muted))
-            x += _BETWEEN_EM * em
+            x += self._gap_em * em
 
     def _paint_matrix(
         self,

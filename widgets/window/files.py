@@ -14,6 +14,7 @@ from PySide6.QtWidgets import QFileDialog, QMainWindow, QMessageBox
 from app.document.document import MESH_ENDINGS, Document, is_mesh
 from app.document.files import holds_document, read, write
 from app.document.store import Store
+from app.document.view import EVERYTHING
 from app.lessons.lesson import is_lesson
 from app.model.refusal import Cancelled, Refusal
 from app.scenes.scene import BUILT_IN, Scene, load
@@ -191,9 +192,11 @@ class Files(QObject):
             # Keep what was prepared for a class; drop what concerned the previous scene.
             view = replace(
                 self._store.look(), large="", panel=None, probes=(), pinned=frozenset(), panes={},
-                slide=(), controls=(), equation="", names=None,
+                slide=(), controls=(), equation="", fixed=None,
                 compare=(), dividers=(),
             )  # fmt: skip
+            if view.names != EVERYTHING:
+                view = replace(view, names=None)
             extra = self._store.document.extra
             return self._store.set_document(Document(name, scene.start, extra, view))
         return True

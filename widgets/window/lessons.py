@@ -15,7 +15,7 @@ import math
 from collections.abc import Callable, Mapping
 from dataclasses import replace
 from pathlib import Path
-from typing import Any
+from typing import Any, Protocol
 
 from PySide6.QtCore import QFileSystemWatcher, QObject, QTimer, Signal
 
@@ -37,6 +37,28 @@ TRANSITION_S = 0.4
 """Duration of the model's motion between two steps."""
 SETTLED_MS = 150
 """Delay before a changed file is read: editors may write it twice."""
+
+
+class WayOfPanes(Protocol):
+    """Moves the panes' cameras between two steps, or fades their pictures; see `Transition`."""
+
+    @property
+    def is_wanted(self) -> bool:
+        """Whether something may move."""
+        ...
+
+    def begin(self, *, cuts: bool) -> None:
+        """Remember what is seen."""
+
+    def start(self, moves: bool) -> bool:
+        """Begin the way to what is shown now; return whether there is one."""
+        ...
+
+    def paint(self) -> None:
+        """Paint the beginning now."""
+
+    def go(self, part: float) -> None:
+        """Show a part of the way, 0 to 1."""
 
 
 class Lessons(QObject):
@@ -69,11 +91,12 @@ class Lessons(QObject):
         stand_still: Callable[[], None],
         to_stage: Callable[[float], None],
         look_from: Callable[[Mapping[str, Camera]], None],
+        transition_of_panes: WayOfPanes | None = None,
     ) -> None:
         super().__init__(store)
         self._store, self._files, self._messages = store, files, messages
         self._stand_still, self._to_stage = stand_still, to_stage
-        self._look_from = look_from
+        self._look_from, self._panes = look_from, transition_of_panes
         self._arrived: dict[str, Camera] = {}
         """The panes' cameras when the step was shown."""
         self.course: Course | None = None
@@ -256,7 +279,13 @@ class Lessons(QObject):
         self._start, self._end = start, end
         self._stages = look.stage, end.view.stage
         first, is_there = None, True
-        if transition.can_move(start, end):
+        same = (start.scene, start.mesh) == (end.scene, end.mesh)
+        panes = self._panes
+        moves = panes is None or panes.is_wanted
+        if moves and panes is not None:
+            slides = ((view.slide, view.large, view.equation) for view in (look, end.view))
+            panes.begin(cuts=not same or len(set(slides)) > 1)
+        if moves and transition.can_move(start, end):
             first = transition.between(start, end, 0.02)
         else:  # the model changes at once; only the stage strip may move
             self._start = end
@@ -274,12 +303,21 @@ class Lessons(QObject):
             if is_there and first is not None:
                 store.go_on(first)
         self._moving = False
-        same = (start.scene, start.mesh) == (end.scene, end.mesh)
-        if is_there and same and (first is not None or self._stages[0] != self._stages[1]):
+        if not is_there or not moves:
+            return is_there
+        if not same:  # the stages of another scene
+            self._stages = end.view.stage, end.view.stage
+        goes = first is not None or self._stages[0] != self._stages[1]
+        if panes is not None:
+            goes = panes.start(goes)
+        if goes:
             self._part = 0.0
-            self._to_stage(look.stage)
+            self._to_stage(self._stages[0])
+            if panes is not None:
+                panes.go(0.0)
+                panes.paint()
             self._clock.start()
-        return is_there
+        return True
 
     def _move(self, seconds: float) -> None:
         self._part = min(1.0, self._part + seconds / TRANSITION_S)
@@ -297,6 +335,8 @@ class Lessons(QObject):
             self._store.go_on(at)
             self._moving = False
         self._to_stage((1.0 - eased) * self._stages[0] + eased * self._stages[1])
+        if self._panes is not None:
+            self._panes.go(eased)
 
     def _finish(self) -> None:
         """Move the model to its end at once."""
@@ -306,8 +346,10 @@ class Lessons(QObject):
 
     def _see(self, _document: Document) -> None:
         """Stop moving when something else changes the document."""
-        if not self._moving:
+        if not self._moving and self._clock.running:
             self._clock.stop()
+            if self._panes is not None:
+                self._panes.go(1.0)
 
     # -- the file
 

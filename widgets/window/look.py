@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
+from typing import Any
 
 from PySide6.QtCore import QObject, Signal
 from PySide6.QtGui import QGuiApplication
@@ -118,6 +119,23 @@ class Look(QObject):
         """Set the panes' own cameras; panes not named get the default one."""
         for name, pane in self._panes.items():
             pane.look_from(cameras.get(name))
+
+    def poses(self) -> dict[str, Any]:
+        """Return where the panes' own cameras stand."""
+        return {name: pane.pose for name, pane in self._panes.items()}
+
+    def begin_glide(self, poses: Mapping[str, Any]) -> None:
+        """Let the panes' cameras begin a way from these poses to where they stand now."""
+        for name, pane in self._panes.items():
+            self.refine(name, False)
+            pane.begin_glide(poses.get(name))
+
+    def glide(self, part: float) -> None:
+        """Show a part of the way, 0 to 1."""
+        for name, pane in self._panes.items():
+            if part == 1.0:
+                self.refine(name, True)
+            pane.glide(part)
 
     def set_waiting(self, waits: bool) -> None:
         """Suspend or resume the panes while the window takes over a whole document."""

@@ -77,6 +77,7 @@ from widgets.window.start_card import StartCard
 from widgets.window.status_line import StatusLine
 from widgets.window.talk_band import TalkBand
 from widgets.window.talks import TalkActions, Talks
+from widgets.window.transition import Transition
 from widgets.window.wiring import wire
 from widgets.window.world_look import WorldLook
 
@@ -312,16 +313,19 @@ class MainWindow(QMainWindow):
         self.history = History(
             self, self.store, self.menus, lambda: self.shown.scene.start, players
         )
+        self.transition = Transition(
+            self.look, self.slide, self.settings, lambda: self.present.is_on
+        )
         self.lessons = Lessons(
             self.store, self.files, self.messages, self.history.stand_still, self.strip.go_to,
-            self.look.look_from,
+            self.look.look_from, self.transition,
         )  # fmt: skip
         self.lesson_card = LessonCard(self.lessons, self.store, self.settings)
         self.side.take_card(self.lesson_card)
         self.files.lesson_wanted.connect(self.lesson_card.open)
         self.talks = Talks(
             self, self.lessons, self.present, self.store, self.messages, self.settings, self.band,
-            self.slide.question, self.look,
+            self.slide.question, self.slide.pen, self.look,
         )  # fmt: skip
         self.talk_actions = TalkActions(self.talks, self, self.settings)
         self.menus.lesson_menu.addSeparator()
@@ -362,6 +366,12 @@ class MainWindow(QMainWindow):
     def set_all_digits(self, on: bool) -> None:
         self.settings.all_digits = on
         all_digits.set(on)
+
+    def set_reduced_motion(self, on: bool) -> None:
+        self.settings.reduce_motion = on
+
+    def show_motion(self) -> None:
+        self.menus.reduce_motion.setChecked(not self.transition.is_wanted)
 
     def find_control(self) -> None:
         if self.controls.isHidden():
@@ -467,8 +477,12 @@ class MainWindow(QMainWindow):
         self.menus.pointer.setEnabled(on)
         self.menus.pointer.setChecked(False)
         self.menus.strip.setEnabled(on)
+        self.menus.pen.setEnabled(on)
+        self.slide.pen.switch(False)
+        self.slide.pen.setVisible(on)
         self.look.set_presenting(on)
         self.controls.set_presenting(on)
+        self.comparing.pictures.set_presenting(on, float(self.screen().size().height()))
         self.control_strip.set_presenting(on, float(self.screen().size().height()))
         self.slide.equation.set_screen(float(self.screen().size().height()))
         self._body.setContentsMargins(*(NO_MARGINS if on else BODY_MARGINS))
@@ -481,6 +495,7 @@ class MainWindow(QMainWindow):
         self.slots.set_presenting(on)
         if on:
             self.menus.controls.setChecked(False)
+            self.setFocus()  # no pane of the slide has a ring
         if not on and self._before_presenting is not None:
             dock, _, shared = self._before_presenting
             self.menus.controls.setChecked(dock)

@@ -225,6 +225,10 @@ class Settings:
     """Error in pixels up to which a GPU's own arithmetic may draw."""
     frame_ms = _Kept("frame", _number_in(0.0, LARGEST_FRAME_MS), FRAME_MS)
     """Longest frame while a control is dragged, in ms; 0 for no limit."""
+    reduce_motion = _Kept[bool | None](
+        "reduce-motion", _flag, None, lambda on: "true" if on else "false"
+    )
+    """Whether steps of talks follow each other without a transition; None for the system's."""
     start_card = _kept_flag("start_card", True)
     """Whether the program starts with the start card."""
     speaker_window = _kept_flag("speaker_window", True)

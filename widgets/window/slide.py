@@ -4,15 +4,19 @@ from __future__ import annotations
 
 from PySide6.QtCore import QEvent, Qt, Signal
 from PySide6.QtGui import QResizeEvent
-from PySide6.QtWidgets import QWidget
+from PySide6.QtWidgets import QBoxLayout, QWidget
 
+from app.document.view import PANES
 from widgets.parts.layouts import in_row
 from widgets.window.equation import EquationSlide
+from widgets.window.pen import Pen
 from widgets.window.question import Question
 from widgets.window.slots import Slots
 
 EQUATION_SHARE = 0.7
 """Width of an equation that has a picture beside it."""
+EQUATION_HEIGHT = 0.5
+"""Height of an equation that is too wide for that, above the picture that a step asks for."""
 
 
 class Slide(QWidget):
@@ -27,22 +31,31 @@ class Slide(QWidget):
         self._slots = slots
         self.equation = EquationSlide()
         self.question = Question(self)
+        self.pen = Pen(self)
+        self.pen.hide()
         self._row = in_row(self.equation, slots, on=self, margins=(0, 0, 0, 0), gap=0)
         slots.rearranged.connect(self.arrange)
+        self.equation.filled.connect(self.arrange)
 
     def arrange(self) -> None:
-        """Give the equation its place beside the picture, or all of it."""
+        """Give the equation its place beside the picture, or above it, or all of the slide."""
         slots, equation = self._slots, self.equation
         has_equation = slots.has_equation
+        equation.set_asked(has_equation)
         equation.setVisible(has_equation)
-        is_alone = has_equation and equation.needs_all(EQUATION_SHARE * self.width())
-        slots.setVisible(not is_alone)
-        self._row.setStretch(0, round(100 * EQUATION_SHARE) if has_equation else 0)
-        self._row.setStretch(1, round(100 * (1.0 - EQUATION_SHARE)) if has_equation else 1)
+        is_wide = has_equation and equation.needs_all(EQUATION_SHARE * self.width())
+        has_pane = any(name in PANES for name in slots.asked)
+        slots.setVisible(not is_wide or has_pane)
+        ways = QBoxLayout.Direction
+        self._row.setDirection(ways.TopToBottom if is_wide else ways.LeftToRight)
+        share = EQUATION_HEIGHT if is_wide else EQUATION_SHARE
+        self._row.setStretch(0, round(100 * share) if has_equation else 0)
+        self._row.setStretch(1, round(100 * (1.0 - share)) if has_equation else 1)
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)
         self.question.place()
+        self.pen.resize(event.size())
         if self._slots.has_equation:
             self.arrange()
 

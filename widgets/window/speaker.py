@@ -39,6 +39,7 @@ from widgets.parts.lesson_text import answer_of, set_text
 from widgets.parts.plain import Label, TextDocument, set_tip
 from widgets.window.pictures import image_of
 from widgets.window.settings import LARGEST_NOTES_PX, LEAST_NOTES_PX, Settings
+from widgets.window.slots import panes_of_slide
 
 PICTURE_PX = (400, 250)
 """Size at which the next step's pane is drawn; it is scaled to the available space."""
@@ -89,6 +90,38 @@ def planned(course: Course, place: int) -> tuple[float, float]:
     return sum(minutes[:place]), minutes[place]
 
 
+class _Picture(Label):
+    """A picture, as large as there is room for."""
+
+    def __init__(self, name: str) -> None:
+        super().__init__()
+        self._image = QImage()
+        self.setAccessibleName(name)
+        self.setAlignment(Qt.AlignmentFlag.AlignCenter)
+        self.setMinimumSize(160, 100)
+        self.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Expanding)
+
+    def show_image(self, image: QImage) -> None:
+        """Show an image; an empty one hides it."""
+        self._image = image
+        self._fit()
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        super().resizeEvent(event)
+        self._fit()
+
+    def _fit(self) -> None:
+        if self._image.isNull():
+            self.setPixmap(QPixmap())
+            return
+        ratio = self.devicePixelRatioF()
+        keep, smooth = Qt.AspectRatioMode.KeepAspectRatio, Qt.TransformationMode
+        image = self._image.scaled(self.size() * ratio, keep, smooth.SmoothTransformation)
+        pixmap = QPixmap.fromImage(image)
+        pixmap.setDevicePixelRatio(ratio)
+        self.setPixmap(pixmap)
+
+
 class SpeakerWindow(QWidget):
     """The window that only the speaker sees; it closes with its parent, the main window."""
 
@@ -127,10 +160,7 @@ class SpeakerWindow(QWidget):
         self.notes.setReadOnly(True)
         self.notes.setFrameShape(QFrame.Shape.StyledPanel)
         self.notes.setAccessibleName(self.tr("Notes"))
-        self.picture = Label()
-        self.picture.setAlignment(Qt.AlignmentFlag.AlignCenter)
-        self.picture.setMinimumSize(160, 100)
-        self.picture.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Expanding)
+        self.now, self.picture = _Picture(self.tr("The slide")), _Picture(self.tr("Next"))
         self.steps = QListWidget()
         self.steps.setAccessibleName(self.tr("Steps"))
         for chosen in (self.steps.itemActivated, self.steps.itemClicked):
@@ -146,13 +176,15 @@ class SpeakerWindow(QWidget):
         layout = QGridLayout()
         layout.addLayout(in_row(*times), 0, 0, 1, 2)
         layout.addLayout(in_row((self._title, 1), (self._number, TOP)), 1, 0)
-        layout.addWidget(self.notes, 2, 0)
+        layout.addWidget(self.now, 2, 0)
+        layout.addWidget(self.notes, 3, 0)
         beside = in_column(self._next_title, (self.picture, 3), (self.steps, 2))
-        layout.addLayout(beside, 1, 1, 2, 1)
-        layout.addLayout(in_row(back, forward, blank, swap, 8, (self._said, 1)), 3, 0, 1, 2)
+        layout.addLayout(beside, 1, 1, 3, 1)
+        layout.addLayout(in_row(back, forward, blank, swap, 8, (self._said, 1)), 4, 0, 1, 2)
         layout.setColumnStretch(0, 3)
         layout.setColumnStretch(1, 2)
-        layout.setRowStretch(2, 1)
+        layout.setRowStretch(2, 4)
+        layout.setRowStretch(3, 5)
         layout.setHorizontalSpacing(TEXT_PX)
         self.setLayout(layout)  # filled: see `layouts.in_row`
         large: dict[QWidget, float] = {self._title: 1.5, self._clock: 1.6, self._elapsed: 1.6}
@@ -246,23 +278,10 @@ class SpeakerWindow(QWidget):
         self._show_picture()
 
     def _show_picture(self) -> None:
-        image = None
+        image = QImage()
         if self._course is not None:
-            image = self._pictures.get((self._course, self._place + 1))
-        if image is None or image.isNull():
-            self.picture.setPixmap(QPixmap())
-            return
-        ratio = self.devicePixelRatioF()
-        size = self.picture.size() * ratio
-        pixmap = QPixmap.fromImage(
-            image.scaled(
-                size,
-                Qt.AspectRatioMode.KeepAspectRatio,
-                Qt.TransformationMode.SmoothTransformation,
-            )
-        )
-        pixmap.setDevicePixelRatio(ratio)
-        self.picture.setPixmap(pixmap)
+            image = self._pictures.get((self._course, self._place + 1), image)
+        self.picture.show_image(image)
 
     # -- the time
 
@@ -291,10 +310,6 @@ class SpeakerWindow(QWidget):
     def sizeHint(self) -> QSize:
         return QSize(900, 600)
 
-    def resizeEvent(self, event: QResizeEvent) -> None:
-        super().resizeEvent(event)
-        self._show_picture()
-
     def closeEvent(self, event: QCloseEvent) -> None:
         super().closeEvent(event)
         self.left.emit()
@@ -313,7 +328,7 @@ def _drawn(document: Document, theme: str) -> QImage:
     pixels = render(
         scene,
         document.projection,
-        panes=(document.view.large or scene.leading,),
+        panes=panes_of_slide(document.view.slide, document.view.large or scene.leading),
         size=PICTURE_PX,
         style=style,
         view=document.view,

@@ -14,6 +14,8 @@ from PySide6.QtGui import (
     QPaintEvent,
     QPalette,
     QResizeEvent,
+    QTextBlockFormat,
+    QTextCursor,
     QTextDocument,
 )
 from PySide6.QtWidgets import QFrame, QSizePolicy
@@ -106,6 +108,11 @@ class TalkBand(QFrame):
     def _fits(self, text: str) -> bool:
         """Lay out a text; return whether it fits the line."""
         set_text(self._words, text, palette=self.palette())
+        cursor = QTextCursor(self._words)  # a displayed formula would stand in the middle
+        cursor.select(QTextCursor.SelectionType.Document)
+        left = QTextBlockFormat()
+        left.setAlignment(Qt.AlignmentFlag.AlignLeft)
+        cursor.mergeBlockFormat(left)
         for share in LINES:
             self._lay_out(self._words, share, self._room.width())
             if self._words.size().height() <= LINE_SHARE * self._screen_px:

@@ -8,21 +8,27 @@
 
 from __future__ import annotations
 
+import errno
+import os
 from collections.abc import Sequence
 from functools import partial
+from pathlib import Path
 
-from PySide6.QtCore import QObject, QRect, Qt
-from PySide6.QtGui import QAction, QGuiApplication
+from PySide6.QtCore import QObject, QRect, Qt, QTimer
+from PySide6.QtGui import QAction, QGuiApplication, QImage
 from PySide6.QtWidgets import QApplication, QMainWindow
 
 from app.document.store import Store
 from app.lessons.blocks.block import Part
 from app.lessons.course import Course
+from app.lessons.strokes import Stroke, picture_beside, read_strokes, write_strokes
 from app.model.refusal import Refusal
 from widgets.parts.lesson_text import answer_of
 from widgets.parts.message_bar import MessageBar
+from widgets.parts.messages import sentence
 from widgets.window.lessons import Lessons, named
 from widgets.window.look import Look
+from widgets.window.pen import Pen
 from widgets.window.present import Present
 from widgets.window.question import Question
 from widgets.window.settings import Settings
@@ -31,6 +37,9 @@ from widgets.window.talk_ahead import Ahead
 from widgets.window.talk_band import TalkBand
 from widgets.window.talk_keys import TalkKeys
 from widgets.window.talk_writing import TalkWriter
+
+SEEN_MS = 250
+"""How long a slide must stand still before the speaker's window shows it."""
 
 
 class Talks(QObject):
@@ -55,18 +64,25 @@ class Talks(QObject):
         settings: Settings,
         band: TalkBand,
         question: Question,
+        pen: Pen,
         look: Look,
     ) -> None:
         super().__init__(window)
         self._window, self._lessons, self._present = window, lessons, present
         self._messages, self._settings = messages, settings
-        self._band, self._question = band, question
+        self._band, self._question, self._pen = band, question, pen
+        self._drawn_on: Path | None = None
+        """The file of the talk that the strokes belong to."""
         self.writer = TalkWriter(window, lessons, store, messages)
         self._ahead = Ahead(lessons, look, self)
         self._keys = TalkKeys(window, lessons, present, self)
         self.speaker: SpeakerWindow | None = None
         self.revealed = 0
         self._shown: tuple[Course, int] | None = None
+        self._looks = False
+        """Whether the slide is being painted for the speaker's window."""
+        self._seen = QTimer(self, singleShot=True, interval=SEEN_MS)
+        self._seen.timeout.connect(self._show_now)
         self._complaint = ""
         """The mistake in the open file, which is not shown to the class."""
         self._refusal = ""
@@ -82,6 +98,9 @@ class Talks(QObject):
             (present.switched, self._show),
             (present.switched, self._open_with_talk),
             (present.moved, self._move),
+            (lessons.opened, self._take_strokes),
+            (pen.kept, self.keep_strokes),
+            (pen.drawn, self.see_later),
             (lessons.opened, self._show),
             (lessons.stepped, self._show),
             (lessons.complained, self._complain),
@@ -137,11 +156,13 @@ class Talks(QObject):
         self._forget_refusal()
         self._keys.forget()
         if course is None:
+            self._pen.show_step("")
             self._question.show_text("", 1.0)
             self._ahead.forget()
             self.close_speaker()
             return
         step, count = course.lesson.steps[place], len(course.lesson.steps)
+        self._pen.show_step(step.name)
         screen_px = float(self._window.screen().size().height())
         asked = self._asked(course, place) if self.is_on else ""
         self._question.show_text(asked, screen_px)
@@ -150,10 +171,52 @@ class Talks(QObject):
             self._band.show_step(step, f"{place + 1} / {count}")
         if self.speaker is not None:
             self.speaker.show_step(course, place, self._band.left_out if self.is_on else "")
+        self.see_later()
         if self.is_on or self.speaker is not None:
             self._ahead.begin_later()
         else:
             self._ahead.forget()
+
+    # -- the pen
+
+    def _take_strokes(self) -> None:
+        """Show the strokes that were kept of another talk."""
+        lesson = self._lessons.lesson
+        path = lesson.path if lesson is not None else None
+        if path != self._drawn_on:
+            self._drawn_on = path
+            kept: dict[str, tuple[Stroke, ...]] = {}
+            try:
+                kept = read_strokes(path) if path is not None else {}
+            except Refusal as error:
+                self._messages.say(sentence(error))
+            self._pen.begin_talk({step: list(strokes) for step, strokes in kept.items()})
+
+    def _write_pictures(self, talk: Path) -> None:
+        """Write the slides with strokes for the handout, and remove those without."""
+        lesson = self._lessons.lesson
+        for step in lesson.steps if lesson is not None else ():
+            path = picture_beside(talk, step.name)
+            if not self._pen.strokes.get(step.name):
+                path.unlink(missing_ok=True)
+            elif step.name in self._pen.pictures:
+                path.parent.mkdir(exist_ok=True)
+                if not self._pen.pictures[step.name].save(str(path)):
+                    raise OSError(errno.EIO, os.strerror(errno.EIO))
+
+    def keep_strokes(self) -> None:
+        """Write the strokes beside the talk, where the handout finds them."""
+        if self._drawn_on is None:
+            self._messages.say(self.tr("Open a talk first: its handout shows the strokes."))
+            return
+        try:
+            path = write_strokes(self._drawn_on, self._pen.strokes)
+            self._write_pictures(self._drawn_on)
+        except OSError as error:
+            text = self.tr("The strokes cannot be written beside the talk: {0}")
+            self._messages.say(text.format(error.strerror))
+            return
+        self._say(self.tr("Kept for the handout: {0}").format(path.name))
 
     # -- navigation
 
@@ -272,6 +335,19 @@ class Talks(QObject):
         self.speaker.show()
         self.speaker.raise_()
         self._show()
+
+    def see_later(self) -> None:
+        """Show the speaker the slide once it has not changed for a while."""
+        if self.speaker is not None and not self._looks:
+            self._seen.start()
+
+    def _show_now(self) -> None:
+        window = self._window.centralWidget()
+        if self.speaker is not None and window is not None:
+            self._looks = True  # the panes paint themselves for it
+            picture = window.grab().toImage() if self.is_on else QImage()
+            self._looks = False
+            self.speaker.now.show_image(picture)
 
     def close_speaker(self) -> None:
         if self.speaker is not None:

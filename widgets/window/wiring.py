@@ -52,14 +52,18 @@ def _wire_components(window: Any) -> None:
         (window.matrices.letters_changed, lettering.set, look.set_letters),
         (window.history.rested, look.rest, compare.refresh),
         (look.built, window.manipulation.leave, controls.set_style, compare.set_style),
-        (look.built, window.set_style, window.slide.equation.set_style),
+        (look.built, window.set_style, window.slide.equation.set_style, window.slide.pen.set_style),
         (menus.all_digits.triggered, window.set_all_digits),
+        (menus.reduce_motion.triggered, window.set_reduced_motion),
+        (menus.view_menu.aboutToShow, window.show_motion),
         (menus.find.triggered, window.find_control),
         (menus.play.triggered, controls.animation.toggle),
         (menus.theme_chosen, look.set_theme),
         (menus.present.triggered, window.present.toggle),
         (menus.blank.triggered, window.present.blank),
         (menus.strip.triggered, window.control_strip.toggle),
+        (menus.pen.triggered, window.slide.pen.toggle),
+        (window.slide.pen.switched, menus.pen.setChecked),
         (window.slide.touched, window.control_strip.show_now),
         (menus.pointer.toggled, window.probing.set_pointing),
         (menus.start_card.triggered, window.show_start_card),
@@ -78,6 +82,8 @@ def _wire_components(window: Any) -> None:
         (measure.used, window.manipulation.let_go, window.quality.use),
         (measure.used, lambda: window.panels.open(measure)),  # it stays open
     )
+    for pane in window.panes.values():
+        pane.canvas.drawn.connect(window.talks.see_later)
     for signal, *slots in wires:
         for slot in slots:
             signal.connect(slot)

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 from fractions import Fraction
+from functools import cached_property
 from typing import Any, ClassVar
 
 from app.model.lenses.lens import Lens, LensTable
@@ -48,6 +49,7 @@ class FreeMatrix(Lens):
     """
 
     kind: ClassVar[str] = "matrix"
+    tables: ClassVar[tuple[LensTable, ...]] = (TABLE,)
     title: ClassVar[str] = QT_TRANSLATE_NOOP("Lens", "free matrix")
     tip: ClassVar[str] = QT_TRANSLATE_NOOP(
         "Lens",
@@ -73,10 +75,6 @@ class FreeMatrix(Lens):
     def own_view(self) -> Cells | None:
         return self.view_from_world
 
-    @property
-    def table(self) -> LensTable:
-        return TABLE
-
     def exact_letters(self, aspect: Fraction) -> dict[str, Fraction]:
         return {letter: Fraction(cell) for letter, cell in self.letters(aspect).items()}
 
@@ -87,7 +85,7 @@ class FreeMatrix(Lens):
             for j, cell in enumerate(row, 1)
         }
 
-    @property
+    @cached_property
     def planes(self) -> None:
         return None
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from dataclasses import dataclass, replace
 from typing import ClassVar
 
@@ -52,6 +51,7 @@ class Frustum(Central, Windowed):
     """The perspective lens with any window on the near plane (glFrustum); far may be ``inf``."""
 
     kind: ClassVar[str] = "frustum"
+    tables: ClassVar[tuple[LensTable, ...]] = (TABLE, TABLE_AT_INFINITY)
     title: ClassVar[str] = QT_TRANSLATE_NOOP("Lens", "frustum (off-axis)")
     tip: ClassVar[str] = QT_TRANSLATE_NOOP(
         "Lens",
@@ -75,10 +75,6 @@ class Frustum(Central, Windowed):
         sides = {"left": left, "right": right, "bottom": bottom, "top": top}
         for name, side in sides.items():
             within(name, side, -limit, limit)
-
-    @property
-    def table(self) -> LensTable:
-        return TABLE_AT_INFINITY if self.far == math.inf else TABLE
 
     def cut(self, window: Window, near: float, far: float) -> Frustum:
         near, far = self.checked_planes(near, far)

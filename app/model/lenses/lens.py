@@ -97,6 +97,8 @@ class Lens(Geometry):
     title, tip, shape : str
         The name of the lens, its description, and the shape of its view volume, marked for
         translation.
+    tables : tuple of LensTable
+        The table for a finite far plane and, if it may be infinite, that for an infinite one.
     controls : mapping from str to Control
         The controls of its fields, except near, far and the sides of a window.
     roundings : (float, float, float, float)
@@ -115,21 +117,21 @@ class Lens(Geometry):
     title: ClassVar[str] = ""
     tip: ClassVar[str] = ""
     shape: ClassVar[str] = ""
+    tables: ClassVar[tuple[LensTable, ...]]
     controls: ClassVar[Mapping[str, Control]] = {}
     roundings: ClassVar[tuple[float, float, float, float]]
 
     # -- its table, its letters and its planes
 
-    @property
+    @cached_property
     def table(self) -> LensTable:
         """The lens as the lectures write it."""
-        raise NotImplementedError
+        return self.table_to(self.planes[1] if self.planes else 0.0)
 
-    def table_to(self, far: float) -> LensTable:
+    @classmethod
+    def table_to(cls, far: float) -> LensTable:
         """The table of the same lens for another far plane, which may be infinite."""
-        if far == math.inf and self.far_may_be_infinite:
-            return self.but(far=far).table
-        return self.table.otherwise.get("far", self.table)
+        return cls.tables[-1 if far == math.inf else 0]
 
     def exact_letters(self, aspect: Fraction) -> dict[str, Fraction]:
         """What the letters of the table stand for, for an image with this width/height.
@@ -157,7 +159,7 @@ class Lens(Geometry):
         """A view matrix that replaces the camera's, if the lens has one."""
         return None
 
-    @property
+    @cached_property
     def planes(self) -> tuple[float, float] | None:
         """Near and far; None for a typed matrix, which need not have them."""
         return self.near, self.far

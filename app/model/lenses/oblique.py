@@ -68,6 +68,7 @@ class Oblique(Parallel, Windowed):
     """
 
     kind: ClassVar[str] = "oblique"
+    tables: ClassVar[tuple[LensTable, ...]] = (TABLE,)
     title: ClassVar[str] = QT_TRANSLATE_NOOP("Lens", "oblique")
     tip: ClassVar[str] = QT_TRANSLATE_NOOP(
         "Lens",
@@ -116,10 +117,6 @@ class Oblique(Parallel, Windowed):
     @property
     def shear(self) -> tuple[float, float]:
         return _cot_deg(self.alpha_deg), _cot_deg(self.beta_deg)
-
-    @property
-    def table(self) -> LensTable:
-        return TABLE
 
     def cut(self, window: Window, near: float, far: float) -> Oblique:
         near, far = self.checked_planes(near, far)

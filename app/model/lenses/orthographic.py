@@ -87,6 +87,7 @@ class Orthographic(Parallel, Windowed):
     """The orthographic lens (glOrtho); near may be negative, behind the eye."""
 
     kind: ClassVar[str] = "orthographic"
+    tables: ClassVar[tuple[LensTable, ...]] = (TABLE,)
     title: ClassVar[str] = QT_TRANSLATE_NOOP("Lens", "orthographic")
     tip: ClassVar[str] = QT_TRANSLATE_NOOP(
         "Lens",
@@ -98,7 +99,3 @@ class Orthographic(Parallel, Windowed):
     right: float = 4.0
     bottom: float = -4.0
     top: float = 4.0
-
-    @property
-    def table(self) -> LensTable:
-        return TABLE

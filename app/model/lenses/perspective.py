@@ -143,6 +143,7 @@ class Perspective(Central):
     """
 
     kind: ClassVar[str] = "perspective"
+    tables: ClassVar[tuple[LensTable, ...]] = (TABLE, TABLE_AT_INFINITY)
     symmetric: ClassVar[bool] = True
     title: ClassVar[str] = QT_TRANSLATE_NOOP("Lens", "perspective")
     tip: ClassVar[str] = QT_TRANSLATE_NOOP(
@@ -221,10 +222,6 @@ class Perspective(Central):
     @classmethod
     def solved(cls, cells: Rationals, near: float, far: float) -> Perspective:
         return cls(_fov_y_deg(cells[1][1]), near, far)
-
-    @property
-    def table(self) -> LensTable:
-        return TABLE_AT_INFINITY if self.far == math.inf else TABLE
 
     def exact_letters(self, aspect: Fraction) -> dict[str, Fraction]:
         cot = cotangent_deg(Fraction(self.fov_y_deg) / 2)

@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 from app.model.clipping import NOT_CUT, clip_segments
 from app.model.projection import Array, Camera, Perspective, Projection
 from app.scenes.phenomena.illustration import Illustration, OwnMesh, Phenomenon, Subject
-from app.scenes.phenomena.marks import Dot, Grip, Line, Mark, Marks, Text, letter, named, segment
+from app.scenes.phenomena.marks import Dot, Grip, Line, Mark, Marks, Text, named, segment
 from app.scenes.phenomena.picture import image_from_ndc
 from app.scenes.phenomena.readout import Phrase, Reading, figure
 from app.scenes.phenomena.settings import Setting, Settings, point
@@ -162,7 +162,9 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Illus
     percent = found.percent[~own]
     percent = percent[np.isfinite(percent)]
     worst = float(percent.max()) if len(percent) else None
-    bows: list[Mark] = [Line(each, "u") for each in bow(projection, part.of(~own), _EDGE_STEPS)]
+    bows: list[Mark] = [
+        Line(each, "u", 0.5) for each in bow(projection, part.of(~own), _EDGE_STEPS)
+    ]
     at = None
     if not own.any():
         note = WORDS.phrase("outside")
@@ -203,8 +205,9 @@ def _own_bow(projection: Projection, part: Inside, found: Deviation) -> Marks:
         Line(curve, "u", 2.0),
         segment(on_chord, on_bow, "ink", 1.0),
         Dot(on_bow, "u", 1.2),
-        Text("Az+B", curve[quarter], "u", away_from=beside, text=letter("A z + B")),
-        Text("A+B/z", straight[0], "accent", (), straight.mean(axis=0), letter("A + B / z")),
+        Text("Az+B", curve[quarter], "u", away_from=beside, text="A z + B"),
+        Text("A+B/z", straight.mean(axis=0), "accent", (), on_bow, "A + B / z"),
+        *(named(name, end) for name, end in zip("PQ", straight, strict=True)),
     )
 
 
@@ -248,4 +251,6 @@ PHENOMENON = Phenomenon(
     leading="ndc",
     own_mesh=True,
     names=("P", "Q", "Az+B", "A+B/z", "deviation"),
+    cube_side=(75.0, 10.0),
+    leaves_out=frozenset({"near-picture"}),
 )

@@ -61,7 +61,7 @@ def _show(projection: Projection, _settings: Settings, subject: Subject) -> Illu
 
     film, front = section(projection, -d), section(projection, d)
     wall = film + d * -camera.frame[2]  # the front of the box, with the hole in its middle
-    world: list[Mark] = [plate(film, "v", 1.5, 0.2), plate(wall, "ink", 1.0, 0.16)]
+    world: list[Mark] = [plate(film, "v", 1.5, 0.2, (), "film"), plate(wall, "ink", 1.0, 0.16)]
     world += [Line(side, "ink", 1.0) for side in np.stack([wall, film], axis=1)]
     world += [Text("film", film[1], "v", text=WORDS["film"])]
     world += [Text("front", front[3], "near", text=WORDS["front"])]
@@ -161,4 +161,6 @@ PHENOMENON = Phenomenon(
     found=_found,
     own_mesh=True,
     names=("hole", "film", "h", "h'", "d", "z"),
+    side=(40.0, 14.0),
+    leaves_out=frozenset({"camera", "frustum", "near-picture"}),
 )

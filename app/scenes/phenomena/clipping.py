@@ -23,7 +23,7 @@ from app.model.projection import DEPTH_RANGES, Array, Camera, Perspective, Proje
 from app.model.refusal import Refusal
 from app.scenes.phenomena.diagram import Curve, Diagram
 from app.scenes.phenomena.illustration import Illustration, Phenomenon, Subject
-from app.scenes.phenomena.marks import Dot, Face, Line, Mark, Marks, Text, outline, plate
+from app.scenes.phenomena.marks import Face, Line, Mark, Marks, Text, named, outline, plate
 from app.scenes.phenomena.picture import SIDES, drawn_planes, image_from_ndc, section
 from app.scenes.phenomena.readout import Reading
 from app.scenes.phenomena.settings import Setting, Settings, number
@@ -181,7 +181,22 @@ def _pieces(parts: Sequence[Array], step: int) -> Marks:
     marks: list[Mark] = [plate(piece, "muted", 1.0, 0.12) for piece in off]
     if len(now):
         marks.append(plate(now, "accent", 2.5, 0.45))
-    return Marks.of(*marks, *(Dot(each, _colour(step), 1.8) for each in new))
+    return Marks.of(*marks, _numbered(new, step))
+
+
+def _numbered(new: Array, step: int) -> Marks:
+    """The corners that a step has made: 1 and 2."""
+    return Marks.of(*(named(name, at, _colour(step), 1.8) for name, at in zip("12", new)))  # noqa: B905
+
+
+def _lettered(shares: Array, places: Array) -> Marks:
+    """A, B and C, each at the corner that has the largest share of it: its own until it is cut."""
+    texts: dict[int, Text] = {}
+    for name, column in zip("ABC", shares.T, strict=False):
+        if len(column) and np.isfinite(column).all():
+            corner = int(column.argmax())
+            texts.setdefault(corner, Text(name, places[corner], "accent"))
+    return Marks(texts=tuple(texts.values()))
 
 
 def _lit(box: Array, step: int) -> Marks:
@@ -222,14 +237,17 @@ def _paled(projection: Projection, outside: Sequence[int], crossing: Sequence[in
 def _image(projection: Projection, clip: Array, step: int, new: Array) -> Marks:
     """The part of the polygon after a step in front of the eye and in the frame, in pixels."""
     planes = {*PLANES[:step], *SIDES}
-    left = _to_ndc(clip_polygon(clip, projection.depth, planes).points_clip)
+    drawn = clip_polygon(clip, projection.depth, planes).points_clip
+    left = _to_ndc(drawn)
     pixels = image_from_ndc(projection, left)
     if not len(pixels) or not np.isfinite(pixels).all():
         return Marks()
     corners = _to_ndc(new)
     inside = corners[(np.abs(corners[:, :2]) <= 1.0).all(axis=1)]
-    dots = (Dot(each, _colour(step), 1.8) for each in image_from_ndc(projection, inside))
-    return Marks.of(plate(pixels, "accent", 2.5, 0.35), *dots)
+    numbered = _numbered(image_from_ndc(projection, inside), step)
+    return Marks.of(
+        plate(pixels, "accent", 2.5, 0.35), numbered, _lettered(_shares(clip, drawn), pixels)
+    )
 
 
 def _show(projection: Projection, settings: Settings, _subject: Subject) -> Illustration:
@@ -264,7 +282,7 @@ def _show(projection: Projection, settings: Settings, _subject: Subject) -> Illu
             ),
         ),
         world=_somewhere(veil, _lit(volume, step), _pieces(in_world, step), names),
-        ndc=_somewhere(_lit(cube, step), _pieces(in_ndc, step)),
+        ndc=_somewhere(_lit(cube, step), _pieces(in_ndc, step), _lettered(shares[0], in_ndc[0])),
         image=image,
         diagrams=(_diagram(shares[0], shares[1], step),),
         warning=WORDS.phrase("behind") if not step and not (clip[:, 3] > 0.0).all() else None,
@@ -336,4 +354,5 @@ PHENOMENON = Phenomenon(
     numbers=7,
     leading="ndc",
     names=("A", "B", "C", "1", "2"),
+    pale=frozenset({"world", "ndc"}),
 )

@@ -162,8 +162,8 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Illus
     if subject.mesh is None:
         moved = _CORNERS + matrix[:3, 3]
         names = (
-            Text("surface-1", _CORNERS[3], _FRONT, text=WORDS["first"]),
-            Text("surface-2", moved[2], _BEHIND, text=WORDS["second"]),
+            Text("surface-1", _CORNERS[3], "near", text=WORDS["first"]),
+            Text("surface-2", moved[2], "n", text=WORDS["second"]),
         )
         marks = Marks.of(Line(outline(moved), _BEHIND, 1.5), *names)
         image = Marks.of(*seen_texts(projection.trace([name.point for name in names]), names))
@@ -256,4 +256,5 @@ PHENOMENON = Phenomenon(
     requires=frozenset({"depth"}),
     own_mesh=True,
     names=("surface-1", "surface-2"),
+    leaves_out=frozenset({"near-picture"}),
 )

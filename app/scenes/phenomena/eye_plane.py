@@ -31,12 +31,12 @@ from app.scenes.phenomena.marks import (
     Mark,
     Marks,
     Text,
-    letter,
     named,
+    outline,
     plate,
     segment,
 )
-from app.scenes.phenomena.picture import SIDES, image_from_ndc, rectangle
+from app.scenes.phenomena.picture import SIDES, image_from_ndc, rectangle, section, world_from_view
 from app.scenes.phenomena.readout import Reading
 from app.scenes.phenomena.settings import Setting, Settings, point
 from app.scenes.phenomena.words import Words
@@ -49,6 +49,10 @@ _RADIUS = 0.93  # of the arc of the naive divide, inside the circle of radius 1
 _STEPS = np.linspace(0.0, 1.0, 65)
 _MARGIN = 0.02  # of the picture's size, round the frame
 _MOST_EDGES = 300  # of a user's mesh
+_IMAGE_AT = 0.5  # of the target's distance: the plane on which the world shows the image
+_FARTHEST_IMAGE = 4.0  # of that plane's distance: farther images are not marked
+_CROSSING = (3, 4)  # lecture 004's cases
+_AT_FRAME, _ARROW = 1e-6, 0.06  # of the picture's longer side
 
 
 class Pictures(NamedTuple):
@@ -235,9 +239,15 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Illus
     size, way = projection.image_size, str(settings["drawn"])
     return Illustration(
         _readings(projection, drawn, trace.view[0], mesh),
-        world=_world_marks(projection, subject, a, b, depths),
+        world=Marks.of(
+            _world_marks(projection, subject, a, b, depths),
+            _image_in_world(projection, trace.view[0], drawn, way),
+        ),
         ndc=_ndc_marks(projection, trace.clip[0]),
-        image=_image_marks(drawn) if way == "faces" else _edges_alone(drawn, way, size),
+        image=Marks.of(
+            _image_marks(drawn) if way == "faces" else _edges_alone(drawn, way, size),
+            _divided_ends(projection, trace.clip[0], way),
+        ),
         diagrams=(
             _picture(WORDS["naive"], drawn.naive, "u", size),
             _picture(WORDS["cut"], drawn.cut, "accent", size),
@@ -300,11 +310,11 @@ def _world_marks(
     u, v, _ = projection.camera.frame
     reach = 0.4 * subject.size
     corners = eye + reach * np.array([-u - v, u - v, u + v, v - u])
-    marks: list[Mark] = [plate(corners, "eye", 1.0, 0.15), Dot(eye, "eye")]
+    marks: list[Mark] = [plate(corners, "eye", 1.0, 0.15, (), "w=0"), Dot(eye, "eye")]
     marks += [
         named("A", a, size=1.2),
         named("B", b, size=1.2),
-        Text("w=0", corners[2], text=f"{letter('w')} = 0"),
+        Text("w=0", corners[2], text="w = 0"),
     ]
     start, end = depths.tolist()
     pieces = [(a, b, start > 0.0)]
@@ -318,6 +328,38 @@ def _world_marks(
         for one, other, front in pieces
     ]
     return Marks.of(*marks)
+
+
+def _image_in_world(projection: Projection, view: Array, drawn: Pictures, way: str) -> Marks:
+    """The image of AB on a plane before the eye, and the projectors of A and B to it."""
+    eye, away = np.array(projection.camera.eye), _IMAGE_AT * projection.camera.distance
+    plane = section(projection, away)
+    marks: list[Mark] = [Line(outline(plane), "near", 1.0), Face(plane, "near", 0.1)]
+    for name, end in zip(("A'", "B'"), view, strict=True):
+        with np.errstate(over="ignore", divide="ignore", invalid="ignore"):
+            image = end * (away / -end[2])
+        if not math.hypot(*image) <= _FARTHEST_IMAGE * away:
+            continue
+        at = world_from_view(projection, image)
+        start = world_from_view(projection, end)
+        marks += [segment(start, at if end[2] > 0.0 else eye, "muted", 0.75), named(name, at)]
+    if way not in ("cut", "clipped"):
+        marks += _laid(projection, plane, drawn.naive[0], "u", drawn.wrong_px[0] > 0.0)
+    if way != "naive":
+        marks += _laid(projection, plane, drawn.right[0], "accent", True)
+    return Marks.of(*marks)
+
+
+def _laid(
+    projection: Projection, plane: Array, pixels: Array, colour: str, wanted: bool
+) -> list[Line]:
+    """A line of the picture on a plane of the world, whose corners are those of the picture."""
+    if not wanted or not np.isfinite(pixels).all():
+        return []
+    across, down = (pixels / projection.image_size).T[..., None]
+    left_bottom, right_bottom, _, left_top = plane
+    ends = left_top + across * (right_bottom - left_bottom) + down * (left_bottom - left_top)
+    return [Line(ends, colour, 2.5)]
 
 
 def _ndc_marks(projection: Projection, clip: Array) -> Marks:
@@ -352,18 +394,63 @@ def _image_marks(drawn: Pictures) -> Marks:
     return Marks.of(*marks)
 
 
+def _divided_ends(projection: Projection, clip: Array, way: str) -> Marks:
+    """A' and B', where the divide draws both ends, if that is in the frame and not cut off."""
+    with np.errstate(over="ignore", divide="ignore", invalid="ignore"):
+        places = image_from_ndc(projection, naive_ndc(clip))
+        inside = (places >= 0.0) & (places <= projection.image_size)
+    drawn = inside.all(axis=1) & ((clip[:, 3] > 0.0) | (way in ("faces", "naive")))
+    return Marks.of(
+        *(named(("A'", "B'")[i], places[i], size=1.2) for i in np.flatnonzero(drawn).tolist())
+    )
+
+
 def _ab(ends: Array, colour: str, width: float) -> Marks:
     """AB, with its name in the middle."""
     return Marks.of(Line(ends, colour, width), Text("AB", ends.mean(axis=0), colour))
 
 
 def _edges_alone(drawn: Pictures, way: str, size: tuple[int, int]) -> Marks:
-    """All edges drawn in one of the three ways, on an empty picture."""
+    """All edges drawn in one of the three ways, on an empty picture.
+
+    An edge that crosses the eye plane is thick. The divide draws it wrongly. After the lecture's
+    cut it runs on to a far pixel, which an arrow at the frame shows; after clipping it ends at the
+    frame, in a dot.
+    """
     lines = {"naive": drawn.naive, "cut": drawn.cut, "clipped": drawn.right}[way]
+    colour = "u" if way == "naive" else "accent"
     marks: list[Mark] = [Face(rectangle(*size), "background", 1.0)]
-    marks += [Line(ends, "ink", 1.0) for ends in lines[1:] if np.isfinite(ends).all()]
+    thick: list[Mark] = []
+    for ends, case in zip(lines[1:], drawn.case[1:], strict=True):
+        if not np.isfinite(ends).all():
+            continue
+        if case in _CROSSING:
+            thick.append(_crossing_edge(ends, colour, way, size))
+        else:
+            marks.append(Line(ends, "ink", 0.75))
+    marks += thick
     if np.isfinite(lines[0]).all():
-        marks.append(_ab(lines[0], "u" if way == "naive" else "accent", 2.5))
+        marks.append(Text("AB", lines[0].mean(axis=0), colour))
+        marks.append(_crossing_edge(lines[0], colour, way, size))
+    return Marks.of(*marks)
+
+
+def _crossing_edge(ends: Array, colour: str, way: str, size: tuple[int, int]) -> Marks:
+    """An edge that crosses the eye plane, and at the frame what its way of drawing makes of it."""
+    marks: list[Mark] = [Line(ends, colour, 2.5)]
+    for end, other in ((ends[0], ends[1]), (ends[1], ends[0])):
+        at_frame = (np.minimum(abs(end), abs(end - size)) <= _AT_FRAME * max(size)).any()
+        if not at_frame or way == "naive":
+            continue
+        if way == "clipped":
+            marks.append(Dot(end, colour, 2.4))
+            continue
+        length = math.dist(end, other)
+        if length > 0.0:
+            along = (end - other) / length * min(_ARROW * max(size), length)
+            aside = 0.4 * np.array([-along[1], along[0]])
+            corners = np.array([end, end - along + aside, end - along - aside])
+            marks.append(Face(np.clip(corners, 0.0, size), colour, 1.0))
     return Marks.of(*marks)
 
 
@@ -381,8 +468,11 @@ PHENOMENON = Phenomenon(
         Setting("drawn", "faces"),
     ),
     controls=("camera.distance",),
-    leading="image",
+    leading="world",
     own_mesh=True,
     own_mesh_crosses=True,
     names=("A", "B", "eye", "w=0", "A'", "B'"),
+    side=(10.0, 62.0),
+    pale=frozenset({"world"}),
+    leaves_out=frozenset({"frustum", "near-picture"}),
 )

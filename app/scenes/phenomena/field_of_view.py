@@ -27,7 +27,7 @@ from app.model.projection import (
     fov_y_from_focal_length_35mm,
 )
 from app.scenes.phenomena.illustration import Illustration, Phenomenon, Subject
-from app.scenes.phenomena.marks import Line, Marks, Text, letter, segment
+from app.scenes.phenomena.marks import Line, Marks, Text
 from app.scenes.phenomena.picture import cut_in_picture, seen_lines, seen_texts
 from app.scenes.phenomena.readout import Phrase, Reading
 from app.scenes.phenomena.settings import CLOSE, Found, Setting, Settings, number
@@ -196,7 +196,7 @@ def _show(projection: Projection, _settings: Settings, subject: Subject) -> Illu
         # Two squares of one size at the subject's nearest and farthest depth.
         for depth, name, colour in ((w_near, "nearest", "near"), (w_far, "farthest", "far")):
             square = _square(camera, 0.45 * height, depth)
-            lines.append(Line(square, colour, 1.5))
+            lines.append(Line(square, colour, 1.5, (), name))
             at_squares.append(Text(name, square[2], colour, text=WORDS[name]))
     texts += at_squares
     segments = np.array([ends for line in lines for ends in pairwise(line.points)])
@@ -212,9 +212,9 @@ def _show(projection: Projection, _settings: Settings, subject: Subject) -> Illu
             *_angles(projection),
         ),
         world=Marks.of(
-            segment(camera.eye, camera.target, "accent", 1.0),
+            Line(np.array([camera.eye, camera.target]), "accent", name="d"),
             *lines,
-            Text("d", np.array(camera.target), "accent", text=f"{letter('d')} = {distance:.4g}"),
+            Text("d", np.array(camera.target), "accent", text=f"d = {distance:.4g}"),
             *at_squares,
         ),
         image=Marks.of(
@@ -286,4 +286,6 @@ PHENOMENON = Phenomenon(
     found=_found,
     own_mesh=True,
     names=("nearest", "farthest", "d"),
+    side=(0.0, 65.0),
+    leaves_out=frozenset({"frustum", "near-picture"}),
 )

@@ -230,7 +230,7 @@ def _planes(projection: Projection, lens: _Focused, subject: Subject) -> Marks:
     marks: list[Mark] = []
     for name, distance, colour, opacity in _crossing(projection, lens):
         corners = section(projection, distance)
-        marks.append(plate(corners, colour, 1.0, opacity))
+        marks.append(plate(corners, colour, 1.0, opacity, (), name))
         marks.append(Text(name, corners[_NAMED_AT[name]], colour, text=WORDS[name]))
     # The frustum's edges are thick where everything between them is sharp.
     low = max(near, lens.sharp.near)
@@ -328,4 +328,6 @@ PHENOMENON = Phenomenon(
     controls=("lens.fov_y_deg",),
     own_mesh=True,
     names=("sharp-from", "in-focus", "sharp-to"),
+    side=(45.0, 35.0),
+    leaves_out=frozenset({"frustum", "near-picture"}),
 )

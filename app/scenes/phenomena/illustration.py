@@ -170,6 +170,19 @@ class Phenomenon:
         The pane that shows it best: ``"world"``, ``"ndc"`` or ``"image"``.
     names : tuple of str
         The ids of the things that its pictures name, unless the document has a list of its own.
+    side : (float, float), optional
+        From where the world pane looks at first: degrees from beside the camera to behind it, and
+        upwards. By default the pane chooses the side that shows most.
+    cube_side : (float, float), optional
+        From where the cube is seen at first: degrees to the right of its near face, and upwards.
+    fixed : str
+        The fixed view of the world with which the scene opens; empty for the free one.
+    leaves_out : frozenset of str
+        Layers that the world pane leaves out and does not frame, as long as nothing of them is
+        named: ``"frustum"``, ``"near-picture"``, ``"camera"``, ``"grid"``.
+    pale : frozenset of str
+        The panes, ``"world"`` or ``"ndc"``, that draw the subject as a pale silhouette, because the
+        marks beside it matter more.
     own_mesh : bool
         Whether a user's mesh, scaled and moved into its bounds, can replace the built-in subject.
     own_mesh_crosses : bool
@@ -192,6 +205,11 @@ class Phenomenon:
     requires: frozenset[str] = frozenset()
     leading: str = "world"
     names: tuple[str, ...] = ()
+    side: tuple[float, float] | None = None
+    cube_side: tuple[float, float] | None = None
+    fixed: str = ""
+    leaves_out: frozenset[str] = frozenset()
+    pale: frozenset[str] = frozenset()
     own_mesh: bool = False
     own_mesh_crosses: bool = False
 

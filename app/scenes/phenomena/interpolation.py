@@ -230,4 +230,5 @@ PHENOMENON = Phenomenon(
     requires=frozenset({"texture"}),
     own_mesh=True,
     names=("half-on-screen", "half-in-world"),
+    leaves_out=frozenset({"camera", "frustum", "near-picture"}),
 )

@@ -23,6 +23,8 @@ from app.model.depth import DepthBuffer
 from app.model.projection import Array, Camera, Frustum, Projection, Vector
 from app.scenes.shapes import Coloured
 
+_MOST_DASHES = 24
+
 
 @dataclass(frozen=True, eq=False)
 class Line:
@@ -69,7 +71,7 @@ class Text:
         In the world and in NDC the letters are placed away from this point: the middle of a figure
         with an edge here, for example.
     text : str
-        What is written: words, with mathtext between dollars. By default the name as a letter.
+        What is written, as of `app.drawings.label`; by default the name.
     """
 
     name: str
@@ -81,12 +83,7 @@ class Text:
 
     def __post_init__(self) -> None:
         if not self.text:
-            object.__setattr__(self, "text", letter(self.name))
-
-
-def letter(name: str) -> str:
-    """A plain name or formula as it is typeset."""
-    return name
+            object.__setattr__(self, "text", self.name)
 
 
 @dataclass(frozen=True, eq=False)
@@ -129,6 +126,27 @@ def named(
 ) -> Marks:
     """A dot and its letter."""
     return Marks.of(Dot(point, colour, size, name), Text(name, point, colour, text=text))
+
+
+def dash_dot(start: Array, end: Array, period: float, colour: str, width: float) -> list[Line]:
+    """A line of an axis: a dash and a dot in each period, from the start on."""
+    length = float(np.linalg.norm(end - start))
+    count = min(math.ceil(length / period), _MOST_DASHES) if 0.0 < length < math.inf else 0
+    lines = []
+    for i in range(count):
+        for low, high in ((i, i + 0.6), (i + 0.76, i + 0.84)):
+            shares = np.minimum(np.array([low, high]) / count, 1.0)[:, None]
+            lines.append(Line(start + shares * (end - start), colour, width))
+    return lines
+
+
+def right_angle(corner: Array, one: Array, other: Array, side: float, colour: str = "ink") -> Line:
+    """The mark of a right angle at a corner, between the directions to two points."""
+    toward, across = (
+        side * (point - corner) / max(float(np.linalg.norm(point - corner)), 1e-300)
+        for point in (one, other)
+    )
+    return Line(np.array([corner + toward, corner + toward + across, corner + across]), colour, 0.5)
 
 
 def outline(corners: Array) -> Array:

@@ -158,7 +158,7 @@ def _world_marks(projection: Projection, screens: dict[str, Projection]) -> Mark
         starts = section(screen, screen.lens.near)
         if screen.lens.central:
             starts = np.broadcast_to(np.array(screen.camera.eye), (4, 3))
-        marks.append(plate(corners, colour, 2.0, 0.16))
+        marks.append(plate(corners, colour, 2.0, 0.16, (), name))
         marks += [segment(*ends, colour, 1.0) for ends in zip(starts, corners, strict=True)]
         marks.append(Text(name, (corners[2] + corners[3]) / 2.0, colour, text=WORDS[name]))
     if (right := screens.get("right")) is not None:
@@ -263,4 +263,6 @@ PHENOMENON = Phenomenon(
     found=_found,
     own_mesh=True,
     names=("l", "r", "b", "t", "eye", "window"),
+    side=(50.0, 35.0),
+    leaves_out=frozenset({"frustum", "near-picture"}),
 )

@@ -34,7 +34,6 @@ from app.scenes.phenomena.marks import (
     Mark,
     Marks,
     Text,
-    letter,
     named,
     plate,
     segment,
@@ -218,7 +217,7 @@ def _world_marks(settings: Settings, subject: Subject, light: Array, marked: lis
         """From the light through a point to its end."""
         return segment(place + reach * way if sun else light[:3], end, *drawn)
 
-    y = Text("ground", corners[3], text=f"{letter('y')} = {figure(height, 4)}")
+    y = Text("ground", corners[3], text=f"y = {figure(height, 4)}")
     world: list[Mark] = [plate(corners, "muted", 1.0, 0.2), y]
     which = np.array([(x, 1, z) for x in (0, 1) for z in (0, 1)], dtype=bool)
     tops = np.where(which, subject.upper, subject.lower)
@@ -239,7 +238,7 @@ def _world_marks(settings: Settings, subject: Subject, light: Array, marked: lis
         tail = np.array([head[0], height, head[2]])
         world.append(segment(head, tail, "ink", 1.0))
         name = "L_y"
-        above = f"{letter('L_y')} − {letter('h')}" if height else letter("L_y")
+        above = "L_y − h" if height else "L_y"
         text = f"{above} = {figure(head[1] - height, 4)}"
     world.append(Text(name, (head + tail) / 2.0, text=text))
     world.append(named("light", head, size=1.6, text=WORDS["sun" if sun else "lamp"]))
@@ -267,4 +266,6 @@ PHENOMENON = Phenomenon(
     check=_check,
     own_mesh=True,
     names=("light", "P", "P'", "ground"),
+    side=(20.0, 20.0),
+    leaves_out=frozenset({"camera", "frustum", "near-picture"}),
 )

@@ -20,11 +20,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from app.model.limits import ABOVE
-from app.model.projection import LARGEST, Array, Camera, Perspective, Projection
+from app.model.projection import LARGEST, PLANES, Array, Camera, Perspective, Projection
 from app.model.refusal import Refusal
 from app.scenes.phenomena.diagram import Curve, Diagram
 from app.scenes.phenomena.illustration import Illustration, Phenomenon, Subject
-from app.scenes.phenomena.marks import Fog, Level, Rendering
+from app.scenes.phenomena.marks import Fog, Level, Line, Marks, Rendering, Text, outline
+from app.scenes.phenomena.picture import SIDES, cut_in_picture
 from app.scenes.phenomena.readout import Reading
 from app.scenes.phenomena.settings import Found, Setting, Settings, number
 from app.scenes.phenomena.words import Words
@@ -229,6 +230,7 @@ def _show(projection: Projection, settings: Settings, _subject: Subject) -> Illu
     why = note if note is not None or popped_in + popped_out > 0.0 else WORDS.phrase("none-pops")
     seen = trees_in_view(projection)
     contrast_left = 100.0 * contrast if why is None else None
+    world, image = _next_tree(projection)
     return Illustration(
         (
             Reading(WORDS["vertices"], float(vertices_drawn(projection, seen, until))),
@@ -237,9 +239,35 @@ def _show(projection: Projection, settings: Settings, _subject: Subject) -> Illu
             Reading(WORDS["pop-out"], popped_out, note=note),
             Reading(WORDS["contrast"], contrast_left, "%", why),
         ),
+        world=world,
+        image=image,
         diagrams=(_diagram(fog, far),),
         rendering=Rendering(fog=fog, levels=levels),
     )
+
+
+def _next_tree(projection: Projection) -> tuple[Marks, Marks]:
+    """The outline of the nearest tree behind the far plane, in the world and in the image."""
+    middles = projection.trace(places() + np.array([0.0, HEIGHT / 2.0, 0.0]))
+    is_behind = middles.outside[:, PLANES.index("far")]
+    waits = is_behind & (middles.outside.sum(axis=1) == 1)
+    if not waits.any():
+        return Marks(), Marks()
+    w = np.where(waits, -middles.view[:, 2], math.inf)
+    tree, across = places()[int(w.argmin())], _RADIUS * projection.camera.frame[0]
+    up = np.array([0.0, 1.0, 0.0])
+    outline_world = outline(np.array([tree + 1.2 * up - across, tree + 1.2 * up + across,
+                                      tree + HEIGHT * up]))  # fmt: skip
+    trace = projection.trace(outline_world)
+    pieces = cut_in_picture(projection, trace.clip[:-1], trace.clip[1:], SIDES)
+    lines = [Line(piece, "accent", 1.5) for piece in pieces if piece is not None]
+    text = Text("next-tree", outline_world[2], "accent", text=WORDS["next-tree"])
+    world = Marks.of(Line(outline_world, "accent", 2.0), text)
+    top = trace.image[2]
+    in_frame = (
+        np.isfinite(top).all() and (top >= 0.0).all() and (top <= projection.image_size).all()
+    )
+    return world, Marks.of(*lines, *([replace(text, point=top)] if in_frame else []))
 
 
 def _diagram(fog: Fog | None, far: float) -> Diagram:
@@ -288,5 +316,5 @@ PHENOMENON = Phenomenon(
     found=_found,
     check=_check,
     requires=frozenset({"fog", "levels"}),
-    names=("far", "next tree"),
+    names=("far", "next-tree"),
 )

@@ -18,23 +18,24 @@ from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
 from app.scenes.phenomena.illustration import Illustration, Phenomenon, Subject
 from app.scenes.phenomena.marks import (
     Copy,
+    Dot,
     Face,
     Grip,
     Length,
     Line,
     Mark,
     Marks,
-    Text,
-    letter,
+    dash_dot,
     named,
     plate,
+    right_angle,
     segment,
 )
 from app.scenes.phenomena.picture import section, seen, world_from_view
-from app.scenes.phenomena.readout import Reading, figure
+from app.scenes.phenomena.readout import Reading
 from app.scenes.phenomena.settings import Setting, Settings, number, point
 from app.scenes.phenomena.words import Words
-from app.scenes.shapes import box_corners, letter_f_on_grid
+from app.scenes.shapes import letter_f_on_grid
 
 WORDS = Words("similar-triangles")
 
@@ -49,6 +50,7 @@ _OF_X_P, _OF_Y_P = ("x_p",), ("y_p",)
 _OF_IMAGE = (*_OF_X_P, *_OF_Y_P)
 
 SLAB = 4e-3  # of the plane's distance: thickness of the picture on it
+_SQUARE = 0.025  # of the longest distance: side of a right angle's mark
 
 
 def _check(settings: Settings) -> None:
@@ -105,16 +107,9 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Illus
     def at(x: float, y: float, z: float) -> Array:
         return world_from_view(projection, (x, y, z))
 
-    plane = section(projection, distance)
-    nearest = math.inf
-    world: list[Mark] = [plate(plane, "v", 1.0, 0.14, _OF_D)]
-    d = f"{letter('d')} = {figure(distance, 4)}"
-    world.append(Text("d", plane[2], "v", _OF_D, text=d))
-    for x, y, z in projection.trace(_outermost(subject)).view.tolist():
-        if z < 0.0:
-            hit = at(distance * x / -z, distance * y / -z, -distance)
-            world.append(Line(_through(eye, at(x, y, z), hit, distance, -z), "muted", 0.5))
-            nearest = min(nearest, -z)
+    world: list[Mark] = [plate(section(projection, distance), "near", 1.5, 0.14, _OF_D)]
+    depths = -projection.trace(subject.points).view[:, 2]
+    nearest = float(depths[depths > 0.0].min(initial=math.inf))
 
     trace = projection.trace(place)
     x, y, z = trace.view.tolist()
@@ -124,17 +119,22 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Illus
     if x_p is not None and y_p is not None:
         hit, foot, axis = at(x_p, y_p, -distance), at(0.0, 0.0, -distance), at(0.0, 0.0, z)
         # The two triangles: from the eye along the axis, across to the point, and back.
+        reach = max(w, distance, w - distance)
+        side = min(_SQUARE * reach, *(0.4 * math.hypot(*way) for way in ((x, y), (x_p, y_p))))
         world += [
+            *dash_dot(eye, at(0.0, 0.0, -1.25 * max(w, distance)), 0.1 * reach, "muted", 0.75),
             Face(np.array([eye, axis, place]), "accent", 0.16),
-            Face(np.array([eye, foot, hit]), "accent", 0.3),
-            segment(foot, eye, "ink", 1.0, _OF_D),
-            segment(eye, axis, "ink", 1.0, _OF_W),
-            segment(axis, place, "ink", 1.0, _OF_POINT),
-            Line(_through(eye, place, hit, distance, w), "accent", 1.5),
-            segment(foot, hit, "v", 2.0, _OF_IMAGE),
-            named("P", place),
-            named("P'", hit),
-            Text("w", (eye + axis) / 2.0, about=_OF_W),
+            Face(np.array([eye, foot, hit]), "accent", 0.4),
+            segment(foot, eye, "muted", 0.5, _OF_D),
+            segment(eye, axis, "muted", 0.5, _OF_W),
+            right_angle(axis, eye, place, side),
+            right_angle(foot, eye, hit, side),
+            segment(axis, place, "accent", 2.5, _OF_POINT),
+            Line(_through(eye, place, hit, distance, w), "ink", 1.0),
+            segment(foot, hit, "accent", 2.5, _OF_IMAGE),
+            Dot(eye, "eye", 1.5),
+            named("P", place, size=1.6),
+            named("P'", hit, size=1.6),
         ]
         nearest = min(nearest, w)
         lengths = (
@@ -172,14 +172,6 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Illus
     )
 
 
-def _outermost(subject: Subject) -> Array:
-    """The vertices of the subject that are nearest to the corners of its bounds, (k, 3)."""
-    towards = box_corners((-1.0, -1.0, -1.0), (1.0, 1.0, 1.0))
-    which = (subject.points @ towards.T).argmax(axis=0)
-    outermost: Array = subject.points[np.unique(which)]
-    return outermost
-
-
 def _through(eye: Array, end: Array, hit: Array, distance: float, w: float) -> Array:
     """A projector through the point, the eye and the plane, from end to end, (2, 3)."""
     if distance < 0.0:
@@ -204,4 +196,8 @@ PHENOMENON = Phenomenon(
     check=_check,
     own_mesh=True,
     names=("y", "y_p", "d", "w", "eye", "P", "P'"),
+    side=(12.0, 10.0),
+    fixed="side",
+    leaves_out=frozenset({"frustum", "near-picture", "grid"}),
+    pale=frozenset({"world"}),
 )

@@ -193,4 +193,5 @@ PHENOMENON = Phenomenon(
     follow=_follow,
     found=_found,
     names=("A", "B", "C", "D", "E"),
+    side=(15.0, 30.0),
 )

@@ -1,0 +1,73 @@
+"""What a lecturer has drawn on the slides of a talk, and the file beside the talk that keeps it."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from typing import Any, NamedTuple, TypeAlias
+
+from app.document.files import TOO_LARGE, UNREADABLE, blamed_on
+from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
+from app.strangers import open_regular
+
+LARGEST = 8 * 2**20
+"""Most bytes of a file."""
+COLOURS = ("ink", "accent", "near", "n")
+"""Names of the colours of a pen, as in `app.drawings.style.Style`."""
+NO_STROKES = QT_TRANSLATE_NOOP("Refusal", "has no strokes as Frustum Lab writes them")
+
+Strokes: TypeAlias = Mapping[str, Sequence["Stroke"]]
+"""By the names of the steps."""
+
+
+class Stroke(NamedTuple):
+    """A line that was drawn by hand, in fractions of the slide's width and height."""
+
+    colour: str
+    points: tuple[tuple[float, float], ...]
+
+
+def path_beside(talk: Path) -> Path:
+    """Return the file that keeps the strokes of a talk."""
+    return talk.with_suffix(".strokes.json")
+
+
+def picture_beside(talk: Path, step: str) -> Path:
+    """Return the file that keeps the slide of a step with its strokes, for the handout."""
+    return talk.with_suffix(".strokes") / f"{step}.png"
+
+
+def write_strokes(talk: Path, strokes: Strokes) -> Path:
+    """Keep the strokes of a talk in the file beside it; raise `OSError` if that fails."""
+    tree = {
+        step: [[each.colour, *each.points] for each in drawn] for step, drawn in strokes.items()
+    }
+    path = path_beside(talk)
+    path.write_text(json.dumps({"strokes": tree}), encoding="utf-8")
+    return path
+
+
+def read_strokes(talk: Path) -> dict[str, tuple[Stroke, ...]]:
+    """Read the strokes that were kept of a talk; none if there is no file."""
+    path = path_beside(talk)
+    if not path.exists():
+        return {}
+    with blamed_on(path, UNREADABLE):
+        with open_regular(path) as file:
+            content = file.read(LARGEST + 1)
+        if len(content) > LARGEST:
+            raise Refusal.in_document(TOO_LARGE, LARGEST // 2**20)
+        try:
+            tree = json.loads(content.decode("utf-8"))["strokes"]
+            return {str(step): tuple(map(_stroke, drawn)) for step, drawn in tree.items()}
+        except (ValueError, TypeError, KeyError, AttributeError, RecursionError) as error:
+            raise Refusal.in_document(NO_STROKES) from error
+
+
+def _stroke(part: Any) -> Stroke:
+    colour, *points = part
+    pairs = tuple((float(x), float(y)) for x, y in points)
+    if colour not in COLOURS or not pairs or not all(0.0 <= c <= 1.0 for p in pairs for c in p):
+        raise ValueError(part)
+    return Stroke(colour, pairs)

@@ -1,0 +1,178 @@
+"""What a drawing names is drawn and framed; the rest is quiet, or not drawn at all."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+import pytest
+
+from app.document.naming import named_in
+from app.drawings import WORDS
+from app.drawings.image import ImageDrawing
+from app.drawings.names import QUIET, QUIET_WIDTH
+from app.drawings.stage import StageDrawing
+from app.drawings.style import LIGHT, rgb
+from app.drawings.world import WorldDrawing
+from app.picking.handles import Handle
+from app.scenes.scene import BUILT_IN, load
+from tests.support.drawings import MakeScreen, drawn, off_screen, to_bytes
+
+__all__ = ["off_screen"]
+
+PANE_PX = 580, 660
+ACROSS_PX = 1480, 700
+
+
+def opened(screen: Any, name: str = "letter-f", **options: Any) -> WorldDrawing:
+    scene = load(name)
+    drawing = WorldDrawing(screen, scene, WORDS, LIGHT, **options)
+    illustration = None
+    if scene.phenomenon is not None:
+        settings = scene.phenomenon.checked({})
+        illustration = scene.phenomenon.illustration(scene.start, settings, scene.subject)
+    drawing.show_projection(scene.start, illustration)
+    drawing.show_fixed(scene.fixed)
+    screen.pixels()
+    return drawing
+
+
+def actors(drawing: WorldDrawing, *axes: str) -> list[Any]:
+    return [drawing.camera.shafts[axis] for axis in axes]
+
+
+def test_axes_and_target_are_drawn_if_they_are_named_or_pointed_at(off_screen: MakeScreen) -> None:
+    screen = off_screen(*PANE_PX)
+    drawing = opened(screen)
+    target = drawing.camera.discs["target"]
+    assert not any(part.GetVisibility() for part in (*actors(drawing, *"uvn"), target))
+    drawing.show_highlight(frozenset({"v", "target"}))
+    assert [part.GetVisibility() for part in (*actors(drawing, *"uvn"), target)] == [0, 1, 0, 1]
+    drawing.show_highlight(frozenset())
+    drawing.show_names(frozenset({"u", "n"}))
+    assert [part.GetVisibility() for part in (*actors(drawing, *"uvn"), target)] == [1, 0, 1, 0]
+    drawing.show_names(None)
+    assert all(part.GetVisibility() for part in (*actors(drawing, *"uvn"), target))
+
+
+def test_a_plane_that_is_not_named_is_quiet_until_it_is_pointed_at(off_screen: MakeScreen) -> None:
+    drawing = opened(off_screen(*PANE_PX))
+    line = drawing.frustum.outlines["near"].GetProperty()
+    width, colour = line.GetLineWidth(), np.array(line.GetColor())
+    drawing.show_names(frozenset({"eye"}))
+    quiet = (1.0 - QUIET) * np.array(rgb(LIGHT.near)) + QUIET * np.array(rgb(LIGHT.background))
+    assert line.GetLineWidth() == QUIET_WIDTH * width
+    assert np.allclose(line.GetColor(), quiet)
+    drawing.show_highlight(frozenset({"near"}))
+    assert line.GetLineWidth() > width and np.allclose(line.GetColor(), colour)
+    drawing.show_highlight(frozenset())
+    assert line.GetLineWidth() == QUIET_WIDTH * width
+    drawing.show_names(frozenset({"near"}))
+    assert line.GetLineWidth() == width and np.allclose(line.GetColor(), colour)
+
+
+def test_only_the_handle_in_the_hand_is_drawn(off_screen: MakeScreen) -> None:
+    screen = off_screen(*PANE_PX)
+    drawing = opened(screen, live=True)
+    untouched = screen.pixels()
+    near = next(handle for handle, _ in drawing.handles_shown if handle.name == "near")
+    assert len(drawing.handles_shown) > 4  # they can be found
+    drawing.show_layers(frozenset({"handles"}))
+    assert (screen.pixels() == untouched).all()
+    drawing.show_layers(frozenset())
+    drawing.hold(near)
+    held = screen.pixels()
+    accent = to_bytes(LIGHT.accent)
+    assert drawn(held, accent).any() and not drawn(untouched, accent).any()
+    drawing.hold(None)
+    assert (screen.pixels() == untouched).all()
+    drawing.show_names(None)
+    everything = screen.pixels()
+    drawing.show_layers(frozenset({"handles"}))
+    assert (screen.pixels() != everything).any()
+
+
+def test_what_is_held_is_named(off_screen: MakeScreen) -> None:
+    drawing = opened(off_screen(*PANE_PX), live=True)
+    drawing.hold(Handle("target"))
+    assert drawing.camera.discs["target"].GetVisibility()
+    drawing.hold(None)
+    assert not drawing.camera.discs["target"].GetVisibility()
+
+
+@pytest.mark.parametrize("size_px", [PANE_PX, ACROSS_PX], ids=["window", "slide"])
+def test_the_letters_picture_shows_eye_near_and_letter_large(
+    off_screen: MakeScreen, size_px: tuple[int, int]
+) -> None:
+    """The far plane may leave the pane: whole, it would make the rest small."""
+    drawing = opened(off_screen(*size_px))
+    scene = load("letter-f")
+    points = [scene.start.camera.eye, *scene.objects_box, *drawing.frustum.corners[:4]]
+    seen = drawing.sight.seen(np.array(points))
+    assert (seen > 0.0).all() and (seen < size_px).all()
+    across, up = np.ptp(seen, axis=0) / size_px
+    assert max(across, up) >= 0.6
+    whole = drawing.sight.seen(drawing.frustum.corners[4:])
+    assert ((whole < 0.0) | (whole > size_px)).any()
+    drawing.show_names(None)
+    whole = drawing.sight.seen(drawing.frustum.corners[4:])
+    assert (whole > 0.0).all() and (whole < size_px).all()
+
+
+@pytest.mark.parametrize("name", BUILT_IN)
+def test_the_named_marks_of_a_scene_are_large_in_its_world(
+    off_screen: MakeScreen, name: str
+) -> None:
+    """With the subject, of which a named mark may be a part."""
+    scene = load(name)
+    drawing = opened(off_screen(*PANE_PX), name)
+    names = named_in("world", scene)
+    assert names is not None
+    if scene.phenomenon is None or scene.leading != "world":
+        return
+    shown = scene.phenomenon.illustration(
+        scene.start, scene.phenomenon.checked({}), scene.subject
+    ).world
+    points = [text.point for text in shown.texts if text.name in names]
+    if "eye" in names:
+        points.append(np.array(scene.start.camera.eye))
+    seen = drawing.sight.seen(np.array(points))
+    assert (seen >= 0.0).all() and (seen <= PANE_PX).all()
+    around = np.vstack([seen, drawing.sight.seen(scene.objects_box)]).clip(0.0, PANE_PX)
+    assert max(np.ptp(around, axis=0) / PANE_PX) >= 0.6
+
+
+def test_the_flat_view_frames_the_triangle(off_screen: MakeScreen) -> None:
+    """From the eye to P, of the width of the pane; the frustum's far plane leaves it."""
+    drawing = opened(off_screen(*ACROSS_PX), "similar-triangles")
+    scene = load("similar-triangles")
+    assert drawing.fixed == "side"
+    eye, p = drawing.sight.seen(np.array([scene.start.camera.eye, (1.5, 5.0, 0.5)]))
+    assert 0.5 <= (p[0] - eye[0]) / ACROSS_PX[0] <= 0.9
+
+
+def test_an_unnamed_label_is_not_written(off_screen: MakeScreen) -> None:
+    drawing = opened(off_screen(*PANE_PX))
+    labels = drawing.labels.named
+    shown = {name for name, label in labels.items() if label.is_visible}
+    assert shown == {"eye", "near", "far"}
+    drawing.show_names(frozenset({"near"}))
+    assert {name for name, label in labels.items() if label.is_visible} == {"near"}
+
+
+def test_the_cube_has_its_axes_if_all_three_are_named(off_screen: MakeScreen) -> None:
+    """A single y is a length of another pane."""
+    drawing = StageDrawing(off_screen(480, 300), load("letter-f"), WORDS, LIGHT)
+    assert np.isfinite(drawing.box.axes).all()
+    drawing.show_names(frozenset({"y", "near"}))
+    assert np.isnan(drawing.box.axes).all()
+    drawing.show_highlight(frozenset({"v"}))
+    assert np.isfinite(drawing.box.axes[1]).all() and np.isnan(drawing.box.axes[[0, 2]]).all()
+
+
+def test_the_picture_fills_its_pane_unless_its_pixels_are_named(off_screen: MakeScreen) -> None:
+    drawing = ImageDrawing(off_screen(480, 300), load("letter-f"), WORDS, LIGHT)
+    bare = drawing.picture_rectangle_px
+    assert bare.width >= 0.9 * 480 or bare.height >= 0.9 * 300
+    drawing.show_names(frozenset({"pixels"}))
+    assert drawing.picture_rectangle_px.width < bare.width

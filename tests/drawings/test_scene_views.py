@@ -1,0 +1,122 @@
+"""What a scene leaves out of the world, and from where the world is seen."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import numpy as np
+import pytest
+
+from app.commands.arguments import document_of
+from app.drawings import WORDS
+from app.drawings.image import ImageDrawing
+from app.drawings.stage import StageDrawing
+from app.drawings.style import LIGHT, rgb
+from app.drawings.world import WorldDrawing
+from app.scenes.phenomena import PHENOMENA
+from app.scenes.scene import load
+from tests.support.drawings import MakeScreen, Pixels, illustrated, off_screen
+
+__all__ = ["off_screen"]
+
+SIZE = 580, 600
+EVERYTHING_OUT = [name for name, each in PHENOMENA.items() if "frustum" in each.leaves_out]
+
+
+def opened(screen: Any, name: str) -> WorldDrawing:
+    scene = load(name)
+    drawing = WorldDrawing(screen, scene, WORDS, LIGHT)
+    drawing.show_projection(scene.start, illustrated(scene))
+    return drawing
+
+
+def share(pixels: Pixels, colour: str, paper: float = 0.0) -> float:
+    """The share of pixels in a colour that has so much paper in it."""
+    mixed = (1.0 - paper) * np.array(rgb(colour)) + paper * np.array(rgb(LIGHT.background))
+    return float((abs(pixels / 255.0 - mixed) < 0.02).all(axis=2).mean())
+
+
+@pytest.mark.parametrize("name", EVERYTHING_OUT)
+def test_the_frustum_is_left_out_until_one_of_its_planes_is_named(
+    off_screen: MakeScreen, name: str
+) -> None:
+    screen = off_screen(*SIZE)
+    drawing = opened(screen, name)
+    without = screen.pixels()
+    named = load(name).names
+    drawing.show_names(frozenset({*named, "far"}))
+    with_far = screen.pixels()
+    drawing.show_names(frozenset(named))
+    assert np.array_equal(screen.pixels(), without)
+    assert not np.array_equal(with_far, without)
+    drawing.show_names(None)
+    everything = screen.pixels()
+    assert not np.array_equal(everything, without)
+
+
+def test_without_the_frustum_the_subject_is_larger(off_screen: MakeScreen) -> None:
+    screen = off_screen(*SIZE)
+    drawing = opened(screen, "camera-obscura")
+    blue = "#56b4e9"
+    large = share(screen.pixels(), blue)
+    drawing.show_names(frozenset({"near", "far"}))
+    assert large > 1.5 * share(screen.pixels(), blue) > 0.0
+
+
+def test_a_pale_subject_is_a_silhouette_and_its_picture_is_not(off_screen: MakeScreen) -> None:
+    screen = off_screen(*SIZE)
+    opened(screen, "similar-triangles")
+    pixels, blue = screen.pixels(), "#56b4e9"
+    assert share(pixels, blue, 0.7) > 0.01 > 0.2 * share(pixels, blue) > 0.0
+
+
+@pytest.mark.parametrize(
+    "name", [name for name, each in PHENOMENA.items() if each.side is not None]
+)
+def test_the_world_is_seen_from_the_scenes_side(off_screen: MakeScreen, name: str) -> None:
+    screen = off_screen(*SIZE)
+    opened(screen, name)
+    phenomenon, scene = PHENOMENA[name], load(name)
+    assert phenomenon.side is not None
+    turn, rise = phenomenon.side
+    x, y, z = (-part for part in screen.renderer.GetActiveCamera().GetDirectionOfProjection())
+    assert math.degrees(math.asin(y)) == pytest.approx(rise, abs=1e-6)
+    behind = scene.start.camera.frame[2] * (1.0, 0.0, 1.0)
+    toward = (x * behind[0] + z * behind[2]) / (math.hypot(x, z) * np.linalg.norm(behind))
+    length = float(np.linalg.norm(behind))
+    sine, cosine = math.sin(math.radians(turn)) * length, math.cos(math.radians(turn))
+    assert toward == pytest.approx(sine / math.hypot(sine, cosine), abs=1e-6)
+
+
+def test_the_cube_is_seen_from_the_scenes_side(off_screen: MakeScreen) -> None:
+    """Beside the near face, y upright: the bow of the affine depth is as wide as it can be."""
+    looked = {}
+    for name in ("affine-depth", "clipping"):
+        screen, scene = off_screen(*SIZE), load(name)
+        StageDrawing(screen, scene, WORDS, LIGHT).show_projection(scene.start, illustrated(scene))
+        x, y, z = (-part for part in screen.renderer.GetActiveCamera().GetDirectionOfProjection())
+        looked[name] = math.degrees(math.atan2(x, z)), math.degrees(math.asin(y))
+    assert looked["affine-depth"] == pytest.approx(PHENOMENA["affine-depth"].cube_side)
+    assert PHENOMENA["clipping"].cube_side is None
+    assert looked["clipping"] != pytest.approx(looked["affine-depth"])
+
+
+def test_a_scene_opens_in_its_fixed_view() -> None:
+    for name, phenomenon in PHENOMENA.items():
+        assert document_of(None, [f"scene={name}"]).view.fixed == phenomenon.fixed
+    assert PHENOMENA["similar-triangles"].fixed == "side"
+    assert document_of(None, ["scene=similar-triangles", "view.fixed=top"]).view.fixed == "top"
+
+
+def test_the_cards_of_clipping_are_pale_where_the_triangle_matters(off_screen: MakeScreen) -> None:
+    scene, shown = load("clipping"), illustrated(load("clipping"))
+    kinds: dict[str, Any] = {"world": WorldDrawing, "ndc": StageDrawing, "image": ImageDrawing}
+    shares = {}
+    for pane, kind in kinds.items():
+        screen = off_screen(*SIZE)
+        kind(screen, scene, WORDS, LIGHT).show_projection(scene.start, shown)
+        pixels = screen.pixels()
+        red, green, blue = np.moveaxis(pixels, 2, 0)
+        shares[pane] = float(((red > 215) & (green > 190) & (blue < 110)).mean())
+    assert max(shares["world"], shares["ndc"]) < 0.1 * shares["image"]  # of the yellow card

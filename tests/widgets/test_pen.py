@@ -1,0 +1,197 @@
+"""The pen: strokes belong to their step, can be taken back, and are kept for the handout."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from PySide6.QtCore import QPoint, Qt
+from PySide6.QtGui import QImage
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QFrame
+
+from app.lessons.strokes import (
+    Stroke,
+    path_beside,
+    picture_beside,
+    read_strokes,
+    write_strokes,
+)
+from app.model.refusal import Refusal
+from tests.support.window import activate, arrive, move_mouse, pixels, present, rgb_of, settle
+from widgets.program.handout import handout
+from widgets.window.main_window import MainWindow
+
+TALK = """---
+title: A talk
+---
+# One {#one}
+```state
+scene=letter-f
+```
+---
+# Two {#two}
+```state
+lens.near=2
+```
+```note
+minutes: 1
+```
+"""
+LEFT, RIGHT = Qt.MouseButton.LeftButton, Qt.MouseButton.RightButton
+
+
+@pytest.fixture
+def talk(tmp_path: Path) -> Path:
+    path = tmp_path / "talk.md"
+    path.write_text(TALK)
+    return path
+
+
+@pytest.fixture
+def window(window: MainWindow, talk: Path) -> Iterator[MainWindow]:
+    window.settings.speaker_window = False
+    window.settings.reduce_motion = True
+    assert window.lessons.open(talk)
+    activate(window)
+    present(window)
+    yield window
+    window.present.end()
+    window.lessons.close()
+    settle()
+
+
+def draw(window: MainWindow, *places: tuple[int, int]) -> None:
+    pen = window.slide.pen
+    QTest.mousePress(pen, LEFT, pos=QPoint(*places[0]))
+    for place in places[1:]:
+        move_mouse(pen, QPoint(*place))
+    QTest.mouseRelease(pen, LEFT, pos=QPoint(*places[-1]))
+    settle()
+
+
+def slide(window: MainWindow) -> np.ndarray:
+    return rgb_of(window.slide.grab().toImage())
+
+
+def test_strokes_lie_over_the_picture_and_belong_to_their_step(window: MainWindow) -> None:
+    pen, plain = window.slide.pen, slide(window)
+    model, picture = window.store.document, pixels(window)
+    QTest.keyClick(window, Qt.Key.Key_D)
+    assert pen.is_on and window.menus.pen.isChecked()
+    draw(window, (300, 300), (400, 320), (500, 300))
+    draw(window, (300, 400), (500, 420))
+    assert [len(stroke.points) for stroke in pen.here] == [3, 2]
+    QTest.keyClick(pen, Qt.Key.Key_D)
+    settle()
+    assert not pen.is_on
+    drawn = slide(window)
+    changed = np.nonzero((drawn != plain).any(axis=2))
+    assert changed[0].min() > 290 and changed[0].max() < 430
+    assert window.store.document == model and (pixels(window) == picture).all()
+    assert window.lessons.next()
+    arrive(window.lessons) if window.lessons.is_moving else settle()
+    assert pen.here == []
+    assert window.lessons.previous()
+    settle()
+    assert (slide(window) == drawn).all()
+
+
+def test_undo_eraser_and_clear(window: MainWindow) -> None:
+    pen = window.slide.pen
+    pen.switch(True)
+    for y in (200, 300, 400):
+        draw(window, (300, y), (350, y))
+    model = window.store.document
+    QTest.keyClick(pen, Qt.Key.Key_Z, Qt.KeyboardModifier.ControlModifier)
+    assert len(pen.here) == 2 and window.store.document == model
+    QTest.keyClick(pen, Qt.Key.Key_E)
+    draw(window, (600, 300), (350, 301))
+    assert [round(stroke.points[0][1] * pen.height()) for stroke in pen.here] == [200]
+    QTest.keyClick(pen, Qt.Key.Key_X)
+    assert not pen.erases
+    colour = pen.colour
+    draw(window, (300, 600), (350, 600))
+    assert pen.here[-1].colour == colour
+    QTest.keyClick(pen, Qt.Key.Key_Delete)
+    assert pen.here == []
+    QTest.keyClick(pen, Qt.Key.Key_Escape)
+    assert not pen.is_on and window.present.is_on
+
+
+def test_what_is_kept_is_there_again(window: MainWindow, talk: Path) -> None:
+    pen = window.slide.pen
+    pen.switch(True)
+    draw(window, (300, 300), (400, 320))
+    wanted = {"one": tuple(pen.here)}
+    assert read_strokes(talk) == {}
+    QTest.keyClick(pen, Qt.Key.Key_K)
+    assert read_strokes(talk) == wanted
+    assert window.band.note == "Kept for the handout: talk.strokes.json"
+    window.lessons.close()
+    settle()
+    assert pen.here == []
+    assert window.lessons.open(talk)
+    assert tuple(pen.here) == wanted["one"]
+
+
+def test_the_handout_prints_the_slide_with_its_strokes(window: MainWindow, talk: Path) -> None:
+    course = window.lessons.course
+    assert course is not None
+    plain = handout(course)
+    pen = window.slide.pen
+    pen.switch(True)
+    draw(window, (300, 300), (400, 320))
+    drawn = slide(window)
+    QTest.keyClick(pen, Qt.Key.Key_K)
+    path = picture_beside(talk, "one")
+    kept = rgb_of(QImage(str(path)))
+    assert kept.shape == drawn.shape
+    bar = pen.findChild(QFrame, "card").geometry()
+    beside = np.ones(kept.shape[:2], dtype=bool)
+    beside[bar.top() : bar.bottom() + 1, bar.left() : bar.right() + 1] = False  # not in the handout
+    assert (kept[beside] == drawn[beside]).all() and (kept != drawn).any()
+    assert not picture_beside(talk, "two").exists()
+    assert abs(len(handout(course)) - len(plain)) > 1000
+    QTest.keyClick(pen, Qt.Key.Key_Delete)
+    QTest.keyClick(pen, Qt.Key.Key_K)
+    assert not path.exists() and abs(len(handout(course)) - len(plain)) < 100
+
+
+@pytest.mark.parametrize(
+    "text", ["", "[]", '{"strokes": {"one": [["pink", [0, 0]]]}}', '{"strokes": {"one": [["n"]]}}',
+             '{"strokes": {"one": [["n", [2, 0]]]}}']
+)  # fmt: skip
+def test_a_damaged_file_of_strokes_is_refused(tmp_path: Path, text: str) -> None:
+    talk = tmp_path / "talk.md"
+    write_strokes(talk, {"one": [Stroke("n", ((0.5, 0.5),))]})
+    assert read_strokes(talk) == {"one": (Stroke("n", ((0.5, 0.5),)),)}
+    path_beside(talk).write_text(text)
+    with pytest.raises(Refusal, match="has no strokes as Frustum Lab writes them"):
+        read_strokes(talk)
+
+
+def test_the_speaker_sees_the_slide_with_its_strokes(window: MainWindow, qtbot: Any) -> None:
+    window.talks.open_speaker()
+    speaker = window.talks.speaker
+    assert speaker is not None
+
+    def shown() -> QImage:
+        return speaker.now.pixmap().toImage()
+
+    qtbot.waitUntil(lambda: not shown().isNull())
+    before = shown()
+    activate(window)
+    window.slide.pen.switch(True)
+    draw(window, (300, 300), (900, 320))
+    window.slide.pen.switch(False)
+    qtbot.waitUntil(lambda: shown() != before)
+    screen = window.body.size()
+    picture = shown()
+    assert picture.width() / picture.height() == pytest.approx(
+        screen.width() / screen.height(), rel=0.02
+    )
+    speaker.close()

@@ -1,0 +1,159 @@
+"""The way between two steps: cameras move with the model, pictures fade, nothing is left over."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from app.drawings.pane_view import Pose
+from tests.support.window import activate, arrive, pixels, present, settle, tick
+from widgets.window.lessons import TRANSITION_S
+from widgets.window.main_window import MainWindow
+
+TALK = """---
+title: A talk
+letters: own
+---
+# One {#one}
+```state
+scene=letter-f
+view.fixed=side
+```
+---
+# Two {#two}
+```state
+view.fixed=top
+```
+---
+# Three {#three}
+```state
+view.fixed=
+camera.eye=2,6,12
+```
+---
+# Four {#four}
+```state
+scene=similar-triangles
+```
+```note
+minutes: 1
+```
+"""
+
+
+@pytest.fixture
+def window(window: MainWindow, tmp_path: Path) -> Iterator[MainWindow]:
+    """Presenting a talk at its first step, as far as the system is asked with motion."""
+    path = tmp_path / "talk.md"
+    path.write_text(TALK)
+    window.settings.speaker_window = False
+    window.settings.reduce_motion = False
+    assert window.lessons.open(path)
+    activate(window)
+    present(window)
+    yield window
+    window.present.end()
+    window.lessons.close()
+    settle()
+
+
+def camera_of(window: MainWindow) -> np.ndarray:
+    """Place and focus of the world pane's own camera."""
+    camera = window.panes["world"].canvas.renderer.GetActiveCamera()
+    return np.array([*camera.GetPosition(), *camera.GetFocalPoint(), *camera.GetViewUp()])
+
+
+def light_of(window: MainWindow) -> float:
+    """How much of the labels is seen in the world pane."""
+    props = window.panes["world"].canvas.renderer.GetViewProps()
+    lights = {prop.GetProperty().GetOpacity() for prop in props if hasattr(prop, "label")}
+    assert len(lights) == 1
+    return float(lights.pop())
+
+
+def test_the_pane_camera_moves_and_arrives_where_it_would_stand_at_once(
+    window: MainWindow,
+) -> None:
+    begun = camera_of(window)
+    window.settings.reduce_motion = True
+    assert window.lessons.go(1) and not window.lessons.is_moving
+    settle()
+    wanted, picture = camera_of(window), pixels(window)
+    assert window.lessons.go(0)
+    settle()
+    np.testing.assert_allclose(camera_of(window), begun, atol=1e-9)
+    window.settings.reduce_motion = False
+    assert window.lessons.go(1) and window.lessons.is_moving
+    np.testing.assert_allclose(camera_of(window), begun, atol=1e-6)
+    tick(window.lessons, TRANSITION_S / 2.0)
+    halfway = camera_of(window)
+    assert np.abs(halfway - begun).max() > 0.5 and np.abs(halfway - wanted).max() > 0.5
+    arrive(window.lessons)
+    settle()
+    np.testing.assert_allclose(camera_of(window), wanted, atol=1e-9)
+    assert (pixels(window) == picture).all()
+    assert not window.lessons.is_away and window.panes["world"].view is None
+
+
+def test_labels_appear_after_sixty_percent(window: MainWindow) -> None:
+    assert light_of(window) == 1.0
+    assert window.lessons.go(2)
+    assert light_of(window) == 0.0
+    tick(window.lessons, 0.5 * TRANSITION_S)
+    assert light_of(window) == 0.0
+    tick(window.lessons, 0.3 * TRANSITION_S)
+    assert 0.0 < light_of(window) < 1.0
+    tick(window.lessons, TRANSITION_S)
+    assert light_of(window) == 1.0
+
+
+def test_another_scene_fades(window: MainWindow) -> None:
+    before = pixels(window)
+    assert window.lessons.go(3) and window.lessons.is_moving
+    old = next(each for each in window.slide.children() if type(each).__name__ == "_Old")
+    assert old.isVisible() and old.size() == window.slide.size()  # type: ignore[attr-defined]
+    arrive(window.lessons)
+    settle()
+    assert not old.isVisible()  # type: ignore[attr-defined]
+    assert (pixels(window) != before).any()
+
+
+def test_the_next_step_ends_a_transition(window: MainWindow) -> None:
+    assert window.lessons.go(1) and window.lessons.is_moving
+    window.talks.next()
+    assert window.lessons.place == 2
+    arrive(window.lessons)
+    assert light_of(window) == 1.0
+
+
+def test_a_change_by_hand_ends_a_transition(window: MainWindow) -> None:
+    assert window.lessons.go(2) and window.lessons.is_moving
+    window.store.undo()
+    assert not window.lessons.is_moving and light_of(window) == 1.0
+
+
+def test_the_menu_reduces_motion_and_that_is_kept(window: MainWindow) -> None:
+    window.menus.view_menu.aboutToShow.emit()
+    action = window.menus.reduce_motion
+    assert not action.isChecked()
+    action.trigger()
+    assert window.settings.reduce_motion is True
+    assert window.lessons.go(3) and not window.lessons.is_moving
+    window.menus.view_menu.aboutToShow.emit()
+    assert action.isChecked()
+
+
+def test_a_pose_goes_the_short_way() -> None:
+    axes = np.eye(3)
+    turned = np.array([[0.0, 1.0, 0.0], [-1.0, 0.0, 0.0], [0.0, 0.0, 1.0]])
+    one = Pose(np.zeros(3), axes, 1.0, 4.0, 0.0)
+    other = Pose(np.array([2.0, 0.0, 0.0]), turned, 4.0, 4.0, 0.0)
+    half = one.towards(other, 0.5)
+    np.testing.assert_allclose(half.focus, [1.0, 0.0, 0.0])
+    np.testing.assert_allclose(half.axes[0], [np.sqrt(0.5), np.sqrt(0.5), 0.0])
+    assert half.half_height == pytest.approx(2.0) and half.slope == 0.0
+    for part, wanted in ((0.0, one), (1.0, other)):
+        assert one.towards(other, part).is_near(wanted)

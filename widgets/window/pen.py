@@ -1,0 +1,311 @@
+"""A pen on the slide: what is drawn belongs to the step, and can be kept for the handout.
+
+::
+
+    mouse, key --Pen--> strokes of the step --keep--> the file beside the talk --> the handout
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterable
+from functools import partial
+
+from PySide6.QtCore import QEvent, QPointF, QRect, QRectF, QSize, Qt, Signal
+from PySide6.QtGui import (
+    QColor,
+    QImage,
+    QKeyEvent,
+    QKeySequence,
+    QMouseEvent,
+    QPainter,
+    QPainterPath,
+    QPaintEvent,
+    QPen,
+    QResizeEvent,
+)
+from PySide6.QtWidgets import QFrame, QToolButton, QWidget
+
+from app.drawings.style import LIGHT, Style
+from app.lessons.strokes import COLOURS, Stroke
+from widgets.parts.buttons import tool_button
+from widgets.parts.layouts import in_row
+
+WIDTH_SHARE = 0.005
+"""Width of a line, in heights of the slide."""
+ERASER_SHARE = 0.02
+"""Reach of the eraser, in heights of the slide."""
+_KEYS = Qt.Key
+
+
+def paint_strokes(
+    painter: QPainter, room: QRectF, strokes: Iterable[Stroke], style: Style = LIGHT
+) -> None:
+    """Draw strokes over a slide that fills a rectangle."""
+    painter.save()
+    painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+    for stroke in strokes:
+        pen = QPen(QColor(getattr(style, stroke.colour)), WIDTH_SHARE * room.height())
+        pen.setCapStyle(Qt.PenCapStyle.RoundCap)
+        pen.setJoinStyle(Qt.PenJoinStyle.RoundJoin)
+        painter.setPen(pen)
+        places = [
+            QPointF(room.left() + x * room.width(), room.top() + y * room.height())
+            for x, y in stroke.points
+        ]
+        if len(places) == 1:
+            painter.drawPoint(places[0])
+            continue
+        path = QPainterPath(places[0])
+        for place in places[1:]:
+            path.lineTo(place)
+        painter.drawPath(path)
+    painter.restore()
+
+
+class Pen(QWidget):
+    """Lies over the slide, and takes the mouse while it draws.
+
+    Attributes
+    ----------
+    strokes : dict of str to list of Stroke
+        By the names of the steps.
+    pictures : dict of str to QImage
+        The slides with the strokes that were drawn since the talk was opened, by the same names.
+    is_on : bool
+        Whether the mouse draws.
+    erases : bool
+        Whether the mouse removes the strokes that it touches.
+    """
+
+    kept = Signal()
+    """The speaker wants the strokes in the handout."""
+    drawn = Signal()
+    """The strokes of the step have changed."""
+    switched = Signal(bool)
+    """The pen was taken up, or put away."""
+
+    def __init__(self, slide: QWidget) -> None:
+        super().__init__(slide)
+        self.setAccessibleName(self.tr("Pen"))
+        self._slide = slide
+        self.strokes: dict[str, list[Stroke]] = {}
+        self.pictures: dict[str, QImage] = {}
+        self.is_on = self.erases = False
+        self.colour = COLOURS[1]
+        self._step = ""
+        self._drawn: list[tuple[float, float]] = []
+        """The stroke that is being drawn."""
+        self._style = LIGHT
+        self._acts: dict[int, Callable[[], object]] = {
+            _KEYS.Key_E: self.switch_eraser,
+            _KEYS.Key_X: self.next_colour,
+            _KEYS.Key_Delete: self.clear,
+            _KEYS.Key_Backspace: self.undo,
+            _KEYS.Key_K: self.kept.emit,
+            _KEYS.Key_Escape: partial(self.switch, False),
+        }
+        self._bar = self._make_bar()
+        self.switch(False)
+
+    def _make_bar(self) -> QFrame:
+        bar = QFrame(self)
+        bar.setObjectName("card")
+        names = {
+            "ink": self.tr("Black"),
+            "accent": self.tr("Purple"),
+            "near": self.tr("Amber"),
+            "n": self.tr("Blue"),
+        }
+        self.colours: dict[str, QToolButton] = {
+            name: tool_button(
+                "●", names[name], partial(self.take, name), name=names[name], checkable=True
+            )
+            for name in COLOURS
+        }
+        self.eraser = tool_button(
+            self.tr("Erase"), self.tr("Remove the strokes that are touched (E)"),
+            self.switch_eraser, checkable=True,
+        )  # fmt: skip
+        others = (
+            tool_button(self.tr("Undo"), self.tr("Remove the last stroke (Ctrl+Z)"), self.undo),
+            tool_button(self.tr("Clear"), self.tr("Remove all strokes of the step (Delete)"),
+                        self.clear),
+            tool_button(self.tr("Keep"), self.tr("Keep the strokes for the handout (K)"),
+                        self.kept.emit),
+        )  # fmt: skip
+        in_row(*self.colours.values(), self.eraser, *others, on=bar, margins=(6, 4, 6, 4), gap=4)
+        for button in bar.findChildren(QToolButton):
+            button.setFocusPolicy(Qt.FocusPolicy.NoFocus)
+        return bar
+
+    # -- the step
+
+    def show_step(self, step: str) -> None:
+        """Show the strokes of a step."""
+        self._finish()
+        self._step = step
+        self.update()
+        if self.is_on:
+            self.raise_()
+
+    def begin_talk(self, strokes: dict[str, list[Stroke]]) -> None:
+        """Forget all strokes but those that were kept of another talk."""
+        self.strokes = strokes
+        self.pictures.clear()
+        self.update()
+
+    @property
+    def here(self) -> list[Stroke]:
+        """The strokes of the step."""
+        return self.strokes.get(self._step, [])
+
+    # -- what the speaker does
+
+    def switch(self, on: bool) -> None:
+        """Take the pen up, or put it away; the strokes stay."""
+        self._finish()
+        changed, self.is_on = on != self.is_on, on
+        self.erases = False
+        self.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents, not on)
+        self.setCursor(Qt.CursorShape.CrossCursor)
+        self._bar.setVisible(on)
+        self._show_bar()
+        if on:
+            self.raise_()
+            self.setFocus(Qt.FocusReason.OtherFocusReason)
+        elif self.hasFocus():
+            self.window().setFocus()
+        if changed:
+            self.switched.emit(on)
+
+    def toggle(self) -> None:
+        self.switch(not self.is_on)
+
+    def take(self, colour: str) -> None:
+        self.colour, self.erases = colour, False
+        self._show_bar()
+
+    def next_colour(self) -> None:
+        self.take(COLOURS[(COLOURS.index(self.colour) + 1) % len(COLOURS)])
+
+    def switch_eraser(self) -> None:
+        self.erases = not self.erases
+        self._show_bar()
+
+    def undo(self) -> None:
+        """Remove the last stroke of the step."""
+        self._finish()
+        if self.here:
+            self.here.pop()
+            self._show_strokes()
+
+    def clear(self) -> None:
+        """Remove all strokes of the step."""
+        self._drawn = []
+        self.strokes.pop(self._step, None)
+        self._show_strokes()
+
+    def _show_strokes(self) -> None:
+        """Show the strokes of the step, and take a picture of the slide with them."""
+        if self.here:
+            self._bar.hide()
+            self.pictures[self._step] = self._slide.grab().toImage()
+            self._bar.setVisible(self.is_on)
+        else:
+            self.pictures.pop(self._step, None)
+        self.update()
+        self.drawn.emit()
+
+    def _show_bar(self) -> None:
+        for name, button in self.colours.items():
+            button.setChecked(name == self.colour and not self.erases)
+            button.setStyleSheet(f"color: {getattr(self._style, name)}")
+        self.eraser.setChecked(self.erases)
+        size = self._bar.sizeHint()
+        room = self._slide.size()
+        place = QSize(room.width() - size.width() - 8, room.height() - size.height() - 8)
+        self._bar.setGeometry(QRect(place.width(), place.height(), size.width(), size.height()))
+
+    def set_style(self, style: Style) -> None:
+        self._style = style
+        self._show_bar()
+        self.update()
+
+    # -- events
+
+    def _at(self, place: QPointF) -> tuple[float, float]:
+        x, y = place.x() / max(1, self.width()), place.y() / max(1, self.height())
+        return min(1.0, max(0.0, x)), min(1.0, max(0.0, y))
+
+    def mousePressEvent(self, event: QMouseEvent) -> None:
+        event.accept()
+        if event.button() == Qt.MouseButton.RightButton or self.erases:
+            self._erase(event.position())
+        else:
+            self._drawn = [self._at(event.position())]
+        self.update()
+
+    def mouseMoveEvent(self, event: QMouseEvent) -> None:
+        event.accept()
+        if self.erases or event.buttons() & Qt.MouseButton.RightButton:
+            self._erase(event.position())
+        elif self._drawn and (place := self._at(event.position())) != self._drawn[-1]:
+            self._drawn.append(place)
+        self.update()
+
+    def mouseReleaseEvent(self, event: QMouseEvent) -> None:
+        event.accept()
+        self._finish()
+
+    def _finish(self) -> None:
+        if self._drawn:
+            self.strokes.setdefault(self._step, []).append(Stroke(self.colour, tuple(self._drawn)))
+            self._drawn = []
+            self._show_strokes()
+
+    def _erase(self, place: QPointF) -> None:
+        reach = ERASER_SHARE * self.height()
+
+        def is_touched(stroke: Stroke) -> bool:
+            return any(
+                math.hypot(x * self.width() - place.x(), y * self.height() - place.y()) <= reach
+                for x, y in stroke.points
+            )
+
+        left = [each for each in self.here if not is_touched(each)]
+        if len(left) != len(self.here):
+            self.strokes[self._step] = left
+            self._show_strokes()
+
+    def event(self, event: QEvent) -> bool:
+        is_asked = event.type() == QEvent.Type.ShortcutOverride
+        if is_asked and isinstance(event, QKeyEvent) and self._act(event) is not None:
+            event.accept()  # otherwise it is a shortcut of the window
+            return True
+        return super().event(event)
+
+    def _act(self, event: QKeyEvent) -> Callable[[], object] | None:
+        if event.matches(QKeySequence.StandardKey.Undo):
+            return self.undo
+        return None if event.modifiers() else self._acts.get(event.key())
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        act = self._act(event)
+        if act is None:
+            super().keyPressEvent(event)
+        else:
+            act()
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        super().resizeEvent(event)
+        self._show_bar()
+
+    def paintEvent(self, _event: QPaintEvent) -> None:
+        strokes = self.here
+        if self._drawn:
+            strokes = [*strokes, Stroke(self.colour, tuple(self._drawn))]
+        if strokes:
+            painter = QPainter(self)
+            paint_strokes(painter, QRectF(self.rect()), strokes, self._style)
+            painter.end()
