@@ -33,7 +33,7 @@ _AROUND = 3.1  # body and axes are within this distance of the eye
 AROUND_PX = _AROUND / _BALL * _PART_OF_PANE
 """How far body and axes reach from the eye, of the pane's shorter side."""
 
-_BODY_REACH = 0.6  # of that: without axes
+_BODY_REACH, _WITH_NAMES = 0.6, 1.25  # of that: without axes; with their names beyond the tips
 
 _WALLS = tuple(FACES[side] for side in SIDES)
 
@@ -99,7 +99,7 @@ class CameraDrawing:
         self.steps: FrameSteps | None = None
         self.step: int | None = None
         self._named: frozenset[str] = frozenset()
-        self._leads = False
+        self.axes_lead = False
         """Whether the axes are what the picture is about."""
         self._show_parts()
 
@@ -129,7 +129,7 @@ class CameraDrawing:
     def show_names(self, names: Names) -> None:
         """Show the axes and the target that are named."""
         named = frozenset(name for name in (*AXES, "target") if name in names)
-        self._leads = names.wanted is not None and names.wanted.issuperset(AXES)
+        self.axes_lead = names.wanted is not None and names.wanted.issuperset(AXES)
         if named != self._named:
             self._named = named
             self._show_parts()
@@ -171,11 +171,13 @@ class CameraDrawing:
 
     @property
     def _enlarged(self) -> float:
-        return LARGER if self.step is not None or self._leads else 1.0
+        return LARGER if self.step is not None or self.axes_lead else 1.0
 
     @property
     def reach(self) -> float:
         """How far the visible parts reach from the eye, relative to axes that do not lead."""
+        if self.axes_lead:
+            return _WITH_NAMES * self._enlarged
         return self._enlarged if self._tips else _BODY_REACH
 
     @property

@@ -238,7 +238,7 @@ class Ground:
     @property
     def shape(self) -> tuple[int, int]:
         """The columns and rows of the ink's squares."""
-        columns, rows = (int(max(side, 0.0) / self._square) + 2 for side in self.limits[2:])
+        columns, rows = (max(0, int(side / self._square)) + 2 for side in self.limits[2:])
         return columns, rows
 
     def ink(self, held: NDArray[np.bool_]) -> None:

@@ -31,7 +31,8 @@ from app.drawings.label_placement import (
 )
 from app.drawings.pane_view import PaneView, Spot
 from app.drawings.style import rgb
-from app.lecture.highlight import AXES
+from app.lecture.highlight import AXES, OBJECT_AXES
+from app.model.formula import ARROW
 from app.model.projection import Array
 
 # Which label has a place first.
@@ -126,13 +127,16 @@ class Labels:
         self._board, self._words = board, words
         self.named = {
             name: board.label(name, words[name], getattr(canvas.style, name))
-            for name in (*AXES, "eye", "target", "near", "far")
+            for name in ("eye", "target", "near", "far")
         }
+        for name in AXES:
+            self.named[name] = board.label(name, vector(words[name]), getattr(canvas.style, name))
         """The labels by the names of their subjects."""
 
     def add_arrow(self, name: str, colour: str) -> Label:
         """Create the label of one more arrow than `AXES`."""
-        return self._board.label(name, self._words[name], colour)
+        word = self._words[name]
+        return self._board.label(name, word if name in OBJECT_AXES else vector(word), colour)
 
     def dim_planes(self, light: float) -> None:
         for name in ("near", "far"):
@@ -218,6 +222,11 @@ class Leader:
         """Draw it between two pixels, counted from the left and from the bottom."""
         self._line.px[0, :, :2] = start_px, end_px
         self._line.changed()
+
+
+def vector(word: str) -> str:
+    """The letter of a vector with its arrow; a word stays as it is."""
+    return f"{word}{ARROW}" if len(word) == 1 else word
 
 
 def written_distance(value: float) -> str:

@@ -29,7 +29,7 @@ from app.drawings.actors import (
 from app.drawings.frustum import CUBE
 from app.drawings.label import Label
 from app.drawings.label_placement import Ground, beyond
-from app.drawings.labels import AXIS, NUMBER, PLANE, Board, want_plane
+from app.drawings.labels import AXIS, NUMBER, PLANE, Board, vector, want_plane
 from app.drawings.names import Names
 from app.drawings.pane_view import Spot
 from app.drawings.pointing import FACES, FAR_FACE, NEAR_FACE, Emphasis
@@ -207,7 +207,8 @@ class StageBox:
             shaft_space.set(_placed(starts[i], turn))
             letter = self._letters[i]
             self._at[letter] = tips[i]
-            letter.set_text(self._words[letters[i]])
+            word = self._words[letters[i]]
+            letter.set_text(vector(word) if stop == VIEW else word)
             # A single x, y or z may be a length in another pane.
             wanted = letters if stop != VIEW else letters[i]
             if stop == IMAGE:

@@ -51,6 +51,7 @@ _WHOLE, _NEARBY = (
 )  # of the extent: the largest frustum that is framed whole; else this much of it
 _FARTHEST_MARK = 1e3  # of the extent: where lines toward infinity end
 _EDGES = [pair for line in actors.CUBE_EDGES for pair in pairwise(line)]
+_AXES_SIDE = 35.0, 25.0  # degrees behind the camera's side, and up: no axis is seen end on
 _ABOUT = 2.5  # of the size of marks on a large subject: so much of it is framed with them
 _FRAMED_MARK = 5.0  # of the scene's size: farther marks are not framed
 
@@ -491,7 +492,7 @@ class WorldDrawing(Drawing):
         core, beside = self._named_points(points)
         return Framed(
             at.camera, eye, core, beside, corners, self._objects, has_eye, below_em,
-            self._scene.side,
+            _AXES_SIDE if self.camera.axes_lead else self._scene.side,
         )  # fmt: skip
 
     def _named_points(self, points: Array) -> tuple[Array, Array]:
@@ -519,7 +520,7 @@ class WorldDrawing(Drawing):
             if name in wanted and needs:
                 named.append(thing)
         if "far" in wanted and has_planes:
-            beside.append(corners[4:])
+            (named if self.own.fixed else beside).append(corners[4:])
         if self.own.fixed in ("side", "top"):
             measured = {"d": at.camera.distance, **dict(self._measured)}
             named += [

@@ -580,7 +580,7 @@ def test_a_layer_is_switched_off_and_on_again(off_screen: MakeScreen, layer: str
 @pytest.mark.parametrize(
     ("layer", "names"),
     [
-        ("camera", {"eye", "target", "u", "v", "n"}),
+        ("camera", {"eye", "target", "u⃗", "v⃗", "n⃗"}),
         ("frustum", {"near n = 4", "far f = 18"}),
     ],
 )

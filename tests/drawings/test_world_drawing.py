@@ -606,7 +606,7 @@ def test_no_label_lies_on_another_in_any_scene_of_a_lecture(
     view.drawing.show_projection(view.scene.start, illustrated(view.scene))
     view.drawing.reset_view()
     boxes = boxes_of(view.plotter)
-    own = {"eye", "target", "u", "v", "n", *(b for b in boxes if b.startswith(("near", "far")))}
+    own = {"eye", "target", "u⃗", "v⃗", "n⃗", *(b for b in boxes if b.startswith(("near", "far")))}
     for pair in overlapping(boxes):
         assert size_px == (300, 400) and not own & {*pair}, pair
 

@@ -182,7 +182,7 @@ def test_letters_and_limits_are_the_stops_own(shown: Callable[..., Shown]) -> No
     screen = shown()
     texts = (
         {"x", "y", "z", "near", "far"},
-        {"u", "v", "n", "near", "far"},
+        {"u⃗", "v⃗", "n⃗", "near", "far"},
         {"x", "y", "z", "far", "−1", "1", "near −0.222"},
         {"x", "y", "z", "near", "far", "−1", "1", "0"},
         {"x", "y", "z", "near −1", "far +1", "−1", "1"},

@@ -136,7 +136,7 @@ class Actions(QObject):
             self.tr("While presenting, draw on the slide, or put the pen away"), on=False,
         )  # fmt: skip
         self.compare = self._action(
-            self.tr("Co&mpare with this picture"), None, "F6",
+            self.tr("Compare wit&h this picture"), None, "F6",
             self.tr("Hold the current picture and compare it with later ones, or end the"
                     " comparison"),
             on=False,
@@ -297,7 +297,7 @@ class Actions(QObject):
         self.layers = {name: self._action(text, on=True) for name, text in layers.items()}
         self._menu(self.tr("&Layers"), *self.layers.values(), inside=menu)
         self.name_everything = self._action(
-            self.tr("&Name everything"), None, "N",
+            self.tr("Name e&verything"), None, "N",
             self.tr("Name everything in the pictures, not only what the scene is about"), on=False,
         )  # fmt: skip
         menu.addAction(self.name_everything)
