@@ -294,7 +294,8 @@ class StageBox:
                 way = x - from_x, y - from_y
                 places = partial(beyond, (x, y), way, letter.size_px, ground.em)
                 self._board.want(self._keys[letter], [(x, y)], places, AXIS)
-        across = np.ptp(corners[np.isfinite(corners).all(axis=1), 0]) if len(corners) else 0.0
+        finite = corners[np.isfinite(corners).all(axis=1), 0]
+        across = np.ptp(finite) if len(finite) else 0.0
         for number in itertools.chain(*self._numbers.values()):
             if number in self._written and across >= _NUMBERS_FROM_EM * ground.em:
                 x, y, _ = spots[number]

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from app.document.view import EVERYTHING, View
+from app.document.view import View
 from app.drawings import Words
 from app.drawings.figures import render
 from app.lecture.notation import LETTERS, Letters, axis_letters, frame_letters, in_letters
@@ -36,7 +36,7 @@ def choose(window: MainWindow, letters: Letters) -> None:
 
 
 def test_panes_and_panels_are_written_in_the_letters_that_are_chosen(window: MainWindow) -> None:
-    window.store.set_view(names=EVERYTHING)
+    window.store.set_view(names=("n",))
     settle()
     own = pixels(window, "world")
     choose(window, "001")
@@ -81,7 +81,7 @@ def test_a_figure_is_written_in_the_views_letters() -> None:
             scene.start,
             panes=("world",),
             size=(320, 240),
-            view=View(letters=letters, names=("u", "v", "n")),
+            view=View(letters=letters, names=("n",)),
         )
         for letters in ("own", "001", "002")
     }
