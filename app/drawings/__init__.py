@@ -21,7 +21,6 @@ _OWN: Mapping[str, str] = {
     "no planes": "A typed matrix has no near, no far and no angle.",
     "no angle": "A parallel lens has no angle: it is equally wide at every distance.",
     "no eye": "A parallel lens has no eye: this is the view along its axis.",
-    "no room": "No room for all dimensions.",
     "no half angle": "This window is off-axis: the axis does not halve its angle.",
 }
 

@@ -17,7 +17,6 @@ import math
 import textwrap
 from collections.abc import Callable, Mapping, Sequence
 from fractions import Fraction
-from functools import partial
 from typing import NamedTuple
 
 import numpy as np
@@ -34,6 +33,7 @@ _SEGMENTS = 64  # capacity
 _AWAY_PX = -1e4
 _ARC = 12  # pieces of the angle's arc
 _ARC_EM, _TICK_EM, _ROW_EM = 3.5, 0.35, 2.2
+_ASIDE_EM = 1.2  # from the far plane to the line beside it
 _ARC_PART = 0.3  # of the way to the far plane's edge: the arc is no larger
 _ACROSS_EM = 2.2  # under the window seen along the axis
 _SAME = 1e-9  # of a window's side: an axis this near to its middle halves it
@@ -163,6 +163,10 @@ class Dimensions:
         self._lines.end()
         self._thin.end()
 
+    def ink(self, ground: Ground) -> None:
+        for lines in (self._lines, self._thin):
+            ground.ink_lines(lines.ends)
+
     # -- what is drawn
 
     def _along(
@@ -184,18 +188,19 @@ class Dimensions:
         above = (drawn[:, 0] > min(eye, *ends)) & (drawn[:, 0] < max(eye, *ends))
         y = min([y, *drawn[above, 1].tolist()])
         y = max(y, self.below_em(size_px, measured) * self._em)
-        top = y
         for name, distance in ways:
             x = eye + (target - eye) * distance / measured.projection.camera.distance
             if not 0.0 <= x <= size_px[0]:
                 continue
             y -= _ROW_EM * self._em
-            self._rule(name, (eye, y), (x, y))
+            left, right = self._rule(name, (eye, y), (x, y))
+            # A row of its own: nothing else is written there.
+            low, high = y - _ROW_EM / 2.0 * self._em, y + _ROW_EM / 2.0 * self._em
+            ground.keep_box(0.0, low, left, high)
+            ground.keep_box(right, low, float(size_px[0]), high)
             for end in {eye, x}:
                 self._thin.add((end, y), (end, height))
-        # Rows of their own, to the bottom: nothing else is written there.
         ground.keep_box(0.0, 0.0, float(size_px[0]), y - 0.8 * self._em)
-        ground.keep_box(0.0, y + 0.8 * self._em, 0.0, top)
 
     def _ways(self, measured: Measured) -> list[tuple[str, float]]:
         projection, ways = measured.projection, dict[str, float]()
@@ -218,10 +223,11 @@ class Dimensions:
             return
         eye, far_edge = spots[0], spots[edge]
         if "height" in measured.names:
-            x = float(far_edge[0]) - 1.2 * self._em
+            x = float(far_edge[0]) - _ASIDE_EM * self._em
             self._rule(
-                "height", (x, float(eye[1])), (x, float(far_edge[1])), self._half_text(axis, half)
-            )
+                "height", (x, float(eye[1])), (x, float(far_edge[1])), self._half_text(axis, half),
+                side=-1.0,
+            )  # fmt: skip
         if half.angle_deg is not None and "angle" in measured.names:
             # The angle is true on the screen: both axes have one scale.
             reached = far_edge - eye
@@ -272,31 +278,38 @@ class Dimensions:
     def _write(self, name: str, text: str) -> None:
         self._board.label((_KEY, name)).set_text(self._words.get(text, text))
 
-    def _rule(self, name: str, start: Way, end: Way, text: str = "") -> None:
+    def _rule(self, name: str, start: Way, end: Way, text: str = "", side: float = 1.0) -> Way:
         """A level or upright line with a tick at either end, and its letters in a gap of it.
 
-        Letters that are too long for the gap stand beside the line.
+        Letters that are too long for the gap stand beside the line, at the right or, for a `side`
+        of -1, at the left. Returns where they begin and end.
         """
         self._write(name, text or name)
-        key = (_KEY, name)
-        size = self._board.label(key).size_px
-        (x0, y0), (x1, y1) = sorted((start, end))
-        tick, is_level = _TICK_EM * self._em, y0 == y1
+        key, em = (_KEY, name), self._em
+        (wide, high), ((x0, y0), (x1, y1)) = self._board.label(key).size_px, sorted((start, end))
+        tick, is_level = _TICK_EM * em, y0 == y1
         across, up = (0.0, tick) if is_level else (tick, 0.0)
         for x, y in (start, end):
             self._lines.add((x - across, y - up), (x + across, y + up))
         middle = (x0 + x1) / 2.0, (y0 + y1) / 2.0
-        half = (size[0] if is_level else size[1]) / 2.0 + 0.35 * self._em
-        along_it = (half, 0.0) if is_level else (0.0, half)
-        if 2.0 * half + self._em < abs(x1 - x0 if is_level else y1 - y0):
+        length = x1 - x0 if is_level else y1 - y0
+        half = (wide if is_level else high) / 2.0 + 0.35 * em
+        if 2.0 * half + em < length and (is_level or wide < _ASIDE_EM * em):
+            gap = (half, 0.0) if is_level else (0.0, half)
             for sign, (x, y) in ((-1.0, (x0, y0)), (1.0, (x1, y1))):
-                self._lines.add(
-                    (x, y), (middle[0] + sign * along_it[0], middle[1] + sign * along_it[1])
-                )
-            self._board.want(key, [middle], partial(on, middle), LENGTH)
+                self._lines.add((x, y), (middle[0] + sign * gap[0], middle[1] + sign * gap[1]))
+            places = [middle]
         else:
             self._lines.add(start, end)
-            self._board.want_beside(key, (*middle, 1.0), LENGTH)
+            away = wide / 2.0 + 0.5 * em
+            beside = x0 - away if side < 0.0 else x1 + away
+            above = x1 - wide / 2.0, y1 + 0.5 * em + high / 2.0
+            parts = (0.5,) if is_level else (0.5, 0.75, 0.25)
+            places = [(beside, y0 + part * (y1 - y0)) for part in parts]
+            places += [(x0 - away, y0)] if is_level else [above]
+        self._board.want(key, [middle], lambda: joined(*map(on, places)), LENGTH)
+        x, _ = places[0]
+        return x - wide / 2.0, x + wide / 2.0
 
     # -- what a lens does not have
 
@@ -340,6 +353,11 @@ class _Segments:
         actor.GetProperty().SetColor(*rgb(colour))
         actor.GetProperty().SetLineWidth(width)
         canvas.add(actor, layer="labels")
+
+    @property
+    def ends(self) -> Array:
+        """The lines' ends in pixels, (n, 2, 2)."""
+        return self._cells.px[: self._used, :, :2].astype(np.float64)
 
     def begin(self) -> None:
         self._cells.px[: self._used, :, :2] = _AWAY_PX

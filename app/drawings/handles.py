@@ -18,8 +18,8 @@ from app.drawings.actors import Canvas, ScreenCells
 from app.drawings.style import rgb
 from app.picking.handles import Handle, Spot
 
-APART_EM = 1.15
-"""Least distance of two marks."""
+APART_EM = 0.95
+"""Least distance of two marks; they may overlap a little, as few are drawn at a time."""
 
 _SHAPES = {
     "eye": (16, 0.52),

@@ -21,7 +21,7 @@ from app.drawings.actors import Canvas, Space, face_actor, identity_camera, lift
 from app.drawings.blurring import Blurring
 from app.drawings.drawing import Drawing, Rectangle, light_of_labels
 from app.drawings.label_placement import Ground
-from app.drawings.labels import Board
+from app.drawings.labels import Board, room
 from app.drawings.marks import MarksDrawing, Placing
 from app.drawings.names import Names
 from app.drawings.pointing import Emphasis, Segment, Spot, pointed_at
@@ -114,10 +114,11 @@ class ImageDrawing(Drawing):
 
     def show_highlight(self, highlighted: Highlight) -> bool:
         before, self.names.pointed = self.names.pointed, highlighted
+        of_scene = self._marks is not None and self._marks.show_highlight(highlighted)
         if before != highlighted and self._marks is not None and not self.names.all:
             self._marks.show_names()
             self._place_texts()
-        return self._emphasis.show(highlighted)
+        return self._emphasis.show(highlighted) or of_scene
 
     def show_names(self, names: frozenset[str] | None) -> None:
         if names == self.names.wanted:
@@ -315,7 +316,7 @@ class ImageDrawing(Drawing):
         marks = self._marks
 
         def ink(ground: Ground) -> None:
-            clip = self._projection.clip_from_world_at(self._scene.origin)
+            clip = self._projection.clip_from_local(self._scene.origin, "object")
             with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
                 corners = self._silhouette.triangles @ clip[:, :3].T + clip[:, 3]
                 w = np.where(corners[..., 3:] > 0.0, corners[..., 3:], np.nan)
@@ -323,7 +324,8 @@ class ImageDrawing(Drawing):
             if marks is not None:
                 marks.ink(ground, seen)
 
-        ground = Ground((0, 0, rectangle.width, rectangle.height), self._style.font_size, ink)
+        em = self._style.font_size
+        ground = Ground(room(rectangle.width, rectangle.height, em), em, ink)
         self._probes.want(ground)
         if marks is not None:
             marks.want_texts(ground, seen)

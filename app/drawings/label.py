@@ -47,7 +47,7 @@ _GREEK = dict(zip("αβγδεθλμπρσφω", (
 ), strict=True))  # fmt: skip
 _TOKEN = re.compile(
     r"\$(?P<tex>[^$]+)\$"
-    rf"|(?P<letter>(?<![^\W_])[^\W\d_](?![^\W\d_]){ARROW}?|[^\W\d_]+(?=_))"
+    rf"|(?P<letter>(?<![^\W_])[A-Za-z\u0391-\u03c9](?![^\W\d_]){ARROW}?|[^\W\d_]+(?=_))"
     r"(?P<sub>(?:_(?:\{[^}]*\}|[^\W_]+))?)(?P<prime>['\u2032]*)"
     r"|(?P<word>[^\W\d_]{2,})"
     r"|(?P<sign>.)",
@@ -85,6 +85,8 @@ def pieces_of(text: str) -> list[tuple[str, bool]]:
             found.append((_tex(token["letter"], token["sub"]) + token["prime"], True))
         elif token["word"] in _FUNCTIONS:
             found.append((rf"\{token['word']} ", True))
+        elif token["word"] == "fov":  # as in fov_x
+            found.append((_tex("fov", ""), True))
         else:
             found.append((token["word"] or token["sign"], False))
     return found
@@ -108,7 +110,7 @@ def laid(text: str, plain: bool = False) -> Laid:
     """Set a label in one line. TeX that cannot be drawn is shown as it is typed."""
     pieces = [(text, False)] if plain else pieces_of(text)
     has_words = any(len(piece) > 1 and not is_tex for piece, is_tex in pieces)
-    larger = _AMONG_WORDS if has_words else LARGER
+    larger = 1.0 if plain else _AMONG_WORDS if has_words else LARGER
     placed, boxes, x = [], [], 0.0
     for piece, is_tex in pieces:
         size = 1.0 if len(piece) > 1 and not is_tex else larger
@@ -134,7 +136,10 @@ def _piece(text: str, is_tex: bool) -> _Piece:
     from matplotlib.textpath import TextToPath
 
     reader: Any = TextToPath()
-    name = "DejaVuSans" if any(map(str.isalpha, text)) else "STIXGeneral"
+    name = "STIXGeneral"
+    if any(map(str.isalpha, text)) or not _signs(name).issuperset(text):
+        name = "DejaVuSans"
+    text = "".join(sign if sign in _signs(name) else "\ufffd" for sign in text)
     font: Any = FontProperties(fname=font_file(name), size=_SIZE)
     width, _, _ = reader.get_text_width_height_descent(text, font, ismath=False)
     vertices, codes = reader.get_text_path(font, text, ismath=False)
@@ -344,9 +349,8 @@ class Label:
         wanted = self._text, self._tone, self._underlined
         if wanted != self._drawn:
             self._drawn = wanted
-            pixels = drawn(
-                self._text, self.em, self._tone, self._style.background, self._underlined
-            )
+            halo = self._style.background
+            pixels = drawn(self._text, self.em, self._tone, halo, self._underlined, self._plain)
             height, width = pixels.shape[:2]
             self._size = width, height
             rows = np.ascontiguousarray(pixels[::-1]).reshape(-1, 4)
@@ -381,6 +385,14 @@ class Label:
         left, right, bottom, top = self.box_px
         inside = left <= x_px <= right and bottom <= y_px <= top
         return inside and bool(self.actor.GetVisibility())
+
+
+@cache
+def _signs(font: str) -> frozenset[str]:
+    """The characters that a font can show."""
+    from matplotlib.font_manager import get_font
+
+    return frozenset(map(chr, get_font(font_file(font)).get_charmap()))
 
 
 @cache

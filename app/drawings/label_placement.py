@@ -30,6 +30,7 @@ SQUARE_EM = 1.0 / 3.0
 LEADER_FROM_EM = 1.2
 """Beyond this distance a leader joins a label to its mark."""
 _GAPS_EM = (0.45, 1.6, 3.0, 5.0)
+_PAST_EM = (0.4, 1.1, 1.8)  # beyond the tip of an arrow
 _ROUND = np.array([(1, 1), (1, -1), (-1, 1), (-1, -1), (1, 0), (-1, 0), (0, 1), (0, -1)], float)
 _STEEPEST = math.radians(30.0)
 # What a place costs.
@@ -120,14 +121,16 @@ def beyond(tip: Spot, way: Spot, size: tuple[float, float], em: float) -> Places
         return around(tip, size, em)._replace(leads=False)
     along = np.array(way) / length
     aside = np.array([-along[1], along[0]])
-    centres = []
-    for turn in (0.0, 0.5, -0.5, 1.0, -1.0):
-        out = math.cos(turn) * along + math.sin(turn) * aside
-        reach = _reach(out, size) + 0.4 * em
-        centres.append(np.array(tip) + out * reach)
+    centres, away = [], []
+    for gap in _PAST_EM:
+        for turn in (0.0, 0.5, -0.5, 1.0, -1.0):
+            out = math.cos(turn) * along + math.sin(turn) * aside
+            centres.append(np.array(tip) + out * (_reach(out, size) + gap * em))
+            away.append(min(gap, LEADER_FROM_EM) * em)
     count = len(centres)
-    far = np.full(count, 0.4 * em)
-    return Places(np.array(centres), np.zeros(count), np.tile(tip, (count, 1)), far, leads=False)
+    return Places(
+        np.array(centres), np.zeros(count), np.tile(tip, (count, 1)), np.array(away), leads=False
+    )
 
 
 def on(spot: Spot) -> Places:
@@ -268,7 +271,7 @@ class Ground:
         self.ink(held)
 
     def hidden(self, boxes: Floats) -> Floats:
-        """Return which part of each box, (n, 4), is ink."""
+        """Return which part of each box in the frame, (n, 4), is ink."""
         if self._draw is not None:
             self._draw(self)
             self._draw = None
@@ -309,9 +312,9 @@ def place(
     choices = [(wish, places) for wish, places in choices if len(places.centres)]
     if not choices:
         return stays
-    costs, boxes = _costs(choices, ground)
+    costs, boxes, crossings = _costs(choices, ground)
     counts = [len(places.centres) for _, places in choices]
-    chosen = _solve([wish.rank for wish, _ in choices], counts, costs, boxes, ground.em)
+    chosen = _solve([wish.rank for wish, _ in choices], counts, costs, boxes, ground.em, crossings)
     for (wish, places), number in zip(choices, chosen, strict=True):
         if number is not None:
             stays[wish.key] = _placed(wish, places, number, ground.em)
@@ -349,9 +352,11 @@ def _stay(
     return found
 
 
-def _costs(choices: Sequence[tuple[Wish, Places]], ground: Ground) -> tuple[Floats, Floats]:
-    """What candidates cost alone, and their boxes."""
-    em, parts, alone = ground.em, [], []
+def _costs(
+    choices: Sequence[tuple[Wish, Places]], ground: Ground
+) -> tuple[Floats, Floats, NDArray[np.bool_]]:
+    """What candidates cost alone, their boxes, and which boxes their leaders would run over."""
+    em, parts, alone, led = ground.em, [], [], []
     for i, (wish, places) in enumerate(choices):
         (wide, high), count = wish.size, len(places.centres)
         cos, sin = np.abs(np.cos(places.turns)), np.abs(np.sin(places.turns))
@@ -369,17 +374,22 @@ def _costs(choices: Sequence[tuple[Wish, Places]], ground: Ground) -> tuple[Floa
             nearest = np.clip(others[None], boxes[:, None, :2], boxes[:, None, 2:])
             apart = np.linalg.norm(nearest - others[None], axis=2).min(axis=1)
             cost += np.where(apart < own, _FOREIGN, 0.0)
-            crossed = _crossed(at, boxes, np.hstack([others - 0.4 * em, others + 0.4 * em]))
-            cost += np.where(far & crossed, _CROSSES, 0.0)
+            marks = np.hstack([others - 0.4 * em, others + 0.4 * em])
+            cost[far] += _CROSSES * _crossed(at[far], boxes[far], marks).any(axis=1)
         parts.append(boxes)
+        led.append(far)
         alone.append(cost)
     boxes, costs = np.concatenate(parts), np.concatenate(alone)
     frame = np.array(ground.limits)
-    outside = (boxes[:, :2] < frame[:2]).any(axis=1) | (boxes[:, 2:] > frame[2:]).any(axis=1)
+    free = (boxes[:, :2] >= frame[:2]).all(axis=1) & (boxes[:, 2:] <= frame[2:]).all(axis=1)
     if ground.taken:
-        outside |= _overlap(boxes, np.array(ground.taken)).any(axis=1)
-    costs[outside] = np.inf
-    return costs, boxes
+        free &= ~_overlap(boxes, np.array(ground.taken)).any(axis=1)
+    costs[~free] = np.inf
+    leads = np.concatenate(led) & free
+    anchors = np.concatenate([places.anchors for _, places in choices])
+    crossings = np.zeros((len(boxes), len(boxes)), dtype=np.bool_)
+    crossings[leads] = _crossed(anchors[leads], boxes[leads], boxes)
+    return costs, boxes, crossings
 
 
 def _hidden(wish: Wish, places: Places, ground: Ground) -> Floats:
@@ -398,21 +408,31 @@ def _hidden(wish: Wish, places: Places, ground: Ground) -> Floats:
 
 
 def _crossed(anchors: Floats, boxes: Floats, marks: Floats) -> NDArray[np.bool_]:
-    """Whether the leader of each candidate runs over a mark of another label."""
-    ends = np.clip(anchors, boxes[:, :2], boxes[:, 2:])
-    steps = np.linspace(0.15, 0.95, 8)[:, None, None]
-    points = anchors + steps * (ends - anchors)
-    inside = (points[:, :, None] > marks[:, :2]) & (points[:, :, None] < marks[:, 2:])
-    found: NDArray[np.bool_] = np.any(np.all(inside, axis=3), axis=(0, 2))
+    """Whether the leader of each candidate, (n,), runs over each of these boxes, (m, 4)."""
+    starts = anchors[:, None]
+    ways = np.clip(anchors, boxes[:, :2], boxes[:, 2:])[:, None] - starts
+    with np.errstate(divide="ignore", invalid="ignore"):
+        low, high = (marks[:, :2] - starts) / ways, (marks[:, 2:] - starts) / ways
+    first = np.fmax.reduce(np.fmin(low, high), axis=2)
+    last = np.fmin.reduce(np.fmax(low, high), axis=2)
+    found: NDArray[np.bool_] = np.fmax(first, 0.1) < np.fmin(last, 0.95)
     return found
 
 
 def _solve(
-    ranks: Sequence[float], counts: Sequence[int], costs: Floats, boxes: Floats, em: float
+    ranks: Sequence[float],
+    counts: Sequence[int],
+    costs: Floats,
+    boxes: Floats,
+    em: float,
+    crossings: NDArray[np.bool_],
 ) -> list[int | None]:
-    """The number of each label's candidate, or None."""
+    """The number of each label's candidate, or None.
+
+    `crossings` says for every candidate whose boxes its leader would run over.
+    """
     first = np.concatenate([[0], np.cumsum(counts)[:-1]]).tolist()
-    clash = _pairs(boxes, em)
+    clash = _pairs(boxes, em) | crossings | crossings.T
     alone: list[float] = costs.tolist()
     unplaced = [_UNPLACED - 10.0 * rank for rank in ranks]
     free = [

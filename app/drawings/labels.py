@@ -37,9 +37,17 @@ from app.model.projection import Array
 
 # Which label has a place first.
 PROBE, LENGTH, SCENE, AXIS, EYE, PLANE, TARGET, NUMBER = map(float, range(8))
+MARGIN_EM = 0.3
+"""Between labels and the pane's border."""
 DOT_EM = 0.4
 """Half the width of what labels keep off at a point."""
 _MOST_INSIDE = 6  # places on a plane that are tried
+
+
+def room(width_px: float, height_px: float, em: float) -> tuple[float, float, float, float]:
+    """Return where labels may be in a pane or a picture: left, low, right, high."""
+    margin = MARGIN_EM * em
+    return margin, margin, width_px - margin, height_px - margin
 
 
 class Board:

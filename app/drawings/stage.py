@@ -29,7 +29,7 @@ from app.drawings.actors import Canvas, lift_lines, make_pale
 from app.drawings.drawing import Drawing, Rectangle, light_of_labels
 from app.drawings.frustum import CUBE
 from app.drawings.label_placement import Ground
-from app.drawings.labels import Board
+from app.drawings.labels import Board, room
 from app.drawings.marks import MarksDrawing, Placing
 from app.drawings.names import Names
 from app.drawings.pane_view import Pose
@@ -101,7 +101,6 @@ class StageDrawing(Drawing):
         self._marks: MarksDrawing | None = None
         self._rasterisers = textured(scene, self._canvas, (drawn.surface, drawn.spaces[0]))
         self._illustration: Illustration | None = None
-        self._surface_matrix = np.zeros((4, 4))
         self._take(scene.start)
         self.reset_view()
 
@@ -180,7 +179,6 @@ class StageDrawing(Drawing):
             display_from_local = self._morph.display_from_local(position)
             of_object = display_from_local @ self._model.show_placed(projection.placement)
             matrices = [of_object, of_object, display_from_local]
-        self._surface_matrix = matrices[0]
         for space, matrix in zip(self._model.actors.spaces, matrices, strict=True):
             space.set_projective(matrix)
         if self._probes.probes:
@@ -197,6 +195,14 @@ class StageDrawing(Drawing):
         """From OpenGL's cube; 0 without a volume, so that nothing can be pointed at."""
         display: Array = self.box.display_from_box @ _BOX_FROM_NDC
         return display
+
+    @property
+    def _display_from_object(self) -> Array:
+        origin, seen = self._scene.origin, self._seen
+        if self._position == NDC:
+            return self._display_from_ndc @ seen.clip_from_local(origin, "object")
+        placed = seen.placement.local_from(origin, origin)
+        return self._morph.display_from_local(self._position) @ placed
 
     # -- a phenomenon, probes
 
@@ -242,7 +248,7 @@ class StageDrawing(Drawing):
         def ink(ground: Ground) -> None:
             self.box.ink(ground, seen)
             faces = self._silhouette.triangles
-            shown = rows @ self._surface_matrix
+            shown = rows @ self._display_from_object
             with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
                 x, y, _, w = np.moveaxis(faces @ shown[:, :3].T + shown[:, 3], -1, 0)
                 spots = (
@@ -253,7 +259,7 @@ class StageDrawing(Drawing):
             if self._marks is not None:
                 self._marks.ink(ground, seen)
 
-        ground = Ground((0, 0, width_px, height_px - TITLE_EM * em), em, ink)
+        ground = Ground(room(width_px, height_px - TITLE_EM * em, em), em, ink)
         self._probes.want(ground)
         self.box.want_words(ground, seen)
         if self._marks is not None:
@@ -337,7 +343,8 @@ class StageDrawing(Drawing):
 
     def show_highlight(self, highlighted: Highlight) -> bool:
         before, self.names.pointed = self.names.pointed, highlighted
-        is_new = self._show_highlighted()
+        of_scene = self._marks is not None and self._marks.show_highlight(highlighted)
+        is_new = self._show_highlighted() or of_scene
         if before != highlighted and not self.names.all:
             self._name_anew()
         return is_new

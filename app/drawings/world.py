@@ -26,7 +26,7 @@ from app.drawings.frame import DIMMED, ObjectAxes
 from app.drawings.frustum import FrustumDrawing
 from app.drawings.handles import APART_EM, HandleMarks
 from app.drawings.label_placement import Ground
-from app.drawings.labels import DOT_EM, Board, Labels, Named
+from app.drawings.labels import DOT_EM, Board, Labels, Named, room
 from app.drawings.marks import MarksDrawing, Placing
 from app.drawings.names import Names
 from app.drawings.near_picture import NearPicture
@@ -372,25 +372,11 @@ class WorldDrawing(Drawing):
             return False
         pane, at = self.own.pane, self._standing
         em = self._canvas.style.font_size
-        ground = Ground((0, 0, pane.size_px[0], pane.size_px[1] - TITLE_EM * em), em, self._ink)
+        ground = Ground(room(pane.size_px[0], pane.size_px[1] - TITLE_EM * em, em), em, self._ink)
         for handle, (x, y) in self.handles_shown:
             if self.names.all or handle == self.held:
                 ground.keep([(x, pane.size_px[1] - y)], DOT_EM * em)
-        arrows: tuple[str, ...] = ()
-        ends = np.empty((0, 2, 3))
-        if "camera" not in self._canvas.hidden:
-            arrows, ways = self.camera.arrows
-            ends = np.stack([np.tile(at.eye, (len(ways), 1)), at.eye + ways], axis=1)
-        axes = self._axes if self.has_object_axes else None
-        if axes is not None:
-            is_named = [
-                name in self.names or name.removeprefix("object_") in self.names
-                for name in axes.shafts
-            ]
-            arrows += tuple(compress(axes.shafts, is_named))
-            start = np.tile(axes.origin, (3, 1))
-            of_axes = np.stack([start, start + axes.ways], axis=1)
-            ends = np.concatenate([ends, of_axes[is_named]])
+        arrows, ends = self._arrows
         unnamed = {name for name in ("eye", "target", "near", "far") if name not in self.names}
         named = Named(
             at.eye, at.target, arrows, ends, self.camera.box, self._corners_seen,
@@ -407,6 +393,25 @@ class WorldDrawing(Drawing):
             self._marks.want_texts(ground, pane.seen, written)
         return self._board.settle(ground, afresh=afresh)
 
+    @property
+    def _arrows(self) -> tuple[tuple[str, ...], Array]:
+        """The arrows that are named, and where each starts and ends, (n, 2, 3)."""
+        at, arrows, ends = self._standing, tuple[str, ...](), np.empty((0, 2, 3))
+        if "camera" not in self._canvas.hidden:
+            arrows, ways = self.camera.arrows
+            ends = np.stack([np.tile(at.eye, (len(ways), 1)), at.eye + ways], axis=1)
+        axes = self._axes if self.has_object_axes else None
+        if axes is not None:
+            is_named = [
+                name in self.names or name.removeprefix("object_") in self.names
+                for name in axes.shafts
+            ]
+            arrows += tuple(compress(axes.shafts, is_named))
+            start = np.tile(axes.origin, (3, 1))
+            of_axes = np.stack([start, start + axes.ways], axis=1)
+            ends = np.concatenate([ends, of_axes[is_named]])
+        return arrows, ends
+
     def _ink(self, ground: Ground) -> None:
         """Tell the ground what is drawn."""
         pane, placed = self.own.pane, self._local_from_object
@@ -415,6 +420,10 @@ class WorldDrawing(Drawing):
         corners = self._corners_seen
         if corners is not None:
             ground.ink_lines(pane.spots(corners[_EDGES]))
+        _, ends = self._arrows
+        ground.ink_lines(pane.spots(ends))
+        if self.own.fixed and self._dimensions is not None:
+            self._dimensions.ink(ground)
         if self._marks is not None:
             self._marks.ink(ground, pane.seen)
 

@@ -170,18 +170,7 @@ def test_transparent_laid_on_the_background_is_the_opaque_figure(panes: Any, sty
     assert ((alpha > 0.05) & (alpha < 0.95)).any()
     background = 255.0 * np.array(rgb(style.background))
     laid = alpha * clear[..., :3] + (1.0 - alpha) * background
-    # The NDC cube's numbers lose plates of the background's colour, under which lines come out.
-    other = np.abs(laid - opaque).max(axis=-1) > 3.0
-    assert other.mean() <= (0.02 if "ndc" in panes else 0.0)
-
-
-@pytest.mark.parametrize("style", [LIGHT, DARK], ids=["light", "dark"])
-def test_no_plate_of_a_transparent_figure_has_the_colour_of_the_background(style: Any) -> None:
-    scene = load("letter-f")
-    pixels = render(scene, scene.start, ("ndc",), (300, 300), transparent=True, style=style)
-    background = np.round(255.0 * np.array(rgb(style.background)))
-    plate = (pixels[..., 3] > 250) & (np.abs(pixels[..., :3] - background).max(axis=-1) <= 2.0)
-    assert plate.sum() < 20  # with plates some hundreds; a letter in white has a few
+    assert np.abs(laid - opaque).max() <= 3.0
 
 
 def test_edges_are_smooth() -> None:

@@ -16,6 +16,7 @@ from app.document.view import FIXED, LAYERS
 from app.drawings import WORDS
 from app.drawings.dimensions import half_of
 from app.drawings.image import ImageDrawing
+from app.drawings.label import LabelActor
 from app.drawings.stage import StageDrawing
 from app.drawings.style import LIGHT
 from app.drawings.world import WorldDrawing
@@ -96,25 +97,6 @@ def test_a_flat_view_is_the_cameras_frame_to_scale(
     assert scale > 5.0
     assert spots[:, 0] - spots[0, 0] == pytest.approx(scale * (along - along[0]), abs=1e-6)
     assert spots[0, 1] - spots[:, 1] == pytest.approx(scale * (upwards - upwards[0]), abs=1e-6)
-
-
-@pytest.mark.parametrize(
-    ("view", "projection"), [("eye", START), ("axis", START.with_lens("orthographic"))]
-)
-def test_where_the_planes_lie_on_each_other_each_label_stands_at_its_own_handle(
-    off_screen: MakeScreen, view: str, projection: Projection
-) -> None:
-    screen = off_screen(*SIZE_PX)
-    drawing = made(screen, projection)
-    drawing.show_fixed(view)
-    assert drawing.handles is not None
-    held = {str(handle.name): (x, SIZE_PX[1] - y) for handle, (x, y) in drawing.handles.shown}
-    for name, other in (("near", "far"), ("far", "near")):
-        (box,) = (box for text, box in boxes_of(screen).items() if text.startswith(f"{name} "))
-        own, others = (
-            math.dist(s, np.clip(s, box[:2], box[2:])) for s in (held[name], held[other])
-        )
-        assert own < 30.0 < others
 
 
 def test_the_planes_light_their_pixels_from_the_side(off_screen: MakeScreen) -> None:
@@ -219,8 +201,7 @@ def test_a_turn_makes_the_free_view_of_it_and_a_shift_does_not(off_screen: MakeS
         assert camera.GetViewUp() == (0.0, 1.0, 0.0)
         away = np.array(camera.GetDirectionOfProjection())
         assert abs(away[1]) < 0.99  # what turns about the world's vertical does not look along it
-        written = texts_of(screen)
-        assert not [text for text in written if "=" in text]
+        assert not texts_of(screen).keys() & LENGTHS
         assert colours_of(screen.pixels()) > 5
         drawing.reset_view()
         assert (screen.pixels() == free).all()
@@ -232,81 +213,64 @@ def test_a_turn_makes_the_free_view_of_it_and_a_shift_does_not(off_screen: MakeS
 HALF = math.tan(math.radians(22.5))
 
 
-@pytest.mark.parametrize(
-    ("view", "written"),
-    [
-        # f tan(fov/2) = 18 x 0.41421 and, 16 : 9 as wide, 13.25; atan(16/9 x 0.41421) = 36.37.
-        ("side", {"near = 4", "far = 18", "d = 11.17", "fov/2 = 22.5°", "f tan(fov/2) = 7.456"}),
-        (
-            "top",
-            {"near = 4", "far = 18", "d = 11.17", "fov_x/2 = 36.37°", "f tan(fov_x/2) = 13.25"},
-        ),
-        ("axis", {"f tan(fov/2) = 7.456", "f tan(fov_x/2) = 13.25"}),
-        ("eye", set()),
-        ("", set()),
-    ],
-)
-def test_the_dimensions_are_those_of_the_lecture(
-    off_screen: MakeScreen, view: str, written: set[str]
-) -> None:
+DIMENSIONS: dict[str, set[str]] = {
+    "side": {"d", "fov/2", "f tan(fov/2)"},
+    "top": {"d", "fov_x/2", "f tan(fov_x/2)"},
+    "axis": {"f tan(fov/2)", "f tan(fov_x/2)"},
+    "eye": set(),
+    "": set(),
+}
+LENGTHS = set[str]().union(*DIMENSIONS.values())
+
+
+@pytest.mark.parametrize("view", DIMENSIONS)
+def test_the_dimensions_are_those_of_the_lecture(off_screen: MakeScreen, view: str) -> None:
     screen = off_screen(*SIZE_PX)
     drawing = made(screen)
     for name in (*FIXED, view):  # whatever was shown before
         drawing.show_fixed(name)
     screen.pixels()
-    found = texts_of(screen)
-    assert {text for text in found if "=" in text} == written
     boxes = boxes_of(screen)
+    assert boxes.keys() & LENGTHS == DIMENSIONS[view]
+    assert {"near n = 4", "far f = 18"} <= boxes.keys()
     assert overlapping(boxes) == []
     for text, (left, bottom, right, top) in boxes.items():
         assert left >= 0 and bottom >= 0 and right <= SIZE_PX[0] and top <= SIZE_PX[1], text
 
 
-DIMENSIONS = {
-    "side": {"near", "d", "far", "fov/2", "f tan(fov/2)"},
-    "top": {"near", "d", "far", "fov_x/2", "f tan(fov_x/2)"},
-    "axis": {"f tan(fov/2)", "f tan(fov_x/2)"},
-}
-NO_ROOM = "No room for all dimensions."
-
-
-@pytest.mark.parametrize("view", DIMENSIONS)
+@pytest.mark.parametrize("view", ["side", "top", "axis"])
 @pytest.mark.parametrize(
-    ("size_px", "em", "is_room"),
+    ("size_px", "em", "has_all"),
     [
         ((640, 640), 17.0, True),
         ((640, 640), 33.0, True),  # 8 points, in print
-        ((640, 640), 50.0, None),
-        ((600, 250), 21.0, None),
+        ((640, 640), 50.0, False),
+        ((600, 250), 21.0, False),
         ((900, 500), 67.0, False),
         ((500, 900), 20.0, True),
-        ((380, 230), 17.0, None),  # a small slot while presenting
+        ((380, 230), 17.0, False),  # a small slot while presenting
     ],
 )
-def test_large_letters_leave_the_drawing_in_the_pane_and_what_is_left_out_is_said(
-    off_screen: MakeScreen, view: str, size_px: tuple[int, int], em: float, is_room: bool | None
+def test_large_letters_leave_the_drawing_in_the_pane_and_cover_nothing(
+    off_screen: MakeScreen, view: str, size_px: tuple[int, int], em: float, has_all: bool
 ) -> None:
-    """Every text is shown without overlap, or a sentence says that some are missing."""
     screen = off_screen(*size_px)
     drawing = WorldDrawing(screen, load("letter-f"), WORDS, replace(LIGHT, font_size=em), live=True)
     drawing.show_names(None)
     drawing.show_fixed(view)
     screen.pixels()
     boxes = boxes_of(screen)
-    missing = DIMENSIONS[view] - {text.split(" = ")[0] for text in boxes}
-    assert (NO_ROOM in boxes) == bool(missing)
-    if is_room is not None:
-        assert is_room == (not missing) or (view == "axis" and not is_room)
+    assert DIMENSIONS[view] <= boxes.keys() or not has_all
     spots = pixel_of(drawing, drawing.frustum.corners)
     assert (spots >= 0.0).all() and (spots <= size_px).all()
     assert overlapping(boxes) == []
-    # A text in a row stands right beside its own line, or on it.
-    eye_x, _ = pixel_of(drawing, [START.camera.eye])[0]
-    for text in boxes.keys() & {"near = 4", "d = 11.17", "far = 18"}:
-        left, _, right, _ = boxes[text]
-        away = float(text.split(" = ")[1])
-        ((end_x, _),) = pixel_of(drawing, [at(START, 0.0, 0.0, away)])
-        assert left - end_x < 3.0 * em and eye_x - right < 3.0 * em, text
+    for left, bottom, right, top in boxes.values():
+        assert left >= 0.0 and bottom >= 0.0 and right <= size_px[0] and top <= size_px[1]
+    assert view == "axis" or "d" in boxes or not has_all
+    if "d" in boxes:  # right beside its line, or on it
+        (eye_x, _), (end_x, _) = pixel_of(drawing, [START.camera.eye, START.camera.target])
+        left, _, right, _ = boxes["d"]
+        assert left - end_x < 3.0 * em and eye_x - right < 3.0 * em
 
 
 def dimension_lines(prop: Any) -> list[list[tuple[float, float]]]:
@@ -331,18 +295,16 @@ def test_a_very_wide_and_a_very_narrow_frustum_are_measured_below_what_is_seen(
     boxes = boxes_of(screen)
     letter = list(itertools.product((-1.5, 1.5), (0.0, 5.0), (-0.5, 0.5)))
     objects = SIZE_PX[1] - pixel_of(drawing, letter)[:, 1].max()
-    (actor,) = (prop for prop in screen.renderer.GetViewProps() if dimension_lines(prop))
+    actor, *_ = (prop for prop in screen.renderer.GetViewProps() if dimension_lines(prop))
     level = [line for line in dimension_lines(actor) if line[0][1] == line[1][1] > 0.0]
-    (eye, _) = pixel_of(drawing, [START.camera.eye])[0]
-    for text, distance in (("near = 4", 4.0), ("d = 11.17", 11.17), ("far = 18", 18.0)):
-        left, bottom, right, top = boxes[text]
-        assert left >= 0.0 and bottom >= 0.0 and right <= SIZE_PX[0] and top <= objects
-        ((end, _),) = pixel_of(drawing, [at(START, 0.0, 0.0, distance)])
-        (row,) = (line for line in level if bottom < line[0][1] < top)
-        assert sorted(x for x, _ in row) == pytest.approx(sorted((eye, end)), abs=0.5)
+    (eye, _), (end, _) = pixel_of(drawing, [START.camera.eye, START.camera.target])
+    left, bottom, right, top = boxes["d"]
+    assert left >= 0.0 and bottom >= 0.0 and right <= SIZE_PX[0] and top <= objects
+    ends = [x for line in level if bottom < line[0][1] < top for x, _ in line]
+    assert (min(ends), max(ends)) == pytest.approx((eye, end), abs=0.5)
 
 
-def test_what_a_hand_moves_out_of_the_pane_is_not_missed(off_screen: MakeScreen) -> None:
+def test_what_a_hand_moves_out_of_the_pane_has_no_letters_there(off_screen: MakeScreen) -> None:
     screen = off_screen(*SIZE_PX)
     drawing = made(screen)
     drawing.show_fixed("side")
@@ -356,42 +318,42 @@ def test_what_a_hand_moves_out_of_the_pane_is_not_missed(off_screen: MakeScreen)
     assert drawing.fixed == "side"
     spots = pixel_of(drawing, drawing.frustum.corners)
     assert (spots[4:, 0] > SIZE_PX[0]).all() and (spots[:4, 0] < SIZE_PX[0]).all()
-    assert "near = 4" in texts_of(screen)
-    assert NO_ROOM not in texts_of(screen)
+    written = texts_of(screen).keys()
+    assert "near n = 4" in written and "f tan(fov/2)" not in written
 
 
 @pytest.mark.parametrize(
     ("name", "written"),
     [
-        ("similar-triangles", {"near = 2", "d = 4", "w = 9.601", "far = 14"}),
-        ("focus", {"near = 1.7", "s = 5", "d = 5.009", "far = 22"}),
-        ("planar-shadow", {"near = 4", "d = 14.46", "far = 24"}),
+        ("similar-triangles", ("d", "w")),
+        ("focus", ("s", "d")),
+        ("planar-shadow", ("d",)),
     ],
 )
 def test_a_scenes_distances_stand_in_rows_of_their_own(
-    off_screen: MakeScreen, name: str, written: set[str]
+    off_screen: MakeScreen, name: str, written: tuple[str, ...]
 ) -> None:
-    """One below the other, the shortest on top; no other label and no leader is among them."""
+    """One below the other, the shortest on top; no other label is among them."""
     screen, scene = off_screen(*SIZE_PX), load(name)
     drawing = WorldDrawing(screen, scene, WORDS, LIGHT, live=True)
     drawing.show_names(None)
     drawing.show_projection(scene.start, illustrated(scene))
     drawing.show_fixed("side")
     screen.pixels()
-    boxes = boxes_of(screen)
-    rows = {text: box for text, box in boxes.items() if text in written}
-    assert rows.keys() == written
-    length = {text: float(text.split(" = ")[1]) for text in rows}
-    ordered = sorted(rows, key=lambda text: length[text])
-    for upper, lower in itertools.pairwise(ordered):
-        assert rows[upper][1] >= rows[lower][3]
-    highest = max(top for _, _, _, top in rows.values())
-    assert all(box[1] > highest for text, box in boxes.items() if text not in written)
+    labels = [
+        (prop.label().text, prop.label().box_px)
+        for prop in screen.renderer.GetViewProps()
+        if isinstance(prop, LabelActor) and prop.GetVisibility()
+    ]
+    labels.sort(key=lambda label: -label[1][2])  # from the top
+    assert tuple(text for text, _ in labels[-len(written) :]) == written
+    for (_, (_, _, low, _)), (_, (_, _, _, top)) in itertools.pairwise(labels[-len(written) - 1 :]):
+        assert low >= top
 
 
 @pytest.mark.parametrize("view", ["side", "top"])
 def test_no_text_lies_on_a_plane(off_screen: MakeScreen, view: str) -> None:
-    """From the side a plane is a line; texts with an equals sign stay off it."""
+    """From the side a plane is a line; dimensions and the planes' own names stay off it."""
     screen = off_screen(*SIZE_PX)
     drawing = made(screen)
     for near, far in ((4.0, 18.0), (2.0, 14.0), (6.0, 40.0)):
@@ -406,11 +368,25 @@ def test_no_text_lies_on_a_plane(off_screen: MakeScreen, view: str) -> None:
             for text, (left, bottom, right, top) in boxes_of(screen).items():
                 beside = right <= x or x <= left
                 above = SIZE_PX[1] - top >= high or SIZE_PX[1] - bottom <= low
-                assert "=" not in text or beside or above, (text, near, far)
+                of_it = text in LENGTHS or "=" in text
+                assert not of_it or beside or above, (text, near, far)
+
+
+@pytest.mark.parametrize("view", ["side", "top"])
+def test_nears_name_lies_on_no_line_of_a_length(off_screen: MakeScreen, view: str) -> None:
+    screen = off_screen(*SIZE_PX)
+    drawing = made(screen)
+    drawing.show_fixed(view)
+    screen.pixels()
+    lines = [line for prop in screen.renderer.GetViewProps() for line in dimension_lines(prop)]
+    part = np.linspace(0.0, 1.0, 200)[:, None]
+    points = np.vstack([start + part * np.subtract(end, start) for start, end in lines])
+    left, low, right, high = boxes_of(screen)["near n = 4"]
+    assert not ((points > (left, low)) & (points < (right, high))).all(axis=1).any()
 
 
 @pytest.mark.parametrize("name", ["letter-f", "planar-shadow", "similar-triangles"])
-def test_along_the_axis_nothing_is_written_over_the_picture(
+def test_along_the_axis_no_measure_is_written_over_the_picture(
     off_screen: MakeScreen, name: str
 ) -> None:
     screen, start = off_screen(*SIZE_PX), load(name).start
@@ -425,8 +401,8 @@ def test_along_the_axis_nothing_is_written_over_the_picture(
         aside = (
             right <= near_left or near_right <= left or lower <= near_top or near_bottom <= upper
         )
-        assert aside, text
-        if "=" in text:
+        assert aside or not text.startswith("near"), text
+        if text in LENGTHS or text.startswith("far"):
             assert right <= far_left or far_right <= left or lower <= far_top or far_bottom <= upper
 
 
@@ -448,24 +424,26 @@ def test_half_a_window_by_hand() -> None:
     assert half_of(with_cell(START, "clip_from_view", 0, 1, 0.5), 1) is None
 
 
-def test_dimensions_follow_a_slider_and_reach_the_screen(off_screen: MakeScreen) -> None:
-    """The line in ink ends below the near plane, at the distance that near states."""
+def test_dimensions_follow_the_camera_and_reach_the_screen(off_screen: MakeScreen) -> None:
+    """The line in ink ends below the eye and the target, and leaves a gap for its letter."""
     screen = off_screen(*SIZE_PX)
     drawing = made(screen)
     drawing.show_fixed("side")
-    for near in (4.0, 6.0, 9.0):
-        drawing.show_projection(with_lens(near=near))
+    for distance in (5.0, 8.0, 11.0):
+        orbit = START.camera.orbit._replace(distance=distance)
+        camera = Camera.from_orbit(START.camera.target, orbit)
+        drawing.show_projection(replace(START, camera=camera))
+        drawing.refit()
         image = screen.pixels()
-        assert f"near = {near:g}" in texts_of(screen)
-        (eye, plane) = pixel_of(drawing, [START.camera.eye, at(START, 0.0, 0.0, near)])
-        left, bottom, _, top = boxes_of(screen)[f"near = {near:g}"]
+        (eye, target) = pixel_of(drawing, [camera.eye, camera.target])
+        left, bottom, right, top = boxes_of(screen)["d"]
         row = SIZE_PX[1] - (bottom + top) / 2.0
         inked = drawn(image, to_bytes(LIGHT.ink))[int(row) - 3 : int(row) + 4].any(axis=0)
         columns = np.flatnonzero(inked)
-        assert columns.min() == pytest.approx(eye[0], abs=1.5)
-        # The text stands on the line, or behind it where the line is too short.
-        line = columns[columns < left - 2] if left > plane[0] else columns
-        assert line.max() == pytest.approx(plane[0], abs=1.5)
+        ends = columns.min(), columns.max()
+        assert ends == pytest.approx((eye[0], target[0]), abs=1.5)
+        assert not inked[int(left) - 4 : int(left)].any()
+        assert not inked[int(right) + 1 : int(right) + 4].any()
 
 
 SENTENCES = {
@@ -497,8 +475,9 @@ def test_one_sentence_says_what_a_lens_does_not_have(
     drawing.show_projection(projection)
     drawing.refit()
     screen.pixels()
-    said = {text for text in texts_of(screen) if text in SENTENCES.values()}
-    assert said == ({SENTENCES[sentence]} if sentence else set())
+    lines = sorted(texts_of(screen).items(), key=lambda line: -line[1].box_px[2])
+    said = [text for text, label in lines if label.box_px[0] == 0.5 * LIGHT.font_size]
+    assert " ".join(said) == SENTENCES.get(sentence, "")
     has_angle = any("fov" in text for text in texts_of(screen))
     assert has_angle == (view == "side" and not sentence)
 
@@ -602,7 +581,7 @@ def test_a_layer_is_switched_off_and_on_again(off_screen: MakeScreen, layer: str
     ("layer", "names"),
     [
         ("camera", {"eye", "target", "u⃗", "v⃗", "n⃗"}),
-        ("frustum", {"near 4", "far 18", "near = 4", "far = 18"}),
+        ("frustum", {"near n = 4", "far f = 18"}),
     ],
 )
 @pytest.mark.parametrize("view", ["", "side"])
@@ -615,7 +594,7 @@ def test_names_and_handles_go_with_what_they_are_of(
     assert drawing.handles is not None
     screen.pixels()
     before, handles = texts_of(screen).keys(), list(drawing.handles.shown)
-    assert names - {"near = 4", "far = 18"} <= before
+    assert names <= before
     held = {handle.name for handle, _ in handles if handle.name in ("eye", "target")}
     gone = held if layer == "camera" else {"near", "far", "corner"}
     drawing.show_layers(frozenset({layer}))
@@ -684,12 +663,11 @@ def test_no_line_of_a_scene_has_a_grids_colour_but_the_grid(name: str) -> None:
 @pytest.mark.parametrize(
     ("name", "view", "written"),
     [
-        # d = 4, w = 9.601: 1.03/4 is 2.472/9.601, and 0.3385/4 is 0.8126/9.601.
-        ("similar-triangles", "side", {"y = 2.472", "y_p = 1.03"}),
-        ("similar-triangles", "top", {"x = 0.8126", "x_p = 0.3385"}),
+        ("similar-triangles", "side", {"y", "y_p"}),
+        ("similar-triangles", "top", {"x", "x_p"}),
         # The film 4 from the hole, d of the scene and not the target's, and the arrow 9, its z.
-        ("camera-obscura", "side", {"d = 4", "z = 9"}),
-        ("camera-obscura", "top", {"d = 4", "z = 9"}),
+        ("camera-obscura", "side", {"d", "z"}),
+        ("camera-obscura", "top", {"d", "z"}),
     ],
 )
 def test_l5_l21_both_triangles_are_measured_in_the_flat_views(

@@ -11,11 +11,11 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from app.drawings import WORDS
+from app.drawings import WORDS, Words
 from app.drawings.image import ImageDrawing
 from app.drawings.marks import DOT, MarksDrawing
 from app.drawings.stage import StageDrawing
-from app.drawings.style import DARK, LIGHT
+from app.drawings.style import DARK, LIGHT, tone
 from app.drawings.world import WorldDrawing
 from app.lecture.stages import IMAGE, NDC, VIEW
 from app.model.projection import DEPTH_RANGES, Camera, Perspective, Projection
@@ -60,6 +60,7 @@ class Shown:
 
     def show(self, illustration: Illustration | None) -> Pixels:
         self.drawing.show_projection(self.projection, illustration)
+        self.drawing.refit()  # at rest
         pixels: Pixels = self.screen.pixels()
         return pixels
 
@@ -214,27 +215,26 @@ def test_a_face_tints_what_is_behind_it(pane: str, shown: Callable[..., Shown]) 
 
 
 @pytest.mark.parametrize("pane", PANES)
-def test_a_text_stands_beside_its_point_on_its_plate(
+def test_a_text_stands_beside_its_point_in_a_readable_tone(
     pane: str, shown: Callable[..., Shown]
 ) -> None:
     one = shown(pane)
     for place in PLACES[:2]:
-        image = one.show(one.marks([place], lambda p: Marks(texts=(Text("here", p[0], RED),))))
-        lit = drawn(image, (255, 0, 0))
-        assert lit.sum() > 100
+        image = one.show(one.marks([place], lambda p: Marks(texts=(Text("here", p[0], GREEN),))))
+        lit = drawn(image, to_bytes(tone(GREEN, LIGHT.background)))
+        assert lit.sum() > 5 and not drawn(image, to_bytes(GREEN)).any()
         away = np.abs(middle(lit) - one.seen([place])[0])
         assert away.max() < 4.0 * LIGHT.font_size
-        # Nothing else of the pane's has been hidden by letters of another colour than readable.
-        inside = image[lit.any(axis=1)][:, lit.any(axis=0)]
-        assert drawn(inside, (0, 0, 0)).any() or drawn(inside, (255, 255, 255)).any()
 
 
 @pytest.mark.parametrize("pane", PANES)
 def test_a_text_is_written_in_the_window_s_language(pane: str, shown: Callable[..., Shown]) -> None:
     place = (1.5, 5.0, 0.5)
     pictures = []
+    translated = Words()
+    translated["half-way"] = "na pola puta"
     for text, words in (
-        ("half-way", {**WORDS, "half-way": "na pola puta"}),
+        ("half-way", translated),
         ("na pola puta", WORDS),
         ("half-way", WORDS),
     ):
@@ -252,9 +252,9 @@ def test_a_text_gets_out_of_the_way_of_what_the_scene_shows(
     """At the stem's left edge the first place, to the right, would hide the letter."""
     one = shown(pane)
     place = (-1.5, 2.2, 0.5)
-    lit = drawn(one.show(one.marks([place], lambda p: Marks(texts=(Text("stem", p[0], RED),)))),
-                (255, 0, 0))  # fmt: skip
-    assert lit.sum() > 100
+    image = one.show(one.marks([place], lambda p: Marks(texts=(Text("stem", p[0], RED),))))
+    lit = drawn(image, to_bytes(tone(RED, LIGHT.background)))
+    assert lit.sum() > 5
     assert middle(lit)[0] < one.seen([place])[0][0] - 10.0
 
 
@@ -263,7 +263,8 @@ def test_texts_of_one_place_do_not_hide_one_another(shown: Callable[..., Shown])
     middle_px = np.array(START.image_size) * (0.25, 0.4)
     texts = tuple(Text("P", middle_px, colour) for colour in (RED, GREEN, BLUE))
     image = one.show(Illustration((), image=Marks(texts=texts)))
-    inks = [drawn(image, to_bytes(colour)).sum() for colour in (RED, GREEN, BLUE)]
+    tones = [to_bytes(tone(colour, LIGHT.background)) for colour in (RED, GREEN, BLUE)]
+    inks = [drawn(image, colour).sum() for colour in tones]
     assert min(inks) > 0.9 * max(inks) > 0
 
 
@@ -616,4 +617,4 @@ def test_l8_no_letters_lie_on_the_bow(off_screen: Any, size: tuple[int, int]) ->
     under_letters = (plain != written).any(axis=2)
     on_bow = drawn(plain, to_bytes(LIGHT.u))
     assert under_letters.sum() > 500 and on_bow.sum() > 100
-    assert not (under_letters & on_bow).any()
+    assert not (under_letters & on_bow).any(), (under_letters & on_bow).sum()

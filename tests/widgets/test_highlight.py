@@ -13,6 +13,7 @@ from PySide6.QtCore import QEvent, QObject, QPoint, QPointF, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QWidget
 
+from app.document.view import EVERYTHING
 from app.drawings.pointing import pointed_at, volume_edges
 from app.lecture.highlight import CORNERS, NOTHING, OBJECT_AXES, corner_at, made_of
 from app.lecture.notation import letters_in, matrices
@@ -251,6 +252,7 @@ def test_the_world_knows_what_is_under_the_mouse(
     window.menus.name_everything.trigger()
     projection = window.store.document.projection
     window.slots.bring("world")
+    window.store.set_view(names=EVERYTHING)  # the target is drawn only if it is named
     settle()
     drawing = window.panes["world"].drawing
     assert drawing is not None

@@ -74,7 +74,6 @@ class Look(QObject):
                     "A parallel lens has no angle: it is equally wide at every distance."
                 ),
                 "no eye": self.tr("A parallel lens has no eye: this is the view along its axis."),
-                "no room": self.tr("No room for all dimensions."),
                 "no half angle": self.tr(
                     "This window is off-axis: the axis does not halve its angle."
                 ),

@@ -1,0 +1,212 @@
+"""Labels: how they are typeset, and the pixels in which they reach the screen."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import fields
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from app.drawings.label import HALO_EM, LARGER, Label, drawn, laid, pieces_of, rim_px, size_px
+from app.drawings.style import DARK, LIGHT, Style, contrast, rgb, tone
+from app.model.formula import ARROW
+from app.scenes.scene import BUILT_IN, load
+from tests.support.drawings import MakeScreen, OffScreen, illustrated, off_screen, to_bytes
+
+__all__ = ["off_screen"]
+
+EM = 15.0
+INK, PAPER = "#000000", "#ffffff"
+
+
+@pytest.mark.parametrize(
+    ("text", "pieces"),
+    [
+        ("y_p", [("y_{p}", True)]),
+        ("P'", [("P'", True)]),
+        ("x_min", [(r"x_{\mathrm{min}}", True)]),
+        ("V_12", [("V_{12}", True)]),
+        (f"n{ARROW}", [(r"\vec{n}", True)]),
+        ("θ_h/2", [(r"\theta _{h}", True), ("/", False), ("2", False)]),
+        ("fov_x", [(r"\mathrm{fov}_{x}", True)]),
+        ("fov", [(r"\mathrm{fov}", True)]),
+        ("f tan(x)", [("f", True), (" ", False), (r"\tan ", True), ("(", False), ("x", True),
+                      (")", False)]),
+        ("near n", [("near", False), (" ", False), ("n", True)]),
+        ("½ в мире", [("½", False), (" ", False), ("в", False), (" ", False), ("мире", False)]),
+        (r"$\frac{y}{w}$", [(r"\frac{y}{w}", True)]),
+    ],
+)  # fmt: skip
+def test_letters_are_formulas_and_words_are_words(
+    text: str, pieces: list[tuple[str, bool]]
+) -> None:
+    assert pieces_of(text) == pieces
+    left, low, right, high = laid(text).box
+    assert right > left and high > low and math.isfinite(laid(text).pieces[-1][3])
+
+
+@given(st.text(max_size=30))
+def test_no_text_is_lost_and_any_can_be_drawn(text: str) -> None:
+    left, low, right, high = laid(text).box
+    assert left <= right and low <= high
+    assert laid(text, plain=True).pieces == ((text, False, 1.0, 0.0),)
+    assert all(side >= 0 for side in size_px(text, EM))
+
+
+def test_a_sign_that_no_font_has_is_shown_as_a_missing_one() -> None:
+    left, _, right, _ = laid("\u6f22").box
+    assert right > left and laid("\u6f22").box == laid("\u5b57").box
+
+
+def test_broken_tex_is_shown_as_it_is_typed() -> None:
+    typed = r"$\frac{1$"
+    assert laid(typed).box == pytest.approx(LARGER * np.array(laid(typed, plain=True).box))
+
+
+def test_a_letter_alone_is_larger_than_a_word_and_a_subscript_hangs_lower() -> None:
+    (_, _, alone, _), *_ = laid("x").pieces
+    (_, _, word, _), *_, (_, _, beside, _) = laid("near x").pieces
+    assert word == 1.0 < beside < alone
+    _, low, _, high = laid("y_p").box
+    _, low_alone, _, high_alone = laid("y").box
+    assert low < low_alone and high == pytest.approx(high_alone)
+
+
+def test_a_plain_text_has_no_formulas(off_screen: MakeScreen) -> None:
+    """A stranger's text is shown letter by letter: in its size and in its pixels."""
+    text = "a_b $x$"
+    screen, label = off_screen(160, 40), Label(text, LIGHT, anchor=(-1, -1), plain=True)
+    assert label.size_px == size_px(text, EM, plain=True) != size_px(text, EM)
+    assert (
+        pixels_of(screen, label, 10, 10) == flat(drawn(text, EM, label_tone(), PAPER, plain=True))
+    ).all()
+
+
+@pytest.mark.parametrize("em", [9.0, 15.0, 40.0])
+def test_letters_have_the_size_that_they_report(em: float) -> None:
+    for text in ("near n = 4", "y_p", "g", "P'"):
+        pixels, rim = drawn(text, em, INK, PAPER), rim_px(em)
+        wide, high = size_px(text, em)
+        assert pixels.shape[:2] == (high + 2 * rim, wide + 2 * rim)
+        dark = (pixels[..., :3].max(axis=2) < 128) & (pixels[..., 3] > 128)
+        rows, columns = np.nonzero(dark)
+        most = max(2.0, 0.1 * em)
+        assert abs(np.ptp(rows) + 1 - high) <= most and abs(np.ptp(columns) + 1 - wide) <= most
+    assert size_px("near", 2.0 * em)[1] == pytest.approx(2.0 * size_px("near", em)[1], abs=1.5)
+    capital = size_px("H", em)[1] if em > 9.0 else 0.9 * em
+    assert 0.8 * em < capital < 1.1 * em
+
+
+def test_a_halo_surrounds_the_letters() -> None:
+    """Opaque next to a stroke, in the paper's colour, and gone beyond its width."""
+    em = 60.0
+    pixels = drawn("l", em, INK, "#ff0000").astype(int)
+    middle = pixels[len(pixels) // 2]
+    inked = np.flatnonzero((middle[:, 0] < 30) & (middle[:, 3] > 250))
+    beside = middle[inked.max() + 3 : inked.max() + round(HALO_EM * em) - 2]
+    assert len(beside) > 1 and (beside[:, :3] == (255, 0, 0)).all() and beside[:, 3].min() > 200
+    assert (middle[inked.max() + round(HALO_EM * em) + 3 :, 3] == 0).all()
+
+
+@pytest.mark.parametrize("style", [LIGHT, DARK])
+def test_every_tone_can_be_read(style: Style) -> None:
+    for field in fields(style):
+        colour = getattr(style, field.name)
+        if isinstance(colour, str) and field.name not in ("background", "margin"):
+            assert contrast(tone(colour, style.background), style.background) >= 4.5, field.name
+    for name in ("near", "far", "u", "v", "n", "accent"):
+        assert tone(getattr(style, name), style.background) != getattr(style, name)
+
+
+@given(st.tuples(*[st.integers(0, 255)] * 3), st.sampled_from([LIGHT, DARK]))
+def test_any_colour_has_a_tone_that_can_be_read(rgb_8: tuple[int, int, int], style: Style) -> None:
+    colour = "#{:02x}{:02x}{:02x}".format(*rgb_8)
+    assert contrast(tone(colour, style.background), style.background) >= 4.5
+
+
+def test_every_text_of_every_scene_is_typeset_without_raw_signs() -> None:
+    for name in BUILT_IN:
+        shown = illustrated(load(name))
+        for marks in (shown.world, shown.ndc, shown.image) if shown else ():
+            for text in marks.texts:
+                words = "".join(piece for piece, is_tex in pieces_of(text.text) if not is_tex)
+                assert not set(words) & set("_$\\"), (name, text.text)
+
+
+# -- on the screen
+
+
+def label_tone() -> str:
+    return tone(LIGHT.ink, LIGHT.background)
+
+
+def flat(pixels: np.ndarray) -> np.ndarray:
+    """A label on white paper."""
+    opacity = pixels[..., 3:] / 255.0
+    return np.rint(opacity * pixels[..., :3] + (1.0 - opacity) * 255.0)
+
+
+def pixels_of(screen: OffScreen, label: Label, x: int, y: int) -> np.ndarray:
+    """What a window shows of a label whose letters begin at a pixel from the bottom left."""
+    screen.renderer.SetBackground(*rgb(LIGHT.background))
+    screen.renderer.AddViewProp(label.actor)
+    label.set_position(x, y)
+    image = screen.pixels()[::-1]
+    rim, (wide, high) = rim_px(label.em), label.size_px
+    return image[y - rim : y + high + rim, x - rim : x + wide + rim][::-1].astype(float)
+
+
+@pytest.mark.parametrize("text", ["near n = 4", "y_p", "рядом", r"$\frac{y}{w}$"])
+def test_the_pixels_in_a_window_are_those_that_were_drawn(
+    off_screen: MakeScreen, text: str
+) -> None:
+    screen, label = off_screen(200, 80), Label(text, LIGHT, anchor=(-1, -1))
+    shown = pixels_of(screen, label, 30, 25)
+    assert np.abs(shown - flat(drawn(text, EM, label_tone(), PAPER))).max() <= 1.0
+    label.set_position(30.4, 24.6)  # to whole pixels
+    assert np.abs(pixels_of(screen, label, 30, 25) - shown).max() == 0.0
+
+
+def test_a_label_stands_where_its_anchor_says_and_can_be_pointed_at(off_screen: MakeScreen) -> None:
+    screen = off_screen(200, 80)
+    screen.renderer.SetBackground(*rgb(LIGHT.background))
+    for anchor in ((0, 0), (-1, 1), (1, -1)):
+        label = Label("near", LIGHT, anchor=anchor)
+        screen.renderer.AddViewProp(label.actor)
+        label.set_position(100.0, 40.0)
+        inked = (screen.pixels()[::-1] == to_bytes(label_tone())).all(axis=2)
+        rows, columns = np.nonzero(inked)
+        left, right, low, high = label.box_px
+        assert left - 1 <= columns.min() and columns.max() <= right + 1
+        assert low - 1 <= rows.min() and rows.max() <= high + 1
+        assert label.covers((left + right) / 2.0, (low + high) / 2.0)
+        assert not label.covers(left - 2.0, low) and not label.covers(right, high + 2.0)
+        label.set_shown(False)
+        assert not label.covers((left + right) / 2.0, (low + high) / 2.0)
+        assert (screen.pixels() == 255).all()
+
+
+def test_a_turned_label_is_as_wide_as_its_box(off_screen: MakeScreen) -> None:
+    screen, label = off_screen(200, 120), Label("near n = 4", LIGHT)
+    screen.renderer.AddViewProp(label.actor)
+    screen.renderer.SetBackground(*rgb(LIGHT.background))
+    label.set_position(100.0, 60.0, math.radians(30.0))
+    rows, columns = np.nonzero((screen.pixels()[::-1] < 100).all(axis=2))
+    left, right, low, high = label.box_px
+    wide, tall = label.size_px
+    assert right - left == pytest.approx(wide * math.cos(math.pi / 6) + tall / 2.0)
+    assert left - 1 <= columns.min() and columns.max() <= right + 1
+    assert low - 1 <= rows.min() and rows.max() <= high + 1
+    assert np.corrcoef(columns, rows)[0, 1] > 0.7  # to the right and up
+
+
+def test_an_underlined_label_keeps_its_letters_in_place(off_screen: MakeScreen) -> None:
+    screen, label = off_screen(200, 80), Label("near", LIGHT, anchor=(-1, -1))
+    plain = pixels_of(screen, label, 30, 30)
+    label.set_underlined(True)
+    assert (pixels_of(screen, label, 30, 30)[:-4] == plain[:-4]).all()
+    below = screen.pixels()[::-1][24:30, 30:60]
+    assert (below == to_bytes(label_tone())).all(axis=2).any(axis=0).all()
