@@ -145,10 +145,9 @@ class Labels:
     def want(self, ground: Ground, pane: PaneView, named: Named) -> None:
         """Ask for the places of all that is named."""
         board, em = self._board, self._board.em
-        if named.arrows:
-            x, y, depth = np.array(pane.seen(named.body)).T
-            if depth.min() > 0.0:
-                ground.keep_box(x.min(), y.min(), x.max(), y.max())
+        x, y, depth = np.array(pane.seen(named.body)).T
+        if depth.min() > 0.0:
+            ground.keep_box(x.min(), y.min(), x.max(), y.max())
         eye, target = pane.seen(np.stack([named.eye, named.target]))
         for name, spot, rank in (("eye", eye, EYE), ("target", target, TARGET)):
             if name not in named.without:
