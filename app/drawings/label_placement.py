@@ -34,7 +34,7 @@ _PAST_EM = (0.4, 1.1, 1.8)  # beyond the tip of an arrow
 _ROUND = np.array([(1, 1), (1, -1), (-1, 1), (-1, -1), (1, 0), (-1, 0), (0, 1), (0, -1)], float)
 _STEEPEST = math.radians(30.0)
 # What a place costs.
-_INK, _CROSSES, _ORDER, _FOREIGN, _OVERLAP, _UNPLACED = 20.0, 8.0, 0.2, 10.0, 1e6, 1e3
+_INK, _CROSSES, _ORDER, _FOREIGN, _OVERLAP, _UNPLACED = 20.0, 8.0, 0.08, 10.0, 1e6, 1e3
 _MOVES = 200
 _RIM_EM = 0.45  # of a mark, where its leader begins
 _FAR = 1e9

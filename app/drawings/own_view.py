@@ -32,7 +32,7 @@ from app.model.projection import Array, Camera
 from app.picking.picking import Sight
 
 _VIEW_ANGLE_DEG = 50.0
-_MARGIN_EM = 1.6  # for the labels
+_MARGIN_EM = 1.3  # for the labels
 _SMALL_MARGIN = 1.0 / 6.0  # of a small pane: both sides together take no more of it
 _BEHIND_FAR = 1.4  # of far's distance: the depth that a view from the side shows
 _LARGE, _LARGE_AREA = 0.6, 0.35  # of the pane's longer side, and of its area: the core
