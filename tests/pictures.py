@@ -25,7 +25,7 @@ from app.scenes.phenomena import PHENOMENA
 from tests.support.commands import run
 
 DOCS = Path(ROOT) / "docs"
-MOST_DIFFERENT = 0.002
+MOST_DIFFERENT = 0.001
 """Share of a picture's squares that may differ: drivers and fonts differ along edges."""
 _SQUARE_PX, _LEVELS = 8, 24
 

@@ -25,7 +25,7 @@ from app.drawings.drawing import Drawing, Rectangle, light_of_labels
 from app.drawings.frame import DIMMED, ObjectAxes
 from app.drawings.frustum import FrustumDrawing
 from app.drawings.handles import APART_EM, HandleMarks
-from app.drawings.label_placement import Ground
+from app.drawings.label_placement import SQUARE_EM, Ground
 from app.drawings.labels import DOT_EM, Board, Labels, Named, room
 from app.drawings.marks import MarksDrawing, Placing
 from app.drawings.names import Names
@@ -419,7 +419,11 @@ class WorldDrawing(Drawing):
         self._silhouette.ink(ground, pane.spots(triangles))
         corners = self._corners_seen
         if corners is not None:
-            ground.ink_lines(pane.spots(corners[_EDGES]))
+            edges = pane.spots(corners[_EDGES])
+            # In a flat view a plane is one upright line: letters keep a square away from it.
+            aside = SQUARE_EM * self._board.em if self.own.fixed in ("side", "top") else 0.0
+            for shift in {-aside, 0.0, aside}:
+                ground.ink_lines(edges + np.array([shift, 0.0]))
         _, ends = self._arrows
         ground.ink_lines(pane.spots(ends))
         if self.own.fixed and self._dimensions is not None:
