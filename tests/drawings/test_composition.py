@@ -107,11 +107,13 @@ def test_a_label_on_the_point_of_another_one_is_a_fault() -> None:
 
 
 def test_the_points_of_labels_are_where_the_picture_shows_them() -> None:
-    """The picture lies in a part of its pane."""
-    found = picture("image", "view.names=half-in-world,half-on-screen", scene="interpolation")
-    assert len(found.points) == len(found.labels) == 2
-    for label in found.labels:
-        x, y = dict(found.points)[label.text]
+    """The picture lies in the middle of a high pane."""
+    found = load("interpolation")
+    document = Document("interpolation", found.start)
+    (high,) = measured(document, found, "image", (360, 900), 14.0)
+    assert len(high.points) == len(high.labels) == 2
+    for label in high.labels:
+        x, y = dict(high.points)[label.text]
         to_right = max(label.left - x, 0.0, x - label.right)
         up = max(label.low - y, 0.0, y - label.high)
         assert 0.0 < to_right + up < 6.0 * label.em
