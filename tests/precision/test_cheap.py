@@ -99,8 +99,9 @@ def test_stored_vertices_are_where_the_format_has_them() -> None:
         counts = (places + 3.0) / step
         assert np.allclose(counts, np.rint(counts), rtol=0, atol=1e-6)
         assert 0.45 * step < np.abs(places - POINTS).max() <= 0.5001 * step
+    origin = np.array((1.0, 0.0, 0.0))
     halves = stored(POINTS, Hardware("float16"), (1.0, 0.0, 0.0))
-    assert np.array_equal(halves, (POINTS - (1.0, 0.0, 0.0)).astype(np.float16) + (1.0, 0.0, 0.0))
+    assert np.array_equal(halves, (POINTS - origin).astype(np.float16) + origin)
     assert np.isnan(stored([(4.0, 0.0, 0.0)], Hardware("8 bits"), box=box)).any()
 
 
