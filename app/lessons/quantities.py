@@ -78,7 +78,7 @@ def _cosine(angle: float) -> float:
     return _sine(90.0 - abs(math.remainder(angle, 360.0)))
 
 
-_FUNCTIONS: dict[str, Callable[..., float]] = {
+FUNCTIONS: dict[str, Callable[..., float]] = {
     "sin": _sine,
     "cos": _cosine,
     "tan": lambda angle: _sine(angle) / _cosine(angle),
@@ -130,7 +130,7 @@ class Quantities:
         return self._number(name, ())
 
     def _call(self, name: str, arguments: Sequence[float]) -> float:
-        function = _FUNCTIONS.get(name)
+        function = FUNCTIONS.get(name)
         if function is not None:
             try:
                 return function(*arguments)
@@ -177,7 +177,7 @@ class Quantities:
             return self._before._number(name.removeprefix("was_"), places)
         found = self._looked_up(name)
         if found is None:
-            known = [*self.names, *(() if places == () else _FUNCTIONS)]
+            known = [*self.names, *(() if places == () else FUNCTIONS)]
             near = difflib.get_close_matches(name, known, n=1, cutoff=0.0)
             bound = NO_FUNCTION if places else NO_NAME
             raise Refusal("formula", name, bound, name, near[0])

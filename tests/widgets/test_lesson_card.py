@@ -260,7 +260,8 @@ def test_an_answer_is_marked_with_its_idea_hints_and_reason(
     before, idea = window.store.document, idea_named("angle-linear")
     assert idea is not None
     for typed, said in (
-        ("wide", "must be a number"), ("98", "three significant digits"), ("77", "not it."),
+        ("wide", "must be a number"), ("98", "three significant digits"),
+        ("77", "not it. It is too small, by a factor of about 1.3."),
     ):  # fmt: skip
         assert said in answered(window, typed) and card.blocks[0].is_open, typed
     assert window.store.document == before

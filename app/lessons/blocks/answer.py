@@ -63,7 +63,8 @@ class Answer(Question):
             assert wrong.formula is not None
             if marking.equals(number, self.value(here, wrong.formula, wrong.line)):
                 return wrong.verdict(here)
-        return Verdict(False, too_short=marking.is_too_short(number, value))
+        too_short = marking.is_too_short(number, value)
+        return Verdict(False, too_short=too_short, remark=marking.remark(number, value))
 
     def verdict(self, here: Here, sample: str, line: int) -> str:
         try:

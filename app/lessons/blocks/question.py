@@ -14,7 +14,7 @@ from app.lessons.lines import Body, Item, Items, on_line, refused
 from app.lessons.quantities import Condition, NotThere, Quantities
 from app.lessons.state import State, state_in
 from app.model.formula import Formula
-from app.model.refusal import QT_TRANSLATE_NOOP
+from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
 
 NO_VALUE = QT_TRANSLATE_NOOP("Refusal", "has no value in this state, which has no {0}")
 NO_IDEA = QT_TRANSLATE_NOOP(
@@ -44,6 +44,8 @@ class Verdict(NamedTuple):
         A state that shows what `says` explains.
     too_short : bool
         Whether the answer is right but has too few digits.
+    remark : Refusal, optional
+        How a number that no idea explains differs from the right one.
     """
 
     right: bool
@@ -51,6 +53,7 @@ class Verdict(NamedTuple):
     says: str = ""
     state: Document | None = None
     too_short: bool = False
+    remark: Refusal | None = None
 
     @property
     def word(self) -> str:
