@@ -22,11 +22,13 @@ from vtkmodules.vtkCommonMath import vtkMatrix4x4
 from vtkmodules.vtkCommonTransforms import vtkPerspectiveTransform
 from vtkmodules.vtkRenderingCore import vtkCamera
 
+from app.arithmetic.formats import QUANTISED
 from app.measure.reference import SAMPLE, Truth, sample, truth
 from app.measure.results import Choice, Curve, Sweep, Trade
 from app.measure.run import Watch, timed, unwatched
 from app.model.projection import Array, Camera, Frustum, Perspective, Projection, Vector
 from app.model.refusal import QT_TRANSLATE_NOOP, Cancelled, Refusal
+from app.precision.cheap import Hardware, cheap
 from app.precision.levels import Precision, Prediction, predict, trace
 
 Rows: TypeAlias = NDArray[Any]
@@ -40,24 +42,30 @@ _PRECISIONS: dict[str, Precision] = {
     "exact": "exact",
 }
 """The ways that are precisions of the model, which predicts their errors."""
-SLOW = ("float16",)
-"""The ways that numpy emulates: they are judged, but not timed."""
+CHEAP = {
+    **{name: Hardware(name, name) for name in ("float16", "bfloat16", "fixed 16.16")},
+    **{bits: Hardware(bits) for bits in [*QUANTISED][::2]},
+}
+"""Formats that numpy can only imitate, and vertices of so many bits: judged, but not timed."""
+
+WORLD = "float32, world coordinates"
+"""With vertices that are not measured from near the camera; over distances only."""
 
 NO_POINTS = QT_TRANSLATE_NOOP(
     "Measure", "no vertex is in front of the eye, so there is nothing to measure"
 )
 NOT_INSTALLED = QT_TRANSLATE_NOOP("Measure", "not installed")
-IN_SOFTWARE = QT_TRANSLATE_NOOP("Measure", "numpy computes it in software: its time says nothing")
+IN_SOFTWARE = QT_TRANSLATE_NOOP("Measure", "imitated in software: its time says nothing")
 NOT_A_NUMBER = QT_TRANSLATE_NOOP("Measure", "returns NaN")
 INFINITE = QT_TRANSLATE_NOOP("Measure", "overflows")
 
 
 class Way(NamedTuple):
-    """One way of projecting: the timed function, how to read its answer, and bytes of a point."""
+    """One way of projecting: the timed function, how to read its answer, bytes of a vertex."""
 
     run: Callable[[], Any]
     rows: Callable[[Any], Rows]
-    bytes: float = 24.0
+    bytes: float | None = None
 
 
 def looked_at(projection: Projection, points_world: Array) -> Array:
@@ -75,22 +83,23 @@ def looked_at(projection: Projection, points_world: Array) -> Array:
 
 
 def ways(projection: Projection, world: Array, origin: Vector) -> dict[str, Way]:
-    """Return our own ways, from float16 to the exact one; `origin` as for `summed`."""
+    """Return our own ways, from float32 to the exact one; `origin` as for `summed`."""
 
     def same(rows: Rows) -> Rows:
         return rows
 
     found = {
         kind: Way(summed(projection, world, origin, kind), same, 3.0 * np.dtype(kind).itemsize)
-        for kind in ("float16", "float32", "float64")
+        for kind in ("float32", "float64")
     }
     for kind in ("float32", "float64"):  # moved in float64, so every point keeps its 24 bytes
-        found[f"{kind}, eye first"] = Way(summed(projection, world, None, kind), same)
+        found[f"{kind}, eye first"] = Way(summed(projection, world, None, kind), same, 24.0)
     for name, precision in _PRECISIONS.items():
         if precision != "float32":  # which is above, without unused results
             found[name] = Way(
                 partial(trace, projection, world, precision),
                 lambda traced: np.vstack([traced.image.T, traced.depth]),
+                24.0,
             )
     return found
 
@@ -106,7 +115,7 @@ def summed(
         World point that is subtracted from the vertices once, in float64. None subtracts the eye,
         which moves, in every run.
     kind : str
-        ``"float16"``, ``"float32"`` or ``"float64"``. With an origin, float32 is bit for bit the
+        ``"float32"`` or ``"float64"``. With an origin, float32 is bit for bit the
         precision ``float32`` of `app.precision.levels`.
     """
     columns = np.ascontiguousarray(world.T)
@@ -204,7 +213,7 @@ def peers(projection: Projection, world: Array) -> tuple[dict[str, Way], dict[st
             clip = np.asarray(transform * vectors)
             return viewport(clip[:, :3] / clip[:, 3:])
 
-        return Way(run, np.transpose, 32.0)
+        return Way(run, np.transpose)
 
     for name, module, make in (
         ("numpy's hstack", "numpy", numpy),
@@ -249,25 +258,42 @@ def measure(
             name: _largest(reference, np.asarray(way.rows(way.run()), dtype=np.float64).T[where])
             for name, way in all_ways.items()
         }
-    choices = []
+    choices, box = [], np.stack([points_world.min(axis=0), points_world.max(axis=0)])
+    for name, hardware in CHEAP.items():
+        picture = cheap(projection, world, hardware, origin, box)
+        answers = np.column_stack([picture.image, picture.depth])[where]
+        errors, note = _largest(reference, answers)
+        bounds = picture.bounds.max(axis=0).tolist()
+        prediction = Prediction(max(bounds[:2]), bounds[2])
+        note, size = note or IN_SOFTWARE, hardware.bytes_per_vertex
+        choices.append(_choice(name, errors, prediction, note, {}, size))
     for name, (errors, note) in found.items():
         precision = _PRECISIONS.get(name)
-        prediction = None if precision is None else predicted.get(precision)
-        values = {} if errors is None else {"error_depth": errors.depth}
-        if prediction is not None:
-            values["predicted_depth"] = prediction.depth
-        px, expected = (None if each is None else each.px for each in (errors, prediction))
+        expected = None if precision is None else predicted.get(precision)
         use = {} if precision in (None, "exact") else {"rung": str(precision)}
-        note = note or (IN_SOFTWARE if name in SLOW else "")
-        size, library = all_ways[name].bytes, name in others
-        choices.append(Choice(name, None, None, px, expected, values, note, use, size, library))
+        choice = _choice(name, errors, expected, note, use, all_ways[name].bytes)
+        choices.append(replace(choice, library=name in others))
     choices += [
         Choice(name, None, None, None, note=note, library=True) for name, note in missing.items()
     ]
     trade = Trade("arithmetic", "ns", "px", tuple(choices), 0)
-    runs = {name: way.run for name, way in all_ways.items() if name not in SLOW}
+    runs = {name: way.run for name, way in all_ways.items()}
     with np.errstate(all="ignore"):
         return timed(trade, runs, seconds, 1e9 / len(world), watch)
+
+
+def _choice(
+    name: str,
+    errors: Prediction | None,
+    predicted: Prediction | None,
+    note: str,
+    use: Mapping[str, str],
+    size: float | None,
+) -> Choice:
+    depths = {"error_depth": errors, "predicted_depth": predicted}
+    values = {key: each.depth for key, each in depths.items() if each is not None}
+    px, expected = (None if each is None else each.px for each in (errors, predicted))
+    return Choice(name, None, None, px, expected, values, note, use, size)
 
 
 def _largest(reference: Truth, answers: Array) -> tuple[Prediction | None, str]:
@@ -394,8 +420,7 @@ def sweep(
     Cancelled
         By `watch`; with the values done.
     """
-    names = (*_PRECISIONS, "VTK's camera")
-    found: dict[str, list[_Answer]] = {name: [] for name in names}
+    found: dict[str, list[_Answer]] = {}
     complete, done = True, 0
     for done, value in enumerate(values):
         try:
@@ -404,7 +429,7 @@ def sweep(
             complete = False
             break
         for name, answer in _at(parameter, projection, points_world, value).items():
-            found[name].append(answer)
+            found.setdefault(name, []).append(answer)
     curves = {name: _curve(answers) for name, answers in found.items()}
     measured = tuple(values) if complete else tuple(values[:done])
     swept = Sweep(parameter, SWEEPS[parameter].unit, measured, curves, complete)
@@ -434,16 +459,20 @@ def _at(
     try:
         there, moved = SWEEPS[parameter].set(projection, value)
     except Refusal as error:
-        return {name: (None, None, str(error)) for name in (*_PRECISIONS, "VTK's camera")}
+        names = (*_PRECISIONS, *([WORLD] if parameter == "distance" else []), "VTK's camera")
+        return dict.fromkeys(names, (None, None, str(error)))
     world = in_view(there, points_world + moved)
     reference = truth(there, world)
     origin = tuple(moved.tolist())
-    predicted = predict(there, world, origin) or {}
+    origins = {name: (precision, origin) for name, precision in _PRECISIONS.items()}
+    if parameter == "distance":
+        origins[WORLD] = "float32", (0.0, 0.0, 0.0)
     found: dict[str, _Answer] = {}
     with np.errstate(all="ignore"):
-        for name, precision in _PRECISIONS.items():
-            traced = trace(there, world, precision, origin)
+        for name, (precision, start) in origins.items():
+            traced = trace(there, world, precision, start)
             errors, note = _largest(reference, np.column_stack([traced.image, traced.depth]))
+            predicted = predict(there, world, start) or {}
             found[name] = (errors, predicted.get(precision), note)
         found["VTK's camera"] = _vtk_camera(there, world, reference)
     return found

@@ -218,7 +218,7 @@ def _of_trade(
     paid = trade.cost_unit == "B"
     memory = paid and max(costs) <= _FEW_BYTES
     across = (0.0, 1.15 * max(costs)) if memory else _ends(costs, 0.2) or (0.1, 10.0)
-    up = _ends((c.error for c in both), 0.15) or (1e-16, 1.0)
+    up = _ends((c.error for c in both if c.cost in costs), 0.15) or (1e-16, 1.0)
 
     def point(choice: Choice) -> tuple[float, float]:
         return choice.cost or 0.0, _placed(choice.error or 0.0, *up)

@@ -51,7 +51,7 @@ _BARGAINS = {
 _AS_DEAR = QT_TRANSLATE_NOOP("Measure", "{0} instead of {1}: the same cost, {3}.")
 _PREDICTED = QT_TRANSLATE_NOOP("Measure", "at most {0} off")
 _MEASURED = QT_TRANSLATE_NOOP("Measure", "up to {0} off")
-_TOLD = QT_TRANSLATE_NOOP("Measure", "surfaces {0} apart are told apart")
+_TOLD = QT_TRANSLATE_NOOP("Measure", "separates surfaces {0} apart")
 NOTHING = QT_TRANSLATE_NOOP("Measure", "Nothing could be measured: {0}.")
 
 

@@ -83,8 +83,10 @@ GAP = QT_TRANSLATE_NOOP(
 )
 WORDS = (
     QT_TRANSLATE_NOOP("Measure", "eye first"),
+    QT_TRANSLATE_NOOP("Measure", "world coordinates"),
     QT_TRANSLATE_NOOP("Measure", "every stage"),
     QT_TRANSLATE_NOOP("Measure", "exact"),
+    QT_TRANSLATE_NOOP("Measure", "{0} bits"),
     QT_TRANSLATE_NOOP("Measure", "numpy's hstack"),
     QT_TRANSLATE_NOOP("Measure", "VTK's transform"),
     QT_TRANSLATE_NOOP("Measure", "matplotlib's proj3d"),

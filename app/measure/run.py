@@ -20,6 +20,8 @@ _SHORTEST = 1e-3
 LEAST_ROUNDS = 7
 """Also the number of rounds whose least time must repeat that of all before."""
 MOST_ROUNDS = 2000
+_LEAST_PART = 0.2
+"""Of the time that is given: load that lasts for less than that is no part of the result."""
 
 Watch: TypeAlias = Callable[[float], None]
 """Called with the finished fraction before every timing.
@@ -78,7 +80,9 @@ def in_turns(
             repeats[name] = max(1, round(_SHORTEST / max(time.perf_counter() - began, 1e-9)))
         rounds, spent = 0, 0.0
         while rounds < LEAST_ROUNDS or (
-            spent < seconds and rounds < MOST_ROUNDS and not all(map(steady, taken.values()))
+            spent < seconds
+            and rounds < MOST_ROUNDS
+            and not (spent > _LEAST_PART * seconds and all(map(steady, taken.values())))
         ):
             for name, run in runs.items():
                 watch(min(rounds / LEAST_ROUNDS, spent / max(seconds, 1e-9), 1.0))
