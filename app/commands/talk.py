@@ -7,7 +7,7 @@ from pathlib import Path
 
 from app import bootstrap
 from app.commands.arguments import check_out, importing
-from app.commands.composed import Composed, Measure, measure, taken
+from app.commands.composed import SLIDE_PX, Composed, Measure, measure, taken
 from app.commands.options import CliError, one_of, parser_of, write_out
 from app.document.files import write_bytes_atomically
 from app.lessons.checking import Report, counted
@@ -47,16 +47,35 @@ def talk(arguments: Sequence[str]) -> int:
 
 def _tried(path: Path, draw: Measure) -> tuple[list[str], list[str]]:
     """Return everything that is wrong with a talk, and the lines that sum it up."""
-    report, composed = Report(), Composed()
+    report, composed, left = Report(), Composed(), ""
     try:
         course = report.take(read(path))
     except Refusal as error:
         report.wrong.append(error)
     else:
         report.wrong += taken(composed, course, draw, report.wrong)
+        left = _take_texts(composed, course.lesson)
     steps = counted(composed.steps, "step")
     sums = [f"{path.name}: {steps} drawn, {len(report.wrong)} wrong", str(composed)]
-    return [*map(str, report.wrong), *composed.wrong], sums
+    return [*map(str, report.wrong), *composed.wrong], [*sums, *filter(None, [left])]
+
+
+def _take_texts(composed: Composed, lesson: Lesson) -> str:
+    """Add the steps whose text a class sees cut; name those that leave some to the speaker."""
+    with importing():
+        from widgets.window.talk_band import shortened
+    left = []
+    for number, (step, (is_cut, leaves)) in enumerate(
+        zip(lesson.steps, shortened(lesson.steps, SLIDE_PX), strict=True), 1
+    ):
+        if is_cut:
+            composed.wrong.append(
+                f"{lesson.path}: line {step.line}, step {number} ({step.name}):"
+                " the text is longer or higher than the two lines above the picture."
+            )
+        elif leaves:
+            left.append(f"{number} ({step.name})")
+    return f"part of the text is only in the speaker's notes: {', '.join(left)}" if left else ""
 
 
 def _print(lesson: Lesson, out: str, answers: bool) -> None:

@@ -71,6 +71,17 @@ def test_every_step_is_drawn_without_a_display(talk: Path) -> None:
     assert done.returncode == (1 if faults else 0)
 
 
+def test_a_text_that_a_class_would_see_cut_is_told_to_its_author(talk: Path) -> None:
+    long = "Words " * 80
+    text = TALK.replace("Words with", f"{long}with")
+    talk.write_text(text.replace("{#two}\n", f"{{#two}}\nA.\n\n{long}\n\n"))
+    done = run("talk", talk, "--check", DISPLAY=None, WAYLAND_DISPLAY=None)
+    assert done.stderr == "" and done.returncode == 1
+    cut = f"{talk}: line 5, step 1 (one): the text is longer or higher than the two lines"
+    assert cut in done.stdout and "step 2 (two): the text" not in done.stdout
+    assert done.stdout.endswith("part of the text is only in the speaker's notes: 2 (two)\n")
+
+
 @pytest.mark.parametrize(
     ("old", "new", "said", "last"),
     [

@@ -1,10 +1,14 @@
 """The band that the class reads during a talk: a title, one line of formula, the step's number.
 
 It stands above the slide, never over it, and has one height all through a talk. Longer texts are
-left to the speaker's notes.
+left to the speaker's notes; of a text of which no part fits, the beginning
+is shown.
 """
 
 from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Iterator
 
 from PySide6.QtCore import QEvent, QPointF, QRectF, Qt
 from PySide6.QtGui import (
@@ -18,7 +22,7 @@ from PySide6.QtGui import (
     QTextCursor,
     QTextDocument,
 )
-from PySide6.QtWidgets import QFrame, QSizePolicy
+from PySide6.QtWidgets import QApplication, QFrame, QSizePolicy
 
 from app.lessons.lesson import Step
 from app.lessons.text import plain_of
@@ -31,10 +35,14 @@ TITLES = (0.044, 0.04, 0.036, 0.0305)
 LINES = (0.036, 0.033, 0.0305)
 """Sizes of letters, in heights of the screen: the largest that fit are taken. Capitals of the
 smallest are 2.2 % high."""
+SMALLER = (0.028, 0.025, 0.022)
+"""Sizes for a text of which no part fits in those letters."""
 NUMBER_SHARE = 0.024
 EDGE_SHARE, TOP_SHARE = 0.05, 0.012
 """Free at the left and at the right, and above, in heights of the screen."""
 MOST_LINES = 2
+_PIECE = re.compile(r"\$\$.+?\$\$|\$.+?\$\S*|\S+", re.DOTALL)
+"""A word, or a formula with what follows it directly."""
 
 
 class TalkBand(QFrame):
@@ -44,6 +52,8 @@ class TalkBand(QFrame):
     ----------
     left_out : str
         The words of the step that are not shown; the speaker says them.
+    is_cut : bool
+        Whether no part of them fits: smaller letters show one, or only its beginning is shown.
     """
 
     def __init__(self) -> None:
@@ -52,6 +62,7 @@ class TalkBand(QFrame):
         self.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
         self._title, self._words = TextDocument(self), TextDocument(self)
         self._number = self.note = self.left_out = ""
+        self.is_cut = False
         self._texts: list[str] = [""]
         """What the line may say: the first that fits is taken."""
         self._step = ""
@@ -66,10 +77,11 @@ class TalkBand(QFrame):
     def show_step(self, step: Step, number: str) -> None:
         self._number, self._step = number, step.title
         words = "\n\n".join(part.text for part in step.parts if not part.reveals)
-        paragraphs = words.split("\n\n")
+        # The band has no room for a table; such a step shows its equation.
+        paragraphs = [each for each in words.split("\n\n") if not each.startswith("|")]
         formulas = [each for each in paragraphs if each.startswith("$$")]
-        shorter = ["\n\n".join(formulas), *formulas[:1], paragraphs[0]]
-        self._texts = [words, *filter(None, shorter), ""]
+        shorter = ["\n\n".join(formulas), *formulas[:1], *paragraphs[:1]]
+        self._texts = [words, *filter(None, shorter)]
         self._fit()
 
     def say(self, note: str) -> None:
@@ -100,12 +112,23 @@ class TalkBand(QFrame):
             self._lay_out(self._title, share, room.width() - number_px)
             if self._title.size().height() <= title_px:
                 break
-        shown = next(text for text in self._texts if self._fits(text))
+        shown = next((text for text in self._texts if self._fits(text)), None)
+        self.is_cut = shown is None and len(self._texts) > 1
+        if shown is None:
+            shown = self._squeezed(self._texts[-1] if self.is_cut else "")
         self.left_out = "" if shown == self._texts[0] else self._texts[0]
         self.setAccessibleName(plain_of(f"{self._step}\n\n{shown}"))
         self.update()
 
-    def _fits(self, text: str) -> bool:
+    def _squeezed(self, text: str) -> str:
+        """Lay out as much of a text as fits in smaller letters, at least a word; return it."""
+        shown, pieces = text, _PIECE.findall(text)
+        while not self._fits(shown, SMALLER) and len(pieces) > 1:
+            pieces.pop()
+            shown = f"{' '.join(pieces)} …"
+        return shown
+
+    def _fits(self, text: str, letters: tuple[float, ...] = LINES) -> bool:
         """Lay out a text; return whether it fits the line."""
         set_text(self._words, text, palette=self.palette())
         cursor = QTextCursor(self._words)  # a displayed formula would stand in the middle
@@ -113,7 +136,7 @@ class TalkBand(QFrame):
         left = QTextBlockFormat()
         left.setAlignment(Qt.AlignmentFlag.AlignLeft)
         cursor.mergeBlockFormat(left)
-        for share in LINES:
+        for share in letters:
             self._lay_out(self._words, share, self._room.width())
             if self._words.size().height() <= LINE_SHARE * self._screen_px:
                 return _lines_of(self._words) <= MOST_LINES
@@ -152,6 +175,19 @@ class TalkBand(QFrame):
         context.palette = self.palette()
         document.documentLayout().draw(painter, context)
         painter.restore()
+
+
+def shortened(steps: Iterable[Step], size: tuple[int, int]) -> Iterator[tuple[bool, bool]]:
+    """Yield for each step whether its band `is_cut` on a screen, and whether words are left out."""
+    application = QApplication.instance() or QApplication(["app", "-platform", "offscreen"])
+    assert isinstance(application, QApplication)  # it lives as long as the band
+    band = TalkBand()
+    band.set_screen(float(size[1]))
+    band.resize(size[0], band.height())
+    for step in steps:
+        band.show_step(step, "")
+        yield band.is_cut, bool(band.left_out)
+    del band  # before the application
 
 
 def _lines_of(document: QTextDocument) -> int:
