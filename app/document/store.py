@@ -118,8 +118,9 @@ class Store(QObject):
 
     @property
     def can_undo(self) -> bool:
-        """Whether there is an earlier state to go back to."""
-        return bool(self._undo) or self._gesture_moved
+        """Whether there is an earlier state to go back to; a lesson is left only by closing it."""
+        is_there = bool(self._undo) and (self.origin.is_work or self._undo[-1].origin is self.origin)
+        return is_there or self._gesture_moved
 
     @property
     def can_redo(self) -> bool:
@@ -224,6 +225,12 @@ class Store(QObject):
         self._put_aside(document, self.origin)
         return self._show(document)
 
+    def forget_steps(self) -> None:
+        """Let undo end at the current document; what was open before stays, for `can_undo`."""
+        self._undo = [step for step in self._undo if step.origin is not self.origin]
+        self._redo.clear()
+        self.history_changed.emit()
+
     def go_on(self, document: Document) -> None:
         """Continue the change that `set_document` or `open` began, in the same step."""
         self._show(document)
@@ -279,7 +286,8 @@ class Store(QObject):
     def undo(self) -> None:
         """Go back one step; during a gesture, to where the gesture began."""
         self._close_gesture()
-        self._go(self._undo, self._redo)
+        if self.can_undo:
+            self._go(self._undo, self._redo)
 
     def redo(self) -> None:
         """Redo the last undone step."""

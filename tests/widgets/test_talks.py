@@ -45,7 +45,7 @@ from widgets.window.question import Question
 from widgets.window.settings import Settings
 from widgets.window.speaker import SpeakerWindow, TalkClock, planned
 from widgets.window.talk_ahead import REST_MS
-from widgets.window.talk_band import LINE_SHARE, LINES, TITLE_SHARE, TOP_SHARE, TalkBand
+from widgets.window.talk_band import LINE_SHARE, LINES, SMALLER, TITLE_SHARE, TOP_SHARE, TalkBand
 from widgets.window.talk_keys import TYPED_MS
 
 
@@ -171,18 +171,48 @@ def test_random_walks_come_back_to_the_file_bit_for_bit(
     assert not messages.text
 
 
-def test_a_view_of_a_pane_is_there_again_at_the_next_step_of_its_scene(
+def test_every_step_is_seen_from_its_own_side_wherever_another_was_turned(
     walk: tuple[Store, MessageBar, Lessons],
 ) -> None:
     store, _, lessons = walk
-    turned = {"world": Camera((1.0, 2.0, 3.0), (0.0, 0.0, 0.0), (0.0, 1.0, 0.0))}
-    store.set_view(panes=turned)
-    seen = []
-    for _ in range(5):
-        lessons.next()
-        seen.append((store.document.scene, store.look().panes == turned))
-    scenes = "letter-f", "letter-f", "affine-depth", "view-volumes", "letter-f"
-    assert seen == [*zip(scenes, (True, True, False, False, True), strict=True)]
+    for place in (1, 2, 3, 2, 5):
+        turned = {"world": Camera((1.0, 2.0, 3.0), (0.0, 0.0, 0.0), (0.0, 1.0, 0.0))}
+        store.set_view(panes=turned)
+        assert lessons.is_away
+        assert lessons.go(place)
+        arrive(lessons)
+        assert store.look().panes == {} and not lessons.is_away
+
+
+def test_undo_ends_at_the_step(walk: tuple[Store, MessageBar, Lessons]) -> None:
+    store, _, lessons = walk
+    before = seen_near(store, 3.0)
+    lessons.next()
+    arrive(lessons)
+    shown = store.document
+    assert not store.can_undo and not store.can_redo
+    store.undo()
+    assert store.document == shown
+    tried = seen_near(store, 2.5)
+    assert lessons.come_back()
+    arrive(lessons)
+    for expected in (tried, shown, shown):
+        store.undo()
+        assert store.document == expected
+    store.redo()
+    assert store.document == tried
+    lessons.close()
+    while store.can_undo:
+        store.undo()
+    assert store.document.scene == "cube", "what was open before the lesson is not lost"
+    assert before.scene != "cube"
+
+
+def seen_near(store: Store, near: float) -> Document:
+    """The document after an edit of the near plane."""
+    projection = store.document.projection
+    store.set_projection(replace(projection, lens=replace(projection.lens, near=near)))
+    return store.document
 
 
 # --------------------------------------------------------------------------- in the window
@@ -484,6 +514,19 @@ def test_one_key_discards_manual_changes_and_undo_restores_them(window: MainWind
     window.store.undo()
     assert window.store.document == shown
     assert not window.store.modified
+
+
+def test_the_strip_shows_the_values_of_the_step_that_has_come(window: MainWindow) -> None:
+    volumes = "scene=view-volumes\nsettings.volume={0}\nview.controls=settings.volume"
+    states = "scene=letter-f", volumes.format("cone"), volumes.format("box"), "scene=letter-f"
+    change(window, lesson_of(*states))
+    for place, volume in ((0, ""), (1, "cone"), (2, "box"), (3, ""), (1, "cone"), (2, "box")):
+        go_to(window.lessons, place)
+        settle()
+        rows = window.control_strip.rows
+        assert [row.value() for row in rows] == ([volume] if volume else [])
+    press(window, Qt.Key.Key_C, Qt.Key.Key_C)
+    assert window.control_strip.rows[0].value() == "box"
 
 
 def test_the_band_is_above_the_panes_and_never_moves_them(window: MainWindow) -> None:
@@ -920,9 +963,11 @@ def test_the_band_shows_two_lines_and_leaves_the_rest_to_the_notes(
     band.resize(1366, 10)
     band.set_screen(768.0)
     high = round((TOP_SHARE + TITLE_SHARE + LINE_SHARE) * 768)
+    too_high = "$$k = \\frac{\\frac{h}{\\frac{w}{2}}}{2} = 1$$"
     cases = {
         "reads **this**": ("The class reads this, and", ""),
-        "reads **this**" + " and more" * 60: ("Fields", "The class reads"),
+        "reads **this**" + " and more" * 60: ("The class reads this and more", "The class reads"),
+        f"reads\n\n| | |\n|---|---|\n| 1 | 2 |\n\n{too_high}\n\nThis": ("reads", "| 1 | 2 |"),
         "reads **this**.\n\n" + "More. " * 60: ("The class reads this.", "More."),
         "reads **this**.\n\n" + "More. " * 60 + "\n\n$$\\frac{a}{b} = c$$\n": (
             "\\frac{a}{b} = c",
@@ -937,7 +982,30 @@ def test_the_band_shows_two_lines_and_leaves_the_rest_to_the_notes(
         assert band.height() == high and band.height() <= 0.165 * 768
         for document in band.findChildren(QTextDocument):
             assert document.size().height() <= LINE_SHARE * 768
-            assert document.defaultFont().pixelSize() >= math.floor(LINES[-1] * 768)
+            least = (SMALLER if band.is_cut else LINES)[-1]
+            assert document.defaultFont().pixelSize() >= math.floor(least * 768)
+
+
+@pytest.mark.parametrize(
+    ("text", "shown"),
+    [
+        ("A vector $\\vec{look}$ " * 40, "A vector \\vec{look} A vector \\vec{look}"),
+        ("$$k = \\frac{\\frac{h}{\\frac{w}{2}}}{\\frac{2}{3}} = 1$$", "k = \\frac"),
+        ("|a|\n|---|\n|1|", ""),
+    ],
+)
+def test_no_text_vanishes_because_it_is_too_long_or_too_high(
+    display: Any, talk: Path, text: str, shown: str
+) -> None:
+    band = TalkBand()
+    band.resize(1366, 10)
+    band.set_screen(768.0)
+    there = "The class reads **this**, and $\\frac{1}{2}$."
+    band.show_step(parse_lesson(TALK.replace(there, text), talk).steps[0], "1 / 3")
+    assert band.accessibleName().startswith(f"Fields of \\alpha {shown}".strip())
+    assert band.is_cut == bool(shown) and bool(band.left_out) != text.startswith("$$")
+    words = band.findChildren(QTextDocument)[1]
+    assert words.size().height() <= LINE_SHARE * 768
 
 
 def test_a_question_lies_over_the_lower_third_and_moves_nothing(window: MainWindow) -> None:

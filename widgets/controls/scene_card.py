@@ -189,7 +189,7 @@ class SceneCard(QWidget, RowHolder):
 
     @property
     def _is_seen(self) -> bool:
-        return self.isVisible() or any(self.rows[name].isVisible() for name in self._lent)
+        return self.isVisible() or self.has_lent
 
     def show_some(self, found: set[QWidget] | None) -> None:
         """Show only the found rows; None shows the whole card."""

@@ -2,7 +2,7 @@
 
 ::
 
-    file --Lessons.open--> Course --go(step)--> Store (one step of undo) --> the window
+    file --Lessons.open--> Course --go(step)--> Store (undo begins here) --> the window
     a saved change of the file --> the same step again, if it shows something else now
 
 The user may change anything at a step. Such changes are not unsaved work, and `come_back` shows the
@@ -101,8 +101,6 @@ class Lessons(QObject):
         """The panes' cameras when the step was shown."""
         self.course: Course | None = None
         self.place = 0
-        self._views: dict[tuple[str, str], dict[str, Camera]] = {}
-        """The panes' cameras by scene, for showing a scene again."""
         self._clock = Clock(self)
         self._clock.ticked.connect(self._move)
         self._start = self._end = store.document
@@ -160,7 +158,6 @@ class Lessons(QObject):
         self._messages.done()
         self._finish()
         self._stand_still()
-        self._views.clear()
         left, (self.course, self.place) = (self.course, self.place), (course, place)
         look = self._store.look()
         # A lesson begins with the default view, whatever the window showed before.
@@ -205,6 +202,7 @@ class Lessons(QObject):
             self.place = left
             return False
         if place != left:
+            self._store.forget_steps()
             self._arrived = self._store.look().panes
         elif self._store.look().panes != self._arrived:
             self._look_from(self._arrived)
@@ -254,8 +252,6 @@ class Lessons(QObject):
     def _show(self, shown: Shown, scene: Any) -> bool:
         here = self._store.document.scene, self._store.document.mesh
         there = shown.document.scene, shown.document.mesh
-        if here != there:
-            self._views[here] = self._store.look().panes
         view = self._view(shown, other_scene=here != there)
         return self._move_to(replace(shown.document, view=view), scene)
 
@@ -263,13 +259,12 @@ class Lessons(QObject):
         """Return the view of a step: fields set by the lesson, the others from the window."""
         look = self._store.look()
         if other_scene:  # drop what concerned the previous scene; keep what was set up for a class
-            there = shown.document.scene, shown.document.mesh
             look = replace(
                 look, large="", panel=None, probes=(), pinned=frozenset(), compare=(),
                 dividers=(), slide=(), controls=(), equation="", names=None,
-                panes=self._views.get(there, {}),
             )  # fmt: skip
-        return replace(look, **shown.view)
+        # A step is seen from its own side, wherever the user has turned the one before.
+        return replace(look, **{"panes": {}, **shown.view})
 
     def _move_to(self, end: Document, scene: Any) -> bool:
         """Change to a document in one undo step, moving if possible; return False if refused."""
@@ -297,6 +292,8 @@ class Lessons(QObject):
                 if getattr(end.view, name) != getattr(look, name)
             }
             store.set_view(**changes)
+            if end.view.panes != look.panes:
+                self._look_from(end.view.panes)
         else:  # first the end, for the undo history; then from the start to the end, frame by frame
             # The end also determines the cameras of the panes that the user has not turned.
             is_there = store.set_document(end)
