@@ -37,7 +37,7 @@ from app.drawings.probes import Probes
 from app.drawings.rasterising import textured
 from app.drawings.silhouette import Silhouette
 from app.drawings.style import TITLE_EM, Style
-from app.lecture.highlight import AXES, CORNERS, OBJECT_AXES, Highlight
+from app.lecture.highlight import AXES, CORNERS, OBJECT_AXES, Highlight, made_of
 from app.model.projection import Array, Camera, ObjectTransform, Projection
 from app.picking.handles import Handle, nearest, shown
 from app.picking.picking import Probe, Sight
@@ -289,7 +289,9 @@ class WorldDrawing(Drawing):
         segments += volume_edges(corners)
         if self._projection.lens.central:
             segments += [(frozenset(("fov",)), eye, corner) for corner in corners[:4]]
-        return pointed_at((x_px, y_px), self._canvas.style.font_size, points, segments, corners)
+        # A flat view looks along the faces: one of them would be all of the picture.
+        faces = () if self.own.fixed else corners
+        return pointed_at((x_px, y_px), self._canvas.style.font_size, points, segments, faces)
 
     # -- the model
 
@@ -700,7 +702,12 @@ class WorldDrawing(Drawing):
                 self._place_labels(afresh=False)
 
     def handle_at(self, pixel: tuple[float, float], within_px: float) -> Handle | None:
-        return nearest(self.handles_shown, pixel, within_px)
+        found = nearest(self.handles_shown, pixel, within_px)
+        if found is None and self.own.fixed in ("side", "top") and self.handles_shown:
+            # Of a plane that is a line here, all of the line can be dragged, and its letter.
+            names = made_of(self.highlight_at(*pixel))
+            found = next((each for each, _ in self.handles_shown if each.name in names), None)
+        return found
 
     def _place_handles(self) -> None:
         if self.handles is not None:

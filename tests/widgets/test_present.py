@@ -14,9 +14,12 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QLabel, QToolButton, QToolTip, QWidget
 
 from app.drawings.style import LIGHT
+from app.drawings.world import WorldDrawing
+from app.lecture.highlight import NOTHING
 from tests.support.drawings import labels_of
 from tests.support.layout import cut
 from tests.support.window import (
+    LEFT,
     MakeWindow,
     activate,
     counted_repaints,
@@ -539,3 +542,27 @@ def test_closed_while_presenting_it_opens_as_an_ordinary_window(
     settle()
     assert other.size().toTuple() == (1300, 750) and not other.isFullScreen()
     assert other.menuBar().isVisible() and other.menus.tools.isVisible()
+
+
+def test_a_flat_view_stays_flat_and_its_planes_can_be_dragged_anywhere(window: MainWindow) -> None:
+    begin(window)
+    pane = window.panes["world"]
+    window.store.set_view(fixed="side", names=("eye", "near", "far"))
+    settle()
+    drawing = pane.drawing
+    assert isinstance(drawing, WorldDrawing)
+    corners = np.array(drawing.own.pane.pointed(drawing.frustum.corners))[:, :2]
+    upper, lower = sorted((corners[4:].min(axis=0), corners[4:].max(axis=0)), key=lambda at: at[1])
+    on_far = QPoint(*(upper + 0.37 * (lower - upper)).astype(int).tolist())
+    middle = QPoint(*corners.mean(axis=0).astype(int).tolist()) + QPoint(0, 35)
+    move_mouse(pane.canvas, middle, NO_BUTTON)
+    assert drawing.highlight_at(middle.x(), middle.y()) == NOTHING, "it would be all of the slide"
+    for start, moves in ((on_far, True), (middle, False)):
+        before = window.store.document.projection.lens
+        QTest.mousePress(pane.canvas, LEFT, pos=start)
+        for step in (20, 40, 60):
+            QTest.mouseMove(pane.canvas, start + QPoint(step, 5))
+        QTest.mouseRelease(pane.canvas, LEFT, pos=start + QPoint(60, 5))
+        settle()
+        assert drawing.fixed == "side"
+        assert (window.store.document.projection.lens.far != before.far) == moves

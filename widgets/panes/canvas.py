@@ -18,7 +18,7 @@ from __future__ import annotations
 
 import math
 import time
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from typing import TYPE_CHECKING, Any, TypeAlias
 
@@ -288,6 +288,8 @@ class Hand(QObject):
         self._holds = False
         self.tells = True
         """Whether the canvas has a tooltip."""
+        self.may_turn: Callable[[], bool] = lambda: True
+        """Whether a drag turns the camera; otherwise it only shifts it."""
         # Without it Qt paints the window under the canvas, and uploads it, with every slider step.
         canvas.setAttribute(Qt.WidgetAttribute.WA_OpaquePaintEvent)
         canvas.setMouseTracking(True)
@@ -364,7 +366,8 @@ class Hand(QObject):
         if key in ARROWS:
             way_px = (KEY_PX * part for part in ARROWS[Qt.Key(key)])
             if self._orbits:
-                (self._pan if is_shifted else self._orbit)(*way_px)
+                turns = not is_shifted and self.may_turn()
+                (self._orbit if turns else self._pan)(*way_px)
                 self.moved.emit()
             else:
                 self.pushed.emit(QPointF(*way_px) * self._canvas.pixel_ratio)
@@ -434,7 +437,8 @@ class Hand(QObject):
             return True
         step = event.position() - self._last
         self._last = event.position()
-        turns = event.buttons() == Qt.MouseButton.LeftButton and not is_shifted
+        is_left = event.buttons() == Qt.MouseButton.LeftButton
+        turns = is_left and not is_shifted and self.may_turn()
         (self._orbit if turns else self._pan)(step.x(), step.y())
         self.moved.emit()
         return True

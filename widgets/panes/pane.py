@@ -210,6 +210,8 @@ class Pane(QFrame):
         self.ahead = Ahead(self.canvas, make_drawing, self._smooth)
         self.canvas.setAccessibleName(title)
         self.hand = Hand(self.canvas, orbits=orbits)
+        # A class keeps its flat view: a turn would be a slip of the hand.
+        self.hand.may_turn = lambda: self.hand.tells or not self._asked["fixed"]
         self.hand.moved.connect(self._view_moved)
         self.hand.clicked.connect(self.clicked)
         self.hand.hovered.connect(self._point_at)
