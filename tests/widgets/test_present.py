@@ -353,6 +353,7 @@ def test_the_tool_bar_comes_when_the_mouse_is_at_the_top_and_goes_with_it(
     for _ in range(2):
         enter(window, QPoint(middle, 0))
         assert tools.isVisible() and not window.menuBar().isVisible()
+        assert window.body.geometry() == window.rect() and tools.width() == window.width()
         leave(tools)
         assert not tools.isVisible()
         assert {name: pane.height() for name, pane in window.panes.items()} == heights

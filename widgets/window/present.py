@@ -80,8 +80,8 @@ class Screens:
 class Present(QObject):
     """Shows one window as a class sees it, and back.
 
-    The tool bar appears when the mouse is at the top of the screen; `below`, the bottom row, is
-    hidden.
+    The tool bar appears over the slide when the mouse is at the top of the screen; `below`, the
+    bottom row, is hidden.
     """
 
     switched = Signal(bool)
@@ -139,6 +139,7 @@ class Present(QObject):
         self._state = self._window.windowState()
         self.geometry_before = self._window.saveGeometry()
         self._reveal(False)
+        self._window.removeToolBar(self._tools)  # it comes over the slide, and moves nothing
         self._fill()
         self._cover()  # the window may fill the screen already
         for watched in (self._window, self._tools):
@@ -157,6 +158,7 @@ class Present(QObject):
         self._window.setWindowState(self._state)
         if self.screens.both is not None:  # the window may come from another screen
             self._window.restoreGeometry(before)
+        self._window.addToolBar(self._tools)
         self._reveal(True)
         self.switched.emit(False)
 
@@ -183,12 +185,14 @@ class Present(QObject):
         """Show the tool bar while presenting, or hide it."""
         if self.is_on:
             self._tools.setVisible(seen)
+            self._tools.raise_()
             self._edge.setVisible(not seen)
             self._edge.raise_()
 
     def _cover(self) -> None:
         self._blank.setGeometry(self._window.rect())
         self._edge.setGeometry(0, 0, self._window.width(), TOP_EDGE_PX)
+        self._tools.setGeometry(0, 0, self._window.width(), self._tools.sizeHint().height())
 
     def _reveal(self, seen: bool) -> None:
         for widget in (self._window.menuBar(), self._tools, self._below):
