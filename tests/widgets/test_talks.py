@@ -380,6 +380,15 @@ def test_the_keys_of_a_clicker(window: MainWindow) -> None:
     assert not present.is_on
 
 
+def test_a_key_without_effect_says_why_and_the_times_have_names(window: MainWindow) -> None:
+    press(window, Qt.Key.Key_W)
+    assert window.band.note == "There is only one screen."
+    go_to(window.lessons, 2)
+    press(window, PAGE_DOWN)
+    assert window.band.note == "This is the last step."
+    assert {"Time", "Elapsed"} <= {*read_on(speaker_of(window))}
+
+
 def test_digits_and_enter_jump(window: MainWindow) -> None:
     type_number(window, 3)
     assert window.band.note == "To step 3…" and window.lessons.place == 0
@@ -388,7 +397,7 @@ def test_digits_and_enter_jump(window: MainWindow) -> None:
     type_number(window, 999)
     press(window, Qt.Key.Key_Enter)
     assert window.lessons.place == 2
-    assert window.band.note == "There is no step 999: the talk has 3."
+    assert window.band.note == "There is no step 999; the last is 3."
     type_number(window, 1)
     press(window, Qt.Key.Key_Escape)
     assert window.band.note == "" and window.present.is_on
@@ -1008,7 +1017,7 @@ def test_no_text_vanishes_because_it_is_too_long_or_too_high(
     assert words.size().height() <= LINE_SHARE * 768
 
 
-def test_a_question_lies_over_the_lower_third_and_moves_nothing(window: MainWindow) -> None:
+def test_a_question_is_as_small_as_its_text_and_moves_nothing(window: MainWindow) -> None:
     go_to(window.lessons, 0)
     settle()
     pane = window.panes["world"]
@@ -1017,8 +1026,8 @@ def test_a_question_lies_over_the_lower_third_and_moves_nothing(window: MainWind
     assert question.isHidden()
     question.show_text("How wide is it?\n\n- A: 1\n- B: 2", 1080.0)
     settle()
-    assert question.height() == round(window.slide.height() / 3)
-    assert question.geometry().bottom() == window.slide.rect().bottom()
+    assert question.height() < window.slide.height() / 3 and question.width() < window.width() / 2
+    assert question.geometry().left() == 0 and question.geometry().bottom() == window.slide.rect().bottom()
     assert pane.geometry() == geometry and (pixels(window) == picture).all()
     go_to(window.lessons, 1)
     settle()
@@ -1035,7 +1044,7 @@ def test_a_long_question_is_reached_by_the_wheel(display: Any, talk: Path) -> No
         question.show_text(asked_of(parse_lesson(text, talk).steps[1], told=True), 768.0)
         assert has_room(question) == fits
         assert letters_px(question, "91.5°") >= math.floor(LINES[-1] * 768)
-        assert question.height() == round(640 / 3)
+        assert question.height() <= 640 / 3 and question.width() <= 0.6 * 1366
 
 
 def test_what_a_class_does_not_read_is_in_the_notes(window: MainWindow) -> None:

@@ -9,7 +9,7 @@ from collections.abc import Collection
 
 from PySide6.QtCore import QEvent, QObject
 from PySide6.QtGui import QFont, QResizeEvent
-from PySide6.QtWidgets import QFrame, QSizePolicy, QWidget
+from PySide6.QtWidgets import QApplication, QFrame, QSizePolicy, QWidget
 
 from app.document.view import MOST_ON_SLIDE, STRIP
 from widgets.controls.controls import Controls
@@ -89,6 +89,9 @@ class ControlStrip(QFrame):
 
     def _fill(self) -> None:
         self._stages.setVisible(not self._is_for_class or STRIP in self._asked)
+        focus = QApplication.focusWidget()
+        if self._is_for_class and focus is not None and self.isAncestorOf(focus):
+            self.window().setFocus()  # or Qt would give it to a pane, which then has a frame
         self._controls.take_back()
         self.rows = self._controls.lend(self.paths) if self.paths else []
         for row in self.rows:

@@ -88,6 +88,8 @@ class Present(QObject):
     """Presenting began or ended: text and lines change their size."""
     moved = Signal()
     """The class sees another screen."""
+    one_screen = Signal()
+    """There is no other screen to swap with."""
 
     def __init__(
         self, window: QMainWindow, tools: QToolBar, below: QWidget, screens: Screens
@@ -119,6 +121,8 @@ class Present(QObject):
         """Swap the screens of class and speaker, and remember that for these screens."""
         if self.screens.swap():
             self._move()
+        else:
+            self.one_screen.emit()
 
     def _move(self) -> None:
         """Move to the class's screen after that has changed."""

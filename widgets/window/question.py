@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+
 from PySide6.QtCore import QRect, QRectF
 from PySide6.QtGui import (
     QAbstractTextDocumentLayout,
@@ -9,7 +11,6 @@ from PySide6.QtGui import (
     QPainter,
     QPaintEvent,
     QPalette,
-    QResizeEvent,
     QWheelEvent,
 )
 from PySide6.QtWidgets import QFrame, QWidget
@@ -18,8 +19,8 @@ from app.lessons.text import plain_of
 from widgets.parts.lesson_text import set_text
 from widgets.parts.plain import TextDocument
 
-SHARE = 1.0 / 3.0
-"""Height of the question, in heights of the slide."""
+SHARE, WIDTH_SHARE = 1.0 / 3.0, 0.6
+"""Largest height and width of the question, in those of the slide."""
 LETTERS = (0.036, 0.033, 0.0305)
 """Sizes of the letters, in heights of the screen: the largest that fit are taken."""
 EDGE_SHARE = 0.02
@@ -27,7 +28,7 @@ EDGE_SHARE = 0.02
 
 
 class Question(QFrame):
-    """Lies over the lower third of a slide; what does not fit is reached by the wheel."""
+    """Lies over the lower left of a slide; what does not fit is reached by the wheel."""
 
     def __init__(self, slide: QWidget) -> None:
         super().__init__(slide)
@@ -48,29 +49,27 @@ class Question(QFrame):
             self.raise_()
 
     def place(self) -> None:
-        room = self._slide.rect()
-        height = round(SHARE * room.height())
-        self.setGeometry(QRect(0, room.height() - height, room.width(), height))
-
-    def resizeEvent(self, event: QResizeEvent) -> None:
-        super().resizeEvent(event)
-        self._fit()
+        """Lie at the lower left, as small as the text is in the largest letters that fit."""
+        room, edge = self._slide.rect(), EDGE_SHARE * self._screen_px
+        most_px = WIDTH_SHARE * room.width() - 4.0 * edge, SHARE * room.height() - 2.0 * edge
+        for share in LETTERS:
+            font = QFont(self.font())
+            font.setPixelSize(max(8, round(share * self._screen_px)))
+            self._document.setDefaultFont(font)
+            self._document.setTextWidth(max(1.0, most_px[0]))
+            if self._document.size().height() <= most_px[1]:
+                break
+        width = math.ceil(min(self._document.idealWidth() + 1.0, self._document.textWidth()))
+        self._document.setTextWidth(width)
+        wide = math.ceil(width + 4.0 * edge)
+        high = math.ceil(min(self._document.size().height(), most_px[1]) + 2.0 * edge)
+        self.setGeometry(QRect(0, room.height() - high, wide, high))
+        self.update()
 
     @property
     def _room(self) -> QRectF:
         edge = EDGE_SHARE * self._screen_px
         return QRectF(self.rect()).adjusted(2.0 * edge, edge, -2.0 * edge, -edge)
-
-    def _fit(self) -> None:
-        """Take the largest letters that fit, or the smallest."""
-        for share in LETTERS:
-            font = QFont(self.font())
-            font.setPixelSize(max(8, round(share * self._screen_px)))
-            self._document.setDefaultFont(font)
-            self._document.setTextWidth(max(1.0, self._room.width()))
-            if self._document.size().height() <= self._room.height():
-                break
-        self.update()
 
     def wheelEvent(self, event: QWheelEvent) -> None:
         most = max(0, round(self._document.size().height() - self._room.height()))

@@ -172,7 +172,10 @@ class SpeakerWindow(QWidget):
         blank = self._button(self.tr("B&lank"), self.blank_wanted.emit)
         swap = self._button(self.tr("S&wap screens"), self.swap_wanted.emit)
         set_tip(swap, self.tr("Swap the screens of class and notes (W); the choice is remembered"))
-        times = (self._clock, 8, self._elapsed, 8, self.pause, 8, self.reset, 8, (self._plan, 1))
+        times = (
+            Label(self.tr("Time")), 6, self._clock, 16, Label(self.tr("Elapsed")), 6, self._elapsed, 16,
+            self.pause, 8, self.reset, 8, (self._plan, 1),
+        )  # fmt: skip
         layout = QGridLayout()
         layout.addLayout(in_row(*times), 0, 0, 1, 2)
         layout.addLayout(in_row((self._title, 1), (self._number, TOP)), 1, 0)

@@ -95,6 +95,7 @@ class Talks(QObject):
             (self._keys.jump, self.jump),
             (self._keys.typing, self._show_typed),
             (self._keys.larger, self._enlarge),
+            (present.one_screen, lambda: self._say(self.tr("There is only one screen."))),
             (present.switched, self._show),
             (present.switched, self._open_with_talk),
             (present.moved, self._move),
@@ -259,7 +260,7 @@ class Talks(QObject):
             self._unblank()
             self._lessons.go(number - 1)
         else:
-            text = self.tr("There is no step {0}: the talk has {1}.")
+            text = self.tr("There is no step {0}; the last is {1}.")
             self._say(text.format(number, count))
 
     def _unblank(self) -> None:
