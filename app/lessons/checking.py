@@ -82,8 +82,9 @@ def _check(course: Course, trial: Trial) -> None:
         before = len(trial.wrong)
         with trial.kept():
             course.shown(place)
+        is_possible = len(trial.wrong) == before
         _check_texts(step, trial)
-        if len(trial.wrong) == before:  # nothing can be computed from an impossible state
+        if is_possible:  # nothing can be computed from an impossible state
             for block in step.blocks:
                 with trial.kept():
                     block.check(course.at(place), trial)

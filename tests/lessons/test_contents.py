@@ -201,7 +201,7 @@ WRONG = [
     ("Costs \\$5, `$`, $x$.\nWith $y\n```answer\nSee [this](http://a.b) or [1]?\nvalue: 2\n"
      "why: ![F](f.png), <https://a.b> $x\n```\n",
      ["line 6 = 'With $y': begins a formula with $ that no other $ on its line ends.",
-      "line 8 = '[this](http://a.b)': has a picture or a link, which a lesson shows as it is typed.",
+      "line 8 = '[this](http://a.b)': has a picture or a link, which a lesson shows",
       "line 10 = '![F](f.png), <https://a.b> $x': begins a formula",
       "line 10 = '![F](f.png)': has a picture or a link"]),
     (f"word {'word ' * 151}\n```note\n{'word ' * 151}\n```\n",

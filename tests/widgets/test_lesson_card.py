@@ -594,3 +594,25 @@ def test_an_exercise_is_practised_by_keyboard_alone(window: MainWindow, tmp_path
     view, task = card.blocks
     assert view.answer == f"1 {right:.4g}" and "Right." in texts(view)
     assert task.answer == f"1 {DONE}" and not task.is_open
+
+
+def test_the_card_says_what_is_wrong_in_a_saved_file(window: MainWindow, lesson: Path) -> None:
+    activate(window)
+    card, check = window.lesson_card, window.menus.lesson_menu.check
+    assert not check.isEnabled()
+    card.open(lesson)
+    settle()
+    check.trigger()
+    assert "Nothing is wrong" in texts(card)
+    right = lesson.read_text(encoding="utf-8")
+    wrong = right.replace("{angle-linear}", "{angle-liner}").replace("$a = 9/16$", "$a = 9/16")
+    lesson.write_text(wrong, encoding="utf-8")
+    window.lessons.read_again()
+    assert "line 5" in texts(card) and "no other $" in texts(card)
+    assert "angle-liner" in texts(card) and not window.messages.text
+    lesson.write_text(wrong.replace("# The angle", "# The angle\n```nosuch\n```"), encoding="utf-8")
+    window.lessons.read_again()
+    assert "unknown kind of block, nosuch" in texts(card)
+    lesson.write_text(right, encoding="utf-8")
+    window.lessons.read_again()
+    assert "angle-liner" not in texts(card) and "nosuch" not in texts(card)

@@ -131,6 +131,7 @@ class LessonCard(QFrame):
         self._looking.timeout.connect(self._look)
         lessons.opened.connect(self._open)
         lessons.stepped.connect(self._step)
+        lessons.complained.connect(self._show_mistakes)
         self.hide()
 
     def _foot(self) -> QHBoxLayout:
@@ -414,6 +415,19 @@ class LessonCard(QFrame):
             self._area.ensureWidgetVisible(block)
             self.hint.setEnabled(self._hinting is not None)
             self.went_on.emit()
+
+    def check(self) -> None:
+        """Say what is wrong in the lesson's file, or that nothing is."""
+        if self._lesson is not None:
+            self._say(
+                self._lessons.mistakes() or self.tr("Nothing is wrong in this lesson's file.")
+            )
+
+    def _show_mistakes(self, text: str) -> None:
+        if text:
+            self._say(text)
+        else:
+            self._notice.hide()
 
     def _finish(self, lesson: Lesson) -> None:
         """Close the lesson; the card lists unfinished steps and names the next lesson."""
