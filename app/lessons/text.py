@@ -163,6 +163,14 @@ def plain_of(text: str) -> str:
     return " ".join("".join(words).split())
 
 
+_LOWERED = str.maketrans("0123456789aehijklmnoprstuvx", "₀₁₂₃₄₅₆₇₈₉ₐₑₕᵢⱼₖₗₘₙₒₚᵣₛₜᵤᵥₓ")
+
+
+def in_line(text: str) -> str:
+    """Return a title without markup for a list or a button: subscripts are signs, if there are."""
+    return re.sub(r"_\{?(\w+)\}?", lambda found: found[1].translate(_LOWERED), plain_of(text))
+
+
 def escaped(text: str) -> str:
     """Escape a text so that Markdown finds no markup in it."""
     return re.sub(r"([\\`*_{}\[\]<>#$|])", r"\\\1", text)
