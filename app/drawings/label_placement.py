@@ -123,7 +123,7 @@ def beyond(tip: Spot, way: Spot, size: tuple[float, float], em: float) -> Places
     aside = np.array([-along[1], along[0]])
     centres, away = [], []
     for gap in _PAST_EM:
-        for turn in (0.0, 0.5, -0.5, 1.0, -1.0):
+        for turn in (0.0, 0.5, -0.5, 1.0, -1.0, 1.6, -1.6, 2.2, -2.2):
             out = math.cos(turn) * along + math.sin(turn) * aside
             centres.append(np.array(tip) + out * (_reach(out, size) + gap * em))
             away.append(min(gap, LEADER_FROM_EM) * em)

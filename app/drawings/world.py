@@ -108,12 +108,12 @@ class WorldDrawing(Drawing):
             emphasis.line(solid, of=("eye",))
         for name, mark in self.camera.discs.items():
             emphasis.point(mark, name)
-        self._board = Board(canvas)
-        self.labels = Labels(self._board, canvas, words)
+        self.board = Board(canvas)
+        self.labels = Labels(self.board, canvas, words)
         for name, label in self.labels.named.items():
             self._emphasis.label(label, name)
         self._dimensions: Dimensions | None = None
-        self._probes = Probes(canvas, self._board)
+        self._probes = Probes(canvas, self.board)
         self.handles = HandleMarks(canvas) if live else None
         self.names = Names(named_in(self.pane, scene))
         self._light = 1.0
@@ -145,7 +145,7 @@ class WorldDrawing(Drawing):
         if view == self.own.fixed:
             return
         if view and self._dimensions is None:
-            self._dimensions = Dimensions(self._board, self._canvas, self._words, self._scene.inks)
+            self._dimensions = Dimensions(self.board, self._canvas, self._words, self._scene.inks)
         elif self._dimensions is not None:
             self._dimensions.hide()
         self.own.fixed = view
@@ -159,6 +159,7 @@ class WorldDrawing(Drawing):
 
     def show_layers(self, hidden: frozenset[str]) -> None:
         self._hidden = hidden
+        self._look_around()
         self._switch_layers()
         self._follow_pane(afresh=True)
 
@@ -217,7 +218,8 @@ class WorldDrawing(Drawing):
 
     def _look_around(self) -> bool:
         """Tell the view how far the camera's drawn parts reach; return whether that has changed."""
-        around = self.camera.reach if "eye" in self.names or self.camera.has_arrows else 0.0
+        is_drawn = "eye" in self.names or self.camera.has_arrows
+        around = self.camera.reach if is_drawn and "camera" not in self._hidden else 0.0
         is_new, self.own.around = around != self.own.around, around
         return is_new
 
@@ -392,7 +394,7 @@ class WorldDrawing(Drawing):
             written = self._dimensions.written(measured)
         if self._marks is not None:
             self._marks.want_texts(ground, pane.seen, written)
-        return self._board.settle(ground, afresh=afresh)
+        return self.board.settle(ground, afresh=afresh)
 
     @property
     def _arrows(self) -> tuple[tuple[str, ...], Array]:
@@ -401,17 +403,21 @@ class WorldDrawing(Drawing):
         if "camera" not in self._canvas.hidden:
             arrows, ways = self.camera.arrows
             ends = np.stack([np.tile(at.eye, (len(ways), 1)), at.eye + ways], axis=1)
+        named, of_axes = self._named_axes
+        return arrows + named, np.concatenate([ends, of_axes])
+
+    @property
+    def _named_axes(self) -> tuple[tuple[str, ...], Array]:
+        """The object's axes that are named, and where each starts and ends, (n, 2, 3)."""
         axes = self._axes if self.has_object_axes else None
-        if axes is not None:
-            is_named = [
-                name in self.names or name.removeprefix("object_") in self.names
-                for name in axes.shafts
-            ]
-            arrows += tuple(compress(axes.shafts, is_named))
-            start = np.tile(axes.origin, (3, 1))
-            of_axes = np.stack([start, start + axes.ways], axis=1)
-            ends = np.concatenate([ends, of_axes[is_named]])
-        return arrows, ends
+        if axes is None:
+            return (), np.empty((0, 2, 3))
+        is_named = [
+            name in self.names or name.removeprefix("object_") in self.names for name in axes.shafts
+        ]
+        start = np.tile(axes.origin, (3, 1))
+        ends = np.stack([start, start + axes.ways], axis=1)
+        return tuple(compress(axes.shafts, is_named)), ends[is_named]
 
     def _ink(self, ground: Ground) -> None:
         """Tell the ground what is drawn."""
@@ -422,7 +428,7 @@ class WorldDrawing(Drawing):
         if corners is not None:
             edges = pane.spots(corners[_EDGES])
             # In a flat view a plane is one upright line: letters keep a square away from it.
-            aside = SQUARE_EM * self._board.em if self.own.fixed in ("side", "top") else 0.0
+            aside = SQUARE_EM * self.board.em if self.own.fixed in ("side", "top") else 0.0
             for shift in {-aside, 0.0, aside}:
                 ground.ink_lines(edges + np.array([shift, 0.0]))
         _, ends = self._arrows
@@ -513,11 +519,14 @@ class WorldDrawing(Drawing):
         followed = [probe.point for probe in self._probes.probes if probe.point is not None]
         marked = np.concatenate([marked, np.reshape(followed, (-1, 3)) - self._origin])
         named = [marked[np.linalg.norm(marked - at.eye, axis=1) <= _FARTHEST_MARK * at.extent]]
+        named.append(self._named_axes[1].reshape(-1, 3))
         beside = [self._objects]
         has_planes = self.frustum.seen and self._projection.lens.planes is not None
+        has_planes = has_planes and "frustum" not in self._hidden
+        has_camera = "camera" not in self._hidden
         for name, thing, needs in (
-            ("eye", at.eye[None], True),
-            ("target", at.target[None], True),
+            ("eye", at.eye[None], has_camera),
+            ("target", at.target[None], has_camera),
             ("near", corners[:4], has_planes),
             ("height", corners[5:7], has_planes and self.own.fixed != ""),
             ("width", corners[5:7], has_planes and self.own.fixed == "axis"),
@@ -639,7 +648,7 @@ class WorldDrawing(Drawing):
             if illustration is None:
                 return
             self._marks = MarksDrawing(
-                self._canvas, self._scene, self._words, names=self.names, board=self._board
+                self._canvas, self._scene, self._words, names=self.names, board=self.board
             )
         marks, limit = self._marks, _FARTHEST_MARK * self._standing.extent
         shown = illustration or Illustration(())

@@ -153,7 +153,8 @@ def checked(path: Path, text: str) -> list[str]:
     assert done.returncode == 1
     said = done.stdout.splitlines()
     assert said[-2].endswith(f"{len(said) - 2} wrong")
-    assert said[-1] == "0 overlaps, 0 crowded, 0 empty of 0 steps", "a wrong file is not drawn"
+    nothing = "0 overlaps, 0 crowded, 0 empty, 0 hidden of 0 steps"
+    assert said[-1] == nothing, "a wrong file is not drawn"
     return [line.removeprefix(f"{path}: ") for line in said[:-2]]
 
 

@@ -161,7 +161,7 @@ why: So it is.
     assert (own.idea, own.says, own.state.projection.lens.fov_y_deg) == ("own", "Mine.", 30.0)
     assert question.mark(here, "91").too_short
     other = question.mark(here, "17")
-    assert other == question.mark(here, "18") and not other.right
+    assert not other.right and not other.says and "too small" in str(other.remark)
 
 
 def test_a_task_is_done_when_the_window_fulfils_its_conditions() -> None:

@@ -32,7 +32,7 @@ class Types(BlockView):
         self.field.setAccessibleName(self.tr("Answer: {0}").format(plain_of(question.text)))
         set_tip(
             self.field,
-            self.tr("A number: 0.5, 0,5, 1/2, -3 or 2e-3, to three significant digits (Enter)"),
+            self.tr("A number: 0.5, 1 1/2, √3/2, 2e-3 or 45°, to three significant digits (Enter)"),
         )
         self.field.setMaxLength(80)
         self.field.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Fixed)
@@ -87,6 +87,8 @@ class Types(BlockView):
             self._refute(verdict)
         else:
             text = self.tr("That is not it.")
+            if verdict.remark is not None:
+                text += " " + sentence(verdict.remark)
             if self.hints:
                 text += " " + self.tr("The hint (Alt+I) says how to begin.")
             self._say("close", self.tr("Wrong"), text)
@@ -115,4 +117,5 @@ class Types(BlockView):
         text = self.tr("The answer is {0}.").format(answer_of(self.question, self.here))
         self._close()
         self._say("help", "", f"{text} {self.question.why}".strip())
+        self._say("", "", self.question.solution(self.here))
         self._announce(text)
