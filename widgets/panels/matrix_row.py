@@ -23,7 +23,7 @@ _NOTE_CHARACTERS = 36
 
 def _named(matrix: Matrix, title: str) -> str:
     """Add the lecture's name of a matrix, with its subscripts, to a title."""
-    return subscripts(f"{title} = {matrix.called}") if matrix.called else title
+    return subscripts(f"{title} = {matrix.called}" if matrix.called else title)
 
 
 class MatrixBox(QWidget):
@@ -87,7 +87,7 @@ class MatrixBox(QWidget):
         fitting = self.view.width() // max(self._note.fontMetrics().averageCharWidth(), 1)
         wide = max(_NOTE_CHARACTERS, fitting - 2)
         lines = (textwrap.fill(each, wide, break_on_hyphens=False) for each in note.splitlines())
-        self._note.setText("\n".join(lines))
+        self._note.setText(subscripts("\n".join(lines)))
         self._note.setVisible(bool(note))
         earlier: Sequence[Matrix | None] = before.factors if before else ()
         if len(earlier) != len(matrix.factors):
