@@ -22,7 +22,6 @@ from vtkmodules.vtkCommonMath import vtkMatrix4x4
 from vtkmodules.vtkCommonTransforms import vtkPerspectiveTransform
 from vtkmodules.vtkRenderingCore import vtkCamera
 
-from app.arithmetic.formats import QUANTISED
 from app.measure.reference import SAMPLE, Truth, sample, truth
 from app.measure.results import Choice, Curve, Sweep, Trade
 from app.measure.run import Watch, timed, unwatched
@@ -42,11 +41,24 @@ _PRECISIONS: dict[str, Precision] = {
     "exact": "exact",
 }
 """The ways that are precisions of the model, which predicts their errors."""
-CHEAP = {
-    **{name: Hardware(name, name) for name in ("float16", "bfloat16", "fixed 16.16")},
-    **{bits: Hardware(bits) for bits in [*QUANTISED][::2]},
+CHEAP: dict[str, tuple[Hardware, dict[str, str]]] = {
+    **{
+        f"{bits} bits": (Hardware(f"{bits} bits"), {"settings.preset": f"bits{bits}"})
+        for bits in (8, 12, 16)
+    },
+    "float16": (Hardware("float16", "float16"), {"settings.preset": "half"}),
+    **{
+        name: (
+            Hardware(name, name),
+            {"settings.preset": "own", "settings.vertices": drawn, "settings.numbers": drawn},
+        )
+        for name, drawn in (("bfloat16", "bfloat16"), ("fixed 16.16", "fixed"))
+    },
 }
-"""Formats that numpy can only imitate, and vertices of so many bits: judged, but not timed."""
+"""Vertices of so many bits, and formats that numpy can only imitate: judged, but not timed.
+
+Each with the settings with which the scene ``cheap-arithmetic`` draws it.
+"""
 
 WORLD = "float32, world coordinates"
 """With vertices that are not measured from near the camera; over distances only."""
@@ -258,21 +270,23 @@ def measure(
             name: _largest(reference, np.asarray(way.rows(way.run()), dtype=np.float64).T[where])
             for name, way in all_ways.items()
         }
-    choices, box = [], np.stack([points_world.min(axis=0), points_world.max(axis=0)])
-    for name, hardware in CHEAP.items():
-        picture = cheap(projection, world, hardware, origin, box)
-        answers = np.column_stack([picture.image, picture.depth])[where]
-        errors, note = _largest(reference, answers)
-        bounds = picture.bounds.max(axis=0).tolist()
-        prediction = Prediction(max(bounds[:2]), bounds[2])
-        note, size = note or IN_SOFTWARE, hardware.bytes_per_vertex
-        choices.append(_choice(name, errors, prediction, note, {}, size))
+    choices = []
     for name, (errors, note) in found.items():
         precision = _PRECISIONS.get(name)
         expected = None if precision is None else predicted.get(precision)
         use = {} if precision in (None, "exact") else {"rung": str(precision)}
         choice = _choice(name, errors, expected, note, use, all_ways[name].bytes)
         choices.append(replace(choice, library=name in others))
+    box = np.stack([points_world.min(axis=0), points_world.max(axis=0)])
+    for name, (hardware, drawn) in CHEAP.items():
+        picture = cheap(projection, world, hardware, origin, box)
+        answers = np.column_stack([picture.image, picture.depth])[where]
+        errors, note = _largest(reference, answers)
+        bounds = picture.bounds.max(axis=0).tolist()
+        prediction = Prediction(max(bounds[:2]), bounds[2])
+        use = {"scene": "cheap-arithmetic", **drawn}
+        note, size = note or IN_SOFTWARE, hardware.bytes_per_vertex
+        choices.append(_choice(name, errors, prediction, note, use, size))
     choices += [
         Choice(name, None, None, None, note=note, library=True) for name, note in missing.items()
     ]

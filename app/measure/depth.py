@@ -12,7 +12,7 @@ from dataclasses import replace
 import numpy as np
 
 from app.measure.arithmetic import SWEEPS
-from app.measure.results import Choice, Curve, Sweep, Trade
+from app.measure.results import BUFFERS, Choice, Curve, Sweep, Trade
 from app.measure.run import Watch, unwatched
 from app.model.depth import FORMATS, MAPPINGS, DepthBuffer
 from app.model.projection import Projection
@@ -24,14 +24,6 @@ FARTHEST = 1e4
 """The pairs' largest distance for an infinite far, in units of near."""
 _EDGES = 4
 """Edges of a surface's code and the next two, because wide and narrow codes may alternate."""
-
-SWEPT = {
-    "fixed16": ("fixed16", "opengl"),
-    "fixed24": ("fixed24", "opengl"),
-    "float32": ("float32", "opengl"),
-    "float32, reversed": ("float32", "reversed"),
-}
-"""The buffers of the sweeps of near and far."""
 
 NOT_TOLD = QT_TRANSLATE_NOOP("Measure", "tells nothing behind it apart")
 BEYOND = QT_TRANSLATE_NOOP("Measure", "the target lies outside of near and far")
@@ -83,7 +75,7 @@ def _trade(choices: Sequence[Choice]) -> Trade:
 def sweep(
     parameter: str, projection: Projection, values: Sequence[float], watch: Watch = unwatched
 ) -> Sweep:
-    """Measure the gap of each buffer of `SWEPT` over the values of near or far.
+    """Measure the gap of each of `BUFFERS` over the values of near or far.
 
     The surface is the target, or at 2 near or far / 2 if the target would lie outside.
 
@@ -93,7 +85,7 @@ def sweep(
         By `watch`; with the values done.
     """
     target = -float(projection.trace(projection.camera.target).view[2])
-    found: dict[str, list[tuple[float | None, float | None, str]]] = {name: [] for name in SWEPT}
+    found: dict[str, list[tuple[float | None, float | None, str]]] = {name: [] for name in BUFFERS}
     done = 0
     for done, value in enumerate(values):
         try:
@@ -103,8 +95,8 @@ def sweep(
         lens = SWEEPS[parameter].set(projection, value)[0].lens
         distance = target if target < lens.far else lens.far / 2.0
         distance = distance if distance > lens.near else 2.0 * lens.near
-        for name, (format_, mapping) in SWEPT.items():
-            buffer = DepthBuffer(format_, mapping, lens)
+        for name, drawn in BUFFERS.items():
+            buffer = DepthBuffer(drawn["depth_format"], drawn["depth_mapping"], lens)
             gap, predicted = smallest_gap(buffer, distance), float(buffer.gap(distance))
             told = math.isfinite(gap)
             found[name].append((gap if told else None, predicted, "" if told else NOT_TOLD))

@@ -175,7 +175,7 @@ def test_trade_1_times_every_way_and_defines_its_errors() -> None:
     assert found["float16"].bytes == 6.0 and found["float32"].bytes == 12.0
     assert found["12 bits"].bytes == 4.5
     assert {each.name for each in found.values() if each.library} == set(peers(START, POINTS)[0])
-    precisions = {choice.use["rung"] for choice in trade.choices if choice.use}
+    precisions = {choice.use["rung"] for choice in trade.choices if "rung" in choice.use}
     assert precisions == {"float32", "float64"}  # the panes cannot draw the exact one
     for name in ("{}", "{}, eye first"):  # the same code in two formats
         single, double = (found[name.format(kind)] for kind in ("float32", "float64"))
