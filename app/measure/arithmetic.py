@@ -424,17 +424,18 @@ def sweep(
     points_world: Array,
     values: Sequence[float],
     watch: Watch = unwatched,
+    at: Callable[[str, Projection, Array, float], Mapping[str, Answer]] | None = None,
 ) -> Sweep:
-    """Measure the errors of every precision, and of VTK's own camera, over a parameter's range.
+    """Measure something at every value of a parameter, with the scene's points (n, 3).
 
-    `in_view` moves the scene's points (n, 3) into the view volume at every value.
+    `at` returns the answer of each choice; by default `errors`.
 
     Raises
     ------
     Cancelled
         By `watch`; with the values done.
     """
-    found: dict[str, list[_Answer]] = {}
+    found: dict[str, list[Answer]] = {}
     complete, done = True, 0
     for done, value in enumerate(values):
         try:
@@ -442,7 +443,7 @@ def sweep(
         except Cancelled:
             complete = False
             break
-        for name, answer in _at(parameter, projection, points_world, value).items():
+        for name, answer in (at or errors)(parameter, projection, points_world, value).items():
             found.setdefault(name, []).append(answer)
     curves = {name: _curve(answers) for name, answers in found.items()}
     measured = tuple(values) if complete else tuple(values[:done])
@@ -452,7 +453,7 @@ def sweep(
     return swept
 
 
-def _curve(answers: Sequence[_Answer]) -> Curve:
+def _curve(answers: Sequence[Answer]) -> Curve:
     measured, predicted, notes = zip(*answers, strict=True) if answers else ((), (), ())
 
     def column(parts: Sequence[Prediction | None], name: str) -> tuple[float | None, ...]:
@@ -462,14 +463,17 @@ def _curve(answers: Sequence[_Answer]) -> Curve:
     return Curve(*errors, column(predicted, "px"), column(predicted, "depth"), notes)
 
 
-_Answer: TypeAlias = tuple[Prediction | None, Prediction | None, str]
+Answer: TypeAlias = tuple[Prediction | None, Prediction | None, str]
 """The largest errors, the prediction, and the reason for a missing number."""
 
 
-def _at(
+def errors(
     parameter: str, projection: Projection, points_world: Array, value: float
-) -> Mapping[str, _Answer]:
-    """Return the answer of each choice at one value."""
+) -> Mapping[str, Answer]:
+    """Return the errors of every precision, and of VTK's own camera, at one value.
+
+    `in_view` moves the points (n, 3) into the view volume.
+    """
     try:
         there, moved = SWEEPS[parameter].set(projection, value)
     except Refusal as error:
@@ -481,13 +485,13 @@ def _at(
     origins = {name: (precision, origin) for name, precision in _PRECISIONS.items()}
     if parameter == "distance":
         origins[WORLD] = "float32", (0.0, 0.0, 0.0)
-    found: dict[str, _Answer] = {}
+    found: dict[str, Answer] = {}
     with np.errstate(all="ignore"):
         for name, (precision, start) in origins.items():
             traced = trace(there, world, precision, start)
-            errors, note = _largest(reference, np.column_stack([traced.image, traced.depth]))
+            largest, note = _largest(reference, np.column_stack([traced.image, traced.depth]))
             predicted = predict(there, world, start) or {}
-            found[name] = (errors, predicted.get(precision), note)
+            found[name] = (largest, predicted.get(precision), note)
         found["VTK's camera"] = _vtk_camera(there, world, reference)
     return found
 
@@ -533,7 +537,7 @@ def _spread(projection: Projection, pixels: Array, depth: Array) -> Array:
     return world
 
 
-def _vtk_camera(projection: Projection, world: Array, reference: Truth) -> _Answer:
+def _vtk_camera(projection: Projection, world: Array, reference: Truth) -> Answer:
     """Set VTK's own camera as a program would, and note which of the values it changes."""
     lens, camera = projection.lens, vtkCamera()
     camera.SetPosition(*projection.camera.eye)

@@ -111,7 +111,7 @@ WORDS = (
     QT_TRANSLATE_NOOP("Measure", "supersampling {0} x {0}"),
     QT_TRANSLATE_NOOP("Measure", "this OpenGL gives {0} samples"),
     QT_TRANSLATE_NOOP("Measure", "the same picture"),
-    QT_TRANSLATE_NOOP("Measure", "a sphere: the scene has too few triangles to leave any out"),
+    QT_TRANSLATE_NOOP("Measure", "a sphere: the scene has too few triangles"),
     QT_TRANSLATE_NOOP("Measure", "p95"),
     QT_TRANSLATE_NOOP("Measure", "bytes"),
     BUSY,
