@@ -86,6 +86,8 @@ class LessonCard(QFrame):
     """The card appeared or disappeared."""
     begun_again = Signal(str, object)
     """The answers of the lesson with this title were deleted; the callable restores them."""
+    hidden = Signal(object)
+    """What must not be seen now, because it would show the answer of an exercise."""
     went_on = Signal()
     """The step has changed or a block was answered, so other buttons may be enabled."""
 
@@ -103,6 +105,7 @@ class LessonCard(QFrame):
         """The course and the step of the page."""
         self._aside: tuple[Document, View | None] | None = None
         """A state that the lesson shows to refute an idea: it is not the student's work."""
+        self._hides: frozenset[str] = frozenset()
         self.is_on = False
         """Whether the card shows a lesson, or that one is finished."""
         self.blocks: list[BlockView] = []
@@ -276,8 +279,16 @@ class LessonCard(QFrame):
         self.hint.setEnabled(self._hinting is not None)
         self.went_on.emit()
 
+    def _hide(self) -> None:
+        """Hide what would show the answer of an exercise that is open."""
+        hides = frozenset[str]().union(*(block.hides for block in self.blocks))
+        if hides != self._hides:
+            self._hides = hides
+            self.hidden.emit(hides)
+
     def _clear(self) -> None:
         self.blocks = []
+        self._hide()
         page = self._area.takeWidget()
         if page is not None:
             page.deleteLater()
@@ -340,6 +351,7 @@ class LessonCard(QFrame):
         return all(f"{step.name}/{name}" in self._progress.answers for name in names)
 
     def _settled(self, view: BlockView, answer: str) -> None:
+        self._hide()
         self._note(view.block.name, answer)
         self._notice.hide()
         had_focus = self._has_focus
@@ -368,6 +380,7 @@ class LessonCard(QFrame):
         self._settings.keep_progress(name_of(lesson.path), self._progress)
 
     def _show_aside(self, document: Document) -> None:
+        self._hide()  # before it is seen
         self._aside = document, None
         self._lessons.show(document)
 
