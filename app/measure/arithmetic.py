@@ -290,6 +290,7 @@ def measure(
     choices += [
         Choice(name, None, None, None, note=note, library=True) for name, note in missing.items()
     ]
+    choices.sort(key=lambda choice: choice.library)
     trade = Trade("arithmetic", "ns", "px", tuple(choices), 0)
     runs = {name: way.run for name, way in all_ways.items()}
     with np.errstate(all="ignore"):
