@@ -57,7 +57,8 @@ _RECIPROCALS = {
 _COMPARED = ("8 bits", "12 bits", "16 bits", "float16", "float32")  # in the diagram
 _SHOWN_PX = 1e-5, 1e3  # there
 
-_TURN = math.radians(27.0)  # a letter along the axes would have round coordinates, in any format
+# A letter along the axes, or 5 high, would have coordinates that any format has, or just misses.
+_TURN, _SCALE = math.radians(27.0), 0.97
 _FLOOR, _SQUARES = 4.0, 3
 _CHECKS = 8
 _FLOOR_RGB = (245, 242, 230)
@@ -71,7 +72,7 @@ _LEAST_SHOWN = 1e-9  # of the same: nothing shorter is enlarged
 def _geometry() -> tuple[Coloured, Coloured]:
     letter, rgb = letter_f()
     cos, sin = math.cos(_TURN), math.sin(_TURN)
-    turned = letter @ np.array([(cos, 0.0, -sin), (0.0, 1.0, 0.0), (sin, 0.0, cos)])
+    turned = _SCALE * letter @ np.array([(cos, 0.0, -sin), (0.0, 1.0, 0.0), (sin, 0.0, cos)])
     ends = np.linspace(-_FLOOR, _FLOOR, _SQUARES + 1)
     floor = np.array(
         [
