@@ -11,7 +11,7 @@ import pytest
 from app.arithmetic.formats import FORMATS, QUANTISED, RECIPROCALS, SNAPS
 from app.model.projection import Camera, Lens, Orthographic, Perspective, Projection
 from app.model.refusal import Refusal
-from app.precision.cheap import Hardware, cheap
+from app.precision.cheap import Hardware, cheap, stored
 from app.precision.levels import Reference, trace
 from tests.fuzz.cheap import ratios_of
 from tests.support.lenses import LENSES, SLANTED, free_matrix
@@ -89,6 +89,20 @@ def test_snapped_positions_are_on_the_grid_and_at_most_half_a_step_away(snap: st
     assert 0.45 * step < away.max() <= step / 2.0
     assert np.array_equal(snapped.depth, free.depth)
     assert (snapped.bounds[:, :2] >= away).all()
+
+
+def test_stored_vertices_are_where_the_format_has_them() -> None:
+    box = [(-3.0, -3.0, -3.0), (3.0, 3.0, 3.0)]
+    for name in QUANTISED:
+        step = 6.0 / (2.0 ** QUANTISED[name] - 1.0)
+        places = stored(POINTS, Hardware(name), box=box)
+        counts = (places + 3.0) / step
+        assert np.allclose(counts, np.rint(counts), rtol=0, atol=1e-6)
+        assert 0.45 * step < np.abs(places - POINTS).max() <= 0.5001 * step
+    origin = np.array((1.0, 0.0, 0.0))
+    halves = stored(POINTS, Hardware("float16"), (1.0, 0.0, 0.0))
+    assert np.array_equal(halves, (POINTS - origin).astype(np.float16) + origin)
+    assert np.isnan(stored([(4.0, 0.0, 0.0)], Hardware("8 bits"), box=box)).any()
 
 
 def test_each_bit_of_the_vertices_halves_the_error_and_the_bound() -> None:
