@@ -188,20 +188,6 @@ def stored(
     return kept.value.T + origin
 
 
-def stored(
-    points_world: ArrayLike,
-    hardware: Hardware,
-    origin: Vector = (0.0, 0.0, 0.0),
-    box: ArrayLike | None = None,
-) -> Array:
-    """World points (n, 3) as their vertices are stored; NaN where a format has no number."""
-    points = checked_points(points_world)
-    corners = _box_of(points) if box is None else checked_points(box)
-    with np.errstate(all="ignore"):
-        kept = _stored(points, hardware, FORMATS["float64"], np.array(origin), corners - origin)
-    return kept.value.T + origin
-
-
 def _box_of(points: Array) -> Array:
     if not len(points):
         return np.zeros((2, 3))

@@ -1,4 +1,4 @@
-"""Vertices that a phenomenon moves: each pane draws its own ones, and the texture goes with them."""
+"""Vertices that a phenomenon moves: each pane draws its own, and the texture goes with them."""
 
 from __future__ import annotations
 
