@@ -172,6 +172,18 @@ def test_a_parallel_lens_divides_by_no_table() -> None:
     assert np.array_equal(exact.image, table.image) and np.array_equal(exact.bounds, table.bounds)
 
 
+def test_a_width_that_the_format_does_not_have_is_counted() -> None:
+    points = np.zeros((1000, 3))
+    values = np.random.default_rng(6).uniform(0.0, 1.0, 1000)
+    points[:, 0] = FORMATS["bfloat16"].rounded(values)
+    lens = Orthographic(-1.0, 1.0, -1.0, 1.0)
+    for width in range(513, 600):
+        projection = Projection(STRAIGHT, lens, (width, 512))
+        picture = cheap(projection, points, Hardware("bfloat16", "bfloat16"))
+        right = (points[:, 0] + 1.0) * width / 2.0
+        assert (np.abs(picture.image[:, 0] - right) <= picture.bounds[:, 0]).all()
+
+
 def test_no_points_have_no_picture() -> None:
     picture = cheap(Projection(), np.zeros((0, 3)), Hardware("8 bits", "float16"))
     assert picture.image.shape == (0, 2) and picture.bounds.shape == (0, 3)
