@@ -529,6 +529,7 @@ class _Stacked(_Plain):
         return f"({text})"
 
 
+_IN_LATEX = {"asin": "arcsin", "acos": "arccos", "atan": "arctan", "abs": "operatorname{abs}"}
 _GREEK = {"\u03b1": r"\alpha", "β": r"\beta", "θ": r"\theta", "φ": r"\varphi"}
 
 
@@ -552,7 +553,9 @@ class _Latex(_Stacked):
     def call(self, name: str, inside: list[str], outer: int) -> str:
         if name == "dot":
             return super().call(name, inside, outer)
-        return rf"\{name}\left({', '.join(inside)}\right)"
+        if name == "sqrt":
+            return rf"\sqrt{{{', '.join(inside)}}}"
+        return rf"\{_IN_LATEX.get(name, name)}\left({', '.join(inside)}\right)"
 
     def power(self, base: str, exponent: int, outer: int) -> str:
         return _bracketed(f"{base}^{{{exponent}}}", outer > _FACTOR)

@@ -41,6 +41,7 @@ from tests.support.window import (
 )
 from widgets.parts.lesson_text import LessonText
 from widgets.window.lesson_blocks import VIEWS
+from widgets.window.lesson_blocks.task import DONE
 from widgets.window.lesson_blocks.view import BlockView
 from widgets.window.lesson_card import TOUR, WHILE_MOVING_MS
 from widgets.window.main_window import MainWindow
@@ -515,3 +516,81 @@ def test_lessons_can_be_done_with_the_keyboard_alone(make_window: MakeWindow) ->
         assert lessons.course is None, path.name
         kept = window.settings.progress[path.stem]
         assert (kept.done, kept.of, kept.step) == (len(course.lesson.steps),) * 2 + ("",)
+
+
+EXERCISE = """---
+title: Practise
+---
+# Widths {#widths}
+```state
+scene=letter-f
+```
+```exercise wide
+vary fov: 20..100 step 5
+vary a: 4/3, 16/9, 2, 1.5, 5/2
+state: lens.fov_y_deg={=fov}; image.width={=720*a}; image.height=720
+{=fov}° high, {=a} times as wide. How wide?
+value: 2*atan(a*tan(fov/2))
+unit: °
+wrong angle-linear: a*fov
+hint: Take the tangent.
+```
+```exercise set
+vary near: 0.5..4 step 0.1
+Set near to {=near}.
+until: near = near_wanted
+```
+"""
+
+
+def test_an_exercise_is_practised_by_keyboard_alone(window: MainWindow, tmp_path: Path) -> None:
+    path = tmp_path / "practise.md"
+    text = EXERCISE.replace("vary near", "vary near_wanted").replace("{=near}", "{=near_wanted}")
+    path.write_text(text, encoding="utf-8")
+    activate(window)
+    card = window.lesson_card
+    card.open(path)
+    settle()
+    view, task = card.blocks
+    assert QApplication.focusWidget() is view.first and not card.hint.isEnabled()
+    assert "How wide" not in texts(view)
+    press(KEY.Key_Return, NO_KEY)
+    come_to_rest(window)
+    variant = view.variant
+    assert window.store.document == variant.here.document
+    assert variant.question.text in texts(view) and variant.seed == 1
+    assert card.hint.isEnabled(), "the hints of its question are the card's"
+    press(KEY.Key_I, ALT)
+    assert "Take the tangent." in texts(view)
+    right = variant.question.answer(variant.here)
+    QTest.keyClicks(QApplication.focusWidget(), f"{right / 2:.4g}")
+    press(KEY.Key_Return, NO_KEY)
+    assert "too small, by a factor of about 2." in texts(view) and view.is_open
+    QTest.keyClicks(QApplication.focusWidget(), f"{right:.4g}")
+    press(KEY.Key_Return, NO_KEY)
+    assert "Right." in texts(view) and view.answer == f"1 {right:.4g}"
+    press(KEY.Key_O, ALT)
+    come_to_rest(window)
+    assert view.variant.seed == 2 and view.is_open
+    assert window.store.document == view.variant.here.document != variant.here.document
+    assert view.variant.question.text in texts(view) and variant.question.text not in texts(view)
+    view.seed.setFocus()
+    view.seed.selectAll()
+    QTest.keyClicks(view.seed, "77")
+    press(KEY.Key_Return, NO_KEY)
+    come_to_rest(window)
+    assert view.variant.seed == 77
+
+    task.begin()
+    come_to_rest(window)
+    assert task.is_open
+    enter(window.controls.rows["near"].field, str(float(task.variant.numbers["near_wanted"])))
+    come_to_rest(window)
+    assert task.answer == f"1 {DONE}"
+
+    window.lessons.close()
+    card.open(path)
+    settle()
+    view, task = card.blocks
+    assert view.answer == f"1 {right:.4g}" and "Right." in texts(view)
+    assert task.answer == f"1 {DONE}" and not task.is_open

@@ -316,6 +316,7 @@ class LessonCard(QFrame):
         """Scroll to a response: to all of it, or else to its beginning."""
         lay_out()
         lay_out()  # again, because a scroll bar that appears makes the text narrower
+        self.hint.setEnabled(self._hinting is not None)
         said = block.said if block in self.blocks else []
         for widget in (*said[-1:], *said[:1]):
             self._area.ensureWidgetVisible(widget, 0, 10)

@@ -4,13 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from fractions import Fraction
 
 from app.lessons import marking
 from app.lessons.blocks.block import Here
 from app.lessons.blocks.choices import Choices
 from app.lessons.blocks.question import CHECKS, RIGHT, Question, Reply, Verdict, said_below
 from app.lessons.lines import LACKS, Body, refused
-from app.model.formula import Formula
+from app.lessons.quantities import FUNCTIONS
+from app.model.formula import Call, Formula, Letter, Negative, Number, latex
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
 
 EITHER = QT_TRANSLATE_NOOP("Refusal", "has both choices and a value: keep one of them")
@@ -73,6 +75,23 @@ class Answer(Question):
             if error.field != "answer":
                 raise
             return "no number"
+
+    def solution(self, here: Here) -> str:
+        """Return the way to the answer as Markdown: in letters, with the step's numbers, its value.
+
+        Empty if the formula has no letters: the question itself says the numbers.
+        """
+        known, terms = self.known(here), dict[str, Formula]()
+        for part in self.formula:
+            is_name = isinstance(part, Letter) and part.name not in ("pi", "infinity")
+            if is_name or (isinstance(part, Call) and part.name not in FUNCTIONS):
+                number = Number(abs(Fraction(f"{known.value(part):.4g}")))
+                terms[part.text] = number if known.value(part) >= 0.0 else Negative(number)
+        if not terms:
+            return ""
+        value = f"{self.answer(here):.4g}"
+        sides = latex(self.formula, {}), latex(self.formula.where(terms), {}), value
+        return f"${' = '.join(sides)}$"
 
     def answer_text(self, here: Here, write: Callable[[float], str]) -> str:
         unit = self.unit if self.unit in ("", "°") else f" {self.unit}"

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import difflib
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import Any, ClassVar, NamedTuple
 
@@ -155,28 +155,50 @@ class Question(Asked):
                     raise refused(line, NOT_SO, value=condition.text)
         for reply in self.replies:
             reply.check(here, trial)
+        value, wrong = None, list[tuple[int, float]]()
+        for owner, formula, line in self.formulas:
+            with trial.kept():
+                found = self.value(here, formula, line)
+                if owner is not None:
+                    with trial.kept():
+                        owner.check_number(found)
+                if owner is None or owner.right:
+                    value = found
+                else:
+                    wrong.append((line, found))
+        for clash in _clashes(value, wrong):
+            trial.complain(clash)
+
+    def check_values(self, here: Here) -> None:
+        """Refuse a value that does not exist, and wrong ones that equal another one."""
+        values = [
+            (reply, line, self.value(here, formula, line)) for reply, formula, line in self.formulas
+        ]
+        value = next((v for reply, _, v in values if reply is None or reply.right), None)
+        wrong = [(line, v) for reply, line, v in values if reply is not None and not reply.right]
+        for clash in _clashes(value, wrong):
+            raise clash
+
+    @property
+    def formulas(self) -> Iterator[tuple[Reply | None, Formula, int]]:
+        """Yield every formula of a value, with its reply, if it has one, and its line."""
         formula, line = self.key
-        value = None
+        right = next((reply for reply in self.replies if reply.right), None)
         if formula is not None:
-            with trial.kept():
-                value = self.value(here, formula, line)
-                for reply in self.replies:
-                    if reply.right:
-                        reply.check_number(value)
-        found: list[tuple[int, float]] = []
-        for reply in self.replies:
-            if reply.right or reply.formula is None:
-                continue
-            with trial.kept():
-                wrong = self.value(here, reply.formula, reply.line)
-                with trial.kept():
-                    reply.check_number(wrong)
-                if value is not None and _alike(wrong, value):
-                    trial.complain(refused(reply.line, ALSO_RIGHT, f"{value:.6g}"))
-                for line, other in found:
-                    if _alike(wrong, other):
-                        trial.complain(refused(reply.line, SAME_WRONG, line, f"{other:.6g}"))
-                found.append((reply.line, wrong))
+            yield right, formula, line
+        for wrong in self.replies:
+            if not wrong.right and wrong.formula is not None:
+                yield wrong, wrong.formula, wrong.line
+
+
+def _clashes(value: float | None, wrong: Sequence[tuple[int, float]]) -> Iterator[Refusal]:
+    """Yield the refusals of wrong values that equal the right one, or an earlier wrong one."""
+    for place, (line, each) in enumerate(wrong):
+        if value is not None and _alike(each, value):
+            yield refused(line, ALSO_RIGHT, f"{value:.6g}")
+        for before, other in wrong[:place]:
+            if _alike(each, other):
+                yield refused(line, SAME_WRONG, before, f"{other:.6g}")
 
 
 def _alike(one: float, other: float) -> bool:

@@ -117,4 +117,5 @@ class Types(BlockView):
         text = self.tr("The answer is {0}.").format(answer_of(self.question, self.here))
         self._close()
         self._say("help", "", f"{text} {self.question.why}".strip())
+        self._say("", "", self.question.solution(self.here))
         self._announce(text)
