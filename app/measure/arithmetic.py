@@ -22,9 +22,9 @@ from vtkmodules.vtkCommonMath import vtkMatrix4x4
 from vtkmodules.vtkCommonTransforms import vtkPerspectiveTransform
 from vtkmodules.vtkRenderingCore import vtkCamera
 
-from app.arithmetic.formats import QUANTISED
+from app.arithmetic.formats import QUANTISED, RECIPROCALS, SNAPS
 from app.measure.reference import SAMPLE, Truth, sample, truth
-from app.measure.results import Choice, Curve, Sweep, Trade
+from app.measure.results import IN_SOFTWARE, Choice, Curve, Sweep, Trade
 from app.measure.run import Watch, timed, unwatched
 from app.model.projection import Array, Camera, Frustum, Perspective, Projection, Vector
 from app.model.refusal import QT_TRANSLATE_NOOP, Cancelled, Refusal
@@ -45,8 +45,10 @@ _PRECISIONS: dict[str, Precision] = {
 CHEAP = {
     **{name: Hardware(name, name) for name in ("float16", "bfloat16", "fixed 16.16")},
     **{bits: Hardware(bits) for bits in [*QUANTISED][::2]},
+    **{f"float32, snapped to {name}": Hardware(snap=name) for name in [*SNAPS][1:]},
+    **{f"float32, reciprocal {name}": Hardware(reciprocal=name) for name in [*RECIPROCALS][1:]},
 }
-"""Formats that numpy can only imitate, and vertices of so many bits: judged, but not timed."""
+"""What numpy can only imitate: judged, but not timed."""
 
 WORLD = "float32, world coordinates"
 """With vertices that are not measured from near the camera; over distances only."""
@@ -55,7 +57,6 @@ NO_POINTS = QT_TRANSLATE_NOOP(
     "Measure", "no vertex is in front of the eye, so there is nothing to measure"
 )
 NOT_INSTALLED = QT_TRANSLATE_NOOP("Measure", "not installed")
-IN_SOFTWARE = QT_TRANSLATE_NOOP("Measure", "imitated in software: its time says nothing")
 NOT_A_NUMBER = QT_TRANSLATE_NOOP("Measure", "returns NaN")
 INFINITE = QT_TRANSLATE_NOOP("Measure", "overflows")
 
@@ -265,8 +266,9 @@ def measure(
         errors, note = _largest(reference, answers)
         bounds = picture.bounds.max(axis=0).tolist()
         prediction = Prediction(max(bounds[:2]), bounds[2])
-        note, size = note or IN_SOFTWARE, hardware.bytes_per_vertex
-        choices.append(_choice(name, errors, prediction, note, {}, size))
+        # Snapping and reciprocals save no memory, so they have no place among the formats.
+        size = None if hardware.vertices == "float32" else hardware.bytes_per_vertex
+        choices.append(_choice(name, errors, prediction, note or IN_SOFTWARE, {}, size))
     for name, (errors, note) in found.items():
         precision = _PRECISIONS.get(name)
         expected = None if precision is None else predicted.get(precision)
