@@ -126,6 +126,14 @@ def test_a_vertex_that_the_format_has_loses_nothing() -> None:
         assert np.array_equal(picture.bounds, stored[0].bounds)
 
 
+def test_the_arithmetic_loads_vertices_in_its_own_format() -> None:
+    projection = Projection(SLANTED)
+    halves = [
+        cheap(projection, POINTS, Hardware(name, "float16")) for name in ("float16", "float64")
+    ]
+    assert np.array_equal(halves[0].image, halves[1].image)
+
+
 def test_far_from_its_origin_a_vertex_jumps() -> None:
     moved = 1e6
     camera = Camera((moved, 0.0, 4.0), (moved, 0.0, 0.0))
