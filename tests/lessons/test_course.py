@@ -197,7 +197,10 @@ show: lens.near=3
 check: near = 1.5*was_near
 ```
 """)
-    assert [question.value(here, each.formula, 1) for each in question.replies] == [3.0, 2.0]
+    assert [question.values(here, each.formulas, 1) for each in question.replies] == [
+        (3.0,),
+        (2.0,),
+    ]
 
 
 def test_every_idea_that_the_program_knows_has_two_sentences_and_a_state() -> None:

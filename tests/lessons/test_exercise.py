@@ -113,8 +113,8 @@ def test_the_solution_has_letters_then_numbers_then_the_value() -> None:
     asked, here = exercise(WIDE)
     variant = asked.variant(here, 3)
     assert variant.question.solution(variant.here) == (  # type: ignore[union-attr]
-        r"$2\arctan\left(a \, \tan\left(\frac{\mathrm{fov}}{2}\right)\right) = "
-        r"2\arctan\left(1.333\tan\left(\frac{70}{2}\right)\right) = 86.07$"
+        r"$2 \, \arctan\left(a \, \tan\left(\frac{\mathrm{fov}}{2}\right)\right) = "
+        r"2 \, \arctan\left(1.333 \, \tan\left(\frac{70}{2}\right)\right) = 86.07$"
     )
 
 

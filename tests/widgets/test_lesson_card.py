@@ -594,3 +594,88 @@ def test_an_exercise_is_practised_by_keyboard_alone(window: MainWindow, tmp_path
     view, task = card.blocks
     assert view.answer == f"1 {right:.4g}" and "Right." in texts(view)
     assert task.answer == f"1 {DONE}" and not task.is_open
+
+
+MATRIX = """---
+title: A matrix
+---
+# Scale {#scale}
+```state
+scene=letter-f
+```
+```answer scale
+Scale by 2, 3.5 in x, y.
+matrix: 2, 0; 0, 3.5
+wrong order: 3.5, 0; 0, 2
+why: On the diagonal.
+```
+"""
+
+
+def test_a_matrix_is_filled_in_by_keyboard_alone(window: MainWindow, tmp_path: Path) -> None:
+    path = tmp_path / "matrix.md"
+    path.write_text(MATRIX, encoding="utf-8")
+    activate(window)
+    card = window.lesson_card
+    card.open(path)
+    settle()
+    (view,) = card.blocks
+    first, second, third, last = view.cells
+    assert keyboard() is first and second.accessibleName() == "Row 1, column 2"
+    QTest.keyClicks(first, "2")
+    press(KEY.Key_Right)
+    assert keyboard() is second
+    press(KEY.Key_Right)
+    assert keyboard() is second, "there is no third column"
+    QTest.keyClicks(second, "zero")
+    press(KEY.Key_Down)
+    assert keyboard() is last
+    QTest.keyClicks(last, "-3.5")
+    press(KEY.Key_Left)
+    assert keyboard() is last, "only the cursor has moved, which was behind the text"
+    press(KEY.Key_Backtab, Qt.KeyboardModifier.ShiftModifier)
+    assert keyboard() is third
+    press(KEY.Key_Return)
+    assert keyboard() is second and "Row 1, column 2 = 'zero'" in texts(view)
+    QTest.keyClicks(second, "0")
+    press(KEY.Key_Return)
+    assert keyboard() is third and "Row 2, column 1 must be a number" in texts(view)
+    QTest.keyClicks(third, "0")
+    press(KEY.Key_Return)
+    assert "The marked numbers have the wrong sign." in texts(view) and view.is_open
+    assert [each.accessibleDescription() for each in view.cells] == ["Right"] * 3 + ["Wrong"]
+    assert keyboard() is last
+    QTest.keyClicks(last, "4")
+    assert not last.accessibleDescription(), "an edited number is not marked any more"
+    press(KEY.Key_Return)
+    assert "Only the number in row 2, column 2 is wrong." in texts(view)
+    for text, cell in (("3.5", first), ("2", last)):
+        cell.setFocus()
+        cell.selectAll()
+        QTest.keyClicks(cell, text)
+    press(KEY.Key_Return)
+    idea = idea_named("order")
+    assert idea is not None and idea.title.rstrip(".") in texts(view)
+    assert "Show the answer" in buttons(view)
+    for text, cell in (("2", first), ("3,5", last)):
+        cell.setFocus()
+        cell.selectAll()
+        QTest.keyClicks(cell, text)
+    press(KEY.Key_Return)
+    assert "On the diagonal." in texts(view) and view.answer == "2 | 0; 0 | 3,5"
+    card.leave()
+    card.open(path)
+    settle()
+    (view,) = card.blocks
+    assert view.answer and [cell.text() for cell in view.cells] == ["2", "0", "0", "3,5"]
+    assert {each.accessibleDescription() for each in view.cells} == {"Right"}
+
+    card.begin_again()
+    (view,) = card.blocks
+    for _ in range(3):
+        for cell in view.cells:
+            cell.setText("7")
+        view.check()
+        settle()
+    press(KEY.Key_A, ALT)
+    assert "The answer is:" in texts(view) and "3.5" in texts(view) and not view.is_open
