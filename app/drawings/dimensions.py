@@ -94,10 +94,14 @@ def half_of(projection: Projection, axis: int) -> Half | None:
 
 
 class Dimensions:
-    """The lines and their letters; `board` is the pane's."""
+    """The lines and their letters; `board` is the pane's, and `inks` are the letters' colours."""
 
-    def __init__(self, board: Board, canvas: Canvas, words: Mapping[str, str]) -> None:
+    def __init__(
+        self, board: Board, canvas: Canvas, words: Mapping[str, str], inks: Mapping[str, str]
+    ) -> None:
         self._board, self._words, self._em = board, words, board.em
+        for name, colour in inks.items():
+            board.label((_KEY, name), colour=getattr(canvas.style, colour))
         self._lines = _Segments(canvas, canvas.style.ink, canvas.style.line_width / 2.0)
         self._thin = _Segments(canvas, canvas.style.leader, canvas.style.line_width / 2.0)
         self._sentences = [canvas.label("", anchor=(-1, -1), plain=True) for _ in range(_LINES)]

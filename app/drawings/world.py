@@ -145,7 +145,7 @@ class WorldDrawing(Drawing):
         if view == self.own.fixed:
             return
         if view and self._dimensions is None:
-            self._dimensions = Dimensions(self.board, self._canvas, self._words)
+            self._dimensions = Dimensions(self.board, self._canvas, self._words, self._scene.inks)
         elif self._dimensions is not None:
             self._dimensions.hide()
         self.own.fixed = view
@@ -171,9 +171,10 @@ class WorldDrawing(Drawing):
             hidden = hidden | {"camera", "near-picture"}
         elif self.own.fixed == "axis":
             hidden = hidden | {"camera"}
+        has_arrows = not self.names.all and any(axis in self.names for axis in AXES)
+        self._actors.show_grid("grid" not in hidden, pale=has_arrows)
         if ("grid" in hidden) != ("grid" in self._canvas.hidden):
-            for drawn in (self._actors, self.picture.actors):
-                drawn.show_grid("grid" not in hidden)
+            self.picture.actors.show_grid("grid" not in hidden)
         if hidden != self._canvas.hidden:
             self._canvas.show_layers(hidden)
 
@@ -532,6 +533,9 @@ class WorldDrawing(Drawing):
         ):
             if name in wanted and needs:
                 named.append(thing)
+        axes = self._axes if self.has_object_axes else None
+        if axes is not None and not wanted.isdisjoint("xyz"):
+            named.append(axes.origin + np.vstack([np.zeros(3), axes.ways]))
         if "far" in wanted and has_planes:
             (named if self.own.fixed else beside).append(corners[4:])
         if self.own.fixed in ("side", "top"):

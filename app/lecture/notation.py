@@ -62,7 +62,7 @@ _SYMBOLS: dict[str, dict[str, str]] = {
     },
     "003": {**_OURS, **_EYE_P},  # e is its focal length
     "004": {
-        **_OURS, "eye_x": "x_0", "eye_y": "y_0", "eye_z": "z_0", "up": f"V{ARROW}",
+        **_OURS, "eye": "T_0", "eye_x": "x_0", "eye_y": "y_0", "eye_z": "z_0", "up": f"V{ARROW}",
         "eye_point": "T\u2080", "target_point": "T\u2081",
     },
 }  # fmt: skip
