@@ -9,9 +9,9 @@ With w known within e_w, a quotient x/w is known within ``(e_x + |x/w| e_w) / (w
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from fractions import Fraction
-from functools import lru_cache
 from typing import NamedTuple
 
 import numpy as np
@@ -19,11 +19,16 @@ from numpy.typing import ArrayLike
 
 from app.arithmetic.formats import FORMATS, QUANTISED, RECIPROCALS, SNAPS, Format, Grid, reciprocal
 from app.arithmetic.rationals import nearest
-from app.model.limits import read_only
 from app.model.projection import ONE_OF, Array, Projection, Vector, checked_points
 from app.model.refusal import Refusal
+from app.precision.levels import cell_terms
 
 _UNIT_64 = 2.0**-53
+_CELLS = 2.0**-48
+"""Bound of what float64 loses of a matrix's cells, in their terms: 32 roundings.
+
+Other formats lose so much more that it does not show.
+"""
 _LEAST = 1e-300
 """More than what the bounds themselves lose near the smallest float64."""
 _ROUNDED_UP = 1.0 + 2.0**-40
@@ -120,13 +125,28 @@ def cheap(
     With float32, no snapping and an exact reciprocal, the numbers are bit for bit those of the
     precision ``float32`` of `app.precision.levels`.
     """
+    (picture,) = cheap_formats(
+        projection, points_world, hardware, (hardware.vertices,), origin, box
+    )
+    return picture
+
+
+def cheap_formats(
+    projection: Projection,
+    points_world: ArrayLike,
+    hardware: Hardware,
+    vertices: Sequence[str],
+    origin: Vector = (0.0, 0.0, 0.0),
+    box: ArrayLike | None = None,
+) -> list[CheapPicture]:
+    """Return `cheap` with each of several formats of the vertices, hardly slower than one."""
     points = checked_points(points_world)
-    corners = _box_of(points) if box is None else checked_points(box)
     numbers = FORMATS[hardware.numbers]
     with np.errstate(all="ignore"):
-        vertices = _stored(points, hardware, numbers, np.array(origin), corners - origin)
-        cells, has_w = _cells(projection, origin)
-        clip = _applied(_matrix(projection, origin, cells, numbers), vertices, numbers)
+        each = [_loaded(points, name, numbers, origin, box) for name in vertices]
+        point = _Known(*(np.concatenate(parts, axis=1) for parts in zip(*each, strict=True)))
+        matrix, has_w = _matrix(projection, origin, numbers)
+        clip = _applied(matrix, point, numbers)
         w, ndc = _Known(*(part[3] for part in clip)), _Known(*(part[:3] for part in clip))
         if has_w:
             ndc = _divided(ndc, w, RECIPROCALS[hardware.reciprocal], numbers)
@@ -136,11 +156,12 @@ def cheap(
             snapped = np.rint(found[:2] / step) * step
             bounds[:2] += np.where(snapped != found[:2], step / 2.0, 0.0)
             found[:2] = snapped
-    bounds = bounds * _ROUNDED_UP + _LEAST
+        bounds = bounds * _ROUNDED_UP + _LEAST
     none = ~(w.value > 0.0) | np.isnan(found).any(axis=0)
     found[:, none], bounds[:, none] = np.nan, np.inf
     bounds[np.isnan(bounds)] = np.inf
-    return CheapPicture(found[:2].T, found[2], bounds.T)
+    parts = (np.split(rows.T, len(vertices)) for rows in (found, bounds))
+    return [CheapPicture(xyz[:, :2], xyz[:, 2], bound) for xyz, bound in zip(*parts, strict=True)]
 
 
 def stored(
@@ -151,16 +172,9 @@ def stored(
 ) -> Array:
     """World points (n, 3) as their vertices are stored; NaN where a format has no number."""
     points = checked_points(points_world)
-    corners = _box_of(points) if box is None else checked_points(box)
     with np.errstate(all="ignore"):
-        kept = _stored(points, hardware, FORMATS["float64"], np.array(origin), corners - origin)
-    return kept.value.T + origin
-
-
-def _box_of(points: Array) -> Array:
-    if not len(points):
-        return np.zeros((2, 3))
-    return np.stack([points.min(axis=0), points.max(axis=0)])
+        kept, _ = _loaded(points, hardware.vertices, FORMATS["float64"], origin, box)
+    return kept.T + origin
 
 
 class _Known(NamedTuple):
@@ -170,38 +184,58 @@ class _Known(NamedTuple):
     error: Array
 
 
-def _stored(
-    points: Array, hardware: Hardware, numbers: Format, origin: Array, corners: Array
+def _loaded(
+    points: Array, vertices: str, numbers: Format, origin: Vector, box: ArrayLike | None
 ) -> _Known:
-    """The coordinates (3, n) of the vertices, as the arithmetic gets them."""
+    """The coordinates (3, n) of stored vertices, as the arithmetic gets them."""
     local = points - origin
-    bits = QUANTISED.get(hardware.vertices)
-    kept = FORMATS[hardware.vertices] if bits is None else Grid.over(corners, bits)
+    kept: Format | Grid
+    if vertices in FORMATS:
+        kept = FORMATS[vertices]
+    else:
+        if box is None:
+            box = (points.min(axis=0), points.max(axis=0)) if len(points) else (origin, origin)
+        kept = Grid.over(checked_points(box) - origin, QUANTISED[vertices])
     stored = kept.rounded(local)
     error = _UNIT_64 * np.abs(local) + np.where(stored != local, kept.lost(local), 0.0)
     loaded = stored
-    if hardware.vertices != numbers.name:
+    if vertices != numbers.name:
         loaded = numbers.rounded(stored)
         error += np.where(loaded != stored, numbers.lost(loaded), 0.0)
     return _Known(np.ascontiguousarray(loaded.T), error.T)
 
 
-@lru_cache(maxsize=4)  # the formats that are compared under one projection
-def _cells(projection: Projection, origin: Vector) -> tuple[Array, bool]:
-    """The cells (4, 4) of the matrix to clip space, rounded once, and whether w is not always 1."""
-    exact = [row.copy() for row in projection.exact_from_eye[1]]
+def _matrix(projection: Projection, origin: Vector, numbers: Format) -> tuple[_Known, bool]:
+    """The matrix to clip space in the format, and whether w is not always 1.
+
+    Its cells are known before any point is, and so are their roundings.
+    """
+    given = projection.clip_from_local(origin)
+    cells = numbers.rounded(given)
+    if numbers.digits == 53:
+        off = _off_rationals(projection, origin, given)
+    else:
+        off = _CELLS * cell_terms(projection, projection.local_to_eye(origin))
+    has_w = given[3].tolist() != [0.0, 0.0, 0.0, 1.0]
+    return _Known(cells, np.abs(cells - given) + off), has_w
+
+
+def _off_rationals(projection: Projection, origin: Vector, cells: Array) -> Array:
+    """The errors of float64's cells, which its own results show."""
     eye = projection.camera.eye
     offset = [Fraction(o) - Fraction(e) for o, e in zip(origin, eye, strict=True)]
-    for row in exact:
-        row[3] += sum((cell * o for cell, o in zip(row, offset, strict=False)), Fraction(0))
-    cells = read_only([[nearest(cell) for cell in row] for row in exact])
-    return cells, exact[3] != [0, 0, 0, 1]
-
-
-def _matrix(projection: Projection, origin: Vector, cells: Array, numbers: Format) -> _Known:
-    """The matrix in the format; the errors of its cells are known before any point is."""
-    rounded = numbers.rounded(projection.clip_from_local(origin))
-    return _Known(rounded, np.abs(cells - rounded) + _UNIT_64 * np.abs(cells))
+    exact = [
+        [*row[:3], row[3] + sum(cell * o for cell, o in zip(row, offset, strict=False))]
+        for row in projection.exact_from_eye[1]
+    ]
+    off = [
+        [
+            abs(nearest(true - Fraction(cell))) if np.isfinite(cell) else np.inf
+            for true, cell in both
+        ]
+        for both in (zip(*rows, strict=True) for rows in zip(exact, cells.tolist(), strict=True))
+    ]
+    return np.array(off)
 
 
 def _applied(matrix: _Known, point: _Known, numbers: Format) -> _Known:
