@@ -41,30 +41,30 @@ _PRECISIONS: dict[str, Precision] = {
     "exact": "exact",
 }
 """The ways that are precisions of the model, which predicts their errors."""
-
-
-def _own(
-    hardware: Hardware, stored: str, snap: str = "none", reciprocal: str = "exact"
-) -> tuple[Hardware, dict[str, str]]:
-    own = {"preset": "own", "vertices": stored, "numbers": stored}
-    own |= {"snap": snap, "reciprocal": reciprocal}
-    return hardware, {f"settings.{name}": value for name, value in own.items()}
-
-
+_OWN = {"settings.preset": "own", "settings.snap": "none", "settings.reciprocal": "exact"}
+_SINGLE = {**_OWN, "settings.vertices": "float32", "settings.numbers": "float32"}
 CHEAP: dict[str, tuple[Hardware, dict[str, str]]] = {
     **{
         f"{bits} bits": (Hardware(f"{bits} bits"), {"settings.preset": f"bits{bits}"})
         for bits in (8, 12, 16)
     },
     "float16": (Hardware("float16", "float16"), {"settings.preset": "half"}),
-    "bfloat16": _own(Hardware("bfloat16", "bfloat16"), "bfloat16"),
-    "fixed 16.16": _own(Hardware("fixed 16.16", "fixed 16.16"), "fixed"),
     **{
-        f"float32, snapped to {name}": _own(Hardware(snap=name), "float32", drawn)
+        name: (
+            Hardware(name, name),
+            {**_OWN, "settings.vertices": drawn, "settings.numbers": drawn},
+        )
+        for name, drawn in (("bfloat16", "bfloat16"), ("fixed 16.16", "fixed"))
+    },
+    **{
+        f"float32, snapped to {name}": (Hardware(snap=name), {**_SINGLE, "settings.snap": drawn})
         for name, drawn in (("whole px", "whole"), ("1/4 px", "quarter"), ("1/16 px", "sixteenth"))
     },
     **{
-        f"float32, reciprocal {name}": _own(Hardware(reciprocal=name), "float32", "none", drawn)
+        f"float32, reciprocal {name}": (
+            Hardware(reciprocal=name),
+            {**_SINGLE, "settings.reciprocal": drawn},
+        )
         for name, drawn in (
             ("table", "table"),
             ("table, 1 Newton step", "newton1"),
@@ -307,6 +307,7 @@ def measure(
     choices += [
         Choice(name, None, None, None, note=note, library=True) for name, note in missing.items()
     ]
+    choices.sort(key=lambda choice: choice.library)
     trade = Trade("arithmetic", "ns", "px", tuple(choices), 0)
     runs = {name: way.run for name, way in all_ways.items()}
     with np.errstate(all="ignore"):
