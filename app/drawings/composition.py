@@ -13,6 +13,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from app.document.document import Document
+from app.document.naming import named_in, seen_from
 from app.document.settings import pictured
 from app.drawings import Words
 from app.drawings.figures import drawn_pane
@@ -35,6 +36,8 @@ _INK = 60
 """Difference of a colour from the ground from which it is ink: a pale tint hides nothing."""
 _LEAVES = frozenset({"grid", "frustum"})
 """Layers that may leave the pane, and do not decide what fills it."""
+_FRAMED_FAR = frozenset({"far", "height"})
+"""What is named in a flat view that frames all of the frustum."""
 
 
 class Placed(NamedTuple):
@@ -160,7 +163,11 @@ def _measured(
             place = drawing.picture_rectangle_px
             fill = place.width / size_px[0], place.height / size_px[1]
         else:
-            drawing.show_layers(view.layers | _LEAVES | {"labels"})
+            named = named_in(pane, scene, view.names)
+            leaves = _LEAVES
+            if seen_from(view, scene) and (named is None or named & _FRAMED_FAR):
+                leaves -= {"frustum"}
+            drawing.show_layers(view.layers | leaves | {"labels"})
             drawing.show_projection(of.projection, illustration)
             window.Render()
             fill = _fill(_ink(pixels_of(window)), labels)

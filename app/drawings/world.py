@@ -525,24 +525,25 @@ class WorldDrawing(Drawing):
                 named.append(thing)
         if "far" in wanted and has_planes:
             (named if self.own.fixed else beside).append(corners[4:])
+        figure: list[Array] = []
         if self.own.fixed in ("side", "top"):
             measured = {"d": at.camera.distance, **dict(self._measured)}
-            named += [
+            figure = [
                 (at.eye - measured[name] * at.camera.frame[2])[None]
                 for name in measured.keys() & wanted
             ]
-            named += [
+            figure += [
                 np.array([length.start, length.end]) - self._origin
                 for length in self._lengths
                 if length.view == self.own.fixed and length.name in wanted
             ]
-        core = np.concatenate(named)
+        core = np.concatenate(named + figure)
         objects = self._objects
         if self._scene.phenomenon is None or not len(core):
             core = np.concatenate([core, objects])
             return core, np.concatenate(beside)
         size, whole = (np.linalg.norm(np.ptp(points, axis=0)) for points in (core, objects))
-        if size < whole:  # marks on a part of the subject: with what is about them
+        if size < whole and not figure:  # marks on a part of the subject: with what is about them
             middle = (core.min(axis=0) + core.max(axis=0)) / 2.0
             near = _ABOUT * size if size > 0.0 else np.inf
             core = np.concatenate([core, np.clip(objects, middle - near, middle + near)])

@@ -59,6 +59,14 @@ def test_a_far_away_subject_leaves_its_cube_full_and_a_small_one_is_empty() -> N
     assert not base._replace(fill=(0.3, 0.61)).is_empty
 
 
+def test_a_named_far_plane_fills_a_flat_view() -> None:
+    """It is a part of what the view frames; where it is not named it may leave the pane."""
+    named = picture("world", "view.fixed=side", "view.names=eye,far")
+    assert max(named.fill) > 0.7
+    far_away = picture("world", "view.fixed=side", "view.names=eye", "lens.far=100")
+    assert far_away.fill[1] < named.fill[1]
+
+
 def test_overlaps_cuts_and_underscores_are_found() -> None:
     base = picture("world", "view.names=eye")
     (eye,) = base.labels
@@ -131,3 +139,16 @@ def test_a_probe_behind_the_camera_is_in_the_picture(fixed: str) -> None:
     values = ("camera.eye=0,2.4,2", "camera.target=0,2.4,1", "view.names=eye")
     found = picture("world", *values, "view.probes=1,2.4,0,1,2.4,4", f"view.fixed={fixed}")
     assert {each.text for each in found.labels} == {"eye", "1", "2"} and not found.cut
+
+
+@pytest.mark.parametrize("stage", ["world", "view"])
+@pytest.mark.parametrize("names", ["x,y,z", "near,far"])
+def test_the_stops_before_the_cube_fill_a_wide_pane(stage: str, names: str) -> None:
+    """What is named has its room, and neither the ball round the grid nor a far plane takes it."""
+    names = "u,v,n" if stage == "view" and names == "x,y,z" else names
+    document = set_values(
+        Document("letter-f", load("letter-f").start), (f"view.stage={stage}", f"view.names={names}")
+    )
+    (found,) = measured(document, load("letter-f"), "ndc", (960, 455), 18.0)
+    assert not found.is_empty and not found.cut
+    assert len(found.labels) == len(names.split(","))
