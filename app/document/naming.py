@@ -9,7 +9,7 @@ from __future__ import annotations
 from app.document.document import Document
 from app.document.view import EVERYTHING, View
 from app.lecture.camera_frame import STEPS
-from app.lecture.highlight import AXES
+from app.lecture.highlight import AXES, WINDOW
 from app.lecture.stages import IMAGE, NDC, VIEW
 from app.scenes.phenomena.illustration import Illustration
 from app.scenes.scene import Scene
@@ -52,6 +52,8 @@ def nameable(pane: str, document: Document, scene: Scene) -> frozenset[str]:
         texts = shown.ndc.texts if view.stage == NDC else ()
         return stop.union(axes, numbers, (text.name for text in texts))
     found = planes.union(AXES, ("eye", "target"), (text.name for text in shown.world.texts))
+    if planes:
+        found |= WINDOW.keys()
     if view.step is not None:
         found |= frozenset(STEPS) & {"look", "up"}
     if not projection.placement.is_identity:
@@ -61,7 +63,7 @@ def nameable(pane: str, document: Document, scene: Scene) -> frozenset[str]:
         found |= {"d", "height", "angle", *(name for name, _ in shown.measured)}
         found |= {length.name for length in shown.lengths if length.view == fixed}
     if fixed == "axis":
-        found |= {"height", "width"}
+        found |= {"height", "width", *(("interval",) if planes else ())}
     return found
 
 

@@ -37,7 +37,7 @@ from app.drawings.probes import Probes
 from app.drawings.rasterising import textured
 from app.drawings.silhouette import Silhouette
 from app.drawings.style import TITLE_EM, Style
-from app.lecture.highlight import AXES, CORNERS, OBJECT_AXES, Highlight
+from app.lecture.highlight import AXES, CORNERS, OBJECT_AXES, SIDES, WINDOW, Highlight
 from app.model.projection import Array, Camera, ObjectTransform, Projection
 from app.picking.handles import Handle, nearest, shown
 from app.picking.picking import Probe, Sight
@@ -52,6 +52,7 @@ _WHOLE, _NEARBY = (
 _FARTHEST_MARK = 1e3  # of the extent: where lines toward infinity end
 _EDGES = [pair for line in actors.CUBE_EDGES for pair in pairwise(line)]
 _AXES_SIDE = 35.0, 25.0  # degrees behind the camera's side, and up: no axis is seen end on
+_WINDOW_SIDE = 60.0, 20.0  # the near plane is seen broadside
 _ABOUT = 2.5  # of the size of marks on a large subject: so much of it is framed with them
 _FRAMED_MARK = 5.0  # of the scene's size: farther marks are not framed
 
@@ -194,7 +195,7 @@ class WorldDrawing(Drawing):
         before, self.names.pointed = self.names.pointed, highlighted
         of_scene = self._marks is not None and self._marks.show_highlight(highlighted)
         is_new = self._emphasis.show(highlighted) or of_scene
-        drawn = {"eye", "target", "near", "far", "fov"}
+        drawn = {"eye", "target", "near", "far", "fov", *SIDES}
         if self.camera.step is None:
             drawn |= set(AXES)
         wanted = drawn if self.names.wanted is None else self.names.wanted
@@ -377,18 +378,23 @@ class WorldDrawing(Drawing):
             if self.names.all or handle == self.held:
                 ground.keep([(x, pane.size_px[1] - y)], DOT_EM * em)
         arrows, ends = self._arrows
-        unnamed = {name for name in ("eye", "target", "near", "far") if name not in self.names}
+        names, lens = self.names, self._projection.lens
+        measured, written = None, set[str]()
+        if self.own.fixed and self._dimensions is not None:
+            measured = self._in_fixed_view
+            written = self._dimensions.written(measured)
+        unnamed = {name for name in ("eye", "target", "near", "far") if name not in names}
+        unnamed |= {a for a, side in WINDOW.items() if a not in names and side not in names}
+        has_window = self.frustum.seen and lens.planes is not None
         named = Named(
-            at.eye, at.target, arrows, ends, self.camera.box, self._corners_seen,
-            self._projection.lens.planes, self._unseen | unnamed,
+            at.eye, at.target, arrows, ends, self.camera.box, self._corners_seen, lens.planes,
+            self._unseen | unnamed | written, self.frustum.corners[:4] if has_window else None,
+            self._projection.window if has_window else (),
         )  # fmt: skip
         self._probes.want(ground)
         self.labels.want(ground, pane, named)
-        written = set[str]()
-        if self.own.fixed and self._dimensions is not None:
-            measured = self._in_fixed_view
+        if measured is not None and self._dimensions is not None:
             self._dimensions.want(ground, pane.seen, pane.size_px, measured)
-            written = self._dimensions.written(measured)
         if self._marks is not None:
             self._marks.want_texts(ground, pane.seen, written)
         return self._board.settle(ground, afresh=afresh)
@@ -443,7 +449,7 @@ class WorldDrawing(Drawing):
         """The things without names and handles, because they are not drawn."""
         unseen = set[str]()
         if "frustum" in self._hidden or self.camera.step is not None:
-            unseen |= {"near", "far", "corner"}  # they would cover the arrows of the construction
+            unseen |= {"near", "far", "corner", *WINDOW}  # they would cover the arrows of the construction
         if "camera" in self._hidden:
             unseen |= {"eye", "target"}
         elif "camera" in self._canvas.hidden:  # the pane looks through it, or from right behind it
@@ -459,6 +465,11 @@ class WorldDrawing(Drawing):
             if each.view == view
         )
         corners = self._corners_seen
+        points = [probe.point for probe in self._probes.probes if probe.point is not None]
+        across: Array = np.empty(0)
+        if view == "axis" and points:
+            trace = self._projection.trace(np.array(points))
+            across = trace.ndc[trace.in_front, 0]
         return Measured(
             view,
             self._projection,
@@ -469,6 +480,7 @@ class WorldDrawing(Drawing):
             self._measured,
             lengths,
             self.names,
+            tuple(across.tolist()),
         )
 
     # -- the pane's own camera
@@ -496,8 +508,18 @@ class WorldDrawing(Drawing):
         core, beside = self._named_points(points)
         return Framed(
             at.camera, eye, core, beside, corners, self._objects, has_eye, below_em,
-            _AXES_SIDE if self.camera.axes_lead else self._scene.side,
+            self._side,
         )  # fmt: skip
+
+    @property
+    def _side(self) -> tuple[float, float] | None:
+        """From where the pane looks at first: the named axes and the window's sides are seen."""
+        wanted = self.names.wanted
+        if self.camera.axes_lead:
+            return _AXES_SIDE
+        if wanted is not None and wanted & WINDOW.keys() and self._scene.phenomenon is None:
+            return _WINDOW_SIDE
+        return self._scene.side
 
     def _named_points(self, points: Array) -> tuple[Array, Array]:
         """What has to be in view, with the named things, and what may leave it; (n, 3) each.
@@ -523,6 +545,9 @@ class WorldDrawing(Drawing):
         ):
             if name in wanted and needs:
                 named.append(thing)
+        if has_planes:
+            sides = zip(SIDES, range(4), strict=True)
+            named += [corners[[i, (i + 1) % 4]] for side, i in sides if side[0] in wanted]
         if "far" in wanted and has_planes:
             (named if self.own.fixed else beside).append(corners[4:])
         figure: list[Array] = []

@@ -8,6 +8,7 @@ import pytest
 
 from app.commands.composed import faults_in
 from app.document.document import Document
+from app.document.naming import nameable
 from app.document.settings import set_values
 from app.drawings.composition import CAPITAL, Measured, Placed, measured
 from app.scenes.scene import load
@@ -152,3 +153,28 @@ def test_the_stops_before_the_cube_fill_a_wide_pane(stage: str, names: str) -> N
     (found,) = measured(document, load("letter-f"), "ndc", (960, 455), 18.0)
     assert not found.is_empty and not found.cut
     assert len(found.labels) == len(names.split(","))
+
+
+@pytest.mark.parametrize(
+    ("kind", "values"),
+    [
+        ("frustum", {"l = −1", "r = 3", "b = −1.125", "t = 1.125"}),
+        ("orthographic", {"l = −1", "r = 3", "b = −1.125", "t = 1.125"}),
+    ],
+)
+def test_the_sides_of_the_window_are_named_with_their_numbers(
+    kind: str, values: set[str]
+) -> None:
+    window = "lens.left=-1", "lens.right=3", "lens.bottom=-1.125", "lens.top=1.125"
+    state = f"lens.kind={kind}", *window, "view.names=l,r,b,t"
+    found = picture("world", *state)
+    assert {each.text for each in found.labels} == values and not found.cut
+    in_000 = picture("world", *state, "view.letters=000")
+    assert "x_max = 3" in {each.text for each in in_000.labels}
+    assert {"l", "t"} <= nameable("world", state_of(*state), load("letter-f"))
+    free = state_of("lens.kind=matrix")
+    assert not {"l", "t"} & nameable("world", free, load("letter-f"))
+
+
+def state_of(*values: str) -> Document:
+    return set_values(Document("letter-f", load("letter-f").start), values)
