@@ -16,7 +16,7 @@ from typing import Any
 
 import numpy as np
 
-from app.document.naming import named_in
+from app.document.naming import FRAMES, named_in
 from app.drawings import actors
 from app.drawings.actors import Canvas
 from app.drawings.camera import CameraDrawing, Standing, view_matrices
@@ -26,7 +26,7 @@ from app.drawings.frame import DIMMED, ObjectAxes
 from app.drawings.frustum import FrustumDrawing
 from app.drawings.handles import APART_EM, HandleMarks
 from app.drawings.label_placement import SQUARE_EM, Ground
-from app.drawings.labels import DOT_EM, Board, Labels, Named, room
+from app.drawings.labels import DOT_EM, EYE, Board, Labels, Named, room
 from app.drawings.marks import MarksDrawing, Placing
 from app.drawings.names import Names
 from app.drawings.near_picture import NearPicture
@@ -77,6 +77,7 @@ class WorldDrawing(Drawing):
         self._scene, self._words = scene, words
         self._origin = np.array(scene.origin, dtype=np.float64)
         self._axes: ObjectAxes | None = None
+        self._world_axes: ObjectAxes | None = None
         self._wants_axes = False
         self._placement: ObjectTransform | None = None
         self._place(scene.start.placement)
@@ -225,6 +226,7 @@ class WorldDrawing(Drawing):
         """Draw the camera's parts that are named, and the other things quietly."""
         names = self.names
         self._switch_layers()
+        self._show_axes()
         self.camera.show_names(names)
         self.frustum.show_names(names)
         self._emphasis.show_names(names)
@@ -339,18 +341,48 @@ class WorldDrawing(Drawing):
     def _show_axes(self) -> None:
         """Show the object's axes if they differ from the world's, or are wanted."""
         if self._axes is None and self.has_object_axes:
-            self._axes = ObjectAxes(self._canvas, self._scene.size)
-            for name, shaft in self._axes.shafts.items():
-                self._emphasis.line(shaft, name)
-                label = self.labels.add_arrow(name, self._axes.colours[name])
-                self._emphasis.label(label, name)
-            self._emphasis.show(self.names.pointed)
+            self._axes = self._make_axes()
         if self._axes is not None:
-            self._axes.show(self._local_from_object, self.has_object_axes)
+            is_shown = self.has_object_axes and self._frames != {"frame-w"}
+            self._axes.show(self._local_from_object, is_shown)
+        if self._world_axes is None and "frame-w" in self._frames:
+            self._world_axes = self._make_axes()
+        if self._world_axes is not None:
+            local_from_world = np.eye(4)
+            local_from_world[:3, 3] = -self._origin
+            self._world_axes.show(local_from_world, "frame-w" in self._frames)
+
+    def _make_axes(self) -> ObjectAxes:
+        axes = ObjectAxes(self._canvas, self._scene.size)
+        for name, shaft in axes.shafts.items():
+            self._emphasis.line(shaft, name, of=(name, name[-1], *FRAMES))
+            self._emphasis.label(self.labels.add_arrow(name, axes.colours[name]), name)
+        self._emphasis.show(self.names.pointed)
+        return axes
 
     @property
     def has_object_axes(self) -> bool:
-        return self._actors.is_moved or self._wants_axes
+        return self._actors.is_moved or self._wants_axes or "frame-o" in self._frames
+
+    @property
+    def _frames(self) -> frozenset[str]:
+        """The frames that are named, of `FRAMES`."""
+        return (self.names.wanted or frozenset()) & FRAMES.keys()
+
+    @property
+    def _lettered(self) -> ObjectAxes | None:
+        """The axes that x, y and z name: the world's if its frame is named, else the object's."""
+        if "frame-w" in self._frames:
+            return self._world_axes
+        return self._axes if self.has_object_axes else None
+
+    def _frame_origins(self) -> dict[str, Array]:
+        """Where the letters of the named frames stand; axes with letters have none of their own."""
+        origins = {"frame-e": self._standing.eye}
+        for name, axes in (("frame-o", self._axes), ("frame-w", self._world_axes)):
+            if axes is not None and not (axes is self._lettered and "x" in self.names):
+                origins[name] = axes.origin
+        return {name: origins[name] for name in FRAMES if name in self._frames & origins.keys()}
 
     def _stand(self, camera: Camera) -> Standing:
         """What depends on the camera alone, and not on its lens."""
@@ -393,6 +425,9 @@ class WorldDrawing(Drawing):
         )  # fmt: skip
         self._probes.want(ground)
         self.labels.want(ground, pane, named)
+        for name, origin in self._frame_origins().items():
+            self._board.label(name).set_text(FRAMES[name])
+            self._board.want_beside(name, pane.seen(origin[None])[0], EYE, (-1.0, -1.0))
         if measured is not None and self._dimensions is not None:
             self._dimensions.want(ground, pane.seen, pane.size_px, measured)
         if self._marks is not None:
@@ -406,7 +441,10 @@ class WorldDrawing(Drawing):
         if "camera" not in self._canvas.hidden:
             arrows, ways = self.camera.arrows
             ends = np.stack([np.tile(at.eye, (len(ways), 1)), at.eye + ways], axis=1)
-        axes = self._axes if self.has_object_axes else None
+        if self.camera.step is None:  # a frame can be shown without the letters of its axes
+            shown = [name in self.names for name in arrows]
+            arrows, ends = tuple(compress(arrows, shown)), ends[np.array(shown, dtype=bool)]
+        axes = self._lettered
         if axes is not None:
             is_named = [
                 name in self.names or name.removeprefix("object_") in self.names
@@ -534,6 +572,11 @@ class WorldDrawing(Drawing):
         followed = [probe.point for probe in self._probes.probes if probe.point is not None]
         marked = np.concatenate([marked, np.reshape(followed, (-1, 3)) - self._origin])
         named = [marked[np.linalg.norm(marked - at.eye, axis=1) <= _FARTHEST_MARK * at.extent]]
+        named += [
+            axes.origin + np.vstack([axes.ways, np.zeros(3)])
+            for name, axes in (("frame-o", self._axes), ("frame-w", self._world_axes))
+            if axes is not None and name in wanted
+        ]
         beside = [self._objects]
         has_planes = self.frustum.seen and self._projection.lens.planes is not None
         for name, thing, needs in (

@@ -178,3 +178,15 @@ def test_the_sides_of_the_window_are_named_with_their_numbers(
 
 def state_of(*values: str) -> Document:
     return set_values(Document("letter-f", load("letter-f").start), values)
+
+
+def test_a_picture_shows_the_frames_that_it_names() -> None:
+    """Each has one letter at its origin; x, y and z name the world's axes if its frame is there."""
+    moved = "object.translate=2,0,0", "object.rotate_deg=0,-30,0"
+    found = picture("world", *moved, "view.names=frame-o,frame-w,frame-e")
+    assert {each.text for each in found.labels} == {"O", "W", "E"} and not found.cut
+    still = picture("world", "view.names=frame-o,eye")
+    assert {each.text for each in still.labels} == {"O", "eye"}
+    lettered = picture("world", *moved, "view.names=frame-w,x,z,frame-e")
+    assert {each.text for each in lettered.labels} == {"x", "z", "E"}
+    assert {"frame-w", "x"} <= nameable("world", state_of("view.names=frame-w"), load("letter-f"))
