@@ -105,6 +105,9 @@ def test_compared_pictures_are_each_measured_as_they_are_drawn() -> None:
     )
     pictures = measured(document, found, "image", SIZE, 14.0)
     assert len(pictures) == 3 and all(each.size_px[0] < SIZE[0] for each in pictures)
+    worlds = replace(document, view=replace(document.view, slide=("world",)))
+    assert len(measured(worlds, found, "world", SIZE, 14.0)) == 3
+    assert len(measured(worlds, found, "image", SIZE, 14.0)) == 1
     alone = replace(document, view=replace(document.view, compare=()))
     assert len(measured(alone, found, "image", SIZE, 14.0)) == 1
 
