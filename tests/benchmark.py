@@ -843,7 +843,6 @@ def points(scale: float) -> dict[str, Any]:
         every |= ways(projection, world, (0.0, 0.0, 0.0))
         ours = every.pop("float64, every stage")
         every.pop("exact")
-        every.pop("float16")
         expected = np.asarray(ours.rows(ours.run()))
         for name, way in every.items():
             tolerance = 1e-3 if name.startswith("float32") else 1e-9

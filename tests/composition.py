@@ -46,8 +46,8 @@ def main(scenes: Sequence[str]) -> int:
             for _, text in faults:
                 print(f"{scene}, {pane}, {window}, {style}: {text}")
     print(
-        f"{sums['overlap']} overlaps, {sums['crowded']} crowded, {sums['empty']} empty"
-        f" of {count} pictures"
+        f"{sums['overlap']} overlaps, {sums['crowded']} crowded, {sums['empty']} empty,"
+        f" {sums['hidden']} hidden of {count} pictures"
     )
     return 1 if sums else 0
 

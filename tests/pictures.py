@@ -1,15 +1,18 @@
 """``python3 -m tests.pictures``: are the pictures of README and docs those that the program draws?
 
 ``--write`` draws the pictures again, all of them or those that are named. `PICTURES` has the
-command for each. The charts are drawn from the recorded measurements ``docs/measured-*.json``,
-which ``python3 -m app measure --json`` has written.
+command for each. The charts are drawn from the recorded ``docs/measured-letter-f.json``.
+``--measure`` records them again, and draws the charts and the captions of ``docs/measurements.md``.
 """
 
 from __future__ import annotations
 
 import argparse
+import json
+import re
 import sys
 import tempfile
+import textwrap
 from collections.abc import Iterable
 from dataclasses import replace
 from pathlib import Path
@@ -20,11 +23,13 @@ from PIL import Image
 from app.bootstrap import ROOT
 from app.commands import cli
 from app.measure import chart
+from app.measure.meaning import bargain, meaning
 from app.measure.results import from_json
 from app.scenes.phenomena import PHENOMENA
 from tests.support.commands import run
 
 DOCS = Path(ROOT) / "docs"
+MEASURED = DOCS / "measured-letter-f.json"
 MOST_DIFFERENT = 0.001
 """Share of a picture's squares that may differ: drivers and fonts differ along edges."""
 _SQUARE_PX, _LEVELS = 8, 24
@@ -66,28 +71,44 @@ PICTURES: dict[str, tuple[str, ...]] = {
         )
         for name in PHENOMENA
     },
-    "measure-arithmetic.png": ("measured-letter-f.json", "arithmetic"),
-    "measure-interpolation.png": ("measured-letter-f.json", "interpolation"),
-    "measure-depth.png": ("measured-letter-f.json", "depth"),
-    "measure-smoothing.png": ("measured-letter-f.json", "smoothing"),
-    "measure-sweeps.png": ("measured-letter-f.json", ""),
-    "measure-detail.png": ("measured-sphere.json", "detail"),
+    "measure-arithmetic.png": ("arithmetic", "time", "float64"),
+    "measure-bytes.png": ("arithmetic", "bytes", "12 bits"),
+    "measure-interpolation.png": ("interpolation", "time", "affine, 64 pieces"),
+    "measure-depth.png": ("depth", "bytes", "float32, reversed"),
+    "measure-smoothing.png": ("smoothing", "time", "FXAA"),
+    "measure-detail.png": ("detail", "time", "5 %"),
+    "measure-sweeps.png": ("sweeps",),
 }  # fmt: skip
 
 
 def draw(name: str, path: Path) -> None:
     """Draw a picture of the docs into a file."""
     command = PICTURES[name]
-    if command[0].endswith(".json"):
-        results = from_json((DOCS / command[0]).read_text(encoding="utf-8"))
-        trades = tuple(trade for trade in results.trades if trade.name == command[1])
-        sweeps = () if trades else results.sweeps
-        path.write_bytes(chart.picture(replace(results, trades=trades, sweeps=sweeps), path.name))
+    if name.startswith("measure-"):
+        results = from_json(MEASURED.read_text(encoding="utf-8"))
+        trades = tuple(trade for trade in results.trades if trade.name == command[0])
+        drawn = replace(results, trades=trades, sweeps=() if trades else results.sweeps)
+        cost = "bytes" if "bytes" in command else "time"
+        path.write_bytes(chart.picture(drawn.by(cost), path.name))
     elif command[0] == "export":
         assert cli.main([*command, str(path)]) == 0, name
     else:
         done = run(*command, path)
         assert done.returncode == 0, done.stderr
+
+
+def captioned(page: str) -> str:
+    """The page of measurements with what the recorded ones say in italics below each chart."""
+    trades = {t.name: t for t in from_json(MEASURED.read_text(encoding="utf-8")).trades}
+
+    def caption(found: re.Match[str]) -> str:
+        trade, cost, name = PICTURES[found[2]]
+        part = trades[trade].by(cost)
+        (choice,) = (c for c in part.choices if c.name == name)
+        said = " ".join(filter(None, (meaning(part).sentence(), bargain(part, choice))))
+        return "\n".join([found[1], *textwrap.wrap(f"*{said}*", 100)])
+
+    return re.sub(r"(!\[[^]]*\]\((measure-(?!sweeps)\w+\.png)\)\n)\n\*[^*]*\*", caption, page)
 
 
 def different(one: Path, other: Path) -> float:
@@ -118,9 +139,17 @@ def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("names", nargs="*", metavar="NAME", help="of pictures (all)")
     parser.add_argument("--write", action="store_true", help="draw them anew")
+    parser.add_argument("--measure", action="store_true", help="measure and draw the charts anew")
     found = parser.parse_args()
     names = found.names or list(PICTURES)
-    if found.write:
+    if found.measure:
+        done = run("measure", "--json=-")
+        assert done.returncode == 0, done.stderr
+        MEASURED.write_text(json.dumps(json.loads(done.stdout)) + "\n", encoding="utf-8")
+        page = DOCS / "measurements.md"
+        page.write_text(captioned(page.read_text(encoding="utf-8")), encoding="utf-8")
+        names = [name for name in PICTURES if name.startswith("measure-")]
+    if found.write or found.measure:
         for name in names:
             draw(name, DOCS / name)
         return 0

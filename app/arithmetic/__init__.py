@@ -1,1 +1,1 @@
-"""Numbers of more digits: double-double, and rationals."""
+"""Numbers of more digits, double-double and rationals, and of fewer: the formats of hardware."""

@@ -36,12 +36,13 @@ class Composed:
     overlaps: int = 0
     crowded: int = 0
     empty: int = 0
+    hidden: int = 0
     wrong: list[str] = field(default_factory=list)
 
     def __str__(self) -> str:
         return (
-            f"{self.overlaps} overlaps, {self.crowded} crowded, {self.empty} empty"
-            f" of {self.steps} steps"
+            f"{self.overlaps} overlaps, {self.crowded} crowded, {self.empty} empty,"
+            f" {self.hidden} hidden of {self.steps} steps"
         )
 
     def take(self, course: Course, place: int, documents: list[Document], draw: Measure) -> None:
@@ -69,6 +70,7 @@ class Composed:
         self.overlaps += "overlap" in kinds
         self.crowded += "crowded" in kinds
         self.empty += "empty" in kinds
+        self.hidden += "hidden" in kinds
 
     def _missing(self, document: Document, panes: list[str]) -> list[str]:
         """The names of a view that none of these panes can draw; none if there is no pane."""
@@ -110,6 +112,10 @@ def faults_in(picture: Measured, screen_px: int | None) -> Iterator[tuple[str, s
             f"what is drawn covers {wide:.0%} of the width and {high:.0%} of the height;"
             f" at least {LEAST_FILL:.0%} of one of them.",
         )
+    for text in picture.left_out:
+        yield "hidden", f"“{text}” is named and not drawn: there is no place for it."
+    for one, other in picture.covered:
+        yield "hidden", f"“{one}” lies on the point that “{other}” names."
     for text in picture.raw:
         yield "raw", f"“{text}” has an underscore that is not typeset."
     for text in picture.cut:

@@ -25,7 +25,7 @@ from app.drawings.off_screen import check_off_screen
 from app.measure import chart, measuring
 from app.measure.arithmetic import SWEEPS
 from app.measure.meaning import meaning
-from app.measure.results import Results, table, to_csv, to_json
+from app.measure.results import GAPS, Results, table, to_csv, to_json
 from app.model.projection import LENSES
 from app.model.refusal import Cancelled
 
@@ -80,13 +80,14 @@ def run(arguments: Sequence[str]) -> int:
         found.csv: "\n".join([*map(to_csv, results.trades), *map(to_csv, results.sweeps)]),
     }
     try:
-        write_out([texts["-"]] if "-" in texts else _measured(results))
+        write_out([texts["-"]] if "-" in texts else _measured(results, found.cost))
     finally:  # write the files even if the reader of the tables closes the pipe
         for out, text in texts.items():
             if out not in (None, "-"):
                 write_bytes_atomically(out, text.encode())
         if found.chart is not None:
-            write_bytes_atomically(found.chart, chart.picture(results, found.chart))
+            drawn = chart.picture(results.by(found.cost), found.chart)
+            write_bytes_atomically(found.chart, drawn)
     return 0 if results.complete else INTERRUPTED
 
 
@@ -148,14 +149,15 @@ def _watched(attended: bool) -> Iterator[Callable[[float], None]]:
             print("\r      \r", end="", file=sys.stderr, flush=True)
 
 
-def _measured(results: Results) -> Iterator[str]:
-    """Yield the results as tables, each trade with its meaning."""
+def _measured(results: Results, cost: str) -> Iterator[str]:
+    """Yield the results as tables, each trade with its meaning for this cost."""
     for trade in results.trades:
         yield f"{trade.name}{'' if trade.complete else ' (cancelled)'}\n"
         yield from _lines_of(table(trade), str.ljust)
-        yield f"{meaning(trade).sentence()}\n\n"
+        yield f"{meaning(trade.by(cost)).sentence()}\n\n"
     for sweep in results.sweeps:
-        yield f"{sweep.parameter}, largest error in px{'' if sweep.complete else ' (cancelled)'}\n"
+        shown = "smallest gap in world units" if sweep.parameter in GAPS else "largest error in px"
+        yield f"{sweep.parameter}, {shown}{'' if sweep.complete else ' (cancelled)'}\n"
         yield from _lines_of(table(sweep), str.rjust)
         yield "\n"
 

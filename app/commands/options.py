@@ -42,6 +42,7 @@ SPACES = ("world", "object")
 MATRIX_FORMATS = ("text", "json", "latex")
 PROJECT_FORMATS = ("table", "csv", "json")
 TRADES = ("arithmetic", "interpolation", "depth", "smoothing", "detail")
+COSTS = ("time", "bytes")
 SWEEPS = ("near", "far", "fov", "distance", "up", "aspect")
 SETTABLE = (
     "scene", "mesh", "depth", "camera.eye", "camera.target", "camera.up", "lens.kind",
@@ -342,6 +343,11 @@ def _measure() -> Parser:
     parser.add_argument(
         "--sweep", action="append", metavar="NAME[=LOW:HIGH]", type=_sweep,
         help=f"measure the errors over a parameter's range; NAME is one of {', '.join(SWEEPS)}",
+    )  # fmt: skip
+    parser.add_argument(
+        "--cost", default="time", metavar="|".join(COSTS),
+        type=lambda value: one_of("--cost", value, COSTS),
+        help="draw errors over time, or over bytes, which are the same on every machine",
     )  # fmt: skip
     parser.add_argument("--scene", metavar="NAME", help="the same as --set scene=NAME")
     parser.add_argument(

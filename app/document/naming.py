@@ -10,7 +10,9 @@ from app.document.document import Document
 from app.document.view import EVERYTHING, View
 from app.lecture.camera_frame import STEPS
 from app.lecture.highlight import AXES, WINDOW
+from app.lecture.notation import in_letters
 from app.lecture.stages import IMAGE, NDC, VIEW
+from app.model.formula import ARROW
 from app.scenes.phenomena.illustration import Illustration
 from app.scenes.scene import Scene
 
@@ -31,6 +33,22 @@ def named_in(
         return frozenset(names)
     own = frozenset(scene.names)
     return own | _CUBE if pane == "ndc" and scene.leading != "ndc" else own
+
+
+def inks(document: Document, scene: Scene, shown: Illustration | None) -> dict[str, str]:
+    """Return the colours, fields of `Style`, of the letters that the pictures name in one.
+
+    The keys are letters in the document's lettering, as a formula has them: ``z_min``, ``y_p``.
+    """
+    letters = document.view.letters
+    found = {name: in_letters(f"{{{name}_distance}}", letters).strip("−") for name in _CUBE}
+    found |= {axis: in_letters(f"{{axis_{axis}}}", letters) + ARROW for axis in AXES}
+    named = scene.names if document.view.names is None else document.view.names
+    colours = {found[name]: name for name in named if name in found}
+    colours |= {name: scene.inks[name] for name in named if name in scene.inks}
+    for marks in (shown.world, shown.ndc, shown.image) if shown is not None else ():
+        colours |= {text.name: text.colour for text in marks.texts if text.name in named}
+    return {name: colour for name, colour in colours.items() if colour}
 
 
 def seen_from(view: View, scene: Scene) -> str:
@@ -60,7 +78,7 @@ def nameable(pane: str, document: Document, scene: Scene) -> frozenset[str]:
         found |= WINDOW.keys()
     if view.step is not None:
         found |= frozenset(STEPS) & {"look", "up"}
-    if not projection.placement.is_identity or view.names and FRAMES.keys() & view.names:
+    if not projection.placement.is_identity or FRAMES.keys() & set(view.names or ()):
         found |= {"x", "y", "z"}
     fixed = seen_from(view, scene)
     if fixed in ("side", "top"):

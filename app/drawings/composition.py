@@ -13,7 +13,6 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from app.document.document import Document
-from app.document.naming import named_in, seen_from
 from app.document.settings import pictured
 from app.drawings import Words
 from app.drawings.figures import drawn_pane
@@ -36,8 +35,8 @@ _INK = 60
 """Difference of a colour from the ground from which it is ink: a pale tint hides nothing."""
 _LEAVES = frozenset({"grid", "frustum"})
 """Layers that may leave the pane, and do not decide what fills it."""
-_FRAMED_FAR = frozenset({"far", "height"})
-"""What is named in a flat view that frames all of the frustum."""
+_OF_PLANES = "near", "far", "angle", "height", "width"
+"""Names for whose sake a flat view frames the frustum."""
 
 
 class Placed(NamedTuple):
@@ -67,6 +66,10 @@ class Measured(NamedTuple):
     fill : (float, float)
         Of the pane's width and height: the box round what is drawn, without grid and frustum, and
         round the labels.
+    left_out : tuple of str
+        The labels that are wanted, and have no place.
+    points : tuple of (str, (float, float))
+        The labels of points, with the points in pixels from the left and the bottom.
     """
 
     pane: str
@@ -74,6 +77,18 @@ class Measured(NamedTuple):
     labels: tuple[Placed, ...]
     on_ink: tuple[float, ...]
     fill: tuple[float, float]
+    left_out: tuple[str, ...] = ()
+    points: tuple[tuple[str, tuple[float, float]], ...] = ()
+
+    @property
+    def covered(self) -> list[tuple[str, str]]:
+        """The labels that lie on the point of another one, with that one."""
+        return [
+            (each.text, text)
+            for each in self.labels
+            for text, (x, y) in self.points
+            if text != each.text and each.left < x < each.right and each.low < y < each.high
+        ]
 
     @property
     def overlaps(self) -> list[tuple[str, str]]:
@@ -155,6 +170,10 @@ def _measured(
             left, right, low, high = label.box_px
             x, y = renderer.GetOrigin()
             labels.append(Placed(label.text, x + left, y + low, x + right, y + high, label.em))
+        board, are_drawn = drawing.board, "labels" not in view.layers
+        left_out = tuple(board.left_out) if are_drawn else ()
+        to_right, up = board.renderer.GetOrigin()
+        points = tuple((text, (to_right + x, up + y)) for text, (x, y) in board.points if are_drawn)
         for _, actor in actors:
             actor.SetVisibility(False)
         window.Render()
@@ -163,16 +182,13 @@ def _measured(
             place = drawing.picture_rectangle_px
             fill = place.width / size_px[0], place.height / size_px[1]
         else:
-            named = named_in(pane, scene, view.names)
-            leaves = _LEAVES
-            if seen_from(view, scene) and (named is None or named & _FRAMED_FAR):
-                leaves -= {"frustum"}
-            drawing.show_layers(view.layers | leaves | {"labels"})
+            is_of_planes = drawing.fixed and any(name in drawing.names for name in _OF_PLANES)
+            drawing.show_layers(view.layers | (_LEAVES - {"frustum"} if is_of_planes else _LEAVES))
             drawing.show_projection(of.projection, illustration)
             window.Render()
             fill = _fill(_ink(pixels_of(window)), labels)
     on_ink = tuple(_under(bare_ink, each) for each in labels)
-    return Measured(pane, size_px, tuple(labels), on_ink, fill)
+    return Measured(pane, size_px, tuple(labels), on_ink, fill, left_out, points)
 
 
 def _actors(window: Any) -> Iterator[tuple[Any, LabelActor]]:

@@ -101,10 +101,14 @@ def half_of(projection: Projection, axis: int) -> Half | None:
 
 
 class Dimensions:
-    """The lines and their letters; `board` is the pane's."""
+    """The lines and their letters; `board` is the pane's, and `inks` are the letters' colours."""
 
-    def __init__(self, board: Board, canvas: Canvas, words: Mapping[str, str]) -> None:
+    def __init__(
+        self, board: Board, canvas: Canvas, words: Mapping[str, str], inks: Mapping[str, str]
+    ) -> None:
         self._board, self._words, self._em = board, words, board.em
+        for name, colour in inks.items():
+            board.label((_KEY, name), colour=getattr(canvas.style, colour))
         self._lines = _Segments(canvas, canvas.style.ink, canvas.style.line_width / 2.0)
         self._thin = _Segments(canvas, canvas.style.leader, canvas.style.line_width / 2.0)
         self._sentences = [canvas.label("", anchor=(-1, -1), plain=True) for _ in range(_LINES)]
@@ -297,9 +301,7 @@ class Dimensions:
         for letter, value, x, one in ends:
             self._thin.add((x, foot), (x, lower))
             word = self._words.get(f"{{{letter}}}", letter)
-            self._on_line(
-                letter, f"{word} = {written_distance(value)}", (x, upper), limits, one
-            )
+            self._on_line(letter, f"{word} = {written_distance(value)}", (x, upper), limits, one)
             self._on_line((_KEY, one), written_distance(one), (x, lower), limits, one)
         for number, place in enumerate(measured.across):
             if -1.0 <= place <= 1.0:

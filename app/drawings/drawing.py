@@ -16,6 +16,8 @@ from app.scenes.phenomena.readout import Phrase
 from app.scenes.scene import Scene
 
 if TYPE_CHECKING:
+    from app.drawings.labels import Board
+    from app.drawings.names import Names
     from app.drawings.pane_view import Pose
 
 
@@ -49,6 +51,8 @@ class Drawing(Protocol):
 
     pane: ClassVar[str]
     """One of `app.document.view.PANES`."""
+    board: Board
+    names: Names
 
     # -- the model
 

@@ -88,8 +88,8 @@ class ImageDrawing(Drawing):
         self._hidden: frozenset[str] = frozenset()
         self.names = Names(named_in(self.pane, scene))
         self._add_picture()
-        self._board = Board(self._canvas, self._picture)
-        self._probes = Probes(self._canvas, self._board, self._picture)
+        self.board = Board(self._canvas, self._picture)
+        self._probes = Probes(self._canvas, self.board, self._picture)
         self._marks: MarksDrawing | None = None
         self._silhouette = Silhouette(scene, style.font_size)
         self._rasteriser: Rasteriser | None = None
@@ -218,7 +218,7 @@ class ImageDrawing(Drawing):
                 renderer=self._picture,
                 over=True,
                 names=self.names,
-                board=self._board,
+                board=self.board,
             )
         width, height = self._image_size
         placing = Placing(
@@ -329,7 +329,7 @@ class ImageDrawing(Drawing):
         self._probes.want(ground)
         if marks is not None:
             marks.want_texts(ground, seen)
-        return self._board.settle(ground, afresh=afresh)
+        return self.board.settle(ground, afresh=afresh)
 
     def reset_view(self) -> None:
         self._place_texts(afresh=True)

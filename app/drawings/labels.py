@@ -54,17 +54,21 @@ class Board:
     """The labels of one pane with their leaders."""
 
     def __init__(self, canvas: Canvas, renderer: Any = None) -> None:
-        self._canvas, self._renderer = canvas, renderer
+        self._canvas, self.renderer = canvas, renderer or canvas.renderer
         self.em = canvas.style.font_size
         self._labels: dict[Hashable, tuple[Label, Leader]] = {}
         self._wishes: list[Wish] = []
         self._kept: dict[Hashable, Kept] = {}
+        self.left_out: list[str] = []
+        """The texts of the labels that were wanted, and have no place."""
+        self.points: list[tuple[str, tuple[float, float]]] = []
+        """The texts of the labels of points, and the points."""
 
     def label(self, key: Hashable, text: str = "", colour: str = "") -> Label:
         """Return the label of a key, which is created when it is first asked for."""
         if key not in self._labels:
-            leader = Leader(self._canvas, self._renderer)
-            label = self._canvas.label(text, self._renderer, colour=colour)
+            leader = Leader(self._canvas, self.renderer)
+            label = self._canvas.label(text, self.renderer, colour=colour)
             label.set_visible(False)
             self._labels[key] = label, leader
         return self._labels[key][0]
@@ -82,11 +86,13 @@ class Board:
     def want_beside(
         self, key: Hashable, spot: Spot, rank: float, way: tuple[float, float] | None = None
     ) -> None:
-        """Ask for a place beside a point, towards `way` first."""
+        """Ask for a place beside a point, towards `way` first; there is none behind the camera."""
         x, y, depth = spot
         if depth > 0.0 and math.isfinite(x + y):
             size, rim = self.label(key).size_px, DOT_EM * self.em
             self.want(key, [(x, y)], partial(around, (x, y), size, self.em, rim, way), rank)
+        else:
+            self.want(key, [], lambda: NOWHERE, rank)
 
     def settle(self, ground: Ground, *, afresh: bool) -> bool:
         """Place the wanted labels, and hide the others; return whether one has changed its place.
@@ -94,6 +100,9 @@ class Board:
         If not `afresh`, labels stay where they are as long as possible.
         """
         placed = place(self._wishes, ground, None if afresh else self._kept)
+        texts = [(self.label(wish.key).text, wish) for wish in self._wishes]
+        self.left_out = [text for text, wish in texts if wish.key not in placed]
+        self.points = [(text, wish.spots[0]) for text, wish in texts if len(wish.spots) == 1]
         self._wishes = []
         before, self._kept = self._kept, {key: each.kept for key, each in placed.items()}
         for key, (label, leader) in self._labels.items():
@@ -180,7 +189,6 @@ class Labels:
                 text = f"{text} {letter} = {written_distance(distance)}"
             self.named[name].set_text(text)
             want_plane(board, ground, name, pane.seen(face), partial(pane.covered, face))
-
 
     def _want_sides(self, pane: PaneView, named: Named, near: Array) -> None:
         """Ask for places outside the window, each beside the middle of its side."""

@@ -92,12 +92,12 @@ class StageDrawing(Drawing):
                 lift_lines(lines)
         self._canvas.add(*drawn)
         self.names = Names(named_in(self.pane, scene))
-        self._board = Board(self._canvas)
+        self.board = Board(self._canvas)
         self._silhouette = Silhouette(scene, style.font_size)
-        self.box = StageBox(self._canvas, words, self.names, self._board)
+        self.box = StageBox(self._canvas, words, self.names, self.board)
         self._emphasis = Emphasis(self._canvas)
         self.box.make_emphasis(self._emphasis)
-        self._probes = Probes(self._canvas, self._board)
+        self._probes = Probes(self._canvas, self.board)
         self._marks: MarksDrawing | None = None
         self._rasterisers = textured(scene, self._canvas, (drawn.surface, drawn.spaces[0]))
         self._illustration: Illustration | None = None
@@ -218,7 +218,7 @@ class StageDrawing(Drawing):
                 return
             self._marks = MarksDrawing(
                 self._canvas, self._scene, self._words, clip=self._planes, lifts_copies=True,
-                names=self.names, board=self._board,
+                names=self.names, board=self.board,
             )  # fmt: skip
         marks, illustration = self._marks, self._illustration
         if illustration is None or self._position != NDC:
@@ -265,7 +265,7 @@ class StageDrawing(Drawing):
         self.box.want_words(ground, seen)
         if self._marks is not None:
             self._marks.want_texts(ground, seen)
-        return self._board.settle(ground, afresh=afresh)
+        return self.board.settle(ground, afresh=afresh)
 
     def refit(self) -> bool:
         return self._place_texts(afresh=True)

@@ -92,9 +92,7 @@ class StageView(PaneCamera):
         camera.SetParallelScale(scale)
         self._placed = self._now
 
-    def _framing(
-        self, stop: int, projection: Projection, framed: Callable[[int], Array]
-    ) -> Array:
+    def _framing(self, stop: int, projection: Projection, framed: Callable[[int], Array]) -> Array:
         """The view of a stop: centre x, y, z, parallel scale, azimuth, elevation."""
         width_px, height_px = self.size_px
         right, up, _ = self.axes(stop)

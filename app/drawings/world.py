@@ -110,12 +110,12 @@ class WorldDrawing(Drawing):
             emphasis.line(solid, of=("eye",))
         for name, mark in self.camera.discs.items():
             emphasis.point(mark, name)
-        self._board = Board(canvas)
-        self.labels = Labels(self._board, canvas, words)
+        self.board = Board(canvas)
+        self.labels = Labels(self.board, canvas, words)
         for name, label in self.labels.named.items():
             self._emphasis.label(label, name)
         self._dimensions: Dimensions | None = None
-        self._probes = Probes(canvas, self._board)
+        self._probes = Probes(canvas, self.board)
         self.handles = HandleMarks(canvas) if live else None
         self.names = Names(named_in(self.pane, scene))
         self._light = 1.0
@@ -147,7 +147,7 @@ class WorldDrawing(Drawing):
         if view == self.own.fixed:
             return
         if view and self._dimensions is None:
-            self._dimensions = Dimensions(self._board, self._canvas, self._words)
+            self._dimensions = Dimensions(self.board, self._canvas, self._words, self._scene.inks)
         elif self._dimensions is not None:
             self._dimensions.hide()
         self.own.fixed = view
@@ -161,6 +161,7 @@ class WorldDrawing(Drawing):
 
     def show_layers(self, hidden: frozenset[str]) -> None:
         self._hidden = hidden
+        self._look_around()
         self._switch_layers()
         self._follow_pane(afresh=True)
 
@@ -172,9 +173,10 @@ class WorldDrawing(Drawing):
             hidden = hidden | {"camera", "near-picture"}
         elif self.own.fixed == "axis":
             hidden = hidden | {"camera"}
+        has_arrows = not self.names.all and any(axis in self.names for axis in AXES)
+        self._actors.show_grid("grid" not in hidden, pale=has_arrows)
         if ("grid" in hidden) != ("grid" in self._canvas.hidden):
-            for drawn in (self._actors, self.picture.actors):
-                drawn.show_grid("grid" not in hidden)
+            self.picture.actors.show_grid("grid" not in hidden)
         if hidden != self._canvas.hidden:
             self._canvas.show_layers(hidden)
 
@@ -218,7 +220,8 @@ class WorldDrawing(Drawing):
 
     def _look_around(self) -> bool:
         """Tell the view how far the camera's drawn parts reach; return whether that has changed."""
-        around = self.camera.reach if "eye" in self.names or self.camera.has_arrows else 0.0
+        is_drawn = "eye" in self.names or self.camera.has_arrows
+        around = self.camera.reach if is_drawn and "camera" not in self._hidden else 0.0
         is_new, self.own.around = around != self.own.around, around
         return is_new
 
@@ -426,13 +429,13 @@ class WorldDrawing(Drawing):
         self._probes.want(ground)
         self.labels.want(ground, pane, named)
         for name, origin in self._frame_origins().items():
-            self._board.label(name).set_text(FRAMES[name])
-            self._board.want_beside(name, pane.seen(origin[None])[0], EYE, (-1.0, -1.0))
+            self.board.label(name).set_text(FRAMES[name])
+            self.board.want_beside(name, pane.seen(origin[None])[0], EYE, (-1.0, -1.0))
         if measured is not None and self._dimensions is not None:
             self._dimensions.want(ground, pane.seen, pane.size_px, measured)
         if self._marks is not None:
             self._marks.want_texts(ground, pane.seen, written)
-        return self._board.settle(ground, afresh=afresh)
+        return self.board.settle(ground, afresh=afresh)
 
     @property
     def _arrows(self) -> tuple[tuple[str, ...], Array]:
@@ -444,17 +447,21 @@ class WorldDrawing(Drawing):
         if self.camera.step is None:  # a frame can be shown without the letters of its axes
             shown = [name in self.names for name in arrows]
             arrows, ends = tuple(compress(arrows, shown)), ends[np.array(shown, dtype=bool)]
+        named, of_axes = self._named_axes
+        return arrows + named, np.concatenate([ends, of_axes])
+
+    @property
+    def _named_axes(self) -> tuple[tuple[str, ...], Array]:
+        """The axes of `_lettered` that are named, and where each starts and ends, (n, 2, 3)."""
         axes = self._lettered
-        if axes is not None:
-            is_named = [
-                name in self.names or name.removeprefix("object_") in self.names
-                for name in axes.shafts
-            ]
-            arrows += tuple(compress(axes.shafts, is_named))
-            start = np.tile(axes.origin, (3, 1))
-            of_axes = np.stack([start, start + axes.ways], axis=1)
-            ends = np.concatenate([ends, of_axes[is_named]])
-        return arrows, ends
+        if axes is None:
+            return (), np.empty((0, 2, 3))
+        is_named = [
+            name in self.names or name.removeprefix("object_") in self.names for name in axes.shafts
+        ]
+        start = np.tile(axes.origin, (3, 1))
+        ends = np.stack([start, start + axes.ways], axis=1)
+        return tuple(compress(axes.shafts, is_named)), ends[is_named]
 
     def _ink(self, ground: Ground) -> None:
         """Tell the ground what is drawn."""
@@ -465,7 +472,7 @@ class WorldDrawing(Drawing):
         if corners is not None:
             edges = pane.spots(corners[_EDGES])
             # In a flat view a plane is one upright line: letters keep a square away from it.
-            aside = SQUARE_EM * self._board.em if self.own.fixed in ("side", "top") else 0.0
+            aside = SQUARE_EM * self.board.em if self.own.fixed in ("side", "top") else 0.0
             for shift in {-aside, 0.0, aside}:
                 ground.ink_lines(edges + np.array([shift, 0.0]))
         _, ends = self._arrows
@@ -487,7 +494,8 @@ class WorldDrawing(Drawing):
         """The things without names and handles, because they are not drawn."""
         unseen = set[str]()
         if "frustum" in self._hidden or self.camera.step is not None:
-            unseen |= {"near", "far", "corner", *WINDOW}  # they would cover the arrows of the construction
+            # They would cover the arrows of the construction.
+            unseen |= {"near", "far", "corner", *WINDOW}
         if "camera" in self._hidden:
             unseen |= {"eye", "target"}
         elif "camera" in self._canvas.hidden:  # the pane looks through it, or from right behind it
@@ -577,11 +585,14 @@ class WorldDrawing(Drawing):
             for name, axes in (("frame-o", self._axes), ("frame-w", self._world_axes))
             if axes is not None and name in wanted
         ]
+        named.append(self._named_axes[1].reshape(-1, 3))
         beside = [self._objects]
         has_planes = self.frustum.seen and self._projection.lens.planes is not None
+        has_planes = has_planes and "frustum" not in self._hidden
+        has_camera = "camera" not in self._hidden
         for name, thing, needs in (
-            ("eye", at.eye[None], True),
-            ("target", at.target[None], True),
+            ("eye", at.eye[None], has_camera),
+            ("target", at.target[None], has_camera),
             ("near", corners[:4], has_planes),
             ("height", corners[5:7], has_planes and self.own.fixed != ""),
             ("width", corners[5:7], has_planes and self.own.fixed == "axis"),
@@ -591,6 +602,9 @@ class WorldDrawing(Drawing):
         if has_planes:
             sides = zip(SIDES, range(4), strict=True)
             named += [corners[[i, (i + 1) % 4]] for side, i in sides if side[0] in wanted]
+        axes = self._lettered
+        if axes is not None and not wanted.isdisjoint("xyz"):
+            named.append(axes.origin + np.vstack([np.zeros(3), axes.ways]))
         if "far" in wanted and has_planes:
             (named if self.own.fixed else beside).append(corners[4:])
         figure: list[Array] = []
@@ -704,7 +718,7 @@ class WorldDrawing(Drawing):
             if illustration is None:
                 return
             self._marks = MarksDrawing(
-                self._canvas, self._scene, self._words, names=self.names, board=self._board
+                self._canvas, self._scene, self._words, names=self.names, board=self.board
             )
         marks, limit = self._marks, _FARTHEST_MARK * self._standing.extent
         shown = illustration or Illustration(())

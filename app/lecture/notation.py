@@ -64,7 +64,7 @@ _SYMBOLS: dict[str, dict[str, str]] = {
         **_OURS, **_EYE_P, **{f"object_{x}": f"O_{x}" for x in "xyz"},
     },
     "004": {
-        **_OURS, "eye_x": "x_0", "eye_y": "y_0", "eye_z": "z_0", "up": f"V{ARROW}",
+        **_OURS, "eye": "T_0", "eye_x": "x_0", "eye_y": "y_0", "eye_z": "z_0", "up": f"V{ARROW}",
         "eye_point": "T\u2080", "target_point": "T\u2081",
     },
 }  # fmt: skip
@@ -134,7 +134,8 @@ def frame_letters(letters: Letters) -> dict[str, str]:
 def axis_letters(letters: Letters) -> dict[str, str]:
     """Return the labels at the camera in a lecture's letters: ``u``, ``v``, ``n``, ``up``, ``eye``.
 
-    Lecture 003 also has letters for the object's axes. The dictionary omits the points and directions without a letter, which keep their names.
+    Lecture 003 also has letters for the object's axes. The dictionary omits the points and
+    directions without a letter, which keep their names.
     """
     found = frame_letters(letters)
     found |= {name: _SYMBOLS[letters].get(f"{name}_point", name) for name in ("eye", "target")}

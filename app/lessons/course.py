@@ -165,8 +165,15 @@ class Course:
 class AtStep:
     """A step as a state of the model: the `Here` of its blocks."""
 
-    def __init__(self, course: Course, place: int) -> None:
+    def __init__(
+        self,
+        course: Course,
+        place: int,
+        own: Document | None = None,
+        given: Mapping[str, float] | None = None,
+    ) -> None:
         self.course, self.place = course, place
+        self._own, self._given = own, given or {}
 
     @property
     def step(self) -> Step:
@@ -174,7 +181,7 @@ class AtStep:
 
     @property
     def document(self) -> Document:
-        return self.course.shown(self.place).document
+        return self._own or self.course.shown(self.place).document
 
     @property
     def asked(self) -> Mapping[str, Asked]:
@@ -195,10 +202,16 @@ class AtStep:
             scene_of(document)
         return document
 
+    def varied(self, state: State | None, given: Mapping[str, float]) -> AtStep:
+        own = self.document if state is None else self.shown_by(state)
+        return AtStep(self.course, self.place, own, given)
+
     def quantities(self, now: Document | None = None, view: View | None = None) -> Quantities:
-        own = self.document
-        before = Quantities(own, lambda: scene_of(own))
-        return before if now is None else Quantities(now, lambda: scene_of(now), view, before)
+        own, given = self.document, self._given
+        before = Quantities(own, lambda: scene_of(own), given=given)
+        if now is None:
+            return before
+        return Quantities(now, lambda: scene_of(now), view, before, given)
 
 
 def _line_of(field: str, values: Iterable[tuple[int, str]]) -> int:

@@ -1,32 +1,39 @@
 """Read numbers as students write them, and decide whether they are right.
 
-The exact value counts however short it is (1/2, 0.5, -1, 0). Any other number needs three
-significant digits and may be off by one in the last: students read values off the screen and round
-by hand. A fraction counts as a number of three digits.
+The exact value counts however short it is (1/2, 0.5, √3/2, -1, 0). A decimal number that is not
+exact needs three significant digits and may be one unit off in its last digit, upwards or
+downwards: students read values off the screen and round by hand. Any other way to write a number
+counts as three digits. The comparison is in rationals.
 """
 
 from __future__ import annotations
 
-import itertools
 import math
 import re
+import unicodedata
+from collections.abc import Sequence
 from fractions import Fraction
 from typing import NamedTuple
 
+from app.lessons.quantities import FUNCTIONS
+from app.model.formula import Arithmetic, parse
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
 
 DIGITS = 3
 """Significant digits required of an inexact number."""
-_EXACT = 1e-9
+_EXACT = Fraction(1, 10**9)
 """Relative difference up to which a number is the exact value, which was computed in float64."""
 _LARGEST_EXPONENT = 300
 _LONGEST = 60
 
 EMPTY = QT_TRANSLATE_NOOP("Refusal", "must be a number; nothing is typed yet")
 NO_NUMBER = QT_TRANSLATE_NOOP(
-    "Refusal", "must be a number like 0.5, 0,5, 1/2, -3 or 2e-3, and not {0}"
+    "Refusal", "must be a number like 0.5, 1/2, √3/2 or 2e-3; {0} cannot be read as part of one"
 )
+UNFINISHED = QT_TRANSLATE_NOOP("Refusal", "must be a number; something is missing after {0}")
+NO_LETTER = QT_TRANSLATE_NOOP("Refusal", "must be a number; {0} is neither a number nor a unit")
 OVER_ZERO = QT_TRANSLATE_NOOP("Refusal", "must be a number: nothing can be divided by 0")
+NOT_DEFINED = QT_TRANSLATE_NOOP("Refusal", "must be a number: a function has no value there")
 TOO_LARGE = QT_TRANSLATE_NOOP(
     "Refusal", "must be a number whose power of ten is between -{0} and {0}"
 )
@@ -34,19 +41,49 @@ OTHER_UNIT = QT_TRANSLATE_NOOP("Refusal", "must be in {0}")
 NO_UNIT = QT_TRANSLATE_NOOP("Refusal", "must be a number without {0}")
 TOO_LONG = QT_TRANSLATE_NOOP("Refusal", "must be a number of at most {0} characters")
 
-_DECIMAL = r"[0-9]+(?:[.,][0-9]*)?|[.,][0-9]+"
-_NUMBER = re.compile(
-    rf"(?P<minus>[-+]?)(?P<number>{_DECIMAL})(?:(?:e|·10\^|\*10\^|x10\^)(?P<power>[-+]?[0-9]+))?"
-    rf"(?:/(?P<under>-?(?:{_DECIMAL})))?",
-    re.IGNORECASE,
+SIGN = QT_TRANSLATE_NOOP("Refusal", "The size is right, but the sign is wrong.")
+SIGN_AND_SIZE = QT_TRANSLATE_NOOP("Refusal", "The sign is wrong, and so is the size.")
+TENS = QT_TRANSLATE_NOOP("Refusal", "The digits are right, but the power of ten is wrong.")
+TURNED = QT_TRANSLATE_NOOP("Refusal", "This is 1 divided by the right number.")
+RADIANS = QT_TRANSLATE_NOOP(
+    "Refusal", "It is off by the factor 180/π: degrees and radians are mixed up."
 )
-_UNITS = (
-    ("°", "degrees", "degree", "deg"), ("units", "unit"), ("px", "pixels", "pixel"),
-    ("%",), ("×",), ("mm",), ("m",),
-)  # fmt: skip
-"""The spellings in a row are one unit."""
-_OF_ANY = "units", "unit", "×"
-"""What may follow a number without a unit."""
+LARGE = QT_TRANSLATE_NOOP("Refusal", "It is too large, by a factor of about {0}.")
+SMALL = QT_TRANSLATE_NOOP("Refusal", "It is too small, by a factor of about {0}.")
+NEARLY = QT_TRANSLATE_NOOP("Refusal", "It is close, but not exact enough.")
+
+_DECIMAL = r"(?:[0-9]+(?:\.[0-9]*)?|\.[0-9]+)"
+_LITERAL = re.compile(rf"([-+]?)({_DECIMAL})(?:(?:e|[*x×]10\^)([-+]?[0-9]+))?")
+_MIXED = re.compile(r"(-?)([0-9]+) +([0-9]+)/([0-9]+)")
+_THOUSANDS = re.compile(r"(?<![0-9.,])[0-9]{1,3}(?: [0-9]{3})+(?![0-9])")
+_RAISED = re.compile("[⁺⁻⁰¹²³⁴-⁹]+")
+_SAME = str.maketrans({"−": "-", "·": "*", "∙": "*", "\u22c5": "*", "\u2044": "/", "\u2215": "/"})
+_REWRITTEN = (
+    (re.compile(rf"(?:√|sqrt) *({_DECIMAL})"), r"sqrt(\1)"),
+    (re.compile("√"), "sqrt"),
+    (re.compile("π"), "pi"),
+    (re.compile(r"[×x](?= *10\^)"), "*"),
+    (re.compile("×"), "*"),
+    (re.compile(r"\*\*"), "^"),
+    (re.compile(r"°(?= *\))"), ""),
+    (re.compile(r"\^ *(?:\( *([-+]?[0-9]+) *\)|\+([0-9]+))"), r"^\1\2"),
+    (re.compile(rf"({_DECIMAL})e([-+]?[0-9]+)"), r"(\1*10^\2)"),
+    (re.compile(r"\^\+"), "^"),
+    (re.compile(r"(?<=[0-9)]) *(?=[a-z(])"), "*"),
+)
+"""What people write, and the same in the language of formulas."""
+
+_NUMBER, _ANGLE, _LENGTH, _UNIT, _PIXEL = "number", "angle", "length", "units", "px"
+_UNITS: dict[str, tuple[str, Fraction]] = {
+    **dict.fromkeys(("×", "x"), (_NUMBER, Fraction(1))), "%": (_NUMBER, Fraction(1, 100)),
+    **dict.fromkeys(("°", "deg", "degree", "degrees"), (_ANGLE, Fraction(1))),
+    **dict.fromkeys(("rad", "radian", "radians"), (_ANGLE, Fraction(math.degrees(1.0)))),
+    **dict.fromkeys(("unit", "units"), (_UNIT, Fraction(1))),
+    **dict.fromkeys(("px", "pixel", "pixels"), (_PIXEL, Fraction(1))),
+    "km": (_LENGTH, Fraction(1000)), "m": (_LENGTH, Fraction(1)),
+    "cm": (_LENGTH, Fraction(1, 100)), "mm": (_LENGTH, Fraction(1, 1000)),
+}  # fmt: skip
+"""What each unit measures, and how much of it one is."""
 
 
 class Typed(NamedTuple):
@@ -56,61 +93,154 @@ class Typed(NamedTuple):
     digits: int
     unit: Fraction
 
+    def times(self, factor: Fraction) -> Typed:
+        """Return the number and its last digit, both multiplied."""
+        return Typed(self.value * factor, self.digits, self.unit * abs(factor))
+
 
 def read(text: str, unit: str = "") -> Typed:
-    """Read a number with a decimal comma or point, and perhaps its unit."""
+    """Read a number as people write it: ``0,5``, ``1 1/2``, ``-√3/2``, ``pi/6``, ``1.17·10⁻²``.
+
+    A unit of the same kind as `unit` may follow, and is converted. A comma is a decimal point.
+
+    Raises
+    ------
+    Refusal
+        Of ``answer``; it names the part that cannot be read, or the unit that is expected.
+    """
     if len(text) > _LONGEST:
         raise Refusal("answer", text, TOO_LONG, _LONGEST)
-    plain = "".join(text.split()).replace("−", "-").replace("\u2044", "/")
-    own = next((row for row in _UNITS if unit in row), (unit,) if unit else _OF_ANY)
-    for ending in sorted((*own, *itertools.chain(*_UNITS)), key=len, reverse=True):
-        if plain.lower().endswith(ending.lower()):
-            plain = plain[: -len(ending)]
-            if plain and ending not in own:
-                raise Refusal("answer", text, *((OTHER_UNIT, unit) if unit else (NO_UNIT, ending)))
-            break
+    plain, factor = _without_unit(text, _in_one_line(text), unit)
     if not plain:
         raise Refusal("answer", text, EMPTY)
-    found = _NUMBER.fullmatch(plain)
+    found = _LITERAL.fullmatch(re.sub(" *([-+*x×^]) *", r"\1", plain))
     if found is None:
-        raise Refusal("answer", text, NO_NUMBER, text.strip() or plain)
-    power = int((found["power"] or "0")[:6])
+        value = _value(text, plain)
+        return Typed(value, DIGITS, _third_digit(value)).times(factor)
+    power = int((found[3] or "0")[:6])
     if abs(power) > _LARGEST_EXPONENT:
         raise Refusal("answer", text, TOO_LARGE, _LARGEST_EXPONENT)
-    written = found["number"].replace(",", ".")
-    places = len(written.partition(".")[2])
-    scale = Fraction(10) ** power
-    value = Fraction(written if written != "." else "0") * scale
-    if found["minus"] == "-":
-        value = -value
-    if abs(value) > Fraction(10) ** _LARGEST_EXPONENT:
+    _, _, places = found[2].partition(".")
+    value = Fraction(found[1] + found[2]) * Fraction(10) ** power
+    digits = len(found[2].replace(".", "").lstrip("0"))
+    return _bounded(text, Typed(value, digits, Fraction(10) ** (power - len(places)))).times(factor)
+
+
+def _in_one_line(text: str) -> str:
+    """Return the text in lower case with plain signs, spaces, fractions and decimal points."""
+    text = _RAISED.sub(lambda raised: "^" + unicodedata.normalize("NFKC", raised[0]), text)
+    text = "".join(
+        f" {part}" if unicodedata.decomposition(part).startswith("<fraction>") else part
+        for part in text
+    )
+    text = unicodedata.normalize("NFKC", text).translate(_SAME).lower()
+    text = "".join("-" if unicodedata.category(part) == "Pd" else part for part in text)
+    text = _THOUSANDS.sub(lambda group: group[0].replace(" ", ""), " ".join(text.split()))
+    text = re.sub(r"(?<![0-9]),(?=[0-9])|(?<=[0-9]),(?=[0-9]|\b|$)", ".", text)
+    return re.sub(r"^([-+]?)10 *\^", r"\g<1>1*10^", text)
+
+
+def _without_unit(text: str, plain: str, unit: str) -> tuple[str, Fraction]:
+    """Take the unit off the end; return the rest, and by what it is to be multiplied."""
+    kind, size = _UNITS.get(unit.lower(), (unit or _NUMBER, Fraction(1)))
+    known = _UNITS if unit.lower() in _UNITS or not unit else _UNITS | {unit.lower(): (kind, size)}
+    for name in sorted(known, key=len, reverse=True):
+        rest = plain.removesuffix(name).rstrip()
+        if rest == plain or (name.isalpha() and rest[-1:].isalpha() and not rest.endswith("pi")):
+            continue
+        typed_kind, typed_size = known[name]
+        same = typed_kind == kind or (not unit and typed_kind == _UNIT)
+        if rest and not same:
+            raise Refusal("answer", text, *((OTHER_UNIT, unit) if unit else (NO_UNIT, name)))
+        return rest, typed_size / size if same else Fraction(1)
+    return plain, Fraction(1)
+
+
+def _call(name: str, arguments: Sequence[Fraction]) -> Fraction:
+    return Fraction(FUNCTIONS[name](*map(float, arguments)))
+
+
+_ARITHMETIC = Arithmetic(Fraction, _call)
+
+
+def _value(text: str, plain: str) -> Fraction:
+    """Return the value of an expression without letters but pi."""
+    mixed = _MIXED.fullmatch(plain)
+    if mixed and int(mixed[3]) < int(mixed[4]):
+        part = Fraction(int(mixed[3]), int(mixed[4]))
+        return (-1 if mixed[1] else 1) * (int(mixed[2]) + part)
+    for pattern, written in _REWRITTEN:
+        plain = pattern.sub(written, plain)
+    try:
+        found = parse(plain.removeprefix("+"))
+    except Refusal as error:
+        at = int(str(error.limits[-1])) - 1
+        rest = (NO_NUMBER, plain[at:]) if plain[at:] else (UNFINISHED, plain)
+        raise Refusal("answer", text, *rest) from error
+    for letter in found.letters:
+        if letter != "pi":
+            raise Refusal("answer", text, NO_LETTER, letter)
+    try:
+        value: Fraction = found.value({"pi": Fraction(math.pi)}, _ARITHMETIC)
+    except KeyError as error:
+        raise Refusal("answer", text, NO_LETTER, str(error.args[0])) from error
+    except ZeroDivisionError as error:
+        raise Refusal("answer", text, OVER_ZERO) from error
+    except OverflowError as error:
+        raise Refusal("answer", text, TOO_LARGE, _LARGEST_EXPONENT) from error
+    except (ValueError, TypeError) as error:
+        raise Refusal("answer", text, NOT_DEFINED) from error
+    return _bounded(text, Typed(value, DIGITS, Fraction(0))).value
+
+
+def _bounded(text: str, typed: Typed) -> Typed:
+    """Return the number if float64 has it, else refuse it."""
+    if abs(typed.value) > Fraction(10) ** _LARGEST_EXPONENT:
         raise Refusal("answer", text, TOO_LARGE, _LARGEST_EXPONENT)
-    if found["under"]:
-        under = Fraction(found["under"].replace(",", "."))
-        if not under:
-            raise Refusal("answer", text, OVER_ZERO)
-        value /= under
-        return Typed(value, DIGITS, _unit_of(value))
-    digits = written.replace(".", "").lstrip("0")
-    return Typed(value, len(digits), scale / 10**places)
+    return typed
 
 
-def _unit_of(value: Fraction) -> Fraction:
+def _third_digit(value: Fraction) -> Fraction:
     """Return the value of one in the third significant digit."""
-    if not value:
+    if not float(value):
         return Fraction(0)
     return Fraction(10) ** (math.floor(math.log10(abs(float(value)))) - DIGITS + 1)
 
 
 def equals(typed: Typed, value: float) -> bool:
     """Whether a typed number counts as a finite value."""
-    away = abs(typed.value - Fraction(value))
-    if away <= Fraction(_EXACT) * abs(Fraction(value)) or (not typed.value and abs(value) < 1e-12):
+    exact = Fraction(value)
+    away, noise = abs(typed.value - exact), _EXACT * abs(exact)
+    if away <= noise or (not typed.value and abs(value) < 1e-12):
         return True
-    return typed.digits >= DIGITS and away <= typed.unit
+    return typed.digits >= DIGITS and away <= typed.unit + noise
 
 
 def is_too_short(typed: Typed, value: float) -> bool:
     """Whether it is the value rounded to too few digits, but more than one."""
-    away = abs(typed.value - Fraction(value))
-    return 1 < typed.digits < DIGITS and 2 * away <= typed.unit
+    exact = Fraction(value)
+    away = abs(typed.value - exact)
+    return 1 < typed.digits < DIGITS and 2 * away <= typed.unit + _EXACT * abs(exact)
+
+
+def remark(typed: Typed, value: float) -> Refusal | None:
+    """Say how a wrong number differs from the value, if something true can be said."""
+    if not typed.value or not value:
+        return None
+    ratio = typed.value / Fraction(value)
+    if equals(typed.times(Fraction(-1)), value):
+        return Refusal.saying(SIGN)
+    if ratio < 0:
+        return Refusal.saying(SIGN_AND_SIZE)
+    power = round(math.log10(ratio))
+    if power and equals(typed.times(1 / Fraction(10) ** power), value):
+        return Refusal.saying(TENS)
+    degrees = Fraction(math.degrees(1.0))
+    if any(equals(typed.times(factor), value) for factor in (degrees, 1 / degrees)):
+        return Refusal.saying(RADIANS)
+    if abs(typed.value * Fraction(value) - 1) <= Fraction(2, 10**DIGITS):
+        return Refusal.saying(TURNED)
+    away = float(max(ratio, 1 / ratio))
+    if away < 1.05:
+        return Refusal.saying(NEARLY)
+    return Refusal.saying(LARGE if ratio > 1 else SMALL, f"{away:.2g}")

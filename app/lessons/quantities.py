@@ -13,6 +13,7 @@ import operator
 import re
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
+from types import MappingProxyType
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -78,7 +79,7 @@ def _cosine(angle: float) -> float:
     return _sine(90.0 - abs(math.remainder(angle, 360.0)))
 
 
-_FUNCTIONS: dict[str, Callable[..., float]] = {
+FUNCTIONS: dict[str, Callable[..., float]] = {
     "sin": _sine,
     "cos": _cosine,
     "tan": lambda angle: _sine(angle) / _cosine(angle),
@@ -105,6 +106,8 @@ class Quantities:
         The document's by default.
     before : Quantities, optional
         The quantities of an earlier state, whose names begin with ``was_``.
+    given : mapping of str to float, optional
+        Numbers with names of their own, which come before all others.
     """
 
     def __init__(
@@ -113,11 +116,13 @@ class Quantities:
         scene: Callable[[], Scene],
         view: View | None = None,
         before: Quantities | None = None,
+        given: Mapping[str, float] = MappingProxyType({}),
     ) -> None:
         self.document = document
         self._scene = scene
         self._view = document.view if view is None else view
         self._before = before
+        self._given = given
         self._traces: dict[int, Trace] = {}
         self._readings: dict[str, Any] | None = None
 
@@ -130,7 +135,7 @@ class Quantities:
         return self._number(name, ())
 
     def _call(self, name: str, arguments: Sequence[float]) -> float:
-        function = _FUNCTIONS.get(name)
+        function = FUNCTIONS.get(name)
         if function is not None:
             try:
                 return function(*arguments)
@@ -177,7 +182,7 @@ class Quantities:
             return self._before._number(name.removeprefix("was_"), places)
         found = self._looked_up(name)
         if found is None:
-            known = [*self.names, *(() if places == () else _FUNCTIONS)]
+            known = [*self.names, *(() if places == () else FUNCTIONS)]
             near = difflib.get_close_matches(name, known, n=1, cutoff=0.0)
             bound = NO_FUNCTION if places else NO_NAME
             raise Refusal("formula", name, bound, name, near[0])
@@ -185,6 +190,8 @@ class Quantities:
 
     def _looked_up(self, name: str) -> Any:
         """Return a number, several, or a function for a probe's coordinate; None if unknown."""
+        if name in self._given:
+            return self._given[name]
         if name in _SIMPLE:
             return _SIMPLE[name](self)
         if name.startswith("reading_"):
@@ -204,7 +211,7 @@ class Quantities:
         settings = [f"settings_{name}" for name in self.document.settings]
         probes = [f"{space}_{part}" for space, parts in _SPACES.items() for part in parts]
         readings = [f"reading_{name}" for name in self._all_readings]
-        return (*_SIMPLE, *probes, *self._matrices, *settings, *readings)
+        return (*self._given, *_SIMPLE, *probes, *self._matrices, *settings, *readings)
 
     @property
     def projection(self) -> Projection:

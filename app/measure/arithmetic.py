@@ -1,8 +1,8 @@
 """Trade 1, arithmetic: ns per point against the largest error in px and in depth; the sweeps.
 
-Every way of projecting gets the same points, in its preferred layout, and returns x and y in pixels
-and the depth. `reference.Truth` gives the errors of a sample of the points. `summed` runs the same
-code in every precision: only the number format differs.
+Every way of projecting gets the same points, in its preferred layout, and does the same work: the
+matrix, the divide and the viewport, as a GPU does. `reference.Truth` gives the errors of a sample
+of the points. `summed` runs the same code in every precision: only the number format differs.
 """
 
 from __future__ import annotations
@@ -27,34 +27,57 @@ from app.measure.results import Choice, Curve, Sweep, Trade
 from app.measure.run import Watch, timed, unwatched
 from app.model.projection import Array, Camera, Frustum, Perspective, Projection, Vector
 from app.model.refusal import QT_TRANSLATE_NOOP, Cancelled, Refusal
+from app.precision.cheap import Hardware, cheap
 from app.precision.levels import Precision, Prediction, predict, trace
 
 Rows: TypeAlias = NDArray[Any]
 """(3, n): x and y in pixels, depth in [0, 1]; NaN or infinite where there is no answer."""
 
-MOST_POINTS = 8192
+MOST_POINTS = 16384
 """Number of points that are projected: every way does them in one block."""
-_BLOCK = 8192
 _PRECISIONS: dict[str, Precision] = {
     "float32": "float32",
     "float64, every stage": "float64",
     "exact": "exact",
 }
 """The ways that are precisions of the model, which predicts their errors."""
+CHEAP: dict[str, tuple[Hardware, dict[str, str]]] = {
+    **{
+        f"{bits} bits": (Hardware(f"{bits} bits"), {"settings.preset": f"bits{bits}"})
+        for bits in (8, 12, 16)
+    },
+    "float16": (Hardware("float16", "float16"), {"settings.preset": "half"}),
+    **{
+        name: (
+            Hardware(name, name),
+            {"settings.preset": "own", "settings.vertices": drawn, "settings.numbers": drawn},
+        )
+        for name, drawn in (("bfloat16", "bfloat16"), ("fixed 16.16", "fixed"))
+    },
+}
+"""Vertices of so many bits, and formats that numpy can only imitate: judged, but not timed.
+
+Each with the settings with which the scene ``cheap-arithmetic`` draws it.
+"""
+
+WORLD = "float32, world coordinates"
+"""With vertices that are not measured from near the camera; over distances only."""
 
 NO_POINTS = QT_TRANSLATE_NOOP(
     "Measure", "no vertex is in front of the eye, so there is nothing to measure"
 )
 NOT_INSTALLED = QT_TRANSLATE_NOOP("Measure", "not installed")
+IN_SOFTWARE = QT_TRANSLATE_NOOP("Measure", "imitated in software: its time says nothing")
 NOT_A_NUMBER = QT_TRANSLATE_NOOP("Measure", "returns NaN")
 INFINITE = QT_TRANSLATE_NOOP("Measure", "overflows")
 
 
 class Way(NamedTuple):
-    """One way of projecting: the timed function, and how to read its answer."""
+    """One way of projecting: the timed function, how to read its answer, bytes of a vertex."""
 
     run: Callable[[], Any]
     rows: Callable[[Any], Rows]
+    bytes: float | None = None
 
 
 def looked_at(projection: Projection, points_world: Array) -> Array:
@@ -72,22 +95,23 @@ def looked_at(projection: Projection, points_world: Array) -> Array:
 
 
 def ways(projection: Projection, world: Array, origin: Vector) -> dict[str, Way]:
-    """Return our own ways, from float16 to the exact one; `origin` as for `summed`."""
+    """Return our own ways, from float32 to the exact one; `origin` as for `summed`."""
 
     def same(rows: Rows) -> Rows:
         return rows
 
     found = {
-        kind: Way(summed(projection, world, origin, kind), same)
-        for kind in ("float16", "float32", "float64")
+        kind: Way(summed(projection, world, origin, kind), same, 3.0 * np.dtype(kind).itemsize)
+        for kind in ("float32", "float64")
     }
-    for kind in ("float32", "float64"):
-        found[f"{kind}, eye first"] = Way(summed(projection, world, None, kind), same)
+    for kind in ("float32", "float64"):  # moved in float64, so every point keeps its 24 bytes
+        found[f"{kind}, eye first"] = Way(summed(projection, world, None, kind), same, 24.0)
     for name, precision in _PRECISIONS.items():
         if precision != "float32":  # which is above, without unused results
             found[name] = Way(
                 partial(trace, projection, world, precision),
                 lambda traced: np.vstack([traced.image.T, traced.depth]),
+                24.0,
             )
     return found
 
@@ -103,10 +127,9 @@ def summed(
         World point that is subtracted from the vertices once, in float64. None subtracts the eye,
         which moves, in every run.
     kind : str
-        ``"float16"``, ``"float32"`` or ``"float64"``. With an origin, float32 is bit for bit the
+        ``"float32"`` or ``"float64"``. With an origin, float32 is bit for bit the
         precision ``float32`` of `app.precision.levels`.
     """
-    number = np.dtype(kind).type
     columns = np.ascontiguousarray(world.T)
     eye = np.array(projection.camera.eye).reshape(3, 1)
     with np.errstate(all="ignore"):
@@ -115,45 +138,57 @@ def summed(
         else:
             matrix = projection.clip_from_world_at(origin).astype(kind)
             columns = (columns - np.reshape(origin, (3, 1))).astype(kind)
-    width, height = (number(side / 2.0) for side in projection.image_size)
-    one, half = number(1.0), number(0.5)
+    offset, product = np.empty_like(columns), np.empty(columns.shape[1], dtype=kind)
+    done = np.empty((4, columns.shape[1]), dtype=kind)
+    x, y, z, w = done
+    # Nothing but arithmetic remains to be done in a run.
+    rows = [(row, *map(np.array, cells)) for row, cells in zip(done, matrix, strict=True)]
+    sides = np.array(projection.image_size) / 2.0
+    width, height, one, half = (np.array(each, dtype=kind) for each in (*sides, 1.0, 0.5))
     opengl = projection.depth == "opengl"
+    add, multiply, divide = np.add, np.multiply, np.divide
 
     def run() -> Rows:
-        points = columns if origin is not None else (columns - eye).astype(kind, copy=False)
-        x, y, z, w = _product(matrix, points)
-        x, y, z = x / w, y / w, z / w
-        return np.stack([(x + one) * width, (one - y) * height, half * z + half if opengl else z])
+        points = columns
+        if origin is None:
+            points = np.subtract(columns, eye, out=offset).astype(kind, copy=False)
+        for row, a, b, c, d in rows:
+            multiply(a, points[0], row)
+            add(row, multiply(b, points[1], product), row)
+            add(row, multiply(c, points[2], product), row)
+            add(row, d, row)
+        for row in (x, y, z):
+            divide(row, w, row)
+        multiply(add(x, one, x), width, x)
+        multiply(np.subtract(one, y, y), height, y)
+        if opengl:
+            add(multiply(z, half, z), half, z)
+        return done[:3]
 
     return run
-
-
-def _product(matrix: Rows, points: Rows) -> Rows:
-    """Multiply a (4, 4) matrix by points (3, n) in their own arithmetic."""
-    out = np.empty((4, points.shape[1]), dtype=points.dtype)
-    for start in range(0, points.shape[1], _BLOCK):
-        x, y, z = points[:, start : start + _BLOCK]
-        for row, (a, b, c, d) in zip(out[:, start : start + _BLOCK], matrix, strict=True):
-            row[:] = a * x + b * y + c * z + d
-    return out
 
 
 def peers(projection: Projection, world: Array) -> tuple[dict[str, Way], dict[str, str]]:
     """Return the ways of other libraries in float64, and the reasons why some are missing.
 
-    Each library gets the finished image matrix and the points in its own kind of array.
+    Each library gets the matrix and the points in its own kind of array; numpy does what it lacks.
     """
     found: dict[str, Way] = {}
     missing: dict[str, str] = {}
     with np.errstate(all="ignore"):  # an overflow is a result
-        matrix = np.array(projection.image_from_ndc @ projection.clip_from_world)
+        matrix = np.array(projection.clip_from_world)
     columns = np.ascontiguousarray(world.T)
+    scale, shift = np.diagonal(projection.image_from_ndc)[:3], projection.image_from_ndc[:3, 3]
+
+    def viewport(ndc: Rows) -> Rows:
+        ndc *= scale
+        ndc += shift
+        return ndc
 
     def numpy(_module: Any) -> Way:
         def run() -> Rows:
             clip = np.hstack([world, np.ones((len(world), 1))]) @ matrix.T
-            rows: Rows = clip[:, :3] / clip[:, 3:]
-            return rows
+            return viewport(clip[:, :3] / clip[:, 3:])
 
         return Way(run, np.transpose)
 
@@ -168,15 +203,19 @@ def peers(projection: Projection, world: Array) -> tuple[dict[str, Way], dict[st
         def run() -> Any:
             target.Reset()
             transform.TransformPoints(source, target)
-            return target
+            return viewport(vtk_to_numpy(target.GetData()))  # type: ignore[no-untyped-call]
 
-        return Way(run, lambda _done: vtk_to_numpy(target.GetData()).T)  # type: ignore[no-untyped-call]
+        return Way(run, np.transpose)
 
     def proj3d(module: Any) -> Way:
-        return Way(lambda: module.proj_transform(*columns, matrix), np.array)
+        def run() -> Any:
+            ndc = module.proj_transform(*columns, matrix)
+            return [part * by + to for part, by, to in zip(ndc, scale, shift, strict=True)]
+
+        return Way(run, np.array)
 
     def pylinalg(module: Any) -> Way:
-        return Way(lambda: module.vec_transform(world, matrix), np.transpose)
+        return Way(lambda: viewport(module.vec_transform(world, matrix)), np.transpose)
 
     def pyglm(module: Any) -> Way:
         transform = module.dmat4(*matrix.T.ravel().tolist())
@@ -184,8 +223,7 @@ def peers(projection: Projection, world: Array) -> tuple[dict[str, Way], dict[st
 
         def run() -> Rows:
             clip = np.asarray(transform * vectors)
-            rows: Rows = clip[:, :3] / clip[:, 3:]
-            return rows
+            return viewport(clip[:, :3] / clip[:, 3:])
 
         return Way(run, np.transpose)
 
@@ -235,17 +273,41 @@ def measure(
     choices = []
     for name, (errors, note) in found.items():
         precision = _PRECISIONS.get(name)
-        prediction = None if precision is None else predicted.get(precision)
-        values = {} if errors is None else {"error_depth": errors.depth}
-        if prediction is not None:
-            values["predicted_depth"] = prediction.depth
-        px, expected = (None if each is None else each.px for each in (errors, prediction))
+        expected = None if precision is None else predicted.get(precision)
         use = {} if precision in (None, "exact") else {"rung": str(precision)}
-        choices.append(Choice(name, None, None, px, expected, values, note, use))
-    choices += [Choice(name, None, None, None, note=note) for name, note in missing.items()]
-    trade, runs = Trade("arithmetic", "ns", "px", tuple(choices), 0), all_ways.items()
+        choice = _choice(name, errors, expected, note, use, all_ways[name].bytes)
+        choices.append(replace(choice, library=name in others))
+    box = np.stack([points_world.min(axis=0), points_world.max(axis=0)])
+    for name, (hardware, drawn) in CHEAP.items():
+        picture = cheap(projection, world, hardware, origin, box)
+        answers = np.column_stack([picture.image, picture.depth])[where]
+        errors, note = _largest(reference, answers)
+        bounds = picture.bounds.max(axis=0).tolist()
+        prediction = Prediction(max(bounds[:2]), bounds[2])
+        use = {"scene": "cheap-arithmetic", **drawn}
+        note, size = note or IN_SOFTWARE, hardware.bytes_per_vertex
+        choices.append(_choice(name, errors, prediction, note, use, size))
+    choices += [
+        Choice(name, None, None, None, note=note, library=True) for name, note in missing.items()
+    ]
+    trade = Trade("arithmetic", "ns", "px", tuple(choices), 0)
+    runs = {name: way.run for name, way in all_ways.items()}
     with np.errstate(all="ignore"):
-        return timed(trade, {name: way.run for name, way in runs}, seconds, 1e9 / len(world), watch)
+        return timed(trade, runs, seconds, 1e9 / len(world), watch)
+
+
+def _choice(
+    name: str,
+    errors: Prediction | None,
+    predicted: Prediction | None,
+    note: str,
+    use: Mapping[str, str],
+    size: float | None,
+) -> Choice:
+    depths = {"error_depth": errors, "predicted_depth": predicted}
+    values = {key: each.depth for key, each in depths.items() if each is not None}
+    px, expected = (None if each is None else each.px for each in (errors, predicted))
+    return Choice(name, None, None, px, expected, values, note, use, size)
 
 
 def _largest(reference: Truth, answers: Array) -> tuple[Prediction | None, str]:
@@ -262,7 +324,7 @@ def _largest(reference: Truth, answers: Array) -> tuple[Prediction | None, str]:
 
 @dataclass(frozen=True)
 class Range:
-    """The range of a sweep.
+    """The range of a sweep, and the part of it that a sweep covers unless another is asked for.
 
     ``set(projection, value)`` returns the projection with that value, and the offset of the
     points, (3,).
@@ -271,6 +333,7 @@ class Range:
     unit: str
     low: float
     high: float
+    usual: tuple[float, float]
     set: Callable[[Projection, float], tuple[Projection, Array]]
     from_top: bool = False
     """Whether the steps also shrink towards the upper end: 179.9, 179.99, ..."""
@@ -327,14 +390,14 @@ def _perspective(projection: Projection) -> Perspective:
 
 
 SWEEPS: dict[str, Range] = {
-    "near": Range("", 1e-200, 1e99, _with_near),
-    "far": Range("", 1e-6, 1e99, _with_far),
-    "fov": Range("°", 1e-80, 180.0 - 1e-12, _with_fov, from_top=True),
-    "distance": Range("", 1e-3, 1e16, _with_distance),
-    "up": Range("°", 1e-13, 90.0, _with_up_angle),
-    "aspect": Range("", 1e-12, 1e12, _with_aspect),
+    "near": Range("", 1e-200, 1e99, (1e-6, 1e9), _with_near),
+    "far": Range("", 1e-6, 1e99, (1e-6, 1e9), _with_far),
+    "fov": Range("°", 1e-80, 180.0 - 1e-12, (1.0, 179.0), _with_fov, from_top=True),
+    "distance": Range("", 1e-3, 1e16, (1.0, 1e9), _with_distance),
+    "up": Range("°", 1e-13, 90.0, (1.0, 90.0), _with_up_angle),
+    "aspect": Range("", 1e-12, 1e12, (0.1, 10.0), _with_aspect),
 }
-"""Every parameter that can be swept, with its whole range."""
+"""Every parameter that can be swept: from where float64 ends, and where a person would set it."""
 
 
 def values_of(
@@ -342,11 +405,11 @@ def values_of(
 ) -> tuple[float, ...]:
     """Return at least 2 values of a sweep, logarithmically spaced from `low` to `high`.
 
-    An end that is None is that of the whole range.
+    An end that is None is that of the usual range.
     """
     swept = SWEEPS[parameter]
-    low = swept.low if low is None else low
-    high = swept.high if high is None else high
+    low = swept.usual[0] if low is None else low
+    high = swept.usual[1] if high is None else high
     if swept.from_top and low < 90.0 < high:
         half = count // 2
         rising = np.geomspace(low, 90.0, count - half)
@@ -361,18 +424,18 @@ def sweep(
     points_world: Array,
     values: Sequence[float],
     watch: Watch = unwatched,
+    at: Callable[[str, Projection, Array, float], Mapping[str, Answer]] | None = None,
 ) -> Sweep:
-    """Measure the errors of every precision, and of VTK's own camera, over a parameter's range.
+    """Measure something at every value of a parameter, with the scene's points (n, 3).
 
-    `in_view` moves the scene's points (n, 3) into the view volume at every value.
+    `at` returns the answer of each choice; by default `errors`.
 
     Raises
     ------
     Cancelled
         By `watch`; with the values done.
     """
-    names = (*_PRECISIONS, "VTK's camera")
-    found: dict[str, list[_Answer]] = {name: [] for name in names}
+    found: dict[str, list[Answer]] = {}
     complete, done = True, 0
     for done, value in enumerate(values):
         try:
@@ -380,8 +443,8 @@ def sweep(
         except Cancelled:
             complete = False
             break
-        for name, answer in _at(parameter, projection, points_world, value).items():
-            found[name].append(answer)
+        for name, answer in (at or errors)(parameter, projection, points_world, value).items():
+            found.setdefault(name, []).append(answer)
     curves = {name: _curve(answers) for name, answers in found.items()}
     measured = tuple(values) if complete else tuple(values[:done])
     swept = Sweep(parameter, SWEEPS[parameter].unit, measured, curves, complete)
@@ -390,7 +453,7 @@ def sweep(
     return swept
 
 
-def _curve(answers: Sequence[_Answer]) -> Curve:
+def _curve(answers: Sequence[Answer]) -> Curve:
     measured, predicted, notes = zip(*answers, strict=True) if answers else ((), (), ())
 
     def column(parts: Sequence[Prediction | None], name: str) -> tuple[float | None, ...]:
@@ -400,28 +463,35 @@ def _curve(answers: Sequence[_Answer]) -> Curve:
     return Curve(*errors, column(predicted, "px"), column(predicted, "depth"), notes)
 
 
-_Answer: TypeAlias = tuple[Prediction | None, Prediction | None, str]
+Answer: TypeAlias = tuple[Prediction | None, Prediction | None, str]
 """The largest errors, the prediction, and the reason for a missing number."""
 
 
-def _at(
+def errors(
     parameter: str, projection: Projection, points_world: Array, value: float
-) -> Mapping[str, _Answer]:
-    """Return the answer of each choice at one value."""
+) -> Mapping[str, Answer]:
+    """Return the errors of every precision, and of VTK's own camera, at one value.
+
+    `in_view` moves the points (n, 3) into the view volume.
+    """
     try:
         there, moved = SWEEPS[parameter].set(projection, value)
     except Refusal as error:
-        return {name: (None, None, str(error)) for name in (*_PRECISIONS, "VTK's camera")}
+        names = (*_PRECISIONS, *([WORLD] if parameter == "distance" else []), "VTK's camera")
+        return dict.fromkeys(names, (None, None, str(error)))
     world = in_view(there, points_world + moved)
     reference = truth(there, world)
     origin = tuple(moved.tolist())
-    predicted = predict(there, world, origin) or {}
-    found: dict[str, _Answer] = {}
+    origins = {name: (precision, origin) for name, precision in _PRECISIONS.items()}
+    if parameter == "distance":
+        origins[WORLD] = "float32", (0.0, 0.0, 0.0)
+    found: dict[str, Answer] = {}
     with np.errstate(all="ignore"):
-        for name, precision in _PRECISIONS.items():
-            traced = trace(there, world, precision, origin)
-            errors, note = _largest(reference, np.column_stack([traced.image, traced.depth]))
-            found[name] = (errors, predicted.get(precision), note)
+        for name, (precision, start) in origins.items():
+            traced = trace(there, world, precision, start)
+            largest, note = _largest(reference, np.column_stack([traced.image, traced.depth]))
+            predicted = predict(there, world, start) or {}
+            found[name] = (largest, predicted.get(precision), note)
         found["VTK's camera"] = _vtk_camera(there, world, reference)
     return found
 
@@ -467,7 +537,7 @@ def _spread(projection: Projection, pixels: Array, depth: Array) -> Array:
     return world
 
 
-def _vtk_camera(projection: Projection, world: Array, reference: Truth) -> _Answer:
+def _vtk_camera(projection: Projection, world: Array, reference: Truth) -> Answer:
     """Set VTK's own camera as a program would, and note which of the values it changes."""
     lens, camera = projection.lens, vtkCamera()
     camera.SetPosition(*projection.camera.eye)

@@ -1,10 +1,10 @@
 """Charts of measurements: as data that the window draws, and as pictures.
 
-A trade's chart shows time against error with the choices as points. A line joins the choices that
-no other choice beats in both; the others are faded. A sweep's chart has a curve for each way of
-computing, a cross where the way breaks, and a bar along the top where it has no answer. Both axes
-are logarithmic, except for memory. A point of error 0 or infinity is at the edge, and its name says
-so.
+A trade's chart shows cost against error with the choices as points. A line joins the choices that
+no other choice beats in both; the others are faded, and libraries are circles beside it. A sweep's
+chart has a curve for each way of computing, a cross where the way breaks, and a bar along the top
+where it has no answer. Both axes are logarithmic, except for a few bytes. A point of error 0 or
+infinity is at the edge, and its name says so.
 """
 
 from __future__ import annotations
@@ -23,7 +23,17 @@ import numpy as np
 from app.drawings.label_placement import beside
 from app.drawings.style import LIGHT
 from app.measure.meaning import meaning
-from app.measure.results import MEASURED_ONLY, Choice, Results, Sweep, Trade, named, plain
+from app.measure.results import (
+    BUSY,
+    GAPS,
+    MEASURED_ONLY,
+    Choice,
+    Results,
+    Sweep,
+    Trade,
+    named,
+    plain,
+)
 from app.model.refusal import QT_TRANSLATE_NOOP
 from app.scenes.phenomena.diagram import Curve, Diagram, Spot
 
@@ -48,7 +58,6 @@ TITLES = {
 _ACROSS = {
     "arithmetic": QT_TRANSLATE_NOOP("Measure", "ns a point"),
     "interpolation": QT_TRANSLATE_NOOP("Measure", "ns a pixel"),
-    "depth": QT_TRANSLATE_NOOP("Measure", "bytes a pixel"),
     "smoothing": QT_TRANSLATE_NOOP("Measure", "ms a frame"),
     "detail": QT_TRANSLATE_NOOP("Measure", "ms a frame"),
     "near": QT_TRANSLATE_NOOP("Measure", "near"),
@@ -58,6 +67,15 @@ _ACROSS = {
     "up": QT_TRANSLATE_NOOP("Measure", "angle between up and view direction, degrees"),
     "aspect": QT_TRANSLATE_NOOP("Measure", "aspect of the window"),
 }
+_BYTES = {
+    "arithmetic": QT_TRANSLATE_NOOP("Measure", "bytes a point"),
+    "interpolation": QT_TRANSLATE_NOOP("Measure", "bytes an edge"),
+    "depth": QT_TRANSLATE_NOOP("Measure", "bytes a pixel"),
+    "smoothing": QT_TRANSLATE_NOOP("Measure", "bytes a pixel"),
+    "detail": QT_TRANSLATE_NOOP("Measure", "bytes of the mesh"),
+}
+_FEW_BYTES = 100.0
+"""Up to here the axis is linear."""
 FROM_180 = QT_TRANSLATE_NOOP("Measure", "180 − vertical fov, degrees")
 _UP = {
     "arithmetic": QT_TRANSLATE_NOOP("Measure", "error, px"),
@@ -73,6 +91,8 @@ SEEN = QT_TRANSLATE_NOOP("Measure", "{0}; eye {1}, target {2}, {3}")
 _COLOURS = ("u", "n", "v", "accent", "near", "far")
 _WIDEST = 1e6
 """Largest error in px that a sweep's chart shows; beyond it the picture is useless."""
+_WIDE_DEG = 179.0
+"""A sweep to larger angles has a chart of its own for those above 90 degrees."""
 _SAME = 0.005
 """Largest distance, in decades, of points that share one name."""
 _HEIGHT = 0.07
@@ -84,6 +104,14 @@ def title(part: Trade | Sweep, translate: Callable[[str], str] = str) -> str:
     name = part.name if isinstance(part, Trade) else part.parameter
     text = translate(TITLES[name])
     return text if part.complete else translate(CANCELLED_TITLE).format(text)
+
+
+def remark(trade: Trade, translate: Callable[[str], str] = str) -> str:
+    """Say what a reader of the chart must know: a busy machine, a mesh that is not the scene's."""
+    notes = [BUSY if trade.is_busy else ""]
+    if trade.name == "detail":
+        notes += [choice.note for choice in trade.choices[:1]]
+    return "; ".join(named(note, translate) for note in notes if note)
 
 
 def where(results: Results) -> str:
@@ -154,9 +182,10 @@ def diagrams(
     return _of_sweep(part, overlaid_sweep, other_name, translate)
 
 
-def is_current(choice: Choice, current: Mapping[str, str]) -> bool:
-    """Whether a choice is in use."""
-    return bool(choice.use) and all(current.get(key) == use for key, use in choice.use.items())
+def in_use(trade: Trade, current: Mapping[str, str]) -> Choice | None:
+    """Return the choice that says most of what is in use; None if none does."""
+    found = [c for c in trade.choices if c.use and c.use.items() <= current.items()]
+    return max(found, key=lambda choice: len(choice.use), default=None)
 
 
 def _ends(values: Iterable[float | None], pad: float) -> tuple[float, float] | None:
@@ -182,14 +211,15 @@ def _of_trade(
     other_name: str,
     translate: Callable[[str], str],
 ) -> tuple[Diagram, ...]:
-    memory = trade.name == "depth"
     shown = [trade, *([other] if other else [])]
     both = [c for each in shown for c in each.choices if c.error is not None]
     costs = [c.cost for c in both if c.cost is not None and 0.0 < c.cost < math.inf]
     if not costs or not any(c.cost in costs for c in trade.choices):
         return ()
-    across = (0.0, max(costs) + 1.0) if memory else _ends(costs, 0.2) or (0.1, 10.0)
-    up = _ends((c.error for c in both), 0.15) or (1e-16, 1.0)
+    paid = trade.cost_unit == "B"
+    memory = paid and max(costs) <= _FEW_BYTES
+    across = (0.0, 1.15 * max(costs)) if memory else _ends(costs, 0.2) or (0.1, 10.0)
+    up = _ends((c.error for c in both if c.cost in costs), 0.15) or (1e-16, 1.0)
 
     def point(choice: Choice) -> tuple[float, float]:
         return choice.cost or 0.0, _placed(choice.error or 0.0, *up)
@@ -206,7 +236,8 @@ def _of_trade(
     curves.append(Curve(points(frontier), "n", width=1.3))
     placed = [c for c in trade.choices if c.cost in costs and c.error is not None]
     # The most important spots are named first.
-    placed.sort(key=lambda c: (not is_current(c, current), c not in frontier))
+    now = in_use(trade, current)
+    placed.sort(key=lambda c: (c is not now, c not in frontier))
     spots: list[Spot] = []
     named: list[tuple[float, float]] = []
     for choice in placed:
@@ -214,11 +245,10 @@ def _of_trade(
         here = [c for c in placed if _is_near(point(c), (x, y))]
         name = "" if any(_is_near(p, (x, y)) for p in named) else _common(here, translate)
         named.append((x, y))
-        marked = is_current(choice, current)
         spots.append(
             Spot(
                 x, y, name, choice.name, _tip(trade, choice, translate), "n",
-                faded=trade.is_beaten(choice), marked=marked,
+                faded=trade.is_beaten(choice), marked=choice is now, hollow=choice.library,
             )
         )  # fmt: skip
     if any(spot.marked for spot in spots):
@@ -226,8 +256,9 @@ def _of_trade(
         spots[0] = replace(spots[0], name=named_now, marked=True)
     return (
         Diagram(
-            title(trade, translate), tuple(curves), *across, *up,
-            translate(_ACROSS[trade.name]), translate(_UP[trade.name]),
+            ": ".join(filter(None, (title(trade, translate), remark(trade, translate)))),
+            tuple(curves), *across, *up,
+            translate((_BYTES if paid else _ACROSS)[trade.name]), translate(_UP[trade.name]),
             x_log=not memory, y_log=True, spots=tuple(spots),
         ),
     )  # fmt: skip
@@ -262,14 +293,16 @@ def _of_sweep(
 ) -> tuple[Diagram, ...]:
     shown = [sweep, *([other] if other else [])]
     errors = [e for each in shown for c in each.curves.values() for e in c.errors]
-    within = [e if e is None else min(max(e, 1e-20), _WIDEST) for e in errors]
+    gaps = sweep.parameter in GAPS
+    widest = math.inf if gaps else _WIDEST
+    within = [e if e is None else min(max(e, 1e-20), widest) for e in errors]
     up = _ends((e for e in within if e), 0.12) or (1e-16, 1.0)
     up = up[0], up[1] * (up[1] / up[0]) ** (_HEIGHT * len(sweep.curves))
     values = [v for each in shown for v in each.values if 0.0 < v < math.inf]
     sides: list[tuple[Callable[[float], float], list[float], str]] = [
         (float, values, _ACROSS[sweep.parameter])
     ]
-    if sweep.parameter == "fov":
+    if sweep.parameter == "fov" and max(values, default=0.0) > _WIDE_DEG:
         sides = [
             (float, [v for v in values if v <= 90.0], _ACROSS["fov"]),
             (lambda v: 180.0 - v, [v for v in values if 90.0 <= v < 180.0], FROM_180),
@@ -292,7 +325,8 @@ def _of_sweep(
                 ys = [curve.errors[i] for i in kept]
                 places = [math.nan if y is None else max(y, up[0] * 1.3) for y in ys]
                 line = np.column_stack([xs, places])
-                curves.append(Curve(line, colour, name if each is sweep else "", width))
+                own = named(name, translate) if each is sweep else ""
+                curves.append(Curve(line, colour, own, width))
                 if each is sweep:
                     bar_y = up[1] / (up[1] / up[0]) ** (_HEIGHT * (number + 0.5))
                     notes = [curve.notes[i] for i in kept]
@@ -302,7 +336,8 @@ def _of_sweep(
         text = title(sweep, translate)
         found.append(
             Diagram(
-                text, tuple(curves), *across, *up, translate(label), translate(ERROR_PX),
+                text, tuple(curves), *across, *up, translate(label),
+                translate(_UP["depth"] if gaps else ERROR_PX),
                 x_log=True, y_log=True, spots=tuple(spots),
             )
         )  # fmt: skip
@@ -351,7 +386,7 @@ def picture(
     """Draw all charts of some results with matplotlib; return the bytes of the file.
 
     The ending of `file` selects the format: one of `ENDINGS`. The other parameters are as for
-    `diagrams`; `other` is drawn over the charts of the same name.
+    `diagrams`; `other` is drawn over the charts of the same name. For bytes, draw `results.by`.
     """
     from matplotlib.figure import Figure
     from PIL import Image
@@ -440,7 +475,10 @@ def _draw(ax: Axes, chart: Diagram) -> None:
     for spot in chart.spots:
         colour = _colour("muted" if spot.faded else spot.colour)
         marker, size = ("x", 6.0) if spot.broken else ("o", 4.0 if spot.faded else 5.5)
-        ax.plot([spot.x], [spot.y], marker, color=colour, markersize=size, clip_on=False)
+        inside = "white" if spot.hollow else colour
+        ax.plot(
+            [spot.x], [spot.y], marker, color=colour, mfc=inside, markersize=size, clip_on=False
+        )
         if spot.marked:
             ax.plot([spot.x], [spot.y], "o", mfc="none", mec=LIGHT.u, markersize=10.0, mew=1.5)
     if any(curve.label for curve in chart.curves):

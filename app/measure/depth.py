@@ -1,4 +1,4 @@
-"""Trade 3, depth buffer: bytes per pixel against the least distance it can resolve.
+"""Trade 3, depth buffer: bytes per pixel against the least distance it can resolve; its sweeps.
 
 Nothing is rasterised: this module encodes surfaces at known distances as the formats define it.
 """
@@ -6,16 +6,18 @@ Nothing is rasterised: this module encodes surfaces at known distances as the fo
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
 import numpy as np
 
-from app.measure.results import Choice, Trade
+from app.measure.arithmetic import SWEEPS, Answer
+from app.measure.results import BUFFERS, Choice, Trade
 from app.measure.run import Watch, unwatched
 from app.model.depth import FORMATS, MAPPINGS, DepthBuffer
-from app.model.projection import Projection
+from app.model.projection import Array, Projection
 from app.model.refusal import QT_TRANSLATE_NOOP, Cancelled, Refusal
+from app.precision.levels import Prediction
 
 PAIRS = 10_000
 """Number of pairs of neighbours at even distances from near to far (N. Reed, 2015)."""
@@ -24,6 +26,7 @@ FARTHEST = 1e4
 _EDGES = 4
 """Edges of a surface's code and the next two, because wide and narrow codes may alternate."""
 
+NOT_TOLD = QT_TRANSLATE_NOOP("Measure", "tells nothing behind it apart")
 BEYOND = QT_TRANSLATE_NOOP("Measure", "the target lies outside of near and far")
 
 
@@ -68,6 +71,26 @@ def measure(projection: Projection, watch: Watch = unwatched) -> Trade:
 
 def _trade(choices: Sequence[Choice]) -> Trade:
     return Trade("depth", "B", "world units", tuple(choices), 1)
+
+
+def gaps(
+    parameter: str, projection: Projection, _points_world: Array, value: float
+) -> Mapping[str, Answer]:
+    """Return the gap of each of `BUFFERS` at one value of near or far, for `arithmetic.sweep`.
+
+    The surface is the target, or at 2 near or far / 2 if the target would lie outside.
+    """
+    distance = -float(projection.trace(projection.camera.target).view[2])
+    lens = SWEEPS[parameter].set(projection, value)[0].lens
+    distance = distance if distance < lens.far else lens.far / 2.0
+    distance = distance if distance > lens.near else 2.0 * lens.near
+    found: dict[str, Answer] = {}
+    for name, drawn in BUFFERS.items():
+        buffer = DepthBuffer(drawn["depth_format"], drawn["depth_mapping"], lens)
+        gap, predicted = smallest_gap(buffer, distance), float(buffer.gap(distance))
+        told = Prediction(gap, gap) if math.isfinite(gap) else None
+        found[name] = told, Prediction(predicted, predicted), "" if told else NOT_TOLD
+    return found
 
 
 def _shares(buffer: DepthBuffer) -> dict[str, float]:

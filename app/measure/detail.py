@@ -1,7 +1,7 @@
 """Trade 5, detail: ms per frame, loading time and memory against the silhouette's error.
 
-The mesh is drawn whole and with ever fewer triangles. Each picture's outline of the covered area is
-found at `FINER` times the resolution.
+The mesh is drawn whole and with ever fewer triangles, or a sphere where the scene has too few. Each
+picture's outline of the covered area is found at `FINER` times the resolution.
 """
 
 from __future__ import annotations
@@ -21,12 +21,15 @@ from app.measure.smoothing import SMOOTHINGS, pane, picture_size
 from app.model.projection import Projection
 from app.model.refusal import QT_TRANSLATE_NOOP, Cancelled
 from app.scenes.fewer_triangles import SHARES, can_be_reduced, reduced
+from app.scenes.finishing import vector
 from app.scenes.scene import Scene
 
 FINER = 3.0
 """Pixels of the outline's picture per shown pixel, along each side."""
 
-TOO_FEW = QT_TRANSLATE_NOOP("Measure", "the scene has too few triangles to leave any out")
+_RINGS = 160  # of the sphere
+
+TOO_FEW = "a sphere: the scene has too few triangles"
 NOT_SEEN = QT_TRANSLATE_NOOP("Measure", "nothing of the scene is in the picture")
 
 _BLOCK = 2048
@@ -37,16 +40,18 @@ def measure(
 ) -> Trade:
     """Measure trade 5.
 
-    The cost is ms per frame. The error is the Hausdorff distance of the two outlines, the largest
-    distance of a point of one from the other, in px of a pane-sized picture.
+    The cost is ms per frame, and bytes of positions and corners in 32 bits each. The error is the
+    Hausdorff distance of the two outlines, the largest distance of a point of one from the other,
+    in px of a pane-sized picture.
 
     Raises
     ------
     Cancelled
         By `watch`; with the choices so far.
     """
-    if not can_be_reduced(scene):
-        return Trade("detail", "ms", "px", (Choice("100 %", None, None, None, note=TOO_FEW),), 0)
+    own = can_be_reduced(scene)
+    if not own:
+        scene = sphere(projection)
     size = picture_size(projection)
     whole: NDArray[np.float64] | None = None
     runs: dict[str, Callable[[], Any]] = {}
@@ -71,14 +76,30 @@ def measure(
             runs[name]()
             values = {
                 "triangles": float(fewer.surface.n_cells),
-                "memory_mb": fewer.surface.actual_memory_size / 1024.0,
                 "reduce_ms": 1e3 * made,
                 "first_frame_ms": 1e3 * (time.perf_counter() - began),
             }
-            note, use = NOT_SEEN if error is None else "", {"detail": f"{share:g}"}
-            choice = Choice(name, None, None, error, None, values, note, use)
+            note = NOT_SEEN if error is None else "" if own else TOO_FEW
+            use = {"detail": f"{share:g}"} if own else {}
+            buffers = 12.0 * (fewer.surface.n_points + fewer.surface.n_cells)
+            choice = Choice(name, None, None, error, None, values, note, use, buffers)
             trade = replace(trade, choices=(*trade.choices, choice))
         return timed(trade, runs, seconds, 1e3, part_of(watch, 0.5, 1.0))
+
+
+def sphere(projection: Projection) -> Scene:
+    """Return a sphere of many triangles at the target, a third of the picture's height in size."""
+    import pyvista as pv
+
+    camera, (_, _, bottom, top) = projection.camera, projection.window
+    radius = float(projection.lens.enlarged(np.array(camera.distance))) * (top - bottom) / 3.0
+    mesh = pv.Sphere(radius=radius, theta_resolution=_RINGS, phi_resolution=_RINGS)
+    mesh.cell_data["rgb"] = np.full((mesh.n_cells, 3), 200, dtype=np.uint8)
+    ends = [vector(np.array(camera.target) + side * radius) for side in (-1.0, 1.0)]
+    return Scene(
+        name="sphere", origin=camera.target, surface=mesh, lines=None,
+        lower=ends[0], upper=ends[1], start=projection,
+    )  # fmt: skip
 
 
 def outline(scene: Scene, projection: Projection, size: tuple[int, int]) -> NDArray[np.float64]:

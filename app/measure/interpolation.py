@@ -16,7 +16,6 @@ from __future__ import annotations
 import itertools
 import math
 from collections.abc import Callable
-from functools import partial
 from typing import NamedTuple
 
 import numpy as np
@@ -31,6 +30,9 @@ from app.scenes.phenomena.interpolation import TEXELS, edge_error
 SPLITS = (1, 2, 4, 8, 16, 32, 64)
 SAMPLES_A_PIXEL = 16
 """Sampling density: the largest error may lie between the centres of pixels."""
+
+AFFINE_BYTES, CORRECT_BYTES = 16.0, 20.0
+"""Of a vertex on the screen in float32: x, y, depth and t; correct interpolation adds 1/w."""
 
 NOTHING = QT_TRANSLATE_NOOP("Measure", "no edge of the scene's box is in the picture")
 PARALLEL = QT_TRANSLATE_NOOP("Measure", "the whole edge is equally far away, so there is no error")
@@ -71,28 +73,41 @@ def steepest_edge(projection: Projection, corners_world: Array) -> Edge | None:
     return best
 
 
-def correct(edge: Edge, s: Array) -> Array:
-    """Return the perspective-correct texture coordinate at screen places s (n,), from 0 to 1."""
+def correct(edge: Edge, s: Array) -> Callable[[], Array]:
+    """Return a function that finds the perspective-correct texture coordinate at every pixel.
+
+    Set up for screen places s (n,), from 0 to 1. A pixel costs two interpolations and a division.
+    """
     one, other = 1.0 / float(edge.start[3]), 1.0 / float(edge.end[3])
-    t: Array = s * other / ((1.0 - s) * one + s * other)
-    return t
+    found, below = np.empty_like(s), np.empty_like(s)
+
+    def run() -> Array:
+        np.multiply(s, other - one, out=below)
+        np.add(below, one, out=below)
+        np.multiply(s, other, out=found)
+        return np.divide(found, below, out=found)
+
+    return run
 
 
-def affine(edge: Edge, s: Array, splits: int) -> Array:
-    """Interpolate the texture coordinate linearly on the screen between split points.
+def affine(edge: Edge, s: Array, splits: int) -> Callable[[], Array]:
+    """Return a function that interpolates linearly on the screen between split points.
 
-    s is as for `correct`, in rising order; `splits` pieces have equal lengths in the world.
+    s is as for `correct`, in rising order; `splits` pieces have equal lengths in the world. Every
+    pixel knows the line of its piece, so it costs one interpolation however many there are.
     """
     t = np.arange(splits + 1) / splits
     breaks = _on_screen(edge, t)
     steps = (1.0 / splits) / np.diff(breaks)
-    first = np.searchsorted(s, breaks[1:-1]).tolist()
-    found: Array = np.empty_like(s)
-    for piece, (low, high) in enumerate(itertools.pairwise([0, *first, len(s)])):
-        # One multiplication and one addition per pixel, no division: this makes it cheap.
-        np.multiply(s[low:high], steps[piece], out=found[low:high])
-        found[low:high] += t[piece] - steps[piece] * breaks[piece]
-    return found
+    piece = np.searchsorted(breaks[1:-1], s, side="right")
+    slopes, starts = steps[piece], (t[:-1] - steps * breaks[:-1])[piece]
+    found = np.empty_like(s)
+
+    def run() -> Array:
+        np.multiply(s, slopes, out=found)
+        return np.add(found, starts, out=found)
+
+    return run
 
 
 def _on_screen(edge: Edge, t: Array) -> Array:
@@ -141,10 +156,10 @@ def measure(
         return Trade("interpolation", "ns", "texels", (nothing,), 0)
     s = np.linspace(0.0, 1.0, max(2, math.ceil(SAMPLES_A_PIXEL * edge.length_px)))
     right = truth(edge, s)
-    runs: dict[str, Callable[[], Array]] = {"perspective-correct": partial(correct, edge, s)}
+    runs = {"perspective-correct": correct(edge, s)}
     for splits in SPLITS:
         name = f"affine, {splits} pieces" if splits > 1 else "affine"
-        runs[name] = partial(affine, edge, s, splits)
+        runs[name] = affine(edge, s, splits)
     choices = []
     for (name, run), splits in zip(runs.items(), (0, *SPLITS), strict=True):
         error = TEXELS * float(np.abs(run() - right).max())
@@ -156,6 +171,7 @@ def measure(
         }
         triangles = {"triangles": 2.0 * max(1, splits)}
         note = PARALLEL if edge.ratio == 1.0 else ""
-        choices.append(Choice(name, None, None, error, predicted, triangles, note, use))
+        size = AFFINE_BYTES * (splits + 1.0) if splits else 2.0 * CORRECT_BYTES
+        choices.append(Choice(name, None, None, error, predicted, triangles, note, use, size))
     trade = Trade("interpolation", "ns", "texels", tuple(choices), 0)
     return timed(trade, runs, seconds, 1e9 / len(s), watch)

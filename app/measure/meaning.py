@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 
-from app.measure.results import Choice, Trade, named, plain
+from app.measure.results import STEADY, Choice, Trade, named, plain
 from app.model.refusal import QT_TRANSLATE_NOOP
 
 GOOD_ENOUGH = {
@@ -17,16 +17,16 @@ GOOD_ENOUGH = {
 """An invisible error in the trade's unit: a hundredth of a pixel, half a texel, ..."""
 
 FASTEST_IS_BEST = QT_TRANSLATE_NOOP(
-    "Measure", "{0} is the fastest ({1}) and the most exact ({2}): there is nothing to trade."
+    "Measure", "{0} is the cheapest ({1}) and the most exact ({2}): there is nothing to trade."
 )
 TRADE_OFF = QT_TRANSLATE_NOOP(
     "Measure",
-    "{0} is the fastest ({1}, off by {2}), {3} the most exact ({4}, off by {5}); the cheapest"
+    "{0} is the cheapest ({1}, off by {2}), {3} the most exact ({4}, off by {5}); the cheapest"
     " that is off by less than {6} is {7}.",
 )
 NONE_GOOD = QT_TRANSLATE_NOOP(
     "Measure",
-    "{0} is the fastest ({1}, off by {2}), {3} the most exact ({4}, off by {5}); none is off by"
+    "{0} is the cheapest ({1}, off by {2}), {3} the most exact ({4}, off by {5}); none is off by"
     " less than {6}.",
 )
 DEPTH = QT_TRANSLATE_NOOP(
@@ -34,6 +34,24 @@ DEPTH = QT_TRANSLATE_NOOP(
     "At the target, {0} with {2} separates surfaces at least {1} world units apart; the finest, "
     "{3} with {4}, surfaces at least {5} apart.",
 )
+USUAL = {
+    "arithmetic": "float32",
+    "interpolation": "perspective-correct",
+    "depth": "fixed24, opengl",
+    "smoothing": "none",
+    "detail": "100 %",
+}
+"""The choice that the others are compared with."""
+_BARGAINS = {
+    ("time", True): QT_TRANSLATE_NOOP("Measure", "{0} instead of {1}: {2} times faster, {3}."),
+    ("time", False): QT_TRANSLATE_NOOP("Measure", "{0} instead of {1}: {2} times slower, {3}."),
+    ("bytes", True): QT_TRANSLATE_NOOP("Measure", "{0} instead of {1}: {2} times smaller, {3}."),
+    ("bytes", False): QT_TRANSLATE_NOOP("Measure", "{0} instead of {1}: {2} times larger, {3}."),
+}
+_AS_DEAR = QT_TRANSLATE_NOOP("Measure", "{0} instead of {1}: the same cost, {3}.")
+_PREDICTED = QT_TRANSLATE_NOOP("Measure", "at most {0} off")
+_MEASURED = QT_TRANSLATE_NOOP("Measure", "up to {0} off")
+_TOLD = QT_TRANSLATE_NOOP("Measure", "separates surfaces {0} apart")
 NOTHING = QT_TRANSLATE_NOOP("Measure", "Nothing could be measured: {0}.")
 
 
@@ -75,6 +93,24 @@ def meaning(trade: Trade) -> Meaning:
         f"{limit:g}{error}",
     )  # fmt: skip
     return Meaning(TRADE_OFF, (*ends, good.name)) if good else Meaning(NONE_GOOD, ends)
+
+
+def bargain(trade: Trade, choice: Choice, translate: Callable[[str], str] = str) -> str:
+    """Say what a choice buys and what it pays, compared with the usual one; empty if it cannot."""
+    usual = next((c for c in trade.choices if c.name == USUAL[trade.name]), choice)
+    if usual.name == choice.name or not (usual.cost and choice.cost) or choice.error is None:
+        return ""
+    ratio = usual.cost / choice.cost
+    paid = "bytes" if trade.cost_unit == "B" else "time"
+    template = _BARGAINS[paid, ratio > 1.0]
+    if max(ratio, 1.0 / ratio) <= (1.0 if paid == "bytes" else 1.0 + STEADY):
+        template = _AS_DEAR
+    error = choice.error if choice.predicted is None else max(choice.predicted, choice.error)
+    off = _MEASURED if choice.predicted is None else _PREDICTED
+    off = translate(_TOLD if trade.name == "depth" else off)
+    off = off.format(f"{_plain(error)} {named(trade.error_unit, translate)}")
+    names = (named(each.name, translate) for each in (choice, usual))
+    return translate(template).format(*names, _plain(max(ratio, 1.0 / ratio)), off)
 
 
 def _plain(value: float | None) -> str:

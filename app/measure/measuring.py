@@ -17,7 +17,7 @@ from app import __version__
 from app.document.codec import to_json
 from app.document.document import Document
 from app.measure import arithmetic, depth, detail, interpolation, smoothing
-from app.measure.results import Results, Sweep, Trade
+from app.measure.results import GAPS, Results, Sweep, Trade
 from app.measure.run import Watch, part_of, unwatched
 from app.model.projection import Projection
 from app.model.refusal import Cancelled
@@ -62,7 +62,7 @@ def measure_all(
     trades : sequence of str
         Names in `TRADES`.
     sweeps : mapping of str to (float, float)
-        The range of each of `app.measure.arithmetic.SWEEPS`; None for its default end.
+        The range of each of `app.measure.arithmetic.SWEEPS`; None for its usual end.
     quick : bool
         Shorter timings and fewer values: half a minute in all.
     opengl : bool
@@ -89,7 +89,8 @@ def measure_all(
             results = replace(results, trades=(*results.trades, trade))
         for (parameter, ends), part in zip(sweeps.items(), parts[len(trades) :], strict=True):
             values = arithmetic.values_of(parameter, QUICK_STEPS if quick else STEPS, *ends)
-            swept = arithmetic.sweep(parameter, projection, scene.sample, values, part)
+            at = depth.gaps if parameter in GAPS else arithmetic.errors
+            swept = arithmetic.sweep(parameter, projection, scene.sample, values, part, at)
             results = replace(results, sweeps=(*results.sweeps, swept))
     except Cancelled as cancelled:
         if isinstance(cancelled.partial, Trade):

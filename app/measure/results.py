@@ -1,10 +1,10 @@
 """The results of measurements and their file format; needs only the standard library.
 
 A `Trade` is one chart: choices, each with a cost and an error. A `Sweep` holds the errors of
-several choices over the whole range of one parameter. `Results` hold everything that one run
-measured and everything needed to repeat it::
+several choices over a range of one parameter, or the smallest gaps for near and far. `Results` hold
+everything that one run measured and everything needed to repeat it::
 
-    {"format": "frustum-lab-measurements", "version": 1,
+    {"format": "frustum-lab-measurements", "version": 2,
      "date": "2026-11-21T08:46:06+00:00", "complete": true,
      "machine": {"system": ..., "processor": ..., "cores": ..., "opengl": ...},
      "versions": {"frustum-lab": ..., "python": ..., "numpy": ..., "vtk": ...},
@@ -14,7 +14,8 @@ measured and everything needed to repeat it::
                  "columns": ["error_depth"],
                  "choices": [{"name": "float32", "cost": 12.1, "cost_p95": 12.9,
                               "error": 3.1e-4, "predicted": 3.1e-4,
-                              "values": {"error_depth": 6e-8}, "note": "", "use": {}}]}],
+                              "values": {"error_depth": 6e-8}, "note": "", "use": {},
+                              "bytes": 12, "library": false}]}],
      "sweeps": [{"parameter": "near", "unit": "", "values": [...],
                  "complete": true, "choices": {"float32": {"error": [...], "error_depth": [...],
                                                            "predicted": [...],
@@ -22,7 +23,7 @@ measured and everything needed to repeat it::
                                                            "notes": ["", ...]}}}]}
 
 An error is ``null`` if the choice answered NaN or nothing; the note gives the reason. An infinite
-error is ``"inf"``.
+error is ``"inf"``. In version 1 a cost was the median and not the least time.
 """
 
 from __future__ import annotations
@@ -33,13 +34,13 @@ import json
 import math
 import re
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field, fields
+from dataclasses import dataclass, field, fields, replace
 from typing import Any
 
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
 
 FORMAT = "frustum-lab-measurements"
-VERSION = 1
+VERSION = 2
 
 NOT_RESULTS = QT_TRANSLATE_NOOP("Refusal", "{0}: is not a file of measurements.")
 NEWER_RESULTS = QT_TRANSLATE_NOOP(
@@ -49,12 +50,18 @@ DAMAGED = QT_TRANSLATE_NOOP("Refusal", "{0}: is damaged: {1}.")
 MEASURED_ONLY = QT_TRANSLATE_NOOP(
     "Measure", "{0} is only measured: the panes are not drawn with it."
 )
+BUSY = QT_TRANSLATE_NOOP("Measure", "this machine is busy: compare again")
+_BUSY = 3.0
+"""A 95th percentile of more than this many least times comes from other programs."""
+STEADY = 0.05
+"""Least times that differ by a smaller part are equal: rounds repeat them no better."""
+COSTS = ("time", "bytes")
+"""What a choice can cost."""
 COLUMNS = {
     "error_depth": QT_TRANSLATE_NOOP("Measure", "depth error (of 1)"),
     "predicted_depth": QT_TRANSLATE_NOOP("Measure", "predicted depth error (of 1)"),
     "collapsed": QT_TRANSLATE_NOOP("Measure", "pairs collapsed (of 1)"),
     "collapsed_predicted": QT_TRANSLATE_NOOP("Measure", "predicted to collapse (of 1)"),
-    "memory_mb": QT_TRANSLATE_NOOP("Measure", "memory (MiB)"),
     "first_frame_ms": QT_TRANSLATE_NOOP("Measure", "first frame (ms)"),
     "reduce_ms": QT_TRANSLATE_NOOP("Measure", "reducing (ms)"),
 }
@@ -64,15 +71,31 @@ SWEEP_NOTES = {
     "far": QT_TRANSLATE_NOOP("Measure", "near is at most far / 4"),
 }
 """What a sweep changes besides its parameter, because near must be less than far."""
+GAPS = ("near", "far")
+"""The sweeps of the smallest gap in depth, in world units; the others have errors in px."""
 _JUDGED = QT_TRANSLATE_NOOP(
     "Measure", "the largest of up to {0} points against 200 digits of mpmath"
 )
 JUDGED = _JUDGED.format(64)
 """The definition of the errors of trade 1 and of the sweeps."""
+_SWEPT_FIELDS = {"near": "lens.near", "far": "lens.far", "fov": "lens.fov_y_deg"}
+_DRAWN = {"float32": {"rung": "float32"}, "float64, every stage": {"rung": "float64"}}
+BUFFERS = {
+    "fixed16": {"depth_format": "fixed16", "depth_mapping": "opengl"},
+    "fixed24": {"depth_format": "fixed24", "depth_mapping": "opengl"},
+    "float32": {"depth_format": "float32", "depth_mapping": "opengl"},
+    "float32, reversed": {"depth_format": "float32", "depth_mapping": "reversed"},
+}
+"""The depth buffers of the sweeps of near and far, as of `Choice.use`."""
+GAP = QT_TRANSLATE_NOOP(
+    "Measure", "the smallest gap at the target (at 2 near or far / 2 if it lies outside)"
+)
 WORDS = (
     QT_TRANSLATE_NOOP("Measure", "eye first"),
+    QT_TRANSLATE_NOOP("Measure", "world coordinates"),
     QT_TRANSLATE_NOOP("Measure", "every stage"),
     QT_TRANSLATE_NOOP("Measure", "exact"),
+    QT_TRANSLATE_NOOP("Measure", "{0} bits"),
     QT_TRANSLATE_NOOP("Measure", "numpy's hstack"),
     QT_TRANSLATE_NOOP("Measure", "VTK's transform"),
     QT_TRANSLATE_NOOP("Measure", "matplotlib's proj3d"),
@@ -88,7 +111,10 @@ WORDS = (
     QT_TRANSLATE_NOOP("Measure", "supersampling {0} x {0}"),
     QT_TRANSLATE_NOOP("Measure", "this OpenGL gives {0} samples"),
     QT_TRANSLATE_NOOP("Measure", "the same picture"),
+    QT_TRANSLATE_NOOP("Measure", "a sphere: the scene has too few triangles"),
     QT_TRANSLATE_NOOP("Measure", "p95"),
+    QT_TRANSLATE_NOOP("Measure", "bytes"),
+    BUSY,
     QT_TRANSLATE_NOOP("Measure", "predicted"),
     QT_TRANSLATE_NOOP("Measure", "world units"),
     QT_TRANSLATE_NOOP("Measure", "texels"),
@@ -103,6 +129,7 @@ WORDS = (
     QT_TRANSLATE_NOOP("Measure", "aspect"),
     *SWEEP_NOTES.values(),
     _JUDGED,
+    GAP,
 )
 """The translatable parts of the names of choices and columns."""
 
@@ -114,7 +141,7 @@ class Choice:
     Attributes
     ----------
     cost, cost_p95 : float or None
-        Median and 95th percentile, in the trade's unit; None if they were not measured.
+        Least time and 95th percentile, in the trade's unit; None if they were not measured.
     error : float or None
         The largest error; None if there is no number. Then `note` gives the reason.
     predicted : float or None
@@ -123,6 +150,10 @@ class Choice:
         Further columns of the table.
     use : mapping of str to str
         The settings that the panes take when the user picks this choice: ``{"rung": "float32"}``.
+    bytes : float or None
+        Memory of a point, an edge, a pixel or a mesh, which is the same on every machine.
+    library : bool
+        Another library's code: a reference mark that competes with no choice of this program.
     """
 
     name: str
@@ -133,6 +164,13 @@ class Choice:
     values: Mapping[str, float] = field(default_factory=dict)
     note: str = ""
     use: Mapping[str, str] = field(default_factory=dict)
+    bytes: float | None = None
+    library: bool = False
+
+    @property
+    def is_busy(self) -> bool:
+        """Whether other programs disturbed the timing."""
+        return self.cost_p95 is not None and self.cost_p95 > _BUSY * (self.cost or 0.0)
 
 
 @dataclass(frozen=True)
@@ -155,20 +193,45 @@ class Trade:
         return tuple(dict.fromkeys(name for choice in self.choices for name in choice.values))
 
     @property
+    def paid(self) -> tuple[str, ...]:
+        """The fields of `Choice` that are costs here."""
+        return ("cost",) if self.cost_unit == "B" else ("cost", "cost_p95", "bytes")
+
+    def by(self, cost: str) -> Trade:
+        """Return the trade with its bytes as its costs, if it has both and ``"bytes"`` is asked."""
+        if cost != "bytes" or all(choice.bytes is None for choice in self.choices):
+            return self
+        paid = tuple(replace(c, cost=c.bytes, cost_p95=c.bytes) for c in self.choices)
+        return replace(self, cost_unit="B", choices=paid)
+
+    @property
     def frontier(self) -> tuple[Choice, ...]:
-        """The choices that no other choice beats in both cost and error, cheapest first."""
-        placed = [c for c in self.choices if c.cost is not None and c.error is not None]
+        """The program's choices that none of the others beats in cost and error, cheapest first.
+
+        A choice is also beaten if a more exact one takes the same time, within `STEADY`.
+        """
+        placed = [c for c in self.choices if None not in (c.cost, c.error) and not c.library]
         placed.sort(key=lambda c: (c.cost, c.error))
-        found: list[Choice] = []
+        better: list[Choice] = []
         for choice in placed:
-            assert choice.error is not None
-            if not found or choice.error < (found[-1].error or 0.0):
-                found.append(choice)
+            if not better or (choice.error or 0.0) < (better[-1].error or 0.0):
+                better.append(choice)
+        same = 1.0 if self.cost_unit == "B" else 1.0 + STEADY
+        found: list[Choice] = []
+        for choice in reversed(better):
+            if not found or (found[0].cost or 0.0) > same * (choice.cost or 0.0):
+                found.insert(0, choice)
         return tuple(found)
 
     def is_beaten(self, choice: Choice) -> bool:
-        """Whether another choice is no worse in both cost and error; such a choice is grey."""
-        return None not in (choice.cost, choice.error) and choice not in self.frontier
+        """Whether another of the program's choices is no worse in both; such a choice is grey."""
+        measured = None not in (choice.cost, choice.error) and not choice.library
+        return measured and choice not in self.frontier
+
+    @property
+    def is_busy(self) -> bool:
+        """Whether other programs disturbed the timing of a choice."""
+        return any(choice.is_busy for choice in self.choices)
 
 
 @dataclass(frozen=True)
@@ -191,13 +254,25 @@ _CURVE_KEYS = ("error", "error_depth", "predicted", "predicted_depth", "notes")
 
 @dataclass(frozen=True)
 class Sweep:
-    """The errors over the range of one parameter; `complete` is False after a cancellation."""
+    """The errors over a range of one parameter; `complete` is False after a cancellation."""
 
     parameter: str
     unit: str
     values: tuple[float, ...]
     curves: Mapping[str, Curve]
     complete: bool = True
+
+    def use(self, row: int, column: int) -> dict[str, str]:
+        """Return what draws the panes with a cell of the table, in the form of `Choice.use`.
+
+        A curve's column adds its depth buffer or precision. Empty if the panes cannot draw it.
+        """
+        field = _SWEPT_FIELDS.get(self.parameter)
+        if field is None or row >= len(self.values):
+            return {}
+        drawn = BUFFERS if self.parameter in GAPS else _DRAWN
+        name = list(self.curves)[column - 1] if 0 < column <= len(self.curves) else ""
+        return {field: repr(self.values[row]), **drawn.get(name, {})}
 
 
 @dataclass(frozen=True)
@@ -221,6 +296,10 @@ class Results:
     trades: tuple[Trade, ...] = ()
     sweeps: tuple[Sweep, ...] = ()
     complete: bool = True
+
+    def by(self, cost: str) -> Results:
+        """Return the results with every trade `by` this cost."""
+        return replace(self, trades=tuple(trade.by(cost) for trade in self.trades))
 
 
 # --------------------------------------------------------------------------- text
@@ -335,6 +414,7 @@ class _Reader:
 
 _READ: dict[str, Callable[[_Reader], Any]] = {
     "str": _Reader.text,
+    "bool": _Reader.flag,
     "float | None": _Reader.maybe,
     "Mapping[str, float]": _Reader.numbers,
     "Mapping[str, str]": _Reader.texts,
@@ -407,11 +487,14 @@ def to_csv(part: Trade | Sweep) -> str:
     """Return one trade or sweep as CSV: commas, decimal points, column names in the first row."""
     rows: list[list[object]] = []
     if isinstance(part, Trade):
-        head = ["choice", f"cost_{part.cost_unit}", f"cost_p95_{part.cost_unit}"]
-        rows.append([*head, f"error_{part.error_unit}", "predicted", *part.columns, "note"])
+        unit = part.cost_unit
+        heads = {"cost": f"cost_{unit}", "cost_p95": f"cost_p95_{unit}", "bytes": "bytes"}
+        head = ["choice", *(heads[name] for name in part.paid), f"error_{part.error_unit}"]
+        rows.append([*head, "predicted", *part.columns, "note"])
         for c in part.choices:
-            row: list[object] = [c.name, c.cost, c.cost_p95, c.error, c.predicted]
-            rows.append([*row, *(c.values.get(name) for name in part.columns), c.note])
+            row: list[object] = [c.name, *(getattr(c, name) for name in part.paid)]
+            row += [c.error, c.predicted, *(c.values.get(name) for name in part.columns)]
+            rows.append([*row, _note(c)])
     else:
         rows.append([part.parameter, *part.curves])
         for i, value in enumerate(part.values):
@@ -421,6 +504,10 @@ def to_csv(part: Trade | Sweep) -> str:
     for row in rows:
         writer.writerow(["" if cell is None else cell for cell in row])
     return text.getvalue()
+
+
+def _note(choice: Choice) -> str:
+    return ", ".join(filter(None, (choice.note, BUSY if choice.is_busy else "")))
 
 
 CANCELLED = QT_TRANSLATE_NOOP("Measure", "cancelled")
@@ -462,19 +549,22 @@ def table(part: Trade | Sweep, *, all_digits: bool = False) -> list[list[str]]:
     """
     if isinstance(part, Trade):
         columns = part.columns
-        rows = [["", part.cost_unit, "p95", part.error_unit, "predicted"]]
+        heads = {"cost": part.cost_unit, "cost_p95": "p95", "bytes": "bytes"}
+        rows = [["", *(heads[name] for name in part.paid), part.error_unit, "predicted"]]
         judged = JUDGED if part.name == "arithmetic" else ""
         rows[0] += [*(COLUMNS.get(name, name) for name in columns), judged]
         for choice in part.choices:
-            numbers = [choice.cost, choice.cost_p95, choice.error, choice.predicted]
+            numbers = [getattr(choice, name) for name in part.paid]
+            numbers += [choice.error, choice.predicted]
             numbers += [choice.values.get(name) for name in columns]
             cells = [plain(number, 3) for number in numbers]
             unmeasured = choice.cost is None and not part.complete
-            note = choice.note or (CANCELLED if unmeasured else "")
+            note = _note(choice) or (CANCELLED if unmeasured else "")
             rows.append([choice.name, *cells, note])
         return rows
     name = ", ".join(filter(None, (part.parameter, part.unit)))
-    notes = filter(None, (JUDGED, SWEEP_NOTES.get(part.parameter)))
+    judged = GAP if part.parameter in GAPS else JUDGED
+    notes = filter(None, (judged, SWEEP_NOTES.get(part.parameter)))
     rows = [[name, *part.curves, ", ".join(notes)]]
     for i, value in enumerate(part.values):
         errors = [curve.errors[i] for curve in part.curves.values()]

@@ -1,23 +1,27 @@
-"""Timing: interleaved rounds for a limited time, which a watch may pause or cancel.
+"""Timing: interleaved rounds until the least times are steady, which a watch may pause or cancel.
 
-Each round runs every choice once, so that other load on the machine affects all choices alike.
+Each round runs every choice once, so that other load on the machine affects all choices alike. Load
+only adds to a time, so the least one is that of the work, and the spread is that of the machine.
 """
 
 from __future__ import annotations
 
 import statistics
 import time
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from typing import Any, NamedTuple, TypeAlias
 
-from app.measure.results import Trade
+from app.measure.results import STEADY, Trade
 from app.model.refusal import Cancelled
 
 _SHORTEST = 1e-3
 """Least duration of one timing in seconds; shorter runs are repeated and averaged."""
-LEAST_ROUNDS = 5
-
+LEAST_ROUNDS = 7
+"""Also the number of rounds whose least time must repeat that of all before."""
+MOST_ROUNDS = 2000
+_LEAST_PART = 0.2
+"""Of the time that is given: load that lasts for less than that is no part of the result."""
 
 Watch: TypeAlias = Callable[[float], None]
 """Called with the finished fraction before every timing.
@@ -40,9 +44,9 @@ def part_of(watch: Watch, first: float, last: float) -> Watch:
 
 
 class Times(NamedTuple):
-    """Median and 95th percentile of one run in seconds, and the number of rounds."""
+    """Least time and 95th percentile of one run in seconds, and the number of rounds."""
 
-    median: float
+    least: float
     p95: float
     rounds: int
 
@@ -50,7 +54,7 @@ class Times(NamedTuple):
 def in_turns(
     runs: Mapping[str, Callable[[], Any]], seconds: float, watch: Watch = unwatched
 ) -> dict[str, Times]:
-    """Time each run, round after round, for some `seconds` in all but at least a few rounds.
+    """Time each run, round after round, until all are `steady`, or for some `seconds` in all.
 
     Raises
     ------
@@ -61,7 +65,7 @@ def in_turns(
 
     def times() -> dict[str, Times]:
         return {
-            name: Times(statistics.median(each), percentile95(each), len(each))
+            name: Times(min(each), percentile95(each), len(each))
             for name, each in taken.items()
             if each
         }
@@ -74,20 +78,30 @@ def in_turns(
             began = time.perf_counter()
             run()
             repeats[name] = max(1, round(_SHORTEST / max(time.perf_counter() - began, 1e-9)))
-        start = time.perf_counter()
         rounds, spent = 0, 0.0
-        while rounds < LEAST_ROUNDS or spent < seconds:
+        while rounds < LEAST_ROUNDS or (
+            spent < seconds
+            and rounds < MOST_ROUNDS
+            and not (spent > _LEAST_PART * seconds and all(map(steady, taken.values())))
+        ):
             for name, run in runs.items():
                 watch(min(rounds / LEAST_ROUNDS, spent / max(seconds, 1e-9), 1.0))
                 began = time.perf_counter()
                 for _ in range(repeats[name]):
                     run()
-                taken[name].append((time.perf_counter() - began) / repeats[name])
-                spent = time.perf_counter() - start
+                took = time.perf_counter() - began
+                taken[name].append(took / repeats[name])
+                spent += took
             rounds += 1
     except Cancelled as cancelled:
         raise Cancelled(times()) from cancelled
     return times()
+
+
+def steady(times: Sequence[float]) -> bool:
+    """Whether the last rounds repeat the least time of all before, to a part of `STEADY`."""
+    before, last = times[:-LEAST_ROUNDS], times[-LEAST_ROUNDS:]
+    return bool(before) and abs(min(before) - min(last)) <= STEADY * min(times)
 
 
 def timed(
@@ -119,8 +133,8 @@ def timed(
     choices = []
     for choice in trade.choices:
         if choice.name in times:
-            median, p95, _ = times[choice.name]
-            choice = replace(choice, cost=per_second * median, cost_p95=per_second * p95)
+            least, p95, _ = times[choice.name]
+            choice = replace(choice, cost=per_second * least, cost_p95=per_second * p95)
         choices.append(choice)
     rounds = min((each.rounds for each in times.values()), default=0)
     found = replace(trade, choices=tuple(choices), rounds=rounds, complete=complete)

@@ -101,7 +101,8 @@ def measure(
             runs[smoothing.name] = frame
             difference = shown(read(), smoothing.scale, size) - reference
             error, name = float(np.sqrt((difference**2).mean())), smoothing.name
-            choices.append(Choice(name, None, None, error, note=note, use={"smoothing": name}))
+            use, paid = {"smoothing": name}, memory(smoothing)
+            choices.append(Choice(name, None, None, error, note=note, use=use, bytes=paid))
         trade = Trade("smoothing", "ms", "levels RMS", tuple(choices), 0)
         return timed(trade, runs, seconds, 1e3, watch)
 
@@ -125,6 +126,13 @@ def pictures() -> list[tuple[Smoothing, str]]:
         notes = [] if as_asked else [OTHER_SAMPLES.format(drawn.samples)]
         kept.append((one, ", ".join(notes + (others and [*others, SAME_PICTURE]))))
     return kept
+
+
+def memory(smoothing: Smoothing) -> float:
+    """Return the bytes a shown pixel: colour and depth of every sample, and the finished colour."""
+    samples = smoothing.scale**2 * max(1, smoothing.samples)
+    finished = 0.0 if smoothing == Smoothing(smoothing.name) else 4.0
+    return 8.0 * samples + finished
 
 
 def picture_size(projection: Projection) -> tuple[int, int]:

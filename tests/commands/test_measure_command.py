@@ -17,7 +17,7 @@ from app.bootstrap import ROOT
 from app.commands.arguments import check_out
 from app.commands.options import CliError
 from app.measure.arithmetic import SWEEPS
-from app.measure.meaning import cheapest, meaning
+from app.measure.meaning import bargain, cheapest, meaning
 from app.measure.measuring import NEED_OPENGL, TRADES
 from app.measure.results import Choice, Trade, from_json, to_csv
 from tests import PATIENCE_S
@@ -37,7 +37,7 @@ def test_a_trade_and_a_sweep_are_printed_and_written(tmp_path: Path) -> None:
     (sweep,) = results.sweeps
     assert sweep.values[0] == pytest.approx(0.01) and sweep.values[-1] == pytest.approx(5.0)
     assert results.machine["opengl"] not in ("", "none")
-    assert "fixed24, reversed" in done.stdout and "largest error in px" in done.stdout
+    assert "fixed24, reversed" in done.stdout and "smallest gap in world units" in done.stdout
     assert meaning(results.trades[0]).sentence() in done.stdout
     lines = table.read_text().splitlines()
     assert lines[0].startswith("choice,cost_B") and "" in lines
@@ -196,7 +196,7 @@ def choice(name: str, cost: float | None, error: float | None, note: str = "") -
 @pytest.mark.parametrize(
     "choices, words",
     [
-        ([choice("a", 1.0, 1e-3)], "a is the fastest (1 ns) and the most exact"),
+        ([choice("a", 1.0, 1e-3)], "a is the cheapest (1 ns) and the most exact"),
         (
             [choice("a", 1.0, 1.0), choice("b", 2.0, 1e-3), choice("c", 3.0, 1e-9)],
             "the cheapest that is off by less than 0.01 px is b",
@@ -210,6 +210,29 @@ def test_a_trade_has_one_sentence(choices: list[Choice], words: str) -> None:
     said = meaning(Trade("arithmetic", "ns", "px", tuple(choices), 5))
     assert words in said.sentence()
     assert said.sentence(lambda template: template.upper()) != said.sentence()
+
+
+@pytest.mark.parametrize(
+    ("cost", "name", "words"),
+    [
+        ("bytes", "12 bits", "12 bits instead of float32: 2.7 times smaller, at most 0.4 px off."),
+        ("bytes", "wide", "wide instead of float32: 2 times larger, up to 1e-13 px off."),
+        ("time", "12 bits", "12 bits instead of float32: 2 times slower, at most 0.4 px off."),
+        ("time", "wide", "wide instead of float32: the same cost, up to 1e-13 px off."),
+        ("time", "float32", ""),
+        ("time", "untimed", ""),
+    ],
+)
+def test_a_bargain_names_what_is_bought_and_what_is_paid(cost: str, name: str, words: str) -> None:
+    choices = (
+        Choice("float32", 10.0, 11.0, 1e-5, 1e-4, bytes=12.0),
+        Choice("12 bits", 20.0, 21.0, 0.1, 0.4, bytes=4.5),
+        Choice("wide", 10.4, 11.0, 1e-13, bytes=24.0),
+        Choice("untimed", None, None, 1.0, bytes=6.0),
+    )
+    trade = Trade("arithmetic", "ns", "px", choices, 7).by(cost)
+    (chosen,) = (each for each in trade.choices if each.name == name)
+    assert bargain(trade, chosen) == words
 
 
 def test_the_cheapest_that_is_good_enough() -> None:

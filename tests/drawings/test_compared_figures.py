@@ -211,7 +211,7 @@ def test_if_the_world_is_the_slide_worlds_are_compared() -> None:
     assert worlds("world", "image").view.compares_in == "image"
     size, text_pt = (640, 320), usual_text_pt((1280, 720), ("world",), (640, 320))
     both = figure(document, "world", size=size, text_pt=text_pt)
-    (_, _, wide, high), (left, top, other_wide, _) = places_of(
+    (_, _, wide, _), (left, top, other_wide, _) = places_of(
         "world", *size, [16 / 9] * 2, text_pt * DPI / 72.0
     )
     assert wide == other_wide and top == 0

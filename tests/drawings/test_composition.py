@@ -11,6 +11,7 @@ from app.document.document import Document
 from app.document.naming import nameable
 from app.document.settings import set_values
 from app.drawings.composition import CAPITAL, Measured, Placed, measured
+from app.model.projection import Camera
 from app.scenes.scene import load
 from tests import composition
 
@@ -81,6 +82,55 @@ def test_overlaps_cuts_and_underscores_are_found() -> None:
     assert found.raw == ["a _ b $x_1$ y_p"]
     assert {"overlap", "cut", "raw"} <= set(kinds(found))
     assert not base.overlaps and not base.cut and not base.raw
+
+
+def test_a_name_without_a_place_is_hidden() -> None:
+    found = picture("world", "view.names=eye,near", em=70.0)
+    assert "near n = 4" in found.left_out and "eye" not in found.left_out
+    assert [each.text for each in found.labels] == ["eye"]
+    assert "hidden" in kinds(found)
+    assert not picture("world", "view.names=eye,near").left_out
+    hidden = picture("world", "view.names=eye,near", "view.layers=labels", em=70.0)
+    assert not hidden.left_out, "the view hides all labels"
+
+
+def test_a_name_of_a_point_behind_the_panes_camera_is_hidden() -> None:
+    found = load("letter-f")
+    document = set_values(Document("letter-f", found.start), ["view.names=eye"])
+    (x, y, z), target = document.projection.camera.eye, document.projection.camera.target
+    before = Camera((x - 0.5, y - 0.5, z - 0.5), target)
+    document = replace(document, view=replace(document.view, panes={"world": before}))
+    (measures,) = measured(document, found, "world", SIZE, 14.0)
+    assert measures.left_out == ("eye",)
+
+
+def test_a_label_on_the_point_of_another_one_is_a_fault() -> None:
+    base = picture("world", "view.names=eye")
+    ((text, (x, y)),) = base.points
+    assert text == "eye" and not base.covered
+    near = Placed("near", x - 5.0, y - 5.0, x + 5.0, y + 5.0, 14.0)
+    found = base._replace(labels=(*base.labels, near))
+    assert found.covered == [("near", "eye")] and kinds(found) == ["hidden"]
+    aside = near._replace(left=x + 1.0)
+    assert not base._replace(labels=(*base.labels, aside)).covered
+
+
+def test_the_points_of_labels_are_where_the_picture_shows_them() -> None:
+    """The picture lies in the middle of a high pane."""
+    found = load("interpolation")
+    document = Document("interpolation", found.start)
+    (high,) = measured(document, found, "image", (360, 900), 14.0)
+    assert len(high.points) == len(high.labels) == 2
+    for label in high.labels:
+        x, y = dict(high.points)[label.text]
+        to_right = max(label.left - x, 0.0, x - label.right)
+        up = max(label.low - y, 0.0, y - label.high)
+        assert 0.0 < to_right + up < 6.0 * label.em
+
+
+def test_the_named_planes_of_a_flat_view_fill_it() -> None:
+    values = "view.fixed=side", "lens.fov_y_deg=90", "lens.far=60", "view.names=eye,near,far"
+    assert max(picture("world", *values).fill) > 0.8
 
 
 @pytest.mark.parametrize(("em", "is_fault"), [(20.0, True), (36.7, False), (50.0, True)])
@@ -165,9 +215,7 @@ def test_the_stops_before_the_cube_fill_a_wide_pane(stage: str, names: str) -> N
         ("orthographic", {"l = −1", "r = 3", "b = −1.125", "t = 1.125"}),
     ],
 )
-def test_the_sides_of_the_window_are_named_with_their_numbers(
-    kind: str, values: set[str]
-) -> None:
+def test_the_sides_of_the_window_are_named_with_their_numbers(kind: str, values: set[str]) -> None:
     window = "lens.left=-1", "lens.right=3", "lens.bottom=-1.125", "lens.top=1.125"
     state = f"lens.kind={kind}", *window, "view.names=l,r,b,t"
     found = picture("world", *state)
@@ -193,3 +241,15 @@ def test_a_picture_shows_the_frames_that_it_names() -> None:
     lettered = picture("world", *moved, "view.names=frame-w,x,z,frame-e")
     assert {each.text for each in lettered.labels} == {"x", "z", "E"}
     assert {"frame-w", "x"} <= nameable("world", state_of("view.names=frame-w"), load("letter-f"))
+
+
+def test_the_named_axes_of_a_moved_object_are_in_the_picture() -> None:
+    turned = "object.translate=6,0,0", "object.rotate_deg=0,0,90"
+    found = picture("world", *turned, "view.names=x,y,z", "view.layers=camera,frustum,near-picture")
+    assert {each.text for each in found.labels} == {"x", "y", "z"} and not found.left_out
+
+
+def test_the_view_frames_nothing_that_it_hides() -> None:
+    """The scene names the eye and both planes."""
+    wide, high = picture("world", "view.layers=camera,frustum,near-picture").fill
+    assert max(wide, high) > 0.75 and not picture("world").is_empty

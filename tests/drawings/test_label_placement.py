@@ -131,6 +131,14 @@ def test_a_name_stands_beyond_the_tip_of_its_arrow_and_has_no_leader() -> None:
     assert x == pytest.approx(100.0) and 2.0 < low - 100.0 < EM and y > 100.0 and not places.leads
 
 
+@pytest.mark.parametrize("tip", [(470.0, 160.0), (10.0, 160.0), (240.0, 310.0), (240.0, 10.0)])
+def test_an_arrow_that_ends_at_the_border_is_named_beside_its_tip(tip: tuple[float, float]) -> None:
+    way, size = (tip[0] - 240.0, tip[1] - 160.0), (14.0, 14.0)
+    wanted = Wish("n", size, [tip], partial(beyond, tip, way, size, EM))
+    placed = place([wanted], Ground(FRAME, EM))
+    assert math.dist(placed["n"].centre, tip) < 2.0 * EM
+
+
 def test_a_plane_is_named_along_an_edge_outside_it_and_never_steeply() -> None:
     square = np.array([(100, 100), (300, 140), (300, 260), (100, 220)], float)
     edges = np.stack([square, np.roll(square, -1, axis=0)], axis=1)

@@ -5,6 +5,7 @@
 | `golden record FOLDER`, `golden compare FOLDER` | compares all outputs before and after a change |
 | `hostile` | opens damaged files with the command line, and with ``--window`` in a window |
 | `documents` | looks for silent NaNs in random documents |
+| `cheap` | compares the bounds of cheap arithmetic with its errors, in random documents |
 
 Each has ``--help``.
 """
@@ -19,7 +20,7 @@ from app import bootstrap
 
 if __name__ == "__main__":
     tool, *words = sys.argv[1:] or [""]
-    if tool not in ("golden", "hostile", "documents"):
+    if tool not in ("golden", "hostile", "documents", "cheap"):
         sys.exit(__doc__)
     bootstrap.start("tests", extras=("test",))
     os.environ["OPENBLAS_NUM_THREADS"] = "1"  # before numpy: a fork takes no threads along

@@ -23,7 +23,8 @@ QT = ("PySide6",)
 FLOORS = (
     ("app.arithmetic",),
     ("app.model",),
-    ("app.lecture", "app.precision", "app.picking", "app.scenes"),
+    ("app.lecture", "app.precision", "app.picking"),
+    ("app.scenes",),
     ("app.document",),
     ("app.lessons",),
     ("app.drawings",),

@@ -25,6 +25,13 @@ def test_every_picture_is_shown_somewhere_and_can_be_drawn_anew() -> None:
     assert shown == set(pictures.PICTURES) == {path.name for path in pictures.DOCS.glob("*.png")}
 
 
+def test_the_captions_of_the_charts_are_what_was_measured() -> None:
+    page = (pictures.DOCS / "measurements.md").read_text(encoding="utf-8")
+    charts = [name for name in pictures.PICTURES if name.startswith("measure-")]
+    assert len(re.findall(r"\n\*[^*]", page)) == len(charts) - 1, "the sweeps have none"
+    assert pictures.captioned(page) == page
+
+
 def test_a_moved_label_is_detected(tmp_path: Path) -> None:
     path = pictures.DOCS / "scene-focus.png"
     with Image.open(path) as image:

@@ -27,18 +27,19 @@ for _path in sorted(Path(__file__).parent.glob("keys_*.py")):
 
 
 def keys_of(course: Course) -> Iterator[tuple[Key, float]]:
-    """Every number of a lesson that is right, or wrong with a named idea."""
+    """Every number of a lesson that is right, or wrong with a named idea; of a matrix ``[0]``."""
     stem = course.lesson.path.stem
     for place, step in enumerate(course.lesson.steps):
         for part in of_kind(step.blocks, Question):
-            formulas = {str(at): each.formula for at, each in enumerate(part.replies, 1)}
+            formulas = {str(at): each.formulas for at, each in enumerate(part.replies, 1)}
             if not any(reply.right for reply in part.replies):  # a number
-                formulas = {reply.idea: reply.formula for reply in part.replies}
+                formulas = {reply.idea: reply.formulas for reply in part.replies}
                 formulas["right"] = part.key[0]
-            for name, formula in formulas.items():
-                if formula is not None:
-                    value = part.value(course.at(place), formula, part.line)
-                    yield (stem, f"{step.name}/{part.name}", name), value
+            for name, several in formulas.items():
+                values = part.values(course.at(place), several, part.line)
+                for at, value in enumerate(values):
+                    cell = f"[{at}]" if len(values) > 1 else ""
+                    yield (stem, f"{step.name}/{part.name}", name + cell), value
 
 
 def test_every_key_agrees_with_the_lectures_formula_in_40_digits() -> None:
@@ -153,7 +154,8 @@ def checked(path: Path, text: str) -> list[str]:
     assert done.returncode == 1
     said = done.stdout.splitlines()
     assert said[-2].endswith(f"{len(said) - 2} wrong")
-    assert said[-1] == "0 overlaps, 0 crowded, 0 empty of 0 steps", "a wrong file is not drawn"
+    nothing = "0 overlaps, 0 crowded, 0 empty, 0 hidden of 0 steps"
+    assert said[-1] == nothing, "a wrong file is not drawn"
     return [line.removeprefix(f"{path}: ") for line in said[:-2]]
 
 

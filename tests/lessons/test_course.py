@@ -161,7 +161,7 @@ why: So it is.
     assert (own.idea, own.says, own.state.projection.lens.fov_y_deg) == ("own", "Mine.", 30.0)
     assert question.mark(here, "91").too_short
     other = question.mark(here, "17")
-    assert other == question.mark(here, "18") and not other.right
+    assert not other.right and not other.says and "too small" in str(other.remark)
 
 
 def test_a_task_is_done_when_the_window_fulfils_its_conditions() -> None:
@@ -197,7 +197,10 @@ show: lens.near=3
 check: near = 1.5*was_near
 ```
 """)
-    assert [question.value(here, each.formula, 1) for each in question.replies] == [3.0, 2.0]
+    assert [question.values(here, each.formulas, 1) for each in question.replies] == [
+        (3.0,),
+        (2.0,),
+    ]
 
 
 def test_every_idea_that_the_program_knows_has_two_sentences_and_a_state() -> None:

@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+import math
 from fractions import Fraction
 
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
 
 from app.lessons import marking
 from app.model.refusal import Refusal
@@ -38,12 +41,52 @@ def test_the_unit_of_an_answer_may_stand_behind_it(text: str, unit: str, value: 
     assert float(marking.read(text, unit).value) == value
 
 
+WAYS = (
+    ("1/2", 0.5), ("1 1/2", 1.5), ("-1 1/2", -1.5), ("½", 0.5), ("1½", 1.5), ("1 ½", 1.5),
+    ("-½", -0.5), ("sqrt(3)", math.sqrt(3)), ("√3", math.sqrt(3)), ("-√3/2", -math.sqrt(3) / 2),
+    ("√(3)/2", math.sqrt(3) / 2), ("2√3", 2 * math.sqrt(3)), ("1/√2", 1 / math.sqrt(2)),
+    ("pi/6", math.pi / 6), ("π/6", math.pi / 6), ("2π", 2 * math.pi), ("1.17e-2", 0.0117),
+    ("1.17E-2", 0.0117), ("1.17×10^-2", 0.0117), ("1.17·10⁻²", 0.0117), ("1.17 * 10^(-2)", 0.0117),
+    ("1.17x10^-2", 0.0117), ("10⁻²", 0.01), ("0,5", 0.5), (",5", 0.5), ("5,", 5.0), ("–7", -7.0),
+    ("—7", -7.0), ("−7", -7.0), ("- 7", -7.0), ("+7", 7.0), ("1 280", 1280.0), ("1 280", 1280.0),
+    ("12 345.5", 12345.5), ("3\u20444", 0.75), ("1.5x", 1.5), ("45 %", 0.45), ("2²", 4.0),
+    ("2/1e3", 0.002), ("2*tan(30°)", 2 / math.sqrt(3)), ("2 tan(30)", 2 / math.sqrt(3)),
+    ("(1+2)/4", 0.75), ("-(1/2)", -0.5), ("2**3", 8.0), ("sqrt(3^2+4^2)", 5.0),
+    ("\uff10.\uff15", 0.5),
+)  # fmt: skip
+
+
+@pytest.mark.parametrize(("text", "value"), WAYS)
+def test_every_way_to_write_a_right_number_is_right(text: str, value: float) -> None:
+    assert marking.equals(marking.read(text), value)
+    assert float(marking.read(text).value) == pytest.approx(value, rel=1e-12)
+
+
+@pytest.mark.parametrize(
+    ("text", "unit", "value"),
+    [
+        ("340 cm", "m", 3.4), ("3400 mm", "m", 3.4), ("3.4 m", "mm", 3400), ("0.05 km", "m", 50),
+        ("pi/6 rad", "°", 30), ("π/6 rad", "°", 30), ("90°", "rad", math.pi / 2),
+        ("45 %", "", 0.45),
+        ("0.45×", "%", 45), ("√3/2 m", "cm", 50 * math.sqrt(3)), ("1 1/2 m", "cm", 150),
+    ],
+)  # fmt: skip
+def test_a_unit_of_the_same_kind_is_converted(text: str, unit: str, value: float) -> None:
+    assert float(marking.read(text, unit).value) == pytest.approx(value, rel=1e-12)
+
+
+def test_a_converted_number_keeps_its_digits() -> None:
+    assert marking.equals(marking.read("343 cm", "m"), 3.4267)
+    assert not marking.equals(marking.read("34 dm", "dm"), 3.4)
+    assert marking.read("34e1 cm", "m").digits == 2
+
+
 @pytest.mark.parametrize(
     ("text", "unit", "said"),
     [
-        ("2.145°", "", "must be a number without °"), ("45 %", "", "must be a number without %"),
+        ("2.145°", "", "must be a number without °"), ("45 %", "px", "must be in px"),
         ("3.4 m", "", "must be a number without m"), ("12 px", "°", "must be in °"),
-        ("3400 mm", "m", "must be in m"), ("3.4 m", "mm", "must be in mm"),
+        ("3400 px", "m", "must be in m"), ("3.4 m", "°", "must be in °"),
         ("2 units", "cm", "must be in cm"),
         ("", "", "nothing is typed yet"), ("   ", "", "nothing is typed yet"),
         ("°", "", "nothing is typed yet"), ("1/0", "", "nothing can be divided by 0"),
@@ -51,8 +94,16 @@ def test_the_unit_of_an_answer_may_stand_behind_it(text: str, unit: str, value: 
         ("1e400", "", "whose power of ten is between -300 and 300"),
         ("9e999999999", "", "whose power of ten is between -300 and 300"),
         ("1" * 61, "", "at most 60 characters"),
-        *((text, "", f"and not {text}") for text in (
-            "abc", "nan", "inf", "1.2.3", "1_000", "0x10", "٣", "__import__('os')",
+        ("10^301", "", "whose power of ten is between -300 and 300"), ("1/2/", "", "after 1/2/"),
+        ("1.2.3", "", "3; .3 cannot be read"), ("1_000", "", "; _000 cannot be read"),
+        ("٣", "", "; ٣ cannot be read"), ("2 3", "", "; 3 cannot be read"),
+        ("__import__('os')", "", "; __import__('os') cannot be read"), ("1)", "", "; ) cannot be"),
+        ("2^0.5", "", "; 0.5 cannot be read"), ("√-1", "", "sqrt is neither"),
+        ("sqrt(-1)", "", "no value"),
+        ("asin(2)", "", "no value"), ("sqrt(1, 2)", "", "no value"), ("√", "", "sqrt is neither"),
+        *((text, "", f"; {name} is neither a number nor a unit") for text, name in (
+            ("abc", "abc"), ("nan", "nan"), ("inf", "inf"), ("0x10", "x10"), ("2n/3", "n"),
+            ("foo(2)", "foo"),
         )),
     ],
 )  # fmt: skip
@@ -78,6 +129,10 @@ def test_another_unit_or_no_number_is_refused(text: str, unit: str, said: str) -
         ("355/113", 3.141592653589793, True), ("22/7", 3.141592653589793, True),
         ("3", 3.141592653589793, False), ("16/5", 3.141592653589793, False),
         ("0", 0.001, False), ("0.000", 0.001, False),
+        # Upwards as downwards, although neither 3.2 nor 0.9 is a float64.
+        ("3.21", 3.2, True), ("3.19", 3.2, True), ("3.22", 3.2, False), ("3.18", 3.2, False),
+        ("4.01", 4.0, True), ("3.99", 4.0, True), ("4.02", 4.0, False), ("3.98", 4.0, False),
+        ("-0.901", -0.9, True), ("-0.899", -0.9, True), ("1 1/2", 1.5, True), ("11/2", 1.5, False),
     ],
 )  # fmt: skip
 def test_what_counts_as_right(text: str, value: float, right: bool) -> None:
@@ -92,3 +147,34 @@ def test_what_lacks_only_digits_is_told_apart_from_what_is_wrong() -> None:
         ("0.83", 0.8333, True),
     ):  # fmt: skip
         assert marking.is_too_short(marking.read(text), value) is too_short, text
+
+
+@pytest.mark.parametrize(
+    ("text", "value", "said"),
+    [
+        ("-91.5", 91.4928, "the sign is wrong"), ("-3", 91.4928, "and so is the size"),
+        ("9.15", 91.4928, "power of ten"), ("915", 91.4928, "power of ten"),
+        ("0.5", 2.0, "1 divided by"), ("1.60", 91.4928, "degrees and radians"),
+        ("183", 91.4928, "too large, by a factor of about 2."),
+        ("30", 91.4928, "too small, by a factor of about 3."),
+        ("92.5", 91.4928, "not exact enough"),
+    ],
+)  # fmt: skip
+def test_a_wrong_number_is_told_how_it_is_wrong(text: str, value: float, said: str) -> None:
+    remark = marking.remark(marking.read(text), value)
+    assert remark is not None and said in str(remark)
+
+
+def test_nothing_is_said_where_nothing_follows() -> None:
+    assert marking.remark(marking.read("0"), 2.0) is None
+    assert marking.remark(marking.read("2"), 0.0) is None
+
+
+@given(value=st.floats(0.01, 1e4), off=st.integers(-(10**6), 10**6))
+def test_the_tolerance_is_the_same_upwards_and_downwards(value: float, off: int) -> None:
+    exact = Fraction(f"{value:.4g}")
+    away = Fraction(off, 10**7) * exact
+    up, down = (
+        marking.Typed(exact + sign * away, 4, Fraction(1, 1000) * exact) for sign in (1, -1)
+    )
+    assert marking.equals(up, float(exact)) is marking.equals(down, float(exact))

@@ -19,7 +19,7 @@ from app.measure import chart
 from app.measure.arithmetic import SWEEPS
 from app.measure.meaning import meaning
 from app.measure.measuring import TRADES
-from app.measure.results import COLUMNS, JUDGED, WORDS, Sweep, Trade, named, table, to_csv
+from app.measure.results import COLUMNS, GAP, JUDGED, WORDS, Sweep, Trade, named, table, to_csv
 from app.model.projection import Projection
 from app.scenes.phenomena.diagram import Diagram, Spot
 from tests.support.commands import refused, run_here
@@ -36,9 +36,12 @@ def spots(diagram: Diagram) -> dict[str, Spot]:
 def test_every_trade_and_sweep_has_its_texts() -> None:
     assert set(chart.TITLES) == {*TRADES, *SWEEPS}
     for name in TRADES:
-        (diagram,) = chart.diagrams(replace(TRADE, name=name))
-        assert diagram.title == chart.TITLES[name] and diagram.x_label and diagram.y_label
-        assert diagram.x_log == (name != "depth") and diagram.y_log
+        if name != "depth":
+            (diagram,) = chart.diagrams(replace(TRADE, name=name))
+            assert diagram.title == chart.TITLES[name] and diagram.x_label and diagram.y_label
+            assert diagram.x_log and diagram.y_log
+        (diagram,) = chart.diagrams(replace(TRADE, name=name, cost_unit="B"))
+        assert "bytes" in diagram.x_label and not diagram.x_log and diagram.y_log
     for name in SWEEPS:
         (diagram, *_) = chart.diagrams(replace(SWEEP, parameter=name))
         assert diagram.title == chart.TITLES[name] and diagram.x_log and diagram.y_log
@@ -68,6 +71,16 @@ def test_the_present_choice_is_marked() -> None:
     useless = replace(TRADE, choices=tuple(replace(c, use={}) for c in TRADE.choices))
     (diagram,) = chart.diagrams(useless, {"rung": "good"})
     assert not any(spot.marked for spot in diagram.spots)
+
+
+def test_of_several_choices_in_use_the_one_that_says_most_is_marked() -> None:
+    general, special, other = TRADE.choices[:3]
+    special = replace(special, use={**general.use, "scene": "cube"})
+    trade = replace(TRADE, choices=(general, special, other))
+    (diagram,) = chart.diagrams(trade, {**general.use, "scene": "cube"})
+    assert [spot.key for spot in diagram.spots if spot.marked] == [special.name]
+    (diagram,) = chart.diagrams(trade, {**general.use, "scene": "posts"})
+    assert [spot.key for spot in diagram.spots if spot.marked] == [general.name]
 
 
 def test_choices_at_one_place_share_a_name_and_keep_their_keys() -> None:
@@ -133,7 +146,7 @@ def test_angles_on_both_sides_of_90_degrees_have_a_chart_each() -> None:
 
 
 def test_a_huge_error_leaves_the_chart_and_not_the_others() -> None:
-    wild = sweep("near", (1.0, 2.0), {"a": curve((1e200, 1e-9), ("", ""))})
+    wild = sweep("aspect", (1.0, 2.0), {"a": curve((1e200, 1e-9), ("", ""))})
     (diagram,) = chart.diagrams(wild)
     assert diagram.top < 1e60 and diagram.bottom < 1e-9
 
@@ -143,9 +156,9 @@ def test_a_huge_error_leaves_the_chart_and_not_the_others() -> None:
 
 def test_a_table_has_a_note_for_each_missing_number() -> None:
     heads, *rows = table(replace(TRADE, complete=False))
-    assert heads == ["", "ns", "p95", "px", "predicted", JUDGED]
-    assert rows[1] == ["bad", "5", "5", "2", "-", ""]
-    assert rows[-1] == ["absent", "-", "-", "-", "-", "not installed"]
+    assert heads == ["", "ns", "p95", "bytes", "px", "predicted", JUDGED]
+    assert rows[1] == ["bad", "5", "5", "-", "2", "-", ""]
+    assert rows[-1] == ["absent", "-", "-", "-", "-", "-", "not installed"]
     waiting = Trade("arithmetic", "ns", "px", (choice("late", None, 1.0),), 0, complete=False)
     assert table(waiting)[1][-1] == "cancelled"
     assert table(replace(waiting, complete=True))[1][-1] == ""
@@ -171,7 +184,7 @@ def test_a_sweep_s_values_have_four_digits_or_all() -> None:
 def test_the_table_names_the_other_parameter_that_a_sweep_changes(parameter: str) -> None:
     said = table(sweep(parameter, (1.0,), {"a": curve((1e-9,), ("",))}))[0][-1]
     judged, told = said.split(", ")
-    assert judged == JUDGED and told in WORDS
+    assert judged == GAP and told in WORDS
     low, high = SWEEPS[parameter].low, SWEEPS[parameter].high
     lenses = [SWEEPS[parameter].set(Projection(), value)[0].lens for value in (low, 1.0, high)]
     assert {lens.near * 4.0 for lens in lenses} & {lens.far for lens in lenses}, told
@@ -182,7 +195,7 @@ def test_table_headings_are_words_with_units() -> None:
     """A file's and a spreadsheet's columns keep their plain names."""
     values = dict.fromkeys(COLUMNS, 0.5) | {"triangles": 2.0}
     trade = replace(TRADE, choices=(replace(TRADE.choices[0], values=values),))
-    assert table(trade)[0][5:-1] == [*COLUMNS.values(), "triangles"]
+    assert table(trade)[0][6:-1] == [*COLUMNS.values(), "triangles"]
     assert not any("_" in head for head in table(trade)[0])
     assert set(COLUMNS.values()) <= set(WORDS)
     assert to_csv(trade).splitlines()[0].endswith(f"{','.join(values)},note")
@@ -207,7 +220,7 @@ def test_numbers_to_read_have_no_exponent_for_thousands(
     trade = replace(TRADE, choices=(choice("only", number, 1.0), choice("error", 1.0, number)))
     assert [row[1] for row in table(trade)[1:]] == [in_table, "1"]
     alone = replace(trade, choices=trade.choices[:1])
-    assert f"only is the fastest ({in_sentence} ns)" in meaning(alone).sentence()
+    assert f"only is the cheapest ({in_sentence} ns)" in meaning(alone).sentence()
     (diagram,) = chart.diagrams(replace(trade, choices=trade.choices[1:]))
     assert spots(diagram)["error"].tip == f"error: 1 ns, {in_table} px"
     swept = sweep("near", (1.0,), {"a": curve((number,), ("",))})

@@ -41,6 +41,7 @@ from tests.support.window import (
 )
 from widgets.parts.lesson_text import LessonText
 from widgets.window.lesson_blocks import VIEWS
+from widgets.window.lesson_blocks.task import DONE
 from widgets.window.lesson_blocks.view import BlockView
 from widgets.window.lesson_card import TOUR, WHILE_MOVING_MS
 from widgets.window.main_window import MainWindow
@@ -260,7 +261,8 @@ def test_an_answer_is_marked_with_its_idea_hints_and_reason(
     before, idea = window.store.document, idea_named("angle-linear")
     assert idea is not None
     for typed, said in (
-        ("wide", "must be a number"), ("98", "three significant digits"), ("77", "not it."),
+        ("wide", "must be a number"), ("98", "three significant digits"),
+        ("77", "not it. It is too small, by a factor of about 1.3."),
     ):  # fmt: skip
         assert said in answered(window, typed) and card.blocks[0].is_open, typed
     assert window.store.document == before
@@ -514,3 +516,166 @@ def test_lessons_can_be_done_with_the_keyboard_alone(make_window: MakeWindow) ->
         assert lessons.course is None, path.name
         kept = window.settings.progress[path.stem]
         assert (kept.done, kept.of, kept.step) == (len(course.lesson.steps),) * 2 + ("",)
+
+
+EXERCISE = """---
+title: Practise
+---
+# Widths {#widths}
+```state
+scene=letter-f
+```
+```exercise wide
+vary fov: 20..100 step 5
+vary a: 4/3, 16/9, 2, 1.5, 5/2
+state: lens.fov_y_deg={=fov}; image.width={=720*a}; image.height=720
+{=fov}° high, {=a} times as wide. How wide?
+value: 2*atan(a*tan(fov/2))
+unit: °
+wrong angle-linear: a*fov
+hint: Take the tangent.
+```
+```exercise set
+vary near: 0.5..4 step 0.1
+Set near to {=near}.
+until: near = near_wanted
+```
+"""
+
+
+def test_an_exercise_is_practised_by_keyboard_alone(window: MainWindow, tmp_path: Path) -> None:
+    path = tmp_path / "practise.md"
+    text = EXERCISE.replace("vary near", "vary near_wanted").replace("{=near}", "{=near_wanted}")
+    path.write_text(text, encoding="utf-8")
+    activate(window)
+    card = window.lesson_card
+    card.open(path)
+    settle()
+    view, task = card.blocks
+    assert QApplication.focusWidget() is view.first and not card.hint.isEnabled()
+    assert "How wide" not in texts(view)
+    press(KEY.Key_Return, NO_KEY)
+    come_to_rest(window)
+    variant = view.variant
+    assert window.store.document == variant.here.document
+    assert variant.question.text in texts(view) and variant.seed == 1
+    assert card.hint.isEnabled(), "the hints of its question are the card's"
+    press(KEY.Key_I, ALT)
+    assert "Take the tangent." in texts(view)
+    right = variant.question.answer(variant.here)
+    QTest.keyClicks(QApplication.focusWidget(), f"{right / 2:.4g}")
+    press(KEY.Key_Return, NO_KEY)
+    assert "too small, by a factor of about 2." in texts(view) and view.is_open
+    QTest.keyClicks(QApplication.focusWidget(), f"{right:.4g}")
+    press(KEY.Key_Return, NO_KEY)
+    assert "Right." in texts(view) and view.answer == f"1 {right:.4g}"
+    press(KEY.Key_O, ALT)
+    come_to_rest(window)
+    assert view.variant.seed == 2 and view.is_open
+    assert window.store.document == view.variant.here.document != variant.here.document
+    assert view.variant.question.text in texts(view) and variant.question.text not in texts(view)
+    view.seed.setFocus()
+    view.seed.selectAll()
+    QTest.keyClicks(view.seed, "77")
+    press(KEY.Key_Return, NO_KEY)
+    come_to_rest(window)
+    assert view.variant.seed == 77
+
+    task.begin()
+    come_to_rest(window)
+    assert task.is_open
+    enter(window.controls.rows["near"].field, str(float(task.variant.numbers["near_wanted"])))
+    come_to_rest(window)
+    assert task.answer == f"1 {DONE}"
+
+    window.lessons.close()
+    card.open(path)
+    settle()
+    view, task = card.blocks
+    assert view.answer == f"1 {right:.4g}" and "Right." in texts(view)
+    assert task.answer == f"1 {DONE}" and not task.is_open
+
+
+MATRIX = """---
+title: A matrix
+---
+# Scale {#scale}
+```state
+scene=letter-f
+```
+```answer scale
+Scale by 2, 3.5 in x, y.
+matrix: 2, 0; 0, 3.5
+wrong order: 3.5, 0; 0, 2
+why: On the diagonal.
+```
+"""
+
+
+def test_a_matrix_is_filled_in_by_keyboard_alone(window: MainWindow, tmp_path: Path) -> None:
+    path = tmp_path / "matrix.md"
+    path.write_text(MATRIX, encoding="utf-8")
+    activate(window)
+    card = window.lesson_card
+    card.open(path)
+    settle()
+    (view,) = card.blocks
+    first, second, third, last = view.cells
+    assert keyboard() is first and second.accessibleName() == "Row 1, column 2"
+    QTest.keyClicks(first, "2")
+    press(KEY.Key_Right)
+    assert keyboard() is second
+    press(KEY.Key_Right)
+    assert keyboard() is second, "there is no third column"
+    QTest.keyClicks(second, "zero")
+    press(KEY.Key_Down)
+    assert keyboard() is last
+    QTest.keyClicks(last, "-3.5")
+    press(KEY.Key_Left)
+    assert keyboard() is last, "only the cursor has moved, which was behind the text"
+    press(KEY.Key_Backtab, Qt.KeyboardModifier.ShiftModifier)
+    assert keyboard() is third
+    press(KEY.Key_Return)
+    assert keyboard() is second and "Row 1, column 2 = 'zero'" in texts(view)
+    QTest.keyClicks(second, "0")
+    press(KEY.Key_Return)
+    assert keyboard() is third and "Row 2, column 1 must be a number" in texts(view)
+    QTest.keyClicks(third, "0")
+    press(KEY.Key_Return)
+    assert "The marked numbers have the wrong sign." in texts(view) and view.is_open
+    assert [each.accessibleDescription() for each in view.cells] == ["Right"] * 3 + ["Wrong"]
+    assert keyboard() is last
+    QTest.keyClicks(last, "4")
+    assert not last.accessibleDescription(), "an edited number is not marked any more"
+    press(KEY.Key_Return)
+    assert "Only the number in row 2, column 2 is wrong." in texts(view)
+    for text, cell in (("3.5", first), ("2", last)):
+        cell.setFocus()
+        cell.selectAll()
+        QTest.keyClicks(cell, text)
+    press(KEY.Key_Return)
+    idea = idea_named("order")
+    assert idea is not None and idea.title.rstrip(".") in texts(view)
+    assert "Show the answer" in buttons(view)
+    for text, cell in (("2", first), ("3,5", last)):
+        cell.setFocus()
+        cell.selectAll()
+        QTest.keyClicks(cell, text)
+    press(KEY.Key_Return)
+    assert "On the diagonal." in texts(view) and view.answer == "2 | 0; 0 | 3,5"
+    card.leave()
+    card.open(path)
+    settle()
+    (view,) = card.blocks
+    assert view.answer and [cell.text() for cell in view.cells] == ["2", "0", "0", "3,5"]
+    assert {each.accessibleDescription() for each in view.cells} == {"Right"}
+
+    card.begin_again()
+    (view,) = card.blocks
+    for _ in range(3):
+        for cell in view.cells:
+            cell.setText("7")
+        view.check()
+        settle()
+    press(KEY.Key_A, ALT)
+    assert "The answer is:" in texts(view) and "3.5" in texts(view) and not view.is_open

@@ -21,12 +21,12 @@ from pytestqt.qtbot import QtBot
 from app.document.document import Document
 from app.measure import arithmetic, chart, depth, interpolation, smoothing
 from app.measure import results as kept
-from app.measure.meaning import meaning
+from app.measure.meaning import bargain, meaning
 from app.measure.results import Choice, Results, Trade, from_json, table, to_csv, to_json
 from app.model.projection import Camera, Perspective, Projection
 from app.scenes.phenomena.illustration import Diagram
 from app.scenes.scene import load
-from tests.support.results import RESULTS, TRADE
+from tests.support.results import RESULTS, TRADE, curve, sweep
 from tests.support.shown import show
 from tests.support.window import settle
 from widgets.panels import measuring
@@ -123,7 +123,8 @@ def test_a_trade_is_measured_and_shown(panel: MeasurePanel, qtbot: QtBot) -> Non
     assert results.complete and results.document["lens"]["far"] == 18
     trade = results.trades[0]
     assert [heads(panel), *cells(panel)] == table(trade)  # as the command prints them
-    assert panel.sentence.text() == meaning(trade).sentence()
+    (current,) = (c for c in trade.choices if c.name == "fixed24, reversed")
+    assert panel.sentence.text() == f"{bargain(trade, current)} {meaning(trade).sentence()}"
     assert panel.where.toolTip() == chart.where(results)
     assert "letter-f; eye (6, 5, 9)" in panel.seen.toolTip()
     assert not panel.list.currentItem().icon().isNull() and panel.list.item(0).icon().isNull()
@@ -139,7 +140,7 @@ def test_several_measurements_run_together_and_are_shown_and_exported_one_by_one
     measured(qtbot, panel, "depth", "near", "fov")
     assert set(panel.measured) == {"depth", "near", "fov"}
     assert panel.name == "fov"
-    assert sum(view.isVisible() for view in panel.diagrams) == 2
+    assert sum(view.isVisible() for view in panel.diagrams) == 1
     assert heads(panel)[0] == "fov, °" and len(cells(panel)) == 13
     assert not panel.sentence.isVisible()
     panel.choose("near")
@@ -210,7 +211,7 @@ def test_a_cancelled_measurement_keeps_its_results_and_says_so(
     assert "(cancelled)" in panel.sentence.text()
     assert len(cells(panel)) == len(panel.measured["arithmetic"].trades[0].choices) > 5
     notes = {row[-1] for row in cells(panel) if row[1] == "-"}
-    assert notes <= {"cancelled", "not installed"}
+    assert notes <= {"cancelled", "not installed", arithmetic.IN_SOFTWARE}
     panel.choose("depth")
     assert "depth" not in panel.measured and cells(panel) == [["", "cancelled"]]
     assert panel.sentence.text() == "cancelled"
@@ -324,6 +325,62 @@ def test_a_choice_that_the_panes_cannot_draw_with_is_not_used(
     assert {item.row() for item in panel.table.selectedItems()} == {1} and used.count() == 1
 
 
+def test_the_caption_says_what_a_clicked_choice_buys_and_pays(
+    panel: MeasurePanel, tmp_path: Path
+) -> None:
+    """Of one that cannot be drawn too, until the document changes."""
+    usual = replace(TRADE.choices[2], name="float32", bytes=12.0, use={})
+    small = replace(TRADE.choices[0], name="12 bits", error=0.3, predicted=0.4, bytes=4.5, use={})
+    trade = replace(TRADE, choices=(usual, small))
+    panel.load(write(tmp_path / "a.json", replace(RESULTS, trades=(trade,), sweeps=())))
+    before = panel.sentence.text()
+    click_spot(panel, "12 bits")
+    said = "12 bits instead of float32: 10 times faster, at most 0.4 px off."
+    assert panel.sentence.text() == f"{said} {before}"
+    show(panel, Projection())
+    assert panel.sentence.text() == before
+
+
+def test_a_click_on_a_number_of_a_sweep_uses_its_value_and_its_buffer(
+    panel: MeasurePanel, tmp_path: Path
+) -> None:
+    used = QSignalSpy(panel.used)
+    gaps = {name: curve((1.0, 2.0), ("", "")) for name in kept.BUFFERS}
+    errors = {"float64, every stage": curve((1.0,), ("",)), "exact": curve((1.0,), ("",))}
+    for parameter, values, curves in (
+        ("near", (0.5, 2.0), gaps), ("fov", (30.0,), errors), ("up", (30.0,), errors),
+    ):  # fmt: skip
+        swept = sweep(parameter, values, curves)
+        panel.load(write(tmp_path / "a.json", replace(RESULTS, trades=(), sweeps=(swept,))))
+        panel.choose(parameter)
+        for column in (1, 4) if parameter == "near" else (1, 2):
+            panel.table.cellClicked.emit(len(values) - 1, column)
+    fixed, reversed_ = list(kept.BUFFERS.values())[::3]
+    assert [used.at(i)[0] for i in range(used.count())] == [
+        {"lens.near": "2.0", **fixed}, {"lens.near": "2.0", **reversed_},
+        {"lens.fov_y_deg": "30.0", "rung": "float64"}, {"lens.fov_y_deg": "30.0"},
+    ]  # fmt: skip
+
+
+def test_memory_is_another_axis_of_chart_caption_and_grey(
+    panel: MeasurePanel, tmp_path: Path
+) -> None:
+    sizes = {"fast": 8.0, "bad": 2.0}
+    choices = tuple(replace(c, bytes=sizes.get(c.name)) for c in TRADE.choices)
+    trade = replace(TRADE, choices=choices)
+    panel.load(write(tmp_path / "a.json", replace(RESULTS, trades=(trade,), sweeps=())))
+    assert set(found(panel.diagrams[0])) == {"fast", "bad", "good", "right", "endless"}
+    panel.cost.setCurrentIndex(panel.cost.findData("bytes"))
+    panel.diagrams[0].grab()
+    assert set(found(panel.diagrams[0])) == set(sizes)
+    assert "bad is the cheapest (2 B, off by 2 px)" in panel.sentence.text()
+    grey = [
+        panel.table.item(row, 0).foreground().style() != Qt.BrushStyle.NoBrush for row in range(5)
+    ]
+    assert not any(grey), "each of the two is smaller or more exact"
+    assert panel.export(tmp_path / "a.png")
+
+
 def test_the_choice_in_use_is_marked_and_follows(
     panel: MeasurePanel, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -406,7 +463,7 @@ def test_every_name_of_a_choice_is_put_together_from_translated_parts(document: 
         interpolation.measure(projection, scene.corners, seconds=0.01),
         depth.measure(projection),
     ]
-    own = re.compile(r"(float|fixed)\d+|PyGLM|pylinalg|FXAA|MSAA \d|\d+ %|ns|ms|px|B|")
+    own = re.compile(r"(b?float|fixed ?)[\d.]+|PyGLM|pylinalg|FXAA|MSAA \d|\d+ %|ns|ms|px|B|")
     names = [c.name for trade in trades for c in trade.choices]
     names += [each.name for each in smoothing.SMOOTHINGS] + [smoothing.OTHER_SAMPLES.format(4)]
     names += [head for trade in trades for head in table(trade)[0]]

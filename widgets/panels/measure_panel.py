@@ -34,7 +34,7 @@ from app.document.document import Document
 from app.document.files import write_bytes_atomically
 from app.drawings.style import Style
 from app.measure import chart
-from app.measure.meaning import meaning
+from app.measure.meaning import bargain, meaning
 from app.measure.results import (
     CANCELLED,
     DAMAGED,
@@ -98,6 +98,8 @@ class MeasurePanel(DiagramPanel):
         super().__init__()
         self._document, self._current, self._smoothings = document, current, smoothings
         self._gestures = 0
+        self._picked = ""
+        """The choice that was clicked last, until the document changes."""
         self._said = ""
         """The last refusal, until the panel is used again."""
         self._asked: list[str] = []
@@ -115,7 +117,9 @@ class MeasurePanel(DiagramPanel):
         controls = self._make_controls()
         self._make_views()
         left = in_column(precision, (self.list, 1), controls, gap=3)
-        middle = in_column((self._drawn, 1), self.where, self.seen, gap=0)
+        notes = in_column(self.where, self.seen, gap=0)
+        below = in_row((notes, 1), self.cost, margins=(0, 0, 0, 0))
+        middle = in_column((self._drawn, 1), below, gap=0)
         right = in_column(self.sentence, (self.table, 1), gap=3)
         in_row(left, (middle, 6), (right, 5), on=self, margins=(4, 0, 4, 2), gap=8)
         self._show_running()
@@ -160,6 +164,14 @@ class MeasurePanel(DiagramPanel):
         self.load_button = push_button(self.tr("Compare…"), tip, self.load_dialog)
         tip = self.tr("Remove the results of the file")
         self.forget_button = push_button(self.tr("Forget"), tip, self.forget)
+        self.cost = Combo()
+        self.cost.addItem(self.tr("Time"), "time")
+        self.cost.addItem(self.tr("Memory"), "bytes")
+        self.cost.setAccessibleName(self.tr("Cost"))
+        tip = self.tr("What errors are drawn over: time, or bytes, the same on every machine")
+        set_tip(self.cost, tip)
+        self.cost.currentIndexChanged.connect(self._go_on)
+        self.cost.currentIndexChanged.connect(self._readable.changed)
         buttons = QGridLayout()
         buttons.setSpacing(3)
         buttons.addWidget(self.progress, 1, 0, 1, 3)
@@ -212,6 +224,7 @@ class MeasurePanel(DiagramPanel):
         self._show_paused()
 
     def take(self, shown: Shown, changed: Changed) -> None:
+        self._picked = ""
         self._readable.changed()  # another choice may be in use
 
     def set_style(self, style: Style) -> None:
@@ -319,7 +332,10 @@ class MeasurePanel(DiagramPanel):
             elif ending == ".json":
                 content = to_json(shown).encode()
             else:
-                content = chart.picture(shown, path.name, self._current(), other, of_measurements)
+                priced = [each and each.by(self.cost.currentData()) for each in (shown, other)]
+                content = chart.picture(
+                    priced[0] or shown, path.name, self._current(), priced[1], of_measurements
+                )
             write_bytes_atomically(path, content)
         except Refusal as error:
             self._refuse(sentence(error))
@@ -382,8 +398,10 @@ class MeasurePanel(DiagramPanel):
         if shown is None:
             said = words or self.tr("Not measured yet.")
         else:
-            part = _part(shown)
-            said = meaning(part).sentence(of_measurements) if isinstance(part, Trade) else ""
+            part = self._priced(shown)
+            said = ""
+            if isinstance(part, Trade):
+                said = f"{self._bargain(part)} {meaning(part).sentence(of_measurements)}".strip()
             if not part.complete:
                 said = f"{chart.title(part, of_measurements)}. {said}"
             said = f"{words} {said}" if words else said
@@ -392,12 +410,23 @@ class MeasurePanel(DiagramPanel):
         self.where.setText(chart.where(shown) if shown else "")
         self.seen.setText(chart.seen(shown, of_measurements) if shown else "")
 
+    def _priced(self, results: Results) -> Trade | Sweep:
+        """Return the only part of split results, by the chosen cost."""
+        return _part(results.by(self.cost.currentData()))
+
+    def _bargain(self, trade: Trade) -> str:
+        """Say what the choice that was clicked, or else the one in use, buys and pays."""
+        picked = next((c for c in trade.choices if c.name == self._picked), None)
+        chosen = picked or chart.in_use(trade, self._current())
+        return bargain(trade, chosen, of_measurements) if chosen else ""
+
     def _show_chart(self, shown: Results | None, other: Results | None) -> None:
         diagrams: tuple[Diagram, ...] = ()
         if shown is not None:
-            over = _part(other) if other is not None else None
+            over = self._priced(other) if other is not None else None
             name = chart.machine(other) if other is not None else ""
-            diagrams = chart.diagrams(_part(shown), self._current(), over, name, of_measurements)
+            part, current = self._priced(shown), self._current()
+            diagrams = chart.diagrams(part, current, over, name, of_measurements)
         self._show_diagrams(diagrams, least=1)
 
     def _show_table(self, shown: Results | None, other: Results | None) -> None:
@@ -417,7 +446,7 @@ class MeasurePanel(DiagramPanel):
                 "and those in grey are worse than another one in both cost and error"
             )
             if choices
-            else self.tr("The results at each value; the panes cannot use them"),
+            else self.tr("The results at each value; of near, far and fov, click one to use it"),
         )
         self.table.setVisible(bool(rows))
         self.table.setRowCount(len(rows))
@@ -473,7 +502,7 @@ class MeasurePanel(DiagramPanel):
 
     def _choices(self) -> list[tuple[Trade, Choice]]:
         """Return the choices of the rows, in order, with their trades."""
-        parts = [_part(each) for each in self._shown() if each is not None]
+        parts = [self._priced(each) for each in self._shown() if each is not None]
         return [(part, c) for part in parts if isinstance(part, Trade) for c in part.choices]
 
     def _refuse(self, text: str) -> None:
@@ -486,11 +515,13 @@ class MeasurePanel(DiagramPanel):
             said, self._said = self._said, ""
             self.went_on.emit(said)
 
-    def _row_used(self, row: int, _column: int = 0) -> None:
+    def _row_used(self, row: int, column: int = 0) -> None:
         self._go_on()
-        choices = self._choices()
+        choices, (shown, _) = self._choices(), self._shown()
         if row < len(choices):
             self._use(choices[row][1])
+        elif shown is not None and shown.sweeps and (use := shown.sweeps[0].use(row, column)):
+            self.used.emit(use)
 
     def _spot_used(self, key: str) -> None:
         self._go_on()
@@ -511,6 +542,8 @@ class MeasurePanel(DiagramPanel):
         if not why:
             self.used.emit(dict(choice.use))
             return
+        self._picked = choice.name
+        self._readable.changed()
         self.table.clearSelection()  # a selected row would look as if it were in use
         if choice.name:
             self._refuse(why)

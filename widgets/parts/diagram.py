@@ -591,8 +591,9 @@ class DiagramView(QWidget):
                 painter.drawLine(QLineF(x - radius, y + radius, x + radius, y - radius))
                 continue
             size = 0.8 * radius if spot.faded else 1.2 * radius
-            painter.setPen(Qt.PenStyle.NoPen)
-            painter.setBrush(self._colour("muted" if spot.faded else spot.colour))
+            colour = "muted" if spot.faded else spot.colour
+            painter.setPen(self._pen(colour, 1.0) if spot.hollow else Qt.PenStyle.NoPen)
+            painter.setBrush(self._colour("background" if spot.hollow else colour))
             painter.drawEllipse(QPointF(x, y), size, size)
             if spot.marked:
                 painter.setBrush(Qt.BrushStyle.NoBrush)

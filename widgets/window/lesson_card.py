@@ -40,7 +40,7 @@ from app.document.view import View
 from app.lessons.blocks.block import Part
 from app.lessons.course import CONTENT, Course, contained
 from app.lessons.lesson import Head, Lesson, Step, head_of
-from app.lessons.text import escaped, plain_of
+from app.lessons.text import escaped, in_line
 from widgets.controls.controls import Controls
 from widgets.parts.buttons import push_button, tool_button
 from widgets.parts.focus import lay_out
@@ -253,7 +253,7 @@ class LessonCard(QFrame):
             for place, step in enumerate(lesson.steps):
                 act = partial(self.go_to, place)
                 mark = tool_button(
-                    str(place + 1), plain_of(step.title), act, flat=True, checkable=True
+                    str(place + 1), in_line(step.title), act, flat=True, checkable=True
                 )
                 self._numbers.append(mark)
                 row.insertWidget(place, mark)
@@ -267,7 +267,7 @@ class LessonCard(QFrame):
             is_done = self._is_done(step)
             mark.setChecked(number == place)
             mark.setText("✓" if is_done and number != place else str(number + 1))
-            name = self.tr("Step {0}: {1}").format(number + 1, plain_of(step.title))
+            name = self.tr("Step {0}: {1}").format(number + 1, in_line(step.title))
             mark.setAccessibleName(name)
             mark.setAccessibleDescription(self.tr("done") if is_done else "")
         self.back.setEnabled(place > 0)
@@ -316,6 +316,7 @@ class LessonCard(QFrame):
         """Scroll to a response: to all of it, or else to its beginning."""
         lay_out()
         lay_out()  # again, because a scroll bar that appears makes the text narrower
+        self.hint.setEnabled(self._hinting is not None)
         said = block.said if block in self.blocks else []
         for widget in (*said[-1:], *said[:1]):
             self._area.ensureWidgetVisible(widget, 0, 10)

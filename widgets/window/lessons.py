@@ -47,8 +47,9 @@ class WayOfPanes(Protocol):
         """Whether something may move."""
         ...
 
-    def begin(self, *, cuts: bool) -> None:
-        """Remember what is seen."""
+    def begin(self, *, cuts: bool) -> bool:
+        """Remember what is seen; return whether its picture will fade."""
+        ...
 
     def start(self, moves: bool) -> bool:
         """Begin the way to what is shown now; return whether there is one."""
@@ -281,11 +282,12 @@ class Lessons(QObject):
         first, is_there = None, True
         same = (start.scene, start.mesh) == (end.scene, end.mesh)
         panes = self._panes
-        moves = panes is None or panes.is_wanted
+        moves, fades = panes is None or panes.is_wanted, False
         if moves and panes is not None:
             slides = ((view.slide, view.large, view.equation) for view in (look, end.view))
-            panes.begin(cuts=not same or len(set(slides)) > 1)
-        if moves and transition.can_move(start, end):
+            fades = panes.begin(cuts=not same or len(set(slides)) > 1)
+        # Nobody would see the model move under a picture that fades.
+        if moves and not fades and transition.can_move(start, end):
             first = transition.between(start, end, 0.02)
         else:  # the model changes at once; only the stage strip may move
             self._start = end
@@ -305,7 +307,7 @@ class Lessons(QObject):
         self._moving = False
         if not is_there or not moves:
             return is_there
-        if not same:  # the stages of another scene
+        if fades or not same:
             self._stages = end.view.stage, end.view.stage
         goes = first is not None or self._stages[0] != self._stages[1]
         if panes is not None:

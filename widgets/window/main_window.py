@@ -341,6 +341,7 @@ class MainWindow(QMainWindow):
             self.slots,
             self.control_strip,
             self.slide.equation,
+            self.band,
             self.arrangement,  # overrides what a new scene has opened or forgotten
             self.cost,
             self.look,
@@ -402,6 +403,7 @@ class MainWindow(QMainWindow):
     def show_view(self, document: Document) -> None:
         self.shown = replace(self.shown, document=document)
         self.slide.equation.ask(self.shown)
+        self.band.ask(self.shown)
         self.arrangement.show(document.view)
         self.comparing.pictures.refresh()
 

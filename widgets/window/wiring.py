@@ -53,6 +53,7 @@ def _wire_components(window: Any) -> None:
         (window.history.rested, look.rest, compare.refresh),
         (look.built, window.manipulation.leave, controls.set_style, compare.set_style),
         (look.built, window.set_style, window.slide.equation.set_style, window.slide.pen.set_style),
+        (look.built, window.band.set_style),
         (menus.all_digits.triggered, window.set_all_digits),
         (menus.reduce_motion.triggered, window.set_reduced_motion),
         (menus.view_menu.aboutToShow, window.show_motion),

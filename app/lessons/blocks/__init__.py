@@ -2,6 +2,7 @@
 
 from app.lessons.blocks.answer import Answer
 from app.lessons.blocks.block import Block
+from app.lessons.blocks.exercise import Exercise
 from app.lessons.blocks.note import Note
 from app.lessons.blocks.predict import Predict
 from app.lessons.blocks.samples import Samples
@@ -9,5 +10,5 @@ from app.lessons.blocks.shown import ShownState
 from app.lessons.blocks.task import Task
 
 KINDS: dict[str, type[Block]] = {
-    kind.kind: kind for kind in (ShownState, Predict, Task, Answer, Note, Samples)
+    kind.kind: kind for kind in (ShownState, Predict, Task, Answer, Exercise, Note, Samples)
 }

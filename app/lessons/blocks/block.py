@@ -50,6 +50,9 @@ class Here(Protocol):
     def quantities(self, now: Document | None = None, view: View | None = None) -> Quantities:
         """Return the quantities of the step's own state, or of the window's current state."""
 
+    def varied(self, state: State | None, given: Mapping[str, float]) -> Here:
+        """Return the step in another state of its own, with names for some numbers."""
+
     def idea(self, name: str) -> Idea | None:
         """Return the wrong idea with this name, if the program knows it."""
 

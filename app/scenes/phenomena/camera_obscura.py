@@ -161,6 +161,7 @@ PHENOMENON = Phenomenon(
     found=_found,
     own_mesh=True,
     names=("hole", "film", "h", "h'", "d", "z"),
+    inks={"d": "v"},
     side=(40.0, 14.0),
     leaves_out=frozenset({"camera", "frustum", "near-picture"}),
 )

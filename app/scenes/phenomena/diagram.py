@@ -31,9 +31,9 @@ class Spot:
         Written beside it, where there is room; it is in `tip` too.
     key : str
         Reported when it is clicked; empty if it cannot be chosen.
-    faded, marked, broken : bool
+    faded, marked, broken, hollow : bool
         Drawn paler, because another one is better; drawn as the present choice; drawn as a cross,
-        because something ends here.
+        because something ends here; drawn as a circle, because it is only a reference.
     """
 
     x: float
@@ -45,6 +45,7 @@ class Spot:
     faded: bool = False
     marked: bool = False
     broken: bool = False
+    hollow: bool = False
 
 
 @dataclass(frozen=True, eq=False)

@@ -170,6 +170,8 @@ class Phenomenon:
         The pane that shows it best: ``"world"``, ``"ndc"`` or ``"image"``.
     names : tuple of str
         The ids of the things that its pictures name, unless the document has a list of its own.
+    inks : dict of str
+        The colours, fields of `Style`, of the lengths that a flat view measures, by their names.
     side : (float, float), optional
         From where the world pane looks at first: degrees from beside the camera to behind it, and
         upwards. By default the pane chooses the side that shows most.
@@ -205,6 +207,7 @@ class Phenomenon:
     requires: frozenset[str] = frozenset()
     leading: str = "world"
     names: tuple[str, ...] = ()
+    inks: Mapping[str, str] = field(default_factory=dict)
     side: tuple[float, float] | None = None
     cube_side: tuple[float, float] | None = None
     fixed: str = ""

@@ -81,7 +81,7 @@ class BlockView(QFrame):
     spoke = Signal()
     """A response to the answer appeared."""
 
-    def __init__(self, here: AtStep, block: Asked, *sign: QWidget) -> None:
+    def __init__(self, here: AtStep, block: Asked, *sign: QWidget, text: str = "") -> None:
         super().__init__()
         self.setObjectName("asked")
         self.here, self.block = here, block
@@ -92,10 +92,10 @@ class BlockView(QFrame):
         self.said: list[QWidget] = []
         """The widgets of the response, from the top."""
         self._said = in_column(gap=4)
-        text: QWidget = LessonText(block.text)
+        words: QWidget = LessonText(text or block.text)
         if sign:
-            text = on_holder(*((each, TOP) for each in sign), (text, 1), gap=4)
-        self._column = in_column(text, self._said, on=self, margins=(9, 7, 9, 8), gap=5)
+            words = on_holder(*((each, TOP) for each in sign), (words, 1), gap=4)
+        self._column = in_column(words, self._said, on=self, margins=(9, 7, 9, 8), gap=5)
 
     def _insert(self, widget: QWidget) -> None:
         """Add a widget above the response."""

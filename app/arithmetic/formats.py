@@ -1,0 +1,202 @@
+"""Number formats of cheap hardware, imitated bit for bit in float64 arrays.
+
+A format rounds to the nearest of its numbers, and to the even one half-way (IEEE 754-2019, 4.3.1).
+One operation in a format is the float64 operation, rounded: for up to 24 digits the second rounding
+changes nothing (Figueroa, "When is double rounding innocuous?", 1995), and the products of 16.16
+numbers that stay in range are exact in float64. There is no infinity: a result that is out of range
+is NaN, and so is all that is computed from it.
+
+==========  ======  ======================  =====================================================
+format      digits  step near 0             source
+==========  ======  ======================  =====================================================
+float64     53      2^-1074                 IEEE 754-2019, table 3.5: binary64
+float32     24      2^-149                  binary32
+float16     11      2^-24                   binary16
+bfloat16    8       2^-133                  Intel, "BFLOAT16: Hardware Numerics Definition" (2018)
+16.16       31      2^-16, everywhere       two's complement with 16 bits behind the point
+==========  ======  ======================  =====================================================
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from app.arithmetic.double_double import Array
+
+_UNIT_64 = 2.0**-53
+
+
+@dataclass(frozen=True)
+class Format:
+    """Numbers with a limited number of digits, of a limited size.
+
+    Attributes
+    ----------
+    name : str
+    bits : int
+        Stored bits of one number.
+    digits : int or None
+        Significant bits of a number of ordinary size; None for fixed point.
+    step : float
+        The distance between neighbours near 0, and for fixed point everywhere; a power of 2.
+    largest : float
+    """
+
+    name: str
+    bits: int
+    digits: int | None
+    step: float
+    largest: float
+
+    @property
+    def unit(self) -> float:
+        """Bound of the relative error of rounding; 0 for fixed point (Higham, 2.2)."""
+        return 0.0 if self.digits is None else 2.0**-self.digits
+
+    def rounded(self, values: ArrayLike) -> Array:
+        """The nearest numbers of the format; NaN where they are out of range."""
+        given = np.asarray(values, dtype=np.float64)
+        with np.errstate(all="ignore"):
+            if self.digits is None:
+                found = np.rint(given / self.step) * self.step
+            elif self.digits == 53:
+                found = given
+            else:
+                found = _with_digits(given, self.digits)
+                tiny = np.abs(given) < self.step * 2.0 ** (self.digits - 1)
+                if tiny.any():  # subnormal numbers are fixed point
+                    found = np.where(tiny, np.rint(given / self.step) * self.step, found)
+            good = np.abs(found) <= self.largest
+        return found if good.all() else np.where(good, found, np.nan)
+
+    def lost(self, sizes: ArrayLike) -> Array:
+        """Bounds of the rounding errors of numbers of these sizes."""
+        error: Array = self.unit * np.abs(sizes) + self.step / 2.0
+        return error
+
+
+def _with_digits(values: Array, digits: int) -> Array:
+    """Round to significant bits, half-way to even: a carry into the exponent is right, too."""
+    cut = np.uint64(53 - digits)
+    one = np.uint64(1)
+    bits = values.view(np.uint64) if values.flags.c_contiguous else values.copy().view(np.uint64)
+    odd = (bits >> cut) & one
+    bits = bits + ((one << (cut - one)) - one + odd)
+    bits &= ~((one << cut) - one)
+    found: Array = bits.view(np.float64)
+    return found
+
+
+class Grid(NamedTuple):
+    """The places that quantised vertices of a box can have.
+
+    Every axis has the same step, the box's longest side over ``2^bits - 1``, as in Draco
+    (`AttributeQuantizationTransform`) and gltfpack. glTF's KHR_mesh_quantization stores the counts
+    as normalised integers and puts lower corner and step into the node's matrix.
+
+    Attributes
+    ----------
+    bits : int
+        Of one coordinate.
+    lower : (3,) array
+    step : float
+    """
+
+    bits: int
+    lower: Array
+    step: float
+
+    @classmethod
+    def over(cls, box: ArrayLike, bits: int) -> Grid:
+        """The grid over a box, (2, 3): lower and upper corner."""
+        lower, upper = np.asarray(box, dtype=np.float64)
+        side = float((upper - lower).max())
+        return cls(bits, lower, (side or 1.0) / (2.0**bits - 1.0))
+
+    def rounded(self, values: ArrayLike) -> Array:
+        """The nearest places of points (..., 3); NaN for a coordinate outside the box."""
+        count = np.rint((np.asarray(values, dtype=np.float64) - self.lower) / self.step)
+        good = (count >= 0.0) & (count < 2.0**self.bits)
+        return np.where(good, self.lower + self.step * count, np.nan)
+
+    def lost(self, sizes: ArrayLike) -> Array:
+        """Bounds of the rounding errors: half a step, and the roundings of `rounded` itself."""
+        off = 4.0 * _UNIT_64 * (np.abs(self.lower) + self.step * 2.0**self.bits)
+        error: Array = np.zeros_like(np.asarray(sizes)) + self.step / 2.0 + off
+        return error
+
+
+FORMATS: dict[str, Format] = {
+    form.name: form
+    for form in (
+        Format("float64", 64, 53, 2.0**-1074, float(np.finfo(np.float64).max)),
+        Format("float32", 32, 24, 2.0**-149, (2.0 - 2.0**-23) * 2.0**127),
+        Format("float16", 16, 11, 2.0**-24, 65504.0),
+        Format("bfloat16", 16, 8, 2.0**-133, (2.0 - 2.0**-7) * 2.0**127),
+        Format("fixed 16.16", 32, None, 2.0**-16, 2.0**15 - 2.0**-16),
+    )
+}
+"""The formats that can compute, and store vertices."""
+
+QUANTISED: dict[str, int] = {f"{bits} bits": bits for bits in range(8, 17)}
+"""The further formats of vertices: bits of a coordinate over the box of the mesh."""
+
+SNAPS: dict[str, float] = {"none": 0.0, "whole px": 1.0, "1/4 px": 0.25, "1/16 px": 0.0625}
+"""The steps of screen positions. OpenGL demands at least 1/16 px (GL_SUBPIXEL_BITS is 4)."""
+
+RECIPROCALS: dict[str, int | None] = {
+    "exact": None, "table": 0, "table, 1 Newton step": 1, "table, 2 Newton steps": 2,
+}  # fmt: skip
+"""Newton steps after the table; None for a division that is rounded once."""
+
+# --------------------------------------------------------------------------- reciprocals
+
+_INDEX_BITS = 8
+_STARTS = 1.0 + np.arange(2.0**_INDEX_BITS) / 2.0**_INDEX_BITS
+_ENDS = _STARTS + 2.0**-_INDEX_BITS
+TABLE: Array = np.rint(2.0 ** (_INDEX_BITS + 1) * 2.0 / (_STARTS + _ENDS)) / 2.0 ** (
+    _INDEX_BITS + 1
+)
+"""Reciprocals of the middles of 256 parts of [1, 2): 8 bits in, 8 behind the leading one out.
+
+The table is the one of Das Sarma and Matula, "Measuring the accuracy of ROM reciprocal tables"
+(1994), which they prove to be the best.
+"""
+TABLE_ERROR = float(np.maximum(np.abs(TABLE * _STARTS - 1.0), np.abs(TABLE * _ENDS - 1.0)).max())
+"""Bound of the table's relative error: it is largest at an end of a part; 2^-8.4."""
+
+
+def reciprocal(divisors: Array, numbers: Format, steps: int) -> tuple[Array, Array]:
+    """Approximate ``1/w`` in a format from the table, and bound the relative errors.
+
+    Parameters
+    ----------
+    divisors : array
+        Numbers w of the format, above 0; the answer to others is NaN.
+    numbers : Format
+    steps : int
+        Newton steps ``r (2 - w r)``, each of which squares the relative error e of r (Markstein,
+        "Computation of elementary functions on the IBM RISC System/6000 processor", 1990).
+
+    Notes
+    -----
+    With roundings d_i below u, and s half a step near 0:
+    ``w r' - 1 = (1 + e)(1 - e - (1 + e) d_1 - s)(1 + d_2)(1 + d_3) - 1 + w s``.
+    """
+    fraction, exponent = np.frexp(np.where(divisors > 0.0, divisors, np.nan))
+    known = np.isfinite(fraction)
+    part = np.where(known, fraction * 2.0 ** (_INDEX_BITS + 1) - 2.0**_INDEX_BITS, 0.0)
+    guess = np.ldexp(TABLE[part.astype(np.intp)], 1 - exponent)
+    unit, half = numbers.unit, numbers.step / 2.0
+    found = numbers.rounded(np.where(known, guess, np.nan))
+    error: Array = (1.0 + TABLE_ERROR) * (1.0 + unit) - 1.0 + divisors * half
+    for _ in range(steps):
+        product = numbers.rounded(divisors * found)
+        found = numbers.rounded(found * numbers.rounded(2.0 - product))
+        left = error**2 + (1.0 + error) * ((1.0 + error) * unit + half)
+        error = (1.0 + left) * (1.0 + unit) ** 2 - 1.0 + divisors * half
+    return found, error

@@ -1,0 +1,247 @@
+"""``exercise``: a question or a task whose numbers are drawn anew for each seed.
+
+An exercise is a recipe. For a seed it draws the numbers of its ``vary`` lines, writes them into its
+text, and so becomes an ordinary ``answer`` or ``task`` in a state of its own. The same seed gives
+the same numbers on every machine.
+"""
+
+from __future__ import annotations
+
+import random
+import re
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from typing import NamedTuple
+
+from app.lessons.blocks.answer import Answer
+from app.lessons.blocks.block import Asked, Here, Trial
+from app.lessons.blocks.question import Question
+from app.lessons.blocks.task import Task
+from app.lessons.lines import LACKS, Body, Lines, on_line, refused
+from app.lessons.quantities import FUNCTIONS, NO_NAME, Condition
+from app.lessons.state import State, read_state
+from app.model.formula import Arithmetic, parse
+from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
+
+MOST_NAMES, MOST_VALUES = 8, 1000
+LEAST_VARIANTS = 20
+"""Fewer variants are learnt by heart."""
+LARGEST_SEED = 9999
+_DRAWS = 200
+"""How often numbers are drawn until they suit."""
+_SEEDS, _WHOLE = 200, 5
+"""How many seeds a check draws, and for how many it checks the whole question."""
+
+A_RANGE = QT_TRANSLATE_NOOP(
+    "Refusal", "must be a range like 20..100 step 5, or numbers separated by commas"
+)
+TOO_MANY = QT_TRANSLATE_NOOP("Refusal", "has {0} values; the limit is {1}")
+TOO_MANY_NAMES = QT_TRANSLATE_NOOP("Refusal", "varies more than {0} numbers")
+TWICE = QT_TRANSLATE_NOOP("Refusal", "varies {0} twice")
+NO_VARIANT = QT_TRANSLATE_NOOP(
+    "Refusal", "finds no numbers that suit, for seed {0}; the last ones were refused: {1}"
+)
+TOO_FEW = QT_TRANSLATE_NOOP("Refusal", "has about {0} variants; it needs at least {1}")
+A_SEED = QT_TRANSLATE_NOOP("Refusal", "must begin with a seed, a whole number from 1 to {0}")
+UNSUITED = QT_TRANSLATE_NOOP("Refusal", "does not hold")
+
+_VARY = re.compile(r"vary\s+([a-z]\w*)\s*:(.*)")
+_OWN = re.compile(r"(where|state)\s*:(.*)")
+_RANGE = re.compile(r"(.+?)\.\.(.+?)(?:\s+step\s+(.+))?")
+_DRAWN = re.compile(r"\{=([^{}]*)\}")
+
+
+class Varied(NamedTuple):
+    """A number that is drawn from some values."""
+
+    name: str
+    values: tuple[Fraction, ...]
+
+
+class Variant(NamedTuple):
+    """An exercise with its numbers: a question or a task, and the step with its state."""
+
+    seed: int
+    numbers: Mapping[str, Fraction]
+    question: Question | Task
+    here: Here
+
+
+@dataclass(frozen=True, kw_only=True)
+class Exercise(Asked):
+    """A recipe for questions; `recipe` is the body of each, before the numbers are written in.
+
+    Attributes
+    ----------
+    varied : tuple of Varied
+    where : tuple of (int, Condition)
+        What the numbers must fulfil, in the variant's own state.
+    states : sequence of (int, str)
+        The lines of the variant's state.
+    """
+
+    kind = "exercise"
+    varied: tuple[Varied, ...]
+    where: tuple[tuple[int, Condition], ...]
+    states: Lines
+    recipe: Lines
+
+    @classmethod
+    def read(cls, body: Body) -> Exercise:
+        varied: list[Varied] = []
+        where: list[tuple[int, Condition]] = []
+        states: list[tuple[int, str]] = []
+        recipe: list[tuple[int, str]] = []
+        for line, text in body.lines:
+            vary, own = _VARY.fullmatch(text), _OWN.fullmatch(text)
+            if vary is not None:
+                varied.append(_varied(vary[1], vary[2].strip(), line, varied))
+            elif own is not None and own[1] == "where":
+                with on_line(line, "where"):
+                    where.append((line, Condition.read(own[2].strip())))
+            elif own is not None:
+                states += [(line, part) for part in own[2].split(";")]
+            else:
+                recipe.append((line, text))
+        if not varied:
+            raise refused(body.line, LACKS, "“vary NAME: VALUES”")
+        made = cls(
+            line=body.line, name=body.name, text="", varied=tuple(varied), where=tuple(where),
+            states=states, recipe=recipe,
+        )  # fmt: skip
+        first = made.question({each.name: each.values[0] for each in varied})
+        object.__setattr__(made, "text", first.text)
+        return made
+
+    def texts(self) -> Iterator[tuple[int, str]]:
+        yield from self.question({each.name: each.values[0] for each in self.varied}).texts()
+
+    def question(self, numbers: Mapping[str, Fraction]) -> Question | Task:
+        """Return the question or the task with these numbers in its text."""
+        lines = [(line, _written(text, line, numbers)) for line, text in self.recipe]
+        body = Body("task", self.name, self.line, lines)
+        if any(text.startswith("until:") for _, text in lines):
+            return Task.read(body)
+        return Answer.read(body._replace(kind="answer"))
+
+    def variant(self, here: Here, seed: int) -> Variant:
+        """Return the exercise for a seed; a `Refusal` if no numbers suit.
+
+        Numbers suit if their state exists, the conditions hold, and no wrong idea leads to the
+        right value or to that of another idea.
+        """
+        chance = random.Random(f"{self.name} {seed}")
+        problem: Refusal | None = None
+        for _ in range(_DRAWS):
+            numbers = {each.name: chance.choice(each.values) for each in self.varied}
+            try:
+                return self._suited(here, seed, numbers)
+            except Refusal as error:
+                problem = error
+        raise refused(self.line, NO_VARIANT, seed, str(problem).rstrip("."))
+
+    def _suited(self, here: Here, seed: int, numbers: Mapping[str, Fraction]) -> Variant:
+        given = {name: float(value) for name, value in numbers.items()}
+        here = here.varied(self._state(numbers), given)
+        known = here.quantities()
+        for line, condition in self.where:
+            with on_line(line, "where"):
+                if not condition.holds(known):
+                    raise refused(line, UNSUITED, value=condition.text)
+        question = self.question(numbers)
+        if isinstance(question, Question):
+            question.check_values(here)
+        elif question.is_done(here, here.document):
+            raise refused(self.line, UNSUITED, value=question.text[:60])
+        return Variant(seed, numbers, question, here)
+
+    def _state(self, numbers: Mapping[str, Fraction]) -> State | None:
+        if not self.states:
+            return None
+        lines = [(line, _written(text, line, numbers, exact=True)) for line, text in self.states]
+        return read_state(lines, self.states[0][0])
+
+    def check(self, here: Here, trial: Trial) -> None:
+        trial.checks += 1
+        count = 1
+        for each in self.varied:
+            count *= len(each.values)
+        found = {tuple(self.variant(here, seed).numbers.values()) for seed in range(1, _SEEDS + 1)}
+        if min(count, len(found)) < LEAST_VARIANTS:
+            raise refused(self.line, TOO_FEW, len(found), LEAST_VARIANTS)
+        for seed in range(1, _WHOLE + 1):
+            variant = self.variant(here, seed)
+            variant.question.check(variant.here, trial)
+
+    def verdict(self, here: Here, sample: str, line: int) -> str:
+        seed, _, rest = sample.partition(" ")
+        if not seed.isdecimal() or not 1 <= int(seed) <= LARGEST_SEED:
+            raise refused(line, A_SEED, LARGEST_SEED, value=sample)
+        variant = self.variant(here, int(seed))
+        return variant.question.verdict(variant.here, rest.strip(), line)
+
+
+# --------------------------------------------------------------------------- numbers
+
+
+def _call(name: str, arguments: Sequence[Fraction]) -> Fraction:
+    if name not in FUNCTIONS:
+        raise KeyError(name)
+    return Fraction(FUNCTIONS[name](*map(float, arguments)))
+
+
+_ARITHMETIC = Arithmetic(Fraction, _call)
+
+
+def _number(text: str, line: int, numbers: Mapping[str, Fraction]) -> Fraction:
+    """Return the value of a formula of numbers and of the names that are varied."""
+    with on_line(line, "formula"):
+        formula = parse(text.strip())
+        try:
+            value: Fraction = formula.value(numbers, _ARITHMETIC)
+        except KeyError as error:
+            near = ", ".join(numbers) or "none"
+            raise Refusal("formula", text.strip(), NO_NAME, str(error.args[0]), near) from error
+        except (ArithmeticError, ValueError, TypeError) as error:
+            raise Refusal("formula", text.strip(), UNSUITED) from error
+    return value
+
+
+def _varied(name: str, text: str, line: int, before: Sequence[Varied]) -> Varied:
+    """Read the values of a ``vary`` line."""
+    if len(before) == MOST_NAMES:
+        raise refused(line, TOO_MANY_NAMES, MOST_NAMES)
+    if any(each.name == name for each in before):
+        raise refused(line, TWICE, name)
+    found = _RANGE.fullmatch(text)
+    if found is None:
+        values = [_number(part, line, {}) for part in text.split(",")]
+    else:
+        first, last = _number(found[1], line, {}), _number(found[2], line, {})
+        step = _number(found[3] or "1", line, {})
+        if step <= 0 or last < first:
+            raise refused(line, A_RANGE, value=text[:60])
+        count = (last - first) // step + 1
+        if count > MOST_VALUES:
+            raise refused(line, TOO_MANY, count, MOST_VALUES)
+        values = [first + step * place for place in range(int(count))]
+    return Varied(name, tuple(values))
+
+
+def _written(text: str, line: int, numbers: Mapping[str, Fraction], *, exact: bool = False) -> str:
+    """Write the numbers into a text, for a reader or with all their digits."""
+
+    def written(found: re.Match[str]) -> str:
+        value = _number(found[1], line, numbers)
+        return repr(float(value)) if exact else written_number(value)
+
+    return _DRAWN.sub(written, text)
+
+
+def written_number(value: Fraction) -> str:
+    """Write a number for a reader: ``0.5``, ``4/3``, and four digits where neither is short."""
+    short = f"{float(value):.10g}"
+    if Fraction(short) == value:
+        return short
+    return str(value) if value.denominator < 100 else f"{float(value):.4g}"

@@ -1,0 +1,149 @@
+"""Exercises: numbers drawn by a seed, and the question that they make."""
+
+from __future__ import annotations
+
+import math
+from fractions import Fraction
+from pathlib import Path
+
+import pytest
+
+from app.lessons.blocks.exercise import Exercise, written_number
+from app.lessons.blocks.task import Task
+from app.lessons.checking import Report
+from app.lessons.course import AtStep, Course
+from app.lessons.lesson import parse_lesson
+from app.model.refusal import Refusal
+
+WIDE = """vary fov: 20..100 step 5
+vary a: 4/3, 16/9, 2, 1.5, 5/2
+where: fov_x < 150
+state: lens.fov_y_deg={=fov}; image.width={=720*a}; image.height=720
+The picture is {=fov}° high and {=a} times as wide. How wide is its angle?
+value: 2*atan(a*tan(fov/2))
+unit: °
+wrong angle-linear: a*fov
+why: Its half is {=fov/2}°.
+"""
+SET = """vary q: 30..120 step 2
+state: lens.fov_y_deg=20
+Make the picture {=q}° wide.
+until: fov_x = q
+"""
+
+
+def exercise(body: str, test: str = "") -> tuple[Exercise, AtStep]:
+    block = f"```exercise mine\n{body}```\n"
+    sample = f"```test\n{test}\n```\n" if test else ""
+    lesson = parse_lesson(f"---\ntitle: T\n---\n# A\n{block}{sample}", Path("l.md"))
+    here = Course(lesson).at(0)
+    asked = here.asked["mine"]
+    assert isinstance(asked, Exercise)
+    return asked, here
+
+
+def faults(body: str, test: str = "") -> str:
+    """Return what a check complains of."""
+    report = Report()
+    try:
+        report.take(exercise(body, test)[1].course.lesson)
+    except Refusal as error:
+        return str(error)
+    return "\n".join(map(str, report.wrong))
+
+
+def test_a_seed_gives_the_same_numbers_everywhere_and_another_one_others() -> None:
+    asked, here = exercise(WIDE)
+    one = asked.variant(here, 1)
+    assert one.numbers == {"fov": 30, "a": 2} == asked.variant(here, 1).numbers
+    assert len({tuple(asked.variant(here, seed).numbers.values()) for seed in range(1, 201)}) > 60
+
+
+def test_state_text_and_formulas_use_the_numbers() -> None:
+    asked, here = exercise(WIDE)
+    for seed in range(1, 30):
+        variant = asked.variant(here, seed)
+        fov, a = (float(variant.numbers[name]) for name in ("fov", "a"))
+        lens = variant.here.document.projection.lens
+        assert lens.fov_y_deg == fov
+        width, height = variant.here.document.projection.image_size
+        assert (width, height) == (720 * a, 720)
+        wide = math.degrees(2 * math.atan(a * math.tan(math.radians(fov / 2))))
+        assert wide < 150
+        mark = variant.question.mark  # type: ignore[union-attr]
+        assert mark(variant.here, f"{wide:.4g}").right
+        assert mark(variant.here, f"{a * fov:.4g}").idea == "angle-linear"
+        assert f"{fov:g}° high and {written_number(variant.numbers['a'])} times" in (
+            variant.question.text
+        )
+        assert variant.question.why == f"Its half is {fov / 2:g}°."
+
+
+def test_a_task_of_an_exercise_is_done_in_the_window() -> None:
+    asked, here = exercise(SET)
+    variant = asked.variant(here, 5)
+    assert isinstance(variant.question, Task)
+    q = float(variant.numbers["q"])
+    own = variant.here.document
+    assert own.projection.lens.fov_y_deg == 20.0
+    width, height = own.projection.image_size
+    fov = math.degrees(2 * math.atan(math.tan(math.radians(q / 2)) * height / width))
+    assert not variant.question.is_done(variant.here, own)
+    assert asked.verdict(here, f"5 lens.fov_y_deg={fov}", 1) == "done"
+    assert asked.verdict(here, f"6 lens.fov_y_deg={fov}", 1) == "open"
+
+
+def test_numbers_do_not_suit_where_a_wrong_idea_is_right() -> None:
+    # With a = 1 the wrong value is the right one, for every angle.
+    asked, here = exercise(WIDE.replace("vary a: 4/3,", "vary a: 1, 4/3,"))
+    assert all(asked.variant(here, seed).numbers["a"] != 1 for seed in range(1, 100))
+    only = WIDE.replace("vary a: 4/3, 16/9, 2, 1.5, 5/2", "vary a: 1")
+    with pytest.raises(Refusal, match="finds no numbers that suit, for seed 1"):
+        exercise(only)[0].variant(here, 1)
+
+
+def test_samples_begin_with_their_seed() -> None:
+    assert faults(WIDE, "mine: 1 56.4 -> right\nmine: 1 60 -> angle-linear") == ""
+    assert "gets “wrong” instead of “right”" in faults(WIDE, "mine: 2 56.4 -> right")
+    assert "must begin with a seed" in faults(WIDE, "mine: 112.6 -> right")
+    assert "must begin with a seed" in faults(WIDE, "mine: 10000 1 -> right")
+
+
+def test_the_solution_has_letters_then_numbers_then_the_value() -> None:
+    asked, here = exercise(WIDE)
+    variant = asked.variant(here, 3)
+    assert variant.question.solution(variant.here) == (  # type: ignore[union-attr]
+        r"$2 \, \arctan\left(a \, \tan\left(\frac{\mathrm{fov}}{2}\right)\right) = "
+        r"2 \, \arctan\left(1.333 \, \tan\left(\frac{70}{2}\right)\right) = 86.07$"
+    )
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "said"),
+    [
+        ("vary fov: 20..100 step 5\nvary a: 4/3, 16/9, 2, 1.5, 5/2\n", "", "needs “vary NAME"),
+        ("20..100 step 5", "100..20", "must be a range like 20..100 step 5"),
+        ("20..100 step 5", "20..100 step 0", "must be a range"),
+        ("20..100 step 5", "20..100 step 1/50", "has 4001 values; the limit is 1000"),
+        ("20..100 step 5", "twenty", "unknown name, twenty"),
+        ("20..100 step 5", "1/0", "does not hold"),
+        ("vary a:", "vary fov:", "varies fov twice"),
+        ("{=720*a}", "{=720*b}", "unknown name, b; the nearest is fov, a"),
+        ("lens.fov_y_deg={=fov}", "lens.fov_y_deg={=9*fov+1000}", "finds no numbers that suit"),
+        ("20..100 step 5", "20..30 step 10", "has about 10 variants; it needs at least 20"),
+        ("where: fov_x < 150", "where: fov_x", "must be a condition"),
+        ("value: 2*atan(a*tan(fov/2))", "value: 2*atan(a*tan(fow/2))", "unknown name, fow"),
+    ],
+)
+def test_a_faulty_exercise_is_refused_with_its_line(old: str, new: str, said: str) -> None:
+    assert old in WIDE
+    found = faults(WIDE.replace(old, new))
+    assert said in found and "line " in found
+
+
+def test_numbers_are_written_for_a_reader() -> None:
+    for value, text in (
+        (Fraction(1, 2), "0.5"), (Fraction(4, 3), "4/3"), (Fraction(-7), "-7"),
+        (Fraction(math.pi), "3.142"), (Fraction(1, 8), "0.125"),
+    ):  # fmt: skip
+        assert written_number(value) == text

@@ -1,0 +1,110 @@
+"""The view of an exercise: its seed, "Another one", and the view of the question it becomes."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from PySide6.QtGui import QIntValidator
+from PySide6.QtWidgets import QLineEdit, QWidget
+
+from app.document.document import Document
+from app.document.view import View
+from app.lessons.blocks.block import Asked
+from app.lessons.blocks.exercise import LARGEST_SEED, Exercise, Variant
+from app.lessons.course import AtStep
+from app.model.refusal import Refusal
+from widgets.parts.layouts import FREE
+from widgets.parts.plain import Label, set_tip
+from widgets.window.lesson_blocks.view import BlockView, button, on_holder
+
+ViewOf = Callable[[AtStep, Asked], BlockView]
+
+
+class Practises(BlockView):
+    """An exercise; the answer of the student is kept with the seed that drew its numbers."""
+
+    def __init__(self, here: AtStep, exercise: Exercise, view_of: ViewOf) -> None:
+        super().__init__(here, exercise, text=self.tr("**Exercise**"))
+        self.exercise, self._view_of = exercise, view_of
+        self.variant: Variant | None = None
+        self.asked: BlockView | None = None
+        """The view of the question with its numbers; None before the student begins."""
+        self.seed = QLineEdit("1")
+        self.seed.setValidator(QIntValidator(1, LARGEST_SEED, self))
+        self.seed.setAccessibleName(self.tr("Number of the variant"))
+        set_tip(self.seed, self.tr("The same number gives the same exercise to everyone (Enter)"))
+        self.seed.setMaximumWidth(4 * self.fontMetrics().height())
+        self.seed.returnPressed.connect(self.begin)
+        self._begin = button(
+            self.tr("Be&gin"), self.tr("Draw the numbers, and show their state"), self.begin
+        )
+        self._another = button(
+            self.tr("Another &one"), self.tr("The same exercise with new numbers"), self.go_on
+        )
+        self._another.hide()
+        row = on_holder(
+            Label(self.tr("Variant")), self.seed, self._begin, self._another, FREE, gap=5
+        )
+        self._insert(row)
+
+    @property
+    def first(self) -> QWidget | None:
+        return self._begin if self.asked is None else self.asked.first
+
+    @property
+    def is_open(self) -> bool:
+        return self.asked is None or self.asked.is_open
+
+    def restore(self, answer: str) -> None:
+        seed, _, given = answer.partition(" ")
+        self.seed.setText(seed)
+        if self._draw() and self.asked is not None:
+            self.asked.restore(given)
+            self.answer = answer
+
+    def begin(self) -> None:
+        """Draw the numbers of the seed, and show their state."""
+        if self._draw() and self.variant is not None and self.asked is not None:
+            self.show_wanted.emit(self.variant.here.document)
+            if self.asked.first is not None:
+                self.asked.first.setFocus()
+            self.spoke.emit()
+
+    def go_on(self) -> None:
+        """Draw the numbers of the next seed."""
+        self.seed.setText(str(int(self.seed.text() or "0") % LARGEST_SEED + 1))
+        self.begin()
+
+    def _draw(self) -> bool:
+        """Make the view of the variant; say why if there is none."""
+        self._hush()
+        try:
+            self.variant = self.exercise.variant(self.here, max(1, int(self.seed.text() or "1")))
+        except Refusal as error:
+            self._refuse(error)
+            return False
+        asked = self._view_of(self.variant.here, self.variant.question)  # type: ignore[arg-type]
+        asked.settled.connect(self._settled)
+        asked.show_wanted.connect(self.show_wanted)
+        asked.spoke.connect(self.spoke)
+        if self.asked is not None:
+            self._column.removeWidget(self.asked)
+            self.asked.hide()
+            self.asked.deleteLater()
+        self.asked, self.answer, self.hints = asked, "", asked.hints
+        self._insert(asked)
+        self._begin.hide()
+        self._another.show()
+        return True
+
+    def _settled(self, given: str) -> None:
+        assert self.variant is not None
+        self._settle(f"{self.variant.seed} {given}")
+
+    def give_hint(self) -> None:
+        if self.asked is not None:
+            self.asked.give_hint()
+
+    def look(self, document: Document, view: View) -> None:
+        if self.asked is not None:
+            self.asked.look(document, view)
