@@ -289,6 +289,11 @@ class StageDrawing(Drawing):
     def picture_rectangle_px(self) -> Rectangle:
         return Rectangle(0, 0, *self.own.size_px)
 
+    def spots_of(self, places: Array) -> Array:
+        shown = self.own.pane_from_display @ self._display_from_ndc
+        x, y, _, w = shown[:, :3] @ places.T + shown[:, 3:]
+        return np.stack([x, y], axis=1) / np.where(w > 0.0, w, np.nan)[:, None]
+
     @property
     def sight(self) -> Sight:
         projection = self._seen
