@@ -31,7 +31,7 @@ _ALONE = re.compile(rf"<p>((?:{FORMULA}\s*)+)</p>")
 _NO_HEAD = re.compile(r"<thead>\s*<tr>(\s*<th[^>]*></th>)+\s*</tr>\s*</thead>\s*")
 
 
-_MATH = re.compile(r"(\$\$?)(?=\S)([^$\n]{1,400}?)(?<=\S)\1")
+MATH = re.compile(r"(\$\$?)(?=\S)([^$\n]{1,400}?)(?<=\S)\1")
 
 
 @cache
@@ -51,7 +51,7 @@ def markdown() -> MarkdownIt:
 
 
 def _math(state: StateInline, silent: bool) -> bool:
-    found = _MATH.match(state.src, state.pos)
+    found = MATH.match(state.src, state.pos)
     if found is None:
         return False
     if not silent:

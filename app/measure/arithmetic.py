@@ -22,7 +22,6 @@ from vtkmodules.vtkCommonMath import vtkMatrix4x4
 from vtkmodules.vtkCommonTransforms import vtkPerspectiveTransform
 from vtkmodules.vtkRenderingCore import vtkCamera
 
-from app.arithmetic.formats import QUANTISED
 from app.measure.reference import SAMPLE, Truth, sample, truth
 from app.measure.results import Choice, Curve, Sweep, Trade
 from app.measure.run import Watch, timed, unwatched
@@ -42,11 +41,24 @@ _PRECISIONS: dict[str, Precision] = {
     "exact": "exact",
 }
 """The ways that are precisions of the model, which predicts their errors."""
-CHEAP = {
-    **{name: Hardware(name, name) for name in ("float16", "bfloat16", "fixed 16.16")},
-    **{bits: Hardware(bits) for bits in [*QUANTISED][::2]},
+CHEAP: dict[str, tuple[Hardware, dict[str, str]]] = {
+    **{
+        f"{bits} bits": (Hardware(f"{bits} bits"), {"settings.preset": f"bits{bits}"})
+        for bits in (8, 12, 16)
+    },
+    "float16": (Hardware("float16", "float16"), {"settings.preset": "half"}),
+    **{
+        name: (
+            Hardware(name, name),
+            {"settings.preset": "own", "settings.vertices": drawn, "settings.numbers": drawn},
+        )
+        for name, drawn in (("bfloat16", "bfloat16"), ("fixed 16.16", "fixed"))
+    },
 }
-"""Formats that numpy can only imitate, and vertices of so many bits: judged, but not timed."""
+"""Vertices of so many bits, and formats that numpy can only imitate: judged, but not timed.
+
+Each with the settings with which the scene ``cheap-arithmetic`` draws it.
+"""
 
 WORLD = "float32, world coordinates"
 """With vertices that are not measured from near the camera; over distances only."""
@@ -258,21 +270,23 @@ def measure(
             name: _largest(reference, np.asarray(way.rows(way.run()), dtype=np.float64).T[where])
             for name, way in all_ways.items()
         }
-    choices, box = [], np.stack([points_world.min(axis=0), points_world.max(axis=0)])
-    for name, hardware in CHEAP.items():
-        picture = cheap(projection, world, hardware, origin, box)
-        answers = np.column_stack([picture.image, picture.depth])[where]
-        errors, note = _largest(reference, answers)
-        bounds = picture.bounds.max(axis=0).tolist()
-        prediction = Prediction(max(bounds[:2]), bounds[2])
-        note, size = note or IN_SOFTWARE, hardware.bytes_per_vertex
-        choices.append(_choice(name, errors, prediction, note, {}, size))
+    choices = []
     for name, (errors, note) in found.items():
         precision = _PRECISIONS.get(name)
         expected = None if precision is None else predicted.get(precision)
         use = {} if precision in (None, "exact") else {"rung": str(precision)}
         choice = _choice(name, errors, expected, note, use, all_ways[name].bytes)
         choices.append(replace(choice, library=name in others))
+    box = np.stack([points_world.min(axis=0), points_world.max(axis=0)])
+    for name, (hardware, drawn) in CHEAP.items():
+        picture = cheap(projection, world, hardware, origin, box)
+        answers = np.column_stack([picture.image, picture.depth])[where]
+        errors, note = _largest(reference, answers)
+        bounds = picture.bounds.max(axis=0).tolist()
+        prediction = Prediction(max(bounds[:2]), bounds[2])
+        use = {"scene": "cheap-arithmetic", **drawn}
+        note, size = note or IN_SOFTWARE, hardware.bytes_per_vertex
+        choices.append(_choice(name, errors, prediction, note, use, size))
     choices += [
         Choice(name, None, None, None, note=note, library=True) for name, note in missing.items()
     ]
@@ -410,17 +424,18 @@ def sweep(
     points_world: Array,
     values: Sequence[float],
     watch: Watch = unwatched,
+    at: Callable[[str, Projection, Array, float], Mapping[str, Answer]] | None = None,
 ) -> Sweep:
-    """Measure the errors of every precision, and of VTK's own camera, over a parameter's range.
+    """Measure something at every value of a parameter, with the scene's points (n, 3).
 
-    `in_view` moves the scene's points (n, 3) into the view volume at every value.
+    `at` returns the answer of each choice; by default `errors`.
 
     Raises
     ------
     Cancelled
         By `watch`; with the values done.
     """
-    found: dict[str, list[_Answer]] = {}
+    found: dict[str, list[Answer]] = {}
     complete, done = True, 0
     for done, value in enumerate(values):
         try:
@@ -428,7 +443,7 @@ def sweep(
         except Cancelled:
             complete = False
             break
-        for name, answer in _at(parameter, projection, points_world, value).items():
+        for name, answer in (at or errors)(parameter, projection, points_world, value).items():
             found.setdefault(name, []).append(answer)
     curves = {name: _curve(answers) for name, answers in found.items()}
     measured = tuple(values) if complete else tuple(values[:done])
@@ -438,7 +453,7 @@ def sweep(
     return swept
 
 
-def _curve(answers: Sequence[_Answer]) -> Curve:
+def _curve(answers: Sequence[Answer]) -> Curve:
     measured, predicted, notes = zip(*answers, strict=True) if answers else ((), (), ())
 
     def column(parts: Sequence[Prediction | None], name: str) -> tuple[float | None, ...]:
@@ -448,14 +463,17 @@ def _curve(answers: Sequence[_Answer]) -> Curve:
     return Curve(*errors, column(predicted, "px"), column(predicted, "depth"), notes)
 
 
-_Answer: TypeAlias = tuple[Prediction | None, Prediction | None, str]
+Answer: TypeAlias = tuple[Prediction | None, Prediction | None, str]
 """The largest errors, the prediction, and the reason for a missing number."""
 
 
-def _at(
+def errors(
     parameter: str, projection: Projection, points_world: Array, value: float
-) -> Mapping[str, _Answer]:
-    """Return the answer of each choice at one value."""
+) -> Mapping[str, Answer]:
+    """Return the errors of every precision, and of VTK's own camera, at one value.
+
+    `in_view` moves the points (n, 3) into the view volume.
+    """
     try:
         there, moved = SWEEPS[parameter].set(projection, value)
     except Refusal as error:
@@ -467,13 +485,13 @@ def _at(
     origins = {name: (precision, origin) for name, precision in _PRECISIONS.items()}
     if parameter == "distance":
         origins[WORLD] = "float32", (0.0, 0.0, 0.0)
-    found: dict[str, _Answer] = {}
+    found: dict[str, Answer] = {}
     with np.errstate(all="ignore"):
         for name, (precision, start) in origins.items():
             traced = trace(there, world, precision, start)
-            errors, note = _largest(reference, np.column_stack([traced.image, traced.depth]))
+            largest, note = _largest(reference, np.column_stack([traced.image, traced.depth]))
             predicted = predict(there, world, start) or {}
-            found[name] = (errors, predicted.get(precision), note)
+            found[name] = (largest, predicted.get(precision), note)
         found["VTK's camera"] = _vtk_camera(there, world, reference)
     return found
 
@@ -519,7 +537,7 @@ def _spread(projection: Projection, pixels: Array, depth: Array) -> Array:
     return world
 
 
-def _vtk_camera(projection: Projection, world: Array, reference: Truth) -> _Answer:
+def _vtk_camera(projection: Projection, world: Array, reference: Truth) -> Answer:
     """Set VTK's own camera as a program would, and note which of the values it changes."""
     lens, camera = projection.lens, vtkCamera()
     camera.SetPosition(*projection.camera.eye)

@@ -198,6 +198,13 @@ WRONG = [
       "line 15 = 'angle-liner': names an unknown wrong idea (the nearest is angle-linear)",
       "line 18, near is not known; the nearest name is lens.near.",
       "line 27 cannot be shown: There is no scene “moon”, only "]),
+    # Signs that would be shown as they are typed.
+    ("Costs \\$5, `$`, $x$.\nWith $y\n```answer\nSee [this](http://a.b) or [1]?\nvalue: 2\n"
+     "why: ![F](f.png), <https://a.b> $x\n```\n",
+     ["line 6 = 'With $y': begins a formula with $ that no other $ on its line ends.",
+      "line 8 = '[this](http://a.b)': has a picture or a link, which a lesson shows",
+      "line 10 = '![F](f.png), <https://a.b> $x': begins a formula",
+      "line 10 = '![F](f.png)': has a picture or a link"]),
     (f"word {'word ' * 151}\n```note\n{'word ' * 151}\n```\n",
      ["line 4 has 152 words in its step; the limit is 150", "line 6 has a note of 151 words; the"]),
 ]  # fmt: skip

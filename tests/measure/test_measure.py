@@ -36,9 +36,8 @@ from app.measure.arithmetic import (
     values_of,
     ways,
 )
-from app.measure.depth import BEYOND, NOT_TOLD, smallest_gap
+from app.measure.depth import BEYOND, NOT_TOLD, gaps, smallest_gap
 from app.measure.depth import measure as measure_depth
-from app.measure.depth import sweep as sweep_depth
 from app.measure.detail import TOO_FEW, outline
 from app.measure.detail import measure as measure_detail
 from app.measure.interpolation import Edge, affine, bound, correct, steepest_edge
@@ -175,7 +174,7 @@ def test_trade_1_times_every_way_and_defines_its_errors() -> None:
     assert found["float16"].bytes == 6.0 and found["float32"].bytes == 12.0
     assert found["12 bits"].bytes == 4.5
     assert {each.name for each in found.values() if each.library} == set(peers(START, POINTS)[0])
-    precisions = {choice.use["rung"] for choice in trade.choices if choice.use}
+    precisions = {choice.use["rung"] for choice in trade.choices if "rung" in choice.use}
     assert precisions == {"float32", "float64"}  # the panes cannot draw the exact one
     for name in ("{}", "{}, eye first"):  # the same code in two formats
         single, double = (found[name.format(kind)] for kind in ("float32", "float64"))
@@ -332,7 +331,7 @@ def test_every_library_is_asked_for_the_same_picture() -> None:
 
 @pytest.mark.parametrize("parameter", ["near", "far"])
 def test_a_sweep_of_near_or_far_shows_gaps_that_the_formula_predicts(parameter: str) -> None:
-    swept = sweep_depth(parameter, START, values_of(parameter, 31))
+    swept = sweep(parameter, START, POINTS, values_of(parameter, 31), at=gaps)
     assert (swept.values[0], swept.values[-1]) == pytest.approx((1e-6, 1e9)) and swept.complete
     for name, curve in swept.curves.items():
         assert any(curve.errors), name
@@ -344,7 +343,7 @@ def test_a_sweep_of_near_or_far_shows_gaps_that_the_formula_predicts(parameter: 
 
 def test_a_near_plane_ten_times_nearer_costs_24_bits_a_digit_and_reversed_floats_none() -> None:
     """Lecture 000: a step s of the depth is about w^2 s / n wide at a distance w."""
-    swept = sweep_depth("near", START, (1e-3, 1e-2))
+    swept = sweep("near", START, POINTS, (1e-3, 1e-2), at=gaps)
     w = -float(START.trace(START.camera.target).view[2])
     fixed, turned = (swept.curves[name].errors for name in ("fixed24", "float32, reversed"))
     for gap, near in zip(fixed, swept.values, strict=True):

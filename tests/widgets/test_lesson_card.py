@@ -17,6 +17,7 @@ from PySide6.QtWidgets import (
     QLineEdit,
     QPushButton,
     QRadioButton,
+    QToolButton,
     QWidget,
 )
 
@@ -607,6 +608,28 @@ def test_an_exercise_is_practised_by_keyboard_alone(window: MainWindow, tmp_path
     assert task.answer == f"1 {DONE}" and not task.is_open
 
 
+def test_the_card_says_what_is_wrong_in_a_saved_file(window: MainWindow, lesson: Path) -> None:
+    activate(window)
+    card, check = window.lesson_card, window.menus.lesson_menu.check
+    assert not check.isEnabled()
+    card.open(lesson)
+    settle()
+    check.trigger()
+    assert "Nothing is wrong" in texts(card)
+    right = lesson.read_text(encoding="utf-8")
+    wrong = right.replace("{angle-linear}", "{angle-liner}").replace("$a = 9/16$", "$a = 9/16")
+    lesson.write_text(wrong, encoding="utf-8")
+    window.lessons.read_again()
+    assert "line 5" in texts(card) and "no other $" in texts(card)
+    assert "angle-liner" in texts(card) and not window.messages.text
+    lesson.write_text(wrong.replace("# The angle", "# The angle\n```nosuch\n```"), encoding="utf-8")
+    window.lessons.read_again()
+    assert "unknown kind of block, nosuch" in texts(card)
+    lesson.write_text(right, encoding="utf-8")
+    window.lessons.read_again()
+    assert "angle-liner" not in texts(card) and "nosuch" not in texts(card)
+
+
 MATRIX = """---
 title: A matrix
 ---
@@ -690,3 +713,80 @@ def test_a_matrix_is_filled_in_by_keyboard_alone(window: MainWindow, tmp_path: P
         settle()
     press(KEY.Key_A, ALT)
     assert "The answer is:" in texts(view) and "3.5" in texts(view) and not view.is_open
+
+
+HIDING = """---
+title: Hiding
+---
+# Film {#film}
+```state
+scene=camera-obscura
+```
+```exercise film
+vary d: 2..6 step 0.1
+state: settings.distance={=d}
+The arrow is 5 high and 9 away, the film {=d} behind the hole. How high is the picture?
+value: 5*d/9
+hide: numbers, world
+```
+
+---
+# More {#more}
+Text.
+"""
+
+
+def test_what_would_show_the_answer_is_hidden_until_it_is_given(
+    window: MainWindow, tmp_path: Path
+) -> None:
+    path = tmp_path / "hiding.md"
+    path.write_text(HIDING, encoding="utf-8")
+    activate(window)
+    card, panels, scene = window.lesson_card, window.panels, window.controls.card
+    names = window.panels.names.findChildren(QToolButton)
+    cursor, canvas = window.cursors["image"], window.panes["image"].canvas
+
+    def is_hidden() -> bool:
+        """Whether every place where numbers are is closed."""
+        canvas.setFocus()
+        QTest.keyClick(canvas, KEY.Key_PageDown)
+        settle()
+        why = "Hidden until the exercise is answered"
+        found = [
+            *(not name.isEnabled() and why in name.toolTip() for name in names),
+            why in scene.readout.note.text(),
+            not any(value.isVisible() for _, value, _ in scene.readout.lines),
+            not scene.explanation.isEnabled(),
+            cursor.text == why,
+            why in texts(window.panes["world"]),
+        ]
+        assert len({*found}) == 1, f"everything, or nothing: {found}"
+        return found[0]
+
+    card.open(path)
+    come_to_rest(window)
+    panels.open(window.probe_panel)
+    assert not is_hidden()
+    (view,) = card.blocks
+    view.begin()
+    come_to_rest(window)
+    assert is_hidden() and panels.open_panel is None
+    scene.explanation_wanted.emit()
+    assert panels.open_panel is None, "by no way"
+    view.asked.field.setText(f"{view.variant.question.answer(view.variant.here):.4g}")
+    view.asked.check()
+    come_to_rest(window)
+    assert not view.is_open and not is_hidden()
+    assert panels.open_panel is window.scene_panel, "which was asked for meanwhile"
+    view.go_on()
+    come_to_rest(window)
+    assert is_hidden()
+    card.go_on()
+    come_to_rest(window)
+    assert not is_hidden()
+    card.go_back()
+    card.blocks[0].begin()
+    come_to_rest(window)
+    assert is_hidden()
+    card.leave()
+    assert not is_hidden()

@@ -26,7 +26,7 @@ from app.measure.results import Choice, Results, Trade, from_json, table, to_csv
 from app.model.projection import Camera, Perspective, Projection
 from app.scenes.phenomena.illustration import Diagram
 from app.scenes.scene import load
-from tests.support.results import RESULTS, TRADE
+from tests.support.results import RESULTS, TRADE, curve, sweep
 from tests.support.shown import show
 from tests.support.window import settle
 from widgets.panels import measuring
@@ -339,6 +339,27 @@ def test_the_caption_says_what_a_clicked_choice_buys_and_pays(
     assert panel.sentence.text() == f"{said} {before}"
     show(panel, Projection())
     assert panel.sentence.text() == before
+
+
+def test_a_click_on_a_number_of_a_sweep_uses_its_value_and_its_buffer(
+    panel: MeasurePanel, tmp_path: Path
+) -> None:
+    used = QSignalSpy(panel.used)
+    gaps = {name: curve((1.0, 2.0), ("", "")) for name in kept.BUFFERS}
+    errors = {"float64, every stage": curve((1.0,), ("",)), "exact": curve((1.0,), ("",))}
+    for parameter, values, curves in (
+        ("near", (0.5, 2.0), gaps), ("fov", (30.0,), errors), ("up", (30.0,), errors),
+    ):  # fmt: skip
+        swept = sweep(parameter, values, curves)
+        panel.load(write(tmp_path / "a.json", replace(RESULTS, trades=(), sweeps=(swept,))))
+        panel.choose(parameter)
+        for column in (1, 4) if parameter == "near" else (1, 2):
+            panel.table.cellClicked.emit(len(values) - 1, column)
+    fixed, reversed_ = list(kept.BUFFERS.values())[::3]
+    assert [used.at(i)[0] for i in range(used.count())] == [
+        {"lens.near": "2.0", **fixed}, {"lens.near": "2.0", **reversed_},
+        {"lens.fov_y_deg": "30.0", "rung": "float64"}, {"lens.fov_y_deg": "30.0"},
+    ]  # fmt: skip
 
 
 def test_memory_is_another_axis_of_chart_caption_and_grey(

@@ -41,6 +41,7 @@ from widgets.panes.header import Header
 from widgets.parts.buttons import tool_button
 from widgets.parts.layouts import in_column
 from widgets.parts.panel import PROJECTION, Changed, Shown
+from widgets.parts.plain import Label
 
 REST_MS = 80
 """A coarse picture is refined when nothing has changed for so long."""
@@ -228,6 +229,11 @@ class Pane(QFrame):
         sides = Qt.AlignmentFlag
         for bar, side in ((self.header, sides.AlignLeft), (self.header.tools, sides.AlignRight)):
             self._column.addWidget(bar, 0, 0, sides.AlignTop | side)  # on the picture
+        self._cover = Label(wordWrap=True, alignment=Qt.AlignmentFlag.AlignCenter)
+        self._cover.setAutoFillBackground(True)
+        self._cover.hide()
+        self._column.addWidget(self._cover, 0, 0)
+        self._cover.stackUnder(self.header)
 
     def open(self) -> None:
         """Import VTK if necessary, and let it draw from now on."""
@@ -427,6 +433,12 @@ class Pane(QFrame):
         if self.frameShape() != shape:
             self.setFrameShape(shape)
         self.hand.tells = not on
+
+    def cover(self, why: str) -> None:
+        """Cover the picture with a reason; without one, show it again."""
+        self._cover.setText(why)
+        self._cover.setVisible(bool(why))
+        self.header.tools.setEnabled(not why)
 
     def add_below(self, widget: QWidget) -> None:
         """Put a widget under the canvas: it is hidden, enlarged and floated with the pane."""

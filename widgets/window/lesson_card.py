@@ -86,6 +86,8 @@ class LessonCard(QFrame):
     """The card appeared or disappeared."""
     begun_again = Signal(str, object)
     """The answers of the lesson with this title were deleted; the callable restores them."""
+    hidden = Signal(object)
+    """What must not be seen now, because it would show the answer of an exercise."""
     went_on = Signal()
     """The step has changed or a block was answered, so other buttons may be enabled."""
 
@@ -103,6 +105,7 @@ class LessonCard(QFrame):
         """The course and the step of the page."""
         self._aside: tuple[Document, View | None] | None = None
         """A state that the lesson shows to refute an idea: it is not the student's work."""
+        self._hides: frozenset[str] = frozenset()
         self.is_on = False
         """Whether the card shows a lesson, or that one is finished."""
         self.blocks: list[BlockView] = []
@@ -131,6 +134,7 @@ class LessonCard(QFrame):
         self._looking.timeout.connect(self._look)
         lessons.opened.connect(self._open)
         lessons.stepped.connect(self._step)
+        lessons.complained.connect(self._show_mistakes)
         self.hide()
 
     def _foot(self) -> QHBoxLayout:
@@ -275,8 +279,16 @@ class LessonCard(QFrame):
         self.hint.setEnabled(self._hinting is not None)
         self.went_on.emit()
 
+    def _hide(self) -> None:
+        """Hide what would show the answer of an exercise that is open."""
+        hides = frozenset[str]().union(*(block.hides for block in self.blocks))
+        if hides != self._hides:
+            self._hides = hides
+            self.hidden.emit(hides)
+
     def _clear(self) -> None:
         self.blocks = []
+        self._hide()
         page = self._area.takeWidget()
         if page is not None:
             page.deleteLater()
@@ -339,6 +351,7 @@ class LessonCard(QFrame):
         return all(f"{step.name}/{name}" in self._progress.answers for name in names)
 
     def _settled(self, view: BlockView, answer: str) -> None:
+        self._hide()
         self._note(view.block.name, answer)
         self._notice.hide()
         had_focus = self._has_focus
@@ -367,6 +380,7 @@ class LessonCard(QFrame):
         self._settings.keep_progress(name_of(lesson.path), self._progress)
 
     def _show_aside(self, document: Document) -> None:
+        self._hide()  # before it is seen
         self._aside = document, None
         self._lessons.show(document)
 
@@ -414,6 +428,19 @@ class LessonCard(QFrame):
             self._area.ensureWidgetVisible(block)
             self.hint.setEnabled(self._hinting is not None)
             self.went_on.emit()
+
+    def check(self) -> None:
+        """Say what is wrong in the lesson's file, or that nothing is."""
+        if self._lesson is not None:
+            self._say(
+                self._lessons.mistakes() or self.tr("Nothing is wrong in this lesson's file.")
+            )
+
+    def _show_mistakes(self, text: str) -> None:
+        if text:
+            self._say(text)
+        else:
+            self._notice.hide()
 
     def _finish(self, lesson: Lesson) -> None:
         """Close the lesson; the card lists unfinished steps and names the next lesson."""

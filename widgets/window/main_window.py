@@ -60,6 +60,7 @@ from widgets.window.control_strip import ControlStrip
 from widgets.window.drawer import Drawer, Panels
 from widgets.window.files import Files
 from widgets.window.help import Help
+from widgets.window.hiding import Hiding
 from widgets.window.history import History
 from widgets.window.lesson_card import LessonCard, Side
 from widgets.window.lessons import Lessons
@@ -322,6 +323,7 @@ class MainWindow(QMainWindow):
         )  # fmt: skip
         self.lesson_card = LessonCard(self.lessons, self.store, self.settings)
         self.side.take_card(self.lesson_card)
+        self.hiding = Hiding(self.panels, controls.card, self.cursors, self.panes)
         self.files.lesson_wanted.connect(self.lesson_card.open)
         self.talks = Talks(
             self, self.lessons, self.present, self.store, self.messages, self.settings, self.band,

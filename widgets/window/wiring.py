@@ -102,6 +102,7 @@ def _wire_lesson(window: Any) -> None:
     card, menus = window.lesson_card, window.menus
     menus.lesson_menu.wire(card, window.settings)
     card.begun_again.connect(window.offer_answers)
+    card.hidden.connect(window.hiding.hide)
     card.toggled.connect(window.show_beside)
     card.toggled.connect(window.side.make_room)
     guided = window.controls.card.set_guided

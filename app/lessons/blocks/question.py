@@ -158,7 +158,7 @@ class Question(Asked):
 
     def are_alike(self, here: Here, one: Value, other: Value) -> bool:
         """Whether two values cannot be told apart: their numbers agree to three digits."""
-        return all(map(_alike, one, other))
+        return all(map(are_alike, one, other))
 
     def check(self, here: Here, trial: Trial) -> None:
         trial.checks += 1
@@ -268,6 +268,6 @@ def _figures(value: Value) -> str:
     return ", ".join(f"{each:.6g}" for each in value)
 
 
-def _alike(one: float, other: float) -> bool:
+def are_alike(one: float, other: float) -> bool:
     """Whether two values agree to three significant digits."""
     return marking.equals(marking.read(f"{one:.{marking.DIGITS}g}"), other)
