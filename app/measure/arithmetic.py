@@ -41,6 +41,7 @@ _PRECISIONS: dict[str, Precision] = {
     "exact": "exact",
 }
 """The ways that are precisions of the model, which predicts their errors."""
+_OWN = {"settings.preset": "own", "settings.snap": "none", "settings.reciprocal": "exact"}
 CHEAP: dict[str, tuple[Hardware, dict[str, str]]] = {
     **{
         f"{bits} bits": (Hardware(f"{bits} bits"), {"settings.preset": f"bits{bits}"})
@@ -50,7 +51,7 @@ CHEAP: dict[str, tuple[Hardware, dict[str, str]]] = {
     **{
         name: (
             Hardware(name, name),
-            {"settings.preset": "own", "settings.vertices": drawn, "settings.numbers": drawn},
+            {**_OWN, "settings.vertices": drawn, "settings.numbers": drawn},
         )
         for name, drawn in (("bfloat16", "bfloat16"), ("fixed 16.16", "fixed"))
     },
@@ -290,6 +291,7 @@ def measure(
     choices += [
         Choice(name, None, None, None, note=note, library=True) for name, note in missing.items()
     ]
+    choices.sort(key=lambda choice: choice.library)
     trade = Trade("arithmetic", "ns", "px", tuple(choices), 0)
     runs = {name: way.run for name, way in all_ways.items()}
     with np.errstate(all="ignore"):

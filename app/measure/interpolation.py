@@ -99,7 +99,7 @@ def affine(edge: Edge, s: Array, splits: int) -> Callable[[], Array]:
     t = np.arange(splits + 1) / splits
     breaks = _on_screen(edge, t)
     steps = (1.0 / splits) / np.diff(breaks)
-    piece = np.searchsorted(breaks[1:-1], s, side="right")
+    piece = np.searchsorted(breaks[1:-1], s)
     slopes, starts = steps[piece], (t[:-1] - steps * breaks[:-1])[piece]
     found = np.empty_like(s)
 

@@ -10,8 +10,10 @@ With w known within e_w, a quotient x/w is known within ``(e_x + |x/w| e_w) / (w
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
 from fractions import Fraction
+from functools import lru_cache
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -19,12 +21,15 @@ from numpy.typing import ArrayLike
 
 from app.arithmetic.formats import FORMATS, QUANTISED, RECIPROCALS, SNAPS, Format, Grid, reciprocal
 from app.arithmetic.rationals import nearest
+from app.model.limits import read_only
 from app.model.projection import ONE_OF, Array, Projection, Vector, checked_points
 from app.model.refusal import Refusal
 
 _UNIT_64 = 2.0**-53
 _LEAST = 1e-300
 """More than what the bounds themselves lose near the smallest float64."""
+_CELL_64 = 2.0**-44
+"""Bound of the relative error of a float64 matrix's cell, of its terms: some 10 roundings."""
 _ROUNDED_UP = 1.0 + 2.0**-40
 """For the roundings of the bounds themselves, less than 200 of 2^-53."""
 
@@ -119,11 +124,33 @@ def cheap(
     With float32, no snapping and an exact reciprocal, the numbers are bit for bit those of the
     precision ``float32`` of `app.precision.levels`.
     """
+    stored_as = (hardware.vertices,)
+    (picture,) = cheap_formats(projection, points_world, hardware, stored_as, origin, box)
+    return picture
+
+
+def cheap_formats(
+    projection: Projection,
+    points_world: ArrayLike,
+    hardware: Hardware,
+    vertices: Sequence[str],
+    origin: Vector = (0.0, 0.0, 0.0),
+    box: ArrayLike | None = None,
+) -> list[CheapPicture]:
+    """Return `cheap` with each of several formats of the vertices, hardly slower than one."""
     points = checked_points(points_world)
     corners = _box_of(points) if box is None else checked_points(box)
     numbers = FORMATS[hardware.numbers]
     with np.errstate(all="ignore"):
-        stored = _stored(points, hardware, numbers, np.array(origin), corners - origin)
+        each = [
+            _stored(points, replace(hardware, vertices=name), numbers, np.array(origin), corners)
+            for name in vertices
+        ]
+        stored = _Rounded(
+            np.concatenate([part.value for part in each], axis=1),
+            np.concatenate([part.error for part in each], axis=1),
+            numbers,
+        )
         matrix, has_w = _matrix(projection, origin, numbers)
         row = stored.part(0) * matrix.part(np.s_[:, 0, None])
         for axis in (1, 2):
@@ -143,7 +170,8 @@ def cheap(
     none = ~(w.value[0] > 0.0) | np.isnan(found).any(axis=0)
     found[:, none], bounds[:, none] = np.nan, np.inf
     bounds[np.isnan(bounds)] = np.inf
-    return CheapPicture(found[:2].T, found[2], bounds.T)
+    parts = (np.split(rows, len(vertices), axis=1) for rows in (found, bounds))
+    return [CheapPicture(xy[:2].T, xy[2], bound.T) for xy, bound in zip(*parts, strict=True)]
 
 
 def stored(
@@ -156,7 +184,7 @@ def stored(
     points = checked_points(points_world)
     corners = _box_of(points) if box is None else checked_points(box)
     with np.errstate(all="ignore"):
-        kept = _stored(points, hardware, FORMATS["float64"], np.array(origin), corners - origin)
+        kept = _stored(points, hardware, FORMATS["float64"], np.array(origin), corners)
     return kept.value.T + origin
 
 
@@ -203,7 +231,7 @@ def _stored(
     points: Array, hardware: Hardware, numbers: Format, origin: Array, corners: Array
 ) -> _Rounded:
     """The coordinates (3, n) of the vertices, as the arithmetic gets them."""
-    local = points - origin
+    local, corners = points - origin, corners - origin
     bits = QUANTISED.get(hardware.vertices)
     kept = FORMATS[hardware.vertices] if bits is None else Grid.over(corners, bits)
     stored = kept.rounded(local)
@@ -213,25 +241,42 @@ def _stored(
     return _Rounded(loaded.T, error.T, numbers)
 
 
+@lru_cache(maxsize=4)  # the formats of one picture are compared at every step
 def _matrix(projection: Projection, origin: Vector, numbers: Format) -> tuple[_Rounded, bool]:
-    """The matrix to clip space in the format, with its errors, and whether w is not always 1.
+    """The matrix to clip space in the format, with its errors, and whether w is not always 1."""
+    given = projection.clip_from_local(origin)
+    cells = numbers.rounded(given)
+    if numbers.digits == 53 or projection.lens.own_view is not None:
+        errors = _from_rationals(projection, origin, cells)
+    else:
+        # float64 keeps more of each cell than any other format sees: its terms are a row of
+        # `clip_from_view` times a unit vector, or times the offset from the eye.
+        terms = np.abs(projection.clip_from_view)
+        length = np.abs(np.subtract(origin, projection.camera.eye)).sum()
+        sizes = np.repeat(terms[:, :3].sum(axis=1, keepdims=True), 4, axis=1)
+        sizes[:, 3] = sizes[:, 3] * length + terms[:, 3]
+        errors = np.abs(given - cells) + _CELL_64 * sizes
+        errors[~np.isfinite(cells)] = np.inf
+    has_w = given[3].tolist() != [0.0, 0.0, 0.0, 1.0]
+    return _Rounded(cells, read_only(errors * _ROUNDED_UP), numbers), has_w
 
-    The cells are known before any point is, and so are their errors: against rationals.
-    """
+
+def _from_rationals(projection: Projection, origin: Vector, cells: Array) -> Array:
+    """The errors of the matrix's cells, against rationals."""
     exact = [row.copy() for row in projection.exact_from_eye[1]]
     eye = projection.camera.eye
     offset = [Fraction(o) - Fraction(e) for o, e in zip(origin, eye, strict=True)]
     for row in exact:
         row[3] += sum((cell * o for cell, o in zip(row, offset, strict=False)), Fraction(0))
-    cells = numbers.rounded(projection.clip_from_local(origin))
-    errors = [
+    return np.array(
         [
-            abs(nearest(true - Fraction(cell))) if math.isfinite(cell) else math.inf
-            for true, cell in zip(true_row, row, strict=True)
+            [
+                abs(nearest(true - Fraction(cell))) if math.isfinite(cell) else math.inf
+                for true, cell in zip(true_row, row, strict=True)
+            ]
+            for true_row, row in zip(exact, cells.tolist(), strict=True)
         ]
-        for true_row, row in zip(exact, cells.tolist(), strict=True)
-    ]
-    return _Rounded(cells, np.array(errors) * _ROUNDED_UP, numbers), exact[3] != [0, 0, 0, 1]
+    )
 
 
 def _divided(clip: _Rounded, w: _Rounded, steps: int | None) -> _Rounded:
